@@ -2,7 +2,7 @@
 # kanexpr_<part>_lacks is empty where nothing is lacking, else a sentence.
 set(kanexpr_compiler_lacks "")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 12)
-  set(kanexpr_compiler_lacks "kanexpr needs g++ 12 or later, or clang; this is g++ ${CMAKE_CXX_COMPILER_VERSION}")
+  set(kanexpr_compiler_lacks "kanexpr requires g++ 12 or later, or clang; this is g++ ${CMAKE_CXX_COMPILER_VERSION}")
 endif()
 
 find_package(SUNDIALS 6.4 QUIET COMPONENTS cvode arkode ida kinsol nvecserial sunmatrixdense sunlinsoldense

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Results of a derivation at run time in other forms: multiplied out, collected, in lowest terms, with sines
-/// and cosines brought together, and whether two of them are equal. Needs Boost.Multiprecision.
+/// Transforms results of a run-time derivation: expand, collect, reduce to lowest terms, combine sines and
+/// cosines, and compare for equality. Requires Boost.Multiprecision.
 
 #include <kanexpr/symbolic.hpp>
 #include <kanexpr/symbolic/algebra/equality.hpp>

@@ -1,8 +1,8 @@
 #pragma once
 
-/// Animated pages of moving systems: what a system looks like as words, and a page that a browser opens
-/// without a network. Needs nlohmann-json; the page itself is built by the CMake target kanexpr::animate,
-/// with npm.
+/// Animated pages of moving systems: the appearance of a system described as types, and a page that a browser
+/// opens without a network. Requires nlohmann-json; the page itself is built by the CMake target
+/// kanexpr::animate, with npm.
 
 #include <kanexpr/compiler.hpp>
 

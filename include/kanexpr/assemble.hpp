@@ -1,6 +1,6 @@
 #pragma once
 
-/// Find states that satisfy the constraints of a system, and say which do not.
+/// Find states that satisfy the constraints of a system, and check states against them.
 
 #include <kanexpr/compiler.hpp>
 

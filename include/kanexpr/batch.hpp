@@ -1,6 +1,6 @@
 #pragma once
 
-/// Evaluate and move many systems side by side, in the vectors of the processor and on several threads.
+/// Evaluate and integrate many systems side by side, in SIMD vectors of the processor and on several threads.
 
 #include <kanexpr/compiler.hpp>
 

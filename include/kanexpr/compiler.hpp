@@ -1,15 +1,14 @@
 #pragma once
 
-/// What the library asks of a compiler and its options. Behind a sentence nothing else is said: an error
-/// would not end the compilation, a file that is not there does, and so do classes that each need another
-/// one.
+/// Checks the compiler and its options. After an error sentence, compilation stops: an error alone would not
+/// stop it, but a missing file does, and so do classes that require each other.
 
 #if __cplusplus < 202002L
-#error "kanexpr needs C++20: compile with -std=c++20 or a later standard"
+#error "kanexpr requires C++20: compile with -std=c++20 or a later standard"
 #include <nothing_without_c++20>
-#define constexpr // clang++ reads on in silence, to a destructor at which it would crash
+#define constexpr // clang++ continues silently, up to a destructor at which it would crash
 #elif defined __GNUC__ && !defined __clang__ && __GNUC__ < 12
-#error "kanexpr needs g++ 12 or later, or clang"
+#error "kanexpr requires g++ 12 or later, or clang"
 #include <nothing_for_this_compiler>
 #elif defined __GNUC__
 
@@ -18,12 +17,11 @@ namespace kanexpr::describe {
 template <int>
 inline constexpr int one_of_many = 0;
 
-// The entities of a model are told apart by their addresses.
+// The entities of a model are distinguished by their addresses.
 inline constexpr bool are_entities_apart = __builtin_constant_p(&one_of_many<0> == &one_of_many<1>);
-static_assert(
-    are_entities_apart,
-    "with -fsanitize=undefined g++ needs -fno-sanitize=null,nonnull-attribute,returns-nonnull-attribute "
-    "behind it to read a model; the target kanexpr::kanexpr passes it on");
+static_assert(are_entities_apart, "with -fsanitize=undefined, g++ also requires "
+                                  "-fno-sanitize=null,nonnull-attribute,returns-nonnull-attribute after it "
+                                  "to read a model; the target kanexpr::kanexpr passes this option");
 
 template <bool goes_on, int count>
 struct compilation {};

@@ -1,8 +1,8 @@
 #pragma once
 
-/// What a control loop needs beside the equations: discrete forms of linear systems, linear-quadratic
-/// regulators, also computed by the compiler, the extended Kalman filter, and steps with their derivatives.
-/// Without a heap.
+/// The tools of a control loop in addition to the equations: discretization of linear systems,
+/// linear-quadratic regulators, also at compile time, the extended Kalman filter, and steps with their
+/// derivatives. No heap is used.
 
 #include <kanexpr/compiler.hpp>
 

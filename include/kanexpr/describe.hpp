@@ -1,7 +1,7 @@
 #pragma once
 
-/// The words of a model alone, for headers of models that others compile (see `kanexpr_add_model`). Nothing
-/// is derived with this.
+/// Only the description types of a model, for headers of models that are compiled elsewhere (see
+/// `kanexpr_add_model`). Nothing is derived with this header.
 
 #include <kanexpr/compiler.hpp>
 

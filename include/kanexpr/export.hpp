@@ -1,6 +1,6 @@
 #pragma once
 
-/// Models for other languages and tools, written by a program: `write_c`, `write_casadi`, `write_fmu`.
+/// Models exported by a program to other languages and tools: `write_c`, `write_casadi`, `write_fmu`.
 
 #include <kanexpr/symbolic.hpp>
 

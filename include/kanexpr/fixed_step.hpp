@@ -1,6 +1,6 @@
 #pragma once
 
-/// Integrate the equations of motion with steps of a length that is given, for use in real time.
+/// Integrate the equations of motion with fixed-length steps, for real-time use.
 
 #include <kanexpr/compiler.hpp>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Results of ensembles in files of HDF5. Link kanexpr::hdf5.
+/// Ensemble results in HDF5 files. Link kanexpr::hdf5.
 
 #include <kanexpr/compiler.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Mechanisms by their joints, as words: each kind in a file of its own. Nothing is derived with this; beside
-/// it stand `kanexpr.hpp` and, for what joints carry, `reactions.hpp`.
+/// Joints for the description of mechanisms, each kind in a separate file. Nothing is derived with this
+/// header; include `kanexpr.hpp` in addition and, for joint loads, `reactions.hpp`.
 
 #include <kanexpr/describe.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Describe a mechanical system as types and get its equations of motion as compiled functions.
-/// Needs Eigen and Boost.Hana only.
+/// Describe a mechanical system as types and get its equations of motion as compiled functions. Requires only
+/// Eigen and Boost.Hana.
 
 #include <kanexpr/compiler.hpp>
 

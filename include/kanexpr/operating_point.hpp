@@ -1,6 +1,7 @@
 #pragma once
 
-/// Find the states, inputs and parameters at which a system rests or moves steadily. Link kanexpr::simulate.
+/// Find the states, inputs and parameters at which a system is at rest or in steady motion. Link
+/// kanexpr::simulate.
 
 #include <kanexpr/kanexpr.hpp>
 #include <kanexpr/simulate/operating_point.hpp>

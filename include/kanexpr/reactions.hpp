@@ -1,6 +1,6 @@
 #pragma once
 
-/// The forces and torques that joints carry.
+/// The forces and torques that joints transmit.
 
 #include <kanexpr/joints.hpp>
 #include <kanexpr/kanexpr.hpp>

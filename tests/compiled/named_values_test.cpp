@@ -111,11 +111,12 @@ TEST(named_values, are_unknown_or_elsewhere) {
   constexpr kanexpr::parameter<"mm"> mm;
   EXPECT_EQ(mistake_of_parameters({{mm, 1}}), "the system System has no parameter mm");
   EXPECT_EQ(mistake_of({{q1, 0.1}, {"q7", 1}}), "the system System has no coordinate or speed q7");
-  EXPECT_EQ(mistake_of({{q1, 0.1}, {m1, 1}}), "parameter m1 has no place in the state vector of System");
+  EXPECT_EQ(mistake_of({{q1, 0.1}, {m1, 1}}), "parameter m1 is not an entry of the state vector of System");
   EXPECT_EQ(mistake_of({{dot(q1), 1}}), "the system System has no coordinate or speed q1'");
-  EXPECT_EQ(mistake_of({{kanexpr::rational<1, 2>, 1}}), "a value is given to something that is not a symbol");
+  EXPECT_EQ(mistake_of({{kanexpr::rational<1, 2>, 1}}),
+            "a value is assigned to an expression that is not a symbol");
   EXPECT_EQ(bicycle_parameters({{bicycle::g, 9}}).mistake.view(),
-            "parameter g has its value in the system BoundSystem");
+            "parameter g is already bound in the system BoundSystem");
 }
 
 TEST(named_values, are_no_numbers) {

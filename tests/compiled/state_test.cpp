@@ -93,7 +93,7 @@ TEST(vectors_by_name, tell_what_is_missing_or_wrong) {
   }
   EXPECT_EQ((eom::state{{q1, 0.1}, {"q3", 0}}.mistake().cause()), "System has no coordinate or speed q3");
   EXPECT_EQ((kanexpr::input_values<System, float>{{T1, 1}, {unknown, 2}}.mistake().cause()),
-            "a name in the list that gave the value of input T1 is not one of System");
+            "a name in the list that set the value of input T1 does not belong to System");
   r = {{T1, 1}, {T2, std::nan("")}};
   EXPECT_EQ(r.mistake().view(), "the value of input T2 is not a number");
   EXPECT_EQ(eom::state({{q1, 0.1}, {q2, 0.2}, {u1, 1}}).mistake().view(), "speed u2 has no value");

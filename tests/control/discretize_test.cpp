@@ -146,12 +146,11 @@ TEST(discretize, says_what_is_not_finite) {
     EXPECT_FALSE(form.B.allFinite());
     return form.status.cause();
   };
-  EXPECT_EQ(cause(discretize(a, b, infinite)), "the length of the step is not finite");
+  EXPECT_EQ(cause(discretize(a, b, infinite)), "the step length is not finite");
   EXPECT_EQ(cause(discretize((infinite * a).eval(), b, 0.1)), "the state matrix A is not finite");
   EXPECT_EQ(cause(discretize(a, (infinite * b).eval(), 0.1)), "the input matrix B is not finite");
   EXPECT_EQ(cause(discretize(a, b, (infinite * b).eval(), 0.1)), "the offset c is not finite");
-  EXPECT_EQ(cause(discretize(a, b, 1e4)),
-            "the motion of the linear system over the step is too large for numbers");
+  EXPECT_EQ(cause(discretize(a, b, 1e4)), "the motion of the linear system over the step overflows");
 }
 
 } // namespace

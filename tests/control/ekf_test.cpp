@@ -154,10 +154,9 @@ TEST(ekf, stays_as_it_was_where_it_cannot_go_on) {
     return s.cause();
   };
   EXPECT_EQ(cause(estimate.predict(0, 0.02, parameter_values<cart>(), r, of.Q)), "m0 has no finite value");
-  EXPECT_EQ(cause(estimate.predict(0, infinite, parameters, r, of.Q)),
-            "the length of the step is not finite");
+  EXPECT_EQ(cause(estimate.predict(0, infinite, parameters, r, of.Q)), "the step length is not finite");
   EXPECT_EQ(cause(estimate.predict(0, 0.02, parameters, r, infinite * of.Q)),
-            "the covariance of what disturbs the states is not finite");
+            "the covariance of the disturbance is not finite");
   const Eigen::Vector3d y(0, 0, 0);
   EXPECT_EQ(cause(estimate.update(infinite * Eigen::Vector3d::Ones(), parameters, r, of.R)),
             "a measurement is not finite");
@@ -175,14 +174,14 @@ TEST(ekf, stays_as_it_was_where_it_cannot_go_on) {
   EXPECT_EQ(cause(estimate.update(y, parameters, r, crooked)),
             "the covariance of the noise is not symmetric");
   EXPECT_EQ(cause(estimate.predict(0, 0.02, parameters, r, -of.Q)),
-            "the covariance of what disturbs the states is not positive semidefinite");
+            "the covariance of the disturbance is not positive semidefinite");
   auto indefinite = of.Q;
   indefinite(0, 1) = indefinite(1, 0) = 10;
   EXPECT_EQ(cause(estimate.predict(0, 0.02, parameters, r, indefinite)),
-            "the covariance of what disturbs the states is not positive semidefinite");
+            "the covariance of the disturbance is not positive semidefinite");
   indefinite(1, 0) = 0;
   EXPECT_EQ(cause(estimate.predict(0, 0.02, parameters, r, indefinite)),
-            "the covariance of what disturbs the states is not symmetric");
+            "the covariance of the disturbance is not symmetric");
   EXPECT_TRUE(estimate.expected(parameters, r).status);
   EXPECT_EQ(estimate.expected(parameters, r)(0), 0);
   filter<double> impossible(before.x, -of.P);
@@ -282,7 +281,7 @@ TEST(ekf, tells_an_indefinite_covariance_from_a_rounded_one) {
     const auto less = [&](double part) { return Eigen::Matrix4d(m - part * least * least.transpose()); };
     estimate.P = m;
     EXPECT_EQ(estimate.predict(0, 1e-3, parameters, r, less(1e-12)).cause(),
-              "the covariance of what disturbs the states is not positive semidefinite");
+              "the covariance of the disturbance is not positive semidefinite");
     estimate.P = less(1e-6);
     EXPECT_EQ(estimate.predict(0, 1e-3, parameters, r, m).cause(),
               "the covariance of the state is not positive semidefinite");

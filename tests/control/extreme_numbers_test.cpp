@@ -21,12 +21,11 @@ using square = numeric::fixed_matrix<T, n, n>;
 template <class T, int n>
 using column = numeric::fixed_matrix<T, n, 1>;
 
-constexpr std::string_view too_inaccurate =
-                               "the Riccati equation could not be solved to the accuracy of the numbers",
-                           too_large = "the solution of the Riccati equation is too large for numbers",
-                           not_stabilizable = "the system is not stabilizable, as far as numbers can tell: "
+constexpr std::string_view too_inaccurate = "the Riccati equation could not be solved to working precision",
+                           too_large = "the solution of the Riccati equation overflows",
+                           not_stabilizable = "the system is not stabilizable to working precision: "
                                               "its inputs do not reach a motion that does not decay",
-                           too_far = "the motion of the linear system over the step is too large for numbers";
+                           too_far = "the motion of the linear system over the step overflows";
 
 // Of a double integrator K = (√(q₁/r), √(q₂/r + 2 √(q₁/r)/b)).
 template <class T>

@@ -36,7 +36,7 @@ TYPED_TEST(control_with_fast_math, tells_what_is_not_finite) {
   EXPECT_EQ(lqr(a, b, {1, 1}, {1, 1}).status.cause(), "the state matrix A is not finite");
   EXPECT_EQ(lqr(b, b, {1, T(none)}, {1, 1}).status.cause(), "the weights of the states are not finite");
   EXPECT_EQ(discretize(a, b, T(1)).status.cause(), "the state matrix A is not finite");
-  EXPECT_EQ(discretize(b, b, T(none)).status.cause(), "the length of the step is not finite");
+  EXPECT_EQ(discretize(b, b, T(none)).status.cause(), "the step length is not finite");
   EXPECT_TRUE(lqr(b, b, {1, 1}, {1, 1}));
 }
 

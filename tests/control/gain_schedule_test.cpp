@@ -95,7 +95,7 @@ TEST(gain_schedule, says_what_cannot_be_a_schedule) {
   const auto inverse = [](double v) { return Eigen::Matrix<double, 1, 1>(1 / v); };
   EXPECT_EQ(gain_schedule<3>(0.0, 1.0, inverse).status.cause(), "a gain of the schedule is not finite");
   EXPECT_EQ(gain_schedule<3>(2.0, 2.0, inverse).status.cause(),
-            "the ends of the schedule are equal, or no numbers");
+            "the ends of the schedule must be finite and different");
 }
 
 TEST(gain_schedule, one_gain_has_other_numbers_too) {
@@ -108,7 +108,7 @@ TEST(gain_schedule, says_where_there_is_no_gain) {
   static_assert(!table);
   EXPECT_EQ(
       table.status.cause(),
-      "the system is not detectable on the imaginary axis: the weights of the states leave out a motion that "
+      "the system is not detectable on the imaginary axis: the state weights do not cover a motion that "
       "neither grows nor decays");
 }
 

@@ -28,7 +28,7 @@ TEST(lqr, takes_weights_as_diagonals) {
   static_assert(found && found.K(0, 0) > 2 - 1e-14 && found.K(0, 0) < 2 + 1e-14);
 }
 
-constexpr std::string_view not_stabilizable = "the system is not stabilizable, as far as numbers can tell: "
+constexpr std::string_view not_stabilizable = "the system is not stabilizable to working precision: "
                                               "its inputs do not reach a motion that does not decay";
 
 template <class Regulator>
@@ -118,12 +118,10 @@ TEST(lqr, solves_its_equation_in_any_units) {
 }
 
 TEST(lqr, says_that_a_motion_has_no_weight) {
-  constexpr std::string_view on_axis =
-                                 "the system is not detectable on the imaginary axis: the weights of the "
-                                 "states leave out a motion that neither grows nor decays",
-                             on_circle =
-                                 "the system is not detectable on the unit circle: the weights of the "
-                                 "states leave out a motion that neither grows nor decays";
+  constexpr std::string_view on_axis = "the system is not detectable on the imaginary axis: the state "
+                                       "weights do not cover a motion that neither grows nor decays",
+                             on_circle = "the system is not detectable on the unit circle: the state weights "
+                                         "do not cover a motion that neither grows nor decays";
   const Eigen::Matrix2d integrators{{0, 1}, {0, 0}}, oscillator{{0, 1}, {-4, 0}};
   const Eigen::Vector2d B(0, 1);
   EXPECT_EQ(cause(lqr(integrators, B, {0, 0}, {1})), on_axis);

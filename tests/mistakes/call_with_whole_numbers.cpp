@@ -1,4 +1,4 @@
-// expect: the values of System are real numbers, and int holds whole numbers only; take double
+// expect: the values of System are real numbers, but int holds only integers; use double
 #include "pendulum.hpp"
 
 struct System : pendulum_with<Bob> {};

@@ -1,4 +1,4 @@
-// expect: a result is asked for without a state; call it as f(t, x, p, r)
+// expect: a result requires a state; call it as f(t, x, p, r)
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

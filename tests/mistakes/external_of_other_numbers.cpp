@@ -1,4 +1,4 @@
-// expect: udot is asked for with numbers of complex<double>, which lift does not take
+// expect: udot is evaluated with the scalar type complex<double>, which lift does not accept
 #include "pendulum.hpp"
 
 #include <complex>

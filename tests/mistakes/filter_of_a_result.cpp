@@ -1,4 +1,4 @@
-// expect: what a filter measures are expressions of the model, scalars and vectors
+// expect: a filter can measure only scalar and vector expressions of the model
 #include "pendulum.hpp"
 
 #include <kanexpr/control.hpp>

@@ -1,4 +1,5 @@
-// expect: y and its covariance R have a row for each number that is measured, and the numbers of the filter
+// expect: y and its covariance R must have a row for each measured component, and the scalar
+// expect: type of the filter
 #include "pendulum.hpp"
 
 #include <kanexpr/control.hpp>

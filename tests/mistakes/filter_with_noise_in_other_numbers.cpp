@@ -1,5 +1,5 @@
-// expect: the covariance Q has a row and a column for each independent coordinate and speed, and the numbers
-// of the filter
+// expect: the covariance Q must have a row and a column for each independent coordinate and
+// expect: speed, and the scalar type of the filter
 #include "pendulum.hpp"
 
 #include <kanexpr/control.hpp>

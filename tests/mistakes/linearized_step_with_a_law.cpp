@@ -1,5 +1,5 @@
-// expect: linearized<Step> takes the inputs that hold during the step, which the state after it is
-// expect: differentiated by, and no function that gives them
+// expect: linearized<Step> requires inputs that are constant during the step, because it differentiates
+// expect: with respect to them; it does not accept a function
 #include "pendulum.hpp"
 
 #include <kanexpr/control.hpp>

@@ -1,4 +1,4 @@
-// expect: the state of System holds no rate of coordinate q
+// expect: the state of System does not contain the rate of coordinate q
 #include "pendulum.hpp"
 
 struct System : pendulum_with<Bob> {};

@@ -4,7 +4,7 @@
 
 struct System : pendulum_with<Bob> {};
 
-// expect: second_order_step takes a step without corrections, such as runge_kutta_4<System, 0>
+// expect: second_order_step requires a step without corrections, such as runge_kutta_4<System, 0>
 static_assert(sizeof(second_order_step<runge_kutta_4<System>>) == 1);
 
 constexpr coordinate<"e", 1> e1;
@@ -19,5 +19,6 @@ struct Top : rigid_body<Top, O, B, m, inertia<B, 1, 1, 2>> {};
 struct Spinning : kane_system<inertial<N>, coordinates<e1, e2, e3, e4>, speeds<w1, w2, w3>,
                               kinematics<kinematics_of<B, N>>, bodies<Top>> {};
 
-// expect: second_order_step takes a system without quaternions, which have norm 1 at the ends of a step alone
+// expect: second_order_step requires a system without quaternions, because they have
+// expect: norm 1 only at the ends of a step
 static_assert(sizeof(second_order_step<runge_kutta_4<Spinning, 0>>) == 1);

@@ -3,11 +3,11 @@
 
 struct System : loaded<weight, torque<A, T * N::z>> {};
 
-// expect: the expression has no place in the state vector of System
+// expect: the expression is not an entry of the state vector of System
 auto product(state<System>& x) { return x[q * q]; }
 
-// expect: the expression has no place in the parameter vector of System
+// expect: the expression is not an entry of the parameter vector of System
 auto axis(const parameter_values<System>& p) { return p[N::x]; }
 
-// expect: the expression has no place in the input vector of System
+// expect: the expression is not an entry of the input vector of System
 auto negative(input_values<System>& r) { return r[-T]; }

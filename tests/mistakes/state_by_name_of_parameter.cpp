@@ -1,4 +1,4 @@
-// expect: m has no place in the state vector of System
+// expect: m is not an entry of the state vector of System
 #include "pendulum.hpp"
 
 struct System : pendulum_with<Bob> {};

@@ -1,4 +1,4 @@
-// expect: m has no place in the state vector of System
+// expect: m is not an entry of the state vector of System
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -24,8 +24,8 @@ TEST(assemble, says_that_the_start_is_singular) {
   const kanexpr::assembly a = kanexpr::assemble<System>(x, p);
   EXPECT_FALSE(a);
   EXPECT_EQ(x, guess);
-  EXPECT_EQ(a.cause(), "the configuration constraints are singular where the search for the dependent "
-                       "coordinates ended, with a residual of 0.75");
+  EXPECT_EQ(a.cause(), "the search for the dependent coordinates ended at a singularity of the configuration "
+                       "constraints, with a residual of 0.75");
   Eigen::VectorXd y = guess;
   auto model = kanexpr::derive<System>();
   EXPECT_EQ(kanexpr::assemble(model, y, p, p).cause(), a.cause());
@@ -55,7 +55,7 @@ TEST(check_consistency, names_the_constraint_and_the_amount) {
   moved[u3] += 0.25;
   const double d = moved[q1] + moved[q2] + moved[q3]; // the residual is that of the rocker's end, 1.2 long
   char text[64];
-  std::snprintf(text, sizeof text, "velocity constraint 1 is off by %.3g", -1.2 * std::sin(d) * 0.25);
+  std::snprintf(text, sizeof text, "velocity constraint 1 has a residual of %.3g", -1.2 * std::sin(d) * 0.25);
   EXPECT_EQ(both(moved).cause(), text);
   EXPECT_LT(both(moved).configuration_residual, 1e-15);
   EXPECT_NEAR(both(moved).velocity_residual, 0.3 * std::max(std::abs(std::sin(d)), std::abs(std::cos(d))),
@@ -69,7 +69,7 @@ TEST(check_consistency, names_the_constraint_and_the_amount) {
   EXPECT_FALSE(both(moved));
 
   b.p[l0] += 0.5; // along x alone
-  EXPECT_EQ(both(b.x).cause(), "configuration constraint 1 is off by -0.5");
+  EXPECT_EQ(both(b.x).cause(), "configuration constraint 1 has a residual of -0.5");
   EXPECT_NEAR(both(b.x).configuration_residual, 0.5, 1e-14);
 }
 

@@ -153,7 +153,7 @@ TEST(simulated_model, tells_what_is_missing_before_the_first_step) {
             "parameter m has two values");
   EXPECT_EQ(cause(start, {{"mm", 1}}, idle), "the model has no parameter mm");
   EXPECT_EQ(cause({{"q", 0.3}, {"m", 0}}, numbers, idle),
-            "parameter m has no place in the state vector of the model");
+            "parameter m is not an entry of the state vector of the model");
   EXPECT_EQ(cause(Eigen::Vector3d(1, 2, 3), numbers, idle),
             "the state vector of the model has 2 entries, not 3");
   EXPECT_EQ(cause({{"q", std::numeric_limits<double>::infinity()}, {"u", 0}}, numbers, idle),

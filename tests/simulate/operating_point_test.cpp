@@ -113,7 +113,7 @@ TEST(operating_point, tells_what_is_wrong_with_the_question) {
   EXPECT_EQ(cause({.rates = {{dot(q), 3}, {"q'", 3}}}), "the rate of coordinate q is given twice");
   EXPECT_EQ(cause({.rates = {{dot(u), std::nan("")}}}),
             "the value given for the rate of speed u is not finite");
-  EXPECT_EQ(cause({.inputs = {{q, 1}}}), "coordinate q has no place in the input vector of System");
+  EXPECT_EQ(cause({.inputs = {{q, 1}}}), "coordinate q is not an entry of the input vector of System");
   EXPECT_EQ(operating_point({{q, std::nan("")}}, some_parameters()).cause(),
             "the value of coordinate q is not a number");
   EXPECT_EQ(operating_point({{q, 0.5}}).cause(), "parameter m has no value");

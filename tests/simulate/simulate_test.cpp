@@ -61,7 +61,7 @@ TEST(simulate, refuses_what_it_cannot_do) {
   EXPECT_EQ(cause_with({.inputs = idle, .absolute_tolerance = 0}), "a tolerance must be positive");
   EXPECT_EQ(cause_with({.inputs = idle, .absolute_tolerances = {{u, -1}}}), "a tolerance must be positive");
   EXPECT_EQ(cause_with({.inputs = idle, .absolute_tolerances = {{m, 1}}}),
-            "in the tolerances, parameter m has no place in the state vector of System");
+            "in the tolerances, parameter m is not an entry of the state vector of System");
   EXPECT_EQ(cause_with({.inputs = idle, .output_every = -1}),
             "the time between two samples must be positive");
   EXPECT_EQ(cause_with({.inputs = idle, .output_times = {0.5, 2}}),

@@ -106,7 +106,7 @@ TEST(singular_positions, say_which_constraints_repeat_others) {
   model m = derive<System>();
   for (const independence& found :
        {check_independence<System>(at), check_independence(m, Eigen::VectorXd(at))}) {
-    EXPECT_EQ(found.cause(), "constraint 1 on the speeds repeats others here");
+    EXPECT_EQ(found.cause(), "velocity constraint 1 depends on other constraints at this state");
     EXPECT_EQ(found.rank, 2);
     EXPECT_EQ(found.repeated, (std::vector{1, 3})); // along the bars
   }
@@ -142,7 +142,7 @@ TEST(singular_positions, have_multipliers_of_least_norm) {
     EXPECT_LT((interpreted.multipliers - compiled.multipliers).norm(), 1e-12 * expected.norm());
     const bool is_in_line = std::abs(std::sin(q)) < 1e-9;
     EXPECT_EQ(compiled.constraints.cause(),
-              is_in_line ? "constraint 1 on the speeds repeats others here" : "");
+              is_in_line ? "velocity constraint 1 depends on other constraints at this state" : "");
     EXPECT_EQ(interpreted.constraints.repeated, compiled.constraints.repeated);
     if (!is_in_line) {
       EXPECT_LT((compiled.multipliers - equations_of_motion<System>::multipliers(x)).norm(),
@@ -157,8 +157,8 @@ TEST(singular_positions, say_where_constraints_contradict_each_other) {
   const state<System> x = state<System>::Zero();
   const input_values<System> drawn(2, 0, 0.3);
   const auto found = find_least_multipliers<System>(x, parameter_values<System>(), drawn);
-  EXPECT_EQ(found.cause(), "the constraints that repeat others here contradict them");
-  EXPECT_EQ(found.constraints.cause(), "constraint 1 on the speeds repeats others here");
+  EXPECT_EQ(found.cause(), "the constraints that are redundant at this state contradict the others");
+  EXPECT_EQ(found.constraints.cause(), "velocity constraint 1 depends on other constraints at this state");
   EXPECT_EQ(find_least_multipliers<System>(x).cause(), "x has no finite value");
 }
 

@@ -17,7 +17,7 @@ TEST(assemble_float, satisfies_the_constraints_to_its_rounding) {
   const kanexpr::input_values<System, float> r(whole.r.cast<float>());
   const auto before = kanexpr::check_consistency<System>(x, p, r);
   EXPECT_FALSE(before);
-  EXPECT_TRUE(before.cause().starts_with("configuration constraint 1 is off by ")) << before.cause();
+  EXPECT_TRUE(before.cause().starts_with("configuration constraint 1 has a residual of ")) << before.cause();
 
   const auto made = [&] {
     no_heap::guard guard;

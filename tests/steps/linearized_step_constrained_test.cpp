@@ -36,9 +36,8 @@ void expect_a_refusal(auto linearized_or_second) {
   const kanexpr::status plain = Step{}(t, same, 1e-3, p);
   EXPECT_EQ(
       plain.cause(),
-      "the step passes or nears a position where the constraints cannot be solved for the dependent speeds: "
-      "passing<...> goes through it; where only this choice of them is singular, so does another "
-      "dependent<...>");
+      "the step passes or comes close to a position where the constraints cannot be solved for the dependent "
+      "speeds: use passing<...>, or a different dependent<...> if only this choice is singular");
   EXPECT_EQ(linearized_or_second(x, 1e-3, p), plain.cause());
 }
 

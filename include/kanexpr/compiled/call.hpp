@@ -11,7 +11,7 @@
 #include <type_traits>
 #include <utility>
 
-/// Mistakes that a person can make when calling a compiled function.
+/// Mistakes in a call of a compiled function.
 namespace kanexpr::compiled {
 
 template <auto wanted>
@@ -23,7 +23,7 @@ constexpr std::string_view result_name() {
   return "the expression";
 }
 
-/// What the code loads from an argument that is not given.
+/// Names an argument that the code loads but the call omits.
 template <class System, class Code>
 constexpr mechanics::sentence lacks(std::string_view result, symbolic::symbol_kind kind,
                                     std::string_view what, std::string_view way) {
@@ -47,8 +47,8 @@ constexpr bool loads_time() {
   return false;
 }
 
-/// Whether the functions of the program that some code calls take numbers of a type, where it is compiled
-/// or interpreted.
+/// Whether the user-supplied functions that some code calls accept a scalar type, when compiled or when
+/// interpreted.
 template <class Code, class Number, bool is_interpreted, auto wanted>
 struct external_calls {
   template <int index>
@@ -66,8 +66,8 @@ struct external_calls {
                                           : void()),
      ...);
     if (refusing.empty()) return mechanics::sentence();
-    return mechanics::sentence({result_name<wanted>(), " is asked for with numbers of ", type_name<Number>(),
-                                ", which ", refusing, " does not take"});
+    return mechanics::sentence({result_name<wanted>(), " is evaluated with the scalar type ",
+                                type_name<Number>(), ", which ", refusing, " does not accept"});
   }(std::make_integer_sequence<int, Code::tape.sizes.externals>{});
   static constexpr bool possible = !static_cast<bool>(mistake);
   static_assert(deriving::tell<external_calls>());
@@ -81,7 +81,7 @@ constexpr bool can_call_externals() {
     return true;
 }
 
-/// One vector of a system in the place of another.
+/// Checks that an argument is the required vector of the same system.
 template <class System, symbols_of wanted, class Argument, class Keep>
 constexpr void check_belonging(std::string_view result, const Keep& keep) {
   using given = decltype(belonging_of(static_cast<const Argument*>(nullptr)));
@@ -89,11 +89,11 @@ constexpr void check_belonging(std::string_view result, const Keep& keep) {
     keep(given::template mistake<System, wanted>(mechanics::sentence({result, " of "}).view()));
 }
 
-/// One way of calling a function, by the types of its arguments.
+/// A call of a function, identified by the types of its arguments.
 template <class System, class Code, class Time, class State, class Parameters, class Inputs,
           class Accelerations, auto first, auto... more>
 struct call {
-  /// The model itself holds no mistake.
+  /// Whether the model itself is free of mistakes.
   static constexpr bool sound =
       !static_cast<bool>(survey_of<System>.mistake) && !static_cast<bool>(Code::mistake);
 
@@ -130,8 +130,8 @@ struct call {
   static constexpr bool possible = sound && !static_cast<bool>(mistake);
 };
 
-/// What a call gives behind the inputs to a function of weights, or of a direction: `Weights` and `Direction`
-/// are not given where it takes none.
+/// The arguments that follow the inputs in a call of a function of weights or of a direction. `Weights` and
+/// `Direction` are `not_given` if the function does not take them.
 template <class System, class Code, class Weights, class Direction, deriving::given_behind given, auto first,
           auto... more>
 struct weighted_call {
@@ -145,8 +145,8 @@ struct weighted_call {
       if (!found) found = p;
     };
     if (given.rates)
-      keep(mechanics::sentence({result, " is asked for together with a result that is given the rates of the "
-                                        "speeds; ask for them in two calls"}));
+      keep(mechanics::sentence({result, " cannot be evaluated together with a result at given rates of the "
+                                        "speeds; evaluate them in two calls"}));
     if (given.weights && std::is_same_v<Weights, not_given>)
       keep(mechanics::sentence({result, " needs a weight for each rate of the state: call it as ", result,
                                 given.direction ? "(x, p, r, w, v)" : "(x, p, r, w)"}));
@@ -162,8 +162,8 @@ struct weighted_call {
   static constexpr bool possible = !static_cast<bool>(mistake);
 };
 
-/// What a call gives that cannot be made: it fits wherever a result is used, a vector, matrix or number with
-/// a status, so that its mistake stays the only error.
+/// The result of an invalid call: it can be used like any result, a vector, matrix or number with a status,
+/// so that the mistake remains the only error.
 template <class Number>
 struct no_result : Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> {
   Number value{};

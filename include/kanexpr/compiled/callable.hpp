@@ -6,11 +6,11 @@
 
 namespace kanexpr::compiled {
 
-/// Whether the first of some arguments is not given.
+/// Whether the first argument is omitted.
 template <class First = not_given, class...>
 inline constexpr bool lacks_first = std::is_same_v<First, not_given>;
 
-/// What `Function::called` is called by: `{}` in the place of an argument is one that is not given.
+/// The call operators of `Function::called`: `{}` in place of an argument omits it.
 template <class Function>
 struct callable {
   template <class First>

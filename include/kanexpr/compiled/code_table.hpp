@@ -6,13 +6,13 @@
 
 namespace kanexpr::compiled {
 
-/// The code of a function as a table, for those who interpret it. It takes the compiler no time, and a tenth
-/// of the memory of a program that compiled code takes.
+/// The code of a function as a table for interpreters. It takes no compile time, and a tenth of the memory of
+/// compiled code.
 struct code_table {
   lower::tape_view tape;
-  int causes; ///< why results may have no value
+  int causes; ///< the number of causes for which results may be invalid
   std::string_view (*cause)(int);
-  bool tells_finiteness; ///< the last of them
+  bool tells_finiteness; ///< whether the last cause is a result that is not finite
 };
 
 template <class System, auto... wanted>
@@ -21,7 +21,7 @@ inline constexpr code_table table_of{
     [](int i) -> std::string_view { return code<System, wanted...>::causes[i]; },
     code<System, wanted...>::tells_finiteness};
 
-/// The same for arguments of some types, which are looked at as those of a call are.
+/// The table for arguments of given types, which are checked like those of a call.
 template <class System, class Time, class State, class Parameters, class Inputs, auto... wanted>
 const code_table& table_for() {
   using code = compiled::code<System, wanted...>;

@@ -10,9 +10,9 @@ namespace kanexpr {
 
 namespace compiled {
 
-/// A vector of a system by name, for constant expressions. Dependent symbols may be left out, and are zero.
-/// What else has no value, or two, is not a number, nor is all where a name is not the system's: clang++
-/// refuses to go on with that.
+/// A vector of a system by name, for constant expressions. Dependent symbols may be omitted and are zero.
+/// Other entries without a value, or with two values, are NaN, and so are all entries if a name does not
+/// belong to the system: clang++ rejects any further use.
 template <class System, symbols_of which>
 constexpr auto constant_values(std::initializer_list<entry<System, which, double>> named) {
   constexpr symbol_range range = range_of(which, survey_of<System>);
@@ -36,7 +36,7 @@ constexpr auto constant_values(std::initializer_list<entry<System, which, double
 
 } // namespace compiled
 
-/// The state, the parameters and the inputs of a system as constant expressions take them, by name:
+/// The state, the parameters and the inputs of a system by name, for constant expressions:
 /// `eom::udot.constant(constant_state<System>({{q1, 0.1}, {u1, 0}}), constant_parameters<System>({{m, 2}}))`.
 template <class System>
 constexpr auto

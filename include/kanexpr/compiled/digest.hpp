@@ -6,12 +6,12 @@
 
 namespace kanexpr::compiled {
 
-/// By which a system is known again, in any build of any program.
+/// Identifies a system across builds and programs.
 template <class System>
 inline constexpr std::uint64_t digest_of_model =
     deriving::digest_of(deriving::stages_of<System>::constrained.aside);
 
-/// And a function of it, with its code as this version of the library derives it.
+/// Identifies a function of the system with the code that this version of the library derives for it.
 template <class Function>
 inline constexpr std::uint64_t digest_of_function = [] {
   symbolic::digest all;

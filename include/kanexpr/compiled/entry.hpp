@@ -8,13 +8,13 @@
 
 namespace kanexpr::compiled {
 
-/// A symbol, or its name, and a number, for one vector of a system: `{q1, 0.1}`, `{"m", 2.5}`. A symbol is
-/// looked for in the compiler, a name while the program runs.
+/// A symbol, or its name, with a number for an entry of a vector of a system: `{q1, 0.1}`, `{"m", 2.5}`. A
+/// symbol is looked up at compile time, a name at run time.
 template <class System, symbols_of which, class Scalar>
 struct entry {
-  int place; ///< in the vector; negative: no symbol there has the name
+  int place; ///< the index in the vector; negative if no symbol of it has the name
   Scalar value;
-  std::string_view name{}; ///< where it was given by name
+  std::string_view name{}; ///< set if the entry was specified by name
 
   template <class Symbol, class Value>
     requires requires(const Symbol& symbol) { describe::shape_of(symbol); }

@@ -17,8 +17,8 @@ struct equations_of_motion : compiled::named_results<function, System> {
   static constexpr int coordinates = compiled::survey_of<System>.coordinates;
   static constexpr int speeds = compiled::survey_of<System>.speeds;
 
-  /// Whether the constraints are solved for a coordinate or speed, by the choice of the model or of the
-  /// library: `eom::is_dependent(u4)`.
+  /// Whether the constraints are solved for a coordinate or speed, as chosen by the model or by the library:
+  /// `eom::is_dependent(u4)`.
   template <text called, int index>
   static constexpr bool is_dependent(const coordinate<called, index>&) {
     return compiled::survey_of<System>.dependent[compiled::placed<System, symbolic::symbol_kind::coordinate,
@@ -38,15 +38,15 @@ struct equations_of_motion : compiled::named_results<function, System> {
   }
 
   using with_respect_to = deriving::with_respect_to;
-  /// The derivatives of a result, entry by entry in the order of its rows, by all entries of the state, as if
-  /// nothing bound them: `eom::derivatives<eom::quantity::inverse_dynamics>(x, p, r, a)`; or by the inputs,
-  /// or by the rates of the speeds that the result is given: `eom::derivatives<…,
+  /// The derivatives of a result, entry by entry in row order, with respect to all entries of the state as if
+  /// they were unconstrained: `eom::derivatives<eom::quantity::inverse_dynamics>(x, p, r, a)`; or with
+  /// respect to the inputs, or to the rates of the speeds passed to the result: `eom::derivatives<…,
   /// eom::with_respect_to::rates>`.
   template <mechanics::quantity of, with_respect_to symbols = with_respect_to::state>
   static constexpr function<System, deriving::derivatives_of_result{of, symbols}> derivatives{};
 
-  /// Several results of one call, which share their work: `auto [M, f] = together(mass_matrix, forcing)(x,
-  /// p);`
+  /// Evaluates several results in one call, which shares their common work: `auto [M, f] =
+  /// together(mass_matrix, forcing)(x, p);`
   template <auto... first, auto... second, class... More>
   static constexpr auto together(function<System, first...>, function<System, second...>, More... more) {
     if constexpr (sizeof...(More) == 0)
@@ -55,8 +55,8 @@ struct equations_of_motion : compiled::named_results<function, System> {
       return together(function<System, first..., second...>{}, more...);
   }
 
-  /// Operations of one call of a function: `static_assert(eom::cost(eom::mass_matrix).multiplications <=
-  /// 10);`
+  /// Returns the number of operations of one call of a function:
+  /// `static_assert(eom::cost(eom::mass_matrix).multiplications <= 10);`
   template <auto... wanted>
   static constexpr symbolic::cost cost(function<System, wanted...> f) {
     return f.cost();

@@ -5,8 +5,8 @@
 
 namespace kanexpr {
 
-/// A function of several results, each of which comes with a status, also where nothing had to be solved: of
-/// what is not finite it says so, and names what was not finite before it.
+/// A function of several results, each with a status, even if nothing had to be solved. If a result is not
+/// finite, its status reports it and names the argument that was not finite.
 template <class System, auto... wanted>
 struct finite_function : function<System, wanted...>, compiled::callable<finite_function<System, wanted...>> {
   using compiled::callable<finite_function>::operator();
@@ -43,9 +43,9 @@ private:
   }
   template <class Result, class State, class Parameters, class Inputs>
   static void look_at_one(const Result&, const State&, const Parameters&, const Inputs&) {
-  } // of a call that cannot be made
+  } // results of an invalid call
 
-  /// Of every entry, so that all states take the same time.
+  /// Checks every entry, so that all states take the same time.
   template <class Matrix>
   [[gnu::always_inline]] static bool is_finite(const Matrix& m) {
     bool all = true;

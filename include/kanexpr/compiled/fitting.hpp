@@ -8,7 +8,7 @@
 
 #include <type_traits>
 
-/// Vectors of numbers beside what a system takes.
+/// Checks the size of a vector against the size that a system requires.
 namespace kanexpr::compiled {
 
 constexpr mechanics::sentence check_size(std::string_view what, std::string_view system, int given,
@@ -20,10 +20,10 @@ constexpr mechanics::sentence check_size(std::string_view what, std::string_view
                               wanted == 1 ? " entry, not " : " entries, not ", g.view()});
 }
 
-/// What stands for arguments that are not given.
+/// Placeholder for omitted arguments.
 struct not_given {};
 
-/// How many entries an argument has, if its type says so.
+/// Returns the number of entries of an argument, if its type determines it.
 template <class Argument>
 constexpr int entries_of() {
   if constexpr (std::is_same_v<Argument, not_given>)
@@ -32,7 +32,7 @@ constexpr int entries_of() {
     return Argument::SizeAtCompileTime;
 }
 
-/// A vector of numbers that does not fit.
+/// Reports a vector of the wrong size.
 template <class System, symbols_of which, int given>
 struct fitting {
   static constexpr symbol_range wanted = range_of(which, survey_of<System>);
@@ -45,12 +45,12 @@ struct fitting {
       !static_cast<bool>(mistake) && !static_cast<bool>(survey_of<System>.mistake);
 };
 
-/// A scalar type that cannot hold the values of a system.
+/// Reports a scalar type that cannot represent the values of a system.
 template <class System, class Scalar>
 constexpr mechanics::sentence check_scalar() {
   if (!std::is_integral_v<Scalar> || survey_of<System>.mistake) return {};
-  return mechanics::sentence({"the values of ", type_name<System>(), " are real numbers, and ",
-                              type_name<Scalar>(), " holds whole numbers only; take double"});
+  return mechanics::sentence({"the values of ", type_name<System>(), " are real numbers, but ",
+                              type_name<Scalar>(), " holds only integers; use double"});
 }
 
 template <class System, class Scalar>
@@ -68,7 +68,8 @@ constexpr std::string_view plural_of(symbols_of which) {
   return "state";
 }
 
-/// One vector of a system in the place of another, or another system's, even where the sizes agree.
+/// Reports a vector passed in place of a different one, or one of a different system, even if the sizes
+/// agree.
 template <class System, symbols_of wanted, class Other, symbols_of given>
 constexpr mechanics::sentence check_exchanged(std::string_view caller) {
   if (given == wanted && std::is_same_v<Other, System>) return {};

@@ -17,7 +17,7 @@ namespace kanexpr {
 
 namespace compiled {
 
-/// Some results of a system, derived once for each set of them.
+/// The derived code for a set of results of a system, derived once for each set.
 template <class System, auto... wanted>
 struct cut_for {
   static constexpr mechanics::sentence mistake() { return cut.mistake; }
@@ -26,7 +26,7 @@ protected:
   static constexpr deriving::cut_code cut = deriving::code_for<System, wanted...>();
 };
 
-/// The tape for them. A mistake in them is an error.
+/// The tape of a set of results. A mistake in them is a compile-time error.
 template <class System, auto... wanted>
 struct code : private cut_for<System, wanted...> {
   using system = System;
@@ -43,7 +43,7 @@ public:
   static_assert(deriving::tell<code>());
 };
 
-/// What a load finds in the arguments of a call.
+/// Returns the arguments of a call that the code loads.
 template <class System, class Number, class State, class Parameters, class Inputs, class Accelerations>
 struct arguments {
   const Number& t;
@@ -70,7 +70,7 @@ struct arguments {
   }
 };
 
-/// The same of a function of weights, or of a direction.
+/// The arguments of a function of weights or of a direction.
 template <class System, class Number, class State, class Parameters, class Inputs, class Weights,
           class Direction>
 struct weighted_arguments : arguments<System, Number, State, Parameters, Inputs, not_given> {
@@ -89,7 +89,8 @@ struct weighted_arguments : arguments<System, Number, State, Parameters, Inputs,
   }
 };
 
-/// What stands for a result that cannot be formed; a scalar or vector of any system stays one.
+/// The placeholder for a result that cannot be formed; a scalar or vector of any system remains a scalar or
+/// vector.
 template <class Number, auto wanted>
 auto no_result_of() {
   constexpr deriving::extent size =
@@ -111,11 +112,11 @@ struct derives {};
 
 } // namespace compiled
 
-/// Compiled evaluation of one or several results of a system: a function object without state, which
-/// allocates nothing and throws nothing. Called as f(x), f(x, p), f(x, p, r) or f(x, p, r, a), or with the
-/// time in front; t is the time, x the state [q; u], p the parameters, r the inputs, a the rates of the
-/// speeds, any Eigen vectors of their sizes. Results to the second order are given weights and directions in
-/// the place of a: f(x, p, r, w), f(x, p, r, v) or f(x, p, r, w, v).
+/// Compiled evaluation of one or several results of a system: a stateless function object that neither
+/// allocates nor throws. Call it as f(x), f(x, p), f(x, p, r) or f(x, p, r, a), or with the time as the first
+/// argument. t is the time, x the state [q; u], p the parameters, r the inputs, and a the rates of the
+/// speeds, as Eigen vectors of matching size. Second-order results take weights and directions in place of a:
+/// f(x, p, r, w), f(x, p, r, v) or f(x, p, r, w, v).
 template <class System, auto... wanted>
 struct function : compiled::callable<function<System, wanted...>> {
   using code = compiled::code<System, wanted...>;
@@ -126,7 +127,7 @@ struct function : compiled::callable<function<System, wanted...>> {
   static constexpr std::size_t speed_count = static_cast<std::size_t>(compiled::survey_of<System>.speeds);
   static constexpr std::size_t input_count = static_cast<std::size_t>(compiled::survey_of<System>.inputs);
 
-  /// Operations of one call.
+  /// Returns the number of operations of one call.
   static constexpr const symbolic::cost& cost() { return code::tape.cost; }
 
   template <class First, class... More>
@@ -134,8 +135,8 @@ struct function : compiled::callable<function<System, wanted...>> {
     return evaluate_at<false>(first, more...);
   }
 
-  /// In a constant expression, from plain arrays: `static_assert(M.constant({0.1, 0}, {2.0})(0, 0) == 2)`.
-  /// Several results are a tuple.
+  /// Evaluates the function in a constant expression, from plain arrays: `static_assert(M.constant({0.1, 0},
+  /// {2.0})(0, 0) == 2)`. Several results are returned as a tuple.
   static constexpr auto constant(const std::array<double, state_size>& x,
                                  const std::array<double, parameter_count>& p,
                                  const std::array<double, input_count>& r, double t = 0) {
@@ -152,13 +153,13 @@ struct function : compiled::callable<function<System, wanted...>> {
     return constant(x, {}, {});
   }
 
-  /// The same at given rates of the speeds.
+  /// Evaluates the function at given rates of the speeds.
   static constexpr auto constant_at(const std::array<double, state_size>& x,
                                     const std::array<double, parameter_count>& p,
                                     const std::array<double, input_count>& r,
                                     const std::array<double, speed_count>& a, double t = 0) {
     static_assert(!is_weighted,
-                  "results that are given weights or a direction are not to be had in constant expressions");
+                  "results that take weights or a direction cannot be evaluated in constant expressions");
     using symbolic::symbol_kind;
     const auto slot = lower::constant_slots<code::tape>([&](const lower::load& l) {
       const auto i = static_cast<std::size_t>(l.position);
@@ -170,7 +171,7 @@ struct function : compiled::callable<function<System, wanted...>> {
       case symbol_kind::input: return r[i];
       case symbol_kind::speed_rate: return a[i];
       case symbol_kind::time: return t;
-      case symbol_kind::coordinate_rate: // are no arguments of a call
+      case symbol_kind::coordinate_rate: // are not arguments of a call
       case symbol_kind::auxiliary_speed:
       case symbol_kind::multiplier:
       case symbol_kind::weight:
@@ -186,7 +187,7 @@ struct function : compiled::callable<function<System, wanted...>> {
 
 private:
   using none = compiled::not_given;
-  /// Tells what is needed and left out.
+  /// Reports required arguments that are omitted.
   template <class Parameters, class Inputs = none>
   using constant_call =
       compiled::call<System, code, double, state<System>, Parameters, Inputs, none, wanted...>;
@@ -235,7 +236,7 @@ private:
     }
   }
 
-  /// Of what is given weights, or a direction.
+  /// Evaluates results that take weights or a direction.
   template <bool with_statuses, deriving::given_behind given, class Time, class State, class Parameters,
             class Inputs, class Weights, class Direction>
   [[gnu::always_inline]] static auto evaluate_weighted(const Time& time, const State& x, const Parameters& p,
@@ -260,12 +261,13 @@ private:
     }
   }
 
-  /// Of a size that is known only when the program runs.
+  /// Checks a vector of dynamic size.
   template <class Vector>
   [[gnu::always_inline]] static void assert_size([[maybe_unused]] const Vector& v,
                                                  [[maybe_unused]] std::size_t size) noexcept {
     if constexpr (!std::is_same_v<Vector, none> && compiled::entries_of<Vector>() == Eigen::Dynamic) {
-      eigen_assert(static_cast<std::size_t>(v.size()) == size && "a vector is not of the system's size");
+      eigen_assert(static_cast<std::size_t>(v.size()) == size &&
+                   "the size of a vector does not match the system");
     }
   }
 
@@ -289,7 +291,7 @@ private:
     }
   }
 
-  /// A result of which nothing had to be solved comes alone, unless it is to have a status.
+  /// Returns a result that requires no solve without a status, unless a status is requested.
   template <bool with_statuses, class Number, class Result>
   [[gnu::always_inline]] static auto with_status_of(const lower::unrolled_tape<code, Number>& done,
                                                     const Result& result) noexcept {
@@ -299,7 +301,7 @@ private:
       return with_status<Result>{result, status_of<Number>(done, std::make_integer_sequence<int, checks>{})};
   }
 
-  /// The first cause is the one that is reported: what comes after it may be in what it spoiled.
+  /// Reports the first cause, because later ones may be its consequences.
   template <class Number, int... index>
   [[gnu::always_inline]] static status status_of(const lower::unrolled_tape<code, Number>& done,
                                                  std::integer_sequence<int, index...>) noexcept {
@@ -335,7 +337,7 @@ private:
     }
   }
 
-  // a function of its own, not a lambda: those are left out of line, and the slots stay in memory
+  // a separate function, not a lambda: compilers do not inline lambdas here, and the slots stay in memory
   template <class Number, int first, int columns, class Matrix, int... index>
   [[gnu::always_inline]] static void fill(const lower::unrolled_tape<code, Number>& done, Matrix& m,
                                           std::integer_sequence<int, index...>) noexcept {
@@ -350,7 +352,7 @@ private:
     return first;
   }
 
-  /// In place: what is as large as the derivatives of an arm should not be copied.
+  /// Writes in place, because results as large as the derivatives of an arm should not be copied.
   template <bool with_statuses, class Number, std::size_t... index>
   [[gnu::always_inline]] static auto collect_all(const lower::unrolled_tape<code, Number>& done,
                                                  std::index_sequence<index...>) noexcept {
@@ -374,17 +376,17 @@ private:
       into.value = done.template result<first>();
     else
       static_cast<Number&>(into) =
-          done.template result<first>(); // a class of numbers may have a status beside it
+          done.template result<first>(); // a class type of numbers may also carry a status
   }
 
 protected:
-  /// The results, each with a status if it says so, whether or not something had to be solved.
+  /// Returns the results, each with a status if requested, even if nothing had to be solved.
   template <bool with_statuses, class First, class... More>
   [[gnu::always_inline]] static auto evaluate_at(const First& first, const More&... more) noexcept {
     if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
       return evaluate<with_statuses>(compiled::not_given{}, first, more...);
     else if constexpr (compiled::lacks_first<More...>)
-      static_assert(sizeof(First) == 0, "a result is asked for without a state; call it as f(t, x, p, r)");
+      static_assert(sizeof(First) == 0, "a result requires a state; call it as f(t, x, p, r)");
     else
       return evaluate<with_statuses>(first, more...);
   }

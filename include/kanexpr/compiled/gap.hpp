@@ -9,8 +9,8 @@
 
 namespace kanexpr::compiled {
 
-/// Why an entry of a vector of values is no finite number. What was never set or wrongly named is a
-/// not-a-number with the reason in its highest bits, which conversions to float keep.
+/// The reason why an entry of a vector of values is not finite. An entry that was never set, or set by a
+/// wrong name, is a NaN with the reason in its highest bits, which conversions to float preserve.
 enum class gap : unsigned char { none, not_a_number, infinite, never_set, set_twice, beside_unknown };
 
 constexpr double number_for(gap why) {
@@ -18,8 +18,8 @@ constexpr double number_for(gap why) {
   return std::bit_cast<double>(quiet | static_cast<std::uint64_t>(why) << 48);
 }
 
-/// A vector cannot hold more than its numbers, so the name that a list has and the system does not is in the
-/// lower bits of not-a-number: six letters, or the first five and a mark that there are more.
+/// A vector holds only its numbers, so a name in a list that the system does not have is stored in the lower
+/// bits of a NaN: six letters, or the first five and a mark that more follow.
 inline constexpr std::size_t letters_kept = 6;
 inline constexpr char more_letters = 1;
 
@@ -42,7 +42,7 @@ constexpr gap gap_in(double value) {
     return gap::not_a_number;
   return static_cast<gap>(reason);
 }
-/// Of scalars that are no plain numbers, as those that carry derivatives, nothing is known.
+/// Returns no gap for scalars that are not plain numbers, such as those that carry derivatives.
 template <class Scalar>
 constexpr gap gap_in(const Scalar& value) {
   if constexpr (std::is_floating_point_v<Scalar>)
@@ -56,7 +56,7 @@ constexpr gap gap_in(const std::complex<Real>& value) {
   return real != gap::none ? real : gap_in(value.imag());
 }
 
-/// "System has no parameter ll", by what is left of the name.
+/// Returns "System has no parameter ll", from the stored part of the name.
 constexpr mechanics::sentence unknown_told_of(double value, const symbol_range& range,
                                               std::string_view system) {
   std::uint64_t letters = std::bit_cast<std::uint64_t>(value) << 16;
@@ -68,7 +68,7 @@ constexpr mechanics::sentence unknown_told_of(double value, const symbol_range& 
   return mechanics::sentence({system, " has no ", range.symbol, " ", kept.view(), letters == 0 ? "" : "..."});
 }
 
-/// What is wrong with the value of a symbol, as a sentence; empty: nothing.
+/// Describes the gap in the value of a symbol as a sentence; empty if there is none.
 constexpr mechanics::sentence told_of(gap found, const deriving::survey& known, int place,
                                       std::string_view system) {
   const auto symbol = [&] { return symbol_called(known, place); };
@@ -78,14 +78,14 @@ constexpr mechanics::sentence told_of(gap found, const deriving::survey& known, 
   case gap::set_twice: return mechanics::sentence({symbol().view(), " has two values"});
   case gap::beside_unknown:
     return mechanics::sentence(
-        {"a name in the list that gave the value of ", symbol().view(), " is not one of ", system});
+        {"a name in the list that set the value of ", symbol().view(), " does not belong to ", system});
   case gap::infinite: return mechanics::sentence({"the value of ", symbol().view(), " is infinite"});
   case gap::not_a_number: return mechanics::sentence({"the value of ", symbol().view(), " is not a number"});
   }
   return {};
 }
 
-/// The first entry of a vector of values that is no finite number, as a sentence; empty: there is none.
+/// Returns the first entry of a vector of values that is not finite, as a sentence; empty if all are finite.
 template <class Vector>
 mechanics::sentence first_gap(const Vector& values, const deriving::survey& known, const symbol_range& range,
                               std::string_view system) {

@@ -16,7 +16,7 @@ struct finite_function;
 
 namespace compiled {
 
-/// Complete in files that can derive functions.
+/// Complete only in files that can derive functions.
 template <class System, auto... wanted>
 struct derives;
 
@@ -31,8 +31,7 @@ struct result_shape<System, wanted> {
   static constexpr bool is_scalar = row.rows == mechanics::extent_by::scalar;
 };
 
-/// One result with its status, whether or not something was solved for it: its type follows from its shape
-/// alone.
+/// A result with a status, whether or not it required a solve: its type follows only from its shape.
 template <class System, auto wanted, class Number>
 auto stated_result() {
   using shape = result_shape<System, wanted>;
@@ -42,7 +41,7 @@ auto stated_result() {
     return with_status<Eigen::Matrix<Number, shape::rows, shape::columns>>{};
 }
 
-/// The results of a function, each with its status.
+/// The results of a function, each with a status.
 template <class Function>
 struct stated;
 template <class System_, auto... wanted>
@@ -68,11 +67,11 @@ struct vectors {
   using rates = Eigen::Matrix<Number, survey_of<System>.speeds, 1>;
 };
 
-/// The code of a function for one type of scalars, which stands once in a program. `extern template` of it
-/// leaves it to the file that instantiates it.
+/// The code of a function for one scalar type, compiled once per program. `extern template` leaves it to the
+/// file that instantiates it.
 ///
-/// Eigen aligns vectors by the vector instructions of a file. The alignment is a part of the name, so that
-/// files which lay vectors out differently do not link.
+/// Eigen aligns vectors according to the vector instructions enabled in a file. The alignment is part of the
+/// name, so that files with different vector layouts do not link.
 template <class Number, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
 struct instance {
   using vectors = compiled::vectors<typename stated<Function>::System, Number>;
@@ -81,11 +80,11 @@ struct instance {
   [[gnu::noinline]] static results evaluate(const Number& t, const typename vectors::state& x,
                                             const typename vectors::parameters& p,
                                             const typename vectors::inputs& r) noexcept;
-  /// By which the code is known again, of the very library that holds it.
+  /// Identifies the code, as compiled into the library that contains it.
   [[gnu::noinline]] static std::uint64_t digest() noexcept;
 };
 
-/// The same of a function that is given the rates of the speeds.
+/// The code of a function at given rates of the speeds.
 template <class Number, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
 struct instance_at_rates {
   using vectors = compiled::vectors<typename stated<Function>::System, Number>;
@@ -97,8 +96,8 @@ struct instance_at_rates {
                                             const typename vectors::rates& a) noexcept;
 };
 
-/// A vector as it is passed out of line: itself where it is one of that type, else a copy; without values
-/// where none is given.
+/// Returns a vector as it is passed out of line: the argument itself if it has that type, otherwise a copy;
+/// uninitialized if omitted.
 template <class Vector, class Given>
 decltype(auto) passed(const Given& given) {
   if constexpr (std::is_same_v<Given, not_given>) {

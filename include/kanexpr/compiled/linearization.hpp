@@ -10,9 +10,9 @@ namespace kanexpr {
 /// A system linearized about any operating point that satisfies its constraints, as compiled functions of the
 /// state, the parameters and the inputs: `const auto [A, B] = linearization<System>::explicit_form(x, p, r);`
 ///
-/// The states are the independent coordinates, then the independent speeds; the inputs are all that is
-/// neither state, parameter nor time, prescribed quantities and their derivatives among them. The derivatives
-/// are exact.
+/// The states are the independent coordinates followed by the independent speeds; the inputs are all symbols
+/// other than states, parameters and time, including prescribed quantities and their derivatives. The
+/// derivatives are exact.
 template <class System>
 struct linearization {
   using quantity = mechanics::quantity;
@@ -27,14 +27,14 @@ struct linearization {
   /// A and B in δẋ_i = A δx_i + B δr.
   static constexpr finite_function<System, quantity::state_matrix, quantity::input_matrix> explicit_form{};
 
-  /// M, A and B in M δ[q̇; u̇; λ] = A δx_i + B δr: first the kinematic differential equations, then the rates
-  /// of the constraints, then the dynamics: by Kane's method those of the independent speeds, by Lagrange's
-  /// those of all speeds with the multipliers λ.
+  /// M, A and B in M δ[q̇; u̇; λ] = A δx_i + B δr. The rows are the kinematic differential equations, the
+  /// rates of the constraints, and the dynamics: by Kane's method those of the independent speeds, by
+  /// Lagrange's method those of all speeds with the multipliers λ.
   static constexpr finite_function<System, quantity::implicit_mass_matrix, quantity::implicit_state_matrix,
                                    quantity::implicit_input_matrix>
       implicit_form{};
 
-  /// The same at rates of the speeds that are known already: f(x, p, r, udot).
+  /// The same matrices at known rates of the speeds: f(x, p, r, udot).
   static constexpr finite_function<System, deriving::at_given_rates{quantity::state_matrix},
                                    deriving::at_given_rates{quantity::input_matrix}>
       explicit_form_at{};
@@ -43,22 +43,22 @@ struct linearization {
                                    deriving::at_given_rates{quantity::implicit_input_matrix}>
       implicit_form_at{};
 
-  /// The derivatives of ẋ = [q̇; u̇], as `equations_of_motion<System>::rhs` gives it, by the whole state [q; u]
-  /// and by the inputs: `const auto [by_state, by_inputs] = linearization<System>::jacobian(x, p, r);`. The
-  /// state need not satisfy the constraints, and nothing follows them: that is what an integrator of the
-  /// whole state asks for. Only quaternions must have norm 1; along that norm, which no motion changes, the
-  /// derivatives of u̇ mean nothing.
+  /// The derivatives of ẋ = [q̇; u̇], as returned by `equations_of_motion<System>::rhs`, with respect to the
+  /// whole state [q; u] and to the inputs: `const auto [by_state, by_inputs] =
+  /// linearization<System>::jacobian(x, p, r);`. The state need not satisfy the constraints, and the
+  /// derivatives do not follow them, as an integrator of the whole state requires. Quaternions must have norm
+  /// 1; in the direction of the norm, which no motion changes, the derivatives of u̇ are meaningless.
   static constexpr finite_function<System, quantity::state_jacobian, quantity::input_jacobian> jacobian{};
 
-  /// C and D in δy = C δx_i + D δr of what sensors measure, expressions of the model, which may hold
-  /// velocities and accelerations: `outputs<q1, acceleration_of<P>>(x, p, r)`. A vector counts by its
-  /// components.
+  /// C and D in δy = C δx_i + D δr of measured quantities, which are expressions of the model and may contain
+  /// velocities and accelerations: `outputs<q1, acceleration_of<P>>(x, p, r)`. A vector contributes one row
+  /// per component.
   template <auto... measured>
   static constexpr finite_function<System, deriving::sensitivity<false, measured...>{},
                                    deriving::sensitivity<true, measured...>{}>
       outputs{};
 
-  /// The places of the states of the linearized equations in [q; u].
+  /// The indices in [q; u] of the states of the linearized equations.
   static constexpr std::array<int, static_cast<std::size_t>(states)> places = [] {
     std::array<int, static_cast<std::size_t>(states)> found{};
     std::size_t next = 0;
@@ -67,7 +67,7 @@ struct linearization {
     return found;
   }();
 
-  /// P in [q; u] = P [q_i; u_i; q_d; u_d].
+  /// Returns P in [q; u] = P [q_i; u_i; q_d; u_d].
   static Eigen::Matrix<double, known.coordinates + known.speeds, known.coordinates + known.speeds>
   permutation() {
     constexpr int size = known.coordinates + known.speeds;
@@ -79,7 +79,7 @@ struct linearization {
     return p;
   }
 
-  /// Operations of one call of a function.
+  /// Returns the number of operations of one call of a function.
   template <auto... wanted>
   static constexpr symbolic::cost cost(function<System, wanted...> f) {
     return f.cost();

@@ -9,11 +9,12 @@
 #include <limits>
 #include <tuple>
 
-/// The code behind the header of a linked model, for the one file that compiles it:
-/// `template struct kanexpr::compiled::library_of<System>;`
+/// The code behind the header of a linked model, for the single file that compiles it: `template struct
+/// kanexpr::compiled::library_of<System>;`
 namespace kanexpr::compiled {
 
-/// An argument that was left out is not a number, and neither is what depends on it.
+/// Sets the status of a result that is not finite: an omitted argument is NaN, and so is every result that
+/// depends on it.
 template <class Number>
 void tell_if_not_finite(with_status<Number>& result) {
   bool is_finite = true;
@@ -22,23 +23,24 @@ void tell_if_not_finite(with_status<Number>& result) {
   else
     is_finite = numeric::all_finite(result);
   if (result.status && !is_finite)
-    result.status = status(
-        "the result is not finite; look for an argument that was left out or a value that was not set");
+    result.status = status("the result is not finite; check for an omitted argument or an unset value");
 }
 template <class... Number>
 void tell_if_not_finite(std::tuple<Number...>& results) {
   std::apply([](auto&... each) { (tell_if_not_finite(each), ...); }, results);
 }
 
-/// What the library of a model gives.
+/// The results that the library of a model returns.
 template <class Number, class Results>
 Results told(Results results) {
-  if constexpr (std::is_same_v<Number, double>) tell_if_not_finite(results); // others look at differences
+  if constexpr (std::is_same_v<Number, double>)
+    tell_if_not_finite(results); // other scalar types are used
+                                 // for differences
   return results;
 }
 
-/// Why a sound system does not have some results, such as the energies where it gives its Lagrangian as a
-/// whole.
+/// The reason why a sound system does not have a result, such as the energies if it specifies only its
+/// Lagrangian.
 template <class Function>
 struct lacking {
   static constexpr mechanics::sentence why{};
@@ -69,7 +71,7 @@ void leave_out(std::tuple<Number...>& results, kanexpr::status why) {
   std::apply([&](auto&... each) { (leave_out(each, why), ...); }, results);
 }
 
-/// The results of a function; where there are none, why, as the status of what is not a number.
+/// Returns the results of a function or, if there are none, NaN with the reason as the status.
 template <class Number, class Function, class Results, class... Given>
 Results results_or_why_not(const Given&... given) noexcept {
   if constexpr (static_cast<bool>(lacking<Function>::why)) {
@@ -105,7 +107,7 @@ linked_instance_at_rates<Number, Function, alignment>::evaluate(const Number& t,
   return results_or_why_not<Number, Function, results>(t, x, p, r, a);
 }
 
-/// Whether the survey that was written out is that of the system.
+/// Whether the survey in the generated header matches the system.
 template <class System>
 constexpr bool is_up_to_date() {
   const deriving::survey &written = surveyed<System>::survey,
@@ -140,14 +142,15 @@ constexpr auto all_code_of() {
                     code_of<std::complex<double>>(typename linked_functions_of_complex<System>::type{}));
 }
 
-/// All functions of a linked model. An explicit instantiation of it puts them into an object file.
+/// All functions of a linked model. An explicit instantiation puts them into an object file.
 template <class System>
 class library_of {
-  static_assert(is_up_to_date<System>(), "the header of this model was written for an earlier state of it");
+  static_assert(is_up_to_date<System>(),
+                "the header of this model was generated for an earlier version of the model");
   using table = decltype(all_code_of<System>());
 
 public:
-  /// Refers to each of them, so that none is left out.
+  /// References every function, so that none is omitted.
   static const table functions;
 };
 template <class System>

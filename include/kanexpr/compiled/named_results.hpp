@@ -4,19 +4,20 @@
 
 namespace kanexpr::compiled {
 
-/// The results of a system by their names, for all that offers them as functions: `Function<System,
-/// quantity>` is that of one.
+/// The results of a system by name, for every type that offers them as functions: `Function<System,
+/// quantity>` is the function of one result.
 template <template <class, auto...> class Function, class System>
 struct named_results {
   using quantity = mechanics::quantity;
   template <quantity wanted>
   using of = Function<System, wanted>;
 
-  /// M in M u̇ = f of the independent speeds.
+  /// M in M u̇ = f for the independent speeds.
   static constexpr of<quantity::mass_matrix> mass_matrix{};
-  /// f in M u̇ = f of the independent speeds.
+  /// f in M u̇ = f for the independent speeds.
   static constexpr of<quantity::forcing> forcing{};
-  /// M_full in M_full [q̇; u̇] = f_full: E, M, and the differentiated constraints solved for the dependent u̇.
+  /// M_full in M_full [q̇; u̇] = f_full: E, M, and the differentiated constraints solved for the dependent
+  /// u̇.
   static constexpr of<quantity::mass_matrix_full> mass_matrix_full{};
   /// [q̇; f; b], with b in u̇_d = A u̇_i + b.
   static constexpr of<quantity::forcing_full> forcing_full{};
@@ -26,41 +27,41 @@ struct named_results {
   static constexpr of<quantity::rhs> rhs{};
   /// F_r.
   static constexpr of<quantity::active_forces> active_forces{};
-  /// F_r*, for given rates of the speeds: f(x, p, r, a).
+  /// F_r*, at given rates of the speeds: f(x, p, r, a).
   static constexpr of<quantity::inertia_forces> inertia_forces{};
-  /// F_r + F_r* of all speeds, before constraints reduce them (Kane's holonomic generalized forces), for
-  /// given rates of the speeds: f(x, p, r, a). In motion they leave −Jᵀ λ, and zero without constraints.
+  /// F_r + F_r* of all speeds, before constraints reduce them (Kane's holonomic generalized forces), at given
+  /// rates of the speeds: f(x, p, r, a). Along a motion they equal −Jᵀ λ, or zero without constraints.
   static constexpr of<quantity::unreduced_forces> unreduced_forces{};
-  /// M and f of all speeds in M u̇ = f + Jᵀ λ, before constraints reduce them.
+  /// M and f for all speeds in M u̇ = f + Jᵀ λ, before constraints reduce them.
   static constexpr of<quantity::unreduced_mass_matrix> unreduced_mass_matrix{};
   static constexpr of<quantity::unreduced_forcing> unreduced_forcing{};
-  /// γ in J u̇ + γ = 0, the rates of the constraints on the speeds.
+  /// γ in J u̇ + γ = 0, the rates of the velocity constraints.
   static constexpr of<quantity::constraint_bias> constraint_bias{};
-  /// The generalized forces of the independent speeds that must act beside the loads of the model for given
-  /// rates of the speeds: M u̇ − f, by f(x, p, r, a).
+  /// The generalized forces of the independent speeds that must act in addition to the loads of the model to
+  /// produce given rates of the speeds: M u̇ − f, by f(x, p, r, a).
   static constexpr of<quantity::inverse_dynamics> inverse_dynamics{};
-  /// The inputs that bring about given rates of the speeds, where there are as many as independent speeds and
-  /// the forces are linear in them: f(x, p, r, a), whatever r is.
+  /// The inputs that produce given rates of the speeds, if there are as many inputs as independent speeds and
+  /// the forces are linear in them: f(x, p, r, a), independent of r.
   static constexpr of<quantity::required_inputs> required_inputs{};
   /// The generalized forces of the independent speeds that balance gravity at any state, −F_r of the weights.
   static constexpr of<quantity::gravity_compensation> gravity_compensation{};
-  /// C, with C u what is quadratic in the speeds of M u̇ − f, and Ṁ − 2C skew-symmetric; of systems without
-  /// constraints whose speeds are the rates of coordinates.
+  /// C, where C u is the part of M u̇ − f that is quadratic in the speeds and Ṁ − 2C is skew-symmetric; only
+  /// for systems without constraints whose speeds are the rates of coordinates.
   static constexpr of<quantity::coriolis> coriolis{};
   static constexpr of<quantity::kinetic_energy> kinetic_energy{};
   static constexpr of<quantity::potential_energy> potential_energy{};
   static constexpr of<quantity::linear_momentum> linear_momentum{};
   static constexpr of<quantity::angular_momentum> angular_momentum{};
   static constexpr of<quantity::center_of_mass> center_of_mass{};
-  /// ∂T/∂u_r of all speeds as if nothing bound them, M u and what prescribed motions add; by Lagrange's
-  /// method ∂L/∂q̇_r.
+  /// ∂T/∂u_r of all speeds as if they were unconstrained: M u and the terms that prescribed motions add; by
+  /// Lagrange's method ∂L/∂q̇_r.
   static constexpr of<quantity::generalized_momenta> generalized_momenta{};
 
-  /// What the configuration constraints leave, zero where they hold.
+  /// The residuals of the configuration constraints, zero if these hold.
   static constexpr of<quantity::configuration_residual> configuration_residual{};
-  /// How large the terms are of which each of that is the sum.
+  /// The magnitudes of the terms that each residual sums.
   static constexpr of<quantity::configuration_terms> configuration_terms{};
-  /// What the configuration constraints leave that are called redundant.
+  /// The residuals of the redundant configuration constraints.
   static constexpr of<quantity::redundant_residual> redundant_residual{};
   static constexpr of<quantity::redundant_terms> redundant_terms{};
   /// J and γ of their rates, in J u̇ + γ = 0.
@@ -68,33 +69,33 @@ struct named_results {
   static constexpr of<quantity::redundant_bias> redundant_bias{};
   static constexpr of<quantity::redundant_rate> redundant_rate{};
   static constexpr of<quantity::redundant_rate_terms> redundant_rate_terms{};
-  /// Its derivatives by the dependent coordinates.
+  /// The derivatives of the configuration residuals with respect to the dependent coordinates.
   static constexpr of<quantity::configuration_jacobian_by_dependent> configuration_jacobian_by_dependent{};
-  /// Its derivatives by all coordinates.
+  /// The derivatives of the configuration residuals with respect to all coordinates.
   static constexpr of<quantity::configuration_jacobian_by_all> configuration_jacobian_by_all{};
-  /// The step of Newton's method for the dependent coordinates, to be added to them.
+  /// The Newton step for the dependent coordinates, to be added to them.
   static constexpr of<quantity::configuration_step> configuration_step{};
-  /// What the velocity constraints and the rates of the configuration constraints leave.
+  /// The residuals of the velocity constraints and of the rates of the configuration constraints.
   static constexpr of<quantity::velocity_residual> velocity_residual{};
   static constexpr of<quantity::velocity_terms> velocity_terms{};
-  /// Both residuals, those of configurations first.
+  /// Both residuals, those of the configuration constraints first.
   static constexpr of<quantity::constraint_residual> constraint_residual{};
   /// J in J u + c = 0.
   static constexpr of<quantity::constraint_jacobian> constraint_jacobian{};
-  /// The dependent speeds as the constraints give them by the independent ones.
+  /// The dependent speeds that the constraints determine from the independent ones.
   static constexpr of<quantity::dependent_speeds> dependent_speeds{};
   /// A in u̇_d = A u̇_i + b.
   static constexpr of<quantity::dependency> dependency{};
   /// b in u̇_d = A u̇_i + b.
   static constexpr of<quantity::acceleration_bias> acceleration_bias{};
-  /// Of each dependent speed the determinant of the equations that it is solved from with others: 0 where
-  /// they are singular, and of another sign behind.
+  /// For each dependent speed, the determinant of the equations from which it is solved together with others:
+  /// zero if they are singular, with a change of sign across the singularity.
   static constexpr of<quantity::constraint_pivots> constraint_pivots{};
-  /// The forces of the constraints, each along the direction in which it holds a velocity zero.
+  /// The constraint forces, each in the direction in which its constraint keeps a velocity zero.
   static constexpr of<quantity::multipliers> multipliers{};
-  /// The forces that keep the auxiliary speeds zero.
+  /// The forces that keep the auxiliary speeds at zero.
   static constexpr of<quantity::noncontributing_forces> noncontributing_forces{};
-  /// The same by another name.
+  /// An alias.
   static constexpr auto auxiliary_forces = noncontributing_forces;
 };
 

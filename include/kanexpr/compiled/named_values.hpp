@@ -11,7 +11,7 @@
 
 namespace kanexpr {
 
-/// A symbol, or its name, and a number: `{q1, 0.1}`, `{"m", 2.5}`.
+/// A symbol, or its name, with a number: `{q1, 0.1}`, `{"m", 2.5}`.
 struct named_value {
   symbol_name what;
   double value;
@@ -31,13 +31,13 @@ concept list_of_named_values = requires(const List& list) {
   { *std::begin(list) } -> names_a_number;
 };
 
-/// Values for a vector of a system as they are given: by name, or as a vector of numbers.
+/// Values for a vector of a system, specified by name or as a vector of numbers.
 template <class System, symbols_of which, class Vector, bool may_be_incomplete>
 struct given_values {
   Vector values{};
-  /// Those that have no value, for the constraints give it.
+  /// The entries without a value, which the constraints determine.
   std::array<bool, static_cast<std::size_t>(range_of(which, survey_of<System>).size)> is_left_out{};
-  mechanics::sentence mistake{}; ///< the first mistake in the values, as a sentence; empty: there is none
+  mechanics::sentence mistake{}; ///< the first mistake in the values, as a sentence; empty if there is none
 
   given_values() { read(std::initializer_list<named_value>{}); }
   given_values(std::initializer_list<named_value> list) { read(list); }
@@ -77,7 +77,7 @@ private:
 
   template <class List>
   void read(const List& list) {
-    std::fill_n(values.data(), range.size, 0.0); // what may be left out
+    std::fill_n(values.data(), range.size, 0.0); // the entries that may be omitted
     values_reader reader = reads();
     for (const auto& entry : list)
       if constexpr (requires { entry.first; })
@@ -97,8 +97,8 @@ private:
 
 } // namespace compiled
 
-/// A state as it is given: `{{q1, 0.1}, {u1, 0}}`, any list of names and values, or an Eigen vector.
-/// Dependent coordinates and speeds may be left out; they are zero here, and the constraints give them.
+/// A state specified as `{{q1, 0.1}, {u1, 0}}`, as any list of names and values, or as an Eigen vector.
+/// Dependent coordinates and speeds may be omitted; they are zero here, and the constraints determine them.
 template <class System>
 struct given_state
     : compiled::given_values<System, compiled::symbols_of::state, kanexpr::state<System>, false> {
@@ -106,7 +106,7 @@ struct given_state
                                false>::given_values;
 };
 
-/// Parameters as they are given: by name, `{{m, 2}, {"l", 0.5}}`, or as an Eigen vector.
+/// Parameters specified by name, `{{m, 2}, {"l", 0.5}}`, or as an Eigen vector.
 template <class System>
 struct given_parameters
     : compiled::given_values<System, compiled::symbols_of::parameters, parameter_values<System>, false> {
@@ -114,7 +114,7 @@ struct given_parameters
                                false>::given_values;
 };
 
-/// Inputs as they are given: by name, `{{T, 2}, {dot(theta), 1}}`, or as an Eigen vector.
+/// Inputs specified by name, `{{T, 2}, {dot(theta), 1}}`, or as an Eigen vector.
 template <class System>
 struct given_inputs
     : compiled::given_values<System, compiled::symbols_of::inputs, input_values<System>, false> {
@@ -122,7 +122,7 @@ struct given_inputs
                                false>::given_values;
 };
 
-/// A state or inputs from which a search starts: what is not named starts at zero.
+/// The initial guess of a search for a state or for inputs: omitted entries start at zero.
 template <class System>
 struct guessed_state
     : compiled::given_values<System, compiled::symbols_of::state, kanexpr::state<System>, true> {

@@ -4,10 +4,11 @@
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/derive/causes.hpp>
 
-/// Why a result is not finite: a parameter, an input or an entry of a state that is not.
+/// Finds the reason why a result is not finite: a parameter, an input or an entry of the state that is not.
 namespace kanexpr::compiled {
 
-/// The first entry of parameters or inputs that is no finite number, as a sentence; empty: there is none.
+/// Returns the first entry of the parameters or inputs that is not finite, as a sentence; empty if all are
+/// finite.
 template <class System, symbols_of which, class Vector>
 mechanics::sentence gap_among(const Vector& values) {
   if constexpr (requires { Vector::SizeAtCompileTime; })
@@ -21,7 +22,7 @@ mechanics::sentence gap_among(const Parameters& p, const Inputs& r) {
   return found ? found : gap_among<System, symbols_of::inputs>(r);
 }
 
-/// "m has no finite value" for every symbol of a system, with room for any sentence.
+/// Returns "m has no finite value" for every symbol of a system, with capacity for any sentence.
 template <class System>
 constexpr auto causes_of_gaps() {
   constexpr const deriving::survey& known = survey_of<System>;
@@ -33,12 +34,12 @@ constexpr auto causes_of_gaps() {
   return all;
 }
 
-/// The same for statuses, which keep no sentences.
+/// The same causes for statuses, which do not own their sentences.
 template <class System>
 struct not_finite {
   static constexpr auto causes = deriving::trimmed<causes_of_gaps<System>().sizes>(causes_of_gaps<System>());
 
-  /// Of a failure: what was not finite before it, or else what it says.
+  /// Returns the cause of a failure: an argument that is not finite, otherwise the given failure.
   template <class State, class Parameters, class Inputs>
   [[gnu::cold, gnu::noinline, gnu::pure]] static status
   cause_of(status failure, const State& x, const Parameters& p, const Inputs& r) noexcept {
@@ -49,7 +50,7 @@ struct not_finite {
   }
 
 private:
-  /// Of the first value that is not finite, among all symbols; negative: there is none.
+  /// Returns the index, among all symbols, of the first value that is not finite; negative if all are finite.
   template <symbols_of which, class Vector>
   static int place_in(const Vector& values) {
     constexpr symbol_range range = range_of(which, survey_of<System>);

@@ -12,10 +12,10 @@ inline constexpr std::uint64_t digest_of_name = [] {
   return all.value();
 }();
 
-/// Two files that give two systems one name break C++'s rule of one definition: one of them would run the
-/// code of the other. So where code of a system is made it leaves a symbol behind, named by the system's name
-/// with the digest of its model as address. Linkers take equal ones as one, and refuse different ones. The
-/// program holds neither; link-time optimization does not look.
+/// Two files that use one name for two different systems violate the one-definition rule of C++: one file
+/// would run the code of the other. Wherever code of a system is generated, it therefore defines a linker
+/// symbol, named after the system, whose address is the digest of its model. Linkers merge equal symbols and
+/// reject different ones. The symbol takes no space in the program; link-time optimization does not check it.
 template <class System>
 [[gnu::always_inline]] inline void link_as_one_system() noexcept {
 #ifdef __ELF__

@@ -31,7 +31,7 @@ void put(std::tuple<Number...>& results, const std::tuple<Found...>& found) {
   }(std::index_sequence_for<Number...>{});
 }
 
-/// What a function gives, each result with its status.
+/// Returns the results of a function, each with a status.
 template <class Results, class Function, class... Given>
 [[gnu::always_inline]] inline Results results_of(const Given&... given) noexcept {
   Results all{};
@@ -61,8 +61,8 @@ instance_at_rates<Number, Function, alignment>::evaluate(const Number& t, const 
   return results_of<results, Function>(t, x, p, r, a);
 }
 
-/// Whether a vector can be passed. A call with another one is left to the function itself, which says what is
-/// wrong with it.
+/// Whether a vector can be passed. A call with a different type is forwarded to the function itself, which
+/// reports the mistake.
 template <class System, symbols_of which, class Given>
 constexpr bool can_be_passed() {
   if constexpr (std::is_same_v<Given, not_given>)
@@ -75,11 +75,11 @@ constexpr bool can_be_passed() {
 
 } // namespace compiled
 
-/// A function whose code stands once in the program, for each type of scalars, and is called there, with the
-/// same results to the last bit. Each of them has a status beside it.
+/// A function whose code is compiled once per program and scalar type and then called, with bitwise identical
+/// results. Each result has a status.
 ///
-/// `function<System, …>` itself is expanded wherever it is called, which is what a control loop wants. This
-/// one costs the compiler the same once, however many calls there are.
+/// `function<System, …>` itself is expanded at every call, as a control loop requires. This one is compiled
+/// once, however many calls there are.
 template <class Function>
 struct out_of_line {
   template <class Time, class State, class Parameters, class Inputs>
@@ -109,8 +109,8 @@ struct out_of_line {
         compiled::passed<typename vectors::rates>(a));
   }
 
-  /// By which the function is known again: its system, its code and the version of the library, wherever the
-  /// code of it for `double` stands.
+  /// Identifies the function: its system, its code and the version of the library, regardless of which file
+  /// contains its code for `double`.
   static std::uint64_t digest() noexcept {
     return code<typename compiled::stated<Function>::System, double>::digest();
   }

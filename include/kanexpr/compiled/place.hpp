@@ -6,7 +6,7 @@
 #include <kanexpr/derive/read/wording.hpp>
 #include <kanexpr/describe/symbol.hpp>
 
-/// The place of a symbol of a model in a vector of values.
+/// The index of a symbol of a model in a vector of values.
 namespace kanexpr::compiled {
 
 template <class System, symbolic::symbol_kind kind, text called, int index,
@@ -19,23 +19,23 @@ struct placed {
   static constexpr mechanics::sentence mistake = [] {
     if (found >= 0 || survey_of<System>.mistake) return mechanics::sentence{};
     if (kind == symbolic::symbol_kind::coordinate_rate)
-      return mechanics::sentence(
-          {"the state of ", type_name<System>(), " holds no rate of coordinate ", symbol.called.view()});
+      return mechanics::sentence({"the state of ", type_name<System>(),
+                                  " does not contain the rate of coordinate ", symbol.called.view()});
     const std::string_view what = deriving::kind_of(symbol);
     return mechanics::sentence({"the system ", type_name<System>(), " has no ", what, symbol.called.view()});
   }();
   static_assert(deriving::tell<placed>());
 };
 
-/// A symbol of a kind that a vector does not hold, such as a parameter asked of the state.
+/// A symbol of a kind that a vector does not contain, such as a parameter looked up in the state.
 template <class System, class Symbol, text vector>
 struct misplaced {
   static constexpr Symbol asked{};
   static constexpr mechanics::sentence mistake = [] {
     if (survey_of<System>.mistake) return mechanics::sentence{};
     const describe::symbol_record* s = asked.tokens[0].symbol;
-    return mechanics::sentence({s != nullptr ? s->called.view() : "the expression", " has no place in the ",
-                                vector.view(), " of ", type_name<System>()});
+    return mechanics::sentence({s != nullptr ? s->called.view() : "the expression",
+                                " is not an entry of the ", vector.view(), " of ", type_name<System>()});
   }();
   static_assert(deriving::tell<misplaced>());
   static constexpr int place = 0;
@@ -48,7 +48,7 @@ inline constexpr text vector_name<symbols_of::parameters> = "parameter vector";
 template <>
 inline constexpr text vector_name<symbols_of::inputs> = "input vector";
 
-/// The place of a symbol in a vector of a system; where it has none, the end of the compilation.
+/// The index of a symbol in a vector of a system; a symbol that it does not contain is a compile-time error.
 template <class System, symbols_of which, class Symbol>
 struct place_in : misplaced<System, Symbol, vector_name<which>> {};
 
@@ -62,7 +62,7 @@ struct place_in<System, symbols_of::state, speed<called, index>> {
       survey_of<System>.coordinates + placed<System, symbolic::symbol_kind::speed, called, index>::place;
 };
 
-/// By Lagrange's method the rates of the coordinates are in the state: `x[dot(q1)]`.
+/// By Lagrange's method, the rates of the coordinates are in the state: `x[dot(q1)]`.
 template <class System, text called, int index>
 struct place_in<System, symbols_of::state, coordinate_rate<called, index>> {
   static constexpr int place = survey_of<System>.coordinates +
@@ -77,7 +77,7 @@ template <class System, text called, int index>
 struct place_in<System, symbols_of::inputs, input<called, index>>
     : placed<System, symbolic::symbol_kind::input, called, index> {};
 
-/// Of a prescribed quantity or its derivatives: `r[theta]`, `r[dot(theta)]`.
+/// The index of a prescribed quantity or of its derivatives: `r[theta]`, `r[dot(theta)]`.
 template <class System, text called, int index, int order>
 struct place_in<System, symbols_of::inputs, prescribed<called, index, order>>
     : placed<System, symbolic::symbol_kind::input, called, index, order> {};

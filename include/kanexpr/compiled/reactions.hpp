@@ -7,8 +7,9 @@
 
 namespace kanexpr {
 
-/// What a joint carries: the force on the child at the joint and the torque on it, from the parent, in the
-/// axes of the child. Along its free directions a joint carries nothing; motors and friction are loads.
+/// The load that a joint transmits: the force on the child at the joint and the torque on the child, from the
+/// parent, in the axes of the child. A joint transmits nothing along its free directions; motors and friction
+/// are loads.
 template <class Scalar>
 struct joint_reactions {
   Eigen::Matrix<Scalar, 3, 1> force{};
@@ -18,20 +19,20 @@ struct joint_reactions {
 
 namespace compiled {
 
-/// A system whose last auxiliary speeds are those of one joint.
+/// A system extended by the auxiliary speeds of one joint, which come last.
 template <class System, class Joint>
 struct reacting : extended<System, reactions<Joint>> {};
 
 template <class System, class Joint>
 struct reactions_function : callable<reactions_function<System, Joint>> {
-  /// As the results of the system are, with the time first where it depends on it.
+  /// Called like the results of the system, with the time first if they depend on it.
   template <class... Arguments>
   static auto called(const Arguments&... arguments) noexcept {
     const auto all =
         equations_of_motion<reacting<System, Joint>>::noncontributing_forces(plain(arguments)...);
     using results = decltype(all);
     joint_reactions<typename results::Scalar> found;
-    if constexpr (results::RowsAtCompileTime >= 6) { // else the system has a mistake
+    if constexpr (results::RowsAtCompileTime >= 6) { // otherwise the system has a mistake
       found.force = all.template tail<6>().template head<3>();
       found.torque = all.template tail<3>();
       found.status = status_of(all);
@@ -40,7 +41,7 @@ struct reactions_function : callable<reactions_function<System, Joint>> {
   }
 
 private:
-  /// Without the name of the system that it belongs to.
+  /// Removes the name of the system that an argument belongs to.
   template <class Argument>
   static decltype(auto) plain(const Argument& argument) noexcept {
     if constexpr (requires { argument.RowsAtCompileTime; })
@@ -52,7 +53,7 @@ private:
 
 } // namespace compiled
 
-/// The force and the torque that a joint of a system carries: `reactions_of<System, Link2>(x, p, r)`.
+/// The force and the torque that a joint of a system transmits: `reactions_of<System, Link2>(x, p, r)`.
 template <class System, class Joint>
 inline constexpr compiled::reactions_function<System, Joint> reactions_of{};
 

@@ -8,34 +8,35 @@
 
 namespace kanexpr {
 
-/// The inverse dynamics of a system as linear in the inertial parameters of its bodies,
+/// The inverse dynamics of a system as a linear function of the inertial parameters of its bodies,
 ///
 ///     τ = Y(t, q, u, u̇) π + τ_0(t, q, u)
 ///
-/// τ is what must act on the independent speeds beside the loads, as `equations_of_motion<System>` has it.
-/// The part Y π is of inertia and of gravity on every body; τ_0 balances all other loads of the model, also
-/// those with a mass in them. Y holds for any π: it is free of the masses and inertias that the model gives.
+/// τ are the generalized forces that must act on the independent speeds in addition to the loads, as in
+/// `equations_of_motion<System>`. The part Y π covers inertia and gravity of every body; τ_0 balances all
+/// other loads of the model, including those that contain a mass. Y is valid for any π: it does not depend on
+/// the masses and inertias that the model specifies.
 ///
-/// π has a mass for each particle and ten numbers for each rigid body, in SI units kg, kg m and kg m²: m, the
-/// first moments m*x, m*y and m*z, and ixx, iyy, izz, ixy, iyz and izx with the sign of I = Σ m (r·r E − r
-/// r). They are in the axes of the body's frame and about its joint: the point that is reached from the mass
-/// centre down the chain of points as long as these are fixed in the body.
+/// π contains a mass for each particle and ten numbers for each rigid body, in SI units kg, kg m and kg m²:
+/// m, the first moments m*x, m*y and m*z, and ixx, iyy, izz, ixy, iyz and izx with the sign of I = Σ m (r·r E
+/// − r r). They refer to the axes of the body's frame and to its joint: the point that is reached from the
+/// mass center down the chain of points as long as these are fixed in the body.
 template <class System>
 struct regressor {
   using quantity = mechanics::quantity;
   static constexpr const deriving::survey& known = compiled::survey_of<System>;
 
-  /// The entries of π.
+  /// The number of entries of π.
   static constexpr int size = known.inertial_parameters;
   template <class Number = double>
   using values = Eigen::Matrix<Number, size, 1>;
 
-  /// Y, a row for each independent speed: `regressor<System>::matrix(x, p, r, a)` with the rates of all
+  /// Y, with a row for each independent speed: `regressor<System>::matrix(x, p, r, a)` with the rates of all
   /// speeds.
   static constexpr function<System, quantity::regressor> matrix{};
   /// τ_0: f(x, p, r).
   static constexpr function<System, quantity::load_compensation> remainder{};
-  /// π as the model gives it: f(x, p).
+  /// π as specified by the model: f(x, p).
   static constexpr function<System, quantity::inertial_parameters> parameters{};
 
   /// "m of Link", "m*x of Link", … "izx of Link", body by body.
@@ -50,7 +51,7 @@ struct regressor {
     return all;
   }();
 
-  /// Operations of one call of a function.
+  /// Returns the number of operations of one call of a function.
   template <auto... wanted>
   static constexpr symbolic::cost cost(function<System, wanted...> f) {
     return f.cost();

@@ -5,12 +5,12 @@
 
 namespace kanexpr {
 
-/// The derivatives of the second order of a weighted sum of the rates, λᵀẋ with ẋ = [q̇; u̇], as compiled
-/// functions: what optimal control asks for. They are taken by z = [q; u; r], the whole state and the inputs,
-/// as if nothing bound the state. λ, here w, has a weight for each rate: zeros for q̇ leave λᵀu̇. A direction v
-/// is a change of z. No derivative is that of an inverse, and all are exact.
+/// Second-order derivatives of a weighted sum of the rates, λᵀẋ with ẋ = [q̇; u̇], as compiled functions for
+/// optimal control. They are taken with respect to z = [q; u; r], the whole state and the inputs, as if the
+/// state were unconstrained. λ, here w, contains a weight for each rate: zeros for q̇ leave λᵀu̇. A direction
+/// v is a change of z. No inverse is differentiated, and all derivatives are exact.
 ///
-/// Of a quaternion the norm must be 1, and derivatives along the norm mean nothing.
+/// Quaternions must have norm 1, and derivatives along the norm are meaningless.
 template <class System>
 struct second_order {
   using quantity = mechanics::quantity;
@@ -20,7 +20,7 @@ struct second_order {
   using parameters = parameter_values<System>;
   using inputs = input_values<System>;
 
-  /// The entries of z.
+  /// The number of entries of z.
   static constexpr int size = known.coordinates + known.speeds + known.inputs;
   template <class Number = double>
   using weights = Eigen::Matrix<Number, known.coordinates + known.speeds, 1>;
@@ -29,21 +29,21 @@ struct second_order {
 
   /// ∂²(λᵀẋ)/∂z², symmetric: `second_order<System>::hessian(x, p, r, w)`.
   static constexpr function<System, quantity::weighted_hessian> hessian{};
-  /// ∂²(λᵀẋ)/∂z² v, without the matrix: f(x, p, r, w, v).
+  /// ∂²(λᵀẋ)/∂z² v, without forming the matrix: f(x, p, r, w, v).
   static constexpr function<System, quantity::weighted_hessian_product> hessian_product{};
   /// ∂(λᵀẋ)/∂z = (∂ẋ/∂z)ᵀ λ: f(x, p, r, w).
   static constexpr function<System, quantity::weighted_gradient> gradient{};
   /// (∂ẋ/∂z) v: f(x, p, r, v).
   static constexpr function<System, quantity::directional_derivative> directional_derivative{};
 
-  /// Operations of one call of a function.
+  /// Returns the number of operations of one call of a function.
   template <auto... wanted>
   static constexpr symbolic::cost cost(function<System, wanted...> f) {
     return f.cost();
   }
 };
 
-/// The derivatives of the rates ẋ = [q̇; u̇] by parameters of the system, a column for each:
+/// The derivatives of the rates ẋ = [q̇; u̇] with respect to parameters of the system, a column for each:
 /// `sensitivity<System, m, l>(x, p, r)`. The rows of u̇ come last.
 template <class System, auto... parameters>
 inline constexpr function<System, deriving::sensitivity_to<parameters...>{}> sensitivity{};

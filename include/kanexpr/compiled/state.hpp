@@ -4,8 +4,8 @@
 
 namespace kanexpr {
 
-/// The state [q; u] of a system, by Lagrange's method [q; dq/dt]: a fixed-size Eigen vector with access by
-/// name, `x[q1]`, by Lagrange's method `x[dot(q1)]` too. Zero at first.
+/// The state [q; u] of a system, or [q; dq/dt] by Lagrange's method: a fixed-size Eigen vector with access by
+/// name, `x[q1]`, and by Lagrange's method also `x[dot(q1)]`. It is initialized to zero.
 template <class System, class Scalar = double>
 class state : public compiled::value_vector<System, compiled::symbols_of::state, Scalar> {
   using vector = compiled::value_vector<System, compiled::symbols_of::state, Scalar>;
@@ -21,8 +21,8 @@ public:
   auto u() const { return this->template tail<speeds>(); }
 };
 
-/// The parameters of a system that are not bound in its type, with access by name, `p[m]`. Not numbers until
-/// they are set.
+/// The parameters of a system that are not bound in its type, with access by name, `p[m]`. Unset parameters
+/// are NaN.
 template <class System, class Scalar = double>
 class parameter_values : public compiled::value_vector<System, compiled::symbols_of::parameters, Scalar> {
   using vector = compiled::value_vector<System, compiled::symbols_of::parameters, Scalar>;
@@ -31,8 +31,8 @@ public:
   using vector::vector;
 };
 
-/// The inputs of a system, with access by name, `r[T1]`, of prescribed quantities `r[theta]` and
-/// `r[dot(theta)]`. Not numbers until they are set; `r.setZero()` sets all.
+/// The inputs of a system, with access by name, `r[T1]`; for prescribed quantities, `r[theta]` and
+/// `r[dot(theta)]`. Unset inputs are NaN; `r.setZero()` sets all.
 template <class System, class Scalar = double>
 class input_values : public compiled::value_vector<System, compiled::symbols_of::inputs, Scalar> {
   using vector = compiled::value_vector<System, compiled::symbols_of::inputs, Scalar>;

@@ -6,15 +6,15 @@
 
 namespace kanexpr {
 
-/// A result with the status of its evaluation beside it: `if (!udot.status) …`.
+/// A result with the status of its evaluation: `if (!udot.status) …`.
 template <class Result>
 struct with_status : Result {
   kanexpr::status status{};
-  with_status() noexcept {} // leaves the entries as they are
+  with_status() noexcept {} // leaves the entries uninitialized
   with_status(const Result& result, const kanexpr::status& s) : Result(result), status(s) {}
 };
 
-/// A number with the status of its evaluation beside it.
+/// A number with the status of its evaluation.
 template <class Result>
   requires(!std::is_class_v<Result>)
 struct with_status<Result> {

@@ -4,7 +4,7 @@
 
 namespace kanexpr::compiled {
 
-/// Holds the survey of a system. That of a linked model is written out (see `linked_model.hpp`), all others
+/// Contains the survey of a system. That of a linked model is generated (see `linked_model.hpp`), all others
 /// are derived (see `surveyed.hpp`).
 template <class System>
 struct surveyed;

@@ -6,7 +6,7 @@
 
 namespace kanexpr::compiled {
 
-/// A system's survey, formed once, with the end of the compilation if it holds a mistake.
+/// The survey of a system, derived once; a mistake in the system is a compile-time error.
 template <class System>
 struct surveyed {
   using system = System;

@@ -6,7 +6,7 @@ namespace kanexpr::compiled {
 
 enum class symbols_of : unsigned char { state, parameters, inputs };
 
-/// The symbols that a vector of values holds, which follow each other in a survey.
+/// The symbols of a vector of values, which are contiguous in a survey.
 struct symbol_range {
   int first = 0, size = 0;
   std::string_view vector; ///< "state"
@@ -27,8 +27,8 @@ constexpr symbol_range range_of(symbols_of which, const deriving::survey& s) {
           s.takes_rates_as_speeds ? "coordinate or rate" : "coordinate or speed"};
 }
 
-/// "coordinate q1", "speed u1", by Lagrange's method "the rate of coordinate q1", "parameter m", "input T",
-/// by the place in a survey.
+/// Returns "coordinate q1", "speed u1", by Lagrange's method "the rate of coordinate q1", "parameter m" or
+/// "input T", for an index in a survey.
 constexpr mechanics::sentence symbol_called(const deriving::survey& known, int place) {
   using symbolic::symbol_kind;
   const std::string_view name = known.names[place].view();

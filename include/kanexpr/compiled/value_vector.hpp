@@ -10,19 +10,20 @@
 
 namespace kanexpr::compiled {
 
-/// What the vectors of a system have in common: fixed-size Eigen vectors with access by name, `x[q1]`, which
-/// are made of numbers, of any Eigen vector or by name, `{{q1, 0.1}, {u1, 2}}`. What is assigned becomes one
-/// first: with Eigen's assignments beside it, `x = {0.1, 2}` could mean two things.
+/// The common part of the vectors of a system: fixed-size Eigen vectors with access by name, `x[q1]`,
+/// constructed from numbers, from any Eigen vector, or by name, `{{q1, 0.1}, {u1, 2}}`. Assignments convert
+/// to this type first, because with Eigen's assignments in addition `x = {0.1, 2}` would be ambiguous.
 ///
-/// In a list of names every symbol needs a value, but for the dependent ones, which the constraints give and
-/// which are zero here. What has none, or two, is not a number, and `mistake()` says why.
+/// In a list of names, every symbol must have a value, except the dependent ones, which the constraints
+/// determine and which are zero here. An entry without a value, or with two values, is NaN, and `mistake()`
+/// reports the cause.
 template <class System, symbols_of which, class Scalar>
 class value_vector : public Eigen::Matrix<Scalar, range_of(which, survey_of<System>).size, 1> {
 public:
   using base = Eigen::Matrix<Scalar, range_of(which, survey_of<System>).size, 1>;
   using base::operator[];
 
-  /// A state is zero; parameters and inputs are not numbers until they are set.
+  /// A state is initialized to zero; unset parameters and inputs are NaN.
   value_vector() {
     deriving::tell_in_code<surveyed<System>>();
     fill(from(which == symbols_of::state ? 0 : number_for(gap::never_set)));
@@ -35,14 +36,14 @@ public:
     if constexpr (fits<Derived>()) base::operator=(other.derived());
   }
 
-  /// The state of another system may become this one's, but no parameters a state.
+  /// The state of a different system converts to this one, but parameters do not convert to a state.
   template <class Other, symbols_of given, class OtherScalar>
     requires(given != which)
   value_vector(const value_vector<Other, given, OtherScalar>&) {
     static_cast<void>(exchanged<System, which, Other, given>::possible);
   }
 
-  /// All numbers in their order.
+  /// All numbers in order.
   template <class First, class... More>
     requires(std::convertible_to<First, Scalar> && (std::convertible_to<More, Scalar> && ...))
   explicit(sizeof...(More) == 0) value_vector(const First& first, const More&... more) {
@@ -52,7 +53,7 @@ public:
       (((*this)(++i) = static_cast<Scalar>(more)), ...);
     }
   }
-  /// The same as Eigen takes columns, `{{1, 2, 3}}`.
+  /// The column syntax of Eigen, `{{1, 2, 3}}`.
   template <std::size_t given>
   value_vector(const Scalar (&column)[given]) {
     if constexpr (fitting<System, which, static_cast<int>(given)>::possible)
@@ -69,7 +70,7 @@ public:
     return (*this)(place_in<System, which, Symbol>::place);
   }
 
-  /// The first entry that has no finite value, as a sentence; empty: there is none.
+  /// Returns the first entry without a finite value, as a sentence; empty if there is none.
   mechanics::sentence mistake() const {
     return first_gap(*this, survey_of<System>, range, type_name<System>());
   }
@@ -80,8 +81,8 @@ private:
 
   static Scalar from(double value) { return lower::scalar_math<Scalar>::from(value); }
 
-  /// In plain loops, as everywhere here: Eigen's functions of vectors are new to the compiler for each
-  /// system.
+  /// Uses plain loops, like the rest of the library: the compiler would instantiate Eigen's vector functions
+  /// for each system.
   void fill(const Scalar& value) { std::fill_n(this->data(), range.size, value); }
 
   template <class Derived>
@@ -117,7 +118,7 @@ private:
   }
 };
 
-/// Which vector of which system an argument is; any other Eigen vector is none.
+/// Identifies the kind of vector and the system of an argument; any other Eigen vector has neither.
 template <class Of, symbols_of vector>
 struct belonging {
   template <class System, symbols_of wanted>

@@ -12,12 +12,12 @@
 
 namespace kanexpr::compiled {
 
-/// Masses that are negative and inertias that no body has, of the parameters of a system: the first, as a
-/// sentence. Parameters that are not numbers are not known.
+/// Checks the parameters of a system for negative masses and impossible inertias and returns the first as a
+/// sentence. Parameters that are NaN are treated as unknown.
 mechanics::sentence check_masses(const deriving::survey& known, const double* parameters);
 
-/// Puts values that are given by name into their places, and keeps the first mistake. A model that was
-/// derived while the program runs has no name: "the model has no parameter ll".
+/// Stores values specified by name at their indices and keeps the first mistake. A model derived at run time
+/// has no name: "the model has no parameter ll".
 class values_reader {
 public:
   values_reader(const deriving::survey& known, const describe::system_record& told, std::string_view system,
@@ -25,10 +25,10 @@ public:
       : known_(known), told_(told), system_(system), range_(range), values_(values) {}
 
   void read(const symbol_name& what, double value);
-  /// Every symbol needs a value except the dependent ones, which the constraints give.
+  /// Every symbol must have a value except the dependent ones, which the constraints determine.
   void look_for_missing();
   void look_for_infinite();
-  /// Masses and inertias.
+  /// Checks masses and inertias.
   void look_for_impossible();
 
   bool is_named(int i) const { return named_[static_cast<std::size_t>(i)]; }

@@ -24,13 +24,13 @@ constexpr int largest_exponent(const exponents<rows, columns>& of) {
   return most;
 }
 
-/// Units of states or inputs, the powers of two of these exponents: x = D z.
+/// Units of states or inputs, x = D z, as powers of two with these exponents.
 template <int order>
 struct units {
   int of[static_cast<std::size_t>(order > 0 ? order : 1)]{};
 
-  /// Dʳ M D′ᶜ 2ᵏ with r by row and c by column, 1 or −1. Scaling rounds nothing, unless an entry becomes too
-  /// small; one that becomes too large is infinite.
+  /// Returns Dʳ M D′ᶜ 2ᵏ with r = by_row and c = by_column, each 1 or −1. Scaling is exact unless an entry
+  /// underflows; an entry that overflows becomes infinite.
   template <int by_row, int by_column, class Number, int others>
   constexpr fixed_matrix<Number, order, others> scaled(fixed_matrix<Number, order, others> matrix,
                                                        const units<others>& other, int k = 0) const {
@@ -42,7 +42,8 @@ struct units {
   }
 };
 
-/// Units in which the magnitudes of the diagonal of a symmetric matrix are between 1 and 4, or zero.
+/// Returns the units in which the diagonal entries of a symmetric matrix have magnitudes between 1 and 4, or
+/// are zero.
 template <class Number, int order>
 constexpr units<order> diagonal_units(const fixed_matrix<Number, order, order>& m) {
   units<order> found;
@@ -52,8 +53,7 @@ constexpr units<order> diagonal_units(const fixed_matrix<Number, order, order>& 
   return found;
 }
 
-/// Whether an entry beside the diagonal is so large, in these units, that the matrix has a negative
-/// eigenvalue.
+/// Whether an off-diagonal entry is so large in these units that the matrix has a negative eigenvalue.
 template <class Number, int order>
 constexpr bool exceeds_its_diagonal(const fixed_matrix<Number, order, order>& m) {
   for (int i = 0; i < order; ++i)
@@ -71,15 +71,16 @@ constexpr bool is_positive_definite(const fixed_matrix<Number, order, order>& m)
          static_cast<bool>(numeric::positive_factors<Number, order>(normalized));
 }
 
-/// The exponents of what grows with a unit, in proportion and as its square, and of what shrinks with it.
+/// The exponents of the quantities that grow with a unit, linearly and quadratically, and of those that
+/// shrink with it.
 struct balance {
   int grows = numeric::exponent_of_zero, grows_twice = grows, shrinks = grows, shrinks_twice = grows;
 
   constexpr bool any_grows() const { return !numeric::is_exponent_of_zero(larger(grows, grows_twice)); }
   constexpr bool any_shrinks() const { return !numeric::is_exponent_of_zero(larger(shrinks, shrinks_twice)); }
 
-  /// By how many powers of two the unit has to change until the largest of what grows and of what shrinks are
-  /// alike. Where all shrinks, or grows, it may as well be as small as something else.
+  /// Returns the number of powers of two by which the unit must change to make the largest growing and the
+  /// largest shrinking quantity equal. If all quantities shrink, or all grow, the unit is limited by `least`.
   constexpr int best(int least) const {
     if (!any_grows() && !any_shrinks()) return 0;
     if (!any_grows()) return larger(0, larger(shrinks - least, (shrinks_twice - least + 1) / 2));
@@ -91,10 +92,10 @@ struct balance {
   static constexpr int larger(int a, int b) { return a > b ? a : b; }
 };
 
-/// Units in which the entries of A, G and Q of a Riccati equation are alike: x = D z, A → D⁻¹ A D, G → D⁻¹ G
-/// D⁻¹, Q → D Q D (Benner, Symplectic balancing of Hamiltonian matrices, SIAM J. Sci. Comput. 22, 2001), by
-/// their exponents, so that nothing is too large. Where G and Q are zero those in which A is balanced. What
-/// nothing stands against becomes as small as `least`.
+/// Returns the units in which the entries of A, G and Q of a Riccati equation have similar magnitudes: x = D
+/// z, A → D⁻¹ A D, G → D⁻¹ G D⁻¹, Q → D Q D (Benner, Symplectic balancing of Hamiltonian matrices, SIAM J.
+/// Sci. Comput. 22, 2001). The computation uses the exponents only and cannot overflow. If G and Q are zero,
+/// these units balance A. An entry with no counterpart is scaled down to `least`.
 template <int order>
 constexpr units<order> balanced_units(const exponents<order, order>& a, const exponents<order, order>& g,
                                       const exponents<order, order>& q, int least) {

@@ -11,7 +11,7 @@
 
 namespace kanexpr {
 
-/// x⁺ = A x + B r + c, what ẋ = A x + B r + c becomes over a step in which r and c stay as they are.
+/// The discrete-time form x⁺ = A x + B r + c of ẋ = A x + B r + c over a step in which r and c are constant.
 template <class StateMatrix, class InputMatrix, class Offset>
 struct discrete_form {
   StateMatrix A;
@@ -19,21 +19,22 @@ struct discrete_form {
   Offset c;
   kanexpr::status status;
 
-  /// Whether the matrices can be used.
+  /// Whether the matrices are valid.
   constexpr explicit operator bool() const { return static_cast<bool>(status); }
 };
 
 namespace control {
 
-/// What a sum of n products may add to their exponents.
+/// An upper bound on the exponent that summing n products adds.
 template <int states>
 inline constexpr int of_sum = 2 + std::bit_width(static_cast<unsigned>(states));
 
-/// How often a step of length h is halved, so that the norm of A h, by columns, is below 1/2.
+/// Returns the number of times a step of length h must be halved for the column-sum norm of A h to be below
+/// 1/2.
 template <class Number, int states>
 constexpr int halvings(const fixed_matrix<Number, states, states>& a, Number h) {
   const int most = numeric::exponent_of(numeric::largest_entry(a)) + numeric::exponent_of(h) + of_sum<states>;
-  if (most >= std::numeric_limits<Number>::max_exponent) return most + 1; // the norm might be too large
+  if (most >= std::numeric_limits<Number>::max_exponent) return most + 1; // the norm might overflow
   Number norm = 0;
   for (int j = 0; j < states; ++j) {
     Number sum = 0;
@@ -43,7 +44,7 @@ constexpr int halvings(const fixed_matrix<Number, states, states>& a, Number h) 
   return balance::larger(0, numeric::exponent_of(norm) + 2);
 }
 
-/// Whether no term of a product is too large, nor their sums.
+/// Whether all terms of a product and their sums are finite.
 template <class Number, int states, int inputs, int columns>
 constexpr bool is_product_finite(const fixed_matrix<Number, states, inputs>& a,
                                  const fixed_matrix<Number, inputs, columns>& b) {
@@ -64,13 +65,13 @@ struct exponential {
   fixed_matrix<Number, states, states> integral{}; ///< ∫ exp(A s) ds from 0 to h
 };
 
-/// (exp(X) − 1)/X by Taylor's series, in few products of matrices (Paterson & Stockmeyer, On the number of
-/// nonscalar multiplications necessary to evaluate polynomials, SIAM J. Comput. 2, 1973): those of four, or
-/// three, powers of X that follow each other are one factor of a higher power.
+/// Evaluates (exp(X) − 1)/X by its Taylor series with few matrix products (Paterson & Stockmeyer, On the
+/// number of nonscalar multiplications necessary to evaluate polynomials, SIAM J. Comput. 2, 1973): each
+/// group of four, or three, consecutive powers of X forms one factor of a higher power.
 template <class Number, int states>
 constexpr fixed_matrix<Number, states, states> mean_motion(const fixed_matrix<Number, states, states>& x) {
   constexpr bool is_short = std::numeric_limits<Number>::digits <= 24;
-  constexpr int terms = is_short ? 9 : 15; // the next is below rounding, (1/2)ᵏ/(k + 1)!
+  constexpr int terms = is_short ? 9 : 15; // the next term, (1/2)ᵏ/(k + 1)!, is below rounding
   constexpr int block = is_short ? 3 : 4;
   fixed_matrix<Number, states, states> powers[std::size_t{block + 1}]{numeric::identity<Number, states>(), x};
   for (int k = 2; k <= block; ++k) powers[k] = powers[k - 1] * x;
@@ -89,10 +90,11 @@ constexpr fixed_matrix<Number, states, states> mean_motion(const fixed_matrix<Nu
   return sum;
 }
 
-/// Both by Taylor's series of a short step, which is doubled until it is as long as asked (Van Loan,
-/// Computing integrals involving the matrix exponential, IEEE Trans. Autom. Control 23, 1978): the integral
-/// over two steps is that over one, and what the motion of one makes of it. What is slow beside the rest
-/// loses nothing, for its change is doubled, not its 1. False where they would overflow.
+/// Evaluates both by the Taylor series of a short step that is doubled until it reaches the requested length
+/// (Van Loan, Computing integrals involving the matrix exponential, IEEE Trans. Autom. Control 23, 1978): the
+/// integral over two steps is the integral over one plus its image under the motion of one step. Slow motions
+/// next to fast ones lose no accuracy because exp(A h) − 1 is doubled, not exp(A h). Returns false on
+/// overflow.
 template <class Number, int states>
 constexpr bool find_exponential(const fixed_matrix<Number, states, states>& a, Number h, int doublings,
                                 exponential<Number, states>& e) {
@@ -108,13 +110,12 @@ constexpr bool find_exponential(const fixed_matrix<Number, states, states>& a, N
   return true;
 }
 
-/// What is wrong with what a discrete form is asked of.
+/// Checks the arguments of a discretization.
 template <class Number, int states, int inputs>
 constexpr status mistake_in(const fixed_matrix<Number, states, states>& a,
                             const fixed_matrix<Number, states, inputs>& b,
                             const fixed_matrix<Number, states, 1>& c, Number h) {
-  if (!numeric::is_finite(fixed_matrix<Number, 1, 1>{{h}}))
-    return status("the length of the step is not finite");
+  if (!numeric::is_finite(fixed_matrix<Number, 1, 1>{{h}})) return status("the step length is not finite");
   if (!numeric::is_finite(a)) return status("the state matrix A is not finite");
   if (!numeric::is_finite(b)) return status("the input matrix B is not finite");
   if (!numeric::is_finite(c)) return status("the offset c is not finite");
@@ -152,11 +153,11 @@ discretized(const fixed_matrix<Number, states, states>& a, const fixed_matrix<Nu
   }
   if (is_found && is_product_finite(e.integral, b) && is_product_finite(e.integral, c))
     return {numeric::identity<Number, states>() + e.change, e.integral * b, e.integral * c, {}};
-  found.status = status("the motion of the linear system over the step is too large for numbers");
+  found.status = status("the motion of the linear system over the step overflows");
   return found;
 }
 
-/// The same of any matrices, of which a status may come with each.
+/// Discretizes matrices of any type, each of which may carry a status.
 template <class StateMatrix, class InputMatrix, class Offset>
 constexpr auto discretized_as_given(const StateMatrix& a, const InputMatrix& b, const Offset& c,
                                     typename shape<StateMatrix>::scalar h) {
@@ -164,10 +165,9 @@ constexpr auto discretized_as_given(const StateMatrix& a, const InputMatrix& b, 
   constexpr int n = shape<StateMatrix>::rows, inputs = shape<InputMatrix>::columns;
   constexpr bool are_sizes_fitting = are_fitting<StateMatrix, InputMatrix>();
   static_assert(!are_sizes_fitting || (shape<Offset>::rows == n && shape<Offset>::columns == 1),
-                "the offset c has a number for each row of A");
+                "the offset c must have one entry for each row of A");
   constexpr bool is_offset_alike = std::is_same_v<typename shape<Offset>::scalar, Number>;
-  static_assert(!are_sizes_fitting || is_offset_alike,
-                "the numbers of A and of the offset c are of different types");
+  static_assert(!are_sizes_fitting || is_offset_alike, "A and the offset c have different scalar types");
   if constexpr (!are_sizes_fitting || !is_offset_alike) {
     return fixed_discrete_form<Number, 1, 1>{};
   } else {
@@ -181,10 +181,10 @@ constexpr auto discretized_as_given(const StateMatrix& a, const InputMatrix& b, 
 
 } // namespace control
 
-/// The matrices of ẋ = A x + B r over a step of length h in which the inputs hold (zero-order hold): `const
-/// auto [Ad, Bd, cd, status] = discretize(A, B, h);`. A and B are matrices of Eigen whose size the compiler
-/// knows, as those of a linearization, or of `numeric::fixed_matrix` in a constant expression. Exact but for
-/// rounding. Where a status says that there are none they are not numbers.
+/// Returns the matrices of ẋ = A x + B r over a step of length h with constant inputs (zero-order hold):
+/// `const auto [Ad, Bd, cd, status] = discretize(A, B, h);`. A and B are fixed-size Eigen matrices, such as
+/// those of a linearization, or `numeric::fixed_matrix` in a constant expression. The result is exact up to
+/// rounding. If the status reports a failure, the entries are NaN.
 template <control::matrix StateMatrix, control::matrix InputMatrix>
 constexpr auto discretize(const StateMatrix& a, const InputMatrix& b,
                           typename control::shape<StateMatrix>::scalar h) {
@@ -193,15 +193,15 @@ constexpr auto discretize(const StateMatrix& a, const InputMatrix& b,
   return control::discretized_as_given(a, b, offset{}, h);
 }
 
-/// The same of ẋ = A x + B r + c, as of a linearization about a state that does not rest, where c is its
-/// rate.
+/// Discretizes ẋ = A x + B r + c, for example a linearization about a state that is not an equilibrium, where
+/// c is the rate of that state.
 template <control::matrix StateMatrix, control::matrix InputMatrix, control::matrix Offset>
 constexpr auto discretize(const StateMatrix& a, const InputMatrix& b, const Offset& c,
                           typename control::shape<StateMatrix>::scalar h) {
   return control::discretized_as_given(a, b, c, h);
 }
 
-/// The same of both matrices of a linearization: `discretize(linearization<System>::explicit_form(x, p, r),
+/// Discretizes both matrices of a linearization: `discretize(linearization<System>::explicit_form(x, p, r),
 /// h)`.
 template <class StateMatrix, class InputMatrix>
 constexpr auto discretize(const std::tuple<StateMatrix, InputMatrix>& both,

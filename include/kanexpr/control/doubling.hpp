@@ -6,24 +6,25 @@ namespace kanexpr::control {
 
 using numeric::fixed_matrix;
 
-/// Whether A and B are those of ẋ = A x + B r, or of x⁺ = A x + B r.
+/// Whether A and B denote ẋ = A x + B r or x⁺ = A x + B r.
 enum class time_domain : unsigned char { continuous, discrete };
 
-/// A Riccati equation with G = B R⁻¹ Bᵀ: Aᵀ X + X A − X G X + Q = 0, or X = Aᵀ X (1 + G X)⁻¹ A + Q.
+/// The Riccati equation Aᵀ X + X A − X G X + Q = 0, or X = Aᵀ X (1 + G X)⁻¹ A + Q, with G = B R⁻¹ Bᵀ.
 template <class Number, int states>
 struct riccati_equation {
   fixed_matrix<Number, states, states> a, g, q;
 };
 
-/// What doubling comes to.
+/// The outcome of the doubling iteration.
 enum class doubling : unsigned char {
-  solves,   ///< the motion of the closed loop has died out
-  halves,   ///< it halves whenever the number of steps doubles: it is on the unit circle
-  does_not, ///< it grows, or does not die out
-  stops     ///< rounding, or too large a number, ends it
+  solves,   ///< the motion of the closed loop has decayed
+  halves,   ///< the motion halves with each doubling of the number of steps: an eigenvalue lies on the unit
+            ///< circle
+  does_not, ///< the motion grows, or does not decay
+  stops     ///< rounding or overflow ends the iteration
 };
 
-/// A symmetric matrix, and whether it solves the equation.
+/// A symmetric matrix and a flag that indicates whether it solves the equation.
 template <class Number, int states>
 struct riccati_solution {
   fixed_matrix<Number, states, states> x{};
@@ -32,7 +33,7 @@ struct riccati_solution {
   constexpr bool found() const { return comes_to == doubling::solves; }
 };
 
-/// Of numbers up to this the products that are needed are finite, as a constant expression must have them.
+/// The bound up to which all required products are finite, as a constant expression requires.
 template <class Number>
 inline constexpr Number most_of_solution =
     numeric::power_of_two<Number>(std::numeric_limits<Number>::max_exponent * 3 / 8);
@@ -50,13 +51,14 @@ constexpr Number power_of_two_near_root(Number x) {
   return root;
 }
 
-/// The stabilizing solution by structured doubling (Chu, Fan, Lin & Wang, Structure-preserving algorithms for
-/// periodic discrete-time algebraic Riccati equations, Int. J. Control 77, 2004): A_k becomes the motion of
-/// the closed loop over 2ᵏ steps. Nothing is found where it grows so far that only rounding reaches it, does
-/// not vanish, or halves from step to step, as it does for a closed loop on the unit circle (Chiang et al.,
-/// Convergence analysis of the doubling algorithm, SIAM J. Matrix Anal. Appl. 31, 2009). From that rounding
-/// tells no loop that is closer to it than the root of ε; the steps beyond are for motions that are slow
-/// beside others, of which rounding knows more.
+/// Computes the stabilizing solution by structured doubling (Chu, Fan, Lin & Wang, Structure-preserving
+/// algorithms for periodic discrete-time algebraic Riccati equations, Int. J. Control 77, 2004): A_k becomes
+/// the motion of the closed loop over 2ᵏ steps. The iteration fails if that motion grows so far that only
+/// rounding can reach it, does not vanish, or halves from step to step, as it does when the closed loop has
+/// an eigenvalue on the unit circle (Chiang et al., Convergence analysis of the doubling algorithm, SIAM J.
+/// Matrix Anal. Appl. 31, 2009). Rounding makes a loop closer to the unit circle than √ε indistinguishable
+/// from one on it; the additional steps serve motions that are slow compared with others and that rounding
+/// resolves better.
 template <class Number, int states>
 constexpr riccati_solution<Number, states> doubled(riccati_equation<Number, states> e) {
   using limits = std::numeric_limits<Number>;
@@ -68,7 +70,7 @@ constexpr riccati_solution<Number, states> doubled(riccati_equation<Number, stat
   int slow_steps = 0;
   Number size = numeric::largest_entry(e.a);
   if (!(size < most_at_first)) return {e.q, doubling::stops};
-  // One step that is large is the square of itself at most, before the inputs act on it.
+  // Before the inputs act, doubling at most squares a single large step.
   const Number large = most * (1 + size * size), growth = large < most_of_any ? large : most_of_any;
   for (int k = 0; k < most_steps; ++k) {
     if (!(size < growth)) return {e.q, doubling::does_not};
@@ -90,10 +92,10 @@ constexpr riccati_solution<Number, states> doubled(riccati_equation<Number, stat
   return {e.q, doubling::does_not};
 }
 
-/// Cayley's transform of a continuous equation: the discrete one with the same solution (Chu, Fan & Lin, A
-/// structure-preserving doubling algorithm for continuous-time algebraic Riccati equations, Linear Algebra
-/// Appl. 396, 2005). Its matrices are [A, G; −Q, Aᵀ] = 1 + 2γ S⁻¹ diag(1, −1) with S = [A − γ, −G; −Q, γ −
-/// Aᵀ].
+/// The Cayley transform of a continuous-time equation: the discrete-time equation with the same solution
+/// (Chu, Fan & Lin, A structure-preserving doubling algorithm for continuous-time algebraic Riccati
+/// equations, Linear Algebra Appl. 396, 2005). Its matrices are [A, G; −Q, Aᵀ] = 1 + 2γ S⁻¹ diag(1, −1) with
+/// S = [A − γ, −G; −Q, γ − Aᵀ].
 template <class Number, int states>
 class cayley {
 public:
@@ -115,7 +117,7 @@ public:
     discrete.q = numeric::symmetric(discrete.q);
   }
 
-  /// [A − γ, −G; −Q, γ − Aᵀ], the Hamiltonian matrix at γ = 0.
+  /// Returns [A − γ, −G; −Q, γ − Aᵀ], which is the Hamiltonian matrix for γ = 0.
   static constexpr fixed_matrix<Number, 2 * states, 2 * states>
   hamiltonian(const riccati_equation<Number, states>& e, Number shift) {
     fixed_matrix<Number, 2 * states, 2 * states> h;
@@ -131,11 +133,11 @@ public:
   }
 
   riccati_equation<Number, states> discrete{};
-  Number size = 0; ///< of its largest entry; zero: S is singular
+  Number size = 0; ///< its largest entry; zero if S is singular
 };
 
-/// A power of two near the geometric mean of the eigenvalues of a matrix, by its pivots; zero where one of
-/// them vanishes, or nearly so.
+/// Returns a power of two near the geometric mean of the eigenvalues of a matrix, computed from its pivots;
+/// zero if a pivot vanishes or nearly vanishes.
 template <class Number, int states>
 constexpr Number mean_rate(const numeric::eliminated<Number, states>& m) {
   if (m.is_singular()) return 0;
@@ -146,7 +148,7 @@ constexpr Number mean_rate(const numeric::eliminated<Number, states>& m) {
     product *= numeric::constant_elimination_math::magnitude(m.reciprocal(k));
     for (int i = 0; i < most && product >= 2; ++i) product /= 2, --exponent;
     for (int i = 0; i < most && product < 1; ++i) product *= 2, ++exponent;
-    if (!(product >= 1 && product < 2)) return 0; // it was infinite, or zero
+    if (!(product >= 1 && product < 2)) return 0; // the product overflowed or underflowed
   }
   Number mean = 1;
   for (int i = 0; i < exponent / states; ++i) mean *= 2;
@@ -154,14 +156,14 @@ constexpr Number mean_rate(const numeric::eliminated<Number, states>& m) {
   return mean;
 }
 
-/// One stabilizing solution; nothing is found where there is none, and not always where Q leaves out what
-/// grows.
+/// Returns a stabilizing solution. It fails if there is none, and sometimes if Q does not weight a growing
+/// motion.
 template <time_domain domain, class Number, int states>
 constexpr riccati_solution<Number, states> stabilizing(const riccati_equation<Number, states>& e) {
   if constexpr (domain == time_domain::discrete) {
     return doubled(e);
   } else {
-    // A shift at an eigenvalue of A may leave S nearly singular: one of three does not.
+    // A shift at an eigenvalue of A may leave S nearly singular, but not all three shifts can.
     const Number mean =
         mean_rate(numeric::eliminated<Number, 2 * states>(cayley<Number, states>::hamiltonian(e, 0)));
     if (!(mean > 0)) return {{}, doubling::halves}; // an eigenvalue is zero

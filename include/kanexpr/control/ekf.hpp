@@ -15,7 +15,7 @@ namespace kanexpr {
 
 namespace control {
 
-/// Whether a filter can take it up: an expression, a scalar or a vector.
+/// Whether a filter supports the measurement: an expression that is a scalar or a vector.
 template <auto measured>
 constexpr bool is_measurable() {
   if constexpr (requires { describe::shape_of(measured); })
@@ -25,7 +25,8 @@ constexpr bool is_measurable() {
     return false;
 }
 
-/// Whether a matrix is one of a filter's; what it has to be like is said where it is not.
+/// Whether a matrix has the size and scalar type that the filter requires; the assertions at its uses report
+/// the requirement.
 template <class Matrix, class Number, int rows, int columns>
 inline constexpr bool is_of_filter =
     Matrix::RowsAtCompileTime == rows && Matrix::ColsAtCompileTime == columns &&
@@ -33,23 +34,24 @@ inline constexpr bool is_of_filter =
 
 } // namespace control
 
-/// The extended Kalman filter of a system: its state, which sensors measure with noise, and how uncertain it
-/// is. `measured` are expressions of the model, scalars and vectors, which may hold velocities and
+/// The extended Kalman filter of a system with noisy sensors: the state estimate and its covariance.
+/// `measured` are expressions of the model, scalars and vectors, that may contain velocities and
 /// accelerations:
 ///
 ///     ekf<System, q1, acceleration_of<P>> filter(x0, P0);
 ///     if (const status s = filter.predict(t, h, p, r, Q); !s) …   // the state at t + h
-///     if (const status s = filter.update(y, p, r, R); !s) …       // what the sensors say of it
+///     if (const status s = filter.update(y, p, r, R); !s) …       // correction by the measurements
 ///
-/// The covariance is that of the states of the linearized equations, the independent coordinates and speeds
-/// (`linearization<System>::places`); the dependent ones follow by the constraints, and quaternions keep norm
-/// 1. Nothing is allocated or thrown. Where something cannot be solved, or would not be finite, the status
-/// says so, and the filter stays as it was.
+/// The covariance covers the states of the linearized equations, which are the independent coordinates and
+/// speeds (`linearization<System>::places`); the dependent ones follow from the constraints, and quaternions
+/// keep norm 1. The filter neither allocates nor throws. If a system of equations cannot be solved, or a
+/// result would not be finite, the returned status reports it and the filter is unchanged.
 ///
-/// P may be set at any time, so each call factorizes it, P = L D Lᵀ, and refuses what is no covariance, as it
-/// does Q and R. What it makes of P are sums of squares: A L D (A L)ᵀ + Q, and by Joseph's form V D Vᵀ + U E
-/// Uᵀ with V = L − K C L, R = M E Mᵀ and U = K M. D and E are not negative, so no rounding makes a variance
-/// negative, nor the covariance indefinite beside its own variances, whatever has cancelled on the way.
+/// P may be set at any time, so each call factorizes it, P = L D Lᵀ, and rejects P, Q or R if it is not a
+/// covariance. The updates of P are sums of squares: A L D (A L)ᵀ + Q, and in Joseph form V D Vᵀ + U E Uᵀ
+/// with V = L − K C L, R = M E Mᵀ and U = K M. D and E are nonnegative, so rounding makes no variance
+/// negative and the covariance never indefinite relative to its variances, whatever cancellation occurs in
+/// between.
 template <class System, class Number, auto... measured>
 class basic_ekf {
   using lin = linearization<System>;
@@ -71,49 +73,47 @@ public:
   basic_ekf(const state& start, const covariance& uncertainty, Number at = 0)
       : x(start), P(uncertainty), t(at) {}
 
-  /// Goes on by a step of length h from t, in which the inputs r hold or are those of a function (t, x), and
-  /// with the covariance of what disturbs the states within one step. The state goes by a step of a fixed
-  /// length, the covariance by the motion of the linearized equations.
+  /// Predicts the state over a step of length h from t. The inputs r are constant or a function of (t, x);
+  /// the disturbance is the covariance of the process noise over one step. The state advances by a
+  /// fixed-length step, the covariance by the linearized equations.
   template <class Parameters, class Inputs, class Noise, class Step = runge_kutta_4<System>>
   status predict(Number from, Number h, const Parameters& p, const Inputs& r,
                  const Eigen::MatrixBase<Noise>& disturbance, const Step& step = {}) {
     constexpr bool is_fitting = control::is_of_filter<Noise, Number, states, states>;
-    static_assert(is_fitting,
-                  "the covariance Q has a row and a column for each independent coordinate and speed, "
-                  "and the numbers of the filter");
+    static_assert(is_fitting, "the covariance Q must have a row and a column for each independent coordinate "
+                              "and speed, and the scalar type of the filter");
     if constexpr (is_fitting)
       return predicted(from, h, p, r, disturbance, step);
     else
       return {};
   }
 
-  /// What the sensors would say at the state of the filter.
+  /// Returns the measurements expected at the state of the filter.
   template <class Parameters, class Inputs>
   with_status<measurement> expected(const Parameters& p, const Inputs& r) const {
     return seen(p, r).values;
   }
 
-  /// Takes up what the sensors say at the time of the filter, by the covariance of their noise.
+  /// Corrects the state by the measurements y at the time of the filter, given the covariance of their noise.
   template <class Given, class Parameters, class Inputs, class Noise>
   status update(const Eigen::MatrixBase<Given>& y, const Parameters& p, const Inputs& r,
                 const Eigen::MatrixBase<Noise>& noise) {
     constexpr bool is_fitting = control::is_of_filter<Given, Number, measurements, 1> &&
                                 control::is_of_filter<Noise, Number, measurements, measurements>;
-    static_assert(
-        is_fitting || !are_measurable,
-        "y and its covariance R have a row for each number that is measured, and the numbers of the filter");
+    static_assert(is_fitting || !are_measurable, "y and its covariance R must have a row for each measured "
+                                                 "component, and the scalar type of the filter");
     if constexpr (is_fitting && are_measurable)
       return updated(y, p, r, noise);
     else
       return {};
   }
 
-  /// What the last update had in its measurements beside what it expected, and the covariance of that.
+  /// The innovation of the last update, the measured minus the expected values, and its covariance.
   const measurement& innovation() const { return innovation_; }
   const measurement_covariance& innovation_covariance() const { return innovation_covariance_; }
 
 private:
-  static constexpr int newton_steps = 2; ///< an update may be farther from the constraints than a step is
+  static constexpr int newton_steps = 2; ///< an update may move farther from the constraints than a step
 
   using square = numeric::fixed_matrix<Number, states, states>;
   using measured_square = numeric::fixed_matrix<Number, measurements, measurements>;
@@ -224,23 +224,23 @@ private:
   template <int order>
   static constexpr Number rounding = 8 * Number(order) * std::numeric_limits<Number>::epsilon();
 
-  /// The state's covariance may have been rounded more, as when it was written and read.
+  /// The covariance of the state may have lost more digits, for example by being written and read.
   static factors<states> factors_of_state(const square& m) {
     constexpr Number of_half = numeric::power_of_two<Number>(-std::numeric_limits<Number>::digits / 2);
     const factors<states> found(m, rounding<states> / 8, rounding<states>);
     return found ? found : factors<states>(m, of_half, of_half);
   }
 
-  /// What is no covariance, as `lqr` says it of weights.
+  /// The messages for an invalid covariance, worded as those of `lqr` for the weights.
   struct sentences {
     std::string_view infinite, crooked, negative;
   };
   static constexpr sentences of_state{"the covariance of the state is not finite",
                                       "the covariance of the state is not symmetric",
                                       "the covariance of the state is not positive semidefinite"},
-      of_disturbance{"the covariance of what disturbs the states is not finite",
-                     "the covariance of what disturbs the states is not symmetric",
-                     "the covariance of what disturbs the states is not positive semidefinite"},
+      of_disturbance{"the covariance of the disturbance is not finite",
+                     "the covariance of the disturbance is not symmetric",
+                     "the covariance of the disturbance is not positive semidefinite"},
       of_noise{"the covariance of the noise is not finite", "the covariance of the noise is not symmetric",
                "the covariance of the noise is not positive semidefinite"};
 
@@ -254,18 +254,18 @@ private:
   static status finite(const Matrix& m) {
     for (int i = 0; i < static_cast<int>(m.size()); ++i)
       if (!lower::scalar_math<Number>::is_finite(m.data()[i]))
-        return status("what is measured is not finite at this state");
+        return status("a measured expression is not finite at this state");
     return {};
   }
 
   measurement innovation_ = measurement::Zero();
   measurement_covariance innovation_covariance_ = measurement_covariance::Zero();
 
-  // The last of all, since clang++ forms nothing of the class behind it.
-  static_assert(are_measurable, "what a filter measures are expressions of the model, scalars and vectors");
+  // Placed last because clang++ instantiates no member that follows a failed assertion.
+  static_assert(are_measurable, "a filter can measure only scalar and vector expressions of the model");
 };
 
-/// The extended Kalman filter with numbers of type `double`; `basic_ekf<System, float, …>` has others.
+/// The extended Kalman filter in `double`; `basic_ekf<System, float, …>` selects a different scalar type.
 template <class System, auto... measured>
 using ekf = basic_ekf<System, double, measured...>;
 

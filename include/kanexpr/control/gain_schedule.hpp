@@ -9,23 +9,23 @@
 
 namespace kanexpr {
 
-/// Gains at equal distances of a parameter, and between them by straight lines: `K(v)`.
+/// Gains at equidistant values of a parameter, with linear interpolation between them: `K(v)`.
 template <class Number, class Gain, int points>
 struct scheduled_gains {
   Number from, to;
   Gain at[static_cast<std::size_t>(points)];
-  kanexpr::status status; ///< the first of those that could not be found
+  kanexpr::status status; ///< the first failure among the gains
 
-  /// Whether all could be found.
+  /// Whether all gains were found.
   constexpr explicit operator bool() const { return static_cast<bool>(status); }
 
-  /// The gain at a value of the parameter, without a branch; beyond the ends that of the end. Not a number
-  /// where the value is none, with -ffast-math too.
+  /// Returns the gain at a value of the parameter, without a branch; beyond an end, the gain at that end.
+  /// Returns NaN if the value is NaN, even with -ffast-math.
   constexpr Gain operator()(Number value) const {
     constexpr Number last = Number(points - 1), last_but_one = Number(points - 2);
     const Number given = (value - from) * (last / (to - from));
     const int is_none = numeric::is_nan(given) ? 1 : 0;
-    // Chosen by an index: of conditions compilers would make branches.
+    // Selected by an index because compilers would turn conditions into branches.
     const Number places[]{given, Number(0)}, place = places[is_none];
     const Number within[]{place, Number(0), last}, below[]{place, Number(0), last_but_one};
     const int i = static_cast<int>(below[(place < 0 ? 1 : 0) + (place > last_but_one ? 2 : 0)]);
@@ -35,7 +35,7 @@ struct scheduled_gains {
   }
 };
 
-/// A gain in other numbers.
+/// Converts a gain to a different scalar type.
 template <class Other, class Number, int rows, int columns>
 constexpr numeric::fixed_matrix<Other, rows, columns>
 in_numbers(const numeric::fixed_matrix<Number, rows, columns>& gain) {
@@ -46,7 +46,7 @@ auto in_numbers(const Eigen::MatrixBase<Derived>& gain) {
   return gain.template cast<Other>().eval();
 }
 
-/// A table in other numbers: `constexpr auto K = in_numbers<float>(gains);`.
+/// Converts a table to a different scalar type: `constexpr auto K = in_numbers<float>(gains);`.
 template <class Other, class Number, class Gain, int points>
 constexpr auto in_numbers(const scheduled_gains<Number, Gain, points>& table) {
   scheduled_gains<Other, decltype(in_numbers<Other>(table.at[0])), points> same{
@@ -55,12 +55,12 @@ constexpr auto in_numbers(const scheduled_gains<Number, Gain, points>& table) {
   return same;
 }
 
-/// A table of gains over a parameter, made while the program runs or by the compiler: `constexpr auto K =
-/// gain_schedule<21>(2.0, 8.0, [](double v) { return lqr(…); });`. The function gives a gain, or a regulator
-/// with a gain K and a status.
+/// Computes a table of gains over a parameter, at run time or at compile time: `constexpr auto K =
+/// gain_schedule<21>(2.0, 8.0, [](double v) { return lqr(…); });`. The function returns a gain, or a
+/// regulator with a gain K and a status.
 template <int points, class From, class To, class GainAt>
 constexpr auto gain_schedule(From first, To last, const GainAt& gain_at) {
-  static_assert(points >= 2, "a gain schedule has two points or more");
+  static_assert(points >= 2, "a gain schedule must have at least two points");
   using common = std::common_type_t<From, To>;
   using Number = std::conditional_t<std::is_floating_point_v<common>, common, double>;
   const Number from = static_cast<Number>(first), to = static_cast<Number>(last);
@@ -83,7 +83,7 @@ constexpr auto gain_schedule(From first, To last, const GainAt& gain_at) {
       table.status = status("a gain of the schedule is not finite");
   }
   if (table.status && !(numeric::is_finite(from) && numeric::is_finite(to) && (from < to || to < from)))
-    table.status = status("the ends of the schedule are equal, or no numbers");
+    table.status = status("the ends of the schedule must be finite and different");
   return table;
 }
 

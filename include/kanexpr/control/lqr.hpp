@@ -8,21 +8,21 @@
 
 namespace kanexpr {
 
-/// A linear feedback r = −K x, and P, by which xᵀ P x is the cost of a motion that begins at x. Where the
-/// status says that there is none they are not numbers.
+/// The linear feedback r = −K x, with the matrix P of the cost xᵀ P x of a motion that starts at x. If the
+/// status reports a failure, both are NaN.
 template <class Gain, class Cost>
 struct linear_regulator {
   Gain K;
   Cost P;
   kanexpr::status status;
 
-  /// Whether there is one.
+  /// Whether a regulator was found.
   constexpr explicit operator bool() const { return static_cast<bool>(status); }
 };
 
 namespace control {
 
-/// What is wrong with what a regulator is asked for.
+/// Checks the arguments of a regulator.
 template <class Number, int states, int inputs>
 constexpr status
 mistake_in(const fixed_matrix<Number, states, states>& a, const fixed_matrix<Number, states, inputs>& b,
@@ -54,7 +54,7 @@ regulator(const fixed_matrix<Number, states, states>& a, const fixed_matrix<Numb
   return found;
 }
 
-/// The same of any matrices, of which a status may come with each, or beside them.
+/// Accepts matrices of any type, each of which may carry a status; a status may also be passed separately.
 template <time_domain domain, class StateMatrix, class InputMatrix, class Number, int states, int inputs>
 constexpr auto regulator_of(const StateMatrix& a, const InputMatrix& b, const weights<Number, states>& q,
                             const weights<Number, inputs>& r, const status& given = {}) {
@@ -76,11 +76,11 @@ using weights_of_inputs = weights<typename shape<StateMatrix>::scalar, shape<Inp
 
 } // namespace control
 
-/// The feedback r = −K x of ẋ = A x + B r that makes the least of ∫ xᵀ Q x + rᵀ R r, by structured doubling
-/// in a bounded number of steps, without a heap, on a board as in a constant expression. A and B are matrices
-/// of Eigen whose size the compiler knows, as those of a linearization, or of `numeric::fixed_matrix`. Q and
-/// R are the weights of the states and of the inputs: `lqr(A, B, {10, 1}, {0.1})`. The status tells where
-/// there is no such feedback; K and P are not numbers then.
+/// Returns the feedback r = −K x of ẋ = A x + B r that minimizes ∫ xᵀ Q x + rᵀ R r. It uses structured
+/// doubling in a bounded number of steps, without heap allocation, on a microcontroller as well as in a
+/// constant expression. A and B are fixed-size Eigen matrices, such as those of a linearization, or
+/// `numeric::fixed_matrix`. Q and R are the weights of the states and of the inputs: `lqr(A, B, {10, 1},
+/// {0.1})`. If no such feedback exists, the status reports it, and K and P are NaN.
 template <control::matrix StateMatrix, control::matrix InputMatrix>
 constexpr auto lqr(const StateMatrix& a, const InputMatrix& b,
                    const control::weights_of_states<StateMatrix>& q,
@@ -88,7 +88,7 @@ constexpr auto lqr(const StateMatrix& a, const InputMatrix& b,
   return control::regulator_of<control::time_domain::continuous>(a, b, q, r);
 }
 
-/// The same of both matrices of a linearization: `lqr(linearization<System>::explicit_form(x, p, r), {10, 1},
+/// Accepts both matrices of a linearization: `lqr(linearization<System>::explicit_form(x, p, r), {10, 1},
 /// {0.1})`.
 template <class StateMatrix, class InputMatrix>
 constexpr auto lqr(const std::tuple<StateMatrix, InputMatrix>& both,
@@ -97,7 +97,8 @@ constexpr auto lqr(const std::tuple<StateMatrix, InputMatrix>& both,
   return lqr(std::get<0>(both), std::get<1>(both), q, r);
 }
 
-/// The same of x⁺ = A x + B r and the sum of xᵀ Q x + rᵀ R r over all steps: `dlqr(A, B, {10, 1}, {0.1})`.
+/// Solves the same problem for x⁺ = A x + B r and the sum of xᵀ Q x + rᵀ R r over all steps: `dlqr(A, B, {10,
+/// 1}, {0.1})`.
 template <control::matrix StateMatrix, control::matrix InputMatrix>
 constexpr auto dlqr(const StateMatrix& a, const InputMatrix& b,
                     const control::weights_of_states<StateMatrix>& q,
@@ -105,7 +106,7 @@ constexpr auto dlqr(const StateMatrix& a, const InputMatrix& b,
   return control::regulator_of<control::time_domain::discrete>(a, b, q, r);
 }
 
-/// The same of what `discretize` gives, with its status: `dlqr(discretize(A, B, h), {10, 1}, {0.1})`.
+/// Accepts the result of `discretize` with its status: `dlqr(discretize(A, B, h), {10, 1}, {0.1})`.
 template <class StateMatrix, class InputMatrix, class Offset>
 constexpr auto dlqr(const discrete_form<StateMatrix, InputMatrix, Offset>& form,
                     const control::weights_of_states<StateMatrix>& q,

@@ -6,13 +6,13 @@
 #include <concepts>
 #include <type_traits>
 
-/// Functions of this room take matrices of Eigen while the program runs and `numeric::fixed_matrix` in a
-/// constant expression, and give what they take.
+/// The functions in this folder accept Eigen matrices at run time and `numeric::fixed_matrix` in constant
+/// expressions, and return the type that they accept.
 namespace kanexpr::control {
 
 using numeric::fixed_matrix;
 
-/// The type and size of a matrix; a size that only the program knows is negative.
+/// The type and size of a matrix; a dynamic size is negative.
 template <class Matrix>
 struct shape {
   using scalar = typename Matrix::Scalar;
@@ -34,7 +34,7 @@ struct shape<fixed_matrix<Number, row_count, column_count>> {
   }
 };
 
-/// Whether A and B fit; where they do not, the end of the compilation.
+/// Whether A and B have matching sizes and scalar types; a static assertion fails if they do not.
 template <class StateMatrix, class InputMatrix>
 constexpr bool are_fitting() {
   constexpr bool are_known = shape<StateMatrix>::rows >= 0 && shape<StateMatrix>::columns >= 0 &&
@@ -43,10 +43,10 @@ constexpr bool are_fitting() {
                  are_alike = shape<StateMatrix>::rows == shape<InputMatrix>::rows;
   constexpr bool are_numbers_alike =
       std::is_same_v<typename shape<StateMatrix>::scalar, typename shape<InputMatrix>::scalar>;
-  static_assert(are_known, "the size of a matrix must be known to the compiler");
+  static_assert(are_known, "the size of a matrix must be known at compile time");
   static_assert(!are_known || is_square, "the state matrix A is not square");
   static_assert(!are_known || are_alike, "A and B have different numbers of rows");
-  static_assert(!are_known || are_numbers_alike, "the numbers of A and B are of different types");
+  static_assert(!are_known || are_numbers_alike, "A and B have different scalar types");
   return are_known && is_square && are_alike && are_numbers_alike;
 }
 
@@ -55,7 +55,7 @@ inline constexpr bool is_fixed_matrix = false;
 template <class Number, int rows, int columns>
 inline constexpr bool is_fixed_matrix<fixed_matrix<Number, rows, columns>> = true;
 
-/// Of Eigen or fixed.
+/// An Eigen matrix or a `fixed_matrix`.
 template <class Given>
 concept matrix = is_fixed_matrix<Given> || requires { Given::RowsAtCompileTime; };
 
@@ -68,7 +68,7 @@ constexpr const fixed_matrix<Number, rows, columns>& fixed(const fixed_matrix<Nu
   return m;
 }
 
-/// a + part (b − a); of fixed matrices without others between.
+/// Returns a + part (b − a); the overload for fixed matrices creates no temporary matrices.
 template <class Number, class Given>
 constexpr Given between(const Given& a, const Given& b, Number part) {
   return Given(a + part * (b - a));
@@ -82,7 +82,7 @@ constexpr fixed_matrix<Number, rows, columns> between(const fixed_matrix<Number,
   return m;
 }
 
-/// Whether a gain can be used.
+/// Whether a gain is finite.
 template <class Number, int rows, int columns>
 constexpr bool is_finite_gain(const fixed_matrix<Number, rows, columns>& gain) {
   return numeric::is_finite(gain);
@@ -96,7 +96,7 @@ constexpr bool is_finite_gain(Number gain) {
   return numeric::is_finite(fixed_matrix<Number, 1, 1>{{gain}});
 }
 
-/// The first of the statuses of results that says that there is none.
+/// Returns the first status that reports a failure.
 template <class... Result>
 constexpr status first_failure(const Result&... results) {
   status first;

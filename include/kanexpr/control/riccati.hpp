@@ -6,21 +6,19 @@
 
 namespace kanexpr::control {
 
-/// What a Riccati equation may lack.
-inline constexpr status not_stabilizable("the system is not stabilizable, as far as numbers can tell: its "
-                                         "inputs do not reach a motion that does not decay"),
-    not_detectable_on_axis(
-        "the system is not detectable on the imaginary axis: the weights of the states leave "
-        "out a motion that neither grows nor decays"),
-    not_detectable_on_circle(
-        "the system is not detectable on the unit circle: the weights of the states leave "
-        "out a motion that neither grows nor decays"),
-    not_converged("the Riccati equation could not be solved to the accuracy of the numbers"),
-    too_large("the solution of the Riccati equation is too large for numbers");
+/// The reasons why a Riccati equation may have no solution.
+inline constexpr status not_stabilizable("the system is not stabilizable to working precision: its inputs do "
+                                         "not reach a motion that does not decay"),
+    not_detectable_on_axis("the system is not detectable on the imaginary axis: the state weights do not "
+                           "cover a motion that neither grows nor decays"),
+    not_detectable_on_circle("the system is not detectable on the unit circle: the state weights do not "
+                             "cover a motion that neither grows nor decays"),
+    not_converged("the Riccati equation could not be solved to working precision"),
+    too_large("the solution of the Riccati equation overflows");
 
-/// The equation of Δ in a solution X + Δ: the same with the motion of the closed loop at X, and what X leaves
-/// in place of Q (Mehrmann & Tan, Defect correction methods for the solution of algebraic
-/// Riccati equations, IEEE Trans. Autom. Control 33, 1988).
+/// Returns the equation of the correction Δ in a solution X + Δ: the same equation with the closed loop at X
+/// in place of A and the residual of X in place of Q (Mehrmann & Tan, Defect correction methods for the
+/// solution of algebraic Riccati equations, IEEE Trans. Autom. Control 33, 1988).
 template <time_domain domain, class Number, int states>
 constexpr riccati_equation<Number, states> defect(const riccati_equation<Number, states>& e,
                                                   const fixed_matrix<Number, states, states>& x) {
@@ -35,8 +33,8 @@ constexpr riccati_equation<Number, states> defect(const riccati_equation<Number,
   }
 }
 
-/// The solutions of two linear equations of a closed loop, Aᵀ X + X A + W = 0 or X = Aᵀ X A + W, if it
-/// decays: by squaring (Smith, Matrix equation XA + BX = C, SIAM J. Appl. Math. 16, 1968).
+/// Solves two linear equations of a closed loop that decays, Aᵀ X + X A + W = 0 or X = Aᵀ X A + W, by
+/// squaring (Smith, Matrix equation XA + BX = C, SIAM J. Appl. Math. 16, 1968).
 template <time_domain domain, class Number, int states>
 constexpr bool solve_linear(fixed_matrix<Number, states, states> a,
                             fixed_matrix<Number, states, states>& first,
@@ -75,14 +73,14 @@ constexpr fixed_matrix<Number, states, states> magnitudes(fixed_matrix<Number, s
 }
 
 /// Refines a solution by Newton's method (Kleinman, On an iterative technique for Riccati equation
-/// computations, IEEE Trans. Autom. Control 13, 1968), until rounding is all that moves it. False where that
-/// is much, or where the closed loop does not decay whatever rounding does to it: then only that reaches a
-/// motion that grows, or decays so slowly that rounding hides it.
+/// computations, IEEE Trans. Autom. Control 13, 1968) until only rounding changes it. Returns false if that
+/// change is large, or if rounding could keep the closed loop from decaying. In the latter case, the inputs
+/// reach only through rounding a motion that grows, or one that decays so slowly that rounding hides it.
 template <time_domain domain, class Number, int states>
 constexpr bool refine(const riccati_equation<Number, states>& e, fixed_matrix<Number, states, states>& x) {
   using limits = std::numeric_limits<Number>;
   constexpr Number accurate = power_of_two_near_root(limits::epsilon());
-  constexpr Number tolerable = Number(1) / 1024; // of what rounding leaves to do, again and again
+  constexpr Number tolerable = Number(1) / 1024; // bound on the repeated changes that rounding causes
   constexpr int most_steps = 4;
   Number before = most_of_solution<Number>;
   for (int i = 0; i < most_steps; ++i) {
@@ -98,7 +96,7 @@ constexpr bool refine(const riccati_equation<Number, states>& e, fixed_matrix<Nu
     for (int k = 0; k < states; ++k)
       for (int j = 0; j <= k; ++j) {
         const Number both = rounding(k, j) + rounding(j, k);
-        if (both > weight(k, k) && both > weight(j, j)) return false; // its square might be too large
+        if (both > weight(k, k) && both > weight(j, j)) return false; // its square might overflow
         if (!(both * both <= weight(k, k) * weight(j, j))) return false;
       }
     const Number moved = numeric::largest_entry(change);
@@ -110,14 +108,14 @@ constexpr bool refine(const riccati_equation<Number, states>& e, fixed_matrix<Nu
   return before <= tolerable * numeric::largest_entry(x);
 }
 
-/// Which states inputs reach, be it through other states.
+/// The states that the inputs reach, directly or through other states.
 template <class Number, int states>
 class reach {
 public:
   constexpr explicit reach(const riccati_equation<Number, states>& e) {
     constexpr auto larger = balance::larger;
     const exponents<states, states> a = exponents_of(e.a);
-    const int rate = larger(largest_exponent(a), 0); // all are divided by the largest rate, if of the motion
+    const int rate = larger(largest_exponent(a), 0); // all entries are divided by the largest rate
     for (int i = 0; i < states; ++i) unit.of[i] = numeric::exponent_of(e.g(i, i)) / 2;
     for (int further = 1; further < states; ++further)
       for (int i = 0; i < states; ++i)
@@ -131,7 +129,7 @@ public:
         if (!is_reached[i] && is_reached[j]) unit.of[i] = -larger(-unit.of[i], a(j, i) - rate - unit.of[j]);
   }
 
-  /// Whether there is a state that moves by itself alone, and no input reaches it.
+  /// Whether there is a state that depends on no other state, does not decay, and is reached by no input.
   template <time_domain domain>
   constexpr bool leaves_out_what_does_not_decay(const fixed_matrix<Number, states, states>& a) const {
     for (int i = 0; i < states; ++i) {
@@ -144,13 +142,13 @@ public:
     return false;
   }
 
-  units<states> unit; ///< in which inputs act on all of them alike
+  units<states> unit; ///< the units in which the inputs act on all states equally
 
 private:
   bool is_reached[static_cast<std::size_t>(states > 0 ? states : 1)]{};
 };
 
-/// Whether scaling left an entry too small for a number.
+/// Whether scaling left all nonzero entries representable.
 template <class Number, int rows, int columns>
 constexpr bool has_same_zeros(const fixed_matrix<Number, rows, columns>& a,
                               const fixed_matrix<Number, rows, columns>& b) {
@@ -159,7 +157,8 @@ constexpr bool has_same_zeros(const fixed_matrix<Number, rows, columns>& a,
   return true;
 }
 
-/// Whether a matrix has entries so small beside others, or 1, that rounding may hide them, or hides 1.
+/// Whether the entries of a matrix differ so much in magnitude, from each other or from 1, that rounding may
+/// hide the small ones, or 1.
 template <class Number, int states>
 constexpr bool is_graded(const fixed_matrix<Number, states, states>& m) {
   constexpr int half = std::numeric_limits<Number>::digits / 2;
@@ -171,15 +170,15 @@ constexpr bool is_graded(const fixed_matrix<Number, states, states>& m) {
   return false;
 }
 
-/// The solution of a balanced equation, with Q positive semidefinite. What cannot be done is said of the
-/// system only where rounding does not decide on it.
+/// Solves a balanced equation with Q positive semidefinite. It reports a property of the system as the cause
+/// only if rounding does not decide it.
 template <time_domain domain, class Number, int states>
 constexpr status solve_balanced(const riccati_equation<Number, states>& e,
                                 fixed_matrix<Number, states, states>& x) {
   const riccati_solution<Number, states> direct = stabilizing<domain>(e);
   x = direct.x;
   if (direct.found() && refine<domain>(e, x)) return {};
-  // With a weight on every state there is a solution if the system can be stabilized at all.
+  // With a weight on every state, a solution exists if the system is stabilizable.
   const reach<Number, states> of_inputs(e);
   const units<states>& unit = of_inputs.unit;
   const riccati_equation<Number, states> weighted{unit.template scaled<-1, 1>(e.a, unit),
@@ -192,7 +191,7 @@ constexpr status solve_balanced(const riccati_equation<Number, states>& e,
   if (!nearby.found() || !refine<domain>(weighted, x)) {
     if (is_graded(weighted.a) || !has_same_zeros(weighted.a, e.a)) return not_converged;
     if (nearby.comes_to == doubling::does_not || nearby.comes_to == doubling::halves) return not_stabilizable;
-    // Of a motion that only rounding reaches the cost is beyond what rates far apart make of it.
+    // If only rounding reaches a motion, its cost exceeds the cost that widely spread rates can explain.
     const Number size = numeric::largest_entry(weighted.a),
                  large = (1 + size * size) / (1024 * std::numeric_limits<Number>::epsilon());
     const bool is_large = !numeric::is_finite(nearby.x) || numeric::largest_entry(nearby.x) > large;
@@ -209,7 +208,7 @@ constexpr status solve_balanced(const riccati_equation<Number, states>& e,
   return refine<domain>(e, x) ? status() : not_converged;
 }
 
-/// A Riccati equation in units in which its matrices are alike.
+/// A Riccati equation in units in which its matrices have similar magnitudes.
 template <time_domain domain, class Number, int states, int others>
 class scaled_equation {
 public:
@@ -251,13 +250,13 @@ public:
     input_weights_ = inputs_.template scaled<1, 1>(r, inputs_);
     is_complete_ =
         has_same_zeros(matrix_, a) && has_same_zeros(by_inputs_, b) && has_same_zeros(state_weights_, q);
-    for (const Number entry : by_inputs_.entries) // their squares must not vanish either
+    for (const Number entry : by_inputs_.entries) // their squares must not underflow
       is_complete_ =
           is_complete_ && (numeric::equal(entry, Number(0)) ||
                            2 * numeric::exponent_of(entry) > std::numeric_limits<Number>::min_exponent + 4);
   }
 
-  /// K and P, as far as they can be found.
+  /// Computes K and P if they exist.
   constexpr status solve(fixed_matrix<Number, others, states>& gain,
                          fixed_matrix<Number, states, states>& cost) const {
     constexpr auto is_small = [](const auto& each) {
@@ -288,9 +287,9 @@ public:
   }
 
 private:
-  /// One more unit of all states. Where a weight or the inputs are missing the others become alike to A;
-  /// where both are small beside it the inputs are so less, that the cost of a motion that grows is not
-  /// large.
+  /// Returns an additional unit common to all states. If the weights or the inputs are missing, the other
+  /// matrix is scaled to the magnitude of A; if both are small compared with A, the inputs are scaled down
+  /// further, to keep the cost of a growing motion small.
   static constexpr int common_unit(int of_a, int of_g, int of_q) {
     using limits = std::numeric_limits<Number>;
     constexpr int medium = limits::digits, least = limits::min_exponent + 2 * limits::digits;
@@ -305,8 +304,8 @@ private:
 
   units<others> inputs_;
   units<states> states_;
-  bool is_complete_ = true; ///< no entry is too small for a number
-  int half_rate_ = 0;       ///< in the unit of time all are divided by its square
+  bool is_complete_ = true; ///< no entry underflows
+  int half_rate_ = 0;       ///< the rates are divided by the square of this unit of time
   fixed_matrix<Number, states, states> matrix_, state_weights_;
   fixed_matrix<Number, states, others> by_inputs_;
   fixed_matrix<Number, others, others> input_weights_;

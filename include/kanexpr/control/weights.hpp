@@ -9,8 +9,8 @@ namespace kanexpr::control {
 
 using numeric::fixed_matrix;
 
-/// The weights of n states or inputs in a quadratic cost: their diagonal, `{1, 1, 0.1, 0.1}`, or a matrix, or
-/// a vector of Eigen as a diagonal.
+/// The weights of n states or inputs in a quadratic cost: a diagonal, `{1, 1, 0.1, 0.1}`, a square matrix, or
+/// an Eigen vector that holds the diagonal.
 template <class Entry, int order>
 struct weights {
   fixed_matrix<Entry, order, order> matrix{};
@@ -19,7 +19,7 @@ struct weights {
     requires(sizeof...(Number) > 0 && (std::convertible_to<const Number&, Entry> && ...))
   constexpr weights(const Number&... diagonal) {
     static_assert(order < 0 || sizeof...(Number) == order,
-                  "a diagonal of weights has a number for each state, or each input");
+                  "a diagonal of weights must have one entry for each state, or each input");
     if constexpr (sizeof...(Number) == order) {
       int i = 0;
       ((matrix(i, i) = static_cast<Entry>(diagonal), ++i), ...);
@@ -37,18 +37,19 @@ struct weights {
   }
 
 private:
-  /// Whether a matrix is one of weights; where it is not, the end of the compilation.
+  /// Whether a matrix can hold weights; a static assertion fails if it cannot.
   template <class Other, int rows, int columns>
   static constexpr bool are_fitting() {
     constexpr bool is_known = rows >= 0 && columns >= 0,
                    fits = order < 0 || (rows == order &&
-                                        (columns == 1 || columns == order)), // of A another sentence tells
+                                        (columns == 1 || columns == order)), // a separate message covers A
         is_exact = std::numeric_limits<Other>::digits <= std::numeric_limits<Entry>::digits;
-    static_assert(is_known, "the size of the weights must be known to the compiler");
+    static_assert(is_known, "the size of the weights must be known at compile time");
     static_assert(
         !is_known || fits,
-        "weights are a square matrix of as many rows as there are states, or inputs, or its diagonal");
-    static_assert(!is_known || !fits || is_exact, "the weights have more digits than the numbers of A and B");
+        "the weights must be a square matrix with one row for each state, or each input, or its diagonal");
+    static_assert(!is_known || !fits || is_exact,
+                  "the scalar type of the weights is wider than that of A and B");
     return is_known && fits && is_exact && order >= 0;
   }
 
@@ -63,7 +64,7 @@ private:
   }
 };
 
-/// Symmetric but for rounding.
+/// Whether a matrix is symmetric up to rounding.
 template <class Entry, int order>
 constexpr bool is_symmetric(const fixed_matrix<Entry, order, order>& m) {
   constexpr auto magnitude = [](Entry x) { return numeric::constant_elimination_math::magnitude(x); };
@@ -78,8 +79,8 @@ constexpr bool is_symmetric(const fixed_matrix<Entry, order, order>& m) {
   return true;
 }
 
-/// Whether a symmetric matrix is positive semidefinite but for rounding, whatever the units of its rows: it
-/// is eliminated with the pivot next that is largest beside its entry.
+/// Whether a symmetric matrix is positive semidefinite up to rounding, regardless of the units of its rows.
+/// Each elimination step takes the pivot that is largest relative to its original entry.
 template <class Entry, int order>
 constexpr bool is_positive_semidefinite(fixed_matrix<Entry, order, order> m) {
   const units<order> unit = diagonal_units(m);
@@ -98,7 +99,7 @@ constexpr bool is_positive_semidefinite(fixed_matrix<Entry, order, order> m) {
     const Entry pivot = m(next, next);
     done[next] = true;
     if (!(pivot > rounding * given(next, next))) {
-      // Of what is left the diagonal is rounding; so must be all beside it.
+      // The remaining diagonal is rounding, so the remaining off-diagonal entries must be, too.
       for (int i = 0; i < order; ++i) {
         if (done[i] || m(i, next) == 0) continue;
         if (given(i, i) == 0 || given(next, next) == 0) return false;

@@ -8,9 +8,9 @@
 
 namespace kanexpr::lower {
 
-/// Complex numbers as they are needed to differentiate by complex steps: what looks at magnitudes and signs
-/// looks at the real part, so that every function stays analytic. Squire & Trapp, Using complex variables to
-/// estimate derivatives of real functions, SIAM Review 40 (1998).
+/// Complex numbers for differentiation by complex steps: functions that depend on magnitudes and signs use
+/// the real part, so every function remains analytic (Squire & Trapp, Using complex variables to estimate
+/// derivatives of real functions, SIAM Review 40, 1998).
 template <class Real>
 struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>> {
   using number = std::complex<Real>;
@@ -31,7 +31,7 @@ struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>>
     if (op == symbolic::operation::if_positive ? Real(0) < by : by <= Real(0)) return x;
     return numeric::is_number(by) ? number() : condition;
   }
-  /// A function of the program that takes real numbers alone is taken to first order, by its derivatives.
+  /// A user-supplied function that accepts only real numbers is evaluated to first order by its derivatives.
   template <class Function>
   static constexpr bool interprets = Function::has_slopes;
   template <class Function>
@@ -57,7 +57,7 @@ struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>>
     }
     return {static_cast<Real>(f.value(operands)), along};
   }
-  /// The angle of the real parts, corrected to first order.
+  /// Returns the angle of the real parts, corrected to first order.
   static number atan2(const number& y, const number& x) {
     const Real square = x.real() * x.real() + y.real() * y.real();
     return {std::atan2(y.real(), x.real()), (x.real() * y.imag() - y.real() * x.imag()) / square};

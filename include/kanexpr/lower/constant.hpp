@@ -6,10 +6,10 @@
 
 #include <array>
 
-/// Evaluation inside a constant expression, where neither Eigen nor the C library can go.
+/// Evaluation inside a constant expression, in which neither Eigen nor the C library can be used.
 namespace kanexpr::lower {
 
-/// A call, or a step of an elimination; the solution of a singular system is not-a-number.
+/// Runs a call or a step of an elimination; the solution of a singular system is NaN.
 constexpr void run_linear_step(const linear_step& e, const int* operands,
                                const symbolic::external_function* const* externals, const double* slot,
                                double* out) {
@@ -37,8 +37,8 @@ constexpr void run_linear_step(const linear_step& e, const int* operands,
     numeric::solve_transposed_factorized<math>(e.order, factors, out);
 }
 
-/// Whether steps may have no value that nothing needs. A variable, for clang++ evaluates a local constant
-/// again wherever control passes it.
+/// Whether a tape contains selections, so that unneeded steps may have no value. It is a variable because
+/// clang++ re-evaluates a local constant whenever control passes it.
 template <const auto& tape>
 inline constexpr bool selects = [] {
   for (int i = 0; i < tape.sizes.steps; ++i)
@@ -46,7 +46,7 @@ inline constexpr bool selects = [] {
   return false;
 }();
 
-/// All slots of a tape, one after another; `value_of(load)` gives the arguments.
+/// Returns all slots of a tape in order; `value_of(load)` returns the arguments.
 template <const auto& tape, class ValueOf>
 constexpr auto constant_slots(ValueOf value_of) {
   constexpr auto calculated = selects<tape> ? symbolic::defined_value_of : symbolic::value_of;

@@ -3,11 +3,11 @@
 #include <kanexpr/lower/tape.hpp>
 #include <kanexpr/lower/unrolled_elimination.hpp>
 
-/// What the steps of a tape do to values, whatever these are: numbers of a program, or lines of code that is
-/// written. A type of values has arithmetic and a `scalar_math`. `Code` is a tape or the view of one.
+/// The effect of the steps of a tape on values of any type: numbers of a program, or lines of generated code.
+/// A value type requires arithmetic and a `scalar_math`. `Code` is a tape or a view of one.
 namespace kanexpr::lower {
 
-/// Room for what `evaluate_steps` needs beside the slots.
+/// Returns the scratch size that `evaluate_steps` requires in addition to the slots.
 template <class Code>
 constexpr int aside_of(const Code& code) {
   int most = 0;
@@ -59,7 +59,7 @@ void evaluate_step(const instruction& step, const Number* values, Number* out) {
     symbolic::with_function(step.op, [&]<operation function>() { *out = apply<function>(a, b); });
     return;
   case form::constant:
-  case form::symbol: // are loaded before
+  case form::symbol: // are loaded beforehand
   case form::pair:
   case form::factorization:
   case form::solve:
@@ -76,7 +76,8 @@ void evaluate_steps(const Code& code, int begin, int end, Number* values) {
   for (int i = begin; i < end; ++i) evaluate_step(code.steps[i], values, out++);
 }
 
-/// Fills the slots of all steps, in their order; those of the numbers and of the arguments are filled.
+/// Fills the slots of all steps in their order; the slots of the constants and of the arguments must already
+/// be filled.
 template <class Code, class Number>
 void evaluate_steps(const Code& code, Number* values, Number* aside) {
   int next = 0;

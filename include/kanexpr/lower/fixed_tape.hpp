@@ -16,7 +16,7 @@ struct tape_sizes {
   int angles = 0;
 };
 
-/// A tape that can leave a constant evaluation, as plain arrays of its own sizes.
+/// A tape that can leave a constant evaluation, as plain arrays of exact size.
 template <tape_sizes own>
 struct fixed_tape {
   static constexpr std::size_t at_least_one(int n) { return n > 0 ? static_cast<std::size_t>(n) : 1; }
@@ -38,16 +38,16 @@ struct fixed_tape {
   constexpr int slot_count() const { return first_step() + sizes.steps; }
 };
 
-/// Room for any model that a compiler can be asked to derive.
+/// Capacity for any model that a compiler can reasonably derive.
 inline constexpr int most_steps = 1 << 16;
 inline constexpr int most_linear_steps = most_steps / 16;
 inline constexpr int most_externals = 1 << 8;
 
-/// The same with that room; what is behind the sizes is unused. It costs nothing as long as only constant
-/// evaluation sees it: `trimmed` makes the tape that programs use.
+/// A tape of that capacity; entries beyond the sizes are unused. It costs nothing as long as only constant
+/// evaluation uses it: `trimmed` returns the tape that programs use.
 ///
-/// All entries are scalars: clang++ forms each element of an array of classes whose members have
-/// initializers, and of scalars only those that are written.
+/// All entries are scalars: clang++ instantiates every element of an array of classes with member
+/// initializers, but of scalars only those that are written.
 struct roomy_tape {
   tape_sizes sizes{};
   symbolic::cost cost{};
@@ -81,7 +81,7 @@ constexpr bool has_room_for(const tape_sizes& s) {
          s.externals <= most_externals;
 }
 
-/// Only of a tape that there is room for.
+/// Requires a tape within the capacity.
 constexpr roomy_tape fixed(const tape& t) {
   roomy_tape out{};
   out.sizes = sizes_of(t);
@@ -115,7 +115,7 @@ constexpr roomy_tape fixed(const tape& t) {
   return out;
 }
 
-/// The same in arrays of its own sizes, `trimmed<roomy.sizes>(roomy)`.
+/// Converts a tape to arrays of exact size: `trimmed<roomy.sizes>(roomy)`.
 template <tape_sizes sizes>
 constexpr fixed_tape<sizes> trimmed(const roomy_tape& from) {
   fixed_tape<sizes> out{};

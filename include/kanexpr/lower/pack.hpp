@@ -10,7 +10,7 @@
 
 /// The compiler's own vectors as scalars, `typedef double pack __attribute__((vector_size(32)));`: a function
 /// of a `state<System, pack>` evaluates as many states side by side as a pack has lanes. Include this header
-/// for it.
+/// to use them.
 namespace kanexpr::lower {
 
 template <class Vector>
@@ -19,8 +19,8 @@ concept vector_extension = !std::is_class_v<Vector> && requires(const Vector v) 
   v* v;
 };
 
-/// Arithmetic is the compiler's; sines, cosines and square roots are taken of all lanes at once, other
-/// functions lane by lane. Each lane has the bits of its own evaluation.
+/// Arithmetic is that of the compiler; sines, cosines and square roots are computed for all lanes together,
+/// other functions lane by lane. Each lane has the same bits as a separate evaluation.
 template <vector_extension Vector>
 struct scalar_math<Vector> {
   using element = std::remove_cvref_t<decltype(std::declval<const Vector&>()[0])>;
@@ -30,7 +30,7 @@ struct scalar_math<Vector> {
   [[gnu::always_inline]] static Vector from(const Vector& value) { return value; }
   template <class Value>
   [[gnu::always_inline]] static Vector from(const Value& value) {
-    return of_element::from(value) - Vector{}; // less zero: zeros keep their sign
+    return of_element::from(value) - Vector{}; // minus zero, so that zeros keep their sign
   }
 
   [[gnu::always_inline]] static void sincos(const Vector& angle, Vector& sine, Vector& cosine) {
@@ -98,7 +98,7 @@ struct scalar_math<Vector> {
     return each([&](int i) { return of_element::atan2(y[i], x[i]); });
   }
 
-  /// In all lanes.
+  /// True only if all lanes satisfy it.
   [[gnu::always_inline]] static bool exceeds(const Vector& x, const Vector& bound) {
     return is_in_no_lane(~(x > bound));
   }
@@ -135,13 +135,13 @@ private:
 
 namespace Eigen {
 
-/// Enough for Eigen to store packs and to give them back.
+/// The minimum that Eigen requires to store and return packs.
 template <kanexpr::lower::vector_extension Vector>
 struct NumTraits<Vector> : GenericNumTraits<Vector> {
   enum { RequireInitialization = 0, ReadCost = 1, AddCost = 1, MulCost = 1 };
 };
 
-/// A pack asks for its own alignment, which may be more than Eigen would.
+/// A pack requires its own alignment, which may exceed Eigen's.
 template <kanexpr::lower::vector_extension Vector, int size>
 struct internal::compute_default_alignment<Vector, size> {
   enum { value = 0 };

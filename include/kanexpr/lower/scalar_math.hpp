@@ -17,8 +17,8 @@ namespace kanexpr::lower {
 template <class Number>
 struct scalar_math;
 
-/// Whether sines and cosines are computed here: in straight-line code, of several angles at once. With the
-/// macro KANEXPR_SINES_OF_THE_LIBRARY they come from the C library.
+/// Whether sines and cosines are computed by this library, in straight-line code for several angles together.
+/// With the macro KANEXPR_SINES_OF_THE_LIBRARY they come from the C library.
 template <class Number>
 inline constexpr bool has_own_sines =
 #if defined(KANEXPR_SINES_OF_THE_LIBRARY)
@@ -27,10 +27,10 @@ inline constexpr bool has_own_sines =
     std::is_same_v<Number, double> || std::is_same_v<Number, float>;
 #endif
 
-/// The functions that evaluation needs of a scalar type, found as `sin(x)` is for any number type.
+/// The functions that evaluation requires of a scalar type, found like `sin(x)` for any number type.
 template <class Number>
 struct default_scalar_math {
-  /// A constant, or an argument that is given in another type.
+  /// Converts a constant, or an argument of a different type.
   template <class Value>
   static Number from(const Value& value) {
     return Number(value);
@@ -49,7 +49,7 @@ struct default_scalar_math {
     cosine = cos(angle);
   }
 
-  /// Several angles at once.
+  /// Evaluates several angles together.
   template <std::size_t count>
   [[gnu::always_inline]] static void sincos(const Number (&angle)[count], Number (&sine)[count],
                                             Number (&cosine)[count]) {
@@ -76,37 +76,36 @@ struct default_scalar_math {
     }
   }
 
-  /// Not-a-number exceeds nothing.
+  /// Returns false if x is NaN.
   static bool exceeds(const Number& x, const Number& bound) { return x > bound; }
 
-  /// By its bits where these are known, so that it holds with -ffast-math.
+  /// Tests the bits where the format is known, and therefore works with -ffast-math.
   static bool is_finite(const Number& x) {
     if constexpr (std::is_same_v<Number, double>)
       return is_finite(std::bit_cast<std::uint64_t>(x), std::uint64_t{0x7ff} << 52);
     else if constexpr (std::is_same_v<Number, float>)
       return is_finite(std::bit_cast<std::uint32_t>(x), std::uint32_t{0xff} << 23);
     else
-      return scalar_math<Number>::exceeds(
-          Number(x - x),
-          scalar_math<Number>::from(-1)); // else the difference is not a number
+      return scalar_math<Number>::exceeds(Number(x - x),
+                                          scalar_math<Number>::from(-1)); // otherwise the difference is NaN
   }
   template <class Bits>
   [[gnu::always_inline]] static bool is_finite(Bits bits, Bits exponent) {
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-    asm("" : "+r"(bits)); // clang++ knows whose bits they are
+    asm("" : "+r"(bits)); // hides the origin of the bits from clang++
 #endif
     return (bits & exponent) != exponent;
   }
 
   static Number sign(const Number& x) { return symbolic::scalar_function<symbolic::operation::sign>::of(x); }
-  /// What elimination exchanges rows with: by selection, since a branch would depend on the data.
+  /// Exchanges rows in the elimination: by selection, because a branch would depend on the data.
   [[gnu::always_inline]] static void exchange_if_positive(const Number& d, Number& a, Number& b) {
     const bool exchanged = Number(0) < d;
     const Number upper = exchanged ? b : a, lower = exchanged ? a : b;
     a = upper;
     b = lower;
   }
-  /// x where the condition is positive, or where it is not, else zero.
+  /// Returns x if the condition is positive (or, for the other operation, not positive), otherwise zero.
   template <symbolic::operation op>
   [[gnu::always_inline]] static Number selected(const Number& condition, const Number& x) {
     constexpr bool wants_positive = op == symbolic::operation::if_positive;
@@ -118,9 +117,9 @@ struct default_scalar_math {
     else if (condition <= Number(0))
       return wants_positive ? Number(0) : x;
     else
-      return condition; // not a number
+      return condition; // NaN
   }
-  /// A function of the program.
+  /// A user-supplied function.
   template <class Function>
   static constexpr bool calls = Function::template accepts<Number>();
   template <class Function>
@@ -129,14 +128,14 @@ struct default_scalar_math {
   [[gnu::always_inline]] static Number called(const auto&... x) {
     return Function::template value<Number>(x...);
   }
-  /// The same for an interpreter, which knows its values of double.
+  /// The overload for an interpreter, whose user-supplied functions are evaluated in double.
   static Number called(const symbolic::external_function& f, const Number* x) {
     if constexpr (std::is_same_v<Number, double>) {
       return f.value(x);
     } else {
       static_assert(
           requires { static_cast<double>(*x); },
-          "functions of the program are interpreted with numbers that convert to double");
+          "the interpreter calls user-supplied functions only with scalar types that convert to double");
       double operands[symbolic::most_operands]{};
       for (int i = 0; i < f.operands; ++i) operands[i] = static_cast<double>(x[i]);
       return Number(f.value(operands));
@@ -152,14 +151,14 @@ struct default_scalar_math {
   }
 };
 
-/// Specialise it to replace one function, such as sine and cosine together by a vector routine:
-/// `template <> struct scalar_math<double> : default_scalar_math<double> { … };`
+/// Specialize it to replace a function, for example sine and cosine together by a vector routine: `template
+/// <> struct scalar_math<double> : default_scalar_math<double> { … };`
 template <class Number>
 struct scalar_math : default_scalar_math<Number> {};
 
-/// One operation of a tape on values of one type; the only place where a step becomes arithmetic, for
-/// compiled and for interpreted evaluation alike. Products are fused with the sums that they go into where
-/// the processor can, which clang++ would do within one statement only; not with KANEXPR_NO_FUSING.
+/// One operation of a tape on values of one type; the only place where a step becomes arithmetic, both for
+/// compiled and for interpreted evaluation. If the processor can, products are fused with the sums that use
+/// them, which clang++ would otherwise do only within one statement; KANEXPR_NO_FUSING prevents it.
 template <symbolic::operation op, class Number>
 [[gnu::always_inline]] inline Number apply(const Number& a, const Number& b) {
 #if defined(__clang__) && !defined(KANEXPR_NO_FUSING)
@@ -188,8 +187,8 @@ template <symbolic::operation op, class Number>
   }
 }
 
-/// A constant in the scalar type; exact fractions are divided there, so that a long double gets all its
-/// digits.
+/// Converts a constant to the scalar type; exact fractions are divided there, so that a long double keeps all
+/// its digits.
 template <class Number>
 [[gnu::always_inline]] inline Number number_as(const symbolic::number& n) {
   if (n.denominator == 0) return scalar_math<Number>::from(n.real);

@@ -6,33 +6,33 @@
 
 namespace kanexpr::lower {
 
-/// One statement of straight-line code: a new value from values before it.
+/// A statement of straight-line code: a new value computed from preceding values.
 struct statement {
   enum class kind : unsigned char {
     number,    ///< `numbers[a]`
     argument,  ///< `arguments[a]`
-    operation, ///< `op` of the value a, or of the values a and b
-    choice,    ///< the value a where the value `by` is positive, else b
-    call,      ///< the function `externals[by]` of b values, `operands[a]` and those behind it
+    operation, ///< `op` applied to the value a, or to the values a and b
+    choice,    ///< the value a if the value `by` is positive, otherwise b
+    call,      ///< the function `externals[by]` of b values, listed from `operands[a]` on
   };
   kind is = kind::number;
   lower::operation op{};
   int a = 0, b = 0, by = 0;
 };
 
-/// A tape as code in which every value is given once, by an operation that any language has or by a call of a
-/// function of the program: what a backend that writes code goes through. Linear systems are written out,
-/// each exchange of rows as two choices. The cosine of a pair stands behind its sine.
+/// A tape as code in which every value is assigned once, by an operation that any language provides or by a
+/// call of a user-supplied function. Backends that generate code use this form. Linear systems are written
+/// out, each row exchange as two choices. The cosine of a pair follows its sine.
 struct statements {
   sequence<symbolic::number> numbers{};
   sequence<load> arguments{};
-  sequence<statement> lines{}; ///< line i gives the value i
+  sequence<statement> lines{}; ///< line i computes the value i
   sequence<int> results{};     ///< values
-  sequence<int> operands{};    ///< of calls: values
+  sequence<int> operands{};    ///< the arguments of calls, as values
   sequence<const symbolic::external_function*> externals{};
 };
 
-/// A value of code that is being written: evaluating a tape with it writes the code. One that belongs to none
+/// A value of generated code: evaluating a tape with it generates the code. A value that belongs to no code
 /// is a plain number.
 struct written_value {
   statements* code = nullptr;
@@ -131,7 +131,7 @@ struct scalar_math<written_value> {
 
 namespace detail {
 
-/// The lines that the results need; of a row that was exchanged not every entry is.
+/// Returns the lines that the results need; not all entries of an exchanged row are needed.
 constexpr statements without_unused(const statements& all) {
   using kind = statement::kind;
   sequence<char> is_used(all.lines.size(), 0);
@@ -164,8 +164,8 @@ constexpr statements without_unused(const statements& all) {
 
 } // namespace detail
 
-/// Writes the code of a tape behind what there is, with the operations of every other evaluation in their
-/// order; `argument` gives what it loads. Its results.
+/// Appends the code of a tape, with the same operations in the same order as every other evaluation;
+/// `argument` returns the value of a load. Returns the results.
 template <class Argument>
 sequence<written_value> write(statements& all, const tape& code, const Argument& argument) {
   sequence<written_value> values(code.slot_count()), aside(aside_of(code)), results;
@@ -177,18 +177,18 @@ sequence<written_value> write(statements& all, const tape& code, const Argument&
   return results;
 }
 
-/// An argument of code that is written.
+/// Returns an argument of generated code.
 inline written_value argument_of(statements& all, const load& from) {
   return detail::write(all, {.is = statement::kind::argument, .a = all.arguments.push(from)});
 }
 
-/// Ends code: what gives its results, without what they do not need.
+/// Completes the code: stores its results and removes the lines that they do not need.
 inline statements concluded(statements& all, const sequence<written_value>& results) {
   for (const written_value& each : results) all.results.push(detail::place_in(all, each));
   return detail::without_unused(all);
 }
 
-/// What one evaluation of the code does; all choices by one value are one comparison.
+/// Returns the cost of one evaluation of the code; all choices by one value count as one comparison.
 inline symbolic::cost cost_of(const statements& code) {
   symbolic::cost total;
   sequence<char> is_compared(code.lines.size(), 0);
@@ -202,12 +202,12 @@ inline symbolic::cost cost_of(const statements& code) {
     const statement* const before = i > 0 ? &code.lines[i - 1] : nullptr;
     if (line.op == operation::cos && before != nullptr && before->is == line.is &&
         before->op == operation::sin && before->a == line.a)
-      --total.trigonometric; // of one angle
+      --total.trigonometric; // of the same angle
   }
   return total;
 }
 
-/// The code of a tape.
+/// Returns the code of a tape.
 inline statements statements_of(const tape& code) {
   statements all;
   const sequence<written_value> results =

@@ -10,14 +10,15 @@ using symbolic::graph;
 using symbolic::operation;
 using symbolic::sequence;
 
-/// Puts nodes in an order in which few values are held at once, so that more of them stay in registers.
+/// Orders nodes so that few values are live simultaneously and more of them stay in registers.
 ///
-/// Of the nodes whose operands are there, the next is always one that is the last to use the most values; of
-/// equals, the first in the graph. Products that nothing but one sum uses stand just before it, as processors
-/// do a product and a sum in one operation. It looks into arrays directly, as compilers interpret every call.
+/// Among the nodes whose operands are available, the next is the one that is the last use of the most values;
+/// ties are resolved by the order of the graph. Products that are used only by one sum directly precede it,
+/// because processors fuse a product and a sum into one operation. The code accesses arrays directly because
+/// compilers interpret every call.
 class step_order {
 public:
-  /// Of the `live` nodes, in the order of the graph, without leaves and those that have a slot already.
+  /// Orders the `live` nodes of the graph, without leaves and nodes that already have a slot.
   constexpr step_order(const graph& g, const sequence<int>& live, const sequence<int>& slot_of,
                        const sequence<int>& results)
       : nodes_(g.begin()), place_of_(g.size(), none), place_(place_of_.begin()) {
@@ -57,15 +58,15 @@ public:
 
 private:
   static constexpr int none = -1;
-  static constexpr int waiting = -1, joined = -2, done = -3; ///< in place of a rank
-  static constexpr int ranks = 6; ///< a step ends the use of up to four values, and is one or none itself
+  static constexpr int waiting = -1, joined = -2, done = -3; ///< used in place of a rank
+  static constexpr int ranks = 6; ///< a step ends the use of up to four values, and adds one value or none
 
   constexpr int second_operand(const symbolic::node& n) const {
     if (n.op <= operation::power) return n.op == operation::negate ? none : n.b;
     return symbolic::is_binary(n.op) && !symbolic::is_numbered(n.op) ? n.b : none;
   }
 
-  /// Products that only one sum uses; a result is used by who asked for it.
+  /// Joins products that only one sum uses; a result counts as used by the caller.
   constexpr void join_products(const sequence<int>& results) {
     for (int id : results)
       if (place_[id] != none) ++uses_[place_[id]];
@@ -85,7 +86,7 @@ private:
     }
   }
 
-  /// Of every step with the products that are joined to it, each value once.
+  /// Lists the operands of every step, including those of joined products, each value once.
   constexpr void list_operands() {
     operands_of_.reserve(3 * values_.size());
     for (int k = 0, end = values_.size(); k < end; ++k) {
@@ -95,14 +96,14 @@ private:
       const int second = second_operand(n);
       list_operand(k, first, n.a);
       if (second != none && second != n.a) list_operand(k, first, second);
-      operands_of_.push(none); // ends them
+      operands_of_.push(none); // end marker
     }
     operands_ = operands_of_.begin();
   }
 
   constexpr void list_operand(int k, int first, int id) {
     const int operand = place_[id];
-    if (operand == none) return; // no step gives it
+    if (operand == none) return; // not computed by a step
     if (rank_[operand] == joined) {
       joins_[k] = 1;
       list_operand(k, first, nodes_[id].a);
@@ -114,7 +115,7 @@ private:
     operands_of_.push(operand);
   }
 
-  /// For each value those that use it, one after another.
+  /// Lists the users of each value, one after another.
   constexpr void list_users() {
     const int count = values_.size();
     for (int k = 0; k < count; ++k) uses_[k] = 0;
@@ -136,7 +137,7 @@ private:
     }
   }
 
-  /// How many values fewer there are after a step, and one.
+  /// Returns by how many values the live set shrinks after a step, plus one.
   constexpr int rank_now(int k) const {
     int rank = uses_[k] > 0 ? 0 : 1;
     for (int i = first_operand_[k]; operands_[i] != none; ++i)
@@ -156,7 +157,7 @@ private:
     --count_[rank_[k]];
   }
 
-  /// The best that is ready.
+  /// Removes and returns the best step that is ready.
   constexpr int take() {
     int rank = ranks - 1;
     while (rank >= 0 && count_[rank] == 0) --rank;
@@ -199,23 +200,23 @@ private:
   }
 
   const symbolic::node* nodes_;
-  sequence<int> place_of_; ///< among the values, by node
-  sequence<int> values_{}; ///< nodes that are given by steps
+  sequence<int> place_of_; ///< the index among the values, by node
+  sequence<int> values_{}; ///< the nodes computed by steps
   sequence<int> uses_of_{}, waits_for_{}, joined_to_{}, first_operand_of_{}, first_user_of_{}, rank_of_{};
   sequence<int> operands_of_{}, users_of_{};
-  sequence<std::uint64_t> ready_of_{}; ///< a bit for each value, by rank
+  sequence<std::uint64_t> ready_of_{}; ///< one bit per value, by rank
   sequence<int> order_{};
   int* place_;
-  int* uses_ = nullptr;          ///< that are left, by value
-  int* waits_ = nullptr;         ///< operands that are not there yet, by value
-  int* joins_ = nullptr;         ///< whether products are done with it
-  int* first_operand_ = nullptr; ///< where its operands begin
-  int* first_user_ = nullptr;    ///< where its users begin
-  int* rank_ = nullptr;          ///< of what is ready; else why it is not
+  int* uses_ = nullptr;          ///< remaining uses, by value
+  int* waits_ = nullptr;         ///< operands not yet available, by value
+  int* joins_ = nullptr;         ///< whether products are joined to it
+  int* first_operand_ = nullptr; ///< the index of its first operand
+  int* first_user_ = nullptr;    ///< the index of its first user
+  int* rank_ = nullptr;          ///< the rank if ready; otherwise the reason why it is not
   std::uint64_t* ready_ = nullptr;
-  int words_ = 0;      ///< of 64 bits, for a rank
-  int count_[ranks]{}; ///< of the bits that are set
-  int first_[ranks]{}; ///< no word before it has one
+  int words_ = 0;      ///< the number of 64-bit words per rank
+  int count_[ranks]{}; ///< the number of set bits
+  int first_[ranks]{}; ///< no preceding word has a set bit
   const int* operands_ = nullptr;
   int* users_ = nullptr;
 };

@@ -11,18 +11,19 @@ struct instruction {
   operation op;
   int a;
   int b;
-  bool paired; ///< a sine that brings the cosine of its angle in the next slot, or that cosine
+  bool paired; ///< a sine followed by the cosine of its angle in the next slot, or that cosine
 };
 
-/// A step on many slots, on the way to solve a linear system, or a call of a function with its operands: it
-/// fills slots from `step` on, as many as its operation asks for; in the list of steps they are marked as
-/// components of it.
+/// A step that fills several slots, either part of the solution of a linear system or a call of a function.
+/// It fills slots from `step` on, in the number that its operation requires; the list of steps marks them as
+/// its components.
 struct linear_step {
   operation op = operation::factorization;
-  int order = 0; ///< of a call: how many operands
+  int order = 0; ///< for a call: the number of operands
   int step = 0;
-  int factors = 0;  ///< first slot of the factorization that it uses; of a call: which function
-  int operands = 0; ///< where its operands begin among those of all linear steps
+  int factors = 0;  ///< the first slot of the factorization that it uses; for a call: the index of the
+                    ///< function
+  int operands = 0; ///< the index of its first operand among those of all linear steps
 
   constexpr int inputs() const {
     return op == operation::factorization || op == operation::singularity_measure ? order * order : order;
@@ -33,17 +34,17 @@ struct linear_step {
   }
 };
 
-/// Where the value of a slot comes from before the first step.
+/// The source of the value of a slot that is filled before the first step.
 struct load {
   symbolic::symbol_kind from{};
   int position = 0;
 };
 
-/// Straight-line code: first the constants, then what is loaded from the arguments, then the steps, each in
-/// the slot of its number. Only what the outputs need is there.
+/// Straight-line code: first the constants, then the arguments, then the steps, each in the slot of its
+/// number. Only what the outputs need is included.
 ///
-/// The sines and cosines of angles that need none themselves stand together, `angle_count` pairs from step
-/// `first_angle` on, so that one routine can compute them all.
+/// The sines and cosines of angles that do not depend on other functions are contiguous, `angle_count` pairs
+/// from step `first_angle` on, so that one routine can compute them all.
 struct tape {
   sequence<instruction> steps{};
   sequence<symbolic::number> numbers{};
@@ -61,7 +62,8 @@ struct tape {
 
 namespace detail {
 
-/// Puts the live nodes of a graph in order. Compilers interpret every call, so it looks into arrays directly.
+/// Orders the live nodes of a graph. The code accesses arrays directly because compilers interpret every
+/// call.
 class scheduling {
 public:
   constexpr scheduling(const graph& g, sequence<char>&& live, const sequence<int>& outputs)
@@ -98,7 +100,7 @@ public:
 private:
   static constexpr int none = -1;
 
-  /// Lists what is live, with the sines and cosines that tangents are made of.
+  /// Lists the live nodes, including the sines and cosines from which tangents are computed.
   constexpr void list_live(int end) {
     int count = 0;
     for (int id = 0; id < end; ++id) {
@@ -106,7 +108,7 @@ private:
       ++count;
       if (nodes_[id].op != operation::tan || !has_either(id)) continue;
       for (int part : {sine_of(id), cosine_of(id)}) {
-        if (is_live_[part] == 0 && part < id) ++count; // the others are met later
+        if (is_live_[part] == 0 && part < id) ++count; // the others are encountered later
         is_live_[part] = 1;
       }
     }
@@ -130,9 +132,9 @@ private:
     return s >= 0 && c >= 0 && is_live_[s] != 0 && is_live_[c] != 0;
   }
 
-  /// Angles first, then all their sines and cosines.
+  /// Places angles first, then all their sines and cosines.
   constexpr void gather_angles() {
-    // of nodes that depend on no function: sums and products of what is given
+    // whether a node depends on no function: sums and products of arguments
     sequence<char> is_free(slots_.size(), 0);
     char* const free = is_free.begin();
     sequence<int> gathered;
@@ -159,8 +161,8 @@ private:
     put(id);
   }
 
-  /// Gives a node its step, once its operands have theirs. Sine and cosine of one angle become one step, and
-  /// a tangent whose sine or cosine is needed anyway a division.
+  /// Assigns a step to a node whose operands have theirs. Sine and cosine of one angle become one step, and a
+  /// tangent whose sine or cosine is needed anyway becomes a division.
   constexpr void put(int id) {
     const symbolic::node& n = nodes_[id];
     if (n.op <= operation::divide) {
@@ -222,15 +224,15 @@ private:
   const symbolic::node* nodes_;
   char* is_live_;
   int* slot_;                      ///< by node
-  sequence<int> nodes_in_order_{}; ///< those that are live
+  sequence<int> nodes_in_order_{}; ///< the live nodes
   int first_step_ = 0;
   tape tape_{};
 };
 
 } // namespace detail
 
-/// Sorts what some outputs need of a graph into a tape. Small linear systems are written out in the graph
-/// before.
+/// Builds a tape of everything that the outputs need from a graph. Small linear systems are first expanded in
+/// the graph.
 constexpr tape tape_from(graph& g, const sequence<int>& outputs) {
   sequence<char> live = symbolic::live_nodes(g, outputs);
   if (!symbolic::holds_solves(g, live))
@@ -239,13 +241,13 @@ constexpr tape tape_from(graph& g, const sequence<int>& outputs) {
   return detail::scheduling(g, symbolic::live_nodes(g, expanded), expanded).run();
 }
 
-/// The same of a graph that stays as it is.
+/// Builds the tape without changing the graph.
 constexpr tape tape_of(const graph& g, const sequence<int>& outputs) {
   graph own = g;
   return tape_from(own, outputs);
 }
 
-/// What one evaluation of a tape does.
+/// Returns the cost of one evaluation of a tape.
 constexpr symbolic::cost cost_of(const tape& t) {
   symbolic::cost total;
   for (const linear_step& e : t.linear_steps) {

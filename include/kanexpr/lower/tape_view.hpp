@@ -4,7 +4,7 @@
 
 namespace kanexpr::lower {
 
-/// So many entries that stand elsewhere.
+/// A view of a contiguous array.
 template <class Number>
 class view {
 public:
@@ -30,8 +30,8 @@ struct steps_view {
   constexpr instruction operator[](int i) const { return {op[i], a[i], b[i], paired[i]}; }
 };
 
-/// A fixed tape whatever its sizes are, with the members of `tape`: for functions that are not compiled anew
-/// for each.
+/// A view of a fixed tape of any size, with the members of `tape`, for functions that are not compiled
+/// separately for each.
 struct tape_view {
   steps_view steps;
   view<symbolic::number> numbers;

@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-/// Quaternions within a vector, by the places of their entries.
+/// Quaternions within a vector, given by the indices of their entries.
 namespace kanexpr::lower {
 
 template <class State, class Places>
@@ -16,12 +16,12 @@ template <class State, class Places>
   return sum;
 }
 
-/// The norms that a quaternion may have before it is given norm 1.
+/// The admissible norms of a quaternion before normalization.
 struct norm_range {
   double least = 0, most = numeric::infinity<double>;
 };
 
-/// Divides a quaternion by the root of the square of its norm.
+/// Divides a quaternion by its norm, given as its square.
 template <class State, class Places>
 [[gnu::always_inline]] inline void divide_by_norm(State& x, const Places& places,
                                                   const typename State::Scalar& square) {
@@ -31,7 +31,7 @@ template <class State, class Places>
   for (const int place : places) x(place) = Number(x(place) * scale);
 }
 
-/// Gives a quaternion norm 1; false where its norm is out of the range.
+/// Normalizes a quaternion; returns false if its norm is outside the range.
 template <class State, class Places>
 [[gnu::always_inline]] inline bool normalize(State& x, const Places& places, const norm_range& from) {
   using Number = typename State::Scalar;
@@ -44,8 +44,8 @@ template <class State, class Places>
   return true;
 }
 
-/// Takes off the derivatives by a quaternion of norm 1 what belongs to its norm: they are those of a function
-/// that gives it norm 1 first.
+/// Removes the component along the quaternion from derivatives with respect to a quaternion of norm 1: the
+/// result is the derivative of the function after normalization.
 template <class Jacobian, class State, class Places>
 void leave_norm_out(Jacobian& by_all, const State& x, const Places& places) {
   for (Eigen::Index i = 0; i < by_all.rows(); ++i) {

@@ -5,7 +5,7 @@
 
 namespace kanexpr::lower {
 
-/// What elimination needs of a scalar type.
+/// The operations that elimination requires of a scalar type.
 template <class Number>
 struct elimination_math {
   [[gnu::always_inline]] static Number magnitude(const Number& x) {
@@ -22,7 +22,7 @@ struct elimination_math {
   }
 };
 
-/// The steps of numeric/elimination.hpp one by one, with constant places only.
+/// The steps of numeric/elimination.hpp, unrolled with constant indices.
 template <int order, class Number>
 class unrolled_elimination {
   using math = elimination_math<Number>;
@@ -86,7 +86,7 @@ private:
     static_cast<void>(updated);
   }
 
-  /// a -= b c
+  /// Evaluates a -= b c.
   [[gnu::always_inline]] static void subtract(Number& a, const Number& b, const Number& c) noexcept {
     a = Number(a - Number(b * c));
   }
@@ -94,12 +94,12 @@ private:
   template <int... pivot>
   [[gnu::always_inline]] static Number singularity_measure(const Number* f, Number* squares,
                                                            std::integer_sequence<int, pivot...>) noexcept {
-    Number largest = f[0]; // overwritten by the first
+    Number largest = f[0]; // overwritten by the first pivot
     const int in_order[]{(inverse<pivot>(f, squares, largest, numbers<order - 1 - pivot>{}), 0)...};
     static_cast<void>(in_order);
     Number least = f[place.least_pivot()], beside = math::root(math::reciprocal(largest));
     math::exchange_if_positive(f[place.least_pivot()], least, beside);
-    return least; // where a pivot is zero, what comes behind it is not a number
+    return least; // if a pivot is zero, the entries that follow it are NaN
   }
   template <int pivot, int... below>
   [[gnu::always_inline]] static void inverse(const Number* f, Number* squares, Number& largest,
@@ -132,7 +132,7 @@ private:
     static_cast<void>(grown);
   }
 
-  /// a += b c
+  /// Evaluates a += b c.
   [[gnu::always_inline]] static void add(Number& a, const Number& b, const Number& c) noexcept {
     a = Number(a + Number(b * c));
   }

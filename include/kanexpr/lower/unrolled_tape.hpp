@@ -8,13 +8,14 @@
 
 namespace kanexpr::lower {
 
-/// What each step behind the angles of a tape does, as one number, so that one function serves all steps that
-/// do the same. What fills several slots at once leaves its values aside, and each slot takes its own.
+/// The action of each step after the angles of a tape, encoded as one number, so that one function serves all
+/// steps with the same action. A step that fills several slots stores its values in scratch memory, from
+/// which each slot takes its value.
 template <class Code>
 struct step_plan {
   static constexpr const auto& tape = Code::tape;
-  /// What is neither an operation nor a component: a sine with its cosine, and the linear steps from
-  /// `first_linear_step` down.
+  /// The actions that are neither an operation nor a component: a sine with its cosine, and the linear steps
+  /// from `first_linear_step` downward.
   static constexpr int sine_and_cosine = -1, first_linear_step = -2;
   static constexpr int component = static_cast<int>(operation::component);
 
@@ -38,15 +39,15 @@ struct step_plan {
 
 /// Straight-line evaluation of a tape that is a constant of the type `Code` (`Code::tape`).
 ///
-/// Every index is a constant and all steps stand in one function, each in the place of its slot in one
-/// initializer, so compilers dissolve the array before they look at anything else. Behind a pointer to the
-/// slots they would look at every step in memory, and in every function on the way out again.
+/// Every index is a constant, and all steps are in one function, each at the position of its slot in one
+/// initializer, so compilers dissolve the array before any other optimization. With a pointer to the slots,
+/// they would analyze every step in memory, and repeat this in every function on the way out.
 template <class Code, class Number>
 class unrolled_tape {
 public:
   static constexpr const auto& tape = Code::tape;
 
-  /// `Arguments` gives the value of each load: `arguments(load)`.
+  /// `Arguments` returns the value of each load: `arguments(load)`.
   template <class Arguments>
   [[gnu::always_inline]] explicit unrolled_tape(const Arguments& arguments) noexcept {
     run(arguments, up_to<tape.sizes.numbers>{}, up_to<tape.sizes.loads>{}, up_to<first_angle>{},
@@ -68,13 +69,13 @@ private:
   using up_to = std::make_integer_sequence<int, count>;
   static constexpr std::size_t at_least_one(int n) { return n > 0 ? static_cast<std::size_t>(n) : 1; }
 
-  // clang++ would load an index from the tape
+  // clang++ would otherwise load an index from the tape
   static consteval int a(int step) { return tape.a[step]; }
   static consteval int b(int step) { return tape.b[step]; }
   static consteval int slot_of(int result) { return tape.results[result]; }
 
-  /// The sines and cosines of all angles that are known first come from one call, which a scalar type may
-  /// replace.
+  /// A single call computes the sines and cosines of all angles that are known first; a scalar type may
+  /// replace it.
   template <class Arguments, int... number, int... load, int... before, int... angle, int... known,
             int... turned, int... after, int... result>
   [[gnu::always_inline]] void run([[maybe_unused]] const Arguments& arguments,
@@ -104,10 +105,10 @@ private:
     static_cast<void>(order);
   }
 
-  /// Numbers by value: what a reference is bound to would have to be in memory.
+  /// Numbers are passed by value, because a reference would require them to be in memory.
   using operand = std::conditional_t<std::is_arithmetic_v<Number>, Number, const Number&>;
 
-  /// The value of a slot. Only what needs them is given the places aside and the slots.
+  /// Returns the value of a slot. Only steps that need them receive the scratch memory and the slots.
   template <int what>
   [[gnu::always_inline]] static Number take(operand a, [[maybe_unused]] operand b,
                                             [[maybe_unused]] Number* aside,

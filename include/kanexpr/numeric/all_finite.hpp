@@ -6,7 +6,7 @@
 
 namespace kanexpr::numeric {
 
-/// Whether all entries are finite, by their bits, so that it holds with -ffast-math.
+/// Whether all entries are finite. Tests their bits and therefore works with -ffast-math.
 template <class Derived>
 bool all_finite(const Eigen::DenseBase<Derived>& m) {
   for (Eigen::Index j = 0; j < m.cols(); ++j)

@@ -8,10 +8,11 @@
 
 namespace kanexpr::numeric {
 
-/// Whether functions of a coordinate, `at(h)` beside where it stands, bend and are the same after whole
-/// turns: then it is an angle, of size 1 in whatever units. What grows in proportion to it may be added to
-/// them, as by springs. Turns of its multiples, and of halves to twelfths, are whole after twelve. Functions
-/// that are zero but for rounding have no say: they bend differently a little farther on.
+/// Whether functions of a coordinate, `at(h)` at the offset h from its current value, are nonlinear and
+/// repeat after full turns. The coordinate is then an angle and of size 1 in any units. Terms linear in the
+/// coordinate, such as those of springs, may be added to the functions. Multiples of the angle, and halves to
+/// twelfths of it, all repeat after twelve turns. Functions that vanish up to rounding are ignored: their
+/// curvature changes at a slightly different offset.
 template <class Functions>
 bool is_angle(const Functions& at) {
   const Eigen::VectorXd here = at(0.0);

@@ -6,7 +6,7 @@
 
 namespace kanexpr::numeric {
 
-/// A matrix of a constant expression as Eigen has it: `-as_eigen(K) * x`.
+/// Converts a matrix of a constant expression to an Eigen matrix: `-as_eigen(K) * x`.
 template <class Number, int rows, int columns>
 Eigen::Matrix<Number, rows, columns> as_eigen(const fixed_matrix<Number, rows, columns>& m) {
   Eigen::Matrix<Number, rows, columns> same;
@@ -14,7 +14,7 @@ Eigen::Matrix<Number, rows, columns> as_eigen(const fixed_matrix<Number, rows, c
   return same;
 }
 
-/// What is one of Eigen's already.
+/// Returns an Eigen matrix unchanged.
 template <class Derived>
 const Derived& as_eigen(const Eigen::MatrixBase<Derived>& m) {
   return m.derived();
@@ -24,10 +24,10 @@ template <class Matrix>
 inline constexpr bool has_fixed_size =
     Matrix::RowsAtCompileTime != Eigen::Dynamic && Matrix::ColsAtCompileTime != Eigen::Dynamic;
 
-/// The reverse, of any expression of Eigen whose size its type says.
+/// Converts a fixed-size Eigen expression to a `fixed_matrix`.
 template <class Derived>
 auto as_fixed(const Eigen::MatrixBase<Derived>& m) {
-  static_assert(has_fixed_size<Derived>, "the size of a matrix must be known to the compiler");
+  static_assert(has_fixed_size<Derived>, "the size of a matrix must be known at compile time");
   constexpr int rows = Derived::RowsAtCompileTime, columns = Derived::ColsAtCompileTime;
   const Eigen::Matrix<typename Derived::Scalar, rows, columns> evaluated = m;
   fixed_matrix<typename Derived::Scalar, rows, columns> same;

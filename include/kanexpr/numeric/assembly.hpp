@@ -12,27 +12,27 @@
 
 namespace kanexpr {
 
-/// How a state was made to satisfy the constraints, or why it could not be.
+/// The result of assembling a state, that is, of making it satisfy the constraints.
 struct assembly {
   bool assembled = false;
-  int steps = 0;                     ///< of Newton's method
-  double configuration_residual = 0; ///< the largest magnitude at the end
+  int steps = 0;                     ///< Newton steps taken
+  double configuration_residual = 0; ///< the largest final magnitude
   double velocity_residual = 0;
   mechanics::sentence failure{};
 
   explicit operator bool() const { return assembled; }
-  /// Why it was not assembled, as a sentence; empty: it was.
+  /// Returns the cause of a failure as a sentence; empty on success.
   std::string cause() const { return failure.cause(); }
 };
 
-/// Whether a state satisfies the constraints.
+/// The result of checking whether a state satisfies the constraints.
 struct consistency {
   double configuration_residual = 0; ///< the largest magnitude
   double velocity_residual = 0;
   mechanics::sentence failure{};
 
   explicit operator bool() const { return !failure; }
-  /// Which constraint is off and by how much, as a sentence; empty: none.
+  /// Returns the violated constraint and its residual as a sentence; empty if all constraints hold.
   std::string cause() const { return failure.cause(); }
 };
 
@@ -40,7 +40,7 @@ using assembly_options = numeric::newton_options;
 
 namespace numeric {
 
-/// A sentence that ends in a number.
+/// Returns a sentence that ends in a number.
 inline mechanics::sentence with_number(std::string_view before, double number, int precision = 3) {
   char digits[32];
   const int length = std::snprintf(digits, sizeof digits, "%.*g", precision, number + 0.0);
@@ -49,15 +49,16 @@ inline mechanics::sentence with_number(std::string_view before, double number, i
 
 template <class Vector>
 double largest(const Vector& v) {
-  if (!all_finite(v)) return not_a_number<double>; // which the largest need not be
+  if (!all_finite(v)) return not_a_number<double>; // which the maximum of NaNs need not reveal
   return v.size() == 0 ? 0.0 : static_cast<double>(v.cwiseAbs().maxCoeff());
 }
 
-/// The larger of two, and no number where one is none.
+/// Returns the larger of two numbers, or NaN if either is NaN.
 inline double larger(double a, double b) { return !is_finite(a) || a > b ? a : b; }
 
-/// How large the terms of some constraints are at a state, also where they happen to vanish: the largest
-/// there and at a few others around it, as far away as coordinates are from zero, in whatever units.
+/// Returns the typical magnitude of the terms of constraints near a state, even if they vanish at it: the
+/// largest magnitude at the state and at a few points around it, whose distances match the magnitudes of the
+/// coordinates, in any units.
 template <class Terms, class State>
 auto usual_terms(const Terms& terms, const State& x, int coordinates) {
   using number = typename State::Scalar;
@@ -71,7 +72,7 @@ auto usual_terms(const Terms& terms, const State& x, int coordinates) {
   if (!(largest > 0)) least = 1; // an angle
   for (int looks = 0; looks < 3; ++looks) {
     for (int i = 0; i < coordinates; ++i) {
-      way = std::fmod(way + number(0.618034), number(1)); // anything that is no multiple of an angle
+      way = std::fmod(way + number(0.618034), number(1)); // any number that is not a multiple of an angle
       beside(i) = x(i) + (2 * way - 1) * (counts(i) ? std::abs(x(i)) : least);
     }
     most = most.cwiseMax(terms(beside)).eval();
@@ -79,7 +80,7 @@ auto usual_terms(const Terms& terms, const State& x, int coordinates) {
   return most;
 }
 
-/// Whether what is left is what rounding leaves of terms so large.
+/// Whether a residual is no larger than the rounding of its terms.
 template <class Vector>
 bool is_rounding(const Vector& left, const Vector& terms) {
   constexpr auto rounding = 64 * std::numeric_limits<typename Vector::Scalar>::epsilon();
@@ -89,11 +90,11 @@ bool is_rounding(const Vector& left, const Vector& terms) {
   return true;
 }
 
-/// Which of some constraints does not hold beside its terms, and by how much.
+/// Returns the first constraint that is violated relative to its terms, with its residual.
 template <class Vector, class Terms, class State>
 mechanics::sentence first_off(const Vector& left, const Terms& terms_at, const State& x, int coordinates,
                               double tolerance, std::string_view which) {
-  constexpr double rounding = 1e-5; // of terms that vanish where they are usually so large
+  constexpr double rounding = 1e-5; // for terms that vanish here but are usually large
   const auto terms = terms_at(x);
   for (int i = 0; i < left.size(); ++i)
     if (const double off = static_cast<double>(left(i));
@@ -101,12 +102,12 @@ mechanics::sentence first_off(const Vector& left, const Terms& terms_at, const S
           (std::abs(off) <= tolerance * static_cast<double>(terms(i)) ||
            std::abs(off) <=
                rounding * tolerance * static_cast<double>(usual_terms(terms_at, x, coordinates)(i)))))
-      return with_number(mechanics::sentence({which, mechanics::counted(i + 1).view(), " is off by "}).view(),
-                         off);
+      return with_number(
+          mechanics::sentence({which, mechanics::counted(i + 1).view(), " has a residual of "}).view(), off);
   return {};
 }
 
-/// Which of the constraints that nothing is solved with does not hold.
+/// Returns the first redundant constraint that is violated.
 template <class Constraints, class State>
 mechanics::sentence redundant_off(Constraints& c, const State& x, double tolerance) {
   return first_off(
@@ -114,8 +115,9 @@ mechanics::sentence redundant_off(Constraints& c, const State& x, double toleran
       tolerance, "redundant constraint ");
 }
 
-/// Of which the rate does not vanish. It does where the other constraints hold exactly; where these leave a
-/// little, that is multiplied by how nearly they depend on each other.
+/// Returns the first redundant constraint whose rate does not vanish. The rate vanishes if the other
+/// constraints hold exactly; their residuals are amplified by how close the constraints are to being linearly
+/// dependent.
 template <class Constraints, class State>
 mechanics::sentence redundant_rate_off(Constraints& c, const State& x, double tolerance) {
   constexpr double nearly_dependent = 1e3;
@@ -124,12 +126,14 @@ mechanics::sentence redundant_rate_off(Constraints& c, const State& x, double to
       c.all_coordinates(), nearly_dependent * tolerance, "the rate of redundant constraint ");
 }
 
-/// Gives quaternions norm 1, solves the configuration constraints for the dependent coordinates, starting
-/// from those of `x`, then the velocity constraints for the dependent speeds. Where that fails `x` is left as
-/// it was. Where they cannot be solved for, what satisfies the constraints to rounding is left as it is.
+/// Normalizes the quaternions, solves the configuration constraints for the dependent coordinates, starting
+/// from those of `x`, then solves the velocity constraints for the dependent speeds. On failure, `x` is
+/// unchanged. If the constraints cannot be solved, a state that satisfies them up to rounding is accepted as
+/// it is.
 ///
-/// `Constraints` gives the residuals, the Jacobian by the dependent coordinates, and the dependent speeds, at
-/// a state, the places of what is dependent in it, and whether the constraints hold to rounding.
+/// `Constraints` provides the residuals at a state, the Jacobian with respect to the dependent coordinates,
+/// the dependent speeds, the indices of the dependent entries, and whether the constraints hold up to
+/// rounding.
 template <class Constraints, class State>
 assembly assemble(Constraints& c, State& x, const newton_options& options) {
   using vector = typename Constraints::coordinate_vector;
@@ -156,19 +160,19 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   report.configuration_residual = found.residual;
   if (!found.converged) found.converged = c.configuration_holds(at(q));
   if (!found.converged || !((q - from).norm() <= 1e-6 * (1 + from.norm()))) {
-    if (c.configuration_holds(at(from))) { // where a search does not stay, since it is singular there
+    if (c.configuration_holds(at(from))) { // a search does not converge to this state if it is singular
       q = from;
       report.configuration_residual = largest(c.configuration_residual(at(q)));
       found.converged = true;
     }
   }
   if (!found.converged) {
-    report.failure =
-        with_number(found.singular ? "the configuration constraints are singular where the search for the "
-                                     "dependent coordinates ended, with a residual of "
-                                   : "the search for the dependent coordinates did not converge and ended "
-                                     "with a residual of ",
-                    found.residual);
+    report.failure = with_number(
+        found.singular
+            ? "the search for the dependent coordinates ended at a singularity of the configuration "
+              "constraints, with a residual of "
+            : "the search for the dependent coordinates did not converge; it ended with a residual of ",
+        found.residual);
     return report;
   }
   at(q);
@@ -189,8 +193,8 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   return report;
 }
 
-/// Says whether a state satisfies the constraints to within `tolerance` of the terms that they are sums of,
-/// and which it does not.
+/// Checks whether a state satisfies the constraints within `tolerance`, relative to the terms that they sum,
+/// and reports the first violated one.
 template <class Constraints, class State>
 consistency check_consistency(Constraints& c, const State& x, double tolerance) {
   consistency report;

@@ -6,9 +6,10 @@
 
 namespace kanexpr::numeric {
 
-/// The x of least ½ xᵀ M x − gᵀ x with J x = b, whatever the rank of J is: rows that follow from others are
-/// left out together, as their least combination. M is symmetric, and positive on what J leaves free; in that
-/// metric the x nearest to some x₀ has g = M x₀, and Gauss' principle gives accelerations.
+/// Minimizes ½ xᵀ M x − gᵀ x subject to J x = b for a J of any rank; linearly dependent rows are discarded
+/// together, as the combinations with the smallest singular values. M is symmetric, and positive definite on
+/// the null space of J. With g = M x₀, the solution is the x nearest to x₀ in the metric M; Gauss's principle
+/// gives accelerations in this form.
 template <class Mass, class Jacobian>
 class bound_minimum {
   using number = typename Mass::Scalar;
@@ -22,7 +23,7 @@ public:
     factorize();
   }
 
-  /// Whether M is positive there.
+  /// Whether M is positive definite on the null space of J.
   bool is_regular() const { return is_regular_; }
 
   unknowns solve(const unknowns& g, const equations& b) const {
@@ -43,7 +44,7 @@ public:
     return x;
   }
 
-  /// The least λ with Jᵀ λ = M x − g.
+  /// Returns the minimum-norm λ with Jᵀ λ = M x − g.
   equations multipliers(const unknowns& g, const unknowns& x) const {
     const unknowns force = mass_.lazyProduct(x) - g;
     equations found = equations::Zero(of_.left_of(0).size());
@@ -55,7 +56,7 @@ private:
   Eigen::Index free() const { return mass_.rows() - rank_; }
   auto direction(Eigen::Index i) const { return of_.right_of(rank_ + i); }
 
-  /// Cholesky's factors of M along the free directions.
+  /// Computes the Cholesky factors of M on the free directions.
   void factorize() {
     for (Eigen::Index i = 0; i < free(); ++i)
       for (Eigen::Index j = 0; j <= i; ++j) {

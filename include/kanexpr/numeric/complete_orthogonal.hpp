@@ -7,9 +7,9 @@
 
 namespace kanexpr::numeric {
 
-/// Orthonormal columns that span those of `a`, by the Gram-Schmidt process with the longest remainder next
-/// and every vector made orthogonal twice (Golub & Van Loan, Matrix Computations, section 5.2). A remainder
-/// no longer than `least` counts as nothing.
+/// Returns orthonormal columns that span those of `a`, by the Gram-Schmidt process with column pivoting and
+/// reorthogonalization (Golub & Van Loan, Matrix Computations, section 5.2). Remainders of length `least` or
+/// below are treated as zero.
 inline Eigen::MatrixXd orthonormal_columns(Eigen::MatrixXd a, double least) {
   Eigen::MatrixXd q(a.rows(), (std::min)(a.rows(), a.cols()));
   Eigen::Index rank = 0;
@@ -28,8 +28,8 @@ inline Eigen::MatrixXd orthonormal_columns(Eigen::MatrixXd a, double least) {
   return q.leftCols(rank);
 }
 
-/// A = Q C Vᵀ with orthonormal columns of Q and V and a regular square C, of any matrix: gives the least
-/// solution among those that leave the least of A x − b.
+/// The decomposition A = Q C Vᵀ of any matrix, with orthonormal columns of Q and V and a regular square C. It
+/// gives the minimum-norm least-squares solution of A x = b.
 class complete_orthogonal {
 public:
   complete_orthogonal(const Eigen::MatrixXd& a, double least) : q_(orthonormal_columns(a, least)) {
@@ -38,7 +38,7 @@ public:
     if (rank() != 0) core_.emplace(rows.lazyProduct(v_).eval());
   }
 
-  /// Orthonormal columns that span those of A.
+  /// Returns orthonormal columns that span those of A.
   const Eigen::MatrixXd& range() const { return q_; }
   int rank() const { return static_cast<int>(q_.cols()); }
 
@@ -51,7 +51,7 @@ public:
 
 private:
   Eigen::MatrixXd q_, v_{};
-  std::optional<factorized<Eigen::VectorXd>> core_{}; ///< of C; none: A is zero
+  std::optional<factorized<Eigen::VectorXd>> core_{}; ///< factors of C; empty if A is zero
 };
 
 } // namespace kanexpr::numeric

@@ -6,8 +6,8 @@
 
 namespace kanexpr::numeric {
 
-/// What elimination needs of numbers in a constant expression. A constant expression must not divide by zero:
-/// a vanishing pivot is left out, and whoever solves looks at the least pivot first.
+/// The scalar operations for elimination in a constant expression. A constant expression must not divide by
+/// zero, so a vanishing pivot is skipped; callers check the smallest pivot first.
 struct constant_elimination_math {
   template <class Number>
   static constexpr Number magnitude(Number x) {

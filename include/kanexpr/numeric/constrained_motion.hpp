@@ -9,8 +9,9 @@
 
 namespace kanexpr::numeric {
 
-/// Sizes of the entries of a state of which nothing else is known: its magnitudes, at least 1. A coordinate
-/// with which the constraints repeat after a turn is an angle, of size 1 however many turns it has made.
+/// Returns typical sizes of the entries of a state without further information: their magnitudes, at least 1.
+/// If the constraints repeat after one turn of a coordinate, it is an angle, of size 1 regardless of the
+/// number of turns.
 template <class Equations, class State = typename Equations::state>
 State usual_sizes(const Equations& of, const State& x) {
   using number = typename State::Scalar;
@@ -49,17 +50,18 @@ State usual_sizes(const Equations& of, const State& x) {
 }
 
 /// The motion of a constrained system from the equations of all speeds, M u̇ = f + Jᵀ λ with J u̇ + γ = 0, at
-/// the nearest state that satisfies the constraints. No speed has to be dependent, and rows of J may follow
-/// from others.
+/// the nearest state that satisfies the constraints. No speed needs to be dependent, and the rows of J may be
+/// linearly dependent.
 ///
-/// Where a mechanism passes a position in which rows of J become dependent, the constraints do not tell there
-/// where it goes on, but they do on both sides. So the motion near such a position is that of states some way
-/// before and behind it along its speeds, interpolated: what is looked for is smooth along the way.
+/// At a position in which rows of J become dependent, the constraints do not determine how a mechanism
+/// continues, but they do on both sides of it. The motion near such a position is therefore interpolated from
+/// states at some distance before and after it along its speeds: the required quantities are smooth along
+/// this path.
 ///
-/// `Equations` has the sizes of its vectors as constants, −1 where only the program knows them, and
+/// `Equations` provides the sizes of its vectors as constants, −1 for sizes known only at run time, and
 ///
 ///     coordinates(), speeds(), rows_of_coordinates(), rows_of_speeds()
-///     configuration(x, left, by_coordinates)   what must vanish, and its derivatives
+///     configuration(x, left, by_coordinates)   the residual and its derivatives
 ///     velocities(x, left, by_speeds)
 ///     motion(x, qdot, mass, force, bias)       a status
 template <class Equations>
@@ -75,12 +77,12 @@ public:
 
   using speeds = matrix<p>;
 
-  /// At the constraints near some state: the state and its rates.
+  /// The state on the constraints nearest to a given state, and its rates.
   struct motion {
     state x{}, rates{};
   };
 
-  /// `sizes` are those of the entries of a state; `near` is some state.
+  /// `sizes` are the typical sizes of the entries of a state; `nearby` is any state close to the motion.
   constrained_motion(const Equations& of, const state& sizes, const state& nearby)
       : of_(of), sizes_(sizes), by_q_(by_coordinates::Zero(of.rows_of_coordinates(), of.coordinates())),
         by_u_(by_speeds::Zero(of.rows_of_speeds(), of.speeds())),
@@ -91,15 +93,15 @@ public:
     look_around(nearby);
   }
 
-  /// How well the constraints on the speeds are told apart at a state, beside how well they can be: about 1
-  /// far from all positions where one follows from others, and 0 where some always do.
+  /// Returns how distinct the velocity constraints are at a state, relative to the best value: about 1 far
+  /// from all positions where constraints become dependent, and 0 if some are always dependent.
   number distinctness(const state& x) {
     if (usual_rank_ < most_rank()) return 0;
     velocities(x);
     return distinctness_of(singular_values<by_speeds>(scaled_by_u()));
   }
 
-  /// Whether the constraints hold to rounding.
+  /// Whether the configuration constraints hold up to rounding.
   bool configuration_holds(const state& x) {
     return by_q_.rows() == 0 || configuration(x).norm() <= rounding;
   }
@@ -109,7 +111,7 @@ public:
     return velocities(x).norm() <= rounding * size;
   }
 
-  /// The motion at a state, or near it where that does not satisfy the constraints.
+  /// Finds the motion at a state or, if that does not satisfy the constraints, near it.
   status find(const state& given, motion& found) {
     status s = find_there(given, found);
     if (!s || distinct_ >= blurred) return s;
@@ -118,9 +120,9 @@ public:
     return usual_rank_ == rank ? s : find_there(given, found);
   }
 
-  /// u̇ and the multipliers from the constraints at a state alone, which stays where it is. Of all multipliers
-  /// with which J gives the same forces they have the least sum of squares. `rank_of` says how many rows of J
-  /// count, each as long as rows usually are.
+  /// Finds u̇ and the multipliers from the constraints at a state, without moving it. Among all multipliers
+  /// for which J gives the same forces, they have the least sum of squares. `rank_of` returns the rank of J
+  /// with its rows scaled to their typical lengths.
   template <class Rank>
   status find_at(const state& x, const Rank& rank_of, speeds& udot, rows_of_speeds& multipliers) {
     if (const status s = of_.motion(x, qdot_, mass_, force_, bias_); !s) return s;
@@ -134,13 +136,14 @@ public:
     const speeds force = scaled_by_sizes(force_);
     const rows_of_speeds bias = bias_.cwiseQuotient(row_sizes_u_);
     const speeds found = bound.solve(force, -bias);
-    if (!met(j, found, bias)) return status("the constraints that repeat others here contradict them");
+    if (!met(j, found, bias))
+      return status("the constraints that are redundant at this state contradict the others");
     udot = scaled_by_sizes(found);
     multipliers = least_of(bound.multipliers(force, found).cwiseQuotient(row_sizes_u_), j, rank);
     return {};
   }
 
-  /// Takes x to the nearest configuration that satisfies the constraints.
+  /// Moves x to the nearest configuration that satisfies the constraints.
   status place(state& x) {
     if (by_q_.rows() == 0) return {};
     number last = std::numeric_limits<number>::infinity();
@@ -169,36 +172,36 @@ private:
   static constexpr bool is_single = sizeof(number) < sizeof(double);
   static constexpr number rounding = 1024 * std::numeric_limits<number>::epsilon();
   static constexpr number nothing =
-      is_single ? number(4e-5) : number(2e-9); ///< of the largest singular value
+      is_single ? number(4e-5) : number(2e-9); ///< relative to the largest singular value
   static constexpr number nearly =
-      is_single ? number(1e-4) : number(1e-8); ///< what the constraints may leave
+      is_single ? number(1e-4) : number(1e-8); ///< the permitted residual of the constraints
   static constexpr number clearly =
-      is_single ? number(1e-3) : number(1e-6);    ///< more than what is always zero
-  static constexpr number blurred = number(1e-2); ///< a distinctness that takes digits of the motion
+      is_single ? number(1e-3) : number(1e-6);    ///< the bound above which a singular value is not always
+                                                  ///< zero
+  static constexpr number blurred = number(1e-2); ///< the distinctness below which the motion loses digits
   static constexpr number close_enough =
-      is_single ? number(1e-4) : number(1e-9);    ///< a step that leaves its square
-  static constexpr number farthest = number(0.5); ///< that a state is moved, beside its size
+      is_single ? number(1e-4) : number(1e-9);    ///< a step whose square is negligible
+  static constexpr number farthest = number(0.5); ///< the farthest a state may be moved, relative to its size
   static constexpr number stride =
-      number(2e-2); ///< between the states that are interpolated, beside their size
+      number(2e-2); ///< the distance between interpolated states, relative to their size
   static constexpr int most_steps = 20, looks = 3;
   static constexpr int strides[4]{2, 3, 4, 5};
 
-  static status not_met() {
-    return status("the constraints are dependent, or cannot be met, near this state");
-  }
+  static status not_met() { return status("the constraints are dependent or inconsistent near this state"); }
   static status without_energy() {
-    return status("some motion that the constraints allow has no kinetic energy");
+    return status("a motion that the constraints permit has no kinetic energy");
   }
   Eigen::Index most_rank() const { return (std::min)(by_u_.rows(), by_u_.cols()); }
 
-  /// How large rows are, and how well they can be told apart, at states that need not satisfy them.
+  /// Determines the typical sizes of the rows and their distinctness, at states that need not satisfy the
+  /// constraints.
   void look_around(const state& nearby) {
     state tried[looks];
     number way = 0;
     for (state& x : tried) {
       x = nearby;
       for (int i = 0; i < of_.coordinates(); ++i) {
-        way = std::fmod(way + number(0.618034), number(1)); // anything that is no multiple of an angle
+        way = std::fmod(way + number(0.618034), number(1)); // any number that is not a multiple of an angle
         x(i) += (way - number(0.5)) * sizes_(i);
       }
       if (by_q_.rows() != 0) configuration(x);
@@ -252,7 +255,8 @@ private:
     return usual_rank_ == 0 ? number(1) : j[usual_rank_ - 1] / usual_;
   }
 
-  /// The least step of Newton's method. A singular value is one only above what the step itself may change.
+  /// Returns the minimum-norm Newton step. A singular value counts only if it exceeds what the step itself
+  /// may change.
   static coordinates step_of(const singular_values<by_coordinates>& j, const rows_of_coordinates& left) {
     coordinates step = coordinates::Zero(j.right_of(0).size());
     for (Eigen::Index i = 0; i < j.count(); ++i) {
@@ -262,7 +266,7 @@ private:
     return step;
   }
 
-  /// The motion at the constraints nearest to a state, from the constraints there alone.
+  /// Finds the motion at the nearest state on the constraints, from the constraints at that state only.
   status find_there(const state& given, motion& found) {
     const int first = of_.coordinates();
     found.x = given;
@@ -295,10 +299,10 @@ private:
   speeds scaled_by_sizes(const speeds& of) const { return of.cwiseProduct(sizes_of_speeds()); }
   speeds sizes_of_speeds() const { return sizes_.tail(of_.speeds()); }
 
-  /// Takes off multipliers what J turns into no force. Rows of J count that are no longer scaled.
+  /// Removes from the multipliers the components that J maps to no force. The rows of J count unscaled here.
   rows_of_speeds least_of(rows_of_speeds multipliers, const singular_values<by_speeds>& j,
                           Eigen::Index rank) const {
-    matrix<m, m> none = matrix<m, m>::Zero(by_u_.rows(), by_u_.rows()); // directions that make no force
+    matrix<m, m> none = matrix<m, m>::Zero(by_u_.rows(), by_u_.rows()); // directions that produce no force
     for (Eigen::Index i = rank; i < none.cols(); ++i) {
       rows_of_speeds next = j.left_of(i).cwiseQuotient(row_sizes_u_);
       next /= next.norm();
@@ -311,15 +315,15 @@ private:
     return multipliers;
   }
 
-  /// Whether J x + b vanishes, also in the rows that J leaves out.
+  /// Whether J x + b vanishes, including the components outside the range of J.
   static status met(const singular_values<by_speeds>& j, const speeds& x, const rows_of_speeds& b) {
     rows_of_speeds left = b;
     for (Eigen::Index i = 0; i < j.count(); ++i) left += (j[i] * j.right_of(i).dot(x)) * j.left_of(i);
     return left.norm() <= nearly * (1 + b.norm() + j[0] * x.norm()) ? status() : not_met();
   }
 
-  /// The motion at a position that is passed, from those before and behind it. Where the constraints are no
-  /// better told apart there, some of them always follow from others.
+  /// Interpolates the motion at a singular position from the motions before and after it. If the constraints
+  /// are not more distinct at those states, some of them are always dependent.
   status interpolate(motion& found) {
     number length = 0;
     for (int i = 0; i < of_.coordinates(); ++i) {
@@ -335,7 +339,7 @@ private:
       return find_there(there, one);
     };
     constexpr number farthest_stride = strides[3];
-    for (int tries = 0; tries < 4; ++tries) { // sizes may be those of many turns
+    for (int tries = 0; tries < 4; ++tries) { // the sizes may include many turns
       motion one;
       if (!beside(farthest_stride * step, one) || !(distinct_ > 2 * farthest_stride * stride)) break;
       step *= farthest_stride * stride / distinct_;
@@ -365,7 +369,8 @@ private:
     return {};
   }
 
-  /// Of a pair of states as far away on either side, in the polynomial through all of them.
+  /// Returns the weight of a pair of states at equal distances on both sides in the polynomial through all of
+  /// them.
   static constexpr number weight_of(int reach) {
     number weight = number(0.5);
     for (const int other : strides)
@@ -384,9 +389,9 @@ private:
   rows_of_speeds bias_;
   rows_of_coordinates row_sizes_q_;
   rows_of_speeds row_sizes_u_;
-  number usual_ = 0;            ///< the least singular value that is not always zero, where it is large
-  Eigen::Index usual_rank_ = 0; ///< of J
-  number distinct_ = 0;         ///< where the motion was looked at last
+  number usual_ = 0;            ///< the largest value of the smallest singular value that is not always zero
+  Eigen::Index usual_rank_ = 0; ///< the usual rank of J
+  number distinct_ = 0;         ///< the distinctness at the last state evaluated
 };
 
 } // namespace kanexpr::numeric

@@ -1,12 +1,12 @@
 #pragma once
 
-// Elementary functions of `double` with the very same bits at compile time and at run time: <cmath> is not
+// Elementary functions of `double` with identical bits at compile time and at run time: <cmath> is not
 // constexpr in C++20, and a compiler's builtins need not agree with the libm it links to.
 //
-// Reductions are done in integers and short series in `long double`. On x86-64 that is the 80-bit format, for
-// which there is no fused multiply-add, and results are within 0.51 ulp (pow: 2 ulp near the ends of its
-// range). Where long double is double, expect 2-3 ulp. Special values are those of Annex F of the C standard.
-// No arithmetic here gives NaN or overflows, for neither is allowed in a constant expression.
+// Reductions use integers, and short series use `long double`. On x86-64 that is the 80-bit format, which has
+// no fused multiply-add, and results are within 0.51 ulp (pow: 2 ulp near the ends of its range). Where long
+// double is double, expect 2-3 ulp. Special values follow Annex F of the C standard. No arithmetic here
+// yields NaN or overflows, because neither is permitted in a constant expression.
 
 #include <kanexpr/base/equal.hpp>
 
@@ -16,7 +16,7 @@
 #include <utility>
 
 // Callers may be compiled with -ffast-math or contraction; the arithmetic below may not. Flushing subnormal
-// numbers to zero is a mode of the processor, not of the code, and remains the caller's.
+// numbers to zero is a mode of the processor, not of the code, and remains the responsibility of the caller.
 #if defined(__clang__)
 #pragma float_control(push)
 #pragma float_control(precise, on)
@@ -49,7 +49,7 @@ constexpr bool is_nan(double x) noexcept { return magnitude(x) > bits(infinity);
 
 constexpr double copy_sign(double x, double sign) noexcept { return __builtin_copysign(x, sign); }
 
-// The m and k of |x| = m * 2^k with 2^52 <= m < 2^53, for finite x != 0.
+// Returns the m and k of |x| = m * 2^k with 2^52 <= m < 2^53, for finite x != 0.
 constexpr std::pair<std::uint64_t, int> decompose(double x) noexcept {
   constexpr std::uint64_t implicit_bit = std::uint64_t{1} << 52;
   const std::uint64_t fraction = bits(x) & (implicit_bit - 1);
@@ -59,13 +59,13 @@ constexpr std::pair<std::uint64_t, int> decompose(double x) noexcept {
   return {fraction << shift, -1074 - shift};
 }
 
-// 2^n for -1022 <= n <= 1023.
+// Returns 2^n for -1022 <= n <= 1023.
 constexpr double power_of_two(int n) noexcept {
   return std::bit_cast<double>(static_cast<std::uint64_t>(n + 1023) << 52);
 }
 
-// x * 2^n for x >= 0 and |n| <= 2000, in two steps since 2^n itself may be out of range; only the last one
-// can round. The bound is the midpoint between the largest double and 2^1024.
+// Returns x * 2^n for x >= 0 and |n| <= 2000, in two steps because 2^n itself may be out of range; only the
+// second step can round. The bound is the midpoint between the largest double and 2^1024.
 constexpr double scaled(real x, int n) noexcept {
   const real y = x * static_cast<real>(power_of_two(n / 2)) * static_cast<real>(power_of_two(n - n / 2));
   return y - static_cast<real>((std::numeric_limits<double>::max)()) >= 0x1p970L ? infinity
@@ -74,7 +74,8 @@ constexpr double scaled(real x, int n) noexcept {
 
 constexpr int nearest(real x) noexcept { return static_cast<int>(x < 0 ? x - 0.5L : x + 0.5L); }
 
-// A plain array: each call of std::array's operator[] would cost more than the multiplication in `series`.
+// A plain array, because each call of std::array's operator[] would cost more than the multiplication in
+// `series`.
 struct coefficients {
   real of[24];
 };
@@ -86,7 +87,7 @@ constexpr coefficients reciprocals_of(bool factorials) noexcept {
 inline constexpr coefficients reciprocals = reciprocals_of(false);
 inline constexpr coefficients reciprocal_factorials = reciprocals_of(true);
 
-// c[m] + c[m + step] x + c[m + 2 step] x^2 + ... + c[last] x^k with m = last mod step.
+// Evaluates c[m] + c[m + step] x + c[m + 2 step] x^2 + ... + c[last] x^k with m = last mod step.
 constexpr real series(const coefficients& c, int step, int last, real x) noexcept {
   real sum = c.of[last];
   for (int n = last - step; n >= 0; n -= step) sum = sum * x + c.of[n];
@@ -94,7 +95,7 @@ constexpr real series(const coefficients& c, int step, int last, real x) noexcep
 }
 
 // Correctly rounded for finite x > 0. With x = m * 4^k, the root of n = m * 2^52 rounds to the integer r for
-// which -r < n - r^2 <= r. Newton's r is at most one off, so that n - r^2 is known from its low 64 bits.
+// which -r < n - r^2 <= r. Newton's r differs by at most one, so the low 64 bits of n - r^2 determine it.
 constexpr double positive_sqrt(double x) noexcept {
   const auto [significand, exponent] = decompose(x);
   const int odd = exponent & 1;
@@ -109,7 +110,8 @@ constexpr double positive_sqrt(double x) noexcept {
   return static_cast<double>(r) * power_of_two((exponent - odd) / 2 - 26);
 }
 
-// sqrt(1 - x^2) for |x| <= 1; one Newton step takes the rounded root to the precision of long double.
+// Returns sqrt(1 - x^2) for |x| <= 1; one Newton step refines the rounded root to the precision of long
+// double.
 constexpr real other_leg(double x) noexcept {
   const real square = (1 - static_cast<real>(x)) * (1 + static_cast<real>(x));
   if (square <= 0) return 0;
@@ -117,24 +119,25 @@ constexpr real other_leg(double x) noexcept {
   return (root + square / root) / 2;
 }
 
-// Binary digits of 1/(2 pi) from weight 2^63 on: enough for the largest double.
+// Binary digits of 1/(2 pi) from weight 2^63 on, enough for the largest double.
 inline constexpr std::uint64_t turns_per_radian[] = {
     0x0000000000000000u, 0x28be60db9391054au, 0x7f09d5f47d4d3770u, 0x36d8a5664f10e410u, 0x7f9458eaf7aef158u,
     0x6dc91b8e909374b8u, 0x01924bba82746487u, 0x3f877ac72c4a69cfu, 0xba208d7d4baed121u, 0x3a671c09ad17df90u,
     0x4e64758e60d4ce7du, 0x272117e2ef7e4a0eu, 0xc7fe25fff7816603u, 0xfbcbc462d6829b47u, 0xdb4d9fb3c9f2c26du,
     0xd3d18fd9a797fa8bu, 0x5d49eeb1faf97c5eu, 0xcf41ce7de294a4bau, 0x9afed7ec47e35742u, 0x1580cc11bf1edaeau};
 
-// The upper 64 bits of a product; not every target has integers of 128.
+// Returns the upper 64 bits of a product; not every target has 128-bit integers.
 constexpr std::uint64_t high_half(std::uint64_t a, std::uint64_t b) noexcept {
   const std::uint64_t a0 = a & 0xffffffffu, a1 = a >> 32, b0 = b & 0xffffffffu, b1 = b >> 32;
   const std::uint64_t middle = a1 * b0 + (a0 * b0 >> 32);
   return a1 * b1 + (middle >> 32) + ((a0 * b1 + (middle & 0xffffffffu)) >> 32);
 }
 
-// The quadrant and the offset, at most pi/4 either way, of which x is quadrant * pi/2 + offset up to whole
-// turns. The digits of 1/(2 pi) that only add whole turns are skipped (Payne and Hanek, "Radian reduction for
-// trigonometric functions", SIGNUM Newsletter 18, 1983). Of the 128 digits kept of the fraction of a turn,
-// about 64 remain even for the double closest to a multiple of pi/2, which is some 2^-61 away from it.
+// Returns the quadrant and the offset, at most pi/4 in magnitude, such that x is quadrant * pi/2 + offset up
+// to whole turns. The digits of 1/(2 pi) that only contribute whole turns are skipped (Payne and Hanek,
+// "Radian reduction for trigonometric functions", SIGNUM Newsletter 18, 1983). Of the 128 retained digits of
+// the fraction of a turn, about 64 are significant even for the double closest to a multiple of pi/2, about
+// 2^-61 away from it.
 constexpr std::pair<unsigned, real> reduce_angle(double x) noexcept {
   if (magnitude(x) < bits(0.5)) return {0, x};
   const auto [significand, exponent] = decompose(x);
@@ -153,7 +156,7 @@ constexpr std::pair<unsigned, real> reduce_angle(double x) noexcept {
   return {static_cast<unsigned>(quadrant), offset};
 }
 
-// The sine of such an angle (DLMF 4.19.1, 4.19.2); neglected terms are below 2^-62 of the result.
+// Returns the sine of such an angle (DLMF 4.19.1, 4.19.2); neglected terms are below 2^-62 of the result.
 constexpr real sine(unsigned quadrant, real offset) noexcept {
   const real square = offset * offset;
   const real value = quadrant % 2 == 0 ? offset * series(reciprocal_factorials, 2, 17, -square)
@@ -167,8 +170,9 @@ constexpr double sine_after(unsigned quarter_turns, double x) noexcept {
   return static_cast<double>(sine(quadrant + quarter_turns, offset));
 }
 
-// The angle of the point (x, y) for finite x, y >= 0. With t = y/x <= 1 and c = k/8 nearest to t, arctan t =
-// arctan c + arctan((t - c)/(1 + tc)) (DLMF 4.24.15), and the series 4.24.3 is used up to 1/16 only.
+// Returns the angle of the point (x, y) for finite x, y >= 0. With t = y/x <= 1 and c = k/8 nearest to t,
+// arctan t = arctan c + arctan((t - c)/(1 + tc)) (DLMF 4.24.15), so the series 4.24.3 is needed only up to
+// 1/16.
 constexpr real first_quadrant_angle(real y, real x) noexcept {
   constexpr real arctan_eighths[] = {
       0.000000000000000000000000L, 0.124354994546761435031355L, 0.244978663126864154172082L,
@@ -183,8 +187,8 @@ constexpr real first_quadrant_angle(real y, real x) noexcept {
   return arctan_eighths[k] + u * series(reciprocals, 2, 15, -u * u);
 }
 
-// The k and r of log|x| = k log 2 + r with |r| <= log(2)/2, for finite x != 0. The series is DLMF 4.6.4, with
-// |s| <= 0.172; the first neglected term is below 2^-63 of the result.
+// Returns the k and r of log|x| = k log 2 + r with |r| <= log(2)/2, for finite x != 0. The series is DLMF
+// 4.6.4, with |s| <= 0.172; the first neglected term is below 2^-63 of the result.
 constexpr std::pair<int, real> split_log(double x) noexcept {
   const auto [significand, exponent] = decompose(x);
   const real m = static_cast<real>(significand) * 0x1p-52L;
@@ -194,9 +198,9 @@ constexpr std::pair<int, real> split_log(double x) noexcept {
   return {exponent + (large ? 53 : 52), 2 * s * series(reciprocals, 2, 23, s * s)};
 }
 
-// The k and e^r of e^x = 2^k e^r with |r| <= log(2)/2, for |x| <= 2000. Log 2 is in two parts, of which k
-// times the first is exact (Cody and Waite, "Software Manual for the Elementary Functions", 1980). The first
-// term of DLMF 4.2.19 left out is below 2^-62.
+// Returns the k and e^r of e^x = 2^k e^r with |r| <= log(2)/2, for |x| <= 2000. Log 2 is split into two
+// parts, such that the product of k and the first part is exact (Cody and Waite, "Software Manual for the
+// Elementary Functions", 1980). The first neglected term of DLMF 4.2.19 is below 2^-62.
 constexpr std::pair<int, real> split_exp(double x) noexcept {
   const auto wide = static_cast<real>(x);
   const int k = nearest(wide * log2_e);
@@ -204,9 +208,9 @@ constexpr std::pair<int, real> split_exp(double x) noexcept {
   return {k, series(reciprocal_factorials, 1, 14, r)};
 }
 
-// x^y for finite x > 0 and y; the exponential series (DLMF 4.2.19) is cut as in exp.
+// Returns x^y for finite x > 0 and y; the exponential series (DLMF 4.2.19) is truncated as in exp.
 constexpr double positive_pow(double x, double y) noexcept {
-  // Up to the 15th, no power of a double leaves the range of the 80-bit format.
+  // Powers of a double up to the 15th stay within the range of the 80-bit format.
   if (magnitude(y) <= bits(15.0) && numeric::equal(static_cast<double>(static_cast<int>(y)), y)) {
     const int n = static_cast<int>(y < 0 ? -y : y);
     const real factor = static_cast<real>(x);
@@ -214,7 +218,8 @@ constexpr double positive_pow(double x, double y) noexcept {
     for (int bit = 8; bit > 0; bit /= 2) power *= power * ((n & bit) != 0 ? factor : 1);
     return scaled(y < 0 ? 1 / power : power, 0);
   }
-  // The product with the exponent of x is exact, and n is subtracted from it first: its size costs nothing.
+  // The product with the exponent of x is exact, and n is subtracted from it first, so its magnitude costs no
+  // accuracy.
   const auto [exponent, remainder] = split_log(x);
   const real whole = static_cast<real>(y) * exponent;
   const real part = static_cast<real>(y) * (remainder * log2_e);
@@ -228,13 +233,13 @@ constexpr double positive_pow(double x, double y) noexcept {
 
 [[nodiscard]] constexpr double abs(double x) noexcept { return __builtin_fabs(x); }
 
-// -1 or 1; zeros and NaN are returned as they are.
+// Returns -1 or 1; zeros and NaN are returned unchanged.
 [[nodiscard]] constexpr double sign(double x) noexcept {
   return numeric::equal(x, 0.0) || detail::is_nan(x) ? x : detail::copy_sign(1.0, x);
 }
 
 [[nodiscard]] constexpr double floor(double x) noexcept {
-  // From 2^52 on there are only integers; -0 is left alone for its sign.
+  // From 2^52 on, all doubles are integers; -0 is returned unchanged to keep its sign.
   if (numeric::equal(x, 0.0) || detail::magnitude(x) >= detail::bits(0x1p52)) return x;
   const auto truncated = static_cast<std::int64_t>(x);
   return static_cast<double>(truncated - (static_cast<double>(truncated) > x ? 1 : 0));
@@ -286,8 +291,8 @@ constexpr double positive_pow(double x, double y) noexcept {
   return detail::scaled(power, k);
 }
 
-// sinh x / cosh x by their series (DLMF 4.33.1, 4.33.2) up to 1/2, beyond that 1 - 2 / (e^2x + 1); from 20 on
-// nothing is left of the quotient.
+// Evaluates sinh x / cosh x by their series (DLMF 4.33.1, 4.33.2) up to 1/2, and 1 - 2 / (e^2x + 1) above;
+// from 20 on, the quotient is negligible.
 [[nodiscard]] constexpr double tanh(double x) noexcept {
   if (detail::is_nan(x)) return detail::not_a_number;
   if (abs(x) >= 20) return detail::copy_sign(1.0, x);
@@ -303,7 +308,8 @@ constexpr double positive_pow(double x, double y) noexcept {
   return detail::copy_sign(static_cast<double>(value), x);
 }
 
-// By its series (DLMF 4.33.1) up to 1/2, beyond that by exponentials, of which one is left from 40 on.
+// Evaluates the series (DLMF 4.33.1) up to 1/2, and exponentials above; from 40 on, one of them is
+// negligible.
 [[nodiscard]] constexpr double sinh(double x) noexcept {
   if (detail::is_nan(x)) return detail::not_a_number;
   const double size = abs(x);

@@ -1,13 +1,13 @@
 #pragma once
 
-/// Gaussian elimination with row exchanges, without a branch on a value: rows are compared and exchanged by
-/// selection. What is done in which order is the same wherever a system is solved;
-/// lower/unrolled_elimination.hpp unrolls it.
+/// Gaussian elimination with row exchanges and without branches on values: rows are compared and exchanged by
+/// selection. The order of operations is the same wherever a system is solved; lower/unrolled_elimination.hpp
+/// unrolls it.
 namespace kanexpr::numeric {
 
-/// Where a factorization of some order keeps what: first the matrix by rows, with the multipliers below the
-/// diagonal and the reciprocals of the pivots on it, then by how much the lower row was larger wherever two
-/// rows were compared (positive: they were exchanged), then the least magnitude of a pivot.
+/// The layout of a factorization of a given order: first the matrix by rows, with the multipliers below the
+/// diagonal and the reciprocals of the pivots on it; then, for each comparison of two rows, the excess of the
+/// lower row (positive if they were exchanged); then the smallest magnitude of a pivot.
 struct factors {
   int order = 0;
 
@@ -19,7 +19,7 @@ struct factors {
   constexpr int size() const { return least_pivot() + 1; }
 };
 
-/// Factorizes the matrix with which `f` begins. `Math` has `magnitude`, `reciprocal` and
+/// Factorizes the matrix at the start of `f`. `Math` provides `magnitude`, `reciprocal` and
 /// `exchange_if_positive(d, a, b)`.
 template <class Math, class Number>
 constexpr void factorize(int order, Number* f) {
@@ -50,7 +50,7 @@ constexpr void factorize(int order, Number* f) {
   f[place.least_pivot()] = least;
 }
 
-/// Solves A x = b, where x is b to begin with.
+/// Solves A x = b, with b passed in x.
 template <class Math, class Number>
 constexpr void solve_factorized(int order, const Number* f, Number* x) {
   const factors place{order};
@@ -65,7 +65,7 @@ constexpr void solve_factorized(int order, const Number* f, Number* x) {
   }
 }
 
-/// Solves Aᵀ x = b: the same steps, transposed and in the opposite order.
+/// Solves Aᵀ x = b by the transposed steps in reverse order.
 template <class Math, class Number>
 constexpr void solve_transposed_factorized(int order, const Number* f, Number* x) {
   const factors place{order};
@@ -80,13 +80,13 @@ constexpr void solve_transposed_factorized(int order, const Number* f, Number* x
   }
 }
 
-/// The least of the pivots beside the terms that each is the sum of: what elimination does to the entries is
-/// done to `squares` of their sizes, by rows, without a cancellation. Each has the unit of its entry, so it
-/// does not matter in which units rows and columns are. What is not a number remains none.
+/// Returns the smallest pivot relative to the terms that it sums: elimination is applied to `squares`, the
+/// squared sizes of the entries by rows, without cancellation. Each size has the unit of its entry, so the
+/// units of rows and columns do not matter. NaN propagates.
 template <class Math, class Number>
 constexpr Number singularity_measure_of(int order, const Number* f, Number* squares) {
   const factors place{order};
-  Number largest = f[0]; // overwritten by the first
+  Number largest = f[0]; // overwritten by the first pivot
   for (int k = 0; k < order; ++k) {
     for (int i = k + 1; i < order; ++i)
       for (int j = k; j < order; ++j)
@@ -103,7 +103,7 @@ constexpr Number singularity_measure_of(int order, const Number* f, Number* squa
   }
   Number least = f[place.least_pivot()], beside = Math::root(Math::reciprocal(largest));
   Math::exchange_if_positive(f[place.least_pivot()], least, beside);
-  return least; // where a pivot is zero, what comes behind it is not a number
+  return least; // if a pivot is zero, the entries that follow it are NaN
 }
 
 } // namespace kanexpr::numeric

@@ -8,8 +8,8 @@
 
 namespace kanexpr::numeric {
 
-/// Scales of the rows and columns of a matrix, powers of two, that bring the largest entry of each near 1:
-/// then pivots can be compared, whatever the units of equations and unknowns are.
+/// Powers of two that scale the rows and columns of a matrix so that the largest entry of each is near 1.
+/// Pivots can then be compared in any units of equations and unknowns.
 template <class Vector>
 struct equilibration {
   using number = typename Vector::Scalar;

@@ -8,8 +8,8 @@
 
 namespace kanexpr::numeric {
 
-/// A square matrix ready to solve with, by the elimination that the graph's solves are lowered to: next to
-/// nothing to compile beside Eigen's, and without a heap where `Vector` has a fixed size.
+/// A factorized square matrix, by the same elimination to which the solves of the graph are lowered. It
+/// compiles much faster than Eigen's and does not allocate if `Vector` has a fixed size.
 template <class Vector>
 class factorized {
   using number = typename Vector::Scalar;
@@ -25,15 +25,15 @@ public:
     factorize<math>(order_, f_.data());
   }
 
-  /// The least pivot beside the largest entry.
+  /// Returns the smallest pivot relative to the largest entry.
   number singularity_measure() const { return f_(factors{order_}.least_pivot()) / largest_; }
 
-  /// Whether rounding decides on the least pivot.
+  /// Whether the smallest pivot is dominated by rounding.
   bool is_singular() const {
     return !(singularity_measure() > static_cast<number>(order_) * std::numeric_limits<number>::epsilon());
   }
 
-  /// Turns b into the solution of A x = b.
+  /// Replaces b by the solution of A x = b.
   void solve(Vector& b) const { solve_factorized<math>(order_, f_.data(), b.data()); }
 
 private:

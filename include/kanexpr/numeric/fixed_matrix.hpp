@@ -10,8 +10,8 @@
 
 namespace kanexpr::numeric {
 
-/// A matrix for constant expressions, where Eigen's cannot go: `m(i, j)`, and a number where it is one.
-/// The entries follow each other by columns, as Eigen has them.
+/// A matrix for constant expressions, in which Eigen's cannot be used: `m(i, j)`; a 1-by-1 matrix converts to
+/// a number. The entries are stored by columns, as in Eigen.
 template <class Number, int rows, int columns>
 struct fixed_matrix {
   static constexpr std::size_t room = rows * columns > 0 ? static_cast<std::size_t>(rows* columns) : 1;
@@ -25,7 +25,7 @@ struct fixed_matrix {
     return entries[0];
   }
 
-  /// The entries in some rows and columns: `m.at({1, 2}, {0})`.
+  /// Returns the entries in the given rows and columns: `m.at({1, 2}, {0})`.
   template <std::size_t some_rows, std::size_t some_columns>
   constexpr fixed_matrix<Number, static_cast<int>(some_rows), static_cast<int>(some_columns)>
   at(const int (&in_rows)[some_rows], const int (&in_columns)[some_columns]) const {
@@ -36,7 +36,7 @@ struct fixed_matrix {
     return part;
   }
 
-  /// The same in other numbers: `K.cast<float>()`.
+  /// Converts the matrix to a different scalar type: `K.cast<float>()`.
   template <class Other>
   constexpr fixed_matrix<Other, rows, columns> cast() const {
     fixed_matrix<Other, rows, columns> same;
@@ -73,7 +73,7 @@ constexpr fixed_matrix<Number, rows, columns> operator*(const fixed_matrix<Numbe
   return c;
 }
 
-/// The matrix that is written row by row, `by_rows({{1.0, 2.0}, {3.0, 4.0}})`.
+/// Returns a matrix written row by row, `by_rows({{1.0, 2.0}, {3.0, 4.0}})`.
 template <class Number, std::size_t rows, std::size_t columns>
 constexpr fixed_matrix<Number, static_cast<int>(rows), static_cast<int>(columns)>
 by_rows(const Number (&written)[rows][columns]) {
@@ -99,13 +99,13 @@ constexpr fixed_matrix<Number, columns, rows> transposed(const fixed_matrix<Numb
   return t;
 }
 
-/// (M + Mᵀ)/2, of what is symmetric but for rounding.
+/// Returns (M + Mᵀ)/2 of a matrix that is symmetric up to rounding.
 template <class Number, int order>
 constexpr fixed_matrix<Number, order, order> symmetric(const fixed_matrix<Number, order, order>& m) {
   return Number(0.5) * (m + transposed(m));
 }
 
-/// The largest magnitude of an entry; not a number where one is none.
+/// Returns the largest magnitude of an entry, or NaN if an entry is NaN.
 template <class Number, int rows, int columns>
 constexpr Number largest_entry(const fixed_matrix<Number, rows, columns>& m) {
   Number most = 0;
@@ -117,10 +117,10 @@ constexpr Number largest_entry(const fixed_matrix<Number, rows, columns>& m) {
   return most;
 }
 
-/// Whether all entries are finite, by their bits, so that it holds with -ffast-math.
+/// Whether all entries are finite. Tests their bits and therefore works with -ffast-math.
 template <class Number, int rows, int columns>
 constexpr bool is_finite(const fixed_matrix<Number, rows, columns>& m) {
-  if (!std::is_constant_evaluated()) { // where a sum may overflow
+  if (!std::is_constant_evaluated()) { // a sum may overflow here
     Number sum = 0;
     for (int i = 0; i < rows * columns; ++i) sum += m.entries[i];
     if (is_finite(sum)) return true;
@@ -130,7 +130,8 @@ constexpr bool is_finite(const fixed_matrix<Number, rows, columns>& m) {
   return true;
 }
 
-/// What a constant expression does must not overflow either: a pivot so small that it might vanishes, too.
+/// A constant expression must not overflow either, so a pivot small enough to cause overflow is treated as
+/// zero, too.
 struct bounded_elimination_math : constant_elimination_math {
   template <class Number>
   static constexpr Number least_pivot = power_of_two<Number>(-std::numeric_limits<Number>::max_exponent / 4);
@@ -140,7 +141,7 @@ struct bounded_elimination_math : constant_elimination_math {
   }
 };
 
-/// A matrix that is eliminated once, to solve with it many times.
+/// A matrix that is factorized once and used for many solves.
 template <class Number, int order>
 class eliminated {
 public:
@@ -153,7 +154,7 @@ public:
   constexpr bool is_singular() const {
     return !(f_[place.least_pivot()] > math::template least_pivot<Number>);
   }
-  /// One over a pivot.
+  /// Returns the reciprocal of a pivot.
   constexpr Number reciprocal(int k) const { return f_[place.at(k, k)]; }
 
   template <int columns>
@@ -168,8 +169,8 @@ private:
   Number f_[static_cast<std::size_t>(factors{order}.size())]{};
 };
 
-/// M = L D Lᵀ of a symmetric matrix, which is positive definite where every pivot is. In which units its rows
-/// are does not matter.
+/// The factorization M = L D Lᵀ of a symmetric matrix, which is positive definite if all pivots are positive.
+/// The result does not depend on the units of the rows.
 template <class Number, int order>
 class positive_factors {
 public:
@@ -188,7 +189,7 @@ public:
 
   constexpr explicit operator bool() const { return positive_; }
 
-  /// M⁻¹ B.
+  /// Returns M⁻¹ B.
   template <int columns>
   constexpr fixed_matrix<Number, order, columns> solve(fixed_matrix<Number, order, columns> b) const {
     for (int c = 0; c < columns; ++c) {
@@ -203,7 +204,7 @@ public:
   }
 
 private:
-  fixed_matrix<Number, order, order> l_; ///< D on the diagonal
+  fixed_matrix<Number, order, order> l_; ///< with D on the diagonal
   bool positive_ = true;
 };
 

@@ -9,27 +9,27 @@
 
 namespace kanexpr {
 
-/// Whether the constraints on the speeds are independent at a state.
+/// The result of checking whether the velocity constraints are independent at a state.
 struct independence {
   int rank = 0;
   std::vector<int>
-      repeated{}; ///< rows of the constraint Jacobian that follow from those before them, from 1 on
+      repeated{}; ///< rows of the constraint Jacobian that depend on preceding ones, counted from 1
   mechanics::sentence failure{};
 
   explicit operator bool() const { return !failure; }
-  /// Which constraint repeats others, as a sentence; empty: none.
+  /// Returns the dependent constraint as a sentence; empty if there is none.
   std::string cause() const { return std::string(failure.view()); }
 };
 
 namespace numeric {
 
-/// Of the rows of a Jacobian, in their order. Behind the first `solved` of them come redundant constraints. A
-/// template, so that files which do not ask for it do not form its matrices.
+/// Checks the rows of a Jacobian in their order. Redundant constraints follow the first `solved` rows. The
+/// function is a template so that files that do not call it do not instantiate its matrices.
 template <class Jacobian>
 independence independence_of(const Jacobian& jacobian, Eigen::Index solved, double least) {
   independence found;
   if (!all_finite(jacobian)) {
-    found.failure = mechanics::sentence({"the constraints on the speeds are not finite at this state"});
+    found.failure = mechanics::sentence({"the velocity constraints are not finite at this state"});
     return found;
   }
   const independent_columns rows = independent_columns_of(jacobian.transpose(), least);
@@ -44,9 +44,9 @@ independence independence_of(const Jacobian& jacobian, Eigen::Index solved, doub
   const int first = found.repeated[0], redundant = first - static_cast<int>(solved);
   found.failure = redundant > 0
                       ? mechanics::sentence({"redundant constraint ", mechanics::counted(redundant).view(),
-                                             " repeats others here"})
-                      : mechanics::sentence({"constraint ", mechanics::counted(first).view(),
-                                             " on the speeds repeats others here"});
+                                             " depends on other constraints at this state"})
+                      : mechanics::sentence({"velocity constraint ", mechanics::counted(first).view(),
+                                             " depends on other constraints at this state"});
   return found;
 }
 template <class Jacobian>

@@ -9,19 +9,21 @@
 
 namespace kanexpr::numeric {
 
-/// The columns of a matrix that do not follow from those before them, and how the others do.
+/// The columns of a matrix that are independent of the preceding ones, and the combinations that give the
+/// others.
 struct independent_columns {
   std::vector<Eigen::Index> kept{};
   Eigen::MatrixXd combination{}; ///< K in A = A_kept K
-  /// Beside the length of a column: the shortest remainder that counts, and the longest that does not. Far
-  /// apart they tell that the choice is sure. A column too short beside the longest leaves it unsure.
+  /// Relative to the length of a column: the shortest remainder that counts and the longest that does not. If
+  /// they differ by orders of magnitude, the choice is reliable; a column that is too short compared with the
+  /// longest makes it unreliable.
   double shortest_kept = 1, longest_left = 0;
 };
 
-/// By the Gram-Schmidt process in the order of the columns, every vector made orthogonal twice (Golub & Van
-/// Loan, Matrix Computations, section 5.2). Of columns of length 1, a remainder no longer than `least` counts
-/// as nothing, and so does a coefficient. A template, so that files which do not ask for it do not form its
-/// matrices.
+/// Computes the columns by the Gram-Schmidt process in their order, with reorthogonalization (Golub & Van
+/// Loan, Matrix Computations, section 5.2). For columns of length 1, remainders and coefficients of `least`
+/// or below are treated as zero. The function is a template so that files that do not call it do not
+/// instantiate its matrices.
 template <class Matrix>
 independent_columns independent_columns_of(const Matrix& given, double least) {
   using matrix = Eigen::Matrix<typename Matrix::Scalar, Eigen::Dynamic, Eigen::Dynamic>;
@@ -34,7 +36,7 @@ independent_columns independent_columns_of(const Matrix& given, double least) {
   independent_columns found;
   for (Eigen::Index j = 0; j < columns; ++j) {
     if (!(length(j) > 0)) continue;
-    if (length(j) <= least * longest) { // rounding, or a column in other units
+    if (length(j) <= least * longest) { // rounding, or a column in different units
       found.shortest_kept = (std::min)(found.shortest_kept, length(j) / longest);
       continue;
     }

@@ -10,22 +10,22 @@ namespace kanexpr {
 
 namespace numeric {
 
-/// u̇ and λ in M u̇ = f + Jᵀ λ with J u̇ + γ = 0, where rows of J may follow from others. λ has the least sum of
-/// squares among all that give these forces.
+/// u̇ and λ in M u̇ = f + Jᵀ λ with J u̇ + γ = 0, where rows of J may be linearly dependent. λ has the least
+/// sum of squares among all multipliers that give the same forces.
 template <class Speeds, class Multipliers>
 struct least_multipliers {
   Speeds udot{};
-  Multipliers multipliers{};  ///< of the constraints on the speeds, then of the redundant ones
-  independence constraints{}; ///< which of these repeat others at the state
+  Multipliers multipliers{};  ///< of the velocity constraints, then of the redundant ones
+  independence constraints{}; ///< the constraints that depend on others at the state
   mechanics::sentence failure{};
 
   explicit operator bool() const { return !failure; }
-  /// Why there are none, as a sentence; empty: there are.
+  /// Returns the cause of a failure as a sentence; empty on success.
   std::string cause() const { return failure.cause(); }
 };
 
-/// At a state of equations as `constrained_motion` asks for them. Behind the first `solved` rows of J come
-/// those of redundant constraints.
+/// Finds them at a state of equations in the form that `constrained_motion` requires. Rows of redundant
+/// constraints follow the first `solved` rows of J.
 template <class Equations>
 auto find_least_multipliers(const Equations& of, const typename constrained_motion<Equations>::state& x,
                             int solved) {

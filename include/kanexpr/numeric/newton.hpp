@@ -8,26 +8,26 @@
 #include <algorithm>
 #include <limits>
 
-/// Numerical methods that work on plain functions of vectors.
+/// Numerical methods for plain functions of vectors.
 namespace kanexpr::numeric {
 
 struct newton_options {
   int most_steps = 50;
-  /// The last step is so short that it changes the Jacobian by no more than this part of it.
+  /// The largest relative change of the Jacobian over the last step.
   double tolerance = 1e-10;
 };
 
 struct newton_report {
   bool converged = false;
-  bool singular = false; ///< the Jacobian at the end could not be solved
+  bool singular = false; ///< the final Jacobian could not be solved
   int steps = 0;
-  double residual = 0; ///< the largest magnitude at the end
+  double residual = 0; ///< the largest final magnitude
 };
 
-/// Solves f(x) = 0 by Newton's method, each step halved until the residual falls; where the Jacobian is
-/// singular the step is that of least squares with damping (Levenberg). Goes on after convergence while that
-/// lowers the residual, so the result is as good as rounding allows. Units of equations and unknowns do not
-/// matter. Takes no memory for vectors of fixed size.
+/// Solves f(x) = 0 by Newton's method and halves each step until the residual decreases. If the Jacobian is
+/// singular, the step is a damped least-squares step (Levenberg). After convergence it continues as long as
+/// the residual decreases, so the result is as accurate as rounding permits. The units of equations and
+/// unknowns do not matter. It does not allocate for fixed-size vectors.
 template <class Vector, class Function, class Jacobian>
 newton_report newton(Vector& x, const Function& function, const Jacobian& jacobian,
                      const newton_options& options = {}) {
@@ -36,10 +36,10 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
   newton_report report;
   Vector f = function(x);
   const auto size = [](const Vector& v) {
-    if (!all_finite(v)) return not_a_number<double>; // which the largest need not be
+    if (!all_finite(v)) return not_a_number<double>; // which the maximum of NaNs need not reveal
     return v.size() == 0 ? 0.0 : static_cast<double>(v.cwiseAbs().maxCoeff());
   };
-  // no change of the Jacobian is less than its rounding
+  // no change of the Jacobian is smaller than its rounding
   const double least_change = (std::max)(options.tolerance, 1024.0 * std::numeric_limits<number>::epsilon());
   report.residual = size(f);
   if (!all_finite(f)) return report;

@@ -7,32 +7,33 @@
 #include <limits>
 #include <type_traits>
 
-/// Powers of two as their exponents: products with them round nothing, and their sums do not overflow.
+/// Powers of two represented by their exponents: products with them are exact, and sums of exponents do not
+/// overflow.
 namespace kanexpr::numeric {
 
-/// Less than that of any number, also beside other exponents.
+/// Smaller than the exponent of any number, even after other exponents are added.
 inline constexpr int exponent_of_zero = -(1 << 20);
 constexpr bool is_exponent_of_zero(int exponent) { return exponent < exponent_of_zero / 2; }
 
-/// What compilers warn of where numbers are told to be finite.
+/// Avoids the warnings of compilers that assume finite numbers.
 template <class Number>
 inline constexpr Number infinity = static_cast<Number>(elementary::detail::infinity);
 template <class Number>
 inline constexpr Number not_a_number = static_cast<Number>(elementary::detail::not_a_number);
 
-/// The bits of a number, or of the double that it is, without the sign.
+/// Returns the bits of a number, or of the double it converts to, without the sign.
 template <class Number>
 constexpr auto magnitude_bits(Number x) {
   using bits = std::conditional_t<std::is_same_v<Number, float>, std::uint32_t, std::uint64_t>;
   using number = std::conditional_t<std::is_same_v<Number, float>, float, double>;
   bits found = std::bit_cast<bits>(static_cast<number>(x));
 #if defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__
-  if (!std::is_constant_evaluated()) asm("" : "+r"(found)); // clang++ knows whose bits they are
+  if (!std::is_constant_evaluated()) asm("" : "+r"(found)); // hides the origin of the bits from clang++
 #endif
   return static_cast<bits>(found << 1) >> 1;
 }
 
-/// By their bits, so that both hold with -ffast-math.
+/// Tests the bits, so that both functions work with -ffast-math.
 template <class Number>
 constexpr bool is_finite(Number x) {
   return magnitude_bits(x) < magnitude_bits(infinity<Number>);
@@ -42,7 +43,7 @@ constexpr bool is_nan(Number x) {
   return magnitude_bits(x) > magnitude_bits(infinity<Number>);
 }
 
-/// The k of 2ᵏ ≤ |x| < 2ᵏ⁺¹, of a finite x.
+/// Returns the k of 2ᵏ ≤ |x| < 2ᵏ⁺¹ for a finite x.
 template <class Number>
 constexpr int exponent_of(Number x) {
   constexpr bool is_short = std::is_same_v<Number, float>;
@@ -53,7 +54,7 @@ constexpr int exponent_of(Number x) {
   return biased > 0 ? biased - bias : size - digits - bias - std::countl_zero(magnitude);
 }
 
-/// 2ᵏ, where it is a normal number.
+/// Returns 2ᵏ if it is a normal number.
 template <class Number>
 constexpr Number power_of_two(int k) {
   if constexpr (std::is_same_v<Number, float>)
@@ -62,7 +63,7 @@ constexpr Number power_of_two(int k) {
     return static_cast<Number>(elementary::detail::power_of_two(k));
 }
 
-/// x 2ᵏ; infinite, without arithmetic that overflows, where it is too large.
+/// Returns x 2ᵏ, or infinity, without overflowing arithmetic, if the product is too large.
 template <class Number>
 constexpr Number times_power_of_two(Number x, int k) {
   constexpr int too_large = std::numeric_limits<Number>::max_exponent, most = too_large - 2;

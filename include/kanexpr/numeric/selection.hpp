@@ -7,13 +7,14 @@
 #include <cstdint>
 #include <type_traits>
 
-/// Numbers that a condition lets through: by masks, for compilers make branches of a conditional expression.
+/// The scalar types for which selection uses masks, because compilers turn conditional expressions into
+/// branches.
 namespace kanexpr::numeric {
 
 template <class Number>
 concept selected_by_masks = std::same_as<Number, double> || std::same_as<Number, float>;
 
-/// x where c is positive, else 0; not-a-number where c is none.
+/// Returns x if c is positive, otherwise 0; NaN if c is NaN.
 template <selected_by_masks Number>
 [[gnu::always_inline]] constexpr Number where_positive(Number c, Number x) noexcept {
   using bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
@@ -23,7 +24,7 @@ template <selected_by_masks Number>
                                (std::bit_cast<bits>(c) & ~(is_positive | is_negative)));
 }
 
-/// 0 where c is positive, else x; not-a-number where c is none.
+/// Returns 0 if c is positive, otherwise x; NaN if c is NaN.
 template <selected_by_masks Number>
 [[gnu::always_inline]] constexpr Number where_not_positive(Number c, Number x) noexcept {
   using bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
@@ -33,7 +34,7 @@ template <selected_by_masks Number>
                                (std::bit_cast<bits>(c) & ~(is_positive | is_other)));
 }
 
-/// x where c is a number, else c.
+/// Returns x if c is a number, otherwise c.
 template <selected_by_masks Number>
 [[gnu::always_inline]] constexpr Number where_number(Number c, Number x) noexcept {
   using bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;

@@ -6,19 +6,19 @@
 
 namespace kanexpr::numeric {
 
-/// M = L D Lᵀ of a symmetric matrix that is positive semidefinite but for rounding, with D ≥ 0. In which
-/// units its rows are does not matter. The lower half of M is read.
+/// The factorization M = L D Lᵀ, with D ≥ 0, of a symmetric matrix that is positive semidefinite up to
+/// rounding. It does not depend on the units of the rows and reads the lower half of M.
 ///
-/// The next pivot is the largest beside its entry of the diagonal of M. Where the largest is below `least` of
-/// that entry, all that is left is what rounding made of zero, and must be smaller than `rounding`; of it the
-/// diagonal is kept, where it is positive.
+/// The next pivot is the largest relative to its entry on the diagonal of M. If the largest is below `least`
+/// times that entry, the remainder is rounding and must be smaller than `rounding`; the positive entries of
+/// its diagonal are kept.
 template <class Number, int order>
 class semidefinite_factors {
 public:
   using square = fixed_matrix<Number, order, order>;
 
   constexpr semidefinite_factors(const square& m, Number least, Number rounding) : l_(m) {
-    Number share[room]{}; // one over the diagonal, or zero where that is
+    Number share[room]{}; // the reciprocal of the diagonal, or zero where it vanishes
     for (int i = 0; i < order; ++i) {
       row_[i] = i;
       share[i] = m(i, i) > (std::numeric_limits<Number>::min)() ? 1 / m(i, i) : Number(0);
@@ -42,7 +42,7 @@ public:
 
   constexpr explicit operator bool() const { return are_; }
 
-  /// A L.
+  /// Returns A L.
   template <int rows>
   constexpr fixed_matrix<Number, rows, order> times_lower(const fixed_matrix<Number, rows, order>& a) const {
     fixed_matrix<Number, rows, order> product;
@@ -63,9 +63,9 @@ public:
     return l;
   }
 
-  /// S + W D Wᵀ, of the lower half of S. Without S it is a sum of squares: symmetric, with no negative number
-  /// on the diagonal, and of each entry rounding takes a part of the root of the two on the diagonal at most
-  /// (by Cauchy and Schwarz).
+  /// Returns S + W D Wᵀ, reading the lower half of S. Without S it is a sum of squares: symmetric, with
+  /// nonnegative diagonal entries, and by the Cauchy-Schwarz inequality the rounding error of each entry is
+  /// at most a fraction of the square root of the product of the two diagonal entries.
   template <int rows>
   constexpr fixed_matrix<Number, rows, rows> squares(const fixed_matrix<Number, rows, order>& w,
                                                      fixed_matrix<Number, rows, rows> s = {}) const {
@@ -88,7 +88,7 @@ private:
     const Value kept = a;
     a = b, b = kept;
   }
-  /// Two rows and columns, k < next.
+  /// Exchanges two rows and columns, k < next.
   constexpr void exchange(int k, int next, Number (&share)[room]) {
     swap(row_[k], row_[next]);
     swap(share[k], share[next]);
@@ -118,7 +118,7 @@ private:
     }
   }
 
-  square l_; ///< below the diagonal, with its rows in the order of the pivots
+  square l_; ///< below the diagonal, with rows in pivot order
   Number d_[room]{};
   int row_[room]{};
   bool are_ = true;

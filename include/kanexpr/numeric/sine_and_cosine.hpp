@@ -10,18 +10,19 @@
 #include <type_traits>
 #include <utility>
 
-/// Sine and cosine of one angle or of several at once, in straight-line code: for `double`, `float`, the
-/// compiler's vectors of them, and in constant expressions.
+/// Sine and cosine of one or several angles in straight-line code, for `double`, `float`, the compiler's
+/// vectors of them, and in constant expressions.
 ///
 /// |x| is reduced to an offset of at most π/4 from a multiple of π/2 by Cody and Waite's method (Software
-/// Manual for the Elementary Functions, 1980, chapter 8): parts of π/2 so short that their products with the
-/// number of quadrants are exact. Then come minimax polynomials. Up to `farthest_angle` the error is less
-/// than 1 ulp. Zeros keep their sign, and infinity gives NaN.
+/// Manual for the Elementary Functions, 1980, chapter 8): π/2 is split into parts so short that their
+/// products with the number of quadrants are exact. Minimax polynomials follow. Up to `farthest_angle` the
+/// error is less than 1 ulp. Zeros keep their sign, and infinity gives NaN.
 ///
-/// Angles beyond go to the C library, which reduces them exactly, by the one branch that there is. With the
-/// macro KANEXPR_ANGLES_WITHIN_REACH there is none, and they give NaN.
+/// A single branch passes larger angles to the C library, which reduces them exactly. With the macro
+/// KANEXPR_ANGLES_WITHIN_REACH there is no branch, and such angles give NaN.
 
-// Callers may be compiled with -ffast-math; what cancels here may not be reassociated. Fusing is welcome.
+// Callers may be compiled with -ffast-math; the terms that cancel here must not be reassociated. Fused
+// operations are permitted.
 #if defined(__clang__)
 #pragma float_control(push)
 #pragma float_control(precise, on)
@@ -32,32 +33,32 @@
 
 namespace kanexpr::numeric {
 
-/// In radians, 20 860 turns: as far as sines and cosines are computed without the C library.
+/// The largest angle, in radians (20 860 turns), whose sine and cosine are computed without the C library.
 inline constexpr double farthest_angle = 131072;
 
 namespace detail {
 
-/// sin r = r + r³ S(r²) and cos r = 1 − r²/2 + r⁴ C(r²) for |r| ≤ π/4, with the least largest relative error.
+/// sin r = r + r³ S(r²) and cos r = 1 − r²/2 + r⁴ C(r²) for |r| ≤ π/4, with minimal maximum relative error.
 template <class Number>
 struct circular;
 template <>
-struct circular<double> { // 2^-57.9 and 2^-63.9
+struct circular<double> { // errors 2^-57.9 and 2^-63.9
   static constexpr double of_sine[]{-0x1.5555555555548p-3, 0x1.111111110f7d0p-7,   -0x1.a01a019bfdee3p-13,
                                     0x1.71de3567d2be4p-19, -0x1.ae5e5a911c1a5p-26, 0x1.5d8fd18cf9527p-33};
   static constexpr double of_cosine[]{0x1.555555555554bp-5,   -0x1.6c16c16c14f91p-10, 0x1.a01a019c844d5p-16,
                                       -0x1.27e4f7eac3446p-22, 0x1.1ee9d7b3dfb8dp-29,  -0x1.8fa4997f3dab6p-37};
-  static constexpr double quadrants = 0x1.45f306dc9c883p-1; // in a radian
-  static constexpr double integers = 0x1.8p52;              // from here on numbers are integers
+  static constexpr double quadrants = 0x1.45f306dc9c883p-1; // quadrants per radian
+  static constexpr double integers = 0x1.8p52;              // all numbers from here on are integers
 };
 template <>
-struct circular<float> { // 2^-37.4 and 2^-33
+struct circular<float> { // errors 2^-37.4 and 2^-33
   static constexpr float of_sine[]{-0x1.555556p-3F, 0x1.111108p-7F, -0x1.a00f80p-13F, 0x1.6cd1f2p-19F};
   static constexpr float of_cosine[]{0x1.55554ap-5F, -0x1.6c0c34p-10F, 0x1.99eb9cp-16F};
   static constexpr float quadrants = 0x1.45f306p-1F;
   static constexpr float integers = 0x1.8p23F;
 };
 
-/// Keeps g++ from merging v with what it is added to.
+/// Prevents g++ from fusing v with the operation that follows.
 template <class Value>
 [[gnu::always_inline]] constexpr Value rounded(const Value& v) {
 #if defined(__clang__)
@@ -67,15 +68,15 @@ template <class Value>
 #endif
 }
 
-/// An angle of `quadrant` quarter turns, in its lowest bits, and `offset + rest` beyond them.
+/// An angle of `quadrant` quarter turns, in its lowest bits, plus `offset + rest`.
 template <class Value>
 struct reduced_angle {
   Value offset, rest;
   bits_of<Value> quadrant;
 };
 
-/// The products of q < 2^17 with the first two parts of π/2, of 36 bits each, are exact, and so is what the
-/// first leaves. The closest that an angle comes to a multiple of π/2 is 2^-60 (to 29 of them).
+/// The products of q < 2^17 with the first two parts of π/2, of 36 bits each, are exact, and so is the first
+/// difference. No angle comes closer to a multiple of π/2 than 2^-60 (reached at 29 π/2).
 template <class Value>
 [[gnu::always_inline]] constexpr reduced_angle<Value> reduced(const Value& magnitude) {
   using known = circular<double>;
@@ -100,7 +101,7 @@ template <class Value>
   requires std::is_same_v<number_of<Value>, float>
 constexpr reduced_angle<Value> reduced(const Value& magnitude);
 
-/// Of many lanes, half of them at a time.
+/// Reduces many lanes, half of them at a time.
 template <class Value, std::size_t... index>
 [[gnu::always_inline]] constexpr reduced_angle<Value> reduced_by_halves(const Value& magnitude,
                                                                         std::index_sequence<index...>) {
@@ -112,7 +113,7 @@ template <class Value, std::size_t... index>
           __builtin_shufflevector(first.quadrant, second.quadrant, index..., (half + index)...)};
 }
 
-/// By way of `double`; where there is no such arithmetic, fused operations leave exact remainders.
+/// Reduces by way of `double`; on targets without double arithmetic, fused operations leave exact remainders.
 template <class Value>
   requires std::is_same_v<number_of<Value>, float>
 [[gnu::always_inline]] constexpr reduced_angle<Value> reduced(const Value& magnitude) {
@@ -149,7 +150,7 @@ template <class Value>
   }
 }
 
-/// By Horner's rule, from the coefficient `i` on.
+/// Evaluates a polynomial by Horner's rule, from the coefficient `index` on.
 template <std::size_t index, std::size_t count, class Number, class Value>
 [[gnu::always_inline]] constexpr Value polynomial(const Number (&coefficients)[count], const Value& x) {
   if constexpr (index + 1 == count)
@@ -184,14 +185,14 @@ template <class Value>
     along = r.offset + cube * polynomial<0>(known::of_sine, square);
     across = number(1) + square * falling;
   }
-  // Odd quadrants exchange the two.
+  // Odd quadrants exchange sine and cosine.
   const bits s = __builtin_bit_cast(bits, along), c = __builtin_bit_cast(bits, across);
   const bits exchanged = (s ^ c) & (0 - (r.quadrant & 1));
   sine = __builtin_bit_cast(Value, s ^ exchanged ^ ((r.quadrant << (last - 1) ^ given) & sign));
   cosine = __builtin_bit_cast(Value, c ^ exchanged ^ ((r.quadrant + 1) << (last - 1) & sign));
 }
 
-/// Whether some lane is farther than the farthest angle, or no number.
+/// Whether a lane is beyond the farthest angle, or NaN.
 template <class Value>
 [[gnu::always_inline]] constexpr bool is_out_of_reach(const Value& angle) {
   using bits = number_bits<Value>;
@@ -200,7 +201,7 @@ template <class Value>
   return is_set_in_a_lane(left);
 }
 
-/// Corrects those that are out of reach.
+/// Replaces the results of the angles that are out of reach.
 template <class Number>
 [[gnu::noinline, gnu::cold]] void by_the_library(std::size_t count, const Number* angle, Number* sine,
                                                  Number* cosine) noexcept {
@@ -213,8 +214,8 @@ template <class Number>
 
 } // namespace detail
 
-/// The sine and the cosine of an angle in radians, or of as many angles as T has lanes. Each lane has the
-/// bits of its own evaluation.
+/// Computes the sine and the cosine of an angle in radians, or of one angle per lane of T. Each lane has the
+/// same bits as a separate evaluation.
 template <class Value>
 [[gnu::always_inline]] constexpr void sine_and_cosine(const Value& angle, Value& sine,
                                                       Value& cosine) noexcept {
@@ -227,7 +228,7 @@ template <class Value>
         cosine = static_cast<Value>(elementary::cos(static_cast<double>(angle)));
       }
     } else {
-      // What the library is given must be in memory; what is computed here should not be.
+      // The arguments of the library must be in memory; the values computed here should not be.
       detail::number_of<Value> angles[detail::lanes<Value>::count], sines[detail::lanes<Value>::count],
           cosines[detail::lanes<Value>::count];
       std::memcpy(angles, &angle, sizeof angle);

@@ -8,7 +8,8 @@ namespace kanexpr::numeric {
 
 namespace detail {
 
-/// How many of `left` numbers are taken at once: what fills a vector, or nearly.
+/// Returns how many of the `left` remaining numbers are processed together: enough to fill a vector, or
+/// nearly.
 template <class Number>
 constexpr std::size_t taken_at_once(std::size_t left) {
   constexpr std::size_t most = widest_vector / sizeof(Number);
@@ -52,8 +53,8 @@ template <std::size_t first, class Number, std::size_t count, std::size_t... lan
 
 } // namespace detail
 
-/// The sines and the cosines of several angles in radians, in vectors of the processor. Each has the bits of
-/// `sine_and_cosine` of its angle.
+/// Computes the sines and the cosines of several angles in radians, in SIMD vectors of the processor. Each
+/// has the same bits as `sine_and_cosine` of its angle.
 template <class Number, std::size_t count>
 [[gnu::always_inline]] inline void sines_and_cosines(const Number (&angle)[count], Number (&sine)[count],
                                                      Number (&cosine)[count]) noexcept {

@@ -7,9 +7,9 @@
 
 namespace kanexpr::numeric {
 
-/// A = U Σ Vᵀ, the largest singular values first: pairs of rows are turned until all are orthogonal, which
-/// keeps the digits of small values too (Hestenes 1958; Golub & Van Loan, Matrix Computations, 8.6.3). No
-/// heap is used for a matrix of fixed size.
+/// The singular value decomposition A = U Σ Vᵀ, with singular values in descending order. Pairs of rows are
+/// rotated until all rows are orthogonal, which preserves the digits of small values, too (Hestenes 1958;
+/// Golub & Van Loan, Matrix Computations, 8.6.3). No heap memory is used for a fixed-size matrix.
 template <class Matrix>
 class singular_values {
   using number = typename Matrix::Scalar;
@@ -29,10 +29,10 @@ public:
       if (sizes_(i) > 0) v_.col(i) = a.row(i).transpose() / sizes_(i);
   }
 
-  /// How many there are.
+  /// Returns the number of singular values.
   Eigen::Index count() const { return (std::min)(u_.rows(), v_.rows()); }
   number operator[](Eigen::Index i) const { return sizes_(i); }
-  /// How many are greater than `least`.
+  /// Returns the number of singular values greater than `least`.
   Eigen::Index rank(number least) const {
     Eigen::Index found = 0;
     while (found < count() && sizes_(found) > least) ++found;
@@ -41,7 +41,8 @@ public:
   auto left_of(Eigen::Index i) const { return u_.col(i); }
   auto right_of(Eigen::Index i) const { return v_.col(i); }
 
-  /// Makes what comes behind the first `rank` right vectors an orthonormal basis of what they leave.
+  /// Replaces the right vectors after the first `rank` by an orthonormal basis of the orthogonal complement
+  /// of those.
   void complete(Eigen::Index rank) {
     for (Eigen::Index k = rank; k < v_.cols(); ++k) {
       Eigen::Index farthest = 0;

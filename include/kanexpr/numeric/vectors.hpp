@@ -9,7 +9,7 @@
 /// to those of the processor.
 namespace kanexpr::numeric {
 
-/// The bytes of the vectors that are computed with; 0: none. Those of AVX-512 would be slower.
+/// The width in bytes of the vectors used for computation; 0 for none. Those of AVX-512 would be slower.
 #if defined(__AVX2__)
 inline constexpr std::size_t widest_vector = 32;
 #elif defined(__SSE2__) || defined(__aarch64__)
@@ -29,7 +29,7 @@ struct vector_of<Number, 1> {
   using type = Number;
 };
 
-/// What T holds `count` of: T itself is a number or one of the compiler's vectors.
+/// The lanes of T, which is a number or one of the compiler's vectors.
 template <class Value>
 struct lanes {
   using number = Value;
@@ -43,7 +43,7 @@ struct lanes<Value> {
 };
 template <class Value>
 using number_of = typename lanes<Value>::number;
-/// As many of another number.
+/// A vector with the same number of lanes and a different scalar type.
 template <class Value, class Number>
 using lanes_as = typename vector_of<Number, lanes<Value>::count>::type;
 template <class Value>
@@ -56,7 +56,7 @@ template <class To, class From>
   if constexpr (lanes<From>::count == 1) {
     return static_cast<To>(v);
   } else {
-#if defined(__AVX__) && !defined(__clang__) // g++ would take two instructions more, and a register
+#if defined(__AVX__) && !defined(__clang__) // g++ would need two more instructions and a register
     if constexpr (std::is_same_v<number_of<From>, float> && sizeof(From) == 16 && sizeof(To) == 32)
       return __builtin_ia32_cvtps2pd256(v);
     else
@@ -70,7 +70,7 @@ template <class Bits, std::size_t... index>
   return __builtin_shufflevector(bits, bits, 2 * index...);
 }
 
-/// The lower halves of 64 bits.
+/// Returns the lower halves of 64-bit lanes.
 template <class Bits>
 [[gnu::always_inline]] constexpr lanes_as<Bits, std::uint32_t> lower_halves(const Bits& bits) {
   constexpr std::size_t count = lanes<Bits>::count;
@@ -90,7 +90,7 @@ inline constexpr std::size_t widest_with_mask = 16;
 inline constexpr std::size_t widest_with_mask = 0;
 #endif
 
-/// The highest bits of all lanes, in one number.
+/// Returns the highest bits of all lanes as one number.
 template <class Bits>
 [[gnu::always_inline]] inline int mask_of([[maybe_unused]] const Bits& bits) {
 #if defined(__SSE2__)
@@ -118,7 +118,7 @@ template <class Bits, std::size_t... index>
                           __builtin_shufflevector(bits, bits, (sizeof...(index) + index)...));
 }
 
-/// Whether the highest bit is set in some lane, as a comparison and a sign set it.
+/// Whether the highest bit is set in any lane, as comparisons and signs set it.
 template <class Bits>
 [[gnu::always_inline]] constexpr bool is_set_in_a_lane(const Bits& bits) {
   constexpr std::size_t count = lanes<Bits>::count;

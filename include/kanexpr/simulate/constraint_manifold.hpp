@@ -55,8 +55,8 @@ public:
     for (Eigen::Index i = 0; i < left.size(); ++i)
       if (!(std::abs(left(i)) <= tolerance * terms(i)))
         return numeric::with_number(
-            mechanics::sentence(
-                {"redundant constraint ", mechanics::counted(static_cast<int>(i) + 1).view(), " is off by "})
+            mechanics::sentence({"redundant constraint ", mechanics::counted(static_cast<int>(i) + 1).view(),
+                                 " has a residual of "})
                 .view(),
             left(i));
     return {};

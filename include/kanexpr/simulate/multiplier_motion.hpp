@@ -62,7 +62,7 @@ public:
     ++projections_;
     if (const answer a = around_.take(t, y); a != answer::given) return a;
     if (!manifold_->project(t, around_.x(), around_.r(), Eigen::Map<const vector>(weights, states_)))
-      return around_.refuse("the constraints are dependent, or cannot be met, near this state");
+      return around_.refuse("the constraints are dependent or inconsistent near this state");
     std::copy_n(manifold_->correction().data(), states_, out);
     return answer::given;
   }

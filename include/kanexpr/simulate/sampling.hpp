@@ -120,7 +120,7 @@ private:
     state weights = tolerances_.at(x);
     for (double& weight : weights) weight = 1 / weight;
     if (!manifold_->project(t, x, around_.r(), weights)) {
-      around_.refuse("the constraints are dependent, or cannot be met, near this state");
+      around_.refuse("the constraints are dependent or inconsistent near this state");
       return false;
     }
     x = moved(x, 1, manifold_->correction());

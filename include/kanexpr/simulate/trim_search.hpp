@@ -91,11 +91,11 @@ private:
   std::string name_of(Eigen::Index i) const {
     return asked_.name_of(asked_.equations()[static_cast<std::size_t>(i)]);
   }
-  /// "the rate of speed u2 is 0.31", "… instead of 0.3", "velocity constraint 1 is off by 0.31".
+  /// "the rate of speed u2 is 0.31", "… instead of 0.3", "velocity constraint 1 has a residual of 0.31".
   std::string left_at(Eigen::Index i) const {
     const condition& c = asked_.equations()[static_cast<std::size_t>(i)];
     const double left = found_.left(i);
-    if (c.place < asked_.residuals()) return name_of(i) + " is off by " + digits(left);
+    if (c.place < asked_.residuals()) return name_of(i) + " has a residual of " + digits(left);
     return name_of(i) + " is " + digits(left + c.wanted) +
            (numeric::equal(c.wanted, 0.0) ? "" : " instead of " + digits(c.wanted));
   }

@@ -14,8 +14,8 @@ namespace kanexpr {
 
 namespace compiled {
 
-/// The constraints of a system at given arguments, for the numerical methods that satisfy them. Where a
-/// constraint is solved for a coordinate of a quaternion they are taken at norm 1.
+/// The constraints of a system at given arguments, in the form that the numerical methods require. If a
+/// constraint is solved for a coordinate of a quaternion, the constraints are evaluated at norm 1.
 template <class System, class Parameters, class Inputs, class Number = double>
 class constraints_at {
 public:
@@ -29,8 +29,8 @@ public:
 
   constraints_at(Number t, const Parameters& p, const Inputs& r) : t_(t), p_(p), r_(r) {}
 
-  /// The residual with its derivatives by all coordinates: what every numerical method for constraints
-  /// shares, so that it is compiled once.
+  /// The configuration residual with its derivatives with respect to all coordinates. All numerical methods
+  /// for constraints share it so that it is compiled only once.
   static constexpr auto configuration() {
     return out_of_line<
         function<System, quantity::configuration_residual, quantity::configuration_jacobian_by_all>>{};
@@ -98,7 +98,7 @@ public:
     else
       return out_of_line<function<System, quantity::redundant_rate_terms>>{}(t_, x, p_, r_);
   }
-  /// To rounding.
+  /// Whether the configuration constraints hold up to rounding.
   bool configuration_holds(const state& x) const {
     return numeric::is_rounding(
         configuration_residual(x),
@@ -109,7 +109,7 @@ public:
         velocity_residual(x),
         numeric::usual_terms([&](const state& at) { return velocity_terms(at); }, x, all_coordinates()));
   }
-  /// What the norms of quaternions are off.
+  /// Returns the deviations of the quaternion norms from 1.
   Eigen::Matrix<Number, quaternions::count, 1> quaternion_residual(const state& x) const {
     return quaternions::residual(x);
   }
@@ -117,7 +117,7 @@ public:
   kanexpr::status normalize_quaternions(state& x) const {
     return quaternions::normalize(x, lower::norm_range{});
   }
-  /// Gives the state its dependent speeds, if they can be solved for.
+  /// Sets the dependent speeds of the state if they can be solved for.
   kanexpr::status solve_speeds(state& x) const {
     if constexpr (known.constraints == 0) {
       return {};
@@ -130,8 +130,7 @@ public:
     }
   }
 
-  /// Where the constraints have no finite value: what of the parameters, the inputs or the list that gave the
-  /// state has none.
+  /// Names the unset parameter, input or state entry if the constraints are not finite; empty otherwise.
   mechanics::sentence gap_before(const state& x) const {
     if (numeric::all_finite(configuration_residual(x)) && numeric::all_finite(velocity_residual(x)))
       return {};
@@ -143,8 +142,8 @@ public:
   }
 
 private:
-  /// What is asked for a few times: one function gives it all, as each costs the compiler more than its sums.
-  /// A linked model has them by themselves.
+  /// One function returns all quantities that are rarely needed, because each separate function costs more
+  /// compile time than its sums. A linked model provides them separately.
   template <quantity wanted>
   auto of_once(const state& x) const {
     if constexpr (is_linked<System>) {
@@ -188,9 +187,9 @@ private:
 
 } // namespace compiled
 
-/// Gives quaternions norm 1, solves the configuration constraints for the dependent coordinates, by Newton's
-/// method from those of `x`, then the velocity constraints for the dependent speeds. Where that fails `x` is
-/// left as it was and the report says why. No memory is taken and nothing is thrown.
+/// Normalizes the quaternions, solves the configuration constraints for the dependent coordinates by Newton's
+/// method, starting from their values in `x`, then solves the velocity constraints for the dependent speeds.
+/// On failure, `x` is unchanged and the report holds the cause. The function neither allocates nor throws.
 template <class System, class Number = double, class Parameters = parameter_values<System, Number>,
           class Inputs = input_values<System, Number>>
 assembly assemble(state<System, Number>& x, const Parameters& p = {}, const Inputs& r = {},
@@ -202,8 +201,9 @@ assembly assemble(state<System, Number>& x, const Parameters& p = {}, const Inpu
   return report;
 }
 
-/// Whether a state satisfies the constraints to within `tolerance`, by default 1e-9, of floats 1e-5, beside
-/// the terms of which they are sums, and its quaternions have norm 1; if not, what is off and by how much.
+/// Checks whether a state satisfies the constraints within `tolerance`, relative to the terms that they sum,
+/// and whether its quaternions have norm 1. The default tolerance is 1e-9, or 1e-5 for `float`. If not, the
+/// report holds the violated constraint and its residual.
 template <class System, class Number = double, class Parameters = parameter_values<System, Number>,
           class Inputs = input_values<System, Number>>
 consistency check_consistency(const state<System, Number>& x, const Parameters& p = {}, const Inputs& r = {},

@@ -6,8 +6,8 @@
 
 namespace kanexpr {
 
-/// Whether the constraints on the speeds are independent at a state, or which of them follow from those
-/// before them there, as at a position where all bars of a linkage are in line: rows of
+/// Checks whether the velocity constraints are independent at a state. If not, for example when all bars of a
+/// linkage are in line, the report lists the constraints that follow from the preceding ones, as rows of
 /// `constraint_jacobian`.
 template <class System, class Number = double, class Parameters = parameter_values<System, Number>,
           class Inputs = input_values<System, Number>>

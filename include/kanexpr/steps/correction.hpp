@@ -11,9 +11,9 @@ namespace kanexpr::compiled {
 
 using symbolic::added;
 
-/// Brings a state that nearly satisfies its constraints back to them, in an amount of work that is known
-/// beforehand: quaternions get norm 1, then come some steps of Newton's method for the dependent coordinates,
-/// then the dependent speeds. What is independent stays.
+/// Brings a state that nearly satisfies its constraints back to them with a fixed amount of work: it
+/// normalizes the quaternions, takes some Newton steps for the dependent coordinates, then solves for the
+/// dependent speeds. The independent coordinates and speeds are unchanged.
 template <class System, int newton_steps>
 class correction {
   static constexpr const deriving::survey& known = survey_of<System>;
@@ -31,10 +31,10 @@ public:
     return stepping::correct(at_inputs<Parameters, Inputs>{p, r}, newton_steps, t, x);
   }
 
-  /// Where a dependent coordinate, or after them a dependent speed, stands in the state.
+  /// Returns the index in the state of a dependent coordinate or, after the coordinates, a dependent speed.
   static constexpr int place(int i) { return places[static_cast<std::size_t>(i)]; }
 
-  /// Operations of all evaluations and solutions.
+  /// Returns the number of operations of all evaluations and solutions.
   static constexpr symbolic::cost cost() {
     symbolic::cost total;
     if constexpr (is_needed) total = added(total, quaternions::cost());
@@ -48,7 +48,7 @@ public:
   }
 
 private:
-  /// What the correction asks of a system, at inputs that hold.
+  /// The quantities of a system that the correction evaluates, at constant inputs.
   template <class Parameters, class Inputs>
   struct at_inputs {
     const Parameters& p;

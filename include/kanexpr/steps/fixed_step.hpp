@@ -7,33 +7,35 @@
 
 #include <type_traits>
 
-/// Explicit integrators with a fixed step, for use in real time: the work of a step is known beforehand, no
-/// memory is taken and nothing is thrown.
+/// Explicit fixed-step integrators for real-time use: the work per step is fixed, and a step neither
+/// allocates nor throws.
 ///
 ///     runge_kutta_4<System> step;
-///     if (const status s = step(t, x, h, p, r); !s) …  // t and x are one step further
+///     if (const status s = step(t, x, h, p, r); !s) …  // t and x have advanced by one step
 ///
-/// The inputs r are a vector, which holds during the step, or a function (t, x) that gives them, asked
-/// wherever the equations are evaluated; quantities that are prescribed need the function. `corrections` is
-/// how many steps of Newton's method bring the dependent coordinates back to the constraints, with the
-/// dependent speeds after them; quaternions get norm 1 before them. 0 leaves all as it was integrated. Where
-/// something cannot be solved, or the state would not be finite, the status says so, and t and x stay as they
-/// were; so it does where a step would pass or near a position in which the constraints cannot be solved for
-/// the dependent speeds. `passing<runge_kutta_4<System>>` goes on through it.
+/// The inputs r are a vector, held constant during the step, or a function (t, x) that is called at every
+/// evaluation of the equations; prescribed quantities require the function. `corrections` is the number of
+/// Newton steps that return the dependent coordinates to the constraints; quaternions are normalized before
+/// them, and the dependent speeds are solved for after them. With 0, the integrated state is left unchanged.
+/// If a system of equations cannot be solved, or the state would not be finite, the status reports the cause,
+/// and t and x are unchanged. The same holds if a step would pass or come close to a position at which the
+/// constraints cannot be solved for the dependent speeds. `passing<runge_kutta_4<System>>` continues through
+/// it.
 namespace kanexpr {
 
 namespace compiled {
 
-/// The functions of a system with its parameters and inputs, as the methods of steps ask for them.
+/// The functions of a system with its parameters and inputs, in the form that the integration methods
+/// require.
 template <class System, int corrections, class Parameters, class Inputs>
 struct compiled_equations {
   using correct = correction<System, corrections>;
   const Parameters& p;
-  Inputs r; ///< a reference, or the inputs of an instant
+  Inputs r; ///< a reference, or the inputs at an instant
 
   template <mechanics::quantity wanted, class Time, class State>
   [[gnu::always_inline]] auto get(const Time& t, const State& x) const {
-    if constexpr (wanted == mechanics::quantity::constraint_pivots) // twice in a step
+    if constexpr (wanted == mechanics::quantity::constraint_pivots) // evaluated twice per step
       return out_of_line<function<System, wanted>>{}(t, x, p, inputs_at(r, t, x));
     else
       return function<System, wanted>{}(t, x, p, inputs_at(r, t, x));
@@ -64,7 +66,7 @@ struct compiled_equations {
   }
 };
 
-/// Operations of a look at the sides of singular positions, before and after a step.
+/// Returns the number of operations of the pivot checks before and after a step.
 template <class System>
 constexpr symbolic::cost cost_of_sides() {
   if constexpr (survey_of<System>.constraints == 0)
@@ -73,7 +75,7 @@ constexpr symbolic::cost cost_of_sides() {
     return added({}, function<System, mechanics::quantity::constraint_pivots>::cost(), 2);
 }
 
-/// A step by a method; where it cannot be made, t and x stay, and the status may name what was given wrongly.
+/// Takes a step of a method. On failure, t and x are unchanged, and the status may name an invalid argument.
 template <class Method, class System, int corrections, class Time, class Number, class Parameters,
           class Inputs>
 [[gnu::always_inline]] inline status advanced(Time& t, state<System, Number>& x, const Time& h,
@@ -85,7 +87,7 @@ template <class Method, class System, int corrections, class Time, class Number,
   return s;
 }
 
-/// A step of fixed length by a method.
+/// A fixed-length step of a method.
 template <const stepping::tableau& of, class System, int steps_of_correction>
 struct fixed_step {
   using system = System;
@@ -100,7 +102,7 @@ struct fixed_step {
     return advanced<method, System, corrections>(t, x, h, p, r);
   }
 
-  /// Operations of one step, beside the sums of the method itself.
+  /// Returns the number of operations of one step, excluding the sums of the method itself.
   static constexpr symbolic::cost cost() {
     const symbolic::cost ends = added(cost_of_sides<System>(), correction<System, corrections>::cost());
     if constexpr (&of == &stepping::semi_implicit_euler)
@@ -113,19 +115,19 @@ struct fixed_step {
 } // namespace compiled
 
 /// Semi-implicit (symplectic) Euler: u ← u + h u̇(t, q, u), then q ← q + h q̇(t, q, u) with the new speeds
-/// (Hairer, Lubich & Wanner, Geometric Numerical Integration, 2006, I.1.2). Of order 1; the energy of a
-/// conservative system stays bounded.
+/// (Hairer, Lubich & Wanner, Geometric Numerical Integration, 2006, I.1.2). It has order 1; the energy error
+/// of a conservative system stays bounded.
 template <class System, int corrections = 1>
 struct semi_implicit_euler : compiled::fixed_step<stepping::semi_implicit_euler, System, corrections> {};
 
-/// The classic Runge-Kutta method, of order 4 (Hairer, Nørsett & Wanner, Solving Ordinary Differential
-/// Equations I, 1993, II.1). It evaluates the equations at t, twice at t + h/2 and at t + h.
+/// The classic fourth-order Runge-Kutta method (Hairer, Nørsett & Wanner, Solving Ordinary Differential
+/// Equations I, 1993, II.1). It evaluates the equations at t, twice at t + h/2, and at t + h.
 template <class System, int corrections = 1>
 struct runge_kutta_4 : compiled::fixed_step<stepping::runge_kutta_4, System, corrections> {};
 
-/// Ralston's method of order 3, with the least error bound of its kind (Ralston, Mathematics of Computation
-/// 16, 1962). It evaluates the equations at t, t + h/2 and t + 3h/4: three quarters of the work of
-/// `runge_kutta_4`.
+/// Ralston's third-order method, which has the smallest error bound among the three-stage methods (Ralston,
+/// Mathematics of Computation 16, 1962). It evaluates the equations at t, t + h/2 and t + 3h/4, at three
+/// quarters of the cost of `runge_kutta_4`.
 template <class System, int corrections = 1>
 struct ralston_3 : compiled::fixed_step<stepping::ralston_3, System, corrections> {};
 

@@ -6,12 +6,12 @@
 
 namespace kanexpr::compiled {
 
-/// Whether inputs are given as a vector, which holds during a step, or not at all; else by a function.
+/// Whether the inputs are a vector, which is held constant during a step, or omitted, rather than a function.
 template <class Inputs>
 inline constexpr bool inputs_hold =
     requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, not_given>;
 
-/// The inputs at an instant, from a vector or a function.
+/// Returns the inputs at an instant, from a vector or a function.
 template <class Inputs, class Time, class State>
 [[gnu::always_inline]] inline decltype(auto) inputs_at(const Inputs& r, const Time& t, const State& x) {
   if constexpr (inputs_hold<Inputs>)

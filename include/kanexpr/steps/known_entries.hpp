@@ -6,7 +6,7 @@
 
 namespace kanexpr::compiled {
 
-/// Operations that are no code of the tape.
+/// Returns the cost of operations outside the tape.
 constexpr symbolic::cost arithmetic(int multiplications, int additions, int divisions = 0) {
   symbolic::cost c;
   c.multiplications = multiplications;
@@ -16,11 +16,11 @@ constexpr symbolic::cost arithmetic(int multiplications, int additions, int divi
   return c;
 }
 
-/// A matrix among the results of compiled code, of which the compiler knows which entries are 0 or 1. Its
-/// entries are results from `first` on.
+/// A matrix among the results of compiled code whose entries that are 0 or 1 are known at compile time. Its
+/// entries are the results from index `first` on.
 template <class Code, int first, int rows, int inner>
 struct known_entries {
-  /// Products with it leave out what is known.
+  /// Multiplies without the operations that the known entries make unnecessary.
   template <class Matrix, class Right>
   static Right product(const Matrix& left, const Right& right) {
     Right sum;
@@ -28,7 +28,7 @@ struct known_entries {
     return sum;
   }
 
-  /// Operations of a product with so many columns.
+  /// Returns the number of operations of a product with the given number of columns.
   static constexpr symbolic::cost cost(int columns) {
     int multiplied = 0, added = 0;
     for (int i = 0; i < rows; ++i)

@@ -11,8 +11,8 @@ namespace kanexpr {
 
 namespace compiled {
 
-/// What `constrained_motion` asks of a system for its multipliers at a state: all constraints on the speeds,
-/// and behind them the redundant ones.
+/// The equations that `constrained_motion` evaluates to find the multipliers of a system at a state: all
+/// velocity constraints, followed by the redundant ones.
 template <class System, class Number, class Parameters, class Inputs>
 class bound_equations {
   static constexpr const deriving::survey& known = survey_of<System>;
@@ -67,10 +67,11 @@ private:
 
 } // namespace compiled
 
-/// u̇ and the multipliers at a state where constraints may follow from others, redundant ones or any at a
-/// singular position. u̇ is what the constraints at this state leave to the forces (Gauss); where a mechanism
-/// passes a position at which its ways part they do not tell which one it takes. Of the multipliers, of which
-/// many give the same forces then, these have the least sum of squares, each in its own unit.
+/// Returns u̇ and the multipliers at a state where constraints may be linearly dependent: redundant
+/// constraints, or any constraints at a singular position. u̇ is the acceleration that Gauss's principle
+/// gives under the constraints at this state; at a bifurcation of a mechanism they do not determine which
+/// branch it takes. If the multipliers are not unique, those with the least sum of squares, each in its unit,
+/// are returned.
 template <class System, class Number = double, class Parameters = parameter_values<System, Number>,
           class Inputs = input_values<System, Number>>
 auto find_least_multipliers(const state<System, Number>& x, const Parameters& p = {}, const Inputs& r = {},

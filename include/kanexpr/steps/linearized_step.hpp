@@ -6,8 +6,8 @@
 
 namespace kanexpr {
 
-/// The state after a step of fixed length, with its derivatives by the state before it and by the inputs,
-/// which hold during the step: A_d and B_d of the step itself.
+/// The state after a fixed-length step, with its derivatives with respect to the state before the step and to
+/// the inputs, which are constant during the step: A_d and B_d of the discrete step.
 template <class System, class Number>
 struct linearized_state {
   static constexpr int size = equations_of_motion<System>::coordinates + equations_of_motion<System>::speeds;
@@ -15,13 +15,13 @@ struct linearized_state {
   kanexpr::state<System, Number> state;
   Eigen::Matrix<Number, size, size> by_state;
   Eigen::Matrix<Number, size, compiled::survey_of<System>.inputs> by_inputs;
-  kanexpr::status status{}; ///< where it fails, the rest means nothing
+  kanexpr::status status{}; ///< if it reports a failure, the other members are meaningless
 };
 
 namespace compiled {
 
-/// A state on its way through a step with its derivatives by the state before it and by the inputs, side by
-/// side.
+/// A state within a step with its derivatives with respect to the state before the step and the inputs, side
+/// by side.
 template <class System, class Number>
 struct varied_state {
   static constexpr int size = linearized_state<System, Number>::size, inputs = survey_of<System>.inputs;
@@ -37,8 +37,9 @@ struct varied_state {
   }
 };
 
-/// ẋ with its derivatives by the state and by the inputs. The general form of the equations gives them in
-/// fewer operations than ẋ itself, but only where quaternions have norm 1, which they lose within a step.
+/// ẋ with its derivatives with respect to the state and the inputs. The general form of the equations needs
+/// fewer operations for them than for ẋ itself, but is valid only for quaternions of norm 1, which they do
+/// not keep within a step.
 template <class System>
 struct rates_with_derivatives {
   using quantity = mechanics::quantity;
@@ -50,11 +51,11 @@ struct rates_with_derivatives {
       function<System, quantity::rhs, deriving::derivatives_of_result{quantity::rhs, by::state},
                deriving::derivatives_of_result{quantity::rhs, by::inputs}>,
       function<System, quantity::rhs, quantity::state_jacobian, quantity::input_jacobian>>;
-  /// ẋ comes before the matrix.
+  /// ẋ precedes the matrix.
   using by_state = known_entries<typename evaluated::code, size, size, size>;
 };
 
-/// Carries derivatives through the correction that ends a step.
+/// Propagates derivatives through the correction at the end of a step.
 template <class System, int corrections>
 struct varied_correction {
   using quantity = mechanics::quantity;
@@ -82,7 +83,7 @@ struct varied_correction {
     return {};
   }
 
-  /// Operations of all evaluations, products and sums.
+  /// Returns the number of operations of all evaluations, products and sums.
   static constexpr symbolic::cost cost() {
     symbolic::cost total;
     if constexpr (!correct::is_needed) return total;
@@ -118,8 +119,8 @@ private:
     });
     return total;
   }
-  /// Adds a function of the state to what is dependent, from its place `first` on among all that is, or puts
-  /// it there.
+  /// Adds a function of the state to the dependent entries, starting at index `first` among them, or assigns
+  /// it.
   template <class Function, class Time, class Number, class Parameters, class Inputs>
   static status add(const Time& t, varied_state<System, Number>& next, int first, const Parameters& p,
                     const Inputs& r, bool to_what_is_there) {
@@ -143,7 +144,7 @@ private:
     return {};
   }
 
-  /// x/|x| of each quaternion, with (1 − x xᵀ/x²)/|x|.
+  /// Replaces each quaternion x by x/|x|, with the derivative (1 − x xᵀ/x²)/|x|.
   template <class Number>
   static status normalize(varied_state<System, Number>& next) {
     using quaternions = unit_quaternions<System>;
@@ -154,7 +155,7 @@ private:
       Number along_square = lower::scalar_math<Number>::from(0);
       for (const int place : places)
         along_square = Number(along_square + Number(before(place) * next.x(place)));
-      auto along = (next.by_all.row(0) * lower::scalar_math<Number>::from(0)).eval(); // |x| of it
+      auto along = (next.by_all.row(0) * lower::scalar_math<Number>::from(0)).eval(); // the derivative of |x|
       for (const int place : places) along += next.x(place) * next.by_all.row(place);
       for (const int place : places)
         next.by_all.row(place) = ((next.by_all.row(place) - next.x(place) * along) / along_square).eval();
@@ -163,7 +164,7 @@ private:
   }
 };
 
-/// Ends a step from x, as `stepped` does.
+/// Completes a step from x, as `stepped` does.
 template <class System, int corrections, class Number, class Parameters, class Inputs>
 linearized_state<System, Number> concluded(const Number& t, const state<System, Number>& x, const Number& h,
                                            varied_state<System, Number>& next, const Parameters& p,
@@ -182,18 +183,18 @@ linearized_state<System, Number> concluded(const Number& t, const state<System, 
           next.by_all.template rightCols<varied_state<System, Number>::inputs>(), s};
 }
 
-/// Operations of a look at the sides of singular positions, margins included.
+/// Returns the number of operations of the pivot checks, margins included.
 template <class System>
 constexpr symbolic::cost cost_of_looks() {
   constexpr int pivots = survey_of<System>.constraints;
   return added(cost_of_sides<System>(), arithmetic(3 * pivots, 2 * pivots));
 }
 
-/// Operations of adding h times so many entries.
+/// Returns the number of operations of adding h times a vector of the given length.
 constexpr symbolic::cost cost_of_advance(int entries) { return arithmetic(entries, entries); }
 
-/// By the chain rule through the stages of an explicit method. The Jacobian of ẋ is multiplied into the
-/// derivatives so far, but for entries that are known to be 0 or 1.
+/// Applies the chain rule through the stages of an explicit method. The Jacobian of ẋ multiplies the
+/// derivatives so far, except for entries known to be 0 or 1.
 template <class Step>
 struct varied_step {
   using System = typename Step::system;
@@ -286,8 +287,9 @@ struct varied_step<semi_implicit_euler<System, corrections>> {
 
 } // namespace compiled
 
-/// A step of fixed length with its derivatives, exact for the step as it is made, corrections included:
-/// `const auto next = linearized<runge_kutta_4<System>>{}(t, x, h, p, r);` Nothing is advanced.
+/// Returns the result of a fixed-length step with its derivatives, which are exact for the discrete step,
+/// corrections included: `const auto next = linearized<runge_kutta_4<System>>{}(t, x, h, p, r);` The
+/// arguments are not advanced.
 template <class Step>
 struct linearized {
   template <class System, class Number, class Parameters = compiled::not_given,
@@ -296,19 +298,19 @@ struct linearized {
                                               std::type_identity_t<Number> h, const Parameters& p = {},
                                               const Inputs& r = {}) const {
     constexpr bool inputs_hold = compiled::inputs_hold<Inputs>;
-    static_assert(inputs_hold, "linearized<Step> takes the inputs that hold during the step, which the state "
-                               "after it is differentiated by, and no function that gives them");
+    static_assert(inputs_hold, "linearized<Step> requires inputs that are constant during the step, because "
+                               "it differentiates with respect to them; it does not accept a function");
     if constexpr (inputs_hold)
       return stepped(t, x, h, p, r);
     else
       return {x, {}, {}, {}};
   }
 
-  /// Operations of one step with its derivatives: of the evaluations, of the products by the chain rule, and
-  /// of the sums of the method itself.
+  /// Returns the number of operations of one step with its derivatives: the evaluations, the chain-rule
+  /// products and the sums of the method itself.
   static constexpr symbolic::cost cost() {
     return compiled::added(compiled::varied_step<Step>::cost(),
-                           compiled::arithmetic(0, 1)); // t + h is looked at
+                           compiled::arithmetic(0, 1)); // the check of t + h
   }
 
 private:

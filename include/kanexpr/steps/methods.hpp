@@ -5,54 +5,51 @@
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/steps/tableaux.hpp>
 
-/// Methods of fixed steps, whatever evaluates the equations: the functions of a compiled system, or code that
-/// is written. Equations have
+/// Fixed-step methods, independent of how the equations are evaluated: by the functions of a compiled system
+/// or by generated code. The equations provide
 ///
 ///     get<quantity>(t, x)        a result with its status
-///     held(t, x)                 the same equations, whose inputs stay those of that instant
-///     finite(value, cause)       a status: whether it is
-///     corrected(t, x)            brings x back to the constraints
+///     held(t, x)                 the same equations with the inputs held at that instant
+///     finite(value, cause)       a status: whether the value is finite
+///     corrected(t, x)            returns x to the constraints
 ///     has_pivots()               whether the constraints are solved for speeds
-///     same_side(before, after)   a status: whether the `pivot_margin` of each of their pivots is positive
+///     same_side(before, after)   a status: whether the `pivot_margin` of every pivot is positive
 ///
-/// and where something is corrected
+/// and, if the state is corrected,
 ///
-///     normalize(x)               gives quaternions norm 1, or says of which the norm is out of `near_one`
-///     quaternions_are_bound()    whether a constraint is solved for a coordinate of one
-///     dependent(i)               the place in the state of what is dependent, the coordinates first
+///     normalize(x)               normalizes the quaternions, or reports one whose norm is outside `near_one`
+///     quaternions_are_bound()    whether a constraint is solved for a coordinate of a quaternion
+///     dependent(i)               the index in the state of the i-th dependent entry, coordinates first
 ///
-/// A status that is written is always a good one: what it asks for is noted.
+/// In generated code, every status is a success, and the requested quantity is recorded.
 namespace kanexpr::stepping {
 
-/// Two sentences of which the one ends like the other, so that a controller keeps one.
+/// Two sentences, one of which is a suffix of the other, so that a controller stores only one.
 inline constexpr std::string_view state_not_finite = "the state after the step is not finite",
                                   step_not_finite = state_not_finite.substr(16);
 
-/// Where a step is written in C++, and in other languages, which have no `passing`.
+/// The messages for steps in C++ and for steps in languages that have no `passing`.
 inline constexpr std::string_view
     singular_position =
-        "the step passes or nears a position where the constraints cannot be solved for the dependent "
-        "speeds: "
-        "passing<...> goes through it; where only this choice of them is singular, so does another "
-        "dependent<...>",
+        "the step passes or comes close to a position where the constraints cannot be solved for the "
+        "dependent speeds: use passing<...>, or a different dependent<...> if only this choice is singular",
     singular_position_elsewhere =
-        "the step passes or nears a position where the constraints cannot be solved for the dependent "
-        "speeds; where "
-        "only this choice of them is singular, a model with another dependent<...> passes";
+        "the step passes or comes close to a position where the constraints cannot be solved for the "
+        "dependent speeds: use a model with a different dependent<...> if only this choice is singular";
 
-/// Positive where a pivot of the constraints keeps its sign and changes by a factor of less than four. A
-/// pivot that only touches zero, as a square does, keeps its sign, but changes by a factor of 3 + 2√2 = 5.83
-/// or more either in the step that holds the zero or in the one before.
+/// Positive if a pivot of the constraints keeps its sign and changes by a factor below four. A pivot that
+/// only touches zero, as a square does, keeps its sign but changes by a factor of at least 3 + 2√2 = 5.83,
+/// either in the step that contains the zero or in the preceding one.
 template <class Number>
 [[gnu::always_inline]] inline Number pivot_margin(const Number& before, const Number& after) {
   const Number most = lower::scalar_math<Number>::from(4);
   return Number(Number(Number(most * before) - after) * Number(Number(most * after) - before));
 }
 
-/// A norm beyond this is no trace that a step leaves.
+/// A single step cannot bring a norm outside this range.
 inline constexpr lower::norm_range near_one{0.5, 2};
 
-/// Sets the entries of `to` from `first` on to those of x + h ẋ.
+/// Sets the entries of `to` from index `first` on to those of x + h ẋ.
 template <class State, class Rate>
 [[gnu::always_inline]] inline void advance(State& to, int first, const State& x,
                                            const typename State::Scalar& h, const Rate& rate) {
@@ -61,7 +58,7 @@ template <class State, class Rate>
     to(first + i) = Number(x(first + i) + Number(h * rate(i)));
 }
 
-/// Newton's method for the dependent coordinates, then the dependent speeds.
+/// Takes Newton steps for the dependent coordinates, then solves for the dependent speeds.
 template <class Equations, class Time, class State>
 [[gnu::always_inline]] inline status correct(const Equations& of, int newton_steps, const Time& t, State& x) {
   using Number = typename State::Scalar;
@@ -114,14 +111,14 @@ struct method<semi_implicit_euler> {
     if (const status s = status_of(udot); !s) return s;
     const int coordinates = static_cast<int>(x.size()) - static_cast<int>(udot.size());
     stepping::advance(next, coordinates, x, length, udot);
-    const auto qdot = held.template get<quantity::qdot>(t, next); // at the coordinates before
+    const auto qdot = held.template get<quantity::qdot>(t, next); // at the coordinates before the step
     if (const status s = status_of(qdot); !s) return s;
     stepping::advance(next, 0, x, length, qdot);
     return {};
   }
 };
 
-/// Beyond a singular position a step that knew nothing of it has gone on in any direction.
+/// Rejects a step across a singular position: a step that does not detect it may continue in any direction.
 template <class Equations, class Time, class State>
 [[gnu::always_inline]] inline status same_side(const Equations& of, const Time& t, const State& x,
                                                const Time& after, const State& next) {
@@ -135,7 +132,7 @@ template <class Equations, class Time, class State>
   return {};
 }
 
-/// A step of x, which stays where the status is not good.
+/// Takes a step of x; on failure, x is unchanged.
 template <class Method, class Equations, class Time, class State>
 [[gnu::always_inline]] inline status stepped(const Equations& of, const Time& t, State& x, const Time& h) {
   const Time after = static_cast<Time>(t + h);

@@ -6,10 +6,10 @@
 
 #include <cmath>
 
-/// Steps near positions in which constraints follow from others, by the equations of all speeds.
+/// Steps near positions in which constraints are linearly dependent, with the equations of all speeds.
 namespace kanexpr::compiled {
 
-/// What `constrained_motion` asks of a system, at a time with inputs that hold.
+/// The equations that `constrained_motion` evaluates, at a time with constant inputs.
 template <class System, class Number>
 class unreduced_equations {
   static constexpr const deriving::survey& known = survey_of<System>;
@@ -28,7 +28,7 @@ public:
   using inputs = typename all::inputs;
 
   unreduced_equations(Number t, const parameters& p, const inputs& r) : t_(t), p_(p), r_(r) {}
-  /// Goes to another time.
+  /// Sets a different time and inputs.
   void go_to(Number t, const inputs& r) { t_ = t, r_ = r; }
 
   static constexpr int coordinates() { return fixed_coordinates; }
@@ -74,7 +74,7 @@ private:
   inputs r_;
 };
 
-/// A vector of the system's own type from what a step was given; what was not given holds nothing.
+/// Converts an argument of a step to the vector type of the system; zero if it was omitted.
 template <class Vector, class Given>
 Vector own_vector(const Given& given) {
   if constexpr (std::is_same_v<Given, not_given>)
@@ -83,7 +83,7 @@ Vector own_vector(const Given& given) {
     return passed<Vector>(given);
 }
 
-/// Equations for `stepping` whose rates are those of all speeds at the nearest state on the constraints.
+/// Equations for `stepping` with the rates of all speeds at the nearest state on the constraints.
 template <class System, class Number, class Inputs>
 class passing_equations {
   using unreduced = unreduced_equations<System, Number>;
@@ -125,7 +125,7 @@ public:
   static constexpr bool has_pivots() { return false; }
   static status same_side(const Number&, const Number&) { return {}; }
 
-  /// Whether a state is on the constraints, so far as steps leave it there.
+  /// Whether a state satisfies the constraints as closely as a step leaves it.
   template <class Time>
   bool holds(const Time& t, const state<System, Number>& x) const {
     const status s = find(t, x);
@@ -146,7 +146,7 @@ private:
   mutable typename motion::motion found_{};
 };
 
-/// Whether parameters and inputs are vectors that fit the system.
+/// Whether the parameters and inputs are vectors of the sizes that the system requires.
 template <class System, class Parameters, class Inputs>
 constexpr bool can_be_passed_on() {
   constexpr bool has_parameters = survey_of<System>.parameters == 0 && std::is_same_v<Parameters, not_given>,
@@ -156,14 +156,14 @@ constexpr bool can_be_passed_on() {
          (has_inputs || can_be_passed<System, symbols_of::inputs, Inputs>());
 }
 
-/// The equations of the independent speeds, which see whether a step comes near a singular position.
+/// The equations of the independent speeds, which record whether a step comes close to a singular position.
 template <class System, int corrections, class Parameters, class Inputs>
 struct watching_equations : compiled_equations<System, corrections, Parameters, Inputs> {
   mutable bool is_near = false;
 
   template <class Number>
   status same_side(const Number& before, const Number& after) const {
-    constexpr double part = 0.25; // of a determinant, that a step may change it by
+    constexpr double part = 0.25; // the largest relative change of a determinant per step
     is_near = is_near || !(std::abs(after - before) <= part * std::abs(after));
     return {};
   }
@@ -188,7 +188,8 @@ struct passing_step {
   }
 
 private:
-  /// By the equations of all speeds; where that cannot be done either, what became of the others stays.
+  /// Takes the step with the equations of all speeds; if that fails, too, the result of the regular step
+  /// remains.
   template <class Time, class Number, class Parameters, class Inputs>
   [[gnu::cold, gnu::noinline]] static status
   passed_by(const status& before, const Time& t, const state<System, Number>& x, const Time& h,
@@ -210,10 +211,10 @@ private:
 
 namespace kanexpr {
 
-/// A step of a fixed length that passes positions in which constraints of a system follow from others, as
-/// those of a linkage whose bars are in line: `passing<runge_kutta_4<System>> step;`. Near them it takes the
-/// equations of all speeds at states that are brought to the constraints, some thirty times the work;
-/// elsewhere it is the step itself. No memory is taken and nothing is thrown.
+/// A fixed-length step that passes positions in which the constraints of a system are linearly dependent,
+/// such as those of a linkage whose bars are in line: `passing<runge_kutta_4<System>> step;`. Near such
+/// positions it uses the equations of all speeds at states projected onto the constraints, at about thirty
+/// times the cost; elsewhere it is the step itself. It neither allocates nor throws.
 template <class Step>
 struct passing : compiled::passing_step<typename Step::method, typename Step::system, Step::corrections> {};
 

@@ -7,8 +7,8 @@ namespace kanexpr {
 
 namespace compiled {
 
-/// What the second derivatives of a step are made of: those of the rates at a stage, with the numbers
-/// that they are asked for with.
+/// The building blocks of the second derivatives of a step: those of the rates at a stage, in the scalar type
+/// of the call.
 template <class System>
 struct weighted_rates {
   using quantity = mechanics::quantity;
@@ -30,7 +30,7 @@ struct weighted_rates {
       function<System, quantity::weighted_gradient, quantity::weighted_hessian_product>;
   using rates_along = function<System, quantity::rhs, quantity::directional_derivative>;
 
-  /// Whether the derivatives of q̇ are numbers: then q̇ has no second ones.
+  /// Whether the derivatives of q̇ are constant, so that q̇ has no second derivatives.
   static constexpr bool has_linear_kinematics = [] {
     using by = deriving::with_respect_to;
     using kinematics = function<System, deriving::derivatives_of_result{quantity::qdot, by::state},
@@ -39,7 +39,7 @@ struct weighted_rates {
   }();
 };
 
-/// Entries of one vector behind those of another.
+/// Concatenates two vectors.
 template <class Above, class Below>
 auto stacked(const Above& above, const Below& below) {
   Eigen::Matrix<typename Above::Scalar, Above::RowsAtCompileTime + Below::RowsAtCompileTime, 1> all;
@@ -47,8 +47,8 @@ auto stacked(const Above& above, const Below& below) {
   return all;
 }
 
-/// The adjoint runs through the stages of an explicit method backwards, and each adds its Hessian, weighted
-/// by the adjoint there and seen from the start of the step.
+/// The adjoint sweep runs backward through the stages of an explicit method. Each stage adds its Hessian,
+/// weighted by its adjoint and transformed to the start of the step.
 template <class Step>
 struct step_of_second_order {
   using System = typename Step::system;
@@ -56,7 +56,7 @@ struct step_of_second_order {
   static constexpr int states = rates::states, inputs = rates::inputs, size = rates::size;
   static constexpr int stages = Step::tableau.stages;
 
-  /// Times h: where a stage is, and the weight of its rate in the step.
+  /// Returns, for each stage, its time offset and the weight of its rate in the result, both multiplied by h.
   template <class Number>
   static constexpr void lengths(const Number& h, Number (&reach)[stages], Number (&weight)[stages]) {
     for (int s = 0; s < stages; ++s)
@@ -141,7 +141,7 @@ struct step_of_second_order {
   }
 
 private:
-  /// Zᵀ H Z with Z = [∂x/∂(x, r); 0 E] of a stage.
+  /// Adds Zᵀ H Z of a stage with Z = [∂x/∂(x, r); 0 E].
   template <class Number, class Bent>
   static void add_seen_from_start(typename rates::template square<Number>& all, const Bent& bent,
                                   const typename varied_state<System, Number>::derivatives& by_all) {
@@ -233,13 +233,13 @@ struct step_of_second_order<semi_implicit_euler<System, 0>> {
   }
 
 private:
-  /// Of q̇: h λ_q.
+  /// Returns the weights h λ_q of q̇.
   template <class Number, class Weights>
   static typename rates::template weights<Number> weights_of_coordinates(const Number& h, const Weights& w) {
     return stacked((h * w.template head<n>()).eval(), Eigen::Matrix<Number, speeds, 1>::Zero().eval());
   }
 
-  /// Of u⁺: λ_u + h (∂q̇/∂u)ᵀ λ_q.
+  /// Returns the weights λ_u + h (∂q̇/∂u)ᵀ λ_q of u⁺.
   template <class Number, class Parameters, class Inputs, class Weights>
   static with_status<Eigen::Matrix<Number, speeds, 1>>
   weights_of_speeds(const Number& t, const state<System, Number>& at, const Number& h, const Parameters& p,
@@ -254,39 +254,40 @@ private:
 
 } // namespace compiled
 
-/// The second derivatives of a step of fixed length, λᵀx⁺ by z = [x; r] with inputs that hold during it:
+/// The second derivatives of a fixed-length step: those of λᵀx⁺ with respect to z = [x; r], with inputs that
+/// are constant during the step:
 ///
 ///     const auto H = second_order_step<runge_kutta_4<System, 0>>::hessian(t, x, h, p, r, w);
 ///
-/// They are exact for the step as it is made, and formed from those of the rates by the chain rule through
-/// its stages (Griewank & Walther, Evaluating Derivatives, 2008, section 3.4). Steps are those without
-/// corrections; constraints may bind the state all the same, but it has no quaternions: their norm is not 1
-/// within a step.
+/// They are exact for the discrete step and follow from those of the rates by the chain rule through its
+/// stages (Griewank & Walther, Evaluating Derivatives, 2008, section 3.4). Steps with corrections are not
+/// supported. The state may be constrained, but a system with quaternions is not supported, because their
+/// norm differs from 1 within a step.
 template <class Step>
 struct second_order_step;
 
 template <template <class, int> class Method, class System, int corrections>
 struct second_order_step<Method<System, corrections>> {
   using quantity = mechanics::quantity;
-  static_assert(corrections == 0, "second_order_step takes a step without corrections, such as "
+  static_assert(corrections == 0, "second_order_step requires a step without corrections, such as "
                                   "runge_kutta_4<System, 0>");
   static_assert(compiled::survey_of<System>.quaternions == 0,
-                "second_order_step takes a system without quaternions, which have norm 1 at the ends of a "
-                "step alone");
+                "second_order_step requires a system without quaternions, because they have norm 1 only at "
+                "the ends of a step");
   using step = compiled::step_of_second_order<Method<System, 0>>;
 
-  /// ∂²(λᵀx⁺)/∂z², symmetric.
+  /// Returns ∂²(λᵀx⁺)/∂z², which is symmetric.
   template <class Number, class Parameters, class Inputs, class Weights>
   static auto hessian(std::type_identity_t<Number> t, const state<System, Number>& x,
                       std::type_identity_t<Number> h, const Parameters& p, const Inputs& r,
                       const Weights& w) {
     auto found = step::hessian(t, x, h, p, r, w);
     for (int i = 0; i < found.rows(); ++i)
-      for (int j = 0; j < i; ++j) found(j, i) = found(i, j); // but for rounding
+      for (int j = 0; j < i; ++j) found(j, i) = found(i, j); // equal up to rounding
     return concluded(found, t, x, h, p, r);
   }
 
-  /// ∂²(λᵀx⁺)/∂z² v, without the matrix.
+  /// Returns ∂²(λᵀx⁺)/∂z² v without forming the matrix.
   template <class Number, class Parameters, class Inputs, class Weights, class Direction>
   static auto hessian_product(std::type_identity_t<Number> t, const state<System, Number>& x,
                               std::type_identity_t<Number> h, const Parameters& p, const Inputs& r,
@@ -302,7 +303,7 @@ private:
     for (int i = 0; found.status && i < found.size(); ++i)
       if (!math::is_finite(found.coeff(i))) found.status = status(stepping::step_not_finite);
     if constexpr (compiled::survey_of<System>.constraints != 0)
-      if (found.status) { // what the step refuses has no derivatives
+      if (found.status) { // a rejected step has no derivatives
         Number now = t;
         state<System, Number> next = x;
         found.status = Method<System, 0>{}(now, next, h, p, r);

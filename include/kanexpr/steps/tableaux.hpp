@@ -3,14 +3,14 @@
 #include <array>
 #include <string_view>
 
-/// The methods of fixed steps by their coefficients. A method is added here and gets its class template in
-/// fixed_step.hpp; derivatives of steps and exported steps follow from the row.
+/// The coefficients of the fixed-step methods. To add a method, add its coefficients here and its class
+/// template in fixed_step.hpp; derivatives of steps and exported steps follow from the coefficients.
 namespace kanexpr::stepping {
 
-/// A method whose stages build on the stage before only: stage s evaluates the rates k_s at t + c_s h and
-/// x + h a_s k_{s-1}, and the step is x + h Σ b_s k_s. A partitioned method has an a and a b for coordinates
-/// and another for speeds, in this order (Hairer, Lubich & Wanner, Geometric Numerical Integration, 2006,
-/// II.2).
+/// A method in which each stage depends only on the preceding one: stage s evaluates the rates k_s at
+/// t + c_s h and x + h a_s k_{s-1}, and the step is x + h Σ b_s k_s. A partitioned method has separate a and
+/// b for coordinates and speeds, in this order (Hairer, Lubich & Wanner, Geometric Numerical Integration,
+/// 2006, II.2).
 struct tableau {
   static constexpr int most_stages = 4;
   struct stage {
@@ -18,8 +18,8 @@ struct tableau {
     double c = 0;
   };
 
-  std::string_view name{};  ///< as in `runge_kutta_4<System>`
-  std::string_view title{}; ///< in text
+  std::string_view name{};  ///< the identifier, such as `runge_kutta_4`
+  std::string_view title{}; ///< the name in texts
   int stages = 0;
   std::array<stage, most_stages> stage_at{};
 
@@ -29,7 +29,7 @@ struct tableau {
   constexpr const stage& at(int s) const { return stage_at[static_cast<std::size_t>(s)]; }
 };
 
-/// A row of an explicit Runge-Kutta method.
+/// Returns a row of an explicit Runge-Kutta method.
 constexpr tableau::stage explicit_stage(double a, double b) { return {{a, a}, {b, b}, a}; }
 
 /// Hairer, Nørsett & Wanner, Solving Ordinary Differential Equations I, 1993, II.1.
@@ -52,7 +52,7 @@ inline constexpr tableau semi_implicit_euler{
 
 inline constexpr std::array<const tableau*, 3> tableaux{&runge_kutta_4, &ralston_3, &semi_implicit_euler};
 
-/// The method called `name`; a null pointer if there is none.
+/// Returns the method with the given name, or a null pointer if there is none.
 constexpr const tableau* find_tableau(std::string_view name) {
   for (const tableau* each : tableaux)
     if (each->name == name) return each;

@@ -11,7 +11,7 @@
 
 namespace kanexpr::compiled {
 
-/// "the quaternion e0, e1, e2 and e3"
+/// Returns, for example, "the quaternion e0, e1, e2 and e3".
 constexpr mechanics::sentence quaternion_called(const deriving::survey& known, int k) {
   mechanics::sentence p = mechanics::sentence({"the quaternion "});
   int left = 0;
@@ -25,12 +25,12 @@ constexpr mechanics::sentence quaternion_called(const deriving::survey& known, i
   return p;
 }
 
-/// Why one cannot be given norm 1.
+/// Returns the reason why a quaternion cannot be normalized.
 constexpr mechanics::sentence far_from_norm_1(const deriving::survey& known, int k) {
   return mechanics::sentence({"the norm of ", quaternion_called(known, k).view(), " is far from 1"});
 }
 
-/// The quaternions of a system whose norm 1 its motion keeps.
+/// The quaternions of a system; its motion preserves their norm 1.
 template <class System>
 class unit_quaternions {
   static constexpr const deriving::survey& known = survey_of<System>;
@@ -38,7 +38,7 @@ class unit_quaternions {
 public:
   static constexpr int count = known.quaternions;
 
-  /// Whether a constraint is solved for a coordinate of one of them.
+  /// Whether a constraint is solved for a coordinate of a quaternion.
   static constexpr bool are_bound = [] {
     bool found = false;
     for (int i = 0; i < known.coordinates; ++i)
@@ -48,13 +48,13 @@ public:
 
   static constexpr mechanics::sentence called(int k) { return quaternion_called(known, k); }
 
-  /// Gives each of them norm 1; the status names one whose norm is out of the range.
+  /// Normalizes all quaternions; the status names one whose norm is outside the range.
   template <class State>
   [[gnu::always_inline]] static kanexpr::status normalize(State& x, const lower::norm_range& from) {
     return for_each(x, from, std::make_integer_sequence<int, count>{});
   }
 
-  /// Their norms less 1, to first order.
+  /// Returns the deviations of their norms from 1, to first order.
   template <class State>
   static Eigen::Matrix<typename State::Scalar, count, 1> residual(const State& x) {
     Eigen::Matrix<typename State::Scalar, count, 1> left;
@@ -62,7 +62,7 @@ public:
     return left;
   }
 
-  /// The derivatives of these by all coordinates.
+  /// Returns the derivatives of `residual` with respect to all coordinates.
   template <class State>
   static Eigen::Matrix<typename State::Scalar, count, known.coordinates> jacobian(const State& x) {
     Eigen::Matrix<typename State::Scalar, count, known.coordinates> by_all;
@@ -73,13 +73,14 @@ public:
     return by_all;
   }
 
-  /// Derivatives by all coordinates of a function that gives the quaternions norm 1 first.
+  /// Changes the derivatives of a function with respect to all coordinates to those of the same function
+  /// after normalization of the quaternions.
   template <class Jacobian, class State>
   static void leave_norms_out(Jacobian& by_all, const State& x) {
     each([&](int, const auto& places) { lower::leave_norm_out(by_all, x, places); });
   }
 
-  /// Calls f with the number of each and the places of its coordinates.
+  /// Calls f with the number of each quaternion and the indices of its coordinates.
   template <class Function>
   static constexpr void each(const Function& f) {
     [&]<int... place>(std::integer_sequence<int, place...>) {
@@ -87,7 +88,7 @@ public:
     }(std::make_integer_sequence<int, count>{});
   }
 
-  /// Operations of giving all of them norm 1.
+  /// Returns the number of operations of normalizing all quaternions.
   static constexpr symbolic::cost cost() {
     symbolic::cost total;
     each([&](int, const auto& places) {
@@ -98,7 +99,7 @@ public:
     });
     return total;
   }
-  /// And of taking their norms out of derivatives with so many rows.
+  /// Returns the number of operations of `leave_norms_out` for the given number of rows.
   static constexpr symbolic::cost cost_of_leaving_out(int rows) {
     symbolic::cost total;
     each([&](int, const auto& places) {

@@ -25,12 +25,12 @@ KANEXPR_ENGINE void values_reader::read(const symbol_name& what, double value) {
     named_[i] = true;
     values_[i] = value;
   } else if (what.name().empty()) {
-    fail({"a value is given to something that is not a symbol"});
+    fail({"a value is assigned to an expression that is not a symbol"});
   } else if (place >= 0) {
-    fail({symbol_called(known_, place).view(), " has no place in the ", range_.vector, " vector of ",
+    fail({symbol_called(known_, place).view(), " is not an entry of the ", range_.vector, " vector of ",
           system_.empty() ? "the model" : system_});
   } else if (is_bound(what.name())) {
-    fail({"parameter ", what.name(), " has its value in the system ", system_});
+    fail({"parameter ", what.name(), " is already bound in the system ", system_});
   } else {
     fail({system_.empty() ? "the model" : "the system ", system_, " has no ", range_.symbol, " ",
           what.name()});
