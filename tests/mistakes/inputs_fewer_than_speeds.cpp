@@ -1,4 +1,4 @@
-// expect: inputs follow from accelerations where there are as many as independent speeds; there are 0 inputs
+// expect: required inputs are defined only for as many inputs as independent speeds; there are 0 inputs
 // for 1
 #include "pendulum.hpp"
 

@@ -1,4 +1,4 @@
-// expect: the natural length of the spring between P and O holds the coordinate q; it may hold parameters,
+// expect: the natural length of the spring between P and O contains the coordinate q; it may hold parameters,
 // inputs and time only
 #include "pendulum.hpp"
 

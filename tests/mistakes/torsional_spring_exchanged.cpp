@@ -1,4 +1,4 @@
-// expect: the angle of the torsional spring with k holds no coordinate; the angle comes first, then the
+// expect: the angle of the torsional spring with k contains no coordinate; the angle comes first, then the
 // stiffness
 #include "pendulum.hpp"
 

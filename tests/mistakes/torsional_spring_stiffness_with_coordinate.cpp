@@ -1,4 +1,5 @@
-// expect: the stiffness of the torsional spring with q holds the coordinate q; it may hold parameters, inputs
+// expect: the stiffness of the torsional spring with q contains the coordinate q; it may hold parameters,
+// expect: inputs
 // and time only
 #include "pendulum.hpp"
 

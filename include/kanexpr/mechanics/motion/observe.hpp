@@ -2,7 +2,8 @@
 
 #include <kanexpr/mechanics/motion/motion.hpp>
 
-/// What a person asks of single points and frames, as vectors in the frames where they are simplest.
+/// Velocities and accelerations of single points and frames, as vectors in the frames in which they are
+/// simplest.
 namespace kanexpr::mechanics {
 
 constexpr vector in_working_axes(const motion& k, int frame, const components& value) {
@@ -35,8 +36,8 @@ constexpr vector angular_acceleration_of_frame(motion& k, int frame) {
   return in_working_axes(k, frame, k.angular_acceleration(frame));
 }
 
-/// The time derivative of a vector as `frame` sees it: each part changes by itself and turns with its own
-/// frame.
+/// The time derivative of a vector in `frame`: the components of each part change, and the part rotates with
+/// its own frame.
 constexpr vector derivative_in(motion& k, const vector& v, int frame) {
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;
