@@ -11,8 +11,8 @@ enum class quantity : unsigned char {
   forcing,               ///< f in M u̇ = f, p−m
   mass_matrix_full,      ///< of [q̇; u̇], (n+p)×(n+p): E, M and the differentiated constraints
   forcing_full,          ///< [q̇; f; …], n+p, with M_full [q̇; u̇] = f_full
-  qdot,                  ///< n
-  udot,                  ///< p
+  qdot,                  ///< q̇, n
+  udot,                  ///< u̇ of all speeds, p
   rhs,                   ///< [q̇; u̇], n+p
   active_forces,         ///< F_r of the independent speeds, p−m
   inertia_forces,        ///< F_r* of the independent speeds, p−m, with the symbols u̇
@@ -33,7 +33,7 @@ enum class quantity : unsigned char {
   angular_momentum,                    ///< 3, inertial axes, about the origin
   center_of_mass,                      ///< 3, inertial axes, from the origin
   generalized_momenta,                 ///< ∂T/∂u, or ∂L/∂q̇, of all speeds before constraints reduce them, p
-  configuration_residual,              ///< l
+  configuration_residual,              ///< values of the configuration constraints, l
   configuration_terms,                 ///< l: the magnitude of the terms of this residual
   redundant_residual,                  ///< residual of the redundant constraints
   redundant_terms,                     ///< the magnitude of the terms of this residual
@@ -45,9 +45,9 @@ enum class quantity : unsigned char {
                                        ///< coordinates, l×l
   configuration_jacobian_by_all,       ///< derivatives of the residual with respect to all coordinates, l×n
   configuration_step,                  ///< Newton step of the dependent coordinates, l
-  velocity_residual,      ///< m: the velocity constraints, followed by the rates of configuration constraints
+  velocity_residual,      ///< of the velocity constraints, then the rates of configuration constraints, m
   velocity_terms,         ///< m: the magnitude of the terms of this residual
-  constraint_residual,    ///< both, l+m
+  constraint_residual,    ///< both residuals, l+m
   constraint_jacobian,    ///< J in J u + c = 0, m×p
   dependent_speeds,       ///< u_d in terms of the independent speeds, m
   dependency,             ///< A in u̇_d = A u̇_i + b, m×(p−m)

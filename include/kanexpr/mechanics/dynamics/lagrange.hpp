@@ -61,7 +61,7 @@ public:
     return inertia_of(gradient(), udot);
   }
 
-  /// Q.
+  /// Q, the generalized forces of the loads that are not in L.
   constexpr sequence<expression> forces_of_loads() const {
     generalized_forces f(s_);
     f.add_loads(loads_, false, conservative::by_energy);

@@ -64,7 +64,7 @@ public:
 
   constexpr const vector& ground_acceleration() const { return ground_; }
 
-  /// Angular velocity of frame `f`, in its working axes.
+  /// The angular velocity of frame `f`, in its working axes.
   constexpr components angular_velocity(int f) {
     f = s_->rigid_with[f];
     if (omega_[f].known) return omega_[f].value;
@@ -77,7 +77,7 @@ public:
     return omega_[f].keep(w);
   }
 
-  /// Angular acceleration of frame `f`, in its working axes.
+  /// The angular acceleration of frame `f`, in its working axes.
   constexpr components angular_acceleration(int f) {
     f = s_->rigid_with[f];
     if (alpha_[f].known) return alpha_[f].value;
@@ -97,7 +97,7 @@ public:
     return carry_[f].keep(mechanics::acceleration_matrix(w, a));
   }
 
-  /// Velocity of a station, in the working axes of its own frame.
+  /// The velocity of a station, in its working axes.
   constexpr components velocity(int n) {
     if (velocity_[n].known) return velocity_[n].value;
     const station& at = s_->stations[n];
@@ -111,7 +111,7 @@ public:
     return velocity_[n].keep(v);
   }
 
-  /// Acceleration of a station, in the working axes of its own frame.
+  /// The acceleration of a station, in its working axes.
   constexpr components acceleration(int n) {
     if (acceleration_[n].known) return acceleration_[n].value;
     const station& at = s_->stations[n];
