@@ -515,10 +515,11 @@ TEST(builder_mistakes, compares_velocities_with_positions) {
 
 // Where an equality holds at some states alone, or beside something large.
 TEST(builder_mistakes, compares_velocities_at_many_states_and_with_each_speed) {
-  const std::string velocity = "the velocity of point Q is not the rate of its position; if that is meant, "
-                               "write velocity_apart_from_position",
-                    mass = "point Q is fixed in R, and its offset from S changes there; if that is meant, "
-                           "write velocity_apart_from_position";
+  const std::string
+      velocity = "the velocity of point Q is not the rate of its position; if this is intended, "
+                 "write velocity_apart_from_position",
+      mass = "point Q is fixed in R, but its offset from S changes in that frame; if this is intended, "
+             "write velocity_apart_from_position";
   const auto stops = [](auto& b, bool wrong) { // against a wall at 0
     const expression zero = b.number(0.0), x = max(b.x, zero);
     const auto place = b.offset("Q", b.o, b.along(b.n, x, 0, 0));
