@@ -101,7 +101,7 @@ struct System : pendulum_with<Bead> {};
 void f() { use<System>(); }
 } // namespace n12
 
-// expect: a name that begins with a_parameter_with_a_n is longer than a name can be, 60 letters
+// expect: a name that begins with a_parameter_with_a_n is longer than 60 characters
 namespace n13 {
 constexpr parameter<"a_parameter_with_a_name_of_58_letters_and_of_an_index_too_", 1234567> much;
 struct Bead : particle<Bead, P, much> {};
