@@ -34,19 +34,19 @@ enum class quantity : unsigned char {
   center_of_mass,                      ///< 3, inertial axes, from the origin
   generalized_momenta,                 ///< ∂T/∂u, or ∂L/∂q̇, of all speeds before constraints reduce them, p
   configuration_residual,              ///< values of the configuration constraints, l
-  configuration_terms,                 ///< l: the magnitude of the terms of this residual
+  configuration_terms,                 ///< magnitude of the terms of this residual, l
   redundant_residual,                  ///< residual of the redundant constraints
-  redundant_terms,                     ///< the magnitude of the terms of this residual
+  redundant_terms,                     ///< magnitude of the terms of this residual
   redundant_jacobian,                  ///< J of their rates, a column for each speed
   redundant_bias,                      ///< their γ in J u̇ + γ = 0
   redundant_rate,                      ///< the rates of the redundant constraints
-  redundant_rate_terms,                ///< the magnitude of the terms of these rates
+  redundant_rate_terms,                ///< magnitude of the terms of these rates
   configuration_jacobian_by_dependent, ///< derivatives of the residual with respect to the dependent
                                        ///< coordinates, l×l
   configuration_jacobian_by_all,       ///< derivatives of the residual with respect to all coordinates, l×n
   configuration_step,                  ///< Newton step of the dependent coordinates, l
   velocity_residual,      ///< of the velocity constraints, then the rates of configuration constraints, m
-  velocity_terms,         ///< m: the magnitude of the terms of this residual
+  velocity_terms,         ///< magnitude of the terms of this residual, m
   constraint_residual,    ///< both residuals, l+m
   constraint_jacobian,    ///< J in J u + c = 0, m×p
   dependent_speeds,       ///< u_d in terms of the independent speeds, m

@@ -16,8 +16,8 @@ public:
   constexpr checking_gravity(const mechanism& m, const vector& gravity, const contents& held, load_check& by)
       : m_(m), gravity_(gravity), held_(held), by_(by) {}
 
-  /// The potential energy of gravity is −m g·r and its force m g, which is the derivative of the energy only
-  /// if g has none.
+  /// The potential energy of gravity is −m g·r and its force m g; this is the negative gradient of the energy
+  /// only if g does not depend on coordinates.
   constexpr void run() {
     std::string_view coordinate, turns; // a coordinate in gravity, and the frame that turns with it
     for (const vector::part& part : gravity_.parts) {

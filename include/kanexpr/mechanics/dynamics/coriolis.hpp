@@ -27,9 +27,9 @@ constexpr speeds_as_rates coordinates_of_speeds(const skeleton& s) {
   return found;
 }
 
-/// C, where C u is the part of M u̇ − f that is quadratic in the speeds u = q̇, from Christoffel symbols of
-/// the first kind, so that Ṁ − 2C is skew-symmetric: C = (Ṁ + J − Jᵀ)/2, where J is the derivative of the
-/// momenta M u with respect to q (Siciliano et al., Robotics: Modelling, Planning and Control, section
+/// Returns C, where C u is the part of M u̇ − f that is quadratic in the speeds u = q̇, from Christoffel
+/// symbols of the first kind, so that Ṁ − 2C is skew-symmetric: C = (Ṁ + J − Jᵀ)/2, where J is the derivative
+/// of the momenta M u with respect to q (Siciliano et al., Robotics: Modelling, Planning and Control, section
 /// 7.2.1).
 constexpr symbolic::matrix coriolis_matrix(const mechanism& m, const sequence<int>& coordinate,
                                            const symbolic::matrix& mass,
