@@ -229,19 +229,18 @@ TEST(named_values, give_no_body_an_inertia_of_none) {
     const kanexpr::given_parameters<System> p{{Ix, x}, {Iy, y}, {Iz, z}, {Ixy, xy}, {m, mass}, {r, arm}};
     return std::string(p.mistake.view());
   };
-  const char* const of_none =
-      " is that of no body: one principal moment is larger than the other two together; if it is meant, "
-      "write effective_inertia<...> around it";
+  const char* const of_none = " is not physical: one principal moment exceeds the sum of the other two; if "
+                              "this is intended, wrap it in effective_inertia<...>";
   EXPECT_EQ(mistake(1, 1, 1.2, 0.1), "");
   EXPECT_EQ(mistake(1, 1, 2, 0), ""); // a plate
   EXPECT_EQ(mistake(0, 0, 2, 0), ""); // of a planar motion
   EXPECT_EQ(mistake(-1, 1, 1, 0), "parameter Ix, a moment of inertia, is negative");
   EXPECT_EQ(mistake(1, 1, 1, 5),
-            "the inertia of Block is indefinite: about some axis its moment is negative");
+            "the inertia of Block is indefinite: its moment about some axis is negative");
   EXPECT_EQ(mistake(1, 1, 10, 0), std::string("the inertia of Block") + of_none);
   EXPECT_EQ(mistake(1.2, 1.2, 2, 0), std::string("the inertia of Hung") + of_none);
   EXPECT_EQ(mistake(1, 1, 1, 0, 3, -0.6),
-            "the inertia of Hung about O is less than what its mass alone has there");
+            "the inertia of Hung about O is smaller than the parallel-axis term of its mass");
   EXPECT_EQ(mistake(1, 1, 1, 0, 9, 0.1), ""); // an effective one is what it is
 }
 

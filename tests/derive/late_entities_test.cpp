@@ -126,7 +126,7 @@ TEST(late_entities, are_checked_like_those_of_the_system) {
   kanexpr::model derived = kanexpr::derive<System>();
   EXPECT_EQ(derived.get<velocity_of<Growing>>().entries.size(), 0);
   EXPECT_EQ(derived.mistake(),
-            "the offset of point Growing holds the speed u5; it may hold coordinates only");
+            "the offset of point Growing contains the speed u5; it may contain only coordinates");
   EXPECT_EQ(derived.get<velocity_of<Steer>>().entries.size(), 3); // the system itself is sound
   EXPECT_EQ(derived.mistake(), "");
   EXPECT_EQ(derived.get<angular_velocity_of<Bent>>().entries.size(), 0);

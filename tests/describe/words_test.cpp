@@ -335,10 +335,9 @@ struct a_body_whose_name_is_longer_than_a_piece_of_a_sentence
 // What is a mistake elsewhere, where a model says that it is meant.
 TEST(words, on_purpose) {
   using rotor = hanging<A3, G<A3>, usual<A2>>::System;
-  EXPECT_EQ(
-      derive<rotor>().mistake(),
-      "the inertia of Body is given in axes of A2 and changes as seen from A3, with which the body turns; if "
-      "that is meant, write changing_inertia<...>");
+  EXPECT_EQ(derive<rotor>().mistake(),
+            "the inertia of Body is given along the axes of A2 and changes as seen from A3, the body frame; "
+            "if this is intended, write changing_inertia<...>");
   using changing_rotor = hanging<A3, G<A3>, changing_inertia<usual<A2>>>::System;
   EXPECT_EQ(derive<changing_rotor>().mistake(), "");
   using given_elsewhere = hanging<A3, G<A3>, inertia_about<O, changing_inertia<usual<A2>>>>::System;

@@ -1,4 +1,4 @@
-// expect: 2 acceleration constraints for 1 constraint on the velocities: there must be as many
+// expect: 2 acceleration constraints for 1 constraint on the velocities; the numbers must be equal
 #include "pendulum.hpp"
 
 struct System

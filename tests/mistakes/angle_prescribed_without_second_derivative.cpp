@@ -1,4 +1,4 @@
-// expect: the angle of frame D holds the input theta, whose second derivative is not known
+// expect: the angle of frame D contains the input theta, whose second derivative is not known
 #include "pendulum.hpp"
 
 constexpr prescribed<"theta"> theta;

@@ -1,4 +1,4 @@
-// expect: the angle of frame D holds the auxiliary speed v; it may hold coordinates only
+// expect: the angle of frame D contains the auxiliary speed v; it may contain only coordinates
 #include "pendulum.hpp"
 
 struct D : rotated<D, A, v, A::z> {};

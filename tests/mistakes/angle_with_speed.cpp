@@ -1,4 +1,4 @@
-// expect: the angle of frame B holds the speed u; it may hold coordinates only
+// expect: the angle of frame B contains the speed u; it may contain only coordinates
 #include "pendulum.hpp"
 
 struct B : rotated<B, N, u, N::z> {};

@@ -1,5 +1,5 @@
-// expect: the angular velocity of frame D is not that of its orientation, and no angle that is left out
-// explains expect: it; if that is meant, write angular_velocity_apart_from_orientation<...>
+// expect: the angular velocity of frame D does not match its orientation, and no omitted angle explains the
+// expect: difference; if this is intended, write angular_velocity_apart
 #include "pendulum.hpp"
 
 constexpr coordinate<"lean"> lean;

@@ -1,4 +1,4 @@
-// expect: the angular velocity of frame B is given in C, which turns with B
+// expect: the angular velocity of frame B is given relative to C, which turns with B
 #include "pendulum.hpp"
 
 struct C;

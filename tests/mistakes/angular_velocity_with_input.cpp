@@ -1,4 +1,4 @@
-// expect: the angular velocity of frame B holds the input T, whose rate is not known
+// expect: the angular velocity of frame B contains the input T, whose rate is not known
 #include "pendulum.hpp"
 
 struct B : rotated<B, N, q, N::z>, angular_velocity<N, (u + T) * N::z> {};

@@ -1,4 +1,4 @@
-// expect: configuration constraint 1 binds no coordinate in any configuration
+// expect: configuration constraint 1 constrains no coordinate in any configuration
 #include "pendulum.hpp"
 
 struct System : bound_pendulum<configuration_constraints<sign(q) == 1>> {};

@@ -1,4 +1,4 @@
-// expect: configuration constraint 2 contradicts those before it
+// expect: configuration constraint 2 contradicts the preceding ones
 #include "pendulum.hpp"
 
 struct System : bound_pendulum<configuration_constraints<q == s, q == s + 1>> {};

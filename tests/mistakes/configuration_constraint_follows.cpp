@@ -1,4 +1,4 @@
-// expect: configuration constraint 2 follows from those before it in every configuration
+// expect: configuration constraint 2 follows from the preceding ones in every configuration
 #include "pendulum.hpp"
 
 struct System : bound_pendulum<configuration_constraints<s == l * q, 2 * s == 2 * (l * q)>> {};

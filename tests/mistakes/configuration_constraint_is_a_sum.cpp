@@ -1,4 +1,4 @@
-// expect: configuration constraint 3 follows from those before it in every configuration
+// expect: configuration constraint 3 follows from the preceding ones in every configuration
 #include "pendulum.hpp"
 
 constexpr coordinate<"z"> z;

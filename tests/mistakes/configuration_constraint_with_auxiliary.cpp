@@ -1,4 +1,4 @@
-// expect: configuration constraint 1 holds the auxiliary speed w; it may hold coordinates only
+// expect: configuration constraint 1 contains the auxiliary speed w; it may contain only coordinates
 #include "pendulum.hpp"
 
 constexpr speed<"w"> w;

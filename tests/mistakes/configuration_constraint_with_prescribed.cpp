@@ -1,4 +1,4 @@
-// expect: configuration constraint 1 holds the input theta, whose second derivative is not known
+// expect: configuration constraint 1 contains the input theta, whose second derivative is not known
 #include "pendulum.hpp"
 
 constexpr prescribed<"theta"> theta;

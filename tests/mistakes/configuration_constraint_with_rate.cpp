@@ -1,4 +1,4 @@
-// expect: configuration constraint 1 holds the rate of coordinate q; it may hold coordinates only
+// expect: configuration constraint 1 contains the rate of coordinate q; it may contain only coordinates
 #include "pendulum.hpp"
 
 struct System : bound_pendulum<configuration_constraints<s == l * dot(q)>> {};

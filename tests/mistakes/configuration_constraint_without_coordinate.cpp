@@ -1,4 +1,4 @@
-// expect: configuration constraint 1 holds no coordinate
+// expect: configuration constraint 1 contains no coordinate
 #include "pendulum.hpp"
 
 struct System : bound_pendulum<configuration_constraints<l == 1>> {};

@@ -1,4 +1,4 @@
-// expect: the constraints bind every speed: nothing is left that could move
+// expect: the constraints determine every speed, so nothing can move
 #include "pendulum.hpp"
 
 struct System : bound_pendulum<configuration_constraints<q == 0>, velocity_constraints<u == v>> {};

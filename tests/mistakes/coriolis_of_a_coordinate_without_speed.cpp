@@ -1,4 +1,4 @@
-// expect: the Coriolis matrix is that of coordinates whose rates are the speeds; the rate of x is none
+// expect: the Coriolis matrix requires the coordinate rates as speeds; the rate of x is not a speed
 #include "pendulum.hpp"
 
 constexpr coordinate<"x"> x;

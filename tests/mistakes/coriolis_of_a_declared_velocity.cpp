@@ -1,4 +1,4 @@
-// expect: the velocity of Body is not the rate of its position, as the Coriolis matrix supposes
+// expect: the velocity of Body is not the rate of its position, as the Coriolis matrix requires
 #include "pendulum.hpp"
 
 struct Skate : offset<Skate, O, 0.0 * N::x>, velocity<N, v * A::x> {};

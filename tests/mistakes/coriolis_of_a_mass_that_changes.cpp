@@ -1,5 +1,5 @@
-// expect: the mass of Sponge changes with coordinate s; the Coriolis matrix is that of bodies that do not
-// change
+// expect: the mass of Sponge changes with coordinate s; the Coriolis matrix requires constant masses and
+// expect: inertias
 #include "pendulum.hpp"
 
 struct Sponge : particle<Sponge, S, m * (1 + s * s)> {};

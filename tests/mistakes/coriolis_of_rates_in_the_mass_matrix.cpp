@@ -1,5 +1,5 @@
-// expect: the Coriolis matrix is that of a mass matrix which changes with the coordinates alone; this one
-// changes expect: with the rate of coordinate q
+// expect: the Coriolis matrix requires a mass matrix that depends only on coordinates; this one depends on
+// expect: the rate of coordinate q
 #include "pendulum.hpp"
 
 struct System : rates_of_pendulum<lagrangian<-m * sqrt(1 - dot(q) * dot(q))>> {};

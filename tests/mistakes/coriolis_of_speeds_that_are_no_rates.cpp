@@ -1,4 +1,4 @@
-// expect: the Coriolis matrix is that of speeds which are the rates of coordinates; speed u is not
+// expect: the Coriolis matrix requires speeds that are coordinate rates; speed u is not
 #include "pendulum.hpp"
 
 struct System

@@ -1,4 +1,4 @@
-// expect: the Coriolis matrix is that of a system without constraints
+// expect: the Coriolis matrix requires a system without constraints
 #include "pendulum.hpp"
 
 struct System : bound_pendulum<velocity_constraints<u == v>> {};

@@ -1,5 +1,5 @@
-// expect: the Coriolis matrix is that of a mass matrix which changes with the coordinates alone; this one
-// changes expect: with the prescribed quantity d
+// expect: the Coriolis matrix requires a mass matrix that depends only on coordinates; this one depends on
+// expect: the prescribed quantity d
 #include "pendulum.hpp"
 
 constexpr prescribed<"d"> d;

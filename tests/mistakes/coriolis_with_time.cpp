@@ -1,5 +1,5 @@
-// expect: the Coriolis matrix is that of a mass matrix which changes with the coordinates alone; this one
-// changes expect: with the time
+// expect: the Coriolis matrix requires a mass matrix that depends only on coordinates; this one depends on
+// expect: time
 #include "pendulum.hpp"
 
 struct Rope : offset<Rope, O, (l - t) * A::x> {};

@@ -1,4 +1,4 @@
-// expect: the damping between P and O holds the rate of speed u
+// expect: the damping between P and O contains the rate of speed u
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -1,4 +1,4 @@
-// expect: 2 dependent coordinates for 1 configuration constraint: there must be as many
+// expect: 2 dependent coordinates for 1 configuration constraint; the numbers must be equal
 #include "pendulum.hpp"
 
 struct System : bound_pendulum<configuration_constraints<s == l * sin(q)>, dependent<q, s>> {};

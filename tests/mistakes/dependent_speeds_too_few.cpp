@@ -1,4 +1,4 @@
-// expect: 1 dependent speed for 2 constraints on the velocities: there must be as many
+// expect: 1 dependent speed for 2 constraints on the velocities; the numbers must be equal
 #include "pendulum.hpp"
 
 constexpr coordinate<"z"> z;

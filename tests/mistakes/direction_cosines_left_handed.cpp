@@ -1,4 +1,4 @@
-// expect: the direction cosines of frame B are not right-handed: they mirror
+// expect: the direction cosines of frame B are not right-handed: they describe a reflection
 #include "pendulum.hpp"
 
 struct B : direction_cosines<B, A, 0.6, 0.8, 0, 0.8, -0.6, 0, 0, 0, 1> {};

@@ -1,4 +1,4 @@
-// expect: there must be as many kinematic differential equations as coordinates, and there are 1 for 2
+// expect: expected as many kinematic differential equations as coordinates, got 1 for 2
 #include "pendulum.hpp"
 
 struct System

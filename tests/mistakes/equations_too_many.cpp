@@ -1,4 +1,4 @@
-// expect: there must be as many kinematic differential equations as coordinates, and there are 2 for 1
+// expect: expected as many kinematic differential equations as coordinates, got 2 for 1
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>,

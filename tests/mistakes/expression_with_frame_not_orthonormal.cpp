@@ -1,5 +1,5 @@
-// expect: the direction cosines of frame B are not orthonormal; write what is not rational as sqrt or cos of
-// numbers
+// expect: the direction cosines of frame B are not orthonormal; write irrational entries as sqrt or cos of
+// expect: numbers
 #include "pendulum.hpp"
 
 struct B : direction_cosines<B, A, 0.6, 0.8, 0, 0.8, 0.6, 0, 0, 0, 1> {}; // which the system does not use

@@ -1,4 +1,4 @@
-// expect: the offset of point End holds the speed u; it may hold coordinates only
+// expect: the offset of point End contains the speed u; it may contain only coordinates
 #include "pendulum.hpp"
 
 struct End : offset<End, P, u * A::x> {}; // which the system does not use

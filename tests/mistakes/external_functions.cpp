@@ -87,7 +87,7 @@ struct System : loaded<torque<A, second(u) * N::z>> {};
 void f() { use<System>(); }
 } // namespace n9
 
-// expect: the derivative of wind is needed, and not given; write it behind the function: external<wind,
+// expect: the derivative of wind is required but not provided; pass it after the function: external<wind,
 // expect: function, derivative>
 namespace n10 {
 constexpr external<"wind", wind> rough;
@@ -95,8 +95,8 @@ struct System : loaded<force<P, rough(u) * N::x>> {};
 auto f() { return linearization<System>::explicit_form(state<System>(), parameter_values<System>()); }
 } // namespace n10
 
-// expect: the second derivative of wind is needed, and not given; write it behind the function:
-// external<wind, expect: function, derivative, ...>
+// expect: the second derivative of wind is required but not provided; pass it after the function:
+// expect: external<wind, function, derivative, ...>
 namespace n11 {
 struct System : lagrange_system<inertial<N>, coordinates<q>, bodies<Bob>, loads<potential_energy<air(q)>>> {};
 auto f() { return linearization<System>::explicit_form(state<System>(), parameter_values<System>()); }

@@ -1,4 +1,4 @@
-// expect: point Q is fixed in N, and its offset from S changes there; if that is meant, write
+// expect: point Q is fixed in N, but its offset from S changes in that frame; if this is intended, write
 // expect: velocity_apart_from_position
 #include "pendulum.hpp"
 

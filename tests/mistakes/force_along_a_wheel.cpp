@@ -1,4 +1,4 @@
-// expect: a force on P is given along axes of B and depends on the angle of B that is left out
+// expect: a force on P is given along the axes of B and depends on the omitted angle of B
 #include "pendulum.hpp"
 
 struct B : rotated<B, A, 0, A::z>, angular_velocity<A, v * A::z> {};

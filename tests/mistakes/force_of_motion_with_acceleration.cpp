@@ -1,4 +1,4 @@
-// expect: the force at P holds the rate of speed u
+// expect: the force at P contains the rate of speed u
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

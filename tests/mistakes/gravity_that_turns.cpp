@@ -1,5 +1,5 @@
-// expect: gravity is given along axes of A, which turn with coordinate q; it may hold parameters, inputs
-// expect: and time only
+// expect: gravity is given along the axes of A, which turn with coordinate q; it may contain only parameters,
+// expect: inputs and time
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -1,4 +1,4 @@
-// expect: gravity holds the coordinate q; it may hold parameters, inputs and time only
+// expect: gravity contains the coordinate q; it may contain only parameters, inputs and time
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

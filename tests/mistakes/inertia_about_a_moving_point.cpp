@@ -1,5 +1,5 @@
-// expect: the inertia of Rod is given about O, which moves in B, with which the body turns; if that is meant,
-// expect: write changing_inertia<...>
+// expect: the inertia of Rod is given about O, which moves in B, the body frame; if this is intended, write
+// expect: changing_inertia<...>
 #include "pendulum.hpp"
 
 struct B : rotated<B, A, s, A::z> {};

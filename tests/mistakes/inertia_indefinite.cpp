@@ -1,4 +1,4 @@
-// expect: the inertia of Rod is indefinite: about some axis its moment is negative
+// expect: the inertia of Rod is indefinite: its moment about some axis is negative
 #include "pendulum.hpp"
 
 struct Rod : rigid_body<Rod, P, A, m, inertia<A, 2, 2, 2, 3>> {};

@@ -1,5 +1,5 @@
-// expect: the inertia of Wheel is not the same from all sides of the axis about which B turns without an
-// angle; if expect: that is meant, write changing_inertia<...>
+// expect: the inertia of Wheel is not axisymmetric about the spin axis of B, whose angle is omitted; if this
+// expect: is intended, write changing_inertia<...>
 #include "pendulum.hpp"
 
 struct B : rotated<B, A, 0, A::x>, angular_velocity<A, v * A::x> {};

@@ -1,5 +1,5 @@
-// expect: the inertia of Rod is that of no body: one principal moment is larger than the other two together;
-// expect: if it is meant, write effective_inertia<...> around it
+// expect: the inertia of Rod is not physical: one principal moment exceeds the sum of the other two; if this
+// expect: is intended, wrap it in effective_inertia<...>
 #include "pendulum.hpp"
 
 struct Rod : rigid_body<Rod, P, A, m, inertia<A, 1, 1, 3>> {};

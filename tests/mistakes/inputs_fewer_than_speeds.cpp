@@ -1,5 +1,5 @@
-// expect: inputs follow from accelerations where there are as many as independent speeds; there are 0 inputs
-// for 1
+// expect: required inputs are defined only for as many inputs as independent speeds; there are 0 inputs
+// expect: for 1
 #include "pendulum.hpp"
 
 struct System : pendulum_with<Bob> {};

@@ -1,4 +1,4 @@
-// expect: inputs follow from accelerations where forces are linear in them; they are not in T
+// expect: required inputs are defined only for forces linear in the inputs; they are not linear in T
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, inputs<T>,

@@ -1,4 +1,4 @@
-// expect: inputs follow from accelerations where they act on all independent speeds; these do not
+// expect: required inputs are defined only if the inputs act on all independent speeds; these do not
 #include "pendulum.hpp"
 
 constexpr input<"F"> F;

@@ -170,15 +170,15 @@ struct System : placed<parallel<Arm::z>> {};
 void f() { use<System>(); }
 } // namespace n23
 
-// expect: velocity constraint 1 holds the coordinate q_Arm and no speed; it is of the configuration: write
-// expect: it in configuration_constraints<...>
+// expect: velocity constraint 1 contains the coordinate q_Arm but no speed; move it to
+// expect: configuration_constraints<...>
 namespace n24 {
 struct System : moving<gear<Arm, Fore, 2>> {};
 void f() { use<System>(); }
 } // namespace n24
 
-// expect: velocity constraint 1 holds the coordinate p3_Wheel and no speed; it is of the configuration:
-// expect: write it in configuration_constraints<...>
+// expect: velocity constraint 1 contains the coordinate p3_Wheel but no speed; move it to
+// expect: configuration_constraints<...>
 namespace n25 {
 struct System : moving<touches<Wheel, Ground, Wheel::y, l>> {};
 void f() { use<System>(); }

@@ -157,7 +157,7 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n21
 
-// expect: the direction cosines of frame Link_home are not right-handed: they mirror
+// expect: the direction cosines of frame Link_home are not right-handed: they describe a reflection
 namespace n22 {
 struct Link : pin<Link, Ground, up, home<1, 0, 0, 0, 1, 0, 0, 0, -1>, mass> {};
 struct System : jointed<joints<Link>> {};

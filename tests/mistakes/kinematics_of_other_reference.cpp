@@ -1,4 +1,4 @@
-// expect: kinematics_of<C, N> is asked for, and the angular velocity of frame C is declared in A
+// expect: kinematics_of<C, N> is not available: the angular velocity of frame C is declared relative to A
 #include "pendulum.hpp"
 
 struct C : rotated<C, A, s, A::z>, angular_velocity<A, v * own::z> {};

@@ -1,4 +1,4 @@
-// expect: kinematics_of<A, N> is asked for, and frame A has no declared angular velocity
+// expect: kinematics_of<A, N> is not available: frame A has no declared angular velocity
 #include "pendulum.hpp"
 
 struct System

@@ -1,4 +1,4 @@
-// expect: a kinematic differential equation holds the rate of speed u
+// expect: a kinematic differential equation contains the rate of speed u
 #include "pendulum.hpp"
 
 struct System

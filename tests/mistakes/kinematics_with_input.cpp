@@ -1,4 +1,4 @@
-// expect: a kinematic differential equation holds the input T, whose rate is not known
+// expect: a kinematic differential equation contains the input T, whose rate is not known
 #include "pendulum.hpp"
 
 struct System

@@ -1,4 +1,4 @@
-// expect: configuration constraint 1 holds the rate of coordinate s; it may hold coordinates only
+// expect: configuration constraint 1 contains the rate of coordinate s; it may contain only coordinates
 #include "pendulum.hpp"
 
 struct System : rates_of_both<bodies<Bob, Block>, configuration_constraints<dot(s) == l>> {};

@@ -1,5 +1,5 @@
 // expect: the constraints cannot be solved for the dependent rates of coordinates q and s in any
-// configuration
+// expect: configuration
 #include "pendulum.hpp"
 
 constexpr coordinate<"y"> y;

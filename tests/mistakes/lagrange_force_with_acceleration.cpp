@@ -1,4 +1,4 @@
-// expect: the force at P holds the second derivative of coordinate q
+// expect: the force at P contains the second derivative of coordinate q
 #include "pendulum.hpp"
 
 struct System : rates_of_pendulum<bodies<Bob>, loads<force<P, dot(dot(q)) * N::x>>> {};

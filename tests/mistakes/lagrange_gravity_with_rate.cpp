@@ -1,4 +1,4 @@
-// expect: gravity holds the rate of coordinate q; it may hold parameters, inputs and time only
+// expect: gravity contains the rate of coordinate q; it may contain only parameters, inputs and time
 #include "pendulum.hpp"
 
 struct System : rates_of_pendulum<bodies<Bob>, loads<gravity<-g * dot(q) * N::y>>> {};

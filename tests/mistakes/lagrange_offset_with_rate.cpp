@@ -1,4 +1,4 @@
-// expect: the offset of point F holds the rate of coordinate q; it may hold coordinates only
+// expect: the offset of point F contains the rate of coordinate q; it may contain only coordinates
 #include "pendulum.hpp"
 
 struct F : offset<F, P, dot(q) * N::x> {};

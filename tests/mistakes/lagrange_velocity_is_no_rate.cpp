@@ -1,4 +1,4 @@
-// expect: the velocity of Skate is not the rate of its position, which Lagrange's method differentiates
+// expect: the velocity of Skate is not the rate of its position, as Lagrange's method requires
 #include "pendulum.hpp"
 
 struct F : offset<F, O, s * N::x + q * N::y>, velocity<N, dot(s) * A::x> {};

@@ -1,5 +1,4 @@
-// expect: energies, momenta, the mass centre and the regressor are those of bodies, and a Lagrangian takes
-// their place
+// expect: energies, momenta, the mass center and the regressor require bodies, which a Lagrangian replaces
 #include "pendulum.hpp"
 
 struct System : rates_of_pendulum<lagrangian<m * dot(q) * dot(q)>> {};

@@ -1,4 +1,4 @@
-// expect: gravity acts on bodies, and a Lagrangian takes their place; it holds their potential energy
+// expect: gravity acts on bodies, which a Lagrangian replaces; add their potential energy to the Lagrangian
 #include "pendulum.hpp"
 
 struct System : rates_of_pendulum<lagrangian<m * dot(q) * dot(q)>, loads<gravity<-g * N::y>>> {};

@@ -1,4 +1,4 @@
-// expect: a derivative of the Lagrangian by a rate holds the input T, whose rate is not known
+// expect: a derivative of the Lagrangian with respect to a rate contains the input T, whose rate is not known
 #include "pendulum.hpp"
 
 struct System : rates_of_pendulum<lagrangian<m * dot(q) * dot(q) + T * dot(q)>> {};

@@ -1,13 +1,13 @@
 // Forces that act twice, and weights for accelerations.
 #include "shapes.hpp"
 
-// expect: gravity holds m, the mass of Bob; it is the acceleration of free fall, not a weight
+// expect: gravity contains m, the mass of Bob; it must be the free-fall acceleration, not a weight
 namespace n1 {
 struct System : loaded<gravity<-m * g * N::y>> {};
 void f() { use<System>(); }
 } // namespace n1
 
-// expect: the force at P is the weight of Bob, which gravity gives it already
+// expect: the force at P is the weight of Bob, which gravity already applies
 namespace n2 {
 struct System : loaded<gravity<-g * N::y>, force<P, -m * g * N::y>> {};
 void f() { use<System>(); }
@@ -31,7 +31,7 @@ struct System : loaded<force_between<P, O, u * N::x>, force_between<P, O, u * N:
 void f() { use<System>(); }
 } // namespace n5
 
-// expect: gravity holds mr, the mass of Rocket; it is the acceleration of free fall, not a weight
+// expect: gravity contains mr, the mass of Rocket; it must be the free-fall acceleration, not a weight
 namespace n6 {
 constexpr prescribed<"mr"> mr;
 struct Rocket : particle<Rocket, P, mr> {};
@@ -40,7 +40,7 @@ struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<d
 void f() { use<System>(); }
 } // namespace n6
 
-// expect: gravity holds m, as does the mass of Heavy; it is the acceleration of free fall, not a weight
+// expect: gravity contains m, as does the mass of Heavy; it must be the free-fall acceleration, not a weight
 namespace n7 {
 struct Heavy : particle<Heavy, P, 2 * m> {};
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Heavy>,
@@ -48,50 +48,50 @@ struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<d
 void f() { use<System>(); }
 } // namespace n7
 
-// expect: the force at P holds the weight of Bob, which gravity gives it already
+// expect: the force at P contains the weight of Bob, which gravity already applies
 namespace n8 {
 struct System : loaded<gravity<-g * N::y>, force<P, F * A::y - m * g * N::y>> {};
 void f() { use<System>(); }
 } // namespace n8
 
-// expect: the force between P and O holds the weight of Bob, which gravity gives it already
+// expect: the force between P and O contains the weight of Bob, which gravity already applies
 namespace n9 {
 struct System : loaded<gravity<-g * N::y>, force_between<P, O, -m * g * N::y>> {};
 void f() { use<System>(); }
 } // namespace n9
 
-// expect: the force between O and P holds the weight of Bob, which gravity gives it already
+// expect: the force between O and P contains the weight of Bob, which gravity already applies
 namespace n10 {
 struct System : loaded<gravity<-g * N::y>, force_between<O, P, m * g * N::y - k * N::x>> {};
 void f() { use<System>(); }
 } // namespace n10
 
-// expect: the force at P holds the weight of Bob, which gravity gives it already
+// expect: the force at P contains the weight of Bob, which gravity already applies
 namespace n11 {
 struct System : loaded<gravity<-g * N::y>, force<P, (F - m * g * sin(q)) * A::x - m * g * cos(q) * A::y>> {};
 void f() { use<System>(); }
 } // namespace n11
 
-// expect: potential energy 1 holds that of the weight of Bob, which gravity gives it already
+// expect: potential energy 1 contains that of the weight of Bob, which gravity already applies
 namespace n12 {
 struct System : loaded<gravity<-g * N::y>, potential_energy<m * g * l * sin(q)>> {};
 void f() { use<System>(); }
 } // namespace n12
 
-// expect: potential energy 2 holds that of the weight of Bob, which gravity gives it already
+// expect: potential energy 2 contains that of the weight of Bob, which gravity already applies
 namespace n13 {
 struct System
     : loaded<gravity<g * N::x>, torsional_spring<q, k>, potential_energy<m * g * l * (1 - cos(q))>> {};
 void f() { use<System>(); }
 } // namespace n13
 
-// expect: the force at P holds the weight of Bob, which gravity gives it already
+// expect: the force at P contains the weight of Bob, which gravity already applies
 namespace n14 {
 struct System : loaded<gravity<-g * N::y>, force<P, -c * velocity_of<P> - m * g * N::y>> {};
 void f() { use<System>(); }
 } // namespace n14
 
-// expect: the force at P holds the weight of Brass, which gravity gives it already
+// expect: the force at P contains the weight of Brass, which gravity already applies
 namespace n15 {
 struct Brass : particle<Brass, P, 2> {};
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Brass>,

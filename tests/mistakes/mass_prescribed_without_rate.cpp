@@ -1,4 +1,4 @@
-// expect: the mass of Ball holds the input theta, whose rate is not known
+// expect: the mass of Ball contains the input theta, whose rate is not known
 #include "pendulum.hpp"
 
 constexpr prescribed<"theta"> theta;

@@ -1,4 +1,4 @@
-// expect: the mass of Ball holds the input T, whose rate is not known
+// expect: the mass of Ball contains the input T, whose rate is not known
 #include "pendulum.hpp"
 
 struct Ball : particle<Ball, P, m * T> {};

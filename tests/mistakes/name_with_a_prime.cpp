@@ -1,4 +1,4 @@
-// expect: the name T' holds a prime, which stands for a rate
+// expect: the name T' contains a prime, which denotes a rate
 #include "pendulum.hpp"
 
 constexpr input<"T'"> rate;

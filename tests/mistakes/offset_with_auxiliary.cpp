@@ -1,4 +1,4 @@
-// expect: the offset of point Q holds the auxiliary speed v; it may hold coordinates only
+// expect: the offset of point Q contains the auxiliary speed v; it may contain only coordinates
 #include "pendulum.hpp"
 
 struct Q : offset<Q, O, v * A::x> {};

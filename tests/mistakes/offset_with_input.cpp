@@ -1,4 +1,4 @@
-// expect: the offset of point Q holds the input T, whose rate is not known
+// expect: the offset of point Q contains the input T, whose rate is not known
 #include "pendulum.hpp"
 
 struct Q : offset<Q, O, T * A::x> {};

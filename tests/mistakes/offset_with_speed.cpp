@@ -1,4 +1,4 @@
-// expect: the offset of point Q holds the speed u; it may hold coordinates only
+// expect: the offset of point Q contains the speed u; it may contain only coordinates
 #include "pendulum.hpp"
 
 struct Q : offset<Q, O, u * A::x> {};

@@ -1,4 +1,4 @@
-// expect: the offset of point G is given along axes of B and depends on the angle of B that is left out
+// expect: the offset of point G is given along the axes of B and depends on the omitted angle of B
 #include "pendulum.hpp"
 
 struct B : rotated<B, N, 0, N::z>, angular_velocity<N, u * N::z> {};

@@ -1,4 +1,4 @@
-// expect: the position of P from Bearing is not known: they hang on two origins, O and Bearing
+// expect: the position of P from Bearing is not known: they are measured from two origins, O and Bearing
 #include "pendulum.hpp"
 
 struct Bearing : origin<Bearing, N> {};

@@ -1,4 +1,4 @@
-// expect: potential energy 1 holds the rate of coordinate q
+// expect: potential energy 1 contains the rate of coordinate q
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -1,4 +1,4 @@
-// expect: potential energy 1 holds the speed u; it may hold coordinates only
+// expect: potential energy 1 contains the speed u; it may contain only coordinates
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -1,4 +1,4 @@
-// expect: the regressor is that of bodies whose masses and inertias stay; those of Leaking change
+// expect: the regressor requires constant masses and inertias; those of Leaking change
 #include "pendulum.hpp"
 
 struct Leaking : particle<Leaking, P, m * (2 - t)> {};

@@ -10,7 +10,7 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n1
 
-// expect: the inertia of Rod is indefinite: about some axis its moment is negative
+// expect: the inertia of Rod is indefinite: its moment about some axis is negative
 namespace n2 {
 struct Rod : rigid_body<Rod, P, A, m,
                         inertia_dyadic<outer(A::x, A::x) + outer(A::y, A::y) - 5 * outer(N::z, N::z)>> {};
@@ -18,7 +18,7 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n2
 
-// expect: the inertia of Rod is indefinite: about some axis its moment is negative
+// expect: the inertia of Rod is indefinite: its moment about some axis is negative
 namespace n3 {
 struct B : rotated<B, A, 1, A::y> {};
 struct Rod : rigid_body<Rod, P, A, m, inertia_dyadic<outer(A::x, A::x) - 2 * outer(B::z, B::z)>> {};
@@ -26,7 +26,7 @@ struct System : pendulum_with<Rod> {};
 void f() { use<System>(); }
 } // namespace n3
 
-// expect: the inertia of Rod about O is less than what its mass alone has there
+// expect: the inertia of Rod about O is smaller than the parallel-axis term of its mass
 namespace n4 {
 struct Rod : rigid_body<Rod, P, A, 2, inertia_about<O, inertia<A, 0, 1, 1>>> {};
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Rod>,
@@ -62,7 +62,7 @@ struct System : loaded<torque<B, T * N::z>> {};
 void f() { use<System>(); }
 } // namespace n8
 
-// expect: the direction cosines of frame B are not right-handed: they mirror
+// expect: the direction cosines of frame B are not right-handed: they describe a reflection
 namespace n9 {
 struct B : direction_cosines<B, N, cos(q), -sin(q), 0, sin(q), cos(q), 0, 0, 0, -1> {};
 struct System : loaded<torque<B, T * N::z>> {};

@@ -1,5 +1,5 @@
-// expect: the natural length of the spring between P and O holds the coordinate q; it may hold parameters,
-// inputs and time only
+// expect: the natural length of the spring between P and O contains the coordinate q; it may contain only
+// expect: parameters, inputs and time
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -1,4 +1,4 @@
-// expect: a spring lies between point P and itself
+// expect: a spring acts between point P and itself
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -1,4 +1,4 @@
-// expect: the spring between P and Pin has no length in any configuration
+// expect: the spring between P and Pin has zero length in every configuration
 #include "pendulum.hpp"
 
 struct Pin : offset<Pin, O, l * A::x> {};

@@ -1,4 +1,4 @@
-// expect: a torsional damper lies between frame A and itself
+// expect: a torsional damper acts between frame A and itself
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

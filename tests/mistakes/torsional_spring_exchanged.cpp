@@ -1,5 +1,5 @@
-// expect: the angle of the torsional spring with k holds no coordinate; the angle comes first, then the
-// stiffness
+// expect: the angle of the torsional spring with k contains no coordinate; pass the angle first, then the
+// expect: stiffness
 #include "pendulum.hpp"
 
 constexpr parameter<"k"> k;

@@ -1,4 +1,4 @@
-// expect: velocity constraint 1 holds the input theta, whose rate is not known
+// expect: velocity constraint 1 contains the input theta, whose rate is not known
 #include "pendulum.hpp"
 
 constexpr prescribed<"theta"> theta;

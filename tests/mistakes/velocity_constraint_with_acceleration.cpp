@@ -1,4 +1,4 @@
-// expect: velocity constraint 1 holds the rate of speed u
+// expect: velocity constraint 1 contains the rate of speed u
 #include "pendulum.hpp"
 
 struct System : bound_pendulum<velocity_constraints<dot(u) == v>> {};

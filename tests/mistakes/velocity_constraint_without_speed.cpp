@@ -1,4 +1,4 @@
-// expect: velocity constraint 2 holds no speed
+// expect: velocity constraint 2 contains no speed
 #include "pendulum.hpp"
 
 struct System : bound_pendulum<velocity_constraints<u == v, l == 1>> {};

@@ -1,4 +1,4 @@
-// expect: the velocity of point Q is not the rate of its position; if that is meant, write
+// expect: the velocity of point Q is not the rate of its position; if this is intended, write
 // expect: velocity_apart_from_position
 #include "pendulum.hpp"
 

@@ -366,15 +366,15 @@ TEST(builder_mistakes, knows_what_a_name_is) {
   EXPECT_EQ(told([](auto& b) { b.parameter(""); }), "one of the symbols has no name");
   EXPECT_EQ(told([](auto& b) { b.used_elsewhere(b.parameter(std::string(60, 'k'))); }), "");
   EXPECT_EQ(told([](auto& b) { b.speed(std::string(61, 'u')); }),
-            "the name " + std::string(61, 'u') + " is longer than a name can be, 60 letters");
-  EXPECT_EQ(told([](auto& b) { b.input("th'"); }), "the name th' holds a prime, which stands for a rate");
+            "the name " + std::string(61, 'u') + " is longer than 60 characters");
+  EXPECT_EQ(told([](auto& b) { b.input("th'"); }), "the name th' contains a prime, which denotes a rate");
   EXPECT_EQ(told([](auto& b) { b.rotated("R'", b.n, b.theta, b.along(b.n, 0, 0, 1)); }),
-            "the name R' holds a prime, which stands for a rate");
+            "the name R' contains a prime, which denotes a rate");
   EXPECT_EQ(told([](auto& b) { b.parameter("2m"); }), "the name 2m does not begin with a letter");
   EXPECT_EQ(told([](auto& b) { b.used_elsewhere(b.parameter("θ")); }), "");
   for (const char* called : {"a\"b", "a\nb", "a\x7f"})
     EXPECT_EQ(told([&](auto& b) { b.parameter(called); }),
-              "the name of one of the symbols holds a quote or a control character");
+              "the name of one of the symbols contains a quote or a control character");
   EXPECT_EQ(told([](auto& b) { b.used_elsewhere(b.parameter("t")); }), "");
   EXPECT_EQ(told([](auto& b) { b.parameter("t"), b.time(); }), "the name t is used twice");
   EXPECT_EQ(told([](auto& b) { b.time(), b.time(), b.parameter("t"); }), "the name t is used twice");
@@ -428,7 +428,7 @@ TEST(builder_mistakes, hears_of_a_force_only_once) {
             "the force at C is listed twice");
   EXPECT_EQ(told([](auto& b) { b.force(b.pivot, b.along(b.n, -b.push, b.number(0.0), b.number(0.0))); }), "");
   EXPECT_EQ(told([](auto& b) { b.force(b.bob, b.along(b.n, b.number(0.0), -9.81 * b.m, b.number(0.0))); }),
-            "the force at P is the weight of Bob, which gravity gives it already");
+            "the force at P is the weight of Bob, which gravity already applies");
 }
 
 TEST(builder_mistakes, finds_weights_beside_gravity) {
@@ -439,13 +439,13 @@ TEST(builder_mistakes, finds_weights_beside_gravity) {
   };
   for (int frame : {0, 1}) {
     EXPECT_EQ(told([&](auto& b) { b.force(b.bob, weigh(b, frame)); }),
-              "the force at P holds the weight of Bob, which gravity gives it already");
+              "the force at P contains the weight of Bob, which gravity already applies");
     EXPECT_EQ(told([&](auto& b) { b.force_between(b.bob, b.o, weigh(b, frame)); }),
-              "the force between P and O holds the weight of Bob, which gravity gives it already");
+              "the force between P and O contains the weight of Bob, which gravity already applies");
     EXPECT_EQ(told([&](auto& b) { b.force(b.pivot, weigh(b, frame)); }), "") << "the weight of another";
   }
   EXPECT_EQ(told([](auto& b) { b.potential_energy(9.81 * b.m * b.length * (2 - cos(b.theta))); }),
-            "potential energy 1 holds that of the weight of Bob, which gravity gives it already");
+            "potential energy 1 contains that of the weight of Bob, which gravity already applies");
   EXPECT_EQ(told([](auto& b) { b.potential_energy(9.81 * b.m * b.length * cos(b.theta)); }), "") << "a lift";
   EXPECT_EQ(told([](auto& b) { b.potential_energy(9.81 * b.m * b.length * sin(b.theta)); }), "");
 }
@@ -494,9 +494,8 @@ TEST(builder_mistakes, hears_of_any_load_only_once) {
 }
 
 TEST(builder_mistakes, compares_velocities_with_positions) {
-  const std::string expected =
-      "the velocity of point Q is not the rate of its position; if that is meant, write "
-      "velocity_apart_from_position";
+  const std::string expected = "the velocity of point Q is not the rate of its position; if this is "
+                               "intended, write velocity_apart_from_position";
   const auto slides = [](auto& b, bool apart) {
     const auto place = b.offset("Q", b.o, b.along(b.rod, b.x, 0, 0));
     b.particle("Bead", place, b.m);
@@ -516,10 +515,11 @@ TEST(builder_mistakes, compares_velocities_with_positions) {
 
 // Where an equality holds at some states alone, or beside something large.
 TEST(builder_mistakes, compares_velocities_at_many_states_and_with_each_speed) {
-  const std::string velocity = "the velocity of point Q is not the rate of its position; if that is meant, "
-                               "write velocity_apart_from_position",
-                    mass = "point Q is fixed in R, and its offset from S changes there; if that is meant, "
-                           "write velocity_apart_from_position";
+  const std::string
+      velocity = "the velocity of point Q is not the rate of its position; if this is intended, "
+                 "write velocity_apart_from_position",
+      mass = "point Q is fixed in R, but its offset from S changes in that frame; if this is intended, "
+             "write velocity_apart_from_position";
   const auto stops = [](auto& b, bool wrong) { // against a wall at 0
     const expression zero = b.number(0.0), x = max(b.x, zero);
     const auto place = b.offset("Q", b.o, b.along(b.n, x, 0, 0));
@@ -581,9 +581,9 @@ TEST(builder_mistakes, looks_at_frames_whose_kinematics_are_asked_for) {
   EXPECT_EQ(told([](auto& b) { b.kinematics_of(frame_id{7}, b.n); }),
             "kinematics_of names frame number 7, which does not exist");
   EXPECT_EQ(told([](auto& b) { b.kinematics_of(b.rod, b.n); }),
-            "kinematics_of<R, N> is asked for, and frame R has no declared angular velocity");
+            "kinematics_of<R, N> is not available: frame R has no declared angular velocity");
   EXPECT_EQ(told([](auto& b) { b.kinematics_of(b.n, b.rod); }),
-            "kinematics_of<N, R> is asked for, and frame N is not oriented relative to R");
+            "kinematics_of<N, R> is not available: frame N is not oriented relative to R");
 }
 
 TEST(builder_mistakes, finds_those_of_the_finished_mechanism) {
@@ -591,9 +591,9 @@ TEST(builder_mistakes, finds_those_of_the_finished_mechanism) {
               const frame_id a = b.rotated("A", b.rod, b.x, b.along(b.rod, 1, 0, 0));
               b.angular_velocity(b.rod, a, b.along(b.n, 0.0, 0, 0));
             }),
-            "the angular velocity of frame R is given in A, which turns with R");
+            "the angular velocity of frame R is given relative to A, which turns with R");
   EXPECT_EQ(told([](auto& b) { b.coordinate("y"); }),
-            "coordinate y has its rate in no kinematic differential equation");
+            "the rate of coordinate y appears in no kinematic differential equation");
   EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m * b.omega); }),
             "the mass of A changes with speed omega");
 }
@@ -677,15 +677,15 @@ TEST(builder_mistakes, looks_at_numbers_of_orientations) {
   };
   EXPECT_EQ(turned({0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1}), "");
   EXPECT_EQ(turned({0.8660254, -0.5, 0, 0.5, 0.8660254, 0, 0, 0, 1}), ""); // as it is written down
-  const std::string skew = "the direction cosines of frame A are not orthonormal; write what is not rational "
+  const std::string skew = "the direction cosines of frame A are not orthonormal; write irrational entries "
                            "as sqrt or cos of numbers";
   EXPECT_EQ(turned({0.6, 0.8, 0, 0.8, 0.6, 0, 0, 0, 1}), skew);
   EXPECT_EQ(turned({0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 2}), skew);
   EXPECT_EQ(turned({0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1e200}), skew);
   EXPECT_EQ(told([](auto& b) { b.rotated("A", b.n, b.theta, b.along(b.n, 1e200, 1, 0)); }),
-            "the axis of frame A has a length that is too large or too small");
+            "the axis of frame A is too long or too short to be normalized");
   EXPECT_EQ(turned({0.6, 0.8, 0, 0.8, -0.6, 0, 0, 0, 1}),
-            "the direction cosines of frame A are not right-handed: they mirror");
+            "the direction cosines of frame A are not right-handed: they describe a reflection");
   EXPECT_EQ(told([](auto& b) {
               kanexpr::mechanics::matrix3 m = rows(b, {0, 0, 0, 0, 0, 0, 0, 0, 2});
               m(0, 0) = m(1, 1) = cos(b.theta), m(1, 0) = sin(b.theta), m(0, 1) = -sin(b.theta);
@@ -737,7 +737,7 @@ TEST(builder_mistakes, looks_at_orientations_by_functions_of_angles) {
               m(0, 0) = c, m(1, 1) = -c, m(1, 0) = s, m(0, 1) = s;
               b.direction_cosines("A", b.n, m);
             }),
-            "the direction cosines of frame A are not right-handed: they mirror");
+            "the direction cosines of frame A are not right-handed: they describe a reflection");
 }
 
 TEST(builder_mistakes, looks_at_masses_and_inertias) {
@@ -758,14 +758,13 @@ TEST(builder_mistakes, looks_at_masses_and_inertias) {
   EXPECT_EQ(body(m, of({0, 0, 0, 0, 0, 0})), "");
   EXPECT_EQ(body(m, of({0, 0, 5, 0, 0, 0})), ""); // of a planar motion
   EXPECT_EQ(body(m, of({1e-9, 1e-9, 1e-9, 0.2e-9, 0, 0.1e-9})), "");
-  const std::string none =
-      "the inertia of A is that of no body: one principal moment is larger than the other "
-      "two together; if it is meant, write effective_inertia<...> around it";
+  const std::string none = "the inertia of A is not physical: one principal moment exceeds the sum of the "
+                           "other two; if this is intended, wrap it in effective_inertia<...>";
   EXPECT_EQ(body(m, of({1, 2, 3.1, 0, 0, 0})), none);
   EXPECT_EQ(body(m, of({1e-9, 2e-9, 3.1e-9, 0, 0, 0})), none);
   EXPECT_EQ(body(m, of({2, 2, 2, 1.5, 0, 0})), none); // principal moments 0.5, 2 and 3.5
   EXPECT_EQ(body(m, of({2, 2, 2, 2.1, 0, 0})),
-            "the inertia of A is indefinite: about some axis its moment is negative");
+            "the inertia of A is indefinite: its moment about some axis is negative");
   EXPECT_EQ(body(m, [](auto& b) { return b.inertia(b.rod, b.m, -2 * b.m * b.length, b.m); }),
             "a moment of inertia of A is negative");
   for (int factor : {1, 2, 3})
@@ -782,11 +781,11 @@ TEST(builder_mistakes, looks_at_masses_and_inertias) {
   EXPECT_EQ(about({8, 2, 10, -4, 0, 0}), ""); // of the mass alone
   EXPECT_EQ(about({9, 3, 11, -4, 0, 0}), "");
   EXPECT_EQ(about({7, 6, 10, -4, 0, 0}),
-            "the inertia of A about Other is less than what its mass alone has there");
+            "the inertia of A about Other is smaller than the parallel-axis term of its mass");
   EXPECT_EQ(about({9, 3, 14, -4, 0, 0}), none);
   EXPECT_EQ(about({0, 0, 10, 0, 0, 0}), ""); // of a planar motion
   EXPECT_EQ(about({0, 0, 9, 0, 0, 0}),
-            "the inertia of A about Other is less than what its mass alone has there");
+            "the inertia of A about Other is smaller than the parallel-axis term of its mass");
   const auto in_two_frames = [&](double product, double back, double third) {
     return told([&](auto& b) {
       const frame_id turned = b.rotated("T", b.rod, b.number(0.5), b.along(b.rod, 0, 0, 1));
@@ -803,7 +802,7 @@ TEST(builder_mistakes, looks_at_masses_and_inertias) {
   };
   EXPECT_EQ(in_two_frames(0.5, 0.5, 4), "");
   EXPECT_EQ(in_two_frames(0.5, 0.25, 4), "the inertia of A is not symmetric");
-  EXPECT_EQ(in_two_frames(3, 3, 4), "the inertia of A is indefinite: about some axis its moment is negative");
+  EXPECT_EQ(in_two_frames(3, 3, 4), "the inertia of A is indefinite: its moment about some axis is negative");
   EXPECT_EQ(in_two_frames(0.5, 0.5, 9), none);
   EXPECT_EQ(body(m,
                  [](auto& b) {
@@ -831,11 +830,12 @@ TEST(builder_mistakes, looks_at_masses_and_inertias) {
 
 TEST(builder_mistakes, looks_at_what_torsional_springs_turn) {
   EXPECT_EQ(told([](auto& b) { b.torsional_spring(b.theta, b.m); }), "");
-  EXPECT_EQ(told([](auto& b) { b.torsional_spring(b.m, b.theta); }),
-            "the angle of a torsional spring holds no coordinate; the angle comes first, then the stiffness");
+  EXPECT_EQ(
+      told([](auto& b) { b.torsional_spring(b.m, b.theta); }),
+      "the angle of a torsional spring contains no coordinate; pass the angle first, then the stiffness");
   EXPECT_EQ(told([](auto& b) { b.torsional_spring(b.theta, b.m * b.x); }),
-            "the stiffness of a torsional spring holds the coordinate x; it may hold parameters, inputs and "
-            "time only");
+            "the stiffness of a torsional spring contains the coordinate x; it may contain only parameters, "
+            "inputs and time");
 }
 
 TEST(builder_mistakes, looks_at_what_vanishes) {
@@ -850,7 +850,7 @@ TEST(builder_mistakes, looks_at_what_vanishes) {
   EXPECT_EQ(told([](auto& b) { b.position_of(b.bob, point_id{9}); }),
             "a position names point number 9, which does not exist");
   EXPECT_EQ(told([](auto& b) { b.position_of(b.bob, b.origin("Bearing")); }),
-            "the position of P from Bearing is not known: they hang on two origins, O and Bearing");
+            "the position of P from Bearing is not known: they are measured from two origins, O and Bearing");
   EXPECT_EQ(told([](auto& b) { b.dot(b.along(b.n, 1, 0, 0), pendulum_on_cart().along(b.n, 1, 0, 0)); }),
             "a dot product has an expression that belongs to another mechanism or to none");
 }

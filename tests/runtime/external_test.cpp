@@ -74,7 +74,7 @@ struct Rough : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<do
 
 TEST(external, without_derivatives_has_no_linearization) {
   constexpr const char* lacking =
-      "the derivative of rough is needed, and not given; write it behind the function: external<\"rough\", "
+      "the derivative of rough is required but not provided; pass it after the function: external<\"rough\", "
       "function, derivative>";
   auto system = derive<Rough>();
   auto f = system.function(system.udot());

@@ -214,7 +214,7 @@ struct LeakingSystem : kane_system<inertial<N>, coordinates<q<1>, q<2>>, speeds<
 TEST(regressor, is_of_masses_that_stay) {
   auto m = kanexpr::derive<chain::LeakingSystem>();
   constexpr const char* expected =
-      "the regressor is that of bodies whose masses and inertias stay; those of Leaking change";
+      "the regressor requires constant masses and inertias; those of Leaking change";
   EXPECT_EQ(m.get(quantity::regressor).entries.size(), 0);
   EXPECT_EQ(m.mistake(), expected);
   EXPECT_EQ(kanexpr::find_base_parameters(m, VectorXd::Ones(4)).cause(), expected);

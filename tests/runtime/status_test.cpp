@@ -275,7 +275,7 @@ TEST(status, does_not_call_singular_what_is_not_finite) {
       four_bars b;
       change(b);
       expect_status<System>(b.x, b.p, b.r,
-                            "the results are not finite at this state; look for a value that was not set");
+                            "the results are not finite at this state; check for unset values");
     };
     expect_not_finite([&](four_bars& b) { b.p[m1] = wrong; });
     expect_not_finite([&](four_bars& b) { b.p[g] = wrong; });
@@ -310,9 +310,8 @@ TEST(status, is_not_asked_for_what_needs_no_solution) {
 TEST(status, tells_what_is_not_finite) {
   using namespace pushed_bead;
   using eom = kanexpr::equations_of_motion<System>;
-  const std::string cause =
-      "the results are not finite at this state; look for a value that was not set, and at the "
-      "quotients and functions of x and y";
+  const std::string cause = "the results are not finite at this state; check for unset values, and check the "
+                            "quotients and functions of x and y";
   eom::parameters p;
   p[m] = 2, p[k] = 3, p[l] = 1;
   const auto expect_at = [&](double to_x, double to_y, const std::string& wanted) {
@@ -350,8 +349,8 @@ TEST(status, of_finiteness_comes_with_what_may_not_be) {
   EXPECT_TRUE(quotient.status);
   EXPECT_EQ(quotient, 4);
   EXPECT_EQ((kanexpr::function<System, k / y>{}(at, p).status.cause()),
-            "the results are not finite at this state; look for a value that was not set, and at the "
-            "quotients and functions of y");
+            "the results are not finite at this state; check for unset values, and check the quotients and "
+            "functions of y");
   // the root of a sum of squares always is a number
   static_assert(std::is_same_v<decltype(eom::potential_energy(at, p)), double>);
 }

@@ -117,7 +117,7 @@ TEST(units, of_a_redundant_constraint_do_not_matter) {
     equations derived(b.system());
     derived.constrain();
     EXPECT_EQ(derived.mistake().view(),
-              "velocity constraint 2 follows from those before it in every configuration");
+              "velocity constraint 2 follows from the preceding ones in every configuration");
   }
 }
 
@@ -240,8 +240,7 @@ TEST(units, of_a_number_beside_symbols_do_not_make_a_mass_matrix_singular) {
     EXPECT_EQ(mistake_of_slab(inertia, true), "") << inertia;
   EXPECT_EQ(
       mistake_of_slab(1, false),
-      "speeds u, v and w move the same mass in any configuration: the mass matrix is singular, as far as "
-      "numbers can tell");
+      "speeds u, v and w move the same mass in any configuration: the mass matrix is numerically singular");
 }
 
 // A rod that stands upright on a cart twice as heavy as its bob: lengths, masses and angles in one matrix.

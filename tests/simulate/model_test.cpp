@@ -302,7 +302,7 @@ TEST(simulated_model, takes_no_inertia_that_no_body_has) {
     return simulate(b, {{"q", 0}, {"u", 1}}, {{"J", j}, {"m", 1}}, {0, 1}).cause();
   };
   EXPECT_EQ(cause(0.001), "");
-  EXPECT_EQ(cause(-3), "the inertia of Rod is indefinite: about some axis its moment is negative");
+  EXPECT_EQ(cause(-3), "the inertia of Rod is indefinite: its moment about some axis is negative");
 }
 
 namespace linkage {

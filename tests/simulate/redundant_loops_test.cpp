@@ -101,12 +101,13 @@ public:
 };
 
 TEST(redundant_constraints, are_named_by_the_sentence_that_refuses_them) {
-  EXPECT_EQ(derive(four_bar(true)).mistake(),
-            "configuration constraints 3, 4 and 5 hold no coordinate; redundant<3, 4, 5> leaves them out");
+  EXPECT_EQ(
+      derive(four_bar(true)).mistake(),
+      "configuration constraints 3, 4 and 5 contain no coordinate; add redundant<3, 4, 5> to drop them");
   EXPECT_EQ(derive(four_bar(true, {3, 5})).mistake(),
-            "configuration constraint 4 holds no coordinate; redundant<4> leaves it out");
+            "configuration constraint 4 contains no coordinate; add redundant<4> to drop it");
   EXPECT_EQ(derive(four_bar(false, {3})).mistake(),
-            "redundant<3> names none of the 2 configuration constraints");
+            "redundant<3> is out of range: the model has 2 configuration constraints");
   EXPECT_EQ(derive(four_bar(true, {3, 3})).mistake(),
             "configuration constraint 3 is listed twice in redundant<...>");
 }
@@ -172,10 +173,9 @@ std::vector<named_value> at_rest(bool turns) {
 
 TEST(redundant_constraints, of_bricards_loop) {
   for (const bool turns : {false, true})
-    EXPECT_EQ(
-        derive(bricard(turns)).mistake(),
-        "the constraints bind every speed: nothing is left that could move; where all hold, configuration "
-        "constraint 5 follows from those before it, and redundant<5> leaves it out");
+    EXPECT_EQ(derive(bricard(turns)).mistake(),
+              "the constraints determine every speed, so nothing can move; where all hold, configuration "
+              "constraint 5 follows from the preceding ones; add redundant<5> to drop it");
   // Of six equations any may be left out that the others do not bind apart from it; of five all of them.
   const auto moved = [](bool turns, int left_out) {
     const auto run = simulate(derive(bricard(turns, {left_out})), at_rest(turns), {}, {0, 1},
@@ -283,10 +283,10 @@ TEST(redundant_constraints, that_bind_are_refused) {
   across.configuration_constraint(across.x + across.y - 2);
   across.redundant(1);
   EXPECT_EQ(derive(across).mistake(),
-            "configuration constraint 1 does not follow from the others; redundant<1> would let it go");
+            "configuration constraint 1 does not follow from the others; redundant<1> must not drop it");
   // The bead of a bowl that is bent in one direction, on a cylinder.
   EXPECT_EQ(derive(bead_in_a_bowl(false)).mistake(),
-            "configuration constraint 2 does not follow from the others; redundant<2> would let it go");
+            "configuration constraint 2 does not follow from the others; redundant<2> must not drop it");
 }
 
 // Where values of parameters decide, as of bars that have one length, when states are there.

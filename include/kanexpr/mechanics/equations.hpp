@@ -27,23 +27,23 @@
 
 namespace kanexpr::mechanics {
 
-/// The equations of one system. Nothing is formed before it is asked for, and nothing twice.
+/// The equations of one system. Each result is formed on first use and only once.
 ///
-/// Constraints are taken up by `constrain`, or when the first result is asked for.
+/// Constraints are processed by `constrain`, or when the first result is requested.
 class equations {
 public:
   constexpr explicit equations(const multibody_system& of) : equations(of, known_motion(of.mechanism)) {}
-  /// Goes on from what was known of its motion while loads and constraints were given.
+  /// Reuses the motion that was derived while loads and constraints were read.
   constexpr equations(const multibody_system& of, known_motion&& known)
       : system_(&of), m_(&of.mechanism), known_(std::move(known)) {}
-  /// To be read from what was set aside.
+  /// Creates an empty object to be restored from stored members.
   using set_aside = known_motion::set_aside;
   constexpr equations(const multibody_system& of, set_aside empty)
       : equations(of, known_motion(of.mechanism, empty)) {}
   equations(const equations&) = delete;
   equations& operator=(const equations&) = delete;
 
-  /// What was formed, but for what is formed again at little cost. There is no mistake.
+  /// The stored members, except those that are cheap to form again. Only valid systems are stored.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.known_);
@@ -100,14 +100,14 @@ public:
   constexpr const partition& speeds() const { return speeds_; }
   constexpr const partition& coordinates() const { return coordinates_; }
 
-  /// What belongs to bodies is not known of a Lagrangian that the model gives as a whole.
+  /// Rejects results that need bodies if the model specifies its Lagrangian as a whole.
   constexpr sentence check_bodies(quantity wanted) const {
     if (!row_of(wanted).is_of_bodies || !system_->loads.has_lagrangian) return {};
-    return sentence({"energies, momenta, the mass centre and the regressor are those of bodies, and a "
-                     "Lagrangian takes their place"});
+    return sentence(
+        {"energies, momenta, the mass center and the regressor require bodies, which a Lagrangian replaces"});
   }
 
-  /// A mistake that only the derivation could find.
+  /// A mistake that was found only during the derivation.
   constexpr const sentence& mistake() const { return mistake_; }
 
   constexpr symbolic::matrix get(quantity wanted) {
@@ -185,26 +185,27 @@ public:
     return {};
   }
 
-  /// A result with the symbols u̇, for a caller who knows the rates of the speeds.
+  /// A result with the symbols u̇, for callers that supply the rates of the speeds.
   constexpr symbolic::matrix at_given_rates(quantity wanted) {
     if (!is_sound()) return {};
     if (is_of_linearization(wanted) || is_to_second_order(wanted)) return linearized().get(wanted);
     return get(wanted);
   }
 
-  /// The same equations, linearized.
+  /// The linearized equations.
   constexpr linearized_equations& linearized() {
     if (!is_constrained_) constrain();
     return linearized_;
   }
 
-  /// The derivatives of the rates q̇ and u̇ by some parameters, a column for each, with the symbols u̇.
+  /// The derivatives of the rates q̇ and u̇ with respect to some parameters, a column for each, with the
+  /// symbols u̇.
   constexpr symbolic::matrix sensitivity_to(const sequence<expression>& parameters) {
     if (!is_sound()) return {};
     return linearized_.to_second_order().rates_by(parameters);
   }
 
-  /// An expression with the rates q̇ and u̇ as the equations of motion give them.
+  /// Substitutes the rates q̇ and u̇ from the equations of motion into an expression.
   constexpr expression in_motion(expression e) { return in_motion(column({e})).entries[0]; }
   constexpr symbolic::matrix in_motion(symbolic::matrix m) {
     known_rates known(*m_, s_.coordinate_rates);
@@ -217,7 +218,7 @@ public:
     return m;
   }
 
-  /// An expression with the dependent speeds as the constraints give them.
+  /// Substitutes the dependent speeds from the constraints into an expression.
   constexpr expression imposed(expression e) {
     symbolic::substitution bound(*m_->g);
     const sequence<expression> given = dynamics_.speeds_by_constraints();
@@ -225,7 +226,8 @@ public:
     return bound.in(without_auxiliary_speeds(*m_).in(known_rates(*m_, s_.coordinate_rates).in(e)));
   }
 
-  /// What may be singular at a state in the way to some results; last, whether they are finite.
+  /// The checks for singular systems on which the given results depend; the last one checks that the results
+  /// are finite.
   constexpr sequence<singularity_check> singularity_checks_of(const sequence<int>& outputs) {
     sequence<singularity_check> all = checks_of_rates(*m_, s_.rate_blocks);
     if (dynamics_.has_dependent())
@@ -246,18 +248,18 @@ public:
     return live;
   }
 
-  /// Velocities and accelerations as they are, with the symbols u̇.
+  /// The unsubstituted velocities and accelerations, with the symbols u̇.
   constexpr motion& moving() { return known_.moving(); }
   constexpr known_motion& known() { return known_; }
 
 private:
   constexpr bool is_sound() {
     if (!is_constrained_) constrain();
-    if (!mistake_) mass(); // which may be a mistake
+    if (!mistake_) mass(); // may report a mistake
     return !mistake_;
   }
 
-  /// Speeds that are the rate of a dependent coordinate are dependent themselves if that serves.
+  /// Marks the speeds that are the rates of dependent coordinates, which are preferred as dependent speeds.
   constexpr sequence<char> moving_dependent_coordinates() const {
     sequence<char> favoured(m_->speeds.size(), 0);
     for (int j : coordinates_.dependent)
@@ -273,7 +275,7 @@ private:
     mistake_ = check_mass_matrix(*m_, speeds_, formed);
     const bool is_positive = !system_->loads.has_lagrangian && energy_of_motion(s_).is_positive();
     if (!mistake_ && !is_positive) mistake_ = check_same_mass(*m_, speeds_, formed);
-    // where lengths have no bounds rounding may take all of a pivot
+    // with unbounded lengths, rounding errors may consume a whole pivot
     is_mass_regular_ =
         is_positive && symbolic::rest_on_angles_only(*m_->g, symbolic::nodes_of(formed.entries));
     return formed;
@@ -284,13 +286,13 @@ private:
     return all;
   }
   constexpr const sequence<expression>& accelerations() {
-    mass(); // which may be a mistake
+    mass(); // may report a mistake
     return dynamics_.accelerations();
   }
 
   constexpr sequence<expression> forces_of_gravity() const {
     sequence<expression> forces = mechanics::forces_of_gravity(s_, system_->loads);
-    while (forces.size() > m_->speeds.size()) forces.pop(); // auxiliary speeds come last
+    while (forces.size() > m_->speeds.size()) forces.pop(); // the auxiliary speeds come last
     return forces;
   }
 
@@ -321,10 +323,10 @@ private:
     const speeds_as_rates known = coordinates_of_speeds(s_);
     if (!mistake_) mistake_ = known.mistake;
     if (!mistake_ && constraints_.size() != 0)
-      mistake_ = sentence({"the Coriolis matrix is that of a system without constraints"});
+      mistake_ = sentence({"the Coriolis matrix requires a system without constraints"});
     if (mistake_) return {};
     sequence<expression> by_speeds = momenta();
-    symbolic::substitution at_rest(*m_->g); // leaves what prescribed motions add
+    symbolic::substitution at_rest(*m_->g); // keeps the contribution of prescribed motions
     for (const expression& u : m_->speeds) at_rest.replace(u, m_->zero());
     for (expression& p : by_speeds) p -= at_rest.in(p);
     const symbolic::matrix c = coriolis_matrix(*m_, known.coordinate, mass(), by_speeds);
@@ -334,7 +336,7 @@ private:
     return c;
   }
 
-  /// ∂T/∂u; of a Lagrangian that the model gives, ∂L/∂q̇.
+  /// ∂T/∂u; if the model specifies its Lagrangian, ∂L/∂q̇.
   constexpr sequence<expression> momenta() {
     if (system_->loads.has_lagrangian) return gradient_of(*m_, system_->loads.lagrangian).momenta;
     return gradient_of(*m_, mechanics::kinetic_energy(moving())).momenta;
@@ -376,10 +378,11 @@ private:
   const skeleton& s_ = known_.skeleton_used();
   sentence mistake_{};
   constraints constraints_{};
-  symbolic::matrix configuration_{}; ///< the derivatives of the configuration constraints by the coordinates
+  symbolic::matrix configuration_{}; ///< the derivatives of the configuration constraints with respect to the
+                                     ///< coordinates
   partition speeds_{}, coordinates_{};
-  sequence<symbolic::solved_block> step_blocks_{};  ///< of Newton's step for the dependent coordinates
-  sequence<symbolic::solved_block> input_blocks_{}; ///< of the inputs that bring about accelerations
+  sequence<symbolic::solved_block> step_blocks_{};  ///< of the Newton step of the dependent coordinates
+  sequence<symbolic::solved_block> input_blocks_{}; ///< of the required inputs
   dynamics dynamics_{s_, system_->loads, constraints_, speeds_};
   bool is_constrained_ = false, is_mass_checked_ = false, is_mass_regular_ = false;
   linearized_equations linearized_{s_,           system_->loads, constraints_, configuration_,

@@ -4,15 +4,15 @@
 
 namespace kanexpr::mechanics {
 
-/// What can be asked of a system. Each is a matrix of expressions; n is the number of coordinates, p of
+/// The results available for a system. Each is a matrix of expressions; n is the number of coordinates, p of
 /// speeds, m of constraints on the speeds, l of configuration constraints.
 enum class quantity : unsigned char {
   mass_matrix,           ///< M of the independent speeds, (p−m)×(p−m)
-  forcing,               ///< f with M u̇ = f, p−m
+  forcing,               ///< f in M u̇ = f, p−m
   mass_matrix_full,      ///< of [q̇; u̇], (n+p)×(n+p): E, M and the differentiated constraints
   forcing_full,          ///< [q̇; f; …], n+p, with M_full [q̇; u̇] = f_full
-  qdot,                  ///< n
-  udot,                  ///< p
+  qdot,                  ///< q̇, n
+  udot,                  ///< u̇ of all speeds, p
   rhs,                   ///< [q̇; u̇], n+p
   active_forces,         ///< F_r of the independent speeds, p−m
   inertia_forces,        ///< F_r* of the independent speeds, p−m, with the symbols u̇
@@ -20,55 +20,57 @@ enum class quantity : unsigned char {
   unreduced_mass_matrix, ///< M of all speeds before constraints reduce it, p×p
   unreduced_forcing,     ///< f of all speeds before constraints reduce it, p
   constraint_bias,       ///< γ in J u̇ + γ = 0, m
-  inverse_dynamics,     ///< what must act on the independent speeds beside the loads, p−m, with the symbols u̇
-  required_inputs,      ///< the inputs that bring about u̇, s = p−m, with the symbols u̇
-  gravity_compensation, ///< what balances gravity on the independent speeds, p−m
-  load_compensation,    ///< what balances all loads but gravity on the independent speeds, p−m
-  regressor,            ///< Y in τ = Y π + τ_0, the inverse dynamics, by the b inertial parameters, (p−m)×b
-  inertial_parameters,  ///< π as the model gives them, b
-  coriolis,             ///< C with Ṁ − 2C skew-symmetric, of speeds that are rates of coordinates, p×p
+  inverse_dynamics,      ///< additional forces required on the independent speeds, p−m, with the symbols u̇
+  required_inputs,       ///< the inputs that produce u̇, s = p−m, with the symbols u̇
+  gravity_compensation,  ///< forces on the independent speeds that balance gravity, p−m
+  load_compensation,     ///< forces on the independent speeds that balance all other loads, p−m
+  regressor,             ///< Y in τ = Y π + τ_0, the inverse dynamics in the b inertial parameters, (p−m)×b
+  inertial_parameters,   ///< π with the values of the model, b
+  coriolis,              ///< C with Ṁ − 2C skew-symmetric, if the speeds are coordinate rates, p×p
   kinetic_energy,
-  potential_energy,                    ///< of gravity, of springs and what the model gives as one
+  potential_energy,                    ///< of gravity, springs and given potential energies
   linear_momentum,                     ///< 3, inertial axes
   angular_momentum,                    ///< 3, inertial axes, about the origin
   center_of_mass,                      ///< 3, inertial axes, from the origin
-  generalized_momenta,                 ///< ∂T/∂u, or ∂L/∂q̇, of all speeds before constraints bind them, p
-  configuration_residual,              ///< l
-  configuration_terms,                 ///< l: how large the terms are of which that is the sum
-  redundant_residual,                  ///< what the redundant constraints leave
-  redundant_terms,                     ///< how large the terms are of which that is the sum
+  generalized_momenta,                 ///< ∂T/∂u, or ∂L/∂q̇, of all speeds before constraints reduce them, p
+  configuration_residual,              ///< values of the configuration constraints, l
+  configuration_terms,                 ///< magnitude of the terms of this residual, l
+  redundant_residual,                  ///< residual of the redundant constraints
+  redundant_terms,                     ///< magnitude of the terms of this residual
   redundant_jacobian,                  ///< J of their rates, a column for each speed
-  redundant_bias,                      ///< γ of them, in J u̇ + γ = 0
-  redundant_rate,                      ///< the rates of what the redundant constraints leave
-  redundant_rate_terms,                ///< how large the terms are of which that is the sum
-  configuration_jacobian_by_dependent, ///< its derivatives by the dependent coordinates, l×l
-  configuration_jacobian_by_all,       ///< its derivatives by all coordinates, l×n
-  configuration_step,                  ///< of Newton's method, for the dependent coordinates, l
-  velocity_residual,      ///< m: the velocity constraints, then the rates of configuration constraints
-  velocity_terms,         ///< m: how large the terms are of which that is the sum
-  constraint_residual,    ///< both, l+m
+  redundant_bias,                      ///< their γ in J u̇ + γ = 0
+  redundant_rate,                      ///< the rates of the redundant constraints
+  redundant_rate_terms,                ///< magnitude of the terms of these rates
+  configuration_jacobian_by_dependent, ///< derivatives of the residual with respect to the dependent
+                                       ///< coordinates, l×l
+  configuration_jacobian_by_all,       ///< derivatives of the residual with respect to all coordinates, l×n
+  configuration_step,                  ///< Newton step of the dependent coordinates, l
+  velocity_residual,      ///< of the velocity constraints, then the rates of configuration constraints, m
+  velocity_terms,         ///< magnitude of the terms of this residual, m
+  constraint_residual,    ///< both residuals, l+m
   constraint_jacobian,    ///< J in J u + c = 0, m×p
-  dependent_speeds,       ///< u_d as the constraints give them by the independent ones, m
+  dependent_speeds,       ///< u_d in terms of the independent speeds, m
   dependency,             ///< A in u̇_d = A u̇_i + b, m×(p−m)
   acceleration_bias,      ///< b in u̇_d = A u̇_i + b, m
-  constraint_pivots,      ///< the determinants of the blocks that dependent speeds are solved in, m
+  constraint_pivots,      ///< the determinants of the blocks in which dependent speeds are solved, m
   multipliers,            ///< the generalized forces of the constraints: F_r + F_r* + Σ λ_j J_jr = 0, m
   noncontributing_forces, ///< the forces that keep the auxiliary speeds zero, one for each
   state_matrix,           ///< A in δ[q̇_i; u̇_i] = A δ[q_i; u_i] + B δr, (n−l+p−m)×(n−l+p−m)
   input_matrix,           ///< B, (n−l+p−m)×s
-  state_jacobian,         ///< ∂[q̇; u̇]/∂[q; u], as if nothing bound the state, (n+p)×(n+p)
+  state_jacobian,         ///< ∂[q̇; u̇]/∂[q; u] without constraints on the state, (n+p)×(n+p)
   input_jacobian,         ///< ∂[q̇; u̇]/∂r, (n+p)×s
   implicit_mass_matrix,   ///< M in M δ[q̇; u̇; λ] = A δ[q_i; u_i] + B δr, (n+p+k)×(n+p+k)
   implicit_state_matrix,  ///< A, (n+p+k)×(n−l+p−m)
   implicit_input_matrix,  ///< B, (n+p+k)×s
-  weighted_gradient, ///< ∂(λᵀẋ)/∂z for z = [q; u; r] and n+p weights λ, as if nothing bound the state, n+p+s
+  weighted_gradient, ///< ∂(λᵀẋ)/∂z for z = [q; u; r] and n+p weights λ, without constraints on the state,
+                     ///< n+p+s
   directional_derivative,                    ///< (∂ẋ/∂z) v for a direction v, n+p
   weighted_hessian,                          ///< ∂²(λᵀẋ)/∂z², symmetric, (n+p+s)×(n+p+s)
   weighted_hessian_product,                  ///< ∂²(λᵀẋ)/∂z² v, n+p+s
-  auxiliary_forces = noncontributing_forces, ///< by another name
+  auxiliary_forces = noncontributing_forces, ///< alternative name
 };
 
-/// How many rows or columns a result has, by what there is that many of.
+/// The number of rows or columns of a result, by what it counts.
 enum class extent_by : unsigned char {
   scalar,
   one,
@@ -89,9 +91,9 @@ enum class extent_by : unsigned char {
   inertial_parameters, ///< b: a mass for each particle, ten for each rigid body
 };
 
-/// How far a derivation has to go for a result.
+/// The stage of the derivation that a result requires.
 enum class stage : unsigned char {
-  constrained, ///< positions, velocities and what binds them
+  constrained, ///< positions, velocities and constraints
   equations,   ///< the equations of motion
   linearized,
 };
@@ -99,13 +101,13 @@ enum class stage : unsigned char {
 /// A row of the table of all results.
 struct result_row {
   quantity is{};
-  std::string_view called{}; ///< by who asks for it
+  std::string_view called{}; ///< the name by which it is requested
   extent_by rows{}, columns{};
   stage needs{};
-  bool is_of_bodies = false;      ///< and not known where a model gives its Lagrangian as a whole
-  bool holds_speed_rates = false; ///< the symbols u̇, which its function is given
-  bool takes_weights = false;     ///< λ of ẋ, in the same way
-  bool takes_direction = false;   ///< v of z
+  bool is_of_bodies = false;      ///< unavailable if a model specifies its Lagrangian as a whole
+  bool holds_speed_rates = false; ///< depends on the symbols u̇, which are passed to its function
+  bool takes_weights = false;     ///< depends on λ of ẋ, passed likewise
+  bool takes_direction = false;   ///< depends on v of z, passed likewise
 };
 
 inline constexpr result_row results[]{
@@ -219,7 +221,7 @@ inline constexpr result_row results[]{
      stage::equations, false, false, true, true},
 };
 
-/// The rows stand in the order of the quantities.
+/// The rows are in the order of the quantities.
 static_assert([] {
   int next = 0;
   for (const result_row& row : results)
@@ -227,12 +229,12 @@ static_assert([] {
   return true;
 }());
 
-/// Whether a result is a part of the linearized equations, which are asked for as a whole.
+/// Whether a result is part of the linearized equations, which are requested as a whole.
 constexpr bool is_of_linearization(quantity wanted) {
   return wanted >= quantity::state_matrix && wanted <= quantity::implicit_input_matrix;
 }
 
-/// Whether a result is given weights, or a direction.
+/// Whether a result takes weights or a direction.
 constexpr bool is_to_second_order(quantity wanted) { return wanted >= quantity::weighted_gradient; }
 
 constexpr const result_row& row_of(quantity wanted) { return results[static_cast<int>(wanted)]; }

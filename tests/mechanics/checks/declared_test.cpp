@@ -11,13 +11,12 @@ std::string told(bench& b) { return std::string(b.check().view()); }
 
 std::string apart(const std::string& frame) {
   return "the angular velocity of frame " + frame +
-         " is not that of its orientation, and no angle that is left out explains it; if that is meant, "
-         "write "
-         "angular_velocity_apart_from_orientation<...>";
+         " does not match its orientation, and no omitted angle explains the difference; if this is "
+         "intended, write angular_velocity_apart_from_orientation<...>";
 }
 std::string elsewhere(const std::string& body, const std::string& axes, const std::string& frame) {
-  return "the inertia of " + body + " is given in axes of " + axes + " and changes as seen from " + frame +
-         ", with which the body turns; if that is meant, write changing_inertia<...>";
+  return "the inertia of " + body + " is given along the axes of " + axes + " and changes as seen from " +
+         frame + ", the body frame; if this is intended, write changing_inertia<...>";
 }
 
 // Yaw, lean and spin with speeds along the axes that lean; a test puts one of the speeds wrong.
@@ -110,15 +109,13 @@ TEST(angular_velocity, may_be_a_spin_whose_angle_is_left_out) {
                b.inertia(planet, b.number(1), b.number(1), b.parameter("I")));
   EXPECT_EQ(told(b), "");
   b.rigid_body("Uneven", b.o, wheel, b.number(1), b.inertia(wheel, b.number(1), b.number(2), b.number(3)));
-  EXPECT_EQ(told(b),
-            "the inertia of Uneven is not the same from all sides of the axis about which W turns without "
-            "an angle; if that is meant, write changing_inertia<...>");
+  EXPECT_EQ(told(b), "the inertia of Uneven is not axisymmetric about the spin axis of W, whose angle is "
+                     "omitted; if this is intended, write changing_inertia<...>");
 }
 
 std::string left_out(const std::string& what, const std::string& axes, const std::string& frame) {
-  return what + " is given along axes of " + axes + " and depends on the angle of " + frame +
-         " that is left out; give " + frame +
-         " that angle, or write angular_velocity_apart_from_orientation<...>";
+  return what + " is given along the axes of " + axes + " and depends on the omitted angle of " + frame +
+         "; give " + frame + " this angle, or write angular_velocity_apart_from_orientation<...>";
 }
 
 // A disc of which only yaw and lean are coordinates, and its speeds lie along the axes that lean. These are
@@ -261,8 +258,8 @@ TEST(angular_velocity, may_be_apart_on_purpose) {
 }
 
 std::string moves_in(const std::string& frame, const std::string& point, const std::string& from) {
-  return "point " + point + " is fixed in " + frame + ", and its offset from " + from +
-         " changes there; if that is meant, write velocity_apart_from_position";
+  return "point " + point + " is fixed in " + frame + ", but its offset from " + from +
+         " changes in that frame; if this is intended, write velocity_apart_from_position";
 }
 
 // Two rods hang on a cart, by relative angles.
@@ -398,9 +395,8 @@ TEST(inertia, is_about_a_point_of_the_body) {
   about("Right", elbow);
   EXPECT_EQ(told(b), "");
   about("Wrong", b.o);
-  EXPECT_EQ(told(b),
-            "the inertia of Wrong is given about O, which moves in C, with which the body turns; if that is "
-            "meant, write changing_inertia<...>");
+  EXPECT_EQ(told(b), "the inertia of Wrong is given about O, which moves in C, the body frame; if this is "
+                     "intended, write changing_inertia<...>");
 }
 
 TEST(gravity, is_the_same_in_every_configuration) {
@@ -410,19 +406,19 @@ TEST(gravity, is_the_same_in_every_configuration) {
     b.gravity(field(b, a));
     return told(b);
   };
-  const std::string only = "; it may hold parameters, inputs and time only";
+  const std::string only = "; it may contain only parameters, inputs and time";
   EXPECT_EQ(with([](bench& b, frame_id) {
               return b.along(b.n, b.number(0.0), b.time(), b.parameter("g") * b.input("k"));
             }),
             "");
   EXPECT_EQ(with([](bench& b, frame_id) { return b.along(b.n, b.number(0.0), b.q[1], b.number(1)); }),
-            "gravity holds the coordinate q1" + only);
+            "gravity contains the coordinate q1" + only);
   EXPECT_EQ(with([](bench& b, frame_id) { return b.along(b.n, b.number(0.0), b.u[1], b.number(1)); }),
-            "gravity holds the speed u1" + only);
+            "gravity contains the speed u1" + only);
   EXPECT_EQ(with([](bench& b, frame_id) { return b.along(b.n, b.number(0.0), b.dot(b.q[1]), b.number(1)); }),
-            "gravity holds the rate of coordinate q1" + only);
+            "gravity contains the rate of coordinate q1" + only);
   EXPECT_EQ(with([](bench& b, frame_id a) { return b.along(a, 0, 0, -9.81); }),
-            "gravity is given along axes of A, which turn with coordinate q0" + only);
+            "gravity is given along the axes of A, which turn with coordinate q0" + only);
   // along axes that turn with the time, or that do not turn with what is along them
   EXPECT_EQ(with([](bench& b, frame_id) {
               return b.along(b.rotated("T", b.n, b.time(), b.along(b.n, 1, 0, 0)), 0, 0, -9.81);

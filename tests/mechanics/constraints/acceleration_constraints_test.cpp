@@ -118,7 +118,7 @@ TEST(acceleration_constraints, are_the_rates_of_the_constraints_where_these_hold
             }),
             "");
   const std::string differs = " is not the rate of the constraints on the velocities: its part without rates "
-                              "of speeds differs where they hold";
+                              "of speeds differs from theirs";
   EXPECT_EQ(with([&](beads& b, expression, expression, expression second) {
               b.acceleration_constraint(b.rate());
               b.acceleration_constraint(second);
@@ -193,10 +193,10 @@ TEST(constraints, that_contradict_those_before_them_do_not_follow_from_them) {
     b.velocity_constraint(more(b, b.u[1] - b.q[0] * b.u[0]));
     return told(b);
   };
-  const std::string follows = " follows from those before it in every configuration",
-                    contradicts = " contradicts those before it";
+  const std::string follows = " follows from the preceding ones in every configuration",
+                    contradicts = " contradicts the preceding ones";
   EXPECT_EQ(configuration([](bench&, expression f) { return 2 * f + f * f; }),
-            "configuration constraint 2" + follows + "; redundant<2> leaves it out");
+            "configuration constraint 2" + follows + "; add redundant<2> to drop it");
   EXPECT_EQ(configuration([](bench& b, expression f) { return f + b.parameter("l"); }),
             "configuration constraint 2" + contradicts);
   EXPECT_EQ(velocity([](bench& b, expression f) { return cos(b.q[2]) * f; }),
@@ -210,7 +210,8 @@ TEST(constraints, are_not_lost_where_they_are_nearly_zero) {
   for (const double scale : {1e-300, 1e-310}) {
     bench b;
     b.velocity_constraint(b.number(scale) * (b.u[0] - b.u[1]));
-    EXPECT_EQ(told(b), scale < 1e-305 ? "velocity constraint 1 binds no speed in any configuration" : "");
+    EXPECT_EQ(told(b),
+              scale < 1e-305 ? "velocity constraint 1 constrains no speed in any configuration" : "");
   }
 }
 

@@ -170,8 +170,8 @@ TEST(lagrange, names_what_it_cannot_take) {
     const expression f = p.input("F");
     p.lagrangian(p.vx * p.vx + p.vy * p.vy + f * p.vx);
     EXPECT_EQ(p.mistake_of_derivation(),
-              "a derivative of the Lagrangian by a rate holds the input F, whose rate is not known; make it "
-              "prescribed, with its rates among the inputs");
+              "a derivative of the Lagrangian with respect to a rate contains the input F, whose rate is not "
+              "known; declare it prescribed and list its rates among the inputs");
   }
   {
     particle_in_plane p;
@@ -179,7 +179,7 @@ TEST(lagrange, names_what_it_cannot_take) {
                p.number(2) + p.x);
     EXPECT_EQ(
         p.mistake_of_derivation(),
-        "the mass of Chain changes with coordinate q0; in Lagrange's method it may change with time only");
+        "the mass of Chain changes with coordinate q0; with Lagrange's method it may change with time only");
   }
   { // a carrier's axes, of which the wheel is not the same from all sides
     particle_in_plane p;
@@ -187,27 +187,24 @@ TEST(lagrange, names_what_it_cannot_take) {
     const point_id at = p.offset("P", p.origin("O"), p.along(p.inertial_frame(), p.x, p.x, p.y));
     p.rigid_body("Block", at, wheel, p.number(1),
                  p.inertia(p.inertial_frame(), p.number(1), p.number(2), p.number(3)));
-    EXPECT_EQ(
-        p.mistake_of_derivation(),
-        "the inertia of Block changes with coordinate q1; in Lagrange's method it may change with time only");
+    EXPECT_EQ(p.mistake_of_derivation(), "the inertia of Block changes with coordinate q1; with Lagrange's "
+                                         "method it may change with time only");
   }
   { // rolling that is built into a velocity
     particle_in_plane p;
     const point_id at = p.offset("P", p.origin("O"), p.along(p.inertial_frame(), p.x, p.y, p.x));
     p.velocity(at, p.inertial_frame(), p.along(p.inertial_frame(), p.vx, p.vx, p.vx));
     p.particle("Skate", at, p.number(1));
-    EXPECT_EQ(
-        p.mistake_of_derivation(),
-        "the velocity of Skate is not the rate of its position, which Lagrange's method differentiates");
+    EXPECT_EQ(p.mistake_of_derivation(),
+              "the velocity of Skate is not the rate of its position, as Lagrange's method requires");
   }
   {
     particle_in_plane p;
     const frame_id a = p.rotated("A", p.inertial_frame(), p.x, p.along(p.inertial_frame(), 0, 0, 1));
     p.angular_velocity(a, p.inertial_frame(), p.along(a, p.number(0.0), p.number(0.0), p.vy));
     p.particle("P", p.offset("P", p.origin("O"), p.along(a, p.x, p.y, p.x)), p.number(1));
-    EXPECT_EQ(p.mistake_of_derivation(),
-              "the declared angular velocity of frame A is not that of its orientation, which Lagrange's "
-              "method differentiates");
+    EXPECT_EQ(p.mistake_of_derivation(), "the declared angular velocity of frame A does not match its "
+                                         "orientation, as Lagrange's method requires");
   }
   for (const double factor : {2.0, 1.0}) { // 2 ē ∘ ė is the angular velocity of a unit quaternion
     system_of_rates p(4, true);
@@ -221,10 +218,10 @@ TEST(lagrange, names_what_it_cannot_take) {
                                k * (e0 * v3 - e3 * v0 - e1 * v2 + e2 * v1)));
     p.configuration_constraint(e0 * e0 + e1 * e1 + e2 * e2 + e3 * e3 - 1);
     p.rigid_body("B", p.origin("O"), a, p.number(1), p.inertia(a, p.number(1), p.number(2), p.number(2.5)));
-    EXPECT_EQ(p.mistake_of_derivation(),
-              factor > 1.5 ? ""
-                           : "the declared angular velocity of frame A is not that of its orientation, which "
-                             "Lagrange's method differentiates");
+    EXPECT_EQ(p.mistake_of_derivation(), factor > 1.5
+                                             ? ""
+                                             : "the declared angular velocity of frame A does not match its "
+                                               "orientation, as Lagrange's method requires");
   }
 }
 

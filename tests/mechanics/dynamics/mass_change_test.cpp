@@ -151,9 +151,8 @@ TEST(inertia, changes_where_its_axes_turn_in_the_body) {
   const Vector3d principal(0.5, 0.8, 1.1);
   b.rigid_body("Wheel", b.o, wheel, b.number(1),
                b.inertia(a, b.number(principal(0)), b.number(principal(1)), b.number(principal(2))));
-  EXPECT_EQ(b.check().view(),
-            "the inertia of Wheel is given in axes of A and changes as seen from W, with which the "
-            "body turns; if that is meant, write changing_inertia<...>");
+  EXPECT_EQ(b.check().view(), "the inertia of Wheel is given along the axes of A and changes as seen from W, "
+                              "the body frame; if this is intended, write changing_inertia<...>");
   b.changing_inertia("Wheel");
   ASSERT_EQ(b.check().view(), "");
   mechanics::equations e(b.system());

@@ -178,33 +178,34 @@ std::string mistake(void (*make)(arm&)) {
 
 TEST(springs, are_looked_at) {
   EXPECT_EQ(mistake([](arm& a) { a.spring(a.tip, a.tip, a.number(1)); }),
-            "a spring lies between point T and itself");
+            "a spring acts between point T and itself");
   EXPECT_EQ(mistake([](arm& a) { a.damper(a.tip, a.tip, a.number(1)); }),
-            "a damper lies between point T and itself");
+            "a damper acts between point T and itself");
   EXPECT_EQ(mistake([](arm& a) { a.spring(a.o, a.offset("Z", a.o, a.along(a.n, 0.0, 0, 0)), a.number(1)); }),
-            "the spring between O and Z has no length in any configuration");
-  EXPECT_EQ(mistake([](arm& a) { a.damper(a.tip, a.origin("M"), a.number(1)); }),
-            "the damper between T and M hangs on two origins, O and M, whose distance is not known");
+            "the spring between O and Z has zero length in every configuration");
+  EXPECT_EQ(
+      mistake([](arm& a) { a.damper(a.tip, a.origin("M"), a.number(1)); }),
+      "the damper between T and M has ends measured from two origins, O and M, whose distance is not known");
   EXPECT_EQ(mistake([](arm& a) { a.spring(a.tip, a.o, a.q[0]); }),
-            "the stiffness of the spring between T and O holds the coordinate q0; it may hold "
-            "parameters, inputs and time only");
+            "the stiffness of the spring between T and O contains the coordinate q0; it may contain only "
+            "parameters, inputs and time");
   EXPECT_EQ(mistake([](arm& a) { a.spring(a.tip, a.o, a.number(1), a.u[0]); }),
-            "the natural length of the spring between T and O holds the speed u0; it may hold parameters, "
-            "inputs and time only");
+            "the natural length of the spring between T and O contains the speed u0; it may contain only "
+            "parameters, inputs and time");
   EXPECT_EQ(mistake([](arm& a) { a.damper(a.tip, a.o, a.dot(a.u[1])); }),
-            "the damping between T and O holds the rate of speed u1");
+            "the damping between T and O contains the rate of speed u1");
   EXPECT_EQ(mistake([](arm& a) { a.potential_energy(a.q[0]), a.potential_energy(a.q[0] * a.u[2]); }),
-            "potential energy 2 holds the speed u2; it may hold coordinates only");
+            "potential energy 2 contains the speed u2; it may contain only coordinates");
   EXPECT_EQ(mistake([](arm& a) { a.potential_energy(a.dot(a.q[0])); }),
-            "potential energy 1 holds the rate of coordinate q0");
+            "potential energy 1 contains the rate of coordinate q0");
   EXPECT_EQ(mistake([](arm& a) { a.torsional_damper(a.first, a.first, a.number(1)); }),
-            "a torsional damper lies between frame A and itself");
+            "a torsional damper acts between frame A and itself");
   EXPECT_EQ(mistake([](arm& a) { a.torque_between(a.first, a.first, a.along(a.n, 0, 0, 1)); }),
             "a torque acts between frame A and itself");
   EXPECT_EQ(mistake([](arm& a) { a.force_between(a.tip, a.tip, a.along(a.n, 0, 0, 1)); }),
             "a force acts between point T and itself");
   EXPECT_EQ(mistake([](arm& a) { a.force_between(a.tip, a.o, a.dot(a.u[0]) * a.along(a.n, 0, 0, 1)); }),
-            "the force between T and O holds the rate of speed u0");
+            "the force between T and O contains the rate of speed u0");
   EXPECT_EQ(mistake([](arm& a) { a.spring(a.tip, point_id{99}, a.number(1)); }),
             "a spring names point number 99, which does not exist");
   EXPECT_EQ(mistake([](arm& a) { a.spring(a.tip, a.o, a.number(-2)), a.damper(a.tip, a.o, a.number(-1)); }),

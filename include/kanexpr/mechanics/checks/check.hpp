@@ -14,12 +14,12 @@
 #include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 
-/// Mistakes that a system can hold, found before anything is derived from it.
+/// Checks of a system, run before the equations of motion are derived.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// The checks of one system, in the order in which a person would want to hear of mistakes.
+/// Runs the checks of a system; the mistake that is most useful to fix first comes first.
 class checking {
 public:
   constexpr explicit checking(const multibody_system& of) : of_(of), m_(of.mechanism), held_(*m_.g) {}
@@ -36,11 +36,11 @@ public:
     for (const body& b : m_.bodies) look_at(b);
     if (!found_) found_ = check_loads(m_, of_.loads, held_);
     if (!found_) found_ = checking_dyadics(m_, held_).run();
-    if (!found_ && m_.derived_by == method::kane) what_is_declared(); // `check_lagrange` asks for more
+    if (!found_ && m_.derived_by == method::kane) what_is_declared(); // `check_lagrange` requires more
     return found_;
   }
 
-  /// Of frames and points that came after the first ones.
+  /// Checks the frames and points added after the first `frames` and `points`.
   constexpr sentence run_on_late(int frames, int points) {
     bool is_any_declared = false;
     for (int f = frames; f < m_.frames.size() && !found_; ++f) {
@@ -62,7 +62,7 @@ private:
     if (!found_) found_ = sentence(pieces);
   }
 
-  /// Geometry may hold coordinates, parameters and time, nothing whose rate is not known.
+  /// A geometric quantity may contain coordinates, parameters and time, but nothing whose rate is unknown.
   constexpr void geometry(expression e, std::string_view of, const name& whose) {
     if (found_ || !held_.holds_any(e, {kind::speed, kind::auxiliary_speed, kind::input, kind::coordinate_rate,
                                        kind::speed_rate}))
@@ -71,13 +71,13 @@ private:
     inputs(e, 2, of, whose.view());
   }
 
-  /// Where a quantity is differentiated, its inputs must be prescribed with their derivatives.
+  /// The inputs of a differentiated quantity must be prescribed, with their derivatives.
   constexpr void inputs(expression e, int derivatives, std::string_view of, std::string_view whose) {
     if (const unknown_derivative u = find_unknown_derivative(m_, held_, e, derivatives))
-      fail({of, whose, " holds the input ", u.input, ", whose ", u.what, is_not_known});
+      fail({of, whose, " contains the input ", u.input, ", whose ", u.what, is_not_known});
   }
 
-  /// At generic states.
+  /// Checks declared velocities and inertias at generic states.
   constexpr void what_is_declared() {
     bool declared = false, apart = false;
     sequence<left_out_angle> angles;
@@ -103,12 +103,13 @@ private:
     if (!found_) found_ = check_direction_cosines(m_, f);
     if (!f.turns_by_declaration()) return;
     velocity(f.angular_velocity, "the angular velocity of frame ", f.called);
-    // the frames whose motion this one's is measured from
-    int steps = m_.frames.size(); // a circle that f is not in is told of another frame
+    // the chain of reference frames
+    int steps = m_.frames.size(); // the bound ends loops that do not contain f; they are reported for another
+                                  // frame
     for (int on = f.reference; on != none && steps > 0; --steps) {
       const frame& above = m_.frames[on];
       if (on == place)
-        return fail({"the angular velocity of frame ", f.called.view(), " is given in ",
+        return fail({"the angular velocity of frame ", f.called.view(), " is given relative to ",
                      m_.frames[f.reference].called.view(), ", which turns with ", f.called.view()});
       on = above.turns_by_declaration() ? above.reference : above.parent;
     }
@@ -126,7 +127,7 @@ private:
         const expression e = part.value[i];
         inputs(e, 1, of, whose.view());
         if (held_.holds(e, kind::speed_rate))
-          fail({of, whose.view(), " holds the ",
+          fail({of, whose.view(), " contains the ",
                 speed_rate_called(m_, held_.name_of(e, kind::speed_rate)).view()});
         if (!found_) found_ = check_linear(m_, held_, e, sentence({of, whose.view()}).view());
       }
@@ -153,7 +154,7 @@ private:
     if (!found_) found_ = check_inertia(m_, b);
   }
 
-  /// Masses and inertias may change in a known way: with the time, coordinates and prescribed quantities.
+  /// Masses and inertias may depend on time, coordinates and prescribed quantities.
   constexpr void mass(expression e, std::string_view of, std::string_view whose) {
     const std::string_view an_article = m_.derived_by == method::kane ? "" : "the ";
     if (held_.holds(e, kind::speed))
@@ -180,15 +181,16 @@ private:
 
 } // namespace detail
 
-/// The first mistake of a system, or nothing; constraints are looked at when velocities are known.
+/// Returns the first mistake of a system, or an empty sentence. Constraints are checked later, once the
+/// velocities have been derived.
 constexpr sentence check_system(const multibody_system& of) { return detail::checking(of).run(); }
 
-/// The same of frames and points which a system was given after the first ones, when it was derived already.
+/// Checks frames and points that were added to a system after it had been derived.
 constexpr sentence check_late_entities(const multibody_system& of, int frames, int points) {
   return detail::checking(of).run_on_late(frames, points);
 }
 
-/// A mistake that shows only in the mass matrix.
+/// Reports a zero on the diagonal of the mass matrix.
 constexpr sentence check_mass_matrix(const mechanism& m, const partition& speeds,
                                      const symbolic::matrix& mass) {
   for (int i = 0; i < mass.rows; ++i)

@@ -4,23 +4,24 @@
 #include <kanexpr/mechanics/model/inertia.hpp>
 #include <kanexpr/mechanics/motion/generic_motion.hpp>
 
-/// Angular velocities that are declared, against those of orientations.
+/// Compares declared angular velocities with those that follow from orientations.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// What a frame turns about apart from its orientation, in its own axes: more than one axis if not by a
-/// single angle.
+/// The axes, in the frame's own basis, about which a frame turns in addition to its orientation. More than
+/// one axis means that no single angle explains the motion.
 struct left_out_angle {
   int frame = none;
   span_of_triples axes{};
 };
 
-/// An equality that holds at one generic state holds at all; axes that stay are looked for at three.
+/// Compares declared angular velocities with orientations at generic states: an equality that holds at one
+/// generic state holds identically. Whether an axis is constant is checked at three states.
 ///
-/// What of a declared angular velocity the orientation does not say has to be the spin of angles that the
-/// orientation leaves out, as that of a wheel that is the same from all sides. One such angle turns about an
-/// axis that is fixed in the frame, and about which the frame's own angles do not turn it.
+/// The difference between a declared angular velocity and that of the orientation must be the spin of omitted
+/// angles, such as that of an axisymmetric wheel. A single omitted angle turns the frame about an axis that
+/// is fixed in the frame and about which the frame's own angles do not turn it.
 class checking_angular_velocity {
 public:
   constexpr checking_angular_velocity(const mechanism& m, const contents& held)
@@ -31,8 +32,8 @@ public:
   }
 
   constexpr sentence run() {
-    bool open = false;  // whether something is to be explained
-    bool moves = false; // whether its axis may move in a frame
+    bool open = false;  // some difference must be explained
+    bool moves = false; // some spin axis may move in its frame
     for (int state = 0, looked = 0; state < 6 && looked < (open || moves ? 3 : 1); ++state) {
       motion_.draw();
       if (motion_.has_free_speeds() && !take(false)) continue;
@@ -50,10 +51,9 @@ public:
             t.by_angles.add(in_own_axes(t.frame, by_orientation(t.frame)));
     for (const declared_angular_velocity& t : declared_)
       if (!m_.frames[t.frame].turns_apart && !is_explained(t))
-        return sentence(
-            {"the angular velocity of frame ", called(t.frame),
-             " is not that of its orientation, and no angle that is left out explains it; if that "
-             "is meant, write angular_velocity_apart_from_orientation<...>"});
+        return sentence({"the angular velocity of frame ", called(t.frame),
+                         " does not match its orientation, and no omitted angle explains the difference; if "
+                         "this is intended, write angular_velocity_apart_from_orientation<...>"});
     return {};
   }
 
@@ -67,19 +67,20 @@ public:
   }
 
 private:
-  /// Of a frame, in its own axes at all states.
+  /// The differences found for one frame, in its own basis, over all states.
   struct declared_angular_velocity {
     int frame = none;
-    span_of_triples all{};       ///< what its orientation does not say of its angular velocity
-    span_of_triples bound{};     ///< the same without speeds that appear in no kinematic equation
-    span_of_triples free{};      ///< what these speeds make of it
-    span_of_triples by_angles{}; ///< what its orientation can turn about in its reference, at one state
+    span_of_triples all{};       ///< declared angular velocity minus that of the orientation
+    span_of_triples bound{};     ///< the same without the speeds that appear in no kinematic equation
+    span_of_triples free{};      ///< the contribution of these speeds
+    span_of_triples by_angles{}; ///< the axes about which the orientation can turn the frame in its
+                                 ///< reference, at one state
     triple before{};
   };
 
   constexpr std::string_view called(int f) const { return m_.frames[f].called.view(); }
 
-  /// In the reference.
+  /// Relative to the reference frame.
   constexpr triple by_orientation(int f) const {
     return motion_.by_orientation(f) - motion_.by_orientation(m_.frames[f].reference);
   }
@@ -104,14 +105,14 @@ private:
   }
 
   constexpr bool is_explained(const declared_angular_velocity& t) const {
-    // by two speeds of its own the orientation is unknown, and other checks ask what depends on it
+    // two free speeds leave the orientation unknown; other checks cover what depends on it
     if (t.bound.size() == 0 || t.free.size() > 1) return true;
     const bool own_is_fixed = is_fixed_in_parent(t.frame);
     if (t.all.size() == 1) return own_is_fixed || t.free.size() == 1 || !t.by_angles.holds(t.all);
     return own_is_fixed && (t.by_angles.size() == 0 || is_ball(t.frame));
   }
 
-  /// Whether a frame says nothing but that it spins about an axis of its parent.
+  /// Whether a frame is declared only to spin about an axis of its parent.
   constexpr bool is_wheel(int place) const {
     const frame& f = m_.frames[place];
     if (f.kind != orientation::about_basis || f.reference != f.parent || !is_fixed_in_parent(place))
@@ -129,7 +130,7 @@ private:
     return f.kind == orientation::matrix ? held_.is_fixed(f.to_parent) : held_.is_fixed(f.angle);
   }
 
-  /// Whether what moves with a frame is the same from all sides, so that none of its angles matters.
+  /// Whether all bodies of a frame have spherical inertia, so that none of its angles matters.
   constexpr bool is_ball(int f) const {
     bool any = false;
     for (const body& b : m_.bodies) {

@@ -5,17 +5,18 @@
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/motion/generic_motion.hpp>
 
-/// Inertias that are not constant as their bodies see them.
+/// Inertias that are not constant in their bodies.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Looks at rigid bodies whose inertia is made of numbers and parameters, so that it is meant to stay, and
-/// given in axes, or about a point, that may move in the body. An inertia that changes in a known way holds
-/// what it changes with; any other is told apart by the model.
+/// Checks rigid bodies whose inertia contains only numbers and parameters, and is therefore meant to be
+/// constant, but is given along axes or about a point that may move in the body. An inertia that is meant to
+/// change contains the quantities it changes with, or is marked by the model.
 class checking_inertia {
 public:
-  /// `apart`: some frame does not turn as its orientation says, so that a body's own axes may move in it.
+  /// `apart`: some frame turns differently from its orientation, so that even the axes of a body may move in
+  /// it.
   constexpr checking_inertia(const mechanism& m, const contents& held, bool apart) : m_(m), held_(held) {
     for (int b = 0; b < m.bodies.size(); ++b)
       if (is_meant_to_stay(m.bodies[b]) && (apart || is_elsewhere(m.bodies[b]))) doubtful_.push({b, {}});
@@ -29,7 +30,7 @@ public:
     for (int state = 0, looked = 0; state < 6 && looked == 0; ++state) {
       motion.draw();
       if (!motion.move()) continue;
-      ++looked; // what stays at one generic state stays at all
+      ++looked; // constant at one generic state: constant at all
       for (const doubt& d : doubtful_)
         if (changes(motion, d)) return told(m_.bodies[d.body]);
     }
@@ -39,25 +40,24 @@ public:
 private:
   struct doubt {
     int body = none;
-    vector from_center{}; ///< to the point that the inertia is about
+    vector from_center{}; ///< to the reference point of the inertia
   };
 
   constexpr sentence told(const body& b) const {
-    constexpr std::string_view word = "if that is meant, write changing_inertia<...>";
+    constexpr std::string_view word = "if this is intended, write changing_inertia<...>";
     const std::string_view frame = m_.frames[b.frame].called.view();
     for (const dyadic::part& p : b.inertia.parts)
       for (int axes : {p.left, p.right})
         if (axes != b.frame)
-          return sentence({"the inertia of ", b.called.view(), " is given in axes of ",
+          return sentence({"the inertia of ", b.called.view(), " is given along the axes of ",
                            m_.frames[axes].called.view(), " and changes as seen from ", frame,
-                           ", with which the body turns; ", word});
+                           ", the body frame; ", word});
     if (b.about != none && b.about != b.center)
       return sentence({"the inertia of ", b.called.view(), " is given about ",
-                       m_.points[b.about].called.view(), ", which moves in ", frame,
-                       ", with which the body turns; ", word});
-    return sentence({"the inertia of ", b.called.view(),
-                     " is not the same from all sides of the axis about which ", frame,
-                     " turns without an angle; ", word});
+                       m_.points[b.about].called.view(), ", which moves in ", frame, ", the body frame; ",
+                       word});
+    return sentence({"the inertia of ", b.called.view(), " is not axisymmetric about the spin axis of ",
+                     frame, ", whose angle is omitted; ", word});
   }
 
   constexpr bool is_meant_to_stay(const body& b) const {
@@ -67,7 +67,7 @@ private:
     }
     return b.about == none || b.about == b.center || held_.is_fixed(b.mass);
   }
-  /// On purpose, or what it turns in is.
+  /// Whether this frame or one that it turns with is declared to turn apart from its orientation.
   constexpr bool is_apart(int f) const {
     for (; f != mechanism::inertial; f = m_.frames[f].parent)
       if (m_.frames[f].turns_apart) return true;
@@ -83,14 +83,13 @@ private:
       if (!p.value.is_zero() && (!are_rigid(p.frame, b.frame) || !mechanics::is_fixed(p.value))) return true;
     return false;
   }
-  /// Whether a frame only spins in the axes of an inertia, about an axis from all sides of which that is the
-  /// same.
+  /// Whether a frame only spins in the axes of an inertia, about an axis of rotational symmetry.
   constexpr bool spins_unseen(const dyadic::part& p, int f) const {
     const frame& own = m_.frames[f];
     return own.kind == orientation::about_basis && own.parent == p.left && p.left == p.right &&
            is_round(p.value, own.axis);
   }
-  /// Whether nothing turns between two frames.
+  /// Whether no rotation takes place between two frames.
   constexpr bool are_rigid(int a, int b) const {
     const int meeting = path::common_ancestor(m_, a, b);
     return is_still(a, meeting) && is_still(b, meeting);
@@ -105,8 +104,8 @@ private:
     return true;
   }
 
-  /// Whether the body sees a rate of its inertia I = Σ a⊗b: with axes that turn with w in the body,
-  /// İ = Σ (w_a × a)⊗b + a⊗(w_b × b).
+  /// Whether the inertia I = Σ a⊗b has a rate in the body frame. For axes that turn with w relative to the
+  /// body, İ = Σ (w_a × a)⊗b + a⊗(w_b × b).
   constexpr bool changes(const generic_motion& motion, const doubt& d) const {
     const body& b = m_.bodies[d.body];
     if (!motion.is_proper(b.frame)) return false;
@@ -128,7 +127,7 @@ private:
         size += length(along);
       }
     }
-    triple r, moves; // of the point that the inertia is about
+    triple r, moves; // of the reference point of the inertia
     for (const vector::part& p : d.from_center.parts) {
       if (!motion.is_proper(p.frame)) return false;
       const triple part = motion.basis(p.frame) * motion.value(p.value);
@@ -136,7 +135,7 @@ private:
       moves = moves + motion.basis(p.frame) * motion.rate(p.value) +
               cross(motion.by_orientation(p.frame) - own, part);
     }
-    if (!d.from_center.parts.empty()) { // I − m (r·r E − r⊗r) is what it is about the mass centre
+    if (!d.from_center.parts.empty()) { // the central inertia is I − m (r·r E − r⊗r)
       const double mass = motion[b.mass].value, stretch = 2 * dot(r, moves);
       const triad spread = outer(r, moves), back = outer(moves, r);
       add(rate, {mass * (spread.x + back.x), mass * (spread.y + back.y), mass * (spread.z + back.z)});
@@ -144,10 +143,10 @@ private:
       size += elementary::abs(mass) * dot(r, r);
       turns += length(r) > 0 ? length(moves) / length(r) : 0;
     }
-    // rates that are solved for have fewer digits than what they are solved from
+    // solved rates have fewer correct digits than the quantities they are solved from
     return length(rate.x) + length(rate.y) + length(rate.z) > size * (1e-7 * turns + motion.rounding());
   }
-  /// a⊗b by its columns.
+  /// The columns of a⊗b.
   static constexpr triad outer(triple a, triple b) { return {b.x * a, b.y * a, b.z * a}; }
 
   const mechanism& m_;

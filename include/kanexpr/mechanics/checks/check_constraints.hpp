@@ -7,11 +7,10 @@
 #include <kanexpr/mechanics/constraints/dependent_speeds.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
 
-/// Mistakes in constraints: in what they hold, in how many they are, and constraints that are singular in
-/// every configuration.
+/// Checks of constraints: their contents, their number, and whether they are singular in every configuration.
 namespace kanexpr::mechanics {
 
-/// The derivatives of the configuration constraints by all coordinates.
+/// The Jacobian of the configuration constraints with respect to all coordinates.
 constexpr symbolic::matrix configuration_jacobian_by_all(const mechanism& m,
                                                          const sequence<expression>& constraints) {
   symbolic::matrix jacobian(*m.g, constraints.size(), m.coordinates.size());
@@ -23,20 +22,20 @@ constexpr symbolic::matrix configuration_jacobian_by_all(const mechanism& m,
   return jacobian;
 }
 
-/// Of planar loops in space, say.
+/// Reports configuration constraints that vanish identically, as for planar loops modeled in space.
 constexpr sentence constraints_of_nothing(const given_constraints& given) {
   sequence<int> numbers;
   for (int i = 0; i < given.on_configuration.size(); ++i)
     if (given.on_configuration[i].is_zero() && !given.redundant.contains(i + 1)) numbers.push(i + 1);
   const auto [named, listed] = numbered(numbers);
   return numbers.size() == 1
-             ? sentence({"configuration constraint ", named.view(), " holds no coordinate; redundant<",
-                         listed.view(), "> leaves it out"})
-             : sentence({"configuration constraints ", named.view(), " hold no coordinate; redundant<",
-                         listed.view(), "> leaves them out"});
+             ? sentence({"configuration constraint ", named.view(), " contains no coordinate; add redundant<",
+                         listed.view(), "> to drop it"})
+             : sentence({"configuration constraints ", named.view(), " contain no coordinate; add redundant<",
+                         listed.view(), "> to drop them"});
 }
 
-/// What the constraints of a model hold.
+/// Checks which symbols the constraints of a model contain.
 constexpr sentence check_contents_of_constraints(const mechanism& m, const given_constraints& given) {
   using kind = symbolic::symbol_kind;
   if (given.on_configuration.empty() && given.on_velocities.empty() && given.on_accelerations.empty())
@@ -50,40 +49,40 @@ constexpr sentence check_contents_of_constraints(const mechanism& m, const given
       std::string_view called;
     };
     if (held.holds(f, kind::speed))
-      return sentence({"configuration constraint ", which.view(), " holds the ",
+      return sentence({"configuration constraint ", which.view(), " contains the ",
                        speed_called(m, held.name_of(f, kind::speed)).view(),
-                       "; it may hold coordinates only"});
+                       "; it may contain only coordinates"});
     if (held.holds(f, kind::speed_rate))
-      return sentence({"configuration constraint ", which.view(), " holds the ",
+      return sentence({"configuration constraint ", which.view(), " contains the ",
                        speed_rate_called(m, held.name_of(f, kind::speed_rate)).view(),
-                       "; it may hold coordinates only"});
-    for (const named_kind& w : {named_kind{kind::auxiliary_speed, " holds the auxiliary speed "},
-                                named_kind{kind::coordinate_rate, " holds the rate of coordinate "}})
+                       "; it may contain only coordinates"});
+    for (const named_kind& w : {named_kind{kind::auxiliary_speed, " contains the auxiliary speed "},
+                                named_kind{kind::coordinate_rate, " contains the rate of coordinate "}})
       if (held.holds(f, w.what))
         return sentence({"configuration constraint ", which.view(), w.called, held.name_of(f, w.what),
-                         "; it may hold coordinates only"});
+                         "; it may contain only coordinates"});
     if (const unknown_derivative u = find_unknown_derivative(m, held, f, 2))
-      return sentence({"configuration constraint ", which.view(), " holds the input ", u.input, ", whose ",
+      return sentence({"configuration constraint ", which.view(), " contains the input ", u.input, ", whose ",
                        u.what, is_not_known});
     if (!held.holds(f, kind::coordinate) && !given.redundant.contains(i + 1))
       return f.is_zero() ? constraints_of_nothing(given)
-                         : sentence({"configuration constraint ", which.view(), " holds no coordinate"});
+                         : sentence({"configuration constraint ", which.view(), " contains no coordinate"});
   }
   for (int i = 0; i < given.on_velocities.size(); ++i) {
     const expression v = given.on_velocities[i].value;
     const name which = counted(i + 1);
     if (held.holds(v, kind::speed_rate))
-      return sentence({"velocity constraint ", which.view(), " holds the ",
+      return sentence({"velocity constraint ", which.view(), " contains the ",
                        speed_rate_called(m, held.name_of(v, kind::speed_rate)).view()});
     if (const unknown_derivative u = find_unknown_derivative(m, held, v, 1))
-      return sentence({"velocity constraint ", which.view(), " holds the input ", u.input, ", whose ", u.what,
-                       is_not_known});
+      return sentence({"velocity constraint ", which.view(), " contains the input ", u.input, ", whose ",
+                       u.what, is_not_known});
     if (!held.holds_any(v, {kind::speed, kind::coordinate_rate}))
       return held.holds(v, kind::coordinate)
-                 ? sentence({"velocity constraint ", which.view(), " holds the coordinate ",
-                             held.name_of(v, kind::coordinate), " and no ", a_speed(m),
-                             "; it is of the configuration: write it in configuration_constraints<...>"})
-                 : sentence({"velocity constraint ", which.view(), " holds no ", a_speed(m)});
+                 ? sentence({"velocity constraint ", which.view(), " contains the coordinate ",
+                             held.name_of(v, kind::coordinate), " but no ", a_speed(m),
+                             "; move it to configuration_constraints<...>"})
+                 : sentence({"velocity constraint ", which.view(), " contains no ", a_speed(m)});
     const sentence not_linear =
         check_linear(m, held, v, sentence({"velocity constraint ", which.view()}).view());
     if (not_linear) return not_linear;
@@ -93,7 +92,8 @@ constexpr sentence check_contents_of_constraints(const mechanism& m, const given
 
 namespace detail {
 
-/// Whether a configuration constraint whose derivatives follow from those before it is false where they hold.
+/// Whether a configuration constraint whose gradient depends on those of the preceding ones is violated
+/// wherever they hold.
 constexpr bool contradicts_configuration(const skeleton& s, const constraints& c,
                                          const symbolic::matrix& configuration, int i) {
   const sequence<expression> said{c.on_configuration[i]};
@@ -101,7 +101,7 @@ constexpr bool contradicts_configuration(const skeleton& s, const constraints& c
   return first_that_never_vanishes(states, said) == 0;
 }
 
-/// The same of one on the velocities.
+/// The same for a velocity constraint.
 constexpr bool contradicts_velocities(const skeleton& s, const constraints& c,
                                       const symbolic::matrix& configuration, int i) {
   const sequence<expression> said{c.on_velocities[i].value};
@@ -109,12 +109,14 @@ constexpr bool contradicts_velocities(const skeleton& s, const constraints& c,
   return first_that_never_vanishes(states, said) == 0;
 }
 
-/// The rates of configuration constraints that are left out because velocity constraints bind the same.
+/// Checks the rates of configuration constraints that are omitted because velocity constraints imply them.
 constexpr sentence check_repeated_rates(const skeleton& s, const constraints& c,
                                         const symbolic::matrix& configuration) {
   if (c.repeated.empty()) return {};
   consistent_states anywhere(s, configuration, 0, c, c.size(), c.repeated);
-  if (first_that_never_vanishes(anywhere, c.repeated) == none) return {}; // as most, in any configuration
+  if (first_that_never_vanishes(anywhere, c.repeated) == none)
+    return {}; // true in any configuration, as for
+               // most models
   consistent_states states(s, configuration, configuration.rows, c, c.size(), c.repeated);
   const int i = first_that_never_vanishes(states, c.repeated);
   if (i == none) return {};
@@ -128,8 +130,8 @@ constexpr sentence check_repeated_rates(const skeleton& s, const constraints& c,
 
 } // namespace detail
 
-/// Constraints that leave nothing to move, that say nothing that those before them have not said, or that
-/// contradict them. Both Jacobians are given at generic states too, equilibrated.
+/// Reports constraints that leave no motion, follow from the preceding ones, or contradict them. `by_q` and
+/// `by_u` are both Jacobians at generic states, equilibrated.
 constexpr sentence check_constraints(const skeleton& s, const constraints& c,
                                      const symbolic::matrix& configuration, const sequence<numbers>& by_q,
                                      const sequence<numbers>& by_u) {
@@ -144,19 +146,19 @@ constexpr sentence check_constraints(const skeleton& s, const constraints& c,
     if (holds[i] == 0)
       return i == 0 || detail::contradicts_configuration(s, c, configuration, i)
                  ? sentence({"configuration constraint ", counted(c.numbers[i]).view(),
-                             i == 0 ? " binds no coordinate in any configuration"
-                                    : " contradicts those before it"})
+                             i == 0 ? " constrains no coordinate in any configuration"
+                                    : " contradicts the preceding ones"})
                  : sentence({"configuration constraint ", counted(c.numbers[i]).view(),
-                             " follows from those before it in every configuration; redundant<",
-                             counted(c.numbers[i]).view(), "> leaves it out"});
+                             " follows from the preceding ones in every configuration; add redundant<",
+                             counted(c.numbers[i]).view(), "> to drop it"});
   for (int i = 0; i < c.size(); ++i) {
     bool moves = false;
     for (int j = 0; j < speeds; ++j) moves = moves || !c.jacobian(i, j).is_zero();
     if (moves) continue;
     if (c.of_configuration[i] == none)
-      return sentence({"velocity constraint ", counted(i + 1).view(), " holds no ", a_speed(m)});
+      return sentence({"velocity constraint ", counted(i + 1).view(), " contains no ", a_speed(m)});
     return sentence({"the rate of configuration constraint ",
-                     counted(c.numbers[c.of_configuration[i]]).view(), " holds no ", a_speed(m)});
+                     counted(c.numbers[c.of_configuration[i]]).view(), " contains no ", a_speed(m)});
   }
   if (c.size() > speeds)
     return sentence({"there are ", several(c.size(), "constraint", " on the velocities").view(), " for ",
@@ -168,9 +170,9 @@ constexpr sentence check_constraints(const skeleton& s, const constraints& c,
     const bool is_false = i > 0 && detail::contradicts_velocities(s, c, configuration, i);
     if (c.of_configuration[i] == none)
       return sentence({"velocity constraint ", counted(i + 1).view(),
-                       i == 0     ? " binds no "
-                       : is_false ? " contradicts those before it"
-                                  : " follows from those before it in every configuration",
+                       i == 0     ? " constrains no "
+                       : is_false ? " contradicts the preceding ones"
+                                  : " follows from the preceding ones in every configuration",
                        i == 0 ? a_speed(m) : "", i == 0 ? " in any configuration" : ""});
     return sentence({"the rate of configuration constraint ",
                      counted(c.numbers[c.of_configuration[i]]).view(),
@@ -179,14 +181,14 @@ constexpr sentence check_constraints(const skeleton& s, const constraints& c,
   }
   if (const sentence contradiction = detail::check_repeated_rates(s, c, configuration)) return contradiction;
   if (c.size() == speeds && speeds > 0)
-    return sentence({"the constraints bind every ", a_speed(m), ": nothing is left that could move",
+    return sentence({"the constraints determine every ", a_speed(m), ", so nothing can move",
                      advice_on_redundant(m, configuration, c).view()});
   return {};
 }
 
 namespace detail {
 
-/// Whether rows can be solved for some columns in any configuration at all.
+/// Whether the rows can be solved for the given columns in some configuration.
 constexpr bool can_be_solved(const sequence<numbers>& states, const sequence<int>& columns) {
   sequence<numbers> chosen;
   for (const numbers& state : states) {
@@ -202,7 +204,7 @@ constexpr bool can_be_solved(const sequence<numbers>& states, const sequence<int
 
 } // namespace detail
 
-/// The dependent speeds and coordinates that the user chose; both Jacobians are given as above.
+/// Checks the dependent speeds and coordinates chosen by the user; `by_q` and `by_u` are as above.
 constexpr sentence check_choice(const mechanism& m, const given_constraints& given, const constraints& c,
                                 const symbolic::matrix& configuration, const sequence<numbers>& by_q,
                                 const sequence<numbers>& by_u) {
@@ -224,11 +226,11 @@ constexpr sentence check_choice(const mechanism& m, const given_constraints& giv
   if (bound != 0 && bound != c.size())
     return sentence(
         {several(bound, m.derived_by == method::kane ? "dependent speed" : "dependent rate").view(), " for ",
-         several(c.size(), "constraint", " on the velocities").view(), ": there must be as many"});
+         several(c.size(), "constraint", " on the velocities").view(), "; the numbers must be equal"});
   if (placed != 0 && placed != configuration.rows)
     return sentence({several(placed, "dependent coordinate").view(), " for ",
                      several(configuration.rows, "configuration constraint").view(),
-                     ": there must be as many"});
+                     "; the numbers must be equal"});
   if (bound != 0 && !detail::can_be_solved(by_u, given.dependent_speeds))
     return sentence({"the constraints cannot be solved for the dependent ",
                      speeds_called(m, given.dependent_speeds).view(), " in any configuration"});

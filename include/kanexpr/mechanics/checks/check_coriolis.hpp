@@ -2,16 +2,16 @@
 
 #include <kanexpr/mechanics/checks/check_lagrange.hpp>
 
-/// Whether a Coriolis matrix keeps what it promises.
+/// Checks that a Coriolis matrix formed from Christoffel symbols is valid.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-inline constexpr wording_of_rates by_coriolis{", as the Coriolis matrix supposes",
-                                              "; the Coriolis matrix is that of bodies that do not change"};
+inline constexpr wording_of_rates by_coriolis{", as the Coriolis matrix requires",
+                                              "; the Coriolis matrix requires constant masses and inertias"};
 
-/// The mass matrix may change with the coordinates of which speeds are the rates, and with nothing else: only
-/// then Ṁ − 2C can be skew-symmetric.
+/// Checks that the mass matrix depends only on coordinates whose rates are the speeds; otherwise Ṁ − 2C
+/// cannot be skew-symmetric.
 constexpr sentence check_changes_of_mass(const skeleton& s, const symbolic::matrix& mass) {
   const mechanism& m = *s.model;
   const contents held(*m.g);
@@ -22,22 +22,22 @@ constexpr sentence check_changes_of_mass(const skeleton& s, const symbolic::matr
     return !vanish(m, changes);
   };
   const auto refused = [&](std::string_view what, std::string_view name = {}) {
-    return sentence({"the Coriolis matrix is that of a mass matrix which changes with the coordinates alone; "
-                     "this one changes with ",
-                     what, name});
+    return sentence(
+        {"the Coriolis matrix requires a mass matrix that depends only on coordinates; this one depends on ",
+         what, name});
   };
-  if (changes_with(m.time)) return refused("the time");
+  if (changes_with(m.time)) return refused("time");
   for (const expression& r : m.inputs)
     if (changes_with(r)) return refused("the prescribed quantity ", called(m, r));
   for (const expression& u : m.speeds)
     if (changes_with(u)) return refused("the ", speed_called(m, called(m, u)).view());
   for (int j = 0; j < m.coordinates.size(); ++j)
     if (!m.speeds.contains(s.coordinate_rates[j]) && changes_with(m.coordinates[j]))
-      return refused(called(m, m.coordinates[j]), ", whose rate is no speed");
+      return refused(called(m, m.coordinates[j]), ", whose rate is not a speed");
   return {};
 }
 
-/// What is quadratic in the speeds of generalized inertia forces, with the other sign.
+/// The part of the generalized inertia forces that is quadratic in the speeds, with the opposite sign.
 constexpr sequence<expression> quadratic_part(const mechanism& m, const sequence<expression>& bias) {
   symbolic::substitution backwards(*m.g), at_rest(*m.g);
   for (const expression& u : m.speeds) {
@@ -52,8 +52,8 @@ constexpr sequence<expression> quadratic_part(const mechanism& m, const sequence
   return quadratic;
 }
 
-/// Why the equations of motion may be others than Lagrange's, whose C is made of Christoffel symbols, or
-/// nothing.
+/// Returns why the equations of motion may differ from Lagrange's, whose C is formed from Christoffel
+/// symbols, or an empty sentence.
 constexpr sentence doubt_about_rates(motion& k, const loads& acting) {
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;
@@ -61,15 +61,16 @@ constexpr sentence doubt_about_rates(motion& k, const loads& acting) {
   if (const sentence found = checking_lagrange(k, acting, by_coriolis).run()) return found;
   for (int j = 0; j < m.coordinates.size(); ++j)
     if (!m.speeds.contains(s.coordinate_rates[j]))
-      return sentence({"the Coriolis matrix is that of coordinates whose rates are the speeds; the rate of ",
-                       called(m, m.coordinates[j]), " is none"});
+      return sentence({"the Coriolis matrix requires the coordinate rates as speeds; the rate of ",
+                       called(m, m.coordinates[j]), " is not a speed"});
   return {};
 }
 
 } // namespace detail
 
-/// Why a matrix of Christoffel symbols is not C, or nothing: M changes with more than coordinates, or C u is
-/// not what is quadratic in the speeds of −F_r* at u̇ = 0, which `bias_of` forms where that is in doubt.
+/// Returns why the matrix `c` of Christoffel symbols is not a Coriolis matrix, or an empty sentence: M
+/// depends on more than the coordinates, or C u differs from the part of −F_r* at u̇ = 0 that is quadratic in
+/// the speeds. `bias_of` forms that part; it is called only in doubtful cases.
 template <class Form>
 constexpr sentence check_coriolis(motion& k, const loads& acting, const symbolic::matrix& mass,
                                   const symbolic::matrix& c, const Form& bias_of) {
@@ -79,7 +80,7 @@ constexpr sentence check_coriolis(motion& k, const loads& acting, const symbolic
   const sentence doubt = detail::doubt_about_rates(k, acting);
   if (!doubt) return {};
   sequence<expression> off = detail::quadratic_part(m, bias_of());
-  off.resize(m.speeds.size(), m.zero()); // auxiliary speeds come last
+  off.resize(m.speeds.size(), m.zero()); // the auxiliary speeds come last
   for (int i = 0; i < c.rows; ++i)
     for (int j = 0; j < c.columns; ++j) off[i] -= c(i, j) * m.speeds[j];
   return detail::vanish(m, off) ? sentence() : doubt;

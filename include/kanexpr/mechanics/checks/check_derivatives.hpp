@@ -7,7 +7,7 @@
 
 namespace kanexpr::mechanics {
 
-/// Derivatives that a result holds of functions of the program which do not give them.
+/// Reports a derivative of an external function that a result requires and the function does not provide.
 constexpr sentence check_derivatives(const symbolic::matrix& result) {
   if (result.entries.empty() || result.entries[0].owner().externals().empty()) return {};
   const symbolic::graph& g = result.entries[0].owner();
@@ -18,7 +18,7 @@ constexpr sentence check_derivatives(const symbolic::matrix& result) {
     const symbolic::external_function& f = g.external_at(id);
     if (!f.is_given())
       return sentence({"the ", which[f.order], "derivative of ", f.original.view(),
-                       " is needed, and not given; write it behind the function: external<\"",
+                       " is required but not provided; pass it after the function: external<\"",
                        f.original.view(), "\", function, derivative", f.order > 1 ? ", ...>" : ">"});
   }
   return {};

@@ -9,7 +9,7 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// The rows, or columns, of a matrix of direction cosines that are numbers.
+/// The rows or columns of a direction cosine matrix whose entries are numbers.
 struct numeric_axes {
   double entry[3][3]{};
   bool known[3]{};
@@ -30,11 +30,11 @@ struct numeric_axes {
   constexpr double dot(int i, int j) const {
     return entry[i][0] * entry[j][0] + entry[i][1] * entry[j][1] + entry[i][2] * entry[j][2];
   }
-  /// Six digits of numbers that were written down, and no sign or order that is wrong.
+  /// The tolerance admits numbers written with six digits and still detects a wrong sign or order.
   constexpr bool orthonormal() const {
     for (const auto& axis : entry)
       for (double e : axis)
-        if (elementary::abs(e) > 2) return false; // whose square might overflow
+        if (elementary::abs(e) > 2) return false; // the square might overflow
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j <= i; ++j)
         if (known[i] && known[j] && elementary::abs(dot(i, j) - (i == j ? 1 : 0)) > 1e-6) return false;
@@ -51,7 +51,8 @@ struct numeric_axes {
   }
 };
 
-/// Whether an expression holds symbols in sines and cosines only, so that its value is meant at any angle.
+/// Whether an expression contains symbols only as arguments of sines and cosines, so that it must be valid at
+/// any angle.
 constexpr bool holds_angles_only(const symbolic::graph& g, int id, sequence<int>& seen) {
   using symbolic::operation;
   const symbolic::node& n = g[id];
@@ -62,7 +63,7 @@ constexpr bool holds_angles_only(const symbolic::graph& g, int id, sequence<int>
   return holds_angles_only(g, n.a, seen) && (!symbolic::is_binary(n.op) || holds_angles_only(g, n.b, seen));
 }
 
-/// The values of expressions at generic states, if they are to hold at any angle.
+/// The values of expressions at generic states, if they must be valid at any angle; otherwise empty.
 constexpr sequence<numbers> at_any_angles(const mechanism& m, const sequence<expression>& all, int rows) {
   sequence<int> seen;
   for (const expression& e : all)
@@ -72,12 +73,12 @@ constexpr sequence<numbers> at_any_angles(const mechanism& m, const sequence<exp
   return at_generic_states(a, &m);
 }
 
-/// Of numbers and of functions of angles. Of four coordinates the state has to see to it.
+/// Checks numbers and functions of angles. Four coordinates are normalized by the state instead.
 constexpr bool has_unit_length(const mechanism& m, const sequence<expression>& quaternion) {
   for (const numbers& e : at_any_angles(m, quaternion, 1)) {
     double square = 0;
     for (int i = 0; i < 4; ++i) {
-      if (elementary::abs(e(0, i)) > 2) return false; // whose square might overflow
+      if (elementary::abs(e(0, i)) > 2) return false; // the square might overflow
       square += e(0, i) * e(0, i);
     }
     if (!(elementary::abs(square - 1) < 1e-6)) return false;
@@ -87,8 +88,8 @@ constexpr bool has_unit_length(const mechanism& m, const sequence<expression>& q
 
 } // namespace detail
 
-/// Direction cosines, as far as they are numbers or functions of angles, that turn nothing; an axis whose
-/// length is not within range.
+/// Checks that direction cosines form a rotation, as far as they are numbers or functions of angles, and that
+/// the length of an axis is within range.
 constexpr sentence check_direction_cosines(const mechanism& m, const frame& f) {
   if (f.kind == orientation::about_axis && f.direction.is_constant()) {
     const symbolic::graph& g = f.direction.x.owner();
@@ -98,8 +99,7 @@ constexpr sentence check_direction_cosines(const mechanism& m, const frame& f) {
       if (symbolic::is_finite(n)) square += n.value() * n.value();
     }
     if (!(elementary::abs(square - 1) < 1e-6))
-      return sentence(
-          {"the axis of frame ", f.called.view(), " has a length that is too large or too small"});
+      return sentence({"the axis of frame ", f.called.view(), " is too long or too short to be normalized"});
   }
   if (f.kind != orientation::matrix) return {};
   const std::string_view called = f.called.view();
@@ -111,7 +111,7 @@ constexpr sentence check_direction_cosines(const mechanism& m, const frame& f) {
   }
   if (!orthonormal)
     return sentence({"the direction cosines of frame ", called,
-                     " are not orthonormal; write what is not rational as sqrt or cos of numbers"});
+                     " are not orthonormal; write irrational entries as sqrt or cos of numbers"});
   bool right_handed = rows.right_handed();
   if (!rows.known[0] || !rows.known[1] || !rows.known[2]) {
     sequence<expression> cosines;
@@ -124,7 +124,8 @@ constexpr sentence check_direction_cosines(const mechanism& m, const frame& f) {
     }
   }
   if (!right_handed)
-    return sentence({"the direction cosines of frame ", called, " are not right-handed: they mirror"});
+    return sentence(
+        {"the direction cosines of frame ", called, " are not right-handed: they describe a reflection"});
   return {};
 }
 

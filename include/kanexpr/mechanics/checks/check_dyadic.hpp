@@ -4,13 +4,13 @@
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/motion/generic_motion.hpp>
 
-/// Inertias that no body has, where they are sums over the axes of several frames, or symbols.
+/// Physically impossible inertias that are sums over the axes of several frames, or that contain symbols.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Looks at them in the axes of their bodies, at generic states. What is the same at two of these is made of
-/// numbers.
+/// Evaluates the inertias in the axes of their bodies at generic states. An inertia that is equal at two
+/// states is taken as numeric.
 class checking_dyadics {
 public:
   constexpr checking_dyadics(const mechanism& m, const contents& held) : m_(m), held_(held) {
@@ -36,8 +36,8 @@ public:
 private:
   struct doubt {
     int body = none;
-    vector from_center{};     ///< to the point that the inertia is about
-    numeric_inertia before{}; ///< at the first state
+    vector from_center{};     ///< to the reference point of the inertia
+    numeric_inertia before{}; ///< the inertia at the first state
     numeric_way way_before{};
   };
 

@@ -5,7 +5,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/numeric/elementary.hpp>
 
-/// Inertias that no body has, as far as they are numbers.
+/// Physically impossible inertias, as far as they are numbers.
 namespace kanexpr::mechanics {
 
 namespace detail {
@@ -33,7 +33,7 @@ struct numeric_inertia {
     for (auto& row : at)
       for (double& e : row) e *= by;
   }
-  /// What is left of it about the mass centre, at −r of the point that it is about.
+  /// Moves the inertia from its reference point, at r from the mass center, to the mass center.
   constexpr void move_to_center(double mass, const double (&r)[3]) {
     const double square = r[0] * r[0] + r[1] * r[1] + r[2] * r[2];
     for (int i = 0; i < 3; ++i)
@@ -45,7 +45,7 @@ struct numeric_inertia {
       if (elementary::abs(at[i][(i + 1) % 3] - at[(i + 1) % 3][i]) > 1e-12) return false;
     return true;
   }
-  /// Whether this·factor + shift·E has positive principal values only, by its leading minors.
+  /// Whether factor·I + shift·E is positive definite, by its leading minors.
   constexpr bool positive(double factor, double shift) const {
     double a[3][3]{};
     for (int i = 0; i < 3; ++i)
@@ -58,10 +58,10 @@ struct numeric_inertia {
   }
 };
 
-/// Takes the way from a body's mass centre to the point that its inertia is about, where the two are
-/// connected.
+/// Computes the vector from the mass center of a body to the reference point of its inertia; returns false if
+/// the two points are not connected.
 constexpr bool take_way(const mechanism& m, const body& b, vector& way) {
-  sequence<int> above; // points from which the mass centre is offset
+  sequence<int> above; // the mass center and the points it is offset from
   for (int p = b.center; p != none; p = m.points[p].parent) above.push(p);
   int common = b.about;
   for (; common != none && !above.contains(common); common = m.points[common].parent)
@@ -71,8 +71,8 @@ constexpr bool take_way(const mechanism& m, const body& b, vector& way) {
   return true;
 }
 
-/// The way from a body's mass centre to the point that its inertia is about, if that is numbers in the axes
-/// of the inertia, and the mass is one.
+/// The vector from the mass center of a body to the reference point of its inertia; known if it is numeric in
+/// the axes of the inertia and the mass is a number.
 struct numeric_way {
   bool known = false;
   double mass = 0;
@@ -88,20 +88,22 @@ struct numeric_way {
       for (int i = 0; i < 3 && !p.value.is_zero(); ++i) {
         if (p.frame != axes || !p.value[i].is_constant()) return;
         r[i] = m.g->number_at(p.value[i].node()).value();
-        if (elementary::abs(r[i]) > 1e30) return; // whose square might overflow
+        if (elementary::abs(r[i]) > 1e30) return; // the square might overflow
       }
     known = mass < 1e30;
   }
 };
 
-/// Of an inertia whose largest entry is 1, and was `largest` before, about the mass centre or another point.
+/// Checks an inertia about the mass center or another point, scaled by 1/`largest` so that its largest entry
+/// is 1.
 constexpr sentence check_principal_values(std::string_view called, std::string_view about,
                                           numeric_inertia inertia, double largest, const numeric_way& way) {
   if (!inertia.positive(1, 1e-9))
-    return sentence({"the inertia of ", called, " is indefinite: about some axis its moment is negative"});
-  constexpr double rounded = 2.5e-3; // a plate that has no thickness, in numbers of three digits
+    return sentence({"the inertia of ", called, " is indefinite: its moment about some axis is negative"});
+  constexpr double rounded = 2.5e-3; // admits a plate of zero thickness, in numbers with three digits
   const double whole = inertia.trace();
-  bool is_given[3]{}, is_planar = false; // of a planar motion one moment matters, and others are left zero
+  bool is_given[3]{}, is_planar = false; // in planar models one moment matters and the others are often left
+                                         // zero
   for (int i = 0; i < 3; ++i) {
     is_given[i] = elementary::abs(inertia.at[i][i]) > 1e-12;
     is_planar = is_planar || !is_given[i];
@@ -112,11 +114,11 @@ constexpr sentence check_principal_values(std::string_view called, std::string_v
     is_too_small = is_too_small || (way.known && is_given[i] && inertia.at[i][i] < -rounded * whole);
   if (is_too_small)
     return sentence(
-        {"the inertia of ", called, " about ", about, " is less than what its mass alone has there"});
+        {"the inertia of ", called, " about ", about, " is smaller than the parallel-axis term of its mass"});
   if (!is_planar && !inertia.positive(-1, 0.5 * inertia.trace() + rounded * whole))
     return sentence({"the inertia of ", called,
-                     " is that of no body: one principal moment is larger than the other two together; if it "
-                     "is meant, write effective_inertia<...> around it"});
+                     " is not physical: one principal moment exceeds the sum of the other two; if this is "
+                     "intended, wrap it in effective_inertia<...>"});
   return {};
 }
 
@@ -135,8 +137,8 @@ constexpr bool has_inertia(const body& b) {
   return false;
 }
 
-/// An inertia that is negative about some axis, or of which one principal moment is larger than the other two
-/// together: Σ m (½ tr E − I), the second moments of the mass, would be negative.
+/// Checks that an inertia is positive about every axis and that no principal moment exceeds the sum of the
+/// other two; otherwise the second moments of the mass, ½ tr(I) E − I, would be negative.
 constexpr sentence check_inertia(const mechanism& m, const body& b) {
   if (b.inertia.parts.size() != 1 || b.inertia.parts[0].left != b.inertia.parts[0].right) return {};
   const matrix3& given = b.inertia.parts[0].value;

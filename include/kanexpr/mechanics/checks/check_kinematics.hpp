@@ -9,9 +9,8 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// The checks of the kinematic differential equations. The coordinate rates that an equation holds are
-/// collected once; coefficients are formed only for equations that are truly coupled, or that do not look
-/// linear.
+/// Checks the kinematic differential equations. The coordinate rates in each equation are collected once;
+/// coefficients are formed only for equations that are coupled or that do not look linear.
 class checking_kinematics {
 public:
   constexpr checking_kinematics(const mechanism& m, const contents& c) : m_(m), c_(c) {
@@ -41,8 +40,8 @@ private:
     return m_.g->symbol_at(symbol.node()).called.view();
   }
 
-  /// A speed need not be made of coordinate rates: the spin of a wheel whose angle matters to nothing is
-  /// given by an angular velocity alone.
+  /// A speed need not be a combination of coordinate rates: the spin of a wheel whose angle does not matter
+  /// appears only in an angular velocity.
   constexpr void collect_speeds(const vector& declared, sequence<int>& speeds) const {
     for (const vector::part& p : declared.parts)
       for (int i = 0; i < 3; ++i) c_.collect(p.value[i], kind::speed, speeds);
@@ -59,7 +58,7 @@ private:
       for (int id : held) seen[id] = 1;
     for (const expression& q : m_.coordinate_rates)
       if (seen[q.node()] == 0)
-        return fail({"coordinate ", called(q), " has its rate in no kinematic differential equation"});
+        return fail({"the rate of coordinate ", called(q), " appears in no kinematic differential equation"});
     for (const expression& u : m_.speeds)
       if (seen[u.node()] == 0)
         return fail({"speed ", called(u), " appears in no kinematic differential equation"});
@@ -70,24 +69,24 @@ private:
     if (equations == coordinates) return;
     name e, q;
     e.append(equations), q.append(coordinates);
-    fail({"there must be as many kinematic differential equations as coordinates, and there are ", e.view(),
-          " for ", q.view()});
+    fail({"expected as many kinematic differential equations as coordinates, got ", e.view(), " for ",
+          q.view()});
   }
 
   constexpr void form(expression e) {
     if (c_.holds(e, kind::speed_rate))
       return fail(
-          {"a kinematic differential equation holds the rate of speed ", c_.name_of(e, kind::speed_rate)});
+          {"a kinematic differential equation contains the rate of speed ", c_.name_of(e, kind::speed_rate)});
     if (c_.holds(e, kind::auxiliary_speed))
-      return fail({"a kinematic differential equation holds the auxiliary speed ",
+      return fail({"a kinematic differential equation contains the auxiliary speed ",
                    c_.name_of(e, kind::auxiliary_speed)});
     if (const unknown_derivative u = find_unknown_derivative(m_, c_, e, 1))
-      return fail(
-          {"a kinematic differential equation holds the input ", u.input, ", whose ", u.what, is_not_known});
+      return fail({"a kinematic differential equation contains the input ", u.input, ", whose ", u.what,
+                   is_not_known});
     found_ = check_linear(m_, c_, e, "a kinematic differential equation");
   }
 
-  /// Equations with one unknown rate are solved one after another; what is left hangs together.
+  /// Equations with one unknown rate are solved one after another; the remaining ones are coupled.
   constexpr void solvable() {
     const int n = m_.coordinates.size();
     sequence<int> solved;
@@ -122,7 +121,7 @@ private:
     if (!form.is_regular()) cannot_solve(has_equation.find(0));
   }
 
-  /// In some configuration at least.
+  /// In at least one configuration.
   constexpr bool is_regular(const linear_kinematics& k, const symbolic::coupled_part& part) const {
     const int size = part.rows.size();
     if (size == 1) return true;
@@ -139,7 +138,7 @@ private:
 
   const mechanism& m_;
   const contents& c_;
-  sequence<sequence<int>> rates_{}; ///< nodes of the coordinate rates that each equation holds
+  sequence<sequence<int>> rates_{}; ///< nodes of the coordinate rates in each equation
   sentence found_{};
 };
 

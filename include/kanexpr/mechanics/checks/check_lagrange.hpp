@@ -6,7 +6,7 @@
 #include <kanexpr/mechanics/skeleton/relative_angular_velocity.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 
-/// What is a mistake by Lagrange's method only.
+/// Checks that apply to Lagrange's method only.
 namespace kanexpr::mechanics {
 
 namespace detail {
@@ -21,15 +21,15 @@ constexpr bool vanish(const mechanism& m, const sequence<expression>& all) {
   return true;
 }
 
-/// How sentences go on.
+/// The endings of the error sentences.
 struct wording_of_rates {
   std::string_view of_velocity, of_mass;
 };
-inline constexpr wording_of_rates by_lagrange{", which Lagrange's method differentiates",
-                                              "; in Lagrange's method it may change with time only"};
+inline constexpr wording_of_rates by_lagrange{", as Lagrange's method requires",
+                                              "; with Lagrange's method it may change with time only"};
 
-/// The checks of one mechanism. Kane's method takes velocities as they are declared; here they must be the
-/// rates of positions and orientations, for the kinetic energy is differentiated by these.
+/// Checks a mechanism for Lagrange's method. Kane's method uses velocities as declared; here they must be the
+/// rates of positions and orientations, with respect to which the kinetic energy is differentiated.
 class checking_lagrange {
 public:
   constexpr checking_lagrange(motion& k, const loads& acting, const wording_of_rates& wording)
@@ -47,7 +47,7 @@ public:
       if (m_.points[p].moves_by_declaration() && !m_.points[p].moves_apart &&
           !m_.points[p].offset.is_zero() && !moves_as_placed(p))
         fail({"the velocity of point ", m_.points[p].called.view(),
-              " is not the rate of its position; if that is meant, write velocity_apart_from_position"});
+              " is not the rate of its position; if this is intended, write velocity_apart_from_position"});
     return found_;
   }
 
@@ -62,17 +62,17 @@ private:
     const expression l = loads_.lagrangian;
     if (held_.holds(l, kind::speed_rate))
       return fail(
-          {"the Lagrangian holds the ", speed_rate_called(m_, held_.name_of(l, kind::speed_rate)).view()});
+          {"the Lagrangian contains the ", speed_rate_called(m_, held_.name_of(l, kind::speed_rate)).view()});
     if (loads_.has_gravity)
-      return fail({"gravity acts on bodies, and a Lagrangian takes their place; it holds their potential "
-                   "energy"});
+      return fail({"gravity acts on bodies, which a Lagrangian replaces; add their potential energy to the "
+                   "Lagrangian"});
     for (const expression& p : gradient_of(m_, l).momenta)
       if (const unknown_derivative u = find_unknown_derivative(m_, contents(*m_.g), p, 1))
-        return fail({"a derivative of the Lagrangian by a rate holds the input ", u.input, ", whose ", u.what,
-                     is_not_known});
+        return fail({"a derivative of the Lagrangian with respect to a rate contains the input ", u.input,
+                     ", whose ", u.what, is_not_known});
   }
 
-  /// A declared angular velocity against that of the orientation.
+  /// Compares a declared angular velocity with that of the orientation.
   constexpr void check_angular_velocity(int place) {
     if (!m_.frames[place].turns_by_declaration()) return;
     symbolic::differentiation along_time = time_derivative(m_, s_.coordinate_rates);
@@ -85,10 +85,11 @@ private:
     }
     if (!vanish(m_, {at_norm_one.in(w.x), at_norm_one.in(w.y), at_norm_one.in(w.z)}))
       fail({"the declared angular velocity of frame ", m_.frames[place].called.view(),
-            " is not that of its orientation", wording_.of_velocity});
+            " does not match its orientation", wording_.of_velocity});
   }
 
-  /// Puts e/|e| and its rate in the place of a quaternion, which turns a frame only where its norm is 1.
+  /// Replaces a quaternion e by e/|e|, and its rate accordingly: it describes a rotation only if its norm is
+  /// 1.
   constexpr void normalize(const sequence<expression>& quaternion, symbolic::substitution& at_norm_one,
                            symbolic::differentiation& along_time) const {
     expression squares = m_.zero();
@@ -118,7 +119,8 @@ private:
     return vanish(m_, {v.x, v.y, v.z});
   }
 
-  /// Forces are rates of momentum where masses change; with coordinates, T's derivatives say something else.
+  /// With a time-varying mass, forces are rates of momentum; a mass that depends on coordinates would add
+  /// spurious terms to the derivatives of T.
   constexpr void check_mass(const body& b) {
     if (held_.holds(b.mass, kind::coordinate))
       return fail({"the mass of ", b.called.view(), " changes with coordinate ",
@@ -135,7 +137,7 @@ private:
     }
   }
 
-  /// In the body's own axes, about its mass centre, without coordinates.
+  /// Whether the inertia is given in the body's own axes, about its mass center, and without coordinates.
   constexpr bool has_plain_inertia(const body& b) const {
     if (b.about != none && b.about != b.center) return false;
     for (const dyadic::part& p : b.inertia.parts) {
@@ -158,7 +160,7 @@ private:
 
 } // namespace detail
 
-/// The first mistake of a mechanism that only Lagrange's method minds, or nothing.
+/// Returns the first mistake of a mechanism that matters only for Lagrange's method, or an empty sentence.
 constexpr sentence check_lagrange(motion& k, const loads& acting) {
   return detail::checking_lagrange(k, acting, detail::by_lagrange).run();
 }

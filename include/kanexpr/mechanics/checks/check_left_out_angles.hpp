@@ -4,14 +4,14 @@
 #include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 
-/// What is given along axes of frames whose orientation leaves an angle out, and depends on that angle.
+/// Vectors given along the axes of a frame whose orientation omits an angle, and that depend on this angle.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Wheels need no angle as long as all that is along their axes is along the one about which they turn.
-/// Looked at at one state that nobody chose. What holds speeds is not looked at: it may be a velocity, which
-/// is the same in whatever axes it is written.
+/// A wheel needs no angle if all vectors along its axes are parallel to its spin axis. The check evaluates
+/// them at one generic state. It skips vectors that contain speeds: they may be velocities, which do not
+/// depend on the axes used to write them.
 class checking_left_out_angles {
 public:
   constexpr checking_left_out_angles(const multibody_system& of, const contents& held,
@@ -47,14 +47,14 @@ private:
 
   struct doubt {
     const left_out_angle* angle = nullptr;
-    int axes = none; ///< the frame along whose axes it is given
+    int axes = none; ///< the frame along whose axes the vector is given
     components value{};
     what is = what::axis;
     int of = none;
     std::string_view load{}, loaded{}; ///< "a force on ", "P"
   };
 
-  /// Whether a frame turns with another because it is oriented relative to it.
+  /// Whether a frame turns with another one because it is oriented relative to it.
   constexpr bool turns_with(int f, int other) const {
     while (f != other && f != mechanism::inertial && !m_.frames[f].turns_by_declaration())
       f = m_.frames[f].parent;
@@ -77,7 +77,8 @@ private:
       const frame& own = m_.frames[f];
       if (f == l.frame || own.turns_by_declaration() || !turns_with(f, l.frame)) continue;
       if (own.kind == orientation::matrix) {
-        for (int axis = 0; axis < 2 && !held_.is_fixed(own.to_parent); ++axis) // of two no one is along all
+        for (int axis = 0; axis < 2 && !held_.is_fixed(own.to_parent); ++axis) // any axis is parallel to at
+                                                                               // most one of two
           doubtful_.push({&l, own.parent, unit(*m_.g, axis), what::axis, f, {}, {}});
       } else if (!held_.is_fixed(own.angle)) {
         doubtful_.push({&l,
@@ -91,7 +92,7 @@ private:
     }
   }
 
-  /// Those that carry mass or loads.
+  /// Collects the offsets of points that carry mass or loads.
   constexpr void collect_points(const left_out_angle& l, const loads& given) {
     sequence<char> carries(m_.points.size(), 0);
     const auto reach = [&](int p) {
@@ -117,7 +118,7 @@ private:
   constexpr bool depends(const generic_motion& motion, const doubt& d) const {
     const int f = d.angle->frame;
     if (!motion.is_proper(f) || !motion.is_proper(d.axes)) return false;
-    // a ball that turns in a frame at rest turns there as it does in axes of its own
+    // in a reference at rest, the angular velocity of a ball is the same along the ball's own axes
     if (d.is == what::angular_velocity && d.angle->axes.size() > 1 && !(length(motion.by_orientation(f)) > 0))
       return false;
     const triple v = motion.basis(f).along(motion.basis(d.axes) * motion.value(d.value));
@@ -127,9 +128,9 @@ private:
   constexpr sentence told(const doubt& d) const {
     const auto said = [&](std::string_view of, std::string_view whose) {
       const std::string_view turns = m_.frames[d.angle->frame].called.view();
-      return sentence({of, whose, " is given along axes of ", m_.frames[d.axes].called.view(),
-                       " and depends on the angle of ", turns, " that is left out; give ", turns,
-                       " that angle, or write angular_velocity_apart_from_orientation<...>"});
+      return sentence({of, whose, " is given along the axes of ", m_.frames[d.axes].called.view(),
+                       " and depends on the omitted angle of ", turns, "; give ", turns,
+                       " this angle, or write angular_velocity_apart_from_orientation<...>"});
     };
     switch (d.is) {
     case what::axis: return said("the axis of frame ", m_.frames[d.of].called.view());

@@ -6,7 +6,7 @@
 #include <kanexpr/mechanics/motion/generic_states.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 
-/// Mistakes in what acts on a system.
+/// Checks of the loads of a system.
 namespace kanexpr::mechanics {
 
 namespace detail {
@@ -16,9 +16,10 @@ public:
   constexpr checking_gravity(const mechanism& m, const vector& gravity, const contents& held, load_check& by)
       : m_(m), gravity_(gravity), held_(held), by_(by) {}
 
-  /// Its potential energy is −m g·r, and its force m g: the derivative of the energy only where g has none.
+  /// The potential energy of gravity is −m g·r and its force m g; this is the negative gradient of the energy
+  /// only if g does not depend on coordinates.
   constexpr void run() {
-    std::string_view coordinate, turns; // that it holds, and the frame that turns with it
+    std::string_view coordinate, turns; // a coordinate in gravity, and the frame that turns with it
     for (const vector::part& part : gravity_.parts) {
       for (int i = 0; i < 3; ++i) {
         by_.free_of_rates(part.value[i], "gravity", {});
@@ -31,14 +32,14 @@ public:
     }
     if (by_.mistake() || coordinate.empty() || !gravity_changes()) return;
     if (turns.empty()) return by_.varies("gravity", {}, sentence({"coordinate ", coordinate}));
-    by_.fail({"gravity is given along axes of ", turns, ", which turn with coordinate ", coordinate,
-              "; it may hold parameters, inputs and time only"});
+    by_.fail({"gravity is given along the axes of ", turns, ", which turn with coordinate ", coordinate,
+              "; it may contain only parameters, inputs and time"});
   }
 
 private:
   using kind = symbolic::symbol_kind;
 
-  /// A coordinate that a frame turns with in its parent.
+  /// A coordinate in the orientation of a frame relative to its parent.
   constexpr std::string_view coordinate_of(const mechanics::frame& f) const {
     if (f.kind != orientation::matrix)
       return held_.holds(f.angle, kind::coordinate) ? held_.name_of(f.angle, kind::coordinate) : "";
@@ -47,11 +48,10 @@ private:
         return held_.name_of(e, kind::coordinate);
     return {};
   }
-  /// Whether it depends on coordinates in the end: given along several axes it may be one vector all the
-  /// time.
+  /// Whether gravity really depends on coordinates: a vector given along several axes may still be constant.
   constexpr bool gravity_changes() const {
     const components g = express(m_, gravity_, mechanism::inertial);
-    symbolic::matrix all(*m_.g, 1 + m_.coordinates.size(), 3); // g, then its derivatives
+    symbolic::matrix all(*m_.g, 1 + m_.coordinates.size(), 3); // g, followed by its derivatives
     for (int i = 0; i < 3; ++i) {
       all(0, i) = g[i];
       for (int j = 1; j < all.rows; ++j) all(j, i) = symbolic::differentiate(g[i], m_.coordinates[j - 1]);
@@ -76,7 +76,7 @@ private:
 
 } // namespace detail
 
-/// Of loads alone: the first mistake, or nothing.
+/// Returns the first mistake in the loads, or an empty sentence.
 constexpr sentence check_loads(const mechanism& m, const loads& acting, const contents& held) {
   load_check by(m, held);
   acting.each([&](const auto& load, int place) {

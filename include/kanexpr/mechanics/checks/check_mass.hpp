@@ -4,15 +4,15 @@
 #include <kanexpr/mechanics/constraints/partition.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
 
-/// A mass matrix that is singular in every configuration.
+/// Mass matrices that are singular in every configuration.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
 constexpr double magnitude(double x) { return x < 0 ? -x : x; }
 
-/// The unknowns of a motion without energy, where a symmetric matrix of numbers has one: the first pivot that
-/// vanishes beside its entry, with those that make up for it.
+/// Returns the unknowns of a motion without kinetic energy, if a symmetric numeric matrix has one: the first
+/// pivot that vanishes relative to its diagonal entry, and the unknowns that compensate it.
 constexpr sequence<int> motion_without_energy(numbers a, double least) {
   const auto at = [&](int i, int j) -> double& { return a.entries[i * a.columns + j]; };
   for (int p = 0; p < a.rows; ++p) {
@@ -39,9 +39,9 @@ constexpr sequence<int> motion_without_energy(numbers a, double least) {
   return {};
 }
 
-/// Whether a mass matrix is clearly regular where symbols are smaller or larger than they seem to be: a model
-/// may say too little of that, and with 1e-18 as an inertia beside a mass and an arm of about 1 each, a turn
-/// and a way are the same motion to all digits.
+/// Whether a mass matrix is clearly regular for symbols of smaller or larger magnitude than assumed. A model
+/// may specify too little about magnitudes: with an inertia of 1e-18, a mass of 1 and an arm of 1, a rotation
+/// and a translation are the same motion to all digits.
 constexpr bool is_regular_in_other_sizes(const mechanism& m, const symbolic::matrix& mass) {
   for (const double size : other_sizes)
     for (const numbers& state : at_generic_states(mass, &m, size))
@@ -51,10 +51,11 @@ constexpr bool is_regular_in_other_sizes(const mechanism& m, const symbolic::mat
 
 } // namespace detail
 
-/// Found at generic states; `mass` is that of the independent speeds.
+/// Checks at generic states for speeds that move the same mass; `mass` is the mass matrix of the independent
+/// speeds.
 constexpr sentence check_same_mass(const mechanism& m, const partition& speeds,
                                    const symbolic::matrix& mass) {
-  if (mass.rows < 2) return {}; // there is no other speed
+  if (mass.rows < 2) return {}; // no other speed
   sequence<int> moving;
   for (const numbers& state : at_generic_states(mass, &m)) {
     moving = detail::motion_without_energy(state, vanishing_measure);
@@ -67,7 +68,7 @@ constexpr sentence check_same_mass(const mechanism& m, const partition& speeds,
   return sentence(
       {enumerated(m, kane ? m.speeds : m.coordinates, places, kane ? "speed" : "coordinate").view(),
        places.size() == 1 ? " moves no mass" : " move the same mass",
-       " in any configuration: the mass matrix is singular, as far as numbers can tell"});
+       " in any configuration: the mass matrix is numerically singular"});
 }
 
 } // namespace kanexpr::mechanics

@@ -2,7 +2,7 @@
 
 #include <kanexpr/symbolic/graph/expression.hpp>
 
-/// Expressions in a model that have no finite value, such as a quotient by zero.
+/// Expressions without a finite value, such as a division by zero.
 namespace kanexpr::mechanics {
 
 /// Whether a node is a constant that is not finite, or divides by the constant zero.
@@ -12,7 +12,8 @@ constexpr bool has_no_value(const symbolic::graph& g, int id) {
   return n.op == symbolic::operation::constant && !symbolic::is_finite(g.number_at(id));
 }
 
-/// Which expressions of a growing graph hold a number that is none; every node is looked at once.
+/// Determines which expressions of a growing graph contain a number that is not finite; visits each node
+/// once.
 class finiteness {
 public:
   constexpr bool holds_no_number(symbolic::expression e) {

@@ -4,13 +4,13 @@
 #include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 
-/// Whether what a model calls redundant follows from the other constraints.
+/// Checks that the constraints declared redundant follow from the others.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Whether constraints hold symbols that a program gives values: then they may follow for some values only,
-/// such as bars of one length.
+/// Whether constraints contain symbols whose values are set at run time; they may then be redundant for some
+/// values only, such as bars of equal length.
 constexpr bool depend_on_values(const graph& g, const sequence<expression>& all) {
   using kind = symbolic::symbol_kind;
   for (int id : symbolic::live_values(g, symbolic::nodes_of(all)))
@@ -21,9 +21,10 @@ constexpr bool depend_on_values(const graph& g, const sequence<expression>& all)
 
 } // namespace detail
 
-/// Where the other constraints hold, with speeds that they allow, the rate of a constraint that follows from
-/// them vanishes, though elsewhere its gradient may be no combination of theirs. One that vanishes at none of
-/// many such states binds what the others leave free. `listed` are its numbers in the order of the model.
+/// The rate of a redundant constraint vanishes wherever the other constraints hold, for all speeds that they
+/// admit, even though elsewhere its gradient may be no linear combination of theirs. A constraint whose rate
+/// vanishes at none of many such states restricts a remaining motion and is reported. `listed` contains the
+/// numbers of the redundant constraints in the order of the model.
 constexpr sentence check_redundant_rates(const skeleton& s, const sequence<int>& listed, const constraints& c,
                                          const symbolic::matrix& configuration,
                                          const sequence<expression>& rates) {
@@ -34,12 +35,12 @@ constexpr sentence check_redundant_rates(const skeleton& s, const sequence<int>&
   consistent_states states(s, configuration, configuration.rows, c, c.size(), rates);
   const int i = first_that_never_vanishes(states, rates, {.attempts = 30, .states = 8, .least = 3});
   if (i == none) return {};
-  int number = 0; // those that are not solved with come in the order of the model
+  int number = 0; // redundant constraints come in the order of the model
   for (int left = i + 1; left > 0; --left)
     for (++number; !listed.contains(number);) ++number;
   return sentence({"configuration constraint ", counted(number).view(),
                    " does not follow from the others; redundant<", counted(number).view(),
-                   "> would let it go"});
+                   "> must not drop it"});
 }
 
 } // namespace kanexpr::mechanics

@@ -3,16 +3,17 @@
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/motion/generic_motion.hpp>
 
-/// Loads that act twice.
+/// Loads that are listed twice.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// A force or torque as it is compared: what feels it and what feels the opposite, none if that is at rest.
+/// The normal form of a force or torque for comparisons: the point or frame it acts on and the one its
+/// reaction acts on; the latter is none if at rest.
 struct felt {
   int on = none;
   int against = none;
-  bool is_turned_round = false; ///< from what was written
+  bool is_turned_round = false; ///< the opposite of the written load
 };
 
 class checking_repeated_loads {
@@ -26,7 +27,8 @@ public:
 private:
   using kind = contents::kind;
 
-  /// Two loads that hold the same symbols: vectors in axes that turn against each other, or energies.
+  /// Two loads that contain the same symbols: vectors along axes that turn relative to each other, or
+  /// energies.
   struct doubt {
     const vector* one = nullptr;
     const vector* other = nullptr;
@@ -68,7 +70,7 @@ private:
     const bool is_other_way = a.against != none && a.on == b.against && a.against == b.on;
     if (is_same_way || is_other_way)
       return compare(one, other, (a.is_turned_round != b.is_turned_round) != is_other_way);
-    // what a drive does between two is no load from outside as well
+    // the torque of a motor between two frames must not be listed as an external load as well
     const bool is_outside = a.against == none;
     if (is_outside == (b.against == none) || !holds_input(one.value)) return;
     const felt &outside = is_outside ? a : b, &between = is_outside ? b : a;
@@ -96,7 +98,7 @@ private:
         if (held_.holds(p.value[i], kind::input)) return true;
     return false;
   }
-  /// Whether one has a part along axes that the other has not.
+  /// Whether one vector has a component along axes that the other lacks.
   static constexpr bool is_turned(const vector& a, const vector& b) {
     for (const vector::part& p : a.parts) {
       bool found = p.value.is_zero();
@@ -128,7 +130,7 @@ private:
     for (int i = 0; i < all.size(); ++i)
       for (int j = 0; j < i && !by_.mistake(); ++j) {
         const expression one = all[i].value, other = all[j].value;
-        if (one.is_constant()) continue; // which does nothing, as a spring without stiffness
+        if (one.is_constant()) continue; // no effect, such as a spring without stiffness
         const sentence told({"potential energy ", counted(i + 1).view(), " repeats potential energy ",
                              counted(j + 1).view()});
         if (one == other)
@@ -156,7 +158,7 @@ private:
       return;
     }
   }
-  /// Energies are the same that differ by a constant.
+  /// Energies are equal if they differ by a constant.
   static constexpr bool is_same(const doubt& d, const generic_motion& motion) {
     const bool is_energy = d.one == nullptr;
     if (is_energy ? !motion.is_defined(d.energy) || !motion.is_defined(d.other_energy)
@@ -218,7 +220,7 @@ private:
   sequence<doubt> doubtful_{};
 };
 
-/// Down here clang++ has read the templates that it needs at once.
+/// Defined after the templates it uses, which clang++ must have parsed already.
 constexpr void checking_repeated_loads::run() {
   check_pairs(acting_.forces);
   check_pairs(acting_.torques);

@@ -3,19 +3,19 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/motion/generic_motion.hpp>
 
-/// Velocities that are declared, and points that are fixed in frames, against the rates of positions.
+/// Compares declared velocities, and points fixed in frames, with the rates of positions.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// At random states, of which several see each side of min, max and the like, and with each speed alone, so
-/// that one is not lost in the rounding of others.
+/// Compares velocities at several random states, which cover both sides of min, max and the like, and with
+/// each speed by itself, so that no speed is lost in the rounding errors of others.
 ///
-/// A declared velocity agrees if it is the rate of the position from the origin, or what its reference or its
-/// parent moves with and the rate of the offset from there. A frame whose angular velocity holds an angle
-/// that its orientation leaves out turns with that angle or without. A point without any offset has no
-/// position to compare with, and speeds in no kinematic equation are the rates of coordinates that the model
-/// leaves out.
+/// A declared velocity agrees if it equals the rate of the position from the origin, or the velocity of its
+/// reference or parent plus the rate of the offset from there. If the angular velocity of a frame contains an
+/// angle that its orientation omits, both angular velocities are tried. A point without offset has no
+/// position to compare with. Speeds that appear in no kinematic equation are the rates of coordinates that
+/// the model omits.
 class checking_velocity {
 public:
   constexpr checking_velocity(const mechanism& m, const contents& held)
@@ -38,13 +38,13 @@ public:
     return found;
   }
 
-  /// Whether a velocity is declared among the points from number `first` on.
+  /// Whether a velocity is declared for a point with index `first` or higher.
   static constexpr bool is_any_declared(const mechanism& m, int first) {
     for (int p = first; p < m.points.size(); ++p)
       if (m.points[p].moves_by_declaration()) return true;
     return false;
   }
-  /// Whether a mass may not move as it is placed.
+  /// Whether the velocity of a mass may differ from the rate of its position.
   static constexpr bool may_any_slip(const mechanism& m, const contents& held) {
     for (const body& b : m.bodies)
       for (int p = b.center; p != none; p = m.points[p].parent)
@@ -56,9 +56,9 @@ private:
   constexpr sentence mistaken_velocity() const {
     for (int p = 0; p < m_.points.size(); ++p)
       if (is_to_agree(m_.points[p]) && is_defined(p) && !agrees(p))
-        return sentence({"the velocity of point ", m_.points[p].called.view(),
-                         " is not the rate of its position; if that is meant, write "
-                         "velocity_apart_from_position"});
+        return sentence(
+            {"the velocity of point ", m_.points[p].called.view(),
+             " is not the rate of its position; if this is intended, write velocity_apart_from_position"});
     return {};
   }
 
@@ -66,12 +66,12 @@ private:
     const int p = apart_from_place(b.center);
     if (p == none) return {};
     return sentence({"point ", m_.points[p].called.view(), " is fixed in ",
-                     m_.frames[m_.points[p].fixed_in].called.view(), ", and its offset from ",
+                     m_.frames[m_.points[p].fixed_in].called.view(), ", but its offset from ",
                      m_.points[m_.points[p].parent].called.view(),
-                     " changes there; if that is meant, write velocity_apart_from_position"});
+                     " changes in that frame; if this is intended, write velocity_apart_from_position"});
   }
 
-  /// Without numbers, and so of most points already that it does not.
+  /// A symbolic test that already excludes most points.
   static constexpr bool may_slip(const mechanism& m, const contents& held, const point& p) {
     bool is_seen_fixed = true;
     for (const vector::part& part : p.offset.parts)
@@ -80,7 +80,7 @@ private:
            !(m.points[p.parent].parent == none && is_placed_by_frame(m, held, p));
   }
 
-  /// Whether the offset of a point holds nothing that moves but what orients the frame that it is fixed in.
+  /// Whether the offset of a point contains only variables that also orient the frame it is fixed in.
   static constexpr bool is_placed_by_frame(const mechanism& m, const contents& held, const point& p) {
     sequence<int> of_place, of_frame;
     for (const vector::part& part : p.offset.parts) {
@@ -147,7 +147,8 @@ private:
     return !p.from_parent && is_same(said, rate_from_origin(place, by_orientation), reach_from_origin(place));
   }
 
-  /// The first point on the way to a mass that moves as it is placed no more, though its parent does.
+  /// Returns the first point on the path to a mass whose velocity differs from the rate of its position
+  /// although that of its parent does not.
   constexpr int apart_from_place(int center) const {
     bool may = false;
     for (int p = center; p != none && !may; p = m_.points[p].parent) may = may_slip(m_, held_, m_.points[p]);
@@ -158,7 +159,7 @@ private:
     return found;
   }
 
-  /// Whether the frame that a point is fixed in carries it elsewhere than its offset goes.
+  /// Whether the velocity that a frame gives to a point fixed in it differs from the rate of the offset.
   constexpr bool slips(int place) const {
     const point& p = m_.points[place];
     if (p.fixed_in == none || !motion_.is_proper(p.fixed_in)) return false;
@@ -169,14 +170,16 @@ private:
     return true;
   }
 
-  /// Two bodies touch at a point without mass if either carries it elsewhere than its offset goes.
+  /// Two bodies touch at a massless point if for both the velocity of the point differs from the rate of its
+  /// offset.
   constexpr bool is_contact(int place, int next) const {
     for (const body& b : m_.bodies)
       if (b.center == place) return false;
     return next != none && slips(next);
   }
 
-  /// What rolls on the ground may leave out where it is; then the rest of its motion places it.
+  /// Whether a point belongs to a body that rolls on the ground and whose position is omitted; the rest of
+  /// its motion then determines the position.
   constexpr bool rolls(int place) const {
     const point& p = m_.points[place];
     return is_same(velocity(p.parent), {}, reach_from_origin(p.parent)) && is_placed_by_frame(m_, held_, p);
@@ -190,8 +193,8 @@ private:
     return false;
   }
 
-  /// Of a velocity and the rate of a position: what both have in common is not in the size of what is
-  /// compared.
+  /// The difference between a velocity and the rate of a position; terms common to both do not contribute to
+  /// its scale.
   struct difference {
     triple value{};
     double size = 0, reach = 0;
@@ -247,12 +250,12 @@ private:
     }
     return sum;
   }
-  /// What the reference makes of the offset by turning.
+  /// The velocity due to the rotation of the reference.
   constexpr triple carried(const point& p, angular_velocities w) const {
     return cross((motion_.*w)(p.reference), motion_.vector_of(p.offset));
   }
 
-  /// From its parent.
+  /// The velocity relative to the parent.
   constexpr triple in_frame(const point& p) const {
     return cross(motion_.angular_velocity(p.fixed_in), motion_.vector_of(p.offset));
   }
@@ -263,7 +266,7 @@ private:
     return sum;
   }
 
-  /// As the equations of motion use it.
+  /// The velocity used in the equations of motion.
   constexpr triple velocity(int place) const {
     const point& p = m_.points[place];
     if (p.parent == none) return {};

@@ -3,7 +3,7 @@
 #include <kanexpr/mechanics/checks/summands.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 
-/// Gravity that is a weight, and weights beside gravity.
+/// Gravity given as a weight, and weights listed in addition to gravity.
 namespace kanexpr::mechanics {
 
 namespace detail {
@@ -30,9 +30,9 @@ constexpr bool are_among(const sequence<int>& some, const sequence<int>& all) {
   return true;
 }
 
-/// A weight is found wherever it is a summand, in whatever axes. It is looked for in numbers, at one state
-/// that nobody chose, where a load holds the symbols of the mass and of gravity: among the summands of a
-/// force at the mass centre, and among the rates of those of a potential energy.
+/// Finds weights among the loads, as summands and along any axes. Loads that contain the symbols of the mass
+/// and of gravity are evaluated at one generic state: the summands of a force at the mass center, and the
+/// rates of the summands of a potential energy.
 class checking_weights {
 public:
   constexpr checking_weights(const mechanism& m, const loads& acting, const contents& held, load_check& by)
@@ -55,18 +55,18 @@ private:
 
   struct doubt {
     int body = none;
-    int force = none;  ///< among the forces
+    int force = none;  ///< index among the forces
     double sign = 1;   ///< of the force on the body
-    int energy = none; ///< or among the potential energies
+    int energy = none; ///< index among the potential energies
   };
 
   constexpr void check_gravity(const body& b) {
     const sequence<int> of_mass = constants_in(b.mass, held_);
     if (of_mass.empty() || !are_among(of_mass, of_gravity_)) return;
     const bool is_mass = of_mass[0] == b.mass.node();
-    by_.fail({"gravity holds ", m_.g->symbol_at(of_mass[0]).called.view(),
+    by_.fail({"gravity contains ", m_.g->symbol_at(of_mass[0]).called.view(),
               is_mass ? ", the mass of " : ", as does the mass of ", b.called.view(),
-              "; it is the acceleration of free fall, not a weight"});
+              "; it must be the free-fall acceleration, not a weight"});
   }
 
   constexpr void collect(int place) {
@@ -115,8 +115,9 @@ private:
         if (is_position_defined(b.center, motion) &&
             is_sum_of_some(summands_of(acting_.potential_energies[d.energy].value, b, motion),
                            {-dot(weight, velocity(b.center, motion)), 0, 0}))
-          return by_.fail({"potential energy ", counted(d.energy + 1).view(), " holds that of the weight of ",
-                           b.called.view(), ", which gravity gives it already"});
+          return by_.fail({"potential energy ", counted(d.energy + 1).view(),
+                           " contains that of the weight of ", b.called.view(),
+                           ", which gravity already applies"});
       }
     }
   }
@@ -126,11 +127,11 @@ private:
     const sentence where = f.against == none
                                ? sentence({"at ", by_.point(f.point)})
                                : sentence({"between ", by_.both_points(f.point, f.against).view()});
-    by_.fail({"the force ", where.view(), is_whole ? " is" : " holds", " the weight of ", b.called.view(),
-              ", which gravity gives it already"});
+    by_.fail({"the force ", where.view(), is_whole ? " is" : " contains", " the weight of ", b.called.view(),
+              ", which gravity already applies"});
   }
 
-  /// Of a force. Without a mass in symbols all may be parts of the weight.
+  /// The summands of a force. If the mass contains no symbols, every summand may be part of the weight.
   constexpr sequence<triple> summands_of(const vector& v, const body& b, const generic_motion& motion) const {
     const sequence<int> of_mass = constants_in(b.mass, held_);
     const summing_up summands(motion, *m_.g, of_mass);
@@ -142,7 +143,7 @@ private:
             found.push(s.worth.value * motion.basis(p.frame)[i]);
     return found;
   }
-  /// Of the rate of an energy.
+  /// The summands of the rate of an energy.
   constexpr sequence<triple> summands_of(expression e, const body& b, const generic_motion& motion) const {
     const sequence<int> of_mass = constants_in(b.mass, held_);
     const summing_up summands(motion, *m_.g, of_mass);

@@ -8,7 +8,8 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Whether the coefficient of a speed or rate holds no other: exact where `contents` only looks.
+/// Whether the coefficient of a speed or rate contains no speed or rate; exact, unlike the quick test of
+/// `contents`.
 constexpr bool is_linear(expression e, expression symbol) {
   using kind = contents::kind;
   const expression slope = symbolic::differentiate(e, symbol);
@@ -17,7 +18,7 @@ constexpr bool is_linear(expression e, expression symbol) {
 
 } // namespace detail
 
-/// "<of> is not linear in speed u1", or nothing.
+/// Returns "<of> is not linear in speed u1", or an empty sentence.
 constexpr sentence check_linear(const mechanism& m, const contents& held, expression e, std::string_view of) {
   if (held.looks_linear(e)) return {};
   struct list {

@@ -6,7 +6,8 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Whether a node is positive wherever parameters are: of sums, products, quotients, powers and the like.
+/// Whether a node is positive for positive parameters; handles sums, products, quotients, powers and the
+/// like.
 constexpr bool is_positive(const symbolic::graph& g, int id) {
   using symbolic::form;
   const symbolic::node& n = g[id];
@@ -35,7 +36,7 @@ constexpr bool is_positive(const symbolic::graph& g, int id) {
 
 } // namespace detail
 
-/// Whether a scalar is negative: as a number, or wherever its parameters are positive, as -2*m.
+/// Whether a scalar is negative as a number, or for all positive parameters, such as -2*m.
 constexpr bool is_negative(symbolic::expression e) {
   const symbolic::graph& g = e.owner();
   if (e.is_constant()) return g.number_at(e.node()).negative();

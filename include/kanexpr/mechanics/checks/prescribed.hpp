@@ -15,11 +15,11 @@ constexpr int rate_of_input(const mechanism& m, int input) {
 
 } // namespace detail
 
-/// How a sentence about one goes on.
+/// The end of an error sentence about an unknown derivative.
 inline constexpr std::string_view is_not_known =
-    " is not known; make it prescribed, with its rates among the inputs";
+    " is not known; declare it prescribed and list its rates among the inputs";
 
-/// An input that is differentiated and has no such derivative; `input` is empty where all have.
+/// An input that is differentiated although its derivative is not known; `input` is empty if all are known.
 struct unknown_derivative {
   std::string_view input;
   std::string_view what; ///< "rate", "second derivative"

@@ -3,14 +3,15 @@
 #include <kanexpr/mechanics/constraints/constraints.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
 
-/// Configuration constraints that follow from others where all of them hold, as the equations of a loop do
-/// that closes in a special way. In other configurations they do not, and seem to leave nothing to move.
+/// Configuration constraints that follow from the others only where all of them hold, such as the closure
+/// equations of a loop with special geometry. In other configurations they are independent and seem to leave
+/// no motion.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Finds configurations in which all constraints hold, by the method of Levenberg and Marquardt, for which
-/// rows may repeat others.
+/// Finds configurations in which all constraints hold, by the Levenberg–Marquardt method, which admits
+/// redundant rows.
 class closed_configurations {
 public:
   constexpr closed_configurations(const mechanism& m, const symbolic::matrix& by_q,
@@ -26,7 +27,7 @@ public:
   closed_configurations(const closed_configurations&) = delete;
   closed_configurations& operator=(const closed_configurations&) = delete;
 
-  /// Goes to another; false where none is found from what was drawn.
+  /// Finds another configuration from a new random start; returns false if the iteration does not converge.
   constexpr bool next() {
     generic_.draw();
     for (int id : evaluate_.live())
@@ -52,8 +53,8 @@ public:
     return last <= closed;
   }
 
-  /// How many rows hold the norms of quaternions, and the rows of the constraints behind them, each beside
-  /// its usual size.
+  /// The number of leading rows that contain the norms of quaternions. The rows of the constraints follow.
+  /// Each row is scaled to its usual size.
   constexpr int norms() const { return quaternions_.size(); }
   constexpr sequence<double> row(int i) const {
     sequence<double> entries;
@@ -76,7 +77,8 @@ private:
     return elementary::sqrt(square);
   }
 
-  /// The derivatives by all coordinates, in units of these, and behind them what each constraint leaves.
+  /// Evaluates the derivatives with respect to all coordinates, in units of the coordinates, and the
+  /// residuals in the last column.
   constexpr bool look() {
     evaluate_.at([&](int id) { return symbols_[id]; });
     rows_ = numbers{norms() + all_.size(), columns() + 1, {}};
@@ -105,7 +107,7 @@ private:
     return elementary::sqrt(square);
   }
 
-  /// By δ of (Jᵀ J + damping) δ = −Jᵀ f, with Cholesky's factors.
+  /// Takes the step δ of (Jᵀ J + damping) δ = −Jᵀ f, by a Cholesky factorization.
   constexpr void move(double damping) {
     const int n = columns();
     sequence<double> square(n * n, 0.0), step(n, 0.0);
@@ -141,10 +143,10 @@ private:
 
 } // namespace detail
 
-/// What is known of constraints where all of them hold.
+/// The redundant constraints at configurations where all constraints hold.
 struct repeated_constraints {
-  bool is_known = false;  ///< whether a configuration was found in which they do
-  sequence<int> places{}; ///< of those that follow from those before them there
+  bool is_known = false;  ///< true if such a configuration was found
+  sequence<int> places{}; ///< the constraints that follow from the preceding ones there
 };
 
 constexpr repeated_constraints find_repeated(const mechanism& m, const symbolic::matrix& by_q,
@@ -186,14 +188,14 @@ constexpr numbered_constraints numbered(const sequence<int>& numbers) {
   return all;
 }
 
-/// What to write where constraints seem to bind too much, unless they do: "; where all hold, configuration
-/// constraint 5 follows from those before it, and redundant<5> leaves it out".
+/// Returns advice for constraints that seem to leave no motion: "; where all hold, configuration constraint 5
+/// follows from the preceding ones; add redundant<5> to drop it". Empty if they do leave none.
 constexpr sentence advice_on_redundant(const mechanism& m, const symbolic::matrix& by_q,
                                        const constraints& c) {
   if (c.on_configuration.size() < 2) return {};
   const repeated_constraints found = find_repeated(m, by_q, c.on_configuration);
   if (!found.is_known)
-    return sentence({", unless redundant<...> names some configuration constraints that follow from others"});
+    return sentence({"; list configuration constraints that follow from others in redundant<...>"});
   const int count = found.places.size();
   if (count == 0 || c.on_configuration.size() - count >= m.coordinates.size()) return {};
   sequence<int> numbers;
@@ -201,10 +203,9 @@ constexpr sentence advice_on_redundant(const mechanism& m, const symbolic::matri
   const auto [named, listed] = numbered(numbers);
   return count == 1
              ? sentence({"; where all hold, configuration constraint ", named.view(),
-                         " follows from those before it, and redundant<", listed.view(), "> leaves it out"})
+                         " follows from the preceding ones; add redundant<", listed.view(), "> to drop it"})
              : sentence({"; where all hold, configuration constraints ", named.view(),
-                         " follow from those before them, and redundant<", listed.view(),
-                         "> leaves them out"});
+                         " follow from the preceding ones; add redundant<", listed.view(), "> to drop them"});
 }
 
 } // namespace kanexpr::mechanics

@@ -2,16 +2,16 @@
 
 #include <kanexpr/mechanics/motion/generic_motion.hpp>
 
-/// What an expression adds up, in numbers.
+/// Numeric values of the summands of an expression.
 namespace kanexpr::mechanics {
 
-/// One of them at a generic state.
+/// A summand at a generic state.
 struct summand {
   symbolic::rated worth{};
-  bool is_of_mass = false; ///< holds one of the symbols that were asked for
+  bool is_of_mass = false; ///< contains one of the wanted symbols
 };
 
-/// Multiplies products of sums out, without making expressions of them.
+/// Expands products of sums numerically, without creating expressions.
 class summing_up {
 public:
   /// `wanted`: nodes of symbols.
@@ -21,7 +21,7 @@ public:
   constexpr sequence<summand> operator()(expression e) const { return of(e.node()); }
 
 private:
-  static constexpr int most = 16; ///< more are left as one
+  static constexpr int most = 16; ///< larger products are not expanded
 
   constexpr sequence<summand> of(int id) const {
     using symbolic::operation;
@@ -50,7 +50,7 @@ private:
   static constexpr bool is_finite(symbolic::rated x) {
     return elementary::detail::is_finite(x.value) && elementary::detail::is_finite(x.rate);
   }
-  /// A constant expression must not compute with what is not a number.
+  /// A constant expression must not compute with NaN or infinity.
   static constexpr symbolic::rated product(symbolic::rated a, symbolic::rated b) {
     return is_finite(a) && is_finite(b) ? symbolic::rated_value_of(symbolic::operation::multiply, a, b)
                                         : symbolic::rated{elementary::detail::infinity, 0};
@@ -73,7 +73,7 @@ private:
   const sequence<int>& wanted_;
 };
 
-/// Whether some of the vectors add up to one.
+/// Whether a subset of the vectors adds up to `whole`.
 constexpr bool is_sum_of_some(const sequence<triple>& given, triple whole) {
   if (given.size() > 10) return false;
   double size = length(whole);

@@ -5,7 +5,7 @@
 #include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
 
-/// Acceleration constraints that the model gives in place of the derivatives of its velocity constraints.
+/// Acceleration constraints that the model specifies instead of the derivatives of its velocity constraints.
 namespace kanexpr::mechanics {
 
 /// J_a u̇ + γ_a = 0.
@@ -31,7 +31,7 @@ constexpr linear_accelerations linear_in_speed_rates(const skeleton& s, const co
   return out;
 }
 
-/// b̄ in u̇_d = A u̇_i + b̄.
+/// Returns b̄ in u̇_d = A u̇_i + b̄.
 constexpr symbolic::linear_solution solve_acceleration_constraints(graph& g, const linear_accelerations& a,
                                                                    const partition& speeds) {
   symbolic::matrix right(g, a.jacobian.rows, 1);
@@ -39,8 +39,8 @@ constexpr symbolic::linear_solution solve_acceleration_constraints(graph& g, con
   return symbolic::solve_linear(g, detail::columns_of(g, a.jacobian, speeds.dependent), right, a.jacobian);
 }
 
-/// Whether they bind the rates of the speeds as the other constraints bind the speeds, and are true where
-/// these hold.
+/// Checks that the acceleration constraints restrict the rates of the speeds as the other constraints
+/// restrict the speeds, and that they hold wherever the others hold.
 constexpr sentence check_acceleration_constraints(const skeleton& s, const constraints& c,
                                                   const symbolic::matrix& configuration) {
   const mechanism& m = *s.model;
@@ -51,10 +51,10 @@ constexpr sentence check_acceleration_constraints(const skeleton& s, const const
     const name which = counted(i + 1);
     if (!held.holds(e, symbolic::symbol_kind::speed_rate))
       return sentence({"acceleration constraint ", which.view(),
-                       m.derived_by == method::kane ? " holds no rate of a speed"
-                                                    : " holds no second derivative of a coordinate"});
+                       m.derived_by == method::kane ? " contains no rate of a speed"
+                                                    : " contains no second derivative of a coordinate"});
     if (held.holds(e, symbolic::symbol_kind::auxiliary_speed))
-      return sentence({"acceleration constraint ", which.view(), " holds the auxiliary speed ",
+      return sentence({"acceleration constraint ", which.view(), " contains the auxiliary speed ",
                        held.name_of(e, symbolic::symbol_kind::auxiliary_speed)});
     for (const expression& rate : m.speed_rates)
       if (const expression slope = symbolic::differentiate(e, rate);
@@ -65,7 +65,7 @@ constexpr sentence check_acceleration_constraints(const skeleton& s, const const
   if (c.on_accelerations.size() != c.size())
     return sentence({several(c.on_accelerations.size(), "acceleration constraint").view(), " for ",
                      several(c.size(), "constraint", " on the velocities").view(),
-                     ": there must be as many"});
+                     "; the numbers must be equal"});
   const symbolic::matrix given = linear_in_speed_rates(s, c).jacobian;
   symbolic::matrix all(*m.g, 2 * c.size(), m.speeds.size());
   for (int i = 0; i < all.rows; ++i)
@@ -81,7 +81,7 @@ constexpr sentence check_acceleration_constraints(const skeleton& s, const const
   if (i == none) return {};
   return sentence({"acceleration constraint ", counted(i + 1).view(),
                    " is not the rate of the constraints on the velocities: its part without rates of speeds "
-                   "differs where they hold"});
+                   "differs from theirs"});
 }
 
 } // namespace kanexpr::mechanics

@@ -7,7 +7,8 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// The derivatives of functions that give quaternions norm 1 first, from those by all coordinates at norm 1.
+/// Converts the derivatives with respect to all coordinates, evaluated at quaternions of norm 1, into those
+/// of functions that normalize the quaternions first.
 constexpr void leave_norms_out(const mechanism& m, symbolic::matrix& by_all) {
   for (const sequence<int>& places : unit_quaternions(m))
     for (int i = 0; i < by_all.rows; ++i) {
@@ -28,8 +29,8 @@ constexpr bool binds_quaternion(const mechanism& m, const partition& coordinates
 
 } // namespace detail
 
-/// The step of Newton's method for the dependent coordinates: what is added to them so that the configuration
-/// constraints, linearized, hold. Quaternions have norm 1 there, and go on having it.
+/// The Newton step of the dependent coordinates: the increment with which the linearized configuration
+/// constraints hold. Quaternions have norm 1 and keep it.
 constexpr symbolic::linear_solution configuration_step(const mechanism& m,
                                                        const sequence<expression>& constraints,
                                                        symbolic::matrix by_all,

@@ -5,12 +5,13 @@
 
 namespace kanexpr::mechanics {
 
-/// States that satisfy constraints, with rates of the speeds that do; nobody chose them otherwise. What holds
-/// wherever constraints hold is found out there by numbers.
+/// Random states, with rates of the speeds, that satisfy the constraints. They serve to test numerically
+/// whether an expression vanishes wherever the constraints hold.
 class consistent_states {
 public:
-  /// The first so many constraints on the configuration, with their derivatives, and on the velocities;
-  /// `wanted` is what is looked at, and may hold rates of coordinates and speeds if `has_rates`.
+  /// Uses the first `configurations` configuration constraints, with their derivatives, and the first
+  /// `velocities` velocity constraints. `wanted` are the expressions to evaluate; they may contain rates of
+  /// coordinates and speeds if `has_rates`.
   constexpr consistent_states(const skeleton& s, const symbolic::matrix& configuration, int configurations,
                               const constraints& c, int velocities, const sequence<expression>& wanted,
                               bool has_rates = false)
@@ -19,7 +20,7 @@ public:
         moves_(first(velocities, values_of(c))), evaluate_(*m_.g, outputs(wanted)),
         rates_(*m_.g, outputs_with_rates()), generic_(*m_.g, evaluate_.live(), &m_, 1.0) {}
 
-  /// Goes to another; false where none is found from what was drawn.
+  /// Finds another state from a new random start; returns false if the iteration does not converge.
   constexpr bool next() {
     generic_.draw();
     for (int id : evaluate_.live())
@@ -29,7 +30,7 @@ public:
     return place() && move() && (!has_rates_ || accelerate());
   }
 
-  /// Whether an expression is nothing there beside its terms.
+  /// Whether an expression vanishes relative to its terms.
   constexpr bool vanishes(expression e) const {
     const double value = evaluate_[e.node()];
     return !elementary::detail::is_finite(value) ||
@@ -69,7 +70,7 @@ private:
   }
   constexpr double value(expression e) const { return evaluate_[e.node()]; }
 
-  /// Newton's method from a configuration that was drawn.
+  /// Newton's method from a random configuration.
   constexpr bool place() {
     evaluate();
     if (places_.empty()) return true;
@@ -125,10 +126,10 @@ private:
     return true;
   }
 
-  /// Whether an entry of a frame's quaternion is a coordinate of its own.
+  /// Whether an entry of a frame's quaternion is itself a coordinate.
   constexpr bool is_free(expression entry) const { return m_.coordinates.contains(entry); }
 
-  /// Quaternions keep their norm in what is solved.
+  /// Restricts the equations to changes that preserve the norms of quaternions.
   constexpr void keep_norms(numbers& rows) const {
     for (const frame& f : m_.frames)
       for (int i = 0; i < rows.rows && !f.quaternion.empty(); ++i) {
@@ -156,9 +157,9 @@ private:
     }
   }
 
-  /// Adds to as many unknowns as there are rows what makes the last column of the rows vanish, by elimination
-  /// with full pivoting, and says how much beside their sizes; −1 where that cannot be done. Rows that hold
-  /// nothing are left out.
+  /// Solves for changes of as many unknowns as there are rows, so that the last column of the rows vanishes,
+  /// by elimination with full pivoting. Returns the largest change relative to the typical sizes, or −1 if
+  /// the rows are singular. Zero rows are skipped.
   constexpr double change(numbers rows, const sequence<expression>& unknowns) {
     const int n = unknowns.size();
     const auto at = [&](int i, int j) -> double& { return rows.entries[i * rows.columns + j]; };
@@ -214,15 +215,14 @@ private:
   detail::generic_values generic_;
 };
 
-/// How many states are looked at, of how many attempts to find one, and how many have to be found.
+/// The number of states to check, the number of attempts to find them, and the number that must be found.
 struct looks {
   int attempts = 12;
   int states = 3;
   int least = 2;
 };
 
-/// The first of some expressions that vanishes nowhere where constraints hold, as far as states are found
-/// that satisfy them; or none.
+/// Returns the first expression that does not vanish at any of the states found, or none.
 constexpr int first_that_never_vanishes(consistent_states& states, const sequence<expression>& wanted,
                                         const looks& at = {}) {
   sequence<char> vanishes(wanted.size(), 0);

@@ -8,35 +8,36 @@
 
 namespace kanexpr::mechanics {
 
-/// Everything that binds a mechanism. What binds its speeds is J u + J_a u_a + c = 0: the velocity
-/// constraints of the model, then the rates of its configuration constraints.
+/// All constraints of a mechanism. The constraints on its speeds are J u + J_a u_a + c = 0: the velocity
+/// constraints of the model, followed by the rates of its configuration constraints.
 struct constraints {
   sequence<expression> on_configuration{};       ///< as given
-  sequence<int> numbers{};                       ///< of those, as they were given, from 1 on
-  sequence<expression> redundant{};              ///< on the configuration, with which nothing is solved
+  sequence<int> numbers{};                       ///< their numbers in the model, starting at 1
+  sequence<expression> redundant{};              ///< configuration constraints that are not used in solving
   sequence<expression> on_accelerations{};       ///< as given
   sequence<velocity_constraint> on_velocities{}; ///< without auxiliary speeds
-  sequence<int> station{}; ///< by such constraint: the station whose velocity has no such component, or none
-  sequence<int> of_configuration{}; ///< the configuration constraint that it is the rate of, or none
+  sequence<int> station{}; ///< by velocity constraint: the station whose velocity component it sets to zero,
+                           ///< or none
+  sequence<int> of_configuration{}; ///< the configuration constraint whose rate it is, or none
   symbolic::matrix jacobian{};      ///< J, a column for each speed
   symbolic::matrix by_auxiliary{};  ///< J_a, a column for each auxiliary speed
-  sequence<expression> remainder{}; ///< c, what is left when nothing moves
-  sequence<expression> repeated{};  ///< rates that are left out, where more than J u has to agree
-  sequence<int> repeats{};          ///< the configuration constraints that they are of
+  sequence<expression> remainder{}; ///< c, the part without speeds
+  sequence<expression> repeated{};  ///< omitted rates, if they agree only in J u
+  sequence<int> repeats{};          ///< the configuration constraints of these rates
 
   constexpr int size() const { return on_velocities.size(); }
 };
 
 namespace detail {
 
-/// The station whose velocity a constraint is about, where it is about a single one.
+/// The station whose velocity a constraint restricts, if there is exactly one.
 constexpr int station_of(motion& k, const velocity_constraint& c) {
   if (c.vanishing.parts.size() != 1) return none;
   return k.station_with_velocity(c.vanishing.parts[0].value, c.vanishing.parts[0].frame);
 }
 
-/// The partial derivatives of each constraint by all ways of moving: of a point's velocity along a direction
-/// by the geometry, of scalars forward, one way after another.
+/// The partial derivatives of each constraint with respect to all speeds. For the velocity of a point along a
+/// direction they follow from the geometry; scalars are differentiated in forward mode, one speed at a time.
 constexpr symbolic::matrix constraint_jacobian(const skeleton& s, const sequence<velocity_constraint>& all,
                                                const sequence<int>& stations) {
   const mechanism& m = *s.model;
@@ -56,8 +57,8 @@ constexpr symbolic::matrix constraint_jacobian(const skeleton& s, const sequence
   return jacobian;
 }
 
-/// The columns of the speeds: the rate of a configuration constraint and a velocity constraint that says the
-/// same may hold different auxiliary speeds.
+/// The columns of the speeds. The rate of a configuration constraint and an equivalent velocity constraint
+/// may contain different auxiliary speeds.
 constexpr symbolic::matrix by_speeds(const mechanism& m, const symbolic::matrix& jacobian) {
   if (m.auxiliary_speeds.empty()) return jacobian;
   symbolic::matrix columns(*m.g, jacobian.rows, m.speeds.size());
@@ -75,8 +76,8 @@ constexpr constraints no_constraints(const mechanism& m) {
   return none_at_all;
 }
 
-/// A rate of a configuration constraint that the model's velocity constraints say already is left out: many
-/// people write both.
+/// Omits the rate of a configuration constraint that the velocity constraints of the model already imply;
+/// many models contain both.
 constexpr constraints form_constraints(motion& k, const given_constraints& from) {
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;
@@ -136,8 +137,8 @@ constexpr constraints form_constraints(motion& k, const given_constraints& from)
 
 namespace detail {
 
-/// Whether the constraints hold the velocity that constraint `i` is about zero along all directions: then it
-/// does not matter how the directions turn.
+/// Whether the constraints set the velocity in constraint `i` to zero along all directions; the rotation of
+/// the directions then does not matter.
 constexpr bool holds_whole_velocity(const constraints& c, int i) {
   int directions = 0;
   for (int j = 0; j < c.size(); ++j)
@@ -147,9 +148,9 @@ constexpr bool holds_whole_velocity(const constraints& c, int i) {
 
 } // namespace detail
 
-/// The rate of constraint `i` in a motion: J u̇ + γ, and γ for a motion without rates of the speeds.
+/// The rate of constraint `i` in a motion: J u̇ + γ, or γ for a motion without rates of the speeds.
 ///
-/// Of a point's velocity along a direction it is a·d + v·ḋ, with the acceleration that the dynamics know.
+/// For the velocity of a point along a direction it is a·d + v·ḋ, with the acceleration from the dynamics.
 constexpr expression rate_of_constraint(motion& k, const constraints& c, int i) {
   const velocity_constraint& own = c.on_velocities[i];
   if (c.station[i] == none) return k.rate(own.value);

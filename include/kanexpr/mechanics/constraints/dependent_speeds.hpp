@@ -5,7 +5,8 @@
 
 namespace kanexpr::mechanics {
 
-/// The dependent speeds and their rates by the independent ones: u_d = A u_i + b, u̇_d = A u̇_i + b̄.
+/// The dependent speeds and their rates in terms of the independent ones: u_d = A u_i + b, u̇_d = A u̇_i +
+/// b̄.
 struct dependent_speeds {
   symbolic::matrix on_independent{};        ///< A
   sequence<expression> at_rest{};           ///< b
@@ -22,7 +23,7 @@ constexpr symbolic::matrix columns_of(graph& g, const symbolic::matrix& a, const
   return out;
 }
 
-/// What the constraints on speeds come from.
+/// The sums from which the constraints on the speeds are formed.
 constexpr sequence<int> sums_that_bind(const mechanism& m, const constraints& c) {
   sequence<int> sums = symbolic::nodes_of(m.kinematics);
   for (const expression& e : c.on_configuration) sums.push(e.node());
@@ -32,7 +33,8 @@ constexpr sequence<int> sums_that_bind(const mechanism& m, const constraints& c)
 
 } // namespace detail
 
-/// Solves the constraints J u + c = 0 and J u̇ + γ = 0, with `bias` = γ, once for all right sides.
+/// Solves the constraints J u + c = 0 and J u̇ + γ = 0, with `bias` = γ, with one factorization for all
+/// right-hand sides.
 constexpr dependent_speeds solve_for_dependent_speeds(const mechanism& m, const constraints& c,
                                                       const partition& speeds,
                                                       const sequence<expression>& bias) {

@@ -4,23 +4,25 @@
 
 namespace kanexpr::mechanics {
 
-/// A velocity constraint: a scalar, linear in the speeds, that vanishes. Where it is the component of a
-/// vector along a direction, both are kept, for the rate of the vector is cheaper to form than that of the
+/// A velocity constraint: a scalar, linear in the speeds, that vanishes. If it is the component of a vector
+/// along a direction, both are stored, because the rate of the vector is cheaper to form than that of the
 /// scalar.
 struct velocity_constraint {
   expression value{};
-  vector vanishing{}; ///< no parts: there is only the scalar
+  vector vanishing{}; ///< no parts: only the scalar is given
   vector direction{};
 };
 
-/// What binds a mechanism, as it was given.
+/// The constraints of a mechanism, as given.
 struct given_constraints {
-  sequence<expression> on_configuration{};   ///< of coordinates, parameters and time, that vanish
-  sequence<expression> rates_by_auxiliary{}; ///< what auxiliary speeds add to their rates; empty: nothing
+  sequence<expression> on_configuration{};   ///< expressions of coordinates, parameters and time that vanish
+  sequence<expression> rates_by_auxiliary{}; ///< the contribution of auxiliary speeds to their rates; empty:
+                                             ///< none
   sequence<velocity_constraint> on_velocities{};
-  sequence<expression> on_accelerations{}; ///< linear in u̇, that vanish; empty: derived from the others
-  sequence<int> redundant{}; ///< configuration constraints that follow from the others, counted from 1 on
-  sequence<int> dependent_coordinates{}, dependent_speeds{}; ///< by position; empty: the library chooses
+  sequence<expression> on_accelerations{}; ///< expressions linear in u̇ that vanish; empty: derived from the
+                                           ///< others
+  sequence<int> redundant{}; ///< configuration constraints that follow from the others, numbered from 1
+  sequence<int> dependent_coordinates{}, dependent_speeds{}; ///< by index; empty: chosen by the library
 };
 
 } // namespace kanexpr::mechanics

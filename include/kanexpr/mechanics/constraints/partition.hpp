@@ -5,7 +5,7 @@
 
 namespace kanexpr::mechanics {
 
-/// The unknowns that some equations are solved for, and those that stay free; both in the order of the model.
+/// The unknowns for which equations are solved, and those that remain free; both in the order of the model.
 struct partition {
   sequence<int> dependent{};
   sequence<int> independent{};
@@ -20,7 +20,7 @@ constexpr partition partition_by(const sequence<char>& is_dependent) {
 
 namespace detail {
 
-/// Gaussian elimination with full pivoting at several states at once.
+/// Gaussian elimination with full pivoting at several states simultaneously.
 class choice_by_elimination {
 public:
   constexpr choice_by_elimination(const sequence<numbers>& states, const symbolic::matrix& jacobian,
@@ -31,8 +31,8 @@ public:
   constexpr partition run() {
     for (int step = 0; step < jacobian_.rows; ++step) {
       place pivot = best(false);
-      if (pivot.row == none) pivot = best(true); // what elimination has filled in
-      if (pivot.row == none) break;              // a singular constraint, which a check has named
+      if (pivot.row == none) pivot = best(true); // include the fill-in
+      if (pivot.row == none) break;              // a singular constraint, already reported by a check
       row_done_[pivot.row] = 1;
       is_dependent_[pivot.column] = 1;
       for (numbers& a : states_) eliminate(a, pivot);
@@ -46,12 +46,12 @@ private:
     int column = none;
   };
 
-  static constexpr double rounding = 1e-13; ///< beside 1
+  static constexpr double rounding = 1e-13; ///< relative to 1
   static constexpr double magnitude(double x) { return x < 0 ? -x : x; }
 
-  /// Among the entries of the Jacobian, or those too that elimination has filled in.
+  /// The best pivot among the entries of the Jacobian, or including the fill-in.
   constexpr place best(bool takes_all) const {
-    sequence<int> in_row(jacobian_.rows, 0), in_column(jacobian_.columns, 0); // entries that are left
+    sequence<int> in_row(jacobian_.rows, 0), in_column(jacobian_.columns, 0); // remaining entries
     sequence<double> largest(states_.size() * jacobian_.rows, 0.0);
     for (int i = 0; i < jacobian_.rows; ++i)
       for (int j = 0; j < jacobian_.columns && row_done_[i] == 0; ++j) {
@@ -68,7 +68,7 @@ private:
       for (int j = 0; j < jacobian_.columns && row_done_[i] == 0; ++j) {
         if (is_dependent_[j] != 0) continue;
         if (!takes_all && jacobian_(i, j).is_zero()) continue;
-        double least = 1; // of the entry beside the largest of its row, over the states
+        double least = 1; // smallest ratio of the entry to the largest of its row, over the states
         for (int s = 0; s < states_.size(); ++s) {
           const double l = largest[s * jacobian_.rows + i];
           const double beside = l > rounding ? magnitude(states_[s](i, j)) / l : 0;
@@ -97,16 +97,16 @@ private:
 
 } // namespace detail
 
-/// Chooses the dependent ones among the columns of a Jacobian, one for each row: by elimination with full
-/// pivoting at several generic states at once, so that the choice is well conditioned at all of them, where
-/// columns and rows with few entries weigh more, so that it is cheap to solve (Markowitz). `favoured`
-/// columns are taken where they serve nearly as well.
+/// Chooses dependent unknowns among the columns of a Jacobian, one for each row, by elimination with full
+/// pivoting at several generic states simultaneously, so that the choice is well conditioned at all of them.
+/// Columns and rows with few entries have a larger weight, which makes the solution cheap (Markowitz).
+/// `favoured` columns are preferred if they are nearly as good.
 constexpr partition choose_dependent(const sequence<numbers>& states, const symbolic::matrix& jacobian,
                                      const sequence<char>& favoured) {
   return detail::choice_by_elimination(states, jacobian, favoured).run();
 }
 
-/// The user's choice, or a good one.
+/// The dependent unknowns chosen by the user, or else by `choose_dependent`.
 constexpr partition partition_of(const sequence<numbers>& states, const symbolic::matrix& jacobian,
                                  const sequence<int>& chosen, const sequence<char>& favoured) {
   if (chosen.empty()) return choose_dependent(states, jacobian, favoured);

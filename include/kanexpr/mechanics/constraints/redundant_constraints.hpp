@@ -3,14 +3,14 @@
 #include <kanexpr/mechanics/constraints/constraints.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
 
-/// Configuration constraints that the model calls redundant.
+/// Configuration constraints that the model declares redundant.
 namespace kanexpr::mechanics {
 
 constexpr sentence check_redundant(const given_constraints& all) {
   for (int i = 0; i < all.redundant.size(); ++i) {
     const int number = all.redundant[i];
     if (number < 1 || number > all.on_configuration.size())
-      return sentence({"redundant<", counted(number).view(), "> names none of the ",
+      return sentence({"redundant<", counted(number).view(), "> is out of range: the model has ",
                        several(all.on_configuration.size(), "configuration constraint").view()});
     for (int j = 0; j < i; ++j)
       if (all.redundant[j] == number)
@@ -20,7 +20,7 @@ constexpr sentence check_redundant(const given_constraints& all) {
   return {};
 }
 
-/// What is solved with.
+/// The constraints used in solving.
 constexpr given_constraints without_redundant(const given_constraints& all) {
   if (all.redundant.empty()) return all;
   given_constraints kept = all;
@@ -33,7 +33,7 @@ constexpr given_constraints without_redundant(const given_constraints& all) {
   return kept;
 }
 
-/// Which of those that were given are solved with, and what the others are.
+/// Records the numbers of the constraints used in solving, and the redundant ones.
 constexpr void tell_redundant(const given_constraints& all, constraints& c) {
   for (int i = 0; i < all.on_configuration.size(); ++i)
     if (all.redundant.contains(i + 1))
@@ -42,7 +42,7 @@ constexpr void tell_redundant(const given_constraints& all, constraints& c) {
       c.numbers.push(i + 1);
 }
 
-/// Those with which nothing is solved, as constraints on the speeds.
+/// The redundant constraints, as constraints on the speeds.
 constexpr constraints redundant_alone(motion& k, const constraints& c) {
   given_constraints alone;
   alone.on_configuration = c.redundant;

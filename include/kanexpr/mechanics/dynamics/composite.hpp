@@ -5,12 +5,12 @@
 
 namespace kanexpr::mechanics {
 
-/// What moves outwards of a station as one with a frame: its composite mass, and for each speed that enters
-/// farther out the force and the moment that a unit of its rate asks for.
+/// The composite body outward of a station that moves with a frame: its mass properties and, for each speed
+/// that enters farther out, the inertia force and moment per unit of its rate.
 struct composite {
   struct column {
     int speed = none;
-    vector force{};      ///< turned to no other axes before it has to be
+    vector force{};      ///< kept in its axes until a change is needed
     components moment{}; ///< about the station, on the frame
   };
   int frame = mechanism::inertial;
@@ -19,9 +19,9 @@ struct composite {
 };
 
 /// M = Σ J_iᵀ M_i J_i by composite bodies (Featherstone 2008, section 6.2), for any tree of frames, any tree
-/// of points and any generalized speeds: whatever a frame or a point adds to the velocity of what it hangs on
-/// is a few columns, and each column meets the composite where it enters and the columns of what lies outward
-/// of it.
+/// of points and any generalized speeds. The velocity that a frame or a point adds to that of its parent is
+/// given by a few columns; each column is multiplied with the composite body where it enters and with the
+/// columns of everything outward of it.
 class mass_matrix_builder {
 public:
   constexpr explicit mass_matrix_builder(const skeleton& s)
@@ -36,7 +36,7 @@ public:
     }
   }
 
-  /// The lower and the upper triangle.
+  /// Returns the full symmetric matrix.
   constexpr const symbolic::matrix& run() {
     for (int n = s_.stations.size() - 1; n >= 0; --n) {
       while (take_deepest_frame_down(n)) {
@@ -63,7 +63,7 @@ private:
     i >= j ? result_(i, j) += term : result_(j, i) += term;
   }
 
-  /// What a column's own speed takes from meeting a direction that belongs to speed `i`.
+  /// Adds the product of a column and a direction of speed `i`.
   constexpr void meet(int i, const composite::column& c, expression term) {
     add(i, c.speed, i == c.speed ? 2 * term : term);
   }
@@ -75,7 +75,7 @@ private:
     return c.columns.back();
   }
 
-  /// Takes the composite of the farthest frame at station `n` over to the frame that it turns in.
+  /// Moves the composite body of the frame farthest out at station `n` to the frame in which it rotates.
   constexpr bool take_deepest_frame_down(int n) {
     int found = none, depth = -1;
     for (int i = 0; i < at_[n].size(); ++i) {
@@ -113,12 +113,12 @@ private:
     return true;
   }
 
-  /// Takes all that hangs at station `n` over to its parent.
+  /// Moves everything at station `n` to its parent.
   constexpr void take_station_down(int n) {
     const station& at = s_.stations[n];
     composite c = composite_of(n, at.frame);
     if (at.frame !=
-        mechanism::inertial) { // what came all the way down to the ground's axes has a mass and forces only
+        mechanism::inertial) { // composites in the ground's axes consist of a mass and forces only
       const composite& fixed = composite_of(n, mechanism::inertial);
       c.mass.mass += fixed.mass.mass;
       for (const composite::column& k : fixed.columns) column_of(c, k.speed, *m_.g).force.add(k.force);
@@ -157,8 +157,8 @@ private:
     return v;
   }
 
-  /// New columns meet each other and those that are there already: turns meet moments, and slides, in `axes`,
-  /// meet forces.
+  /// Multiplies new columns with each other and with the existing ones: rotations with moments, and
+  /// translations, given in `axes`, with forces.
   constexpr void enter(composite& c, const sequence<partial_velocity>& ways,
                        const sequence<composite::column>& entering, int axes) {
     const auto felt = [&](const composite::column& k) {

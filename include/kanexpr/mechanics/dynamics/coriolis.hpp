@@ -6,7 +6,7 @@
 
 namespace kanexpr::mechanics {
 
-/// The coordinate of which each speed is the rate, or why there is none.
+/// The coordinate whose rate each speed is, or a sentence if there is none.
 struct speeds_as_rates {
   sentence mistake{};
   sequence<int> coordinate{};
@@ -20,17 +20,17 @@ constexpr speeds_as_rates coordinates_of_speeds(const skeleton& s) {
     for (int j = 0; j < m.coordinates.size(); ++j)
       if (s.coordinate_rates[j] == m.speeds[i]) own = j;
     if (own == none && !found.mistake)
-      found.mistake =
-          sentence({"the Coriolis matrix is that of speeds which are the rates of coordinates; speed ",
-                    m.g->symbol_at(m.speeds[i].node()).called.view(), " is not"});
+      found.mistake = sentence({"the Coriolis matrix requires speeds that are coordinate rates; speed ",
+                                m.g->symbol_at(m.speeds[i].node()).called.view(), " is not"});
     found.coordinate.push(own);
   }
   return found;
 }
 
-/// C with C u the part of M u̇ − f that is quadratic in the speeds u = q̇, from Christoffel symbols of the
-/// first kind, so that Ṁ − 2C is skew-symmetric: C = (Ṁ + J − Jᵀ)/2, J the derivatives of the momenta M u by
-/// q (Siciliano et al., Robotics: Modelling, Planning and Control, section 7.2.1).
+/// Returns C, where C u is the part of M u̇ − f that is quadratic in the speeds u = q̇, from Christoffel
+/// symbols of the first kind, so that Ṁ − 2C is skew-symmetric: C = (Ṁ + J − Jᵀ)/2, where J is the derivative
+/// of the momenta M u with respect to q (Siciliano et al., Robotics: Modelling, Planning and Control, section
+/// 7.2.1).
 constexpr symbolic::matrix coriolis_matrix(const mechanism& m, const sequence<int>& coordinate,
                                            const symbolic::matrix& mass,
                                            const sequence<expression>& momenta) {

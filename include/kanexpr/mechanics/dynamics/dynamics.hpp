@@ -9,14 +9,14 @@
 
 namespace kanexpr::mechanics {
 
-/// The equations of a system whose speeds may be bound, by Kane's method or by Lagrange's, and what follows
-/// from them. Nothing is formed before it is asked for, and nothing twice.
+/// The equations of motion of a system with or without constraints, by Kane's or Lagrange's method, and
+/// quantities derived from them. Each is formed on first use and only once.
 class dynamics {
 public:
   constexpr dynamics(const skeleton& s, const loads& acting, const constraints& c, const partition& speeds)
       : s_(s), m_(*s.model), loads_(acting), constraints_(c), speeds_(speeds) {}
 
-  /// What was formed.
+  /// The stored members.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.lagrange_);
@@ -49,7 +49,7 @@ public:
     return bias;
   }
 
-  /// How the dependent speeds and their rates follow from the independent ones.
+  /// The dependent speeds and their rates in terms of the independent ones.
   constexpr const dependent_speeds& dependent() {
     if (has_dependent_) return dependent_;
     const sequence<expression>& bias = constraint_bias();
@@ -67,8 +67,8 @@ public:
     return u;
   }
 
-  /// Of each dependent speed, the determinant of the block that it is solved in: 0 where that is singular,
-  /// and of another sign behind.
+  /// For each dependent speed, the determinant of the block in which it is solved. The determinant is 0 where
+  /// the block is singular and changes sign there.
   constexpr sequence<expression> constraint_pivots() {
     sequence<expression> pivots(speeds_.dependent.size(), m_.one());
     for (const symbolic::solved_block& b : dependent().blocks) {
@@ -78,7 +78,7 @@ public:
       const int order = b.rows.size();
       const expression pivot = order <= symbolic::largest_with_determinant
                                    ? symbolic::determinant(entries, order)
-                                   : b.measure; // which has no sign
+                                   : b.measure; // has no sign
       for (int d : b.columns) pivots[d] = pivot;
     }
     return pivots;
@@ -109,7 +109,7 @@ public:
     return force_;
   }
 
-  /// Forces of a linearization, shorter where the model gives points by sines and cosines.
+  /// Shortens the forces of a linearization if the model gives points by sines and cosines.
   constexpr void gather(sequence<expression>& f, sequence<expression>& more_f) {
     if (!has_sines_in_components(m_, loads_)) return;
     sequence<expression> all = f, beside = dependent().on_independent.entries;
@@ -135,7 +135,7 @@ public:
     return udot_;
   }
 
-  /// What the mass matrix was divided by for them.
+  /// The pivots of the mass matrix in the solution for the accelerations.
   constexpr const sequence<symbolic::pivot>& pivots() const { return pivots_; }
 
   /// F_i + Aᵀ F_d.
@@ -149,7 +149,7 @@ public:
     return reduce(mechanics::active_forces(s_, loads_));
   }
 
-  /// F_r* at u̇ = 0 of all speeds, and by Kane's method behind them of the auxiliary ones.
+  /// F_r* at u̇ = 0 of all speeds; with Kane's method followed by those of the auxiliary speeds.
   constexpr sequence<expression> inertia_bias() const {
     if (by_lagrange()) return lagrange_.inertia_bias();
     return mechanics::inertia_bias(s_);
@@ -170,7 +170,7 @@ public:
       force = lagrange_.forcing(m_.speed_rates);
     else
       force = forcing(s_, loads_, m_.speed_rates);
-    while (force.size() > m_.speeds.size()) force.pop(); // auxiliary speeds come last
+    while (force.size() > m_.speeds.size()) force.pop(); // the auxiliary speeds come last
     return force;
   }
 
@@ -185,18 +185,18 @@ public:
   }
   constexpr sequence<expression> unreduced_forcing() {
     sequence<expression> force = free_force();
-    while (force.size() > m_.speeds.size()) force.pop(); // auxiliary speeds come last
+    while (force.size() > m_.speeds.size()) force.pop(); // the auxiliary speeds come last
     return force;
   }
 
-  /// What inertia asks for of all speeds in a motion with the symbols u̇, gravity included: of Kane's method
-  /// F_r* on rising ground, of Lagrange's ∂L/∂q − d/dt ∂L/∂q̇.
+  /// The generalized inertia forces of all speeds in a motion with the symbols u̇, including gravity: F_r* on
+  /// accelerated ground for Kane's method, ∂L/∂q − d/dt ∂L/∂q̇ for Lagrange's.
   constexpr sequence<expression> inertia_in(motion& on_rising_ground) {
     if (by_lagrange()) return lagrange_.inertia_forces(m_.speed_rates);
     return mechanics::inertia_forces(s_, on_rising_ground);
   }
 
-  /// The generalized forces of all speeds that `inertia_in` leaves out.
+  /// The generalized forces of all speeds that `inertia_in` does not include.
   constexpr sequence<expression> forces_of_loads() {
     if (by_lagrange()) return lagrange_.forces_of_loads();
     return mechanics::forces_of_loads(s_, loads_);
@@ -224,7 +224,7 @@ private:
     return reduced_force(free, speeds_, solved, coupling());
   }
 
-  /// Both at once, as they share much. The rates of dependent speeds stay as they are.
+  /// Shortens both together, because they share many terms. The rates of dependent speeds remain unchanged.
   constexpr void gather_mass_and_force() {
     force_ = formed_force();
     sequence<expression> both = force_, beside = dependent().on_independent.entries;
@@ -247,7 +247,7 @@ private:
     for (const symbolic::solved_block& b : given.blocks) dependent_.blocks.push(b);
   }
 
-  /// M and f of all ways of moving, as if nothing bound them.
+  /// M and f for all speeds, including auxiliary speeds, without constraints.
   constexpr const symbolic::matrix& free_mass() {
     if (free_mass_.rows != 0) return free_mass_;
     if (by_lagrange())

@@ -22,7 +22,7 @@ constexpr expression kinetic_energy(motion& k) {
   return twice / 2;
 }
 
-/// Energy of the bodies in uniform gravity, −Σ m g·x, with x measured from each body's origin point.
+/// The energy of the bodies in uniform gravity, −Σ m g·x, with x measured from each body's origin point.
 constexpr expression energy_of_gravity(const skeleton& s, const loads& acting) {
   const mechanism& m = *s.model;
   expression energy = m.zero();
@@ -34,7 +34,7 @@ constexpr expression energy_of_gravity(const skeleton& s, const loads& acting) {
   return energy;
 }
 
-/// That of gravity and of all other loads.
+/// The potential energy of gravity and of all other loads.
 constexpr expression potential_energy(const skeleton& s, const loads& acting) {
   expression energy = energy_of_gravity(s, acting);
   acting.each([&](const auto& load, int) { energy += load.potential_energy(*s.model); });
@@ -56,7 +56,7 @@ constexpr components linear_momentum(motion& k) {
   return total;
 }
 
-/// Position of a point from its origin, in the axes of the inertial frame.
+/// The position of a point from its origin, in the axes of the inertial frame.
 constexpr components position(const mechanism& m, int point) {
   return express(m, position_from_origin(m, point), mechanism::inertial);
 }

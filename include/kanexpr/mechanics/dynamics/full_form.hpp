@@ -5,11 +5,11 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
 
-/// Linear equations for the rates of all coordinates and speeds: q̇ as it is, the equations of motion, and the
+/// Linear equations for the rates of all coordinates and speeds: q̇, the equations of motion, and the
 /// constraints on the rates of the dependent speeds.
 namespace kanexpr::mechanics {
 
-/// Of q̇, then u̇, on the left.
+/// The matrix on the left-hand side, for q̇ followed by u̇.
 constexpr symbolic::matrix mass_matrix_of_all(const mechanism& m, const partition& speeds,
                                               const symbolic::matrix& mass, const dependent_speeds& bound) {
   const int n = m.coordinates.size(), p = m.speeds.size();
@@ -26,7 +26,7 @@ constexpr symbolic::matrix mass_matrix_of_all(const mechanism& m, const partitio
   return full;
 }
 
-/// Of u̇, on the right.
+/// The right-hand side of the rows of u̇.
 constexpr sequence<expression> forcing_of_all(sequence<expression> force, const dependent_speeds& bound) {
   for (const expression& b : bound.acceleration_bias) force.push(b);
   return force;

@@ -3,12 +3,12 @@
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/symbolic/graph/gathering.hpp>
 
-/// Expressions of a model whose positions or velocities are written by components with sines and cosines in
-/// them, as that of a ball in a trough. What frames keep apart meets there: the squares of its velocity are
+/// Simplification for models that give positions or velocities by components with sines and cosines, such as
+/// a ball in a trough. Terms that frames would keep separate then occur together: squared velocities contain
 /// sin² + cos², and centripetal terms cancel.
 namespace kanexpr::mechanics {
 
-/// Whether a model is written so.
+/// Whether a model gives vectors by components with sines and cosines.
 constexpr bool has_sines_in_components(const mechanism& m, const loads& acting) {
   sequence<int> nodes;
   const auto collect = [&](expression e) {
@@ -36,7 +36,8 @@ constexpr bool has_sines_in_components(const mechanism& m, const loads& acting) 
   return false;
 }
 
-/// The same with sin² + cos² seen as one, where that is shorter for all together. `beside` is needed anyway.
+/// Returns the expressions with sin² + cos² replaced by 1, if they are shorter in total. `beside` are
+/// expressions that are needed in any case.
 constexpr sequence<expression> gathered(graph& g, const sequence<expression>& all,
                                         const sequence<expression>& beside = {}) {
   const sequence<int> nodes = symbolic::nodes_of(all), kept = symbolic::nodes_of(beside);

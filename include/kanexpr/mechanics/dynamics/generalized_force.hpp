@@ -7,8 +7,8 @@
 
 namespace kanexpr::mechanics {
 
-/// I·α + ω×(I·ω) about a point, from the matrix U that its forces use as well: with the products of inertia
-/// as weights of U's entries it takes half the products of the two-step form.
+/// I·α + ω×(I·ω) about a point, from the matrix U that the forces use as well. With the products of inertia
+/// as weights of the entries of U, it takes half the products of the two-step form.
 constexpr components inertia_demand(const symmetric& i, const components& w, const components& alpha,
                                     const matrix3& u) {
   components moment;
@@ -24,28 +24,28 @@ constexpr components inertia_demand(const symmetric& i, const components& w, con
   return moment;
 }
 
-/// Generalized forces Σ v_r·R + ω_r·T by reverse accumulation through the velocity map: forces run down the
-/// tree of points, moments down the tree of frames, and each speed picks up its share where it enters. Kane &
-/// Levinson (1985), section 4.4, in time proportional to the number of links.
+/// Generalized forces Σ v_r·R + ω_r·T by reverse accumulation through the velocity map: forces are passed
+/// down the tree of points, moments down the tree of frames, and each speed receives its contribution where
+/// it enters. Kane & Levinson (1985), section 4.4, in time proportional to the number of links.
 class generalized_forces {
 public:
   constexpr explicit generalized_forces(const skeleton& s)
       : s_(s), m_(*s.model), known_(m_, s.coordinate_rates), acting_(s) {}
 
-  /// All loads of the model; gravity on every body only if it is not taken as an acceleration.
+  /// Adds all loads of the model, and gravity unless it is treated as an acceleration of the ground.
   constexpr void add_loads(const loads& given, bool gravity, conservative how = conservative::by_forces) {
     given.each([&](const auto& load, int) { load.act(acting_, how); });
     acting_.differentiate_energies();
     if (gravity) add_gravity(given);
   }
 
-  /// The weights of all bodies.
+  /// Adds the weights of all bodies.
   constexpr void add_gravity(const loads& given) {
     if (!given.has_gravity) return;
     for (const body& b : m_.bodies) acting_.add_force(b.center, b.mass * known_.in(given.gravity));
   }
 
-  /// What inertia asks for in a motion, with the minus sign of a generalized inertia force.
+  /// Adds the inertia forces and moments of a motion.
   constexpr void add_inertia(motion& k) {
     for (const link& l : s_.base_links) {
       const int f = l.frame;
@@ -62,11 +62,11 @@ public:
     }
   }
 
-  /// What the change of masses and inertias asks for, F = d(mv)/dt: −ṁ v at the mass centre and −İ·ω.
+  /// Adds the forces due to changing masses and inertias, F = d(mv)/dt: −ṁ v at the mass center and −İ·ω.
   constexpr void add_changes_of_mass(motion& k) {
     for (const body& b : m_.bodies) add_change_of_mass(k, b);
   }
-  /// Of one body; whether it asks for anything.
+  /// The same for one body; returns true if the body contributes.
   constexpr bool add_change_of_mass(motion& k, const body& b) {
     const int n = s_.station_of_point[b.center];
     const expression rate = k.rate(known_.in(b.mass));
@@ -80,7 +80,7 @@ public:
     return true;
   }
 
-  /// The generalized force of each speed, then of each auxiliary speed.
+  /// Returns the generalized force of each speed, followed by those of the auxiliary speeds.
   constexpr const sequence<expression>& run() {
     for (int n = s_.stations.size() - 1; n >= 0; --n) {
       const station& at = s_.stations[n];
@@ -106,7 +106,7 @@ private:
     return express(m_, v, s_.working_axes[from], s_.working_axes[to]);
   }
 
-  /// Whether a body's inertia is plainly given by constants in its own axes.
+  /// Whether the inertia of a body is given by constants in its own axes.
   constexpr bool has_fixed_inertia(motion& k, const body& b) {
     if (b.about != none && b.about != b.center) return false;
     for (const dyadic::part& p : b.inertia.parts) {
@@ -118,9 +118,9 @@ private:
     return true;
   }
 
-  /// The rate of an inertia in the axes of frame `axes`, as the body sees it that moves with frame `f` at
-  /// `w`: İ + W I + (W I)ᵀ with W = [ω_axes − ω]×, which vanishes where the body looks the same from all
-  /// sides of the axis about which it turns there.
+  /// The rate of an inertia, given in the axes of frame `axes`, relative to the body that moves with frame
+  /// `f` and rotates at `w`: İ + W I + (W I)ᵀ with W = [ω_axes − ω]×. It vanishes if the body is rotationally
+  /// symmetric about the axis of this rotation.
   constexpr symmetric rate_in_body(motion& k, const symmetric& inertia, int axes, int f,
                                    const components& w) {
     symmetric change(*m_.g);
@@ -137,7 +137,7 @@ private:
     return change;
   }
 
-  /// About the link's station.
+  /// The inertia moment about the link's station.
   constexpr components inertia_demand(motion& k, const symmetric& i, int f) {
     if (i.is_zero()) return components(*m_.g);
     const components w = k.angular_velocity(f), alpha = k.angular_acceleration(f);

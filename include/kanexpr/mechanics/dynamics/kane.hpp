@@ -4,8 +4,8 @@
 #include <kanexpr/mechanics/dynamics/generalized_force.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton_of.hpp>
 
-/// Kane's dynamical equations M u̇ = f, one for each way of moving: for each generalized speed, then for each
-/// auxiliary speed (Kane & Levinson 1985, section 6.1), as if no constraint bound the speeds.
+/// Kane's dynamical equations M u̇ = f without constraints, one for each generalized speed, followed by those
+/// of the auxiliary speeds (Kane & Levinson 1985, section 6.1).
 namespace kanexpr::mechanics {
 
 /// M; symmetric.
@@ -18,15 +18,15 @@ constexpr sequence<expression> active_forces(const skeleton& s, const loads& act
   return f.run();
 }
 
-/// F_r of gravity alone.
+/// F_r of gravity only.
 constexpr sequence<expression> forces_of_gravity(const skeleton& s, const loads& acting) {
   generalized_forces f(s);
   f.add_gravity(acting);
   return f.run();
 }
 
-/// All motion, in which the ground falls upwards in place of gravity on every body; without rates of the
-/// speeds at u̇ = 0.
+/// The motion in which an upward acceleration of the ground replaces gravity; without rates of the speeds it
+/// is taken at u̇ = 0.
 constexpr motion motion_on_rising_ground(const skeleton& s, const loads& acting,
                                          const sequence<expression>& udot = {}) {
   motion k(s, udot);
@@ -34,14 +34,14 @@ constexpr motion motion_on_rising_ground(const skeleton& s, const loads& acting,
   return k;
 }
 
-/// F_r of the loads beside gravity on every body.
+/// F_r of all loads except gravity.
 constexpr sequence<expression> forces_of_loads(const skeleton& s, const loads& acting) {
   generalized_forces f(s);
   f.add_loads(acting, false);
   return f.run();
 }
 
-/// F_r* of a motion, on ground that rises in place of gravity: inverse dynamics, linear in u̇.
+/// F_r* of a motion on ground that accelerates in place of gravity: inverse dynamics, linear in u̇.
 constexpr sequence<expression> inertia_forces(const skeleton& s, motion& k) {
   generalized_forces f(s);
   f.add_inertia(k);
@@ -49,14 +49,14 @@ constexpr sequence<expression> inertia_forces(const skeleton& s, motion& k) {
   return f.run();
 }
 
-/// F_r* at u̇ = 0: the part of the generalized inertia forces that is not −M u̇.
+/// F_r* at u̇ = 0: the part of the generalized inertia forces other than −M u̇.
 constexpr sequence<expression> inertia_bias(const skeleton& s) {
   motion k(s);
   return inertia_forces(s, k);
 }
 
-/// F_r + F_r* in one pass, f at u̇ = 0 where no rates are given. Gravity on every body enters as an
-/// acceleration of the ground.
+/// F_r + F_r* in one pass; f at u̇ = 0 if no rates are given. Gravity enters as an acceleration of the
+/// ground.
 constexpr sequence<expression> forcing(const skeleton& s, const loads& acting,
                                        const sequence<expression>& udot = {}) {
   generalized_forces f(s);

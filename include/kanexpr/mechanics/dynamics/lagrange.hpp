@@ -6,11 +6,11 @@
 #include <kanexpr/symbolic/derivatives/accumulate.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
 
-/// Lagrange's equations d/dt ∂L/∂q̇ − ∂L/∂q = Q as M q̈ = f, as if no constraint bound the coordinates
-/// (Goldstein, Classical Mechanics, 2002, sections 1.4, 2.4). The speeds of the mechanism are the rates q̇.
+/// Lagrange's equations d/dt ∂L/∂q̇ − ∂L/∂q = Q as M q̈ = f, without constraints (Goldstein, Classical
+/// Mechanics, 2002, sections 1.4, 2.4). The speeds of the mechanism are the rates q̇.
 namespace kanexpr::mechanics {
 
-/// The momenta p = ∂L/∂q̇ and ∂L/∂q of a Lagrangian, by one reverse pass.
+/// The momenta p = ∂L/∂q̇ and the derivatives ∂L/∂q of a Lagrangian, by one reverse pass.
 struct lagrangian_gradient {
   sequence<expression> momenta{};
   sequence<expression> by_coordinates{};
@@ -31,7 +31,7 @@ public:
   constexpr lagrange_equations(const skeleton& s, const loads& acting)
       : s_(s), m_(*s.model), loads_(acting) {}
 
-  /// What was formed.
+  /// The stored members.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.gradient_);
@@ -50,18 +50,18 @@ public:
     return mass;
   }
 
-  /// Q + ∂L/∂q − ṗ with Q of what is not in L, f at q̈ = 0 where no rates are given.
+  /// Q + ∂L/∂q − ṗ, where Q contains the loads that are not in L; f at q̈ = 0 if no rates are given.
   constexpr sequence<expression> forcing(const sequence<expression>& udot = {}) {
     const sequence<expression> of_loads = forces_of_loads();
     return sum(of_loads, inertia_forces(udot));
   }
 
-  /// ∂L/∂q − ṗ with the rates of the speeds that are given.
+  /// ∂L/∂q − ṗ for given rates of the speeds.
   constexpr sequence<expression> inertia_forces(const sequence<expression>& udot) {
     return inertia_of(gradient(), udot);
   }
 
-  /// Q.
+  /// Q, the generalized forces of the loads that are not in L.
   constexpr sequence<expression> forces_of_loads() const {
     generalized_forces f(s_);
     f.add_loads(loads_, false, conservative::by_energy);
@@ -74,7 +74,7 @@ public:
     return sum(of_loads, gradient_of(m_, -potential_energy(s_, loads_)).by_coordinates);
   }
 
-  /// −(d/dt ∂/∂q̇ − ∂/∂q) at q̈ = 0 of the kinetic energy, or of a Lagrangian that the model gives.
+  /// −(d/dt ∂/∂q̇ − ∂/∂q) at q̈ = 0 of the kinetic energy, or of the Lagrangian given by the model.
   constexpr sequence<expression> inertia_bias() const { return inertia_of(gradient_of(m_, kinetic()), {}); }
 
 private:

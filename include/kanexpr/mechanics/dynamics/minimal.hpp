@@ -2,10 +2,10 @@
 
 #include <kanexpr/mechanics/constraints/dependent_speeds.hpp>
 
-/// Kane's equations of the independent speeds alone.
+/// Kane's equations of the independent speeds.
 ///
-/// With u̇_d = A u̇_i + b̄ and T = [E; A] the equations of all speeds, M u̇ = f, become Tᵀ M T u̇_i =
-/// f_i + Aᵀ f_d − Bᵀ b̄, where B = M_di + M_dd A serves both sides.
+/// With u̇_d = A u̇_i + b̄ and T = [E; A], the equations of all speeds, M u̇ = f, become Tᵀ M T u̇_i = f_i +
+/// Aᵀ f_d − Bᵀ b̄, where B = M_di + M_dd A is used on both sides.
 namespace kanexpr::mechanics {
 
 /// F_i + Aᵀ F_d: nonholonomic generalized forces. Kane & Levinson (1985), eq. 4.4.5.
@@ -51,7 +51,7 @@ constexpr symbolic::matrix reduced_mass(graph& g, const symbolic::matrix& mass, 
   return out;
 }
 
-/// The reduced force less what the bias of the dependent rates asks for, Bᵀ b̄.
+/// The reduced force minus the contribution Bᵀ b̄ of the bias of the dependent rates.
 constexpr sequence<expression> reduced_force(const sequence<expression>& force, const partition& speeds,
                                              const dependent_speeds& solved,
                                              const symbolic::matrix& coupling) {

@@ -5,7 +5,7 @@
 
 namespace kanexpr::mechanics {
 
-/// Whether numbers are the lower triangle of a positive definite matrix, beside its diagonal.
+/// Whether the lower triangle `a` belongs to a matrix that is positive definite relative to its diagonal.
 constexpr bool is_positive_definite(sequence<double> a, int order) {
   const auto at = [&](int i, int j) -> double& { return a[i * order + j]; };
   for (int p = 0; p < order; ++p) {
@@ -21,11 +21,11 @@ constexpr bool is_positive_definite(sequence<double> a, int order) {
   return true;
 }
 
-/// Shows that a mass matrix is positive definite in every configuration, from outside of it: nothing can move
-/// without kinetic energy. Where the energy is zero, the ground rests; a frame that turns in one that rests
-/// does too, if its axes are numbers and the inertias that turn with it resist all of its turning; so does a
-/// point that slides from one that rests, if its directions are numbers and it has a mass. All masses and
-/// inertias must be numbers that no energy is negative with.
+/// Proves that a mass matrix is positive definite in every configuration, from the ground outward: no motion
+/// is without kinetic energy. If the energy is zero, the ground rests. A frame that rotates in a resting one
+/// rests as well if its axes are numeric and the inertias that rotate with it resist all of its rotations,
+/// and a point that slides relative to a resting one rests if its directions are numeric and it has a mass.
+/// All masses and inertias must be numbers for which no energy is negative.
 class energy_of_motion {
 public:
   constexpr explicit energy_of_motion(const skeleton& s)
@@ -55,7 +55,7 @@ public:
 private:
   struct ways {
     sequence<int> speeds{};
-    sequence<double> values{}; ///< three numbers for each
+    sequence<double> values{}; ///< three numbers for each speed
     bool known = true;
   };
 
@@ -72,7 +72,7 @@ private:
     return is_positive_definite(i, 3);
   }
 
-  /// Those that are not known to rest.
+  /// The speeds that are not yet known to vanish.
   constexpr ways free_ways(const sequence<partial_velocity>& all, int from_axes, int to_axes) const {
     ways w;
     for (const partial_velocity& d : all) {
@@ -86,7 +86,7 @@ private:
     return w;
   }
 
-  /// Whether ways of moving with such an energy all rest where it is zero.
+  /// Whether a positive definite energy proves that the speeds vanish where it is zero.
   constexpr bool settle(const ways& w, const sequence<double>& energy) {
     const int count = w.speeds.size();
     sequence<double> by_speed(count * count, 0.0);
@@ -107,14 +107,14 @@ private:
     sequence<double> energy(9, 0.0);
     for (const link& l : s_.links)
       if (l.frame == f) {
-        // about the station where that rests; what is left out otherwise is not negative
+        // about the station if it rests; otherwise the omitted part is nonnegative
         const sequence<double> own = inertia(l, station_rests_[l.station] == 0);
         for (int i = 0; i < 9; ++i) energy[i] += own[i];
       }
     return settle(w, energy);
   }
 
-  /// About the mass centre or about the station, by rows.
+  /// The inertia about the mass center or about the station, by rows.
   static constexpr sequence<double> inertia(const link& l, bool central) {
     const double mass = value(l.mass.mass);
     const double h[]{value(l.mass.first_moment.x), value(l.mass.first_moment.y),

@@ -2,10 +2,10 @@
 
 #include <kanexpr/mechanics/dynamics/minimal.hpp>
 
-/// Forces that do no work, brought out from Kane's equations of the speeds that the motion does not have.
+/// Forces that do no work, from Kane's equations of the speeds that the motion does not have.
 namespace kanexpr::mechanics {
 
-/// f − M u̇ = F_r + F_r* in motion, for some ways of moving; zero for the others.
+/// f − M u̇ = F_r + F_r* in motion, for the given speeds; zero for the others.
 constexpr sequence<expression> imbalance(const symbolic::matrix& mass, const sequence<expression>& force,
                                          const sequence<expression>& udot, const sequence<int>& ways) {
   sequence<expression> out;
@@ -17,8 +17,8 @@ constexpr sequence<expression> imbalance(const symbolic::matrix& mass, const seq
   return out;
 }
 
-/// Lagrange's multipliers: λ_j is the force along the direction in which constraint j holds a velocity zero,
-/// on the system. From the equations of the dependent speeds, J_dᵀ λ = −(F_d + F_d*).
+/// Lagrange multipliers: λ_j is the force on the system along the direction in which constraint j sets a
+/// velocity to zero. They follow from the equations of the dependent speeds, J_dᵀ λ = −(F_d + F_d*).
 constexpr symbolic::linear_solution multipliers(graph& g, const constraints& c, const partition& speeds,
                                                 const sequence<expression>& imbalance_of_dependent) {
   const int rows = c.size();
@@ -30,7 +30,7 @@ constexpr symbolic::linear_solution multipliers(graph& g, const constraints& c, 
   return symbolic::solve_linear(g, transposed, right);
 }
 
-/// What acts along the partial velocities of each auxiliary speed to keep it zero: −(F_a + F_a* + J_aᵀ λ).
+/// The forces along the partial velocities of each auxiliary speed that keep it zero: −(F_a + F_a* + J_aᵀ λ).
 constexpr sequence<expression> noncontributing_forces(const constraints& c, const symbolic::matrix& lambda,
                                                       const sequence<expression>& imbalance_of_auxiliary) {
   sequence<expression> out;

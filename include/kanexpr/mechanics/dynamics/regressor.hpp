@@ -6,13 +6,13 @@
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
 
-/// Inverse dynamics by the inertial parameters of bodies, in which it is linear: each is taken by itself, and
-/// what the model says of masses and inertias does not matter.
+/// Inverse dynamics as a linear function of the inertial parameters of the bodies. Each parameter is treated
+/// separately; the masses and inertias of the model do not matter.
 namespace kanexpr::mechanics {
 
-/// The point of a body that its inertial parameters are about: from the mass centre down the chain of points
-/// as long as they are fixed in the body, so that it is where the joint of the body is. A mass centre that no
-/// such point leads to is that point itself.
+/// The point of a body about which its inertial parameters are given: the last point on the chain from the
+/// mass center toward the ground that is fixed in the body, and thus the joint of the body; the mass center
+/// if there is no such chain.
 constexpr int reference_point(const skeleton& s, const body& b) {
   const mechanism& m = *s.model;
   symbolic::differentiation along_time = time_derivative(m, s.coordinate_rates);
@@ -30,7 +30,7 @@ constexpr int reference_point(const skeleton& s, const body& b) {
   return at;
 }
 
-/// The inertial parameters of all bodies as the model gives them.
+/// The inertial parameters of all bodies with the values of the model.
 constexpr sequence<expression> inertial_values(const skeleton& s) {
   const mechanism& m = *s.model;
   sequence<expression> all;
@@ -51,18 +51,18 @@ constexpr sequence<expression> inertial_values(const skeleton& s) {
   return all;
 }
 
-/// A mass or an inertia that changes asks for more than what is linear in it.
+/// Reports a mass or inertia that changes, because its forces are not linear in it.
 constexpr sentence check_regressor(const skeleton& s, motion& k) {
   for (const body& b : s.model->bodies)
     if (generalized_forces(s).add_change_of_mass(k, b))
-      return sentence({"the regressor is that of bodies whose masses and inertias stay; those of ",
-                       b.called.view(), " change"});
+      return sentence(
+          {"the regressor requires constant masses and inertias; those of ", b.called.view(), " change"});
   return {};
 }
 
-/// What a unit of each inertial parameter asks for of each speed in a motion on rising ground, a column for
-/// each parameter: Σ v_r·R + ω_r·T by the partial velocities of the bodies, which serve all parameters of
-/// one.
+/// The generalized forces of all speeds per unit of each inertial parameter in a motion on accelerated
+/// ground, a column for each parameter: Σ v_r·R + ω_r·T by the partial velocities of the bodies, which all
+/// parameters of a body share.
 constexpr symbolic::matrix regressor_of_all(const skeleton& s, motion& k) {
   const mechanism& m = *s.model;
   sequence<symbolic::differentiation> by_speed;

@@ -9,20 +9,19 @@
 
 namespace kanexpr::mechanics {
 
-/// The inputs that make forces zero into which they enter linearly, or why there are none such.
+/// The inputs that make given forces zero, which must be linear in them, or a sentence if there are none.
 struct required_inputs {
   sentence mistake{};
   symbolic::linear_solution solved{};
 };
 
-/// Of F_r + F_r* of the independent speeds, with the symbols u̇.
+/// The inputs for which F_r + F_r* of the independent speeds, with the symbols u̇, vanishes.
 constexpr required_inputs inputs_for(const mechanism& m, const sequence<expression>& forces) {
   const int speeds = forces.size(), inputs = m.inputs.size();
   if (speeds != inputs)
-    return {
-        sentence({"inputs follow from accelerations where there are as many as independent speeds; there ",
-                  inputs == 1 ? "is " : "are ", counted(inputs).view(), inputs == 1 ? " input" : " inputs",
-                  " for ", counted(speeds).view()})};
+    return {sentence({"required inputs are defined only for as many inputs as independent speeds; there ",
+                      inputs == 1 ? "is " : "are ", counted(inputs).view(),
+                      inputs == 1 ? " input" : " inputs", " for ", counted(speeds).view()})};
   const symbolic::matrix on_inputs = symbolic::jacobian(*m.g, forces, m.inputs);
   symbolic::matrix others(*m.g, speeds, 1);
   symbolic::substitution without_inputs(*m.g);
@@ -31,12 +30,13 @@ constexpr required_inputs inputs_for(const mechanism& m, const sequence<expressi
   const sequence<char> live = symbolic::live_nodes(*m.g, symbolic::nodes_of(on_inputs.entries));
   for (const expression& r : m.inputs)
     if (live[r.node()] != 0)
-      return {sentence({"inputs follow from accelerations where forces are linear in them; they are not in ",
-                        m.g->symbol_at(r.node()).called.view()})};
+      return {sentence(
+          {"required inputs are defined only for forces linear in the inputs; they are not linear in ",
+           m.g->symbol_at(r.node()).called.view()})};
   required_inputs found{{}, symbolic::solve_linear(*m.g, on_inputs, others)};
   if (!found.solved.structurally_regular)
-    found.mistake = sentence({"inputs follow from accelerations where they act on all independent speeds; "
-                              "these do not"});
+    found.mistake = sentence(
+        {"required inputs are defined only if the inputs act on all independent speeds; these do not"});
   return found;
 }
 

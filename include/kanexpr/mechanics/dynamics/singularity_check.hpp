@@ -6,16 +6,16 @@
 #include <kanexpr/symbolic/linear/solve.hpp>
 #include <kanexpr/symbolic/sizes/finiteness.hpp>
 
-/// Where a system of linear equations on the way to a result may have no solution at some states, or a result
-/// no finite value.
+/// Checks for linear systems that may be singular at some states, and for results that may not be finite.
 namespace kanexpr::mechanics {
 
-/// One such system: its measure, which beside its scale vanishes where it is singular, and what to say there.
+/// One linear system: its measure, which vanishes relative to its scale if the system is singular, and the
+/// cause to report.
 struct singularity_check {
-  int key = 0; ///< the node that all results depend on which need the solution
+  int key = 0; ///< all results that need the solution depend on this node
   expression measure{}, scale{};
   sentence cause{};
-  bool of_finiteness = false; ///< of the measure alone, which need not be beside anything
+  bool of_finiteness = false; ///< checks only that the measure is finite
 };
 
 constexpr sequence<singularity_check> checks_of_rates(const mechanism& m,
@@ -28,7 +28,7 @@ constexpr sequence<singularity_check> checks_of_rates(const mechanism& m,
   return checks;
 }
 
-/// Of constraints that are solved for something dependent, which `called(places)` names.
+/// Checks of constraints that are solved for dependent unknowns, named by `called(places)`.
 template <class Called>
 constexpr sequence<singularity_check> checks_of_constraints(const sequence<int>& dependent,
                                                             const sequence<symbolic::solved_block>& blocks,
@@ -67,7 +67,7 @@ constexpr sequence<singularity_check> checks_of_inputs(const mechanism& m,
   return checks;
 }
 
-/// Of the pivots of a mass matrix, each once.
+/// Checks of the pivots of a mass matrix, each pivot once.
 constexpr sequence<singularity_check> checks_of_mass(const mechanism& m, const partition& speeds,
                                                      const sequence<symbolic::pivot>& pivots) {
   sequence<singularity_check> checks;
@@ -83,8 +83,8 @@ constexpr sequence<singularity_check> checks_of_mass(const mechanism& m, const p
   return checks;
 }
 
-/// Of all that leaves results infinite or no numbers at a state; none where nothing can. `others` are the
-/// checks that come before it.
+/// The check of everything that may make results infinite or NaN at a state; empty if nothing can. `others`
+/// are the preceding checks.
 constexpr sequence<singularity_check> checks_of_finiteness(const mechanism& m, const sequence<int>& outputs,
                                                            const sequence<int>& sure_divisors,
                                                            const sequence<singularity_check>& others) {
@@ -96,19 +96,19 @@ constexpr sequence<singularity_check> checks_of_finiteness(const mechanism& m, c
   for (const singularity_check& each : others) known.push(each.key);
   sequence<expression> suspects;
   for (int symbol : found.suspects(known)) places.push(suspects.push({g, symbol}));
-  constexpr int most_names = 6; // more tell nothing
+  constexpr int most_names = 6; // longer lists do not help
   const bool are_named = !places.empty() && places.size() <= most_names;
   const expression sum{g, symbolic::plain_sum(g, watched)};
   sequence<singularity_check> checks;
   checks.push({sum.node(), sum, sum,
-               sentence({"the results are not finite at this state; look for a value that was not set",
-                         are_named ? ", and at the quotients and functions of " : "",
+               sentence({"the results are not finite at this state; check for unset values",
+                         are_named ? ", and check the quotients and functions of " : "",
                          are_named ? enumerated(m, suspects, places).view() : ""}),
                true});
   return checks;
 }
 
-/// Those that some outputs depend on.
+/// The checks on which the given outputs depend.
 constexpr sequence<singularity_check> live_checks(const graph& g, const sequence<singularity_check>& all,
                                                   const sequence<int>& outputs) {
   sequence<singularity_check> live;

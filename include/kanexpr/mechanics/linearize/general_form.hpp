@@ -4,7 +4,7 @@
 
 namespace kanexpr::mechanics {
 
-/// The equations of a system in the form from which it is linearized, whatever method gave them:
+/// The equations of a system in the form from which it is linearized, for either method:
 ///
 ///     f_c(q,t) = 0                  l configuration constraints
 ///     f_v(q,u,t) = 0                m velocity constraints
@@ -12,23 +12,22 @@ namespace kanexpr::mechanics {
 ///     f_0(q,q̇,t) + f_1(q,u,t) = 0   n kinematic differential equations
 ///     f_2(q,u,u̇,t) + f_3(q,q̇,u,r,t) + f_4(q,λ,t) = 0   o−m+k dynamic differential equations
 ///
-/// for n coordinates q, o speeds u, k multipliers λ and s inputs r, on all of which constraints may rest too.
+/// for n coordinates q, o speeds u, k multipliers λ and s inputs r; constraints may depend on r as well.
 /// Peterson, Gede & Hubbard, Symbolic linearization of equations of motion of constrained multibody systems,
 /// Multibody System Dynamics 33 (2015).
 struct general_form {
   sequence<expression> q{}, u{}, lambda{}, r{}; ///< symbols
   sequence<expression> qdot{}, udot{};          ///< the symbols of the rates of q and u
-  partition coordinates{}, speeds{};            ///< which of them are dependent
+  partition coordinates{}, speeds{};            ///< their dependent and independent parts
   sequence<expression> f_c{}, f_v{}, f_a{}, f_0{}, f_1{}, f_2{}, f_3{}, f_4{};
 
-  /// What a derivation knows already of the linear parts of these equations; what is left empty is formed
-  /// when it is needed.
+  /// Linear parts of these equations that the derivation already provides; empty ones are formed when needed.
   struct linear_parts {
-    sequence<expression> qdot{};   ///< q̇ as f_0 + f_1 = 0 gives it
+    sequence<expression> qdot{};   ///< q̇ from f_0 + f_1 = 0
     symbolic::matrix on_q{};       ///< ∂f_c/∂q
     symbolic::matrix on_u{};       ///< ∂f_v/∂u
     symbolic::matrix on_udot{};    ///< ∂f_a/∂u̇
-    symbolic::matrix dependency{}; ///< ∂u̇_d/∂u̇_i as f_a = 0 gives it
+    symbolic::matrix dependency{}; ///< ∂u̇_d/∂u̇_i from f_a = 0
     symbolic::matrix coupling{};   ///< (∂f_2/∂u̇_d)ᵀ
     symbolic::matrix mass{};       ///< ∂f_2/∂u̇_i with the dependent rates eliminated; symmetric
   };
@@ -57,7 +56,7 @@ struct general_form {
 
   constexpr int states() const { return coordinates.independent.size() + speeds.independent.size(); }
   constexpr int inputs() const { return r.size(); }
-  /// Of the rates q̇ and u̇ and the multipliers, n + o + k.
+  /// The number of rates q̇ and u̇ and multipliers, n + o + k.
   constexpr int unknowns() const { return q.size() + u.size() + lambda.size(); }
 };
 
@@ -66,7 +65,7 @@ constexpr sequence<expression> negative(sequence<expression> list) {
   return list;
 }
 
-/// The sum of lists whose entries may be left out.
+/// The sum of two lists, either of which may be empty.
 constexpr sequence<expression> summed(const sequence<expression>& a, const sequence<expression>& b) {
   if (a.empty()) return b;
   sequence<expression> sum = a;

@@ -5,14 +5,14 @@
 
 namespace kanexpr::mechanics {
 
-/// M δ[q̇; u̇; λ] = A δ[q_i; u_i] + B δr, the rows in the order kinematics, constraints, dynamics.
+/// M δ[q̇; u̇; λ] = A δ[q_i; u_i] + B δr, with the rows in the order kinematics, constraints, dynamics.
 struct implicit_linearization {
   symbolic::matrix mass{};  ///< M, (n+o+k)×(n+o+k)
   symbolic::matrix state{}; ///< A, (n+o+k)×(n−l+o−m)
   symbolic::matrix input{}; ///< B, (n+o+k)×s
 };
 
-/// δ[q̇_i; u̇_i] = A δ[q_i; u_i] + B δr; of outputs y, δy = C δ[q_i; u_i] + D δr.
+/// δ[q̇_i; u̇_i] = A δ[q_i; u_i] + B δr; for outputs y, δy = C δ[q_i; u_i] + D δr.
 struct explicit_linearization {
   symbolic::matrix state{}; ///< A or C
   symbolic::matrix input{}; ///< B or D
@@ -27,7 +27,7 @@ struct explicit_linearization {
     visit(self.input);
   }
 
-  /// The entry of a row by the state first, then by the inputs.
+  /// The entry of a row; columns of the state come first, followed by those of the inputs.
   constexpr expression& operator()(int i, int j) {
     return j < state.columns ? state(i, j) : input(i, j - state.columns);
   }
@@ -36,7 +36,7 @@ struct explicit_linearization {
   }
 };
 
-/// δ[q̇; u̇; λ] = M⁻¹ (A δ[q_i; u_i] + B δr), a column for each state, then each input.
+/// δ[q̇; u̇; λ] = M⁻¹ (A δ[q_i; u_i] + B δr), a column for each state, followed by one for each input.
 constexpr symbolic::linear_solution solve_for_rates(graph& g, const implicit_linearization& given) {
   symbolic::matrix right(g, given.state.rows, given.state.columns + given.input.columns);
   for (int i = 0; i < right.rows; ++i)
@@ -45,7 +45,7 @@ constexpr symbolic::linear_solution solve_for_rates(graph& g, const implicit_lin
   return symbolic::solve_linear(g, given.mass, right);
 }
 
-/// Some rows of changes, of which the last columns are those of `inputs`.
+/// The given rows of `changes`, whose last columns are those of `inputs`.
 constexpr explicit_linearization rows_of(graph& g, const symbolic::matrix& changes, const sequence<int>& rows,
                                          int inputs) {
   explicit_linearization out(g, rows.size(), changes.columns - inputs, inputs);

@@ -9,11 +9,11 @@
 
 namespace kanexpr::mechanics {
 
-/// The equations of one system, linearized in each of the ways that results ask for, all with the symbols u̇.
-/// No way is gone before it is asked for, and none twice.
+/// The equations of one system, linearized in each form that the requested results need, all with the symbols
+/// u̇. Each form is derived on first use and only once.
 class linearized_equations {
 public:
-  /// What the equations are formed of, which may come to be known later.
+  /// Stores references to the parts of the equations, which may be completed later.
   constexpr linearized_equations(const skeleton& s, const loads& acting, const constraints& c,
                                  const symbolic::matrix& by_q, const partition& coordinates,
                                  const partition& speeds, dynamics& d)
@@ -22,7 +22,7 @@ public:
   linearized_equations(const linearized_equations&) = delete;
   linearized_equations& operator=(const linearized_equations&) = delete;
 
-  /// What was formed, but for what is formed again at little cost.
+  /// The stored members, except those that are cheap to form again.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.reduced_);
@@ -34,15 +34,15 @@ public:
     return *reduced_;
   }
 
-  /// The same, but by Lagrange's method the equations of all speeds with their multipliers.
+  /// The same, but for Lagrange's method the equations of all speeds with their multipliers.
   constexpr linearizer& in_full() {
     if (m_.derived_by == method::kane || constraints_.size() == 0) return reduced();
     if (!in_full_.has_value()) in_full_.emplace(*m_.g, form().with_multipliers());
     return *in_full_;
   }
 
-  /// The rates of all coordinates and speeds as functions of the whole state, whether it satisfies the
-  /// constraints or not.
+  /// The rates of all coordinates and speeds as functions of the whole state, whether or not it satisfies the
+  /// constraints.
   constexpr linearizer& freely() {
     if (freely_) return *freely_;
     return freely_.emplace(*m_.g, form().reduced(), directions::free);
@@ -52,7 +52,7 @@ public:
     return second_order_ ? *second_order_ : second_order_.emplace(*m_.g, freely());
   }
 
-  /// A result of the linearized equations, or to the second order.
+  /// A result of the linearized equations, or one of second order.
   constexpr symbolic::matrix get(quantity wanted) {
     using enum quantity;
     if (wanted == state_matrix) return reduced().explicit_form().state;
@@ -65,7 +65,7 @@ public:
     return to_second_order().get(wanted);
   }
 
-  /// λ of a system by Lagrange's method with constraints.
+  /// λ of a constrained system, by Lagrange's method.
   constexpr symbolic::matrix multipliers() {
     const general_form& full = in_full().form();
     const sequence<expression> force = summed(full.f_2, full.f_3);
@@ -74,14 +74,14 @@ public:
     return mechanics::multipliers(*m_.g, constraints_, speeds_, of_dependent).x;
   }
 
-  /// What the dependent coordinates were solved for in its directions.
+  /// The coupled equations that were solved for the directions of the dependent coordinates.
   constexpr sequence<symbolic::solved_block> coordinate_blocks() const {
     const std::optional<linearizer>& any = in_full_ ? in_full_ : reduced_;
     if (!any) return {};
     return any->variations().coordinate_blocks();
   }
 
-  /// What the mass matrix was divided by.
+  /// The pivots of the mass matrix.
   constexpr sequence<symbolic::pivot> pivots() const {
     sequence<symbolic::pivot> all;
     for (const auto* any : {&reduced_, &freely_})
@@ -93,7 +93,7 @@ public:
 private:
   constexpr system_form form() { return {s_, loads_, constraints_, by_q_, coordinates_, speeds_, dynamics_}; }
 
-  /// A matrix with the multipliers that go with the rates q̇ and u̇ in it.
+  /// Substitutes the multipliers that belong to the rates q̇ and u̇ into a matrix.
   constexpr symbolic::matrix imposed_forces(symbolic::matrix m) {
     const general_form& full = in_full().form();
     if (full.lambda.empty()) return m;

@@ -9,19 +9,19 @@
 namespace kanexpr::mechanics {
 
 /// Linearizes a general form about any point that satisfies it; in free directions about any point at which
-/// the rates and multipliers satisfy all but f_c and f_v. The columns of results are those of `variations`.
-/// Nothing is formed before it is asked for, and nothing twice. Results hold the symbols q, u and r, and q̇, u̇
-/// and λ where they depend on them.
+/// the rates and multipliers satisfy all equations except f_c and f_v. The columns of results are those of
+/// `variations`. Each result is formed on first use and only once. Results contain the symbols q, u and r,
+/// and q̇, u̇ and λ if they depend on them.
 class linearizer {
 public:
   constexpr linearizer(graph& g, const general_form& form, directions which = directions::along_constraints)
       : g_(g), form_(form), variations_(g, form_, which) {}
-  /// To be read from what was set aside.
+  /// Creates an empty object to be restored from stored members.
   constexpr explicit linearizer(graph& g) : g_(g), variations_(g, form_) {}
   linearizer(const linearizer&) = delete;
   linearizer& operator=(const linearizer&) = delete;
 
-  /// What was formed.
+  /// The stored members.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.form_);
@@ -34,10 +34,10 @@ public:
 
   constexpr const general_form& form() const { return form_; }
   constexpr const mechanics::variations& variations() const { return variations_; }
-  /// What the mass matrix was divided by, perhaps several times the same.
+  /// The pivots of the mass matrix, possibly with duplicates.
   constexpr const sequence<symbolic::pivot>& pivots() const { return pivots_; }
 
-  /// Of what else is solved with the mass matrix.
+  /// Adds the pivots of other solutions with the mass matrix.
   constexpr void add_pivots(const sequence<symbolic::pivot>& more) {
     for (const symbolic::pivot& p : more) pivots_.push(p);
   }
@@ -50,7 +50,7 @@ public:
     sequence<expression> unknowns = form_.qdot;
     for (const sequence<expression>* more : {&form_.udot, &form_.lambda})
       for (const expression& e : *more) unknowns.push(e);
-    // each group by itself, as what is cheap for one is not for another
+    // each group separately, because the cheaper method differs between groups
     explicit_linearization change(g_, zero.size(), variations_.states(), form_.inputs());
     int row = 0;
     for (const sequence<expression>& group :
@@ -65,7 +65,7 @@ public:
     return implicit_;
   }
 
-  /// δ[q̇_i; u̇_i], of the independent coordinates and speeds alone.
+  /// δ[q̇_i; u̇_i] of the independent coordinates and speeds.
   constexpr const explicit_linearization& explicit_form() {
     if (explicit_.state.rows != 0) return explicit_;
     if (!is_reduced()) return explicit_ = rows_of_states(g_, form_, solved_rates());
@@ -80,7 +80,7 @@ public:
     return explicit_;
   }
 
-  /// δ[q̇; u̇], of all coordinates and speeds.
+  /// δ[q̇; u̇] of all coordinates and speeds.
   constexpr explicit_linearization of_all_rates() {
     sequence<int> rows;
     for (int i = 0; i < form_.q.size() + form_.u.size(); ++i) rows.push(i);
@@ -106,7 +106,7 @@ public:
     return bias_;
   }
 
-  /// C and D of outputs that may hold q, u, r, q̇ and u̇.
+  /// C and D of outputs that may contain q, u, r, q̇ and u̇.
   constexpr explicit_linearization outputs(const sequence<expression>& y) {
     explicit_linearization out = along_all(y);
     const symbolic::matrix by_qdot = derivatives(y, form_.qdot), by_udot = derivatives(y, form_.udot);
@@ -127,7 +127,7 @@ private:
     return true;
   }
 
-  /// Whether the dynamics are those of the independent speeds, with a symmetric mass matrix that is known.
+  /// Whether the dynamics are those of the independent speeds, with a known symmetric mass matrix.
   constexpr bool is_reduced() const { return form_.lambda.empty() && form_.known.mass.rows != 0; }
 
   constexpr symbolic::matrix derivatives(const sequence<expression>& of, const sequence<expression>& by) {
@@ -141,9 +141,9 @@ private:
     return out;
   }
 
-  /// The derivatives along all directions of each expression, with the weighted sum of some more: a column of
-  /// weights for each. They come back from one after another. (Above what calls it: clang++ instantiates it
-  /// there.)
+  /// Passes the derivatives of each expression of `of`, plus a weighted sum of `more`, along all directions
+  /// to `take`. `weights` has a column for each expression. Uses one reverse pass for each expression.
+  /// (Defined before its callers, because clang++ instantiates it there.)
   template <class Take>
   constexpr void for_each_gradient(const sequence<expression>& of, const sequence<expression>& more,
                                    const symbolic::matrix& weights, const Take& take) const {
@@ -160,8 +160,8 @@ private:
     }
   }
 
-  /// One direction after another; back from one expression after another where these are fewer and no
-  /// direction has a dependent one in it.
+  /// Uses one forward pass for each direction, or one reverse pass for each expression if these are fewer and
+  /// no direction moves a dependent variable.
   constexpr explicit_linearization along_all(const sequence<expression>& of) const {
     explicit_linearization out(g_, of.size(), variations_.states(), form_.inputs());
     if (nothing_follows() && of.size() < felt_directions(of)) {
@@ -175,7 +175,7 @@ private:
     return out;
   }
 
-  /// δ[q̇; u̇] for each direction, and δλ behind where it is known.
+  /// δ[q̇; u̇] for each direction, followed by δλ if it is known.
   constexpr const symbolic::matrix& rates() { return is_reduced() ? all_rates() : solved_rates(); }
 
   /// δ[q̇; u̇; λ] for each direction, from the implicit form.
@@ -215,7 +215,7 @@ private:
     const symbolic::matrix& change = changes_of_force();
     const symbolic::symmetric_factorization mass(g_, form_.known.mass);
     symbolic::matrix out(g_, change.rows, variations_.size());
-    sequence<int> moved; // the one speed whose equation a direction changes
+    sequence<int> moved; // the only speed whose equation a direction changes
     for (int j = 0; j < out.columns; ++j) {
       sequence<expression> right;
       for (int i = 0; i < out.rows; ++i) right.push(change(i, j));
@@ -229,7 +229,7 @@ private:
     return out;
   }
 
-  /// The place of the one entry that is not zero, if it is one.
+  /// The index of the only nonzero entry, or none.
   static constexpr int only_entry(const sequence<expression>& all) {
     int found = none;
     for (int i = 0; i < all.size(); ++i)
@@ -240,7 +240,7 @@ private:
     return found;
   }
 
-  /// Where a direction changes the equation of one speed, as the torque of a motor does, its rates are a
+  /// If a direction changes the equation of one speed only, as the torque of a motor does, its rates are a
   /// column of the inverse mass matrix.
   constexpr void add_columns_of_inverse(symbolic::matrix& out, const symbolic::symmetric_factorization& mass,
                                         const symbolic::matrix& change, const sequence<int>& moved) {
@@ -261,7 +261,7 @@ private:
     return variations_.of_coordinates().rows == 0 && variations_.of_speeds().rows == 0;
   }
 
-  /// How many directions of the state some expressions feel.
+  /// The number of directions of the state on which some expressions depend.
   constexpr int felt_directions(const sequence<expression>& of) const {
     const sequence<char> live = symbolic::live_nodes(g_, symbolic::nodes_of(of));
     const auto is_live = [&](expression symbol) -> expression {
@@ -302,7 +302,7 @@ private:
     return symbolic::solve_linear(g_, transposed, form_.known.coupling).x;
   }
 
-  /// What f_a = 0 gives δu̇_d beside its share of δu̇_i, a column for each direction.
+  /// The part of δu̇_d from f_a = 0 that does not depend on δu̇_i, a column for each direction.
   constexpr symbolic::matrix acceleration_bias() {
     const int rows = form_.speeds.dependent.size();
     const explicit_linearization change = along_all(form_.f_a);
@@ -320,7 +320,7 @@ private:
   implicit_linearization implicit_{};
   explicit_linearization explicit_{};
   symbolic::matrix rates_{};
-  symbolic::matrix force_{}, bias_{}; ///< how they change, which a linearizer that is read forms again
+  symbolic::matrix force_{}, bias_{}; ///< the changes of force and bias; not stored, but formed again
   sequence<symbolic::pivot> pivots_{};
 };
 

@@ -6,18 +6,18 @@
 
 namespace kanexpr::mechanics {
 
-/// What a weighted sum of the rates, λᵀ[q̇; u̇], makes of changes of z = [q; u; r], to the second order, as if
-/// nothing bound the state.
+/// Second-order derivatives of a weighted sum of the rates, λᵀ[q̇; u̇], with respect to z = [q; u; r],
+/// without constraints on the state.
 ///
-/// The rates satisfy inverse dynamics, ρ(z, u̇) = 0 with the constraints f_a = 0 among it, which are linear in
-/// u̇. With the adjoint μ of the weights, (∂ρ/∂u̇)ᵀ μ = λ_u, the sum ψ = λ_qᵀ q̇ − μᵀρ has the gradient ψ_z at
-/// constant μ and u̇, and with u̇_z the derivatives
+/// The rates satisfy the inverse dynamics ρ(z, u̇) = 0, including the constraints f_a = 0; both are linear in
+/// u̇. With the adjoint μ of the weights, (∂ρ/∂u̇)ᵀ μ = λ_u, the sum ψ = λ_qᵀ q̇ − μᵀρ has the gradient ψ_z
+/// at constant μ and u̇, and with the derivatives u̇_z
 ///
 ///     ∂²(λᵀẋ)/∂z² = ψ_zz + ψ_zu̇ u̇_z + (ψ_zu̇ u̇_z)ᵀ
 ///
-/// So no inverse is ever differentiated, and u̇_z is that of the linearization. ρ is of the independent
-/// speeds: with multipliers there would be as many unknowns more, whose derivatives along every direction are
-/// not needed otherwise. Griewank & Walther, Evaluating Derivatives (2008), section 15.2.
+/// No inverse is differentiated, and u̇_z is that of the linearization. ρ belongs to the independent speeds;
+/// with multipliers there would be additional unknowns, whose derivatives along every direction are not
+/// needed otherwise. Griewank & Walther, Evaluating Derivatives (2008), section 15.2.
 class second_order {
 public:
   /// `first` linearizes in free directions.
@@ -56,10 +56,10 @@ public:
     return rates_along(d);
   }
 
-  /// u̇_z is not formed: what it is multiplied by is taken through the mass matrix instead, which fewer
-  /// directions of z change. Of two entries that are equal the cheaper one is formed: along a coordinate
-  /// rather than a speed, along the last of two coordinates, which moves the fewest bodies, and the first of
-  /// two speeds.
+  /// u̇_z is not formed: its cofactor is multiplied by the inverse mass matrix instead, because fewer
+  /// directions of z change that cofactor. Of two equal entries the cheaper one is formed: that along a
+  /// coordinate rather than a speed, along the last of two coordinates, which moves the fewest bodies, and
+  /// along the first of two speeds.
   constexpr symbolic::matrix hessian() {
     const int size = z().size(), n = form_.q.size();
     const sequence<expression>& slope = slopes();
@@ -78,7 +78,8 @@ public:
     return with_adjoint(all);
   }
 
-  /// ∂²(λᵀẋ)/∂z² v: the gradient along v, with u̇ and μ as they follow. Where λ is held, so is ψ_u̇ = −λ_u.
+  /// ∂²(λᵀẋ)/∂z² v: the derivative of the gradient along v, with the corresponding changes of u̇ and μ. Since
+  /// λ is constant, so is ψ_u̇ = −λ_u.
   constexpr symbolic::matrix product() {
     const int size = z().size(), n = form_.q.size();
     const sequence<expression>& slope = slopes();
@@ -108,7 +109,7 @@ public:
     return all;
   }
 
-  /// How the rates [q̇; u̇] change with the symbols that have a rate in `d`.
+  /// The derivatives of the rates [q̇; u̇] with respect to the symbols that have a rate in `d`.
   constexpr symbolic::matrix rates_along(symbolic::differentiation& d) {
     const int n = form_.q.size();
     const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
@@ -139,7 +140,7 @@ private:
     return symbolic::variable(g_, {kind, called, place});
   }
 
-  /// ψ_z, then ψ_u̇, with symbols in the place of μ: it is not to be differentiated.
+  /// ψ_z, followed by ψ_u̇, with symbols in place of μ, which must not be differentiated.
   constexpr const sequence<expression>& slopes() {
     if (!slopes_.empty()) return slopes_;
     sequence<expression> all = force_;
@@ -154,8 +155,8 @@ private:
     return slopes_;
   }
 
-  /// The adjoint of weights of u̇: of the equations of the independent speeds, then of f_a, these with the
-  /// other sign.
+  /// The adjoint of weights of u̇: for the equations of the independent speeds, followed by that for f_a with
+  /// the opposite sign.
   constexpr sequence<expression> adjoint_of(const sequence<expression>& of) {
     const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
     sequence<expression> adjoint = solved(reduced(of));
@@ -170,7 +171,7 @@ private:
     return adjoint;
   }
 
-  /// A row of ψ_zu̇ u̇_z from one of ψ_zu̇. The rates follow M δu̇_i = δf and δu̇_d = A δu̇_i + δb.
+  /// A row of ψ_zu̇ u̇_z from one of ψ_zu̇. The rates follow from M δu̇_i = δf and δu̇_d = A δu̇_i + δb.
   constexpr void add_through_rates(symbolic::matrix& through, int row, const sequence<expression>& of) {
     bool is_zero = true;
     for (const expression& e : of) is_zero = is_zero && e.is_zero();
@@ -183,7 +184,7 @@ private:
     }
   }
 
-  /// Tᵀ of what belongs to all speeds, which is that of the independent ones.
+  /// Multiplies a vector for all speeds by Tᵀ, which yields one for the independent speeds.
   constexpr sequence<expression> reduced(const sequence<expression>& of) const {
     const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
     sequence<expression> out;
@@ -225,7 +226,7 @@ private:
   symbolic::symmetric_factorization mass_;
   sequence<expression> force_; ///< −(f_2 + f_3)
   sequence<expression> weights_{}, direction_{};
-  sequence<expression> held_{}; ///< stand for the adjoint
+  sequence<expression> held_{}; ///< symbols of the adjoint
   sequence<expression> slopes_{};
 };
 

@@ -5,21 +5,21 @@
 #include <kanexpr/mechanics/skeleton/auxiliary.hpp>
 #include <kanexpr/mechanics/skeleton/kinematic_equations.hpp>
 
-/// The equations of a system, by whatever method, in the general form from which they are linearized.
+/// The equations of a system, by either method, in the general form from which they are linearized.
 namespace kanexpr::mechanics {
 
-/// Forms it. f_2 = −F_r* of inertia and gravity, f_3 = −F_r of the other loads, f_4 = −Jᵀ λ: the mass matrix
-/// is positive.
+/// Forms the general form, with f_2 = −F_r* of inertia and gravity, f_3 = −F_r of the other loads and f_4 =
+/// −Jᵀ λ, so that the mass matrix is positive.
 class system_form {
 public:
-  /// `by_q` are the derivatives of the configuration constraints by the coordinates.
+  /// `by_q` are the derivatives of the configuration constraints with respect to the coordinates.
   constexpr system_form(const skeleton& s, const loads& acting, const constraints& c,
                         const symbolic::matrix& by_q, const partition& coordinates, const partition& speeds,
                         dynamics& d)
       : s_(s), m_(*s.model), constraints_(c), by_q_(by_q), coordinates_(coordinates), speeds_(speeds),
         dynamics_(d), motion_(motion_on_rising_ground(s, acting, m_.speed_rates)) {}
 
-  /// Of the independent speeds alone, without multipliers.
+  /// The form of the independent speeds, without multipliers.
   constexpr general_form reduced() {
     general_form form = common();
     form.f_2 = negative(dynamics_.reduce(dynamics_.inertia_in(motion_)));
@@ -31,7 +31,7 @@ public:
     return form;
   }
 
-  /// Of all speeds, with multipliers.
+  /// The form of all speeds, with multipliers.
   constexpr general_form with_multipliers() {
     general_form form = common();
     form.f_2 = negative(dynamics_.inertia_in(motion_));
@@ -41,7 +41,7 @@ public:
       called.append(i + 1);
       form.lambda.push(symbolic::variable(*m_.g, {symbolic::symbol_kind::multiplier, called, i}));
     }
-    for (sequence<expression>* f : {&form.f_2, &form.f_3}) // auxiliary speeds come last
+    for (sequence<expression>* f : {&form.f_2, &form.f_3}) // the auxiliary speeds come last
       while (f->size() > m_.speeds.size()) f->pop();
     for (int r = 0; r < m_.speeds.size(); ++r) {
       expression force = m_.zero();

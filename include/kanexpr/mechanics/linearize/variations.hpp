@@ -6,13 +6,13 @@
 
 namespace kanexpr::mechanics {
 
-/// Whether the dependent coordinates and speeds follow the others, or are varied by themselves as well.
+/// Whether the dependent coordinates and speeds follow the independent ones or are varied independently.
 enum class directions { along_constraints, free };
 
 /// The directions in which a system can leave an operating point: one for each independent coordinate, then
-/// each independent speed, then each input, where the dependent coordinates and speeds follow so that f_c and
-/// f_v stay zero. Of free directions there is one for each coordinate, each speed and each input, and nothing
-/// follows: they leave the constraints, and the point need not satisfy them.
+/// each independent speed, then each input; the dependent coordinates and speeds follow so that f_c and f_v
+/// remain zero. Free directions vary each coordinate, each speed and each input independently; they leave the
+/// constraints, and the point need not satisfy them.
 class variations {
 public:
   constexpr variations(graph& g, const general_form& form, directions which)
@@ -26,7 +26,7 @@ public:
     if (speeds_.rows != 0) speeds_ = follow(form.f_v, form.u, of_u_, form.known.on_u);
   }
 
-  /// To be read from what was set aside.
+  /// Creates an empty object to be restored from stored members.
   constexpr variations(graph& g, const general_form& form) : g_(g), form_(form) {}
 
   template <class Self, class Visit>
@@ -40,17 +40,17 @@ public:
   }
 
   constexpr int size() const { return symbols_.size(); }
-  /// Those of coordinates and speeds, which come first.
+  /// The number of directions of coordinates and speeds, which come first.
   constexpr int states() const { return size() - form_.inputs(); }
 
-  /// How the dependent coordinates and speeds follow, a column for each direction.
+  /// The variations of the dependent coordinates and speeds, a column for each direction.
   constexpr const symbolic::matrix& of_coordinates() const { return coordinates_; }
   constexpr const symbolic::matrix& of_speeds() const { return speeds_; }
 
   /// The coupled equations that were solved for the dependent coordinates.
   constexpr const sequence<symbolic::solved_block>& coordinate_blocks() const { return blocks_; }
 
-  /// The symbol that is varied by itself.
+  /// The symbol that direction `j` varies independently.
   constexpr expression symbol(int j) const { return symbols_[j]; }
 
   /// The derivatives of expressions along direction `j`.
@@ -62,7 +62,7 @@ public:
     return d;
   }
 
-  /// The same from the derivatives by all symbols, `by(symbol)`.
+  /// The same from the derivatives with respect to all symbols, `by(symbol)`.
   template <class By>
   constexpr expression contracted(int j, const By& by) const {
     expression sum = by(symbol(j));
@@ -72,13 +72,13 @@ public:
   }
 
 private:
-  /// A choice of what is dependent; nothing is where nothing follows.
+  /// The partition into dependent and independent unknowns; in free directions none is dependent.
   static constexpr partition followed(const partition& split, directions which) {
     if (which == directions::along_constraints) return split;
     return partition_by(sequence<char>(split.dependent.size() + split.independent.size(), 0));
   }
 
-  /// Keeps some equations zero by the dependent ones among their unknowns.
+  /// The variations of the dependent unknowns that keep some equations zero.
   constexpr symbolic::matrix follow(const sequence<expression>& zero, const sequence<expression>& unknowns,
                                     const partition& split, const symbolic::matrix& known) {
     const int rows = zero.size();
@@ -101,7 +101,7 @@ private:
     return solved.x;
   }
 
-  /// The place of the symbol of a direction among some unknowns, or none.
+  /// The index of the symbol of a direction among some unknowns, or none.
   constexpr int independent_place(const sequence<expression>& unknowns, const partition& split, int j) const {
     for (int i : split.independent)
       if (unknowns[i] == symbol(j)) return i;
@@ -110,7 +110,7 @@ private:
 
   graph& g_;
   const general_form& form_;
-  partition of_q_{}, of_u_{}; ///< what follows, and what is varied by itself
+  partition of_q_{}, of_u_{}; ///< the dependent and independent unknowns
   sequence<expression> symbols_{};
   symbolic::matrix coordinates_{}, speeds_{};
   sequence<symbolic::solved_block> blocks_{};

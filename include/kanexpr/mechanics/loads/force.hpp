@@ -8,7 +8,7 @@ namespace kanexpr::mechanics {
 struct force {
   int point = none;
   vector value{};
-  int against = none; ///< the point that feels the opposite; none: nothing of the system does
+  int against = none; ///< the point on which the reaction acts; none: it acts outside the system
 
   constexpr void act(force_system& on, conservative) const {
     const vector known = on.known(value);

@@ -7,14 +7,14 @@
 
 namespace kanexpr::mechanics {
 
-/// How a load acts that has a potential energy.
+/// How loads with a potential energy are applied.
 enum class conservative : unsigned char {
   by_forces,
-  by_energy, ///< its energy is in a Lagrangian, and only what is beside that is a force
+  by_energy, ///< their energy is part of a Lagrangian; only the remaining part is a force
 };
 
-/// Forces on the nodes of a skeleton and moments on its frames, and what is felt by single speeds alone:
-/// where loads leave what they do.
+/// Accumulates the effects of loads: forces at the nodes of a skeleton, moments on its frames, and
+/// generalized forces of individual speeds.
 class force_system {
 public:
   constexpr explicit force_system(const skeleton& s)
@@ -24,7 +24,7 @@ public:
 
   constexpr const skeleton& skeleton_used() const { return s_; }
 
-  /// With the rates of the kinematic equations, and without auxiliary speeds.
+  /// Substitutes the rates of the kinematic equations and removes auxiliary speeds.
   constexpr expression known(expression e) { return drop_.in(known_.in(e)); }
   constexpr vector known(const vector& v) { return drop_.in(known_.in(v)); }
 
@@ -35,14 +35,14 @@ public:
     return motion_;
   }
 
-  /// A force at a point.
+  /// Adds a force at a point.
   constexpr void add_force(int point, const vector& value) {
     const int n = s_.station_of_point[point];
     force_[n] += express(m_, value, s_.working_axes[s_.stations[n].axes]);
   }
 
-  /// A torque on a frame and its opposite on another. Between neighbours only the speeds of the turning of
-  /// one in the other feel it.
+  /// Adds a torque on a frame and its opposite on another one. Between adjacent frames it contributes only to
+  /// the speeds of their relative rotation.
   constexpr void add_torque(int frame, int against, const vector& value) {
     const int f = s_.rigid_with[frame], b = against == none ? mechanism::inertial : s_.rigid_with[against];
     if (b != mechanism::inertial && s_.turns_in[f] == b) return add_turning(f, value);
@@ -51,10 +51,10 @@ public:
     if (b != mechanism::inertial) add_moment(b, -value);
   }
 
-  /// What has a potential energy.
+  /// Adds a potential energy.
   constexpr void add_potential_energy(expression energy) { energies_.push(energy); }
 
-  /// After all loads: what the potential energies do.
+  /// Adds the generalized forces of the potential energies; called after all loads have been added.
   constexpr void differentiate_energies() {
     if (energies_.empty()) return;
     const sequence<expression> rates = potential_rates(s_, energies_);
@@ -65,11 +65,11 @@ public:
   constexpr sequence<components>& forces() { return force_; }
   /// By frame, in its working axes.
   constexpr sequence<components>& moments() { return moment_; }
-  /// By speed: the generalized forces that are there already.
+  /// By speed: the generalized forces added directly.
   constexpr sequence<expression>& shares() { return share_; }
 
 private:
-  /// What a torque does where a frame turns in the one below it.
+  /// Adds a torque between a frame and the frame that it rotates in.
   constexpr void add_turning(int f, const vector& value) {
     for (const partial_velocity& w : s_.partial_angular_velocities[f])
       share_[w.speed] += dot(w.value, express(m_, value, s_.working_axes[f]));

@@ -5,7 +5,7 @@
 
 namespace kanexpr::mechanics {
 
-/// A potential energy that is given as such, of coordinates, parameters, time and inputs.
+/// A potential energy given as an expression of coordinates, parameters, time and inputs.
 struct given_potential_energy {
   expression value{};
 
@@ -15,7 +15,7 @@ struct given_potential_energy {
 
   constexpr expression potential_energy(const mechanism&) const { return value; }
 
-  /// `place`: among those of its kind.
+  /// `place`: the index among the potential energies.
   constexpr void check_with(load_check& by, int place) const {
     by.free_of_motion(value, "potential energy ", counted(place + 1).view());
   }
@@ -26,7 +26,7 @@ struct given_potential_energy {
   constexpr void each_vector(const mechanism&, Visit&&) const {}
 };
 
-/// Of what turns an angle back to `rest`.
+/// The energy of a torsional spring that is unloaded at the angle `rest`.
 constexpr given_potential_energy torsional_spring(expression angle, expression stiffness, expression rest) {
   const expression twist = angle - rest;
   return {stiffness * (twist * twist) / 2};

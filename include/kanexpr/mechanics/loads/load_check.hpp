@@ -6,8 +6,8 @@
 
 namespace kanexpr::mechanics {
 
-/// What a load is looked at with: what expressions hold, the names of points and frames, and the first
-/// mistake.
+/// The context for checking a load: the contents of expressions, the names of points and frames, and the
+/// first mistake.
 class load_check {
 public:
   constexpr load_check(const mechanism& m, const contents& held) : m_(m), held_(held) {}
@@ -28,22 +28,23 @@ public:
     return sentence({point(p), " and ", point(other)});
   }
 
-  /// What may hold all but rates of speeds. `of` and `whose`: "the force at ", "P".
+  /// Checks an expression that may contain anything except rates of speeds. `of` and `whose`: "the force at
+  /// ", "P".
   constexpr void free_of_speed_rates(expression e, std::string_view of, std::string_view whose) {
     if (held_.holds(e, kind::speed_rate))
-      fail({of, whose, " holds the ", speed_rate_called(m_, held_.name_of(e, kind::speed_rate)).view()});
+      fail({of, whose, " contains the ", speed_rate_called(m_, held_.name_of(e, kind::speed_rate)).view()});
   }
   constexpr void free_of_speed_rates(const vector& v, std::string_view of, std::string_view whose) {
     for (const vector::part& part : v.parts)
       for (int i = 0; i < 3; ++i) free_of_speed_rates(part.value[i], of, whose);
   }
 
-  /// What may hold coordinates, parameters, inputs and time.
+  /// Checks an expression that may contain only coordinates, parameters, inputs and time.
   constexpr void free_of_motion(expression e, std::string_view of, std::string_view whose) {
     if (!found_) found_ = check_stillness(m_, held_, e, of, whose);
   }
 
-  /// What would be a force of its own if it changed with coordinates.
+  /// Checks a quantity that would contribute an additional force if it depended on coordinates.
   constexpr void constant_in_motion(expression e, std::string_view of, std::string_view whose) {
     if (held_.holds(e, kind::coordinate))
       varies(of, whose, sentence({"coordinate ", held_.name_of(e, kind::coordinate)}));
@@ -62,7 +63,7 @@ public:
       varies(of, whose, speed_rate_called(m_, held_.name_of(e, kind::speed_rate)));
   }
   constexpr void varies(std::string_view of, std::string_view whose, const sentence& with) {
-    fail({of, whose, " holds the ", with.view(), "; it may hold parameters, inputs and time only"});
+    fail({of, whose, " contains the ", with.view(), "; it may contain only parameters, inputs and time"});
   }
 
 private:

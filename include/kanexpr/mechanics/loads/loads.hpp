@@ -8,8 +8,8 @@
 
 namespace kanexpr::mechanics {
 
-/// What acts on a mechanism, as it was given. A load is described where it is defined: how it acts on a
-/// `force_system`, its potential energy, what may not stand in it, and the points and vectors that it holds.
+/// The loads on a mechanism, as given. Each load type defines how it acts on a `force_system`, its potential
+/// energy, the checks of its expressions, and the points and vectors it uses.
 struct loads {
   sequence<force> forces{};
   sequence<torque> torques{};
@@ -17,11 +17,11 @@ struct loads {
   sequence<torsional_damper> torsional_dampers{};
   sequence<given_potential_energy> potential_energies{};
   bool has_gravity = false;
-  vector gravity{}; ///< acceleration of free fall, on every body
+  vector gravity{}; ///< free-fall acceleration, applied to every body
   bool has_lagrangian = false;
-  expression lagrangian{}; ///< in place of the energies of bodies
+  expression lagrangian{}; ///< replaces the energies of the bodies
 
-  /// Calls `visit` with each load beside gravity, and its place among those of its kind.
+  /// Calls `visit` with each load except gravity, and its index among the loads of its kind.
   template <class Visit>
   constexpr void each(Visit&& visit) const {
     const auto visit_all = [&](const auto&... kinds) { (visit_kind(kinds, visit), ...); };

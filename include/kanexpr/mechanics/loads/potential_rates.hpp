@@ -5,9 +5,9 @@
 
 namespace kanexpr::mechanics {
 
-/// ∂V̇/∂u_r by speeds, of the sum V of the potential energies that a model gives: Σ_s ∂V/∂q_s ∂q̇_s/∂u_r with
-/// the rates q̇ of the kinematic equations. The generalized active force is −∂V̇/∂u_r. Kane & Levinson (1985),
-/// section 5.1.
+/// ∂V̇/∂u_r for every speed, where V is the sum of the potential energies of the model: Σ_s ∂V/∂q_s
+/// ∂q̇_s/∂u_r with the rates q̇ of the kinematic equations. The generalized active force is −∂V̇/∂u_r. Kane &
+/// Levinson (1985), section 5.1.
 constexpr sequence<expression> potential_rates(const skeleton& s, const sequence<expression>& energies) {
   const mechanism& m = *s.model;
   symbolic::accumulation by_coordinates(*m.g, energies);

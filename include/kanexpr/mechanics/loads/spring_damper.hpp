@@ -8,7 +8,7 @@
 
 namespace kanexpr::mechanics {
 
-/// A straight massless spring and a damper beside it. They pull two points to each other with the force
+/// A straight massless spring and a parallel damper. They pull two points toward each other with the force
 /// stiffness·(distance − length) + damping·(rate of the distance).
 struct spring_damper {
   int point = none;
@@ -18,7 +18,7 @@ struct spring_damper {
   constexpr void act(force_system& on, conservative how) const {
     const skeleton& s = on.skeleton_used();
     const stretch line = stretch_in(s);
-    expression over_length = s.model->zero(); // the force over the distance
+    expression over_length = s.model->zero(); // force divided by distance
     if (how == conservative::by_forces && !stiffness.is_zero()) over_length = pull_of_spring(line.d);
     if (!damping.is_zero()) {
       const expression factor = on.known(damping);
@@ -31,8 +31,8 @@ struct spring_damper {
     on.add_force(other, force);
   }
 
-  /// ½ k (|d| − l)². What turns all of the line does not change it, so the line is taken in the axes that
-  /// come first of those that turn.
+  /// ½ k (|d| − l)². A rotation of the whole line does not change it, so the line is expressed in the axes of
+  /// the first rotating frame that it involves.
   constexpr expression potential_energy(const mechanism& m) const {
     const vector line = line_in(m);
     int axes = mechanism::inertial, least = 0;
@@ -49,14 +49,14 @@ struct spring_damper {
   constexpr void check_with(load_check& by, int) const {
     const mechanism& m = by.mechanism_used();
     const std::string_view what = stiffness.is_zero() ? "damper" : "spring";
-    if (point == other) return by.fail({"a ", what, " lies between point ", by.point(point), " and itself"});
+    if (point == other) return by.fail({"a ", what, " acts between point ", by.point(point), " and itself"});
     const sentence names = by.both_points(point, other);
     const int origin = origin_of(m, point), other_origin = origin_of(m, other);
     if (origin != other_origin)
-      return by.fail({"the ", what, " between ", names.view(), " hangs on two origins, ",
+      return by.fail({"the ", what, " between ", names.view(), " has ends measured from two origins, ",
                       by.both_points(origin, other_origin).view(), ", whose distance is not known"});
     if (line_in(m).parts.empty())
-      return by.fail({"the ", what, " between ", names.view(), " has no length in any configuration"});
+      return by.fail({"the ", what, " between ", names.view(), " has zero length in every configuration"});
     by.constant_in_motion(stiffness, "the stiffness of the spring between ", names.view());
     by.constant_in_motion(length, "the natural length of the spring between ", names.view());
     by.free_of_speed_rates(damping, "the damping between ", names.view());
@@ -71,7 +71,8 @@ struct spring_damper {
   constexpr void each_vector(const mechanism&, Visit&&) const {}
 
 private:
-  /// The line d in the axes in which the forces of one of its points are formed, the last of these.
+  /// The line d in the axes in which the forces of one of its points are formed, whichever is deeper in the
+  /// tree.
   struct stretch {
     int axes = mechanism::inertial;
     components d{};
@@ -88,7 +89,7 @@ private:
     return line;
   }
 
-  /// The vector from the second point to the first, without what both positions share.
+  /// The vector from the second point to the first, without the common part of both positions.
   constexpr vector line_in(const mechanism& m) const {
     vector d;
     for (const vector::part& p : position_from(m, other, point).parts)
@@ -96,13 +97,13 @@ private:
     return d;
   }
 
-  /// The spring's force over its length, k (1 − l/|d|). Without natural length there is no root and no
+  /// The spring force divided by the length, k (1 − l/|d|). Without natural length this needs no root and no
   /// division.
   constexpr expression pull_of_spring(const components& d) const {
     return length.is_zero() ? stiffness : stiffness * (1 - length / sqrt(dot(d, d)));
   }
 
-  /// The rate of the length over the length, v·d / d·d with the relative velocity v of the points.
+  /// The rate of the length divided by the length, v·d / d·d, with the relative velocity v of the points.
   constexpr expression rate_of_stretch(motion& k, const stretch& line) const {
     const skeleton& s = k.skeleton_used();
     const vector v = velocity_between(k, s.station_of_point[point], s.station_of_point[other]);
@@ -116,7 +117,7 @@ constexpr void add_spring(sequence<spring_damper>& to, int point, int other, exp
   to.push({point, other, stiffness, length, {stiffness.owner(), graph::zero}});
 }
 
-/// Beside a spring that is there already.
+/// Adds a damper, in parallel with an existing spring if there is one.
 constexpr void add_damper(sequence<spring_damper>& to, int point, int other, expression damping) {
   for (spring_damper& beside : to)
     if (beside.damping.is_zero() && ((beside.point == point && beside.other == other) ||

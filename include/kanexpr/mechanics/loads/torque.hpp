@@ -8,7 +8,7 @@ namespace kanexpr::mechanics {
 struct torque {
   int frame = none;
   vector value{};
-  int against = none; ///< the frame that feels the opposite; none: nothing of the system does
+  int against = none; ///< the frame on which the reaction acts; none: it acts outside the system
 
   constexpr void act(force_system& on, conservative) const { on.add_torque(frame, against, on.known(value)); }
 

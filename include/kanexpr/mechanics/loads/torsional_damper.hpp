@@ -6,7 +6,7 @@
 
 namespace kanexpr::mechanics {
 
-/// A torque −damping·(ω_frame − ω_against) on what is fixed in `frame`, and its opposite on `against`.
+/// A torque −damping·(ω_frame − ω_against) on the body fixed in `frame`, and its opposite on `against`.
 struct torsional_damper {
   int frame = none;
   int against = none;
@@ -20,7 +20,7 @@ struct torsional_damper {
   constexpr expression potential_energy(const mechanism& m) const { return m.zero(); }
 
   constexpr void check_with(load_check& by, int) const {
-    if (frame == against) by.fail({"a torsional damper lies between frame ", by.frame(frame), " and itself"});
+    if (frame == against) by.fail({"a torsional damper acts between frame ", by.frame(frame), " and itself"});
     by.free_of_speed_rates(damping, "the torsional damping between ", by.both_frames(frame, against).view());
   }
 

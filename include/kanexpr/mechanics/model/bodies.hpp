@@ -3,11 +3,11 @@
 #include <kanexpr/mechanics/model/inertia.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 
-/// The ways of saying what has mass.
+/// Functions that add particles and rigid bodies to a mechanism.
 namespace kanexpr::mechanics {
 
-/// The dyadic of six inertia scalars in the axes of one frame; products with the sign of I = Σ m (r·r E − r
-/// r).
+/// The dyadic of six inertia scalars in the axes of one frame; the products have the sign of I = Σ m (r·r E −
+/// r r).
 constexpr dyadic dyadic_of(int axes, const symmetric& scalars) {
   matrix3 value;
   for (int i = 0; i < 3; ++i) value.row[i] = {scalars(i, 0), scalars(i, 1), scalars(i, 2)};
@@ -24,7 +24,7 @@ constexpr int add_particle(mechanism& m, const name& called, int at, expression 
   return m.bodies.push(b);
 }
 
-/// `about`: the point that the inertia is about; none: the mass centre.
+/// `about`: the reference point of the inertia; none: the mass center.
 constexpr int add_rigid_body(mechanism& m, const name& called, int center, int frame, expression mass,
                              const dyadic& inertia, int about = none) {
   body b;

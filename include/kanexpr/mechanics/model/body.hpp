@@ -6,13 +6,13 @@ namespace kanexpr::mechanics {
 
 struct body {
   name called{};
-  int center = none; ///< the point of the mass centre
+  int center = none; ///< the mass center
   int frame = none;  ///< none: a particle
   expression mass{};
   dyadic inertia{};
-  int about = none;             ///< the point that the inertia is about
-  bool inertia_changes = false; ///< as the body sees it, on purpose
-  bool effective = false;       ///< the inertia need not be that of a distribution of mass
+  int about = none;             ///< the reference point of the inertia
+  bool inertia_changes = false; ///< declared to change in the body frame
+  bool effective = false;       ///< need not be the inertia of a mass distribution
 };
 
 } // namespace kanexpr::mechanics

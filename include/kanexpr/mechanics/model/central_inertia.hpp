@@ -12,15 +12,15 @@ constexpr vector position_from_origin(const mechanism& m, int p) {
   return sum;
 }
 
-/// The position of point `p` from another that has the same origin.
+/// The position of point `p` relative to `other`; both have the same origin.
 constexpr vector position_from(const mechanism& m, int other, int p) {
   vector way = position_from_origin(m, p);
   way.subtract(position_from_origin(m, other));
   return way;
 }
 
-/// An inertia dyadic in the axes of `frame`. In the axes of a single frame it is symmetric from the start and
-/// turns at half the cost.
+/// An inertia dyadic in the axes of `frame`. If it is given in the axes of a single frame, it is symmetric by
+/// construction and its transformation costs half as much.
 constexpr symmetric inertia_in(const mechanism& m, const dyadic& d, int frame) {
   const auto symmetric_of = [&](const matrix3& a) {
     symmetric i(*m.g);
@@ -32,8 +32,8 @@ constexpr symmetric inertia_in(const mechanism& m, const dyadic& d, int frame) {
   return path(m, d.parts[0].left, frame).turn(symmetric_of(d.parts[0].value));
 }
 
-/// A body's inertia about its mass centre, in the axes of `frame`; the parallel-axis theorem is applied where
-/// the model gives it about another point.
+/// The inertia of a body about its mass center, in the axes of `frame`. The parallel-axis theorem is applied
+/// if the model gives the inertia about a different point.
 constexpr symmetric central_inertia(const mechanism& m, const body& b, int frame) {
   symmetric i = inertia_in(m, b.inertia, frame);
   if (b.about == none || b.about == b.center) return i;
@@ -43,8 +43,8 @@ constexpr symmetric central_inertia(const mechanism& m, const body& b, int frame
   return i + shifted(point_mass, express(m, r, frame)).inertia;
 }
 
-/// Adds what a body's inertia is made of to the expressions that are wanted as numbers, and gives the way
-/// from its mass centre to the point that the inertia is about.
+/// Adds the expressions of a body's inertia to `wanted`, and returns the vector from the mass center to the
+/// reference point of the inertia.
 constexpr vector collect_inertia(const mechanism& m, const body& b, sequence<expression>& wanted) {
   wanted.push(b.mass);
   for (const dyadic::part& p : b.inertia.parts)

@@ -5,21 +5,21 @@
 
 namespace kanexpr::mechanics {
 
-/// Speeds or rates in what must be a function of coordinates, parameters, inputs and time.
+/// Reports speeds or rates in a quantity that must be a function of coordinates, parameters, inputs and time.
 constexpr sentence check_stillness(const mechanism& m, const contents& held, expression e,
                                    std::string_view of, std::string_view whose) {
   using kind = symbolic::symbol_kind;
   if (held.holds(e, kind::speed))
-    return sentence({of, whose, " holds the ", speed_called(m, held.name_of(e, kind::speed)).view(),
-                     "; it may hold coordinates only"});
+    return sentence({of, whose, " contains the ", speed_called(m, held.name_of(e, kind::speed)).view(),
+                     "; it may contain only coordinates"});
   if (held.holds(e, kind::auxiliary_speed))
-    return sentence({of, whose, " holds the auxiliary speed ", held.name_of(e, kind::auxiliary_speed),
-                     "; it may hold coordinates only"});
+    return sentence({of, whose, " contains the auxiliary speed ", held.name_of(e, kind::auxiliary_speed),
+                     "; it may contain only coordinates"});
   if (held.holds(e, kind::coordinate_rate))
-    return sentence({of, whose, " holds the rate of coordinate ", held.name_of(e, kind::coordinate_rate)});
+    return sentence({of, whose, " contains the rate of coordinate ", held.name_of(e, kind::coordinate_rate)});
   if (held.holds(e, kind::speed_rate))
     return sentence(
-        {of, whose, " holds the ", speed_rate_called(m, held.name_of(e, kind::speed_rate)).view()});
+        {of, whose, " contains the ", speed_rate_called(m, held.name_of(e, kind::speed_rate)).view()});
   return {};
 }
 

@@ -9,7 +9,7 @@ using symbolic::graph;
 using symbolic::name;
 using symbolic::sequence;
 
-/// A vector's three measure numbers in the axes of some frame.
+/// The three measure numbers of a vector in the axes of a frame.
 struct components {
   expression x, y, z;
 
@@ -45,7 +45,7 @@ struct components {
 
 namespace detail {
 
-/// `factor · rest`, where an expression is that product up to its sign.
+/// `factor · rest`, equal to an expression up to its sign.
 struct factored {
   expression rest;
   bool found = false;
@@ -62,7 +62,7 @@ constexpr factored without_factor(expression e, int factor) {
 
 } // namespace detail
 
-/// s v; a factor that all of v has is taken together with s.
+/// s v; a factor common to all components of v is multiplied by s once.
 constexpr components scaled(expression s, const components& v) {
   graph& g = s.owner();
   const expression& first = !v.x.is_zero() ? v.x : v.y;
@@ -103,7 +103,7 @@ constexpr components unit(graph& g, int i) {
   return e;
 }
 
-/// A 3×3 matrix by rows.
+/// A 3×3 matrix, stored by rows.
 struct matrix3 {
   components row[3];
 

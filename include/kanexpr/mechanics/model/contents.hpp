@@ -4,8 +4,8 @@
 
 namespace kanexpr::mechanics {
 
-/// What the expressions of a graph hold, found for all of them in one pass: the kinds of their symbols, and
-/// whether they look linear in speeds and coordinate rates.
+/// The kinds of symbols in the expressions of a graph, and whether the expressions look linear in speeds and
+/// coordinate rates; determined for the whole graph in one pass.
 class contents {
 public:
   using kind = symbolic::symbol_kind;
@@ -21,7 +21,7 @@ public:
     return false;
   }
 
-  /// Made of numbers and parameters alone.
+  /// Whether an expression contains only numbers and parameters.
   constexpr bool is_fixed(expression e) const {
     return (held_[e.node()] & ~(bit_of(kind::parameter) | nonlinear)) == 0;
   }
@@ -32,10 +32,10 @@ public:
     return is_fixed(m.row[0]) && is_fixed(m.row[1]) && is_fixed(m.row[2]);
   }
 
-  /// False where a product, quotient or function of speeds or rates occurs, even if they would cancel.
+  /// False if a product, quotient or function of speeds or rates occurs, even if these terms cancel.
   constexpr bool looks_linear(expression e) const { return (held_[e.node()] & nonlinear) == 0; }
 
-  /// The name of the first symbol of a kind that the expression holds.
+  /// The name of the first symbol of a given kind in the expression.
   constexpr std::string_view name_of(expression e, kind wanted) const {
     int id = e.node();
     while (g_[id].op != symbolic::operation::symbol) {
@@ -45,7 +45,7 @@ public:
     return g_.symbol_at(id).called.view();
   }
 
-  /// Adds the symbols of a kind that the expression holds.
+  /// Adds the symbols of a given kind in the expression.
   constexpr void collect(expression e, kind wanted, sequence<int>& nodes) const {
     collect(e.node(), wanted, nodes);
   }

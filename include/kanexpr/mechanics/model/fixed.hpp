@@ -7,7 +7,7 @@ namespace kanexpr::mechanics {
 namespace detail {
 
 constexpr bool is_fixed(const graph& g, int id, sequence<char>& seen) {
-  if (seen[id] != 0) return true; // looked at already, or being looked at
+  if (seen[id] != 0) return true; // visited already
   seen[id] = 1;
   const symbolic::node& n = g[id];
   if (n.op == symbolic::operation::constant) return true;
@@ -17,8 +17,7 @@ constexpr bool is_fixed(const graph& g, int id, sequence<char>& seen) {
 
 } // namespace detail
 
-/// Whether a scalar is made of numbers and parameters alone, so that it stays as it is while the system
-/// moves.
+/// Whether a scalar contains only numbers and parameters, and is therefore constant while the system moves.
 constexpr bool is_fixed(expression e) {
   sequence<char> seen(e.node() + 1, 0);
   return detail::is_fixed(e.owner(), e.node(), seen);

@@ -4,22 +4,23 @@
 
 namespace kanexpr::mechanics {
 
-/// How a frame is oriented relative to its parent.
+/// The ways to specify the orientation of a frame relative to its parent.
 enum class orientation {
   inertial,
-  about_basis, ///< turned by `angle` about the parent's axis number `axis`
-  about_axis, ///< turned by `angle` about `direction`, a unit vector fixed in the parent; `to_parent` follows
-  matrix,     ///< `to_parent` given
+  about_basis, ///< rotation by `angle` about axis number `axis` of the parent
+  about_axis,  ///< rotation by `angle` about `direction`, a unit vector fixed in the parent; determines
+               ///< `to_parent`
+  matrix,      ///< given by `to_parent`
 };
 
-/// The rate of a parameter of an orientation, `by_turning` · ω/2 for ω of the frame in its parent, in the
-/// axes of the frame.
+/// The rate of an orientation parameter, `by_turning` · ω/2, where ω is the angular velocity of the frame in
+/// its parent, in the axes of the frame.
 struct parameter_rate {
   expression parameter{};
   components by_turning{};
 };
 
-/// A right-handed triad of basis vectors, oriented relative to another.
+/// A right-handed triad of basis vectors, oriented relative to a parent frame.
 struct frame {
   name called{};
   int parent = none;
@@ -28,11 +29,13 @@ struct frame {
   expression angle{};
   components direction{}; ///< in the parent's axes
   matrix3 to_parent{};    ///< direction cosine matrix: v in the parent's axes = to_parent · v in the frame's
-  sequence<expression> quaternion{}; ///< e0, e1, e2, e3, where the frame was given so; `to_parent` follows
-  sequence<parameter_rate> rates{};  ///< of a quaternion, say; where there are none they are solved for
-  int reference = none;              ///< the frame that a declared angular velocity is measured in
+                          ///< axes
+  sequence<expression> quaternion{}; ///< e0, e1, e2, e3, if the frame is given by a quaternion; determines
+                                     ///< `to_parent`
+  sequence<parameter_rate> rates{};  ///< for example of a quaternion; if empty, the rates are solved for
+  int reference = none;              ///< the frame in which a declared angular velocity is measured
   vector angular_velocity{};
-  bool turns_apart = false; ///< from its orientation, on purpose
+  bool turns_apart = false; ///< declared not to match the orientation
 
   constexpr bool turns_by_declaration() const { return reference != none; }
 };

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-/// The ways of orienting a frame relative to its parent.
+/// Functions that add frames, oriented relative to a parent, to a mechanism.
 namespace kanexpr::mechanics {
 
 constexpr int add_inertial_frame(mechanism& m, const name& called) {
@@ -23,7 +23,7 @@ constexpr int add_frame_by_matrix(mechanism& m, const name& called, int parent, 
   return m.frames.push(f);
 }
 
-/// A turn by `angle` about an axis given in the parent's axes; it need not have unit length.
+/// A rotation by `angle` about an axis given in the parent's axes; the axis need not have unit length.
 constexpr int add_rotated_frame(mechanism& m, const name& called, int parent, expression angle,
                                 const components& axis) {
   frame f;
@@ -53,7 +53,7 @@ constexpr int add_rotated_frame(mechanism& m, const name& called, int parent, ex
   return m.frames.push(f);
 }
 
-/// 0, 1, 2 for the letters and digits of an axis; `none` for anything else.
+/// Returns 0, 1, 2 for the letter or digit of an axis, and `none` for any other character.
 constexpr int axis_of(char letter) {
   switch (letter) {
   case 'x':
@@ -75,12 +75,12 @@ constexpr bool is_sequence(std::string_view letters) {
   return a != none && b != none && c != none && a != b && b != c;
 }
 
-/// Three turns; the first two get frames of their own, named after the last one: B', B''.
+/// Three successive rotations. The first two create intermediate frames, named after the last one: B', B''.
 constexpr int add_frame_by_sequence(mechanism& m, const name& called, int parent, std::string_view letters,
                                     const sequence<expression>& angles, bool space_fixed) {
   int last = parent;
   for (int turn = 0; turn < 3; ++turn) {
-    const int i = space_fixed ? 2 - turn : turn; // space-fixed turns are body-fixed ones in reverse
+    const int i = space_fixed ? 2 - turn : turn; // space-fixed rotations are body-fixed ones in reverse order
     name own = called;
     if (turn < 2) own.append(turn == 0 ? "'" : "''");
     components axis(*m.g);
@@ -92,7 +92,7 @@ constexpr int add_frame_by_sequence(mechanism& m, const name& called, int parent
 
 namespace detail {
 
-/// Of a quaternion e0 + e1 i + e2 j + e3 k of length 1. Kane, Likins & Levinson (1983), eq. 1.3.10.
+/// The matrix of a unit quaternion e0 + e1 i + e2 j + e3 k. Kane, Likins & Levinson (1983), eq. 1.3.10.
 constexpr matrix3 matrix_of_quaternion(expression e0, expression e1, expression e2, expression e3) {
   const expression xx = e1 * e1, yy = e2 * e2, zz = e3 * e3;
   const expression xy = e1 * e2, yz = e2 * e3, zx = e3 * e1, wx = e0 * e1, wy = e0 * e2, wz = e0 * e3;
@@ -105,7 +105,8 @@ constexpr matrix3 matrix_of_quaternion(expression e0, expression e1, expression 
 
 } // namespace detail
 
-/// The unit quaternion e0 + e1 i + e2 j + e3 k. Its rates: Kane, Likins & Levinson (1983), section 1.13.
+/// A frame given by the unit quaternion e0 + e1 i + e2 j + e3 k. For its rates see Kane, Likins & Levinson
+/// (1983), section 1.13.
 constexpr int add_frame_by_quaternion(mechanism& m, const name& called, int parent, expression e0,
                                       expression e1, expression e2, expression e3) {
   const int place = add_frame_by_matrix(m, called, parent, detail::matrix_of_quaternion(e0, e1, e2, e3));
@@ -115,9 +116,9 @@ constexpr int add_frame_by_quaternion(mechanism& m, const name& called, int pare
   return place;
 }
 
-/// The modified Rodrigues parameters σ = a tan φ/4 of a turn by φ about a. They are those of the quaternion
-/// (1 − σ²)/(1 + σ²), 2σ/(1 + σ²), and dσ/dt = ¼ ((1 − σ²) ω + 2 σ × ω + 2 σ σ·ω). Schaub & Junkins,
-/// Analytical Mechanics of Space Systems (2018), section 3.6.
+/// A frame given by the modified Rodrigues parameters σ = a tan φ/4 of a rotation by φ about a. They
+/// correspond to the quaternion (1 − σ²)/(1 + σ²), 2σ/(1 + σ²), and dσ/dt = ¼ ((1 − σ²) ω + 2 σ × ω + 2 σ
+/// σ·ω). Schaub & Junkins, Analytical Mechanics of Space Systems (2018), section 3.6.
 constexpr int add_frame_by_modified_rodrigues(mechanism& m, const name& called, int parent,
                                               const components& s) {
   const expression square = dot(s, s), twice = 2 / (square + 1), half = (1 - square) / 2;
@@ -131,8 +132,8 @@ constexpr int add_frame_by_modified_rodrigues(mechanism& m, const name& called, 
   return place;
 }
 
-/// The angular velocity of a frame in `reference`, given by hand; it is used in place of the derived one.
-/// `apart`: it need not be that of the orientation.
+/// Declares the angular velocity of a frame in `reference`, which is used instead of the derived one.
+/// `apart`: it need not match the orientation.
 constexpr void declare_angular_velocity(mechanism& m, int frame, int reference, const vector& value,
                                         bool apart = false) {
   m.frames[frame].reference = reference;

@@ -4,7 +4,7 @@
 
 namespace kanexpr::mechanics {
 
-/// A symmetric dyadic in the axes of some frame: an inertia, with the sign of I = Σ m (r·r E − r r).
+/// A symmetric dyadic in the axes of a frame: an inertia, with the sign of I = Σ m (r·r E − r r).
 struct symmetric {
   expression xx, yy, zz, xy, yz, zx;
 
@@ -46,15 +46,15 @@ constexpr components operator*(const symmetric& a, const components& v) {
   return {dot({a.xx, a.xy, a.zx}, v), dot({a.xy, a.yy, a.yz}, v), dot({a.zx, a.yz, a.zz}, v)};
 }
 
-/// Whether an inertia, `symmetric` or a matrix, looks the same from all sides of axis `a`.
+/// Whether an inertia, a `symmetric` or a matrix, is rotationally symmetric about axis `a`.
 template <class Inertia>
 constexpr bool is_round(const Inertia& i, int a) {
   const int b = (a + 1) % 3, d = (a + 2) % 3;
   return i(b, b) == i(d, d) && i(a, b).is_zero() && i(a, d).is_zero() && i(b, d).is_zero();
 }
 
-/// The rigid mass of a part seen from one of its points, in the axes of some frame:
-/// mass, first moment h = Σ m r and inertia about the point.
+/// The mass properties of a rigid part about one of its points, in the axes of a frame: mass, first moment h
+/// = Σ m r and inertia about the point.
 struct rigid_mass {
   expression mass{};
   components first_moment{};
@@ -81,11 +81,12 @@ struct rigid_mass {
   }
 };
 
-/// The same mass seen from a point that lies at −r: what was about c is now about p, with c at p + r.
+/// The mass properties about c, moved to p, where c is at p + r.
 ///
-/// With h' = h + m r the diagonal gains r·(h + h') less its own product, the rest r_i h_j + r_j h'_i:
-/// half the products of the parallel-axis theorem (Featherstone 2008, eq. 2.63, for its derivation). Without
-/// mass h' is h, and the diagonal gains twice what the moments of forces at r need as well.
+/// With h' = h + m r, the diagonal gains r·(h + h') less its own product, and the off-diagonal entries r_i
+/// h_j + r_j h'_i. This takes half the products of the parallel-axis theorem (Featherstone 2008, eq. 2.63,
+/// for its derivation). Without mass, h' = h, and the diagonal gains twice the terms that the moments of
+/// forces at r also require.
 constexpr rigid_mass shifted(const rigid_mass& at, const components& r) {
   rigid_mass to = at;
   const components& h = at.first_moment;

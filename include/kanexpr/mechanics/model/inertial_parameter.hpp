@@ -4,20 +4,20 @@
 
 #include <string_view>
 
-/// The full inertial parameters of bodies, in which forces of inertia and gravity are linear: of a rigid body
-/// its mass, its first moments m·x, m·y and m·z, and the moments and products of inertia with the sign of
-/// I = Σ m (r·r E − r r), all about one point of the body and in the axes of its frame; of a particle its
-/// mass. Khalil & Dombre, Modeling, Identification and Control of Robots (2002), section 9.2.
+/// The full inertial parameters of bodies; inertia forces and gravity are linear in them. A rigid body has
+/// its mass, its first moments m·x, m·y and m·z, and its moments and products of inertia with the sign of I =
+/// Σ m (r·r E − r r), all about one point of the body and in the axes of its frame; a particle has its mass.
+/// Khalil & Dombre, Modeling, Identification and Control of Robots (2002), section 9.2.
 namespace kanexpr::mechanics {
 
-/// How they are called, in their order.
+/// The names of the inertial parameters, in order.
 inline constexpr std::string_view inertial_parameter_names[]{"m",   "m*x", "m*y", "m*z", "ixx",
                                                              "iyy", "izz", "ixy", "iyz", "izx"};
 
-/// How many of them a body has.
+/// The number of inertial parameters of a body.
 constexpr int inertial_parameters_of(const body& b) { return b.frame == none ? 1 : 10; }
 
-/// "m of Bob", "izz of Link": those of all bodies, in the order of the bodies.
+/// The names of the inertial parameters of all bodies, in the order of the bodies: "m of Bob", "izz of Link".
 constexpr sequence<name> names_of_inertial_parameters(const mechanism& m) {
   sequence<name> all;
   for (const body& b : m.bodies)

@@ -6,20 +6,21 @@
 
 namespace kanexpr::mechanics {
 
-/// A quantity that the caller knows as a function of time: its symbol is an input, and so is its rate.
+/// A quantity that the caller specifies as a function of time; its symbol and its rate are inputs.
 struct prescribed_rate {
   expression quantity{};
   expression rate{};
 };
 
-/// How the equations of motion are derived.
+/// The method by which the equations of motion are derived.
 enum class method : unsigned char {
   kane,
-  lagrange, ///< the speeds are the rates of the coordinates, in their order
+  lagrange, ///< the speeds are the rates of the coordinates, in the same order
 };
 
-/// What moves, as plain values: coordinates, speeds and the equations between them, frames, points and
-/// bodies. What acts on it are `loads`, and what binds it `given_constraints`. Frame 0 is the inertial frame.
+/// The kinematics and masses of a system as plain values: coordinates, speeds and the equations between them,
+/// frames, points and bodies. Its loads are in `loads`, its constraints in `given_constraints`. Frame 0 is
+/// the inertial frame.
 struct mechanism {
   graph* g = nullptr;
   sequence<expression> coordinates{}, speeds{}, parameters{},
@@ -28,7 +29,8 @@ struct mechanism {
   expression time;
   sequence<prescribed_rate> prescribed_rates{};
   sequence<expression> kinematics{};       ///< expressions that vanish, linear in the coordinate rates
-  sequence<expression> auxiliary_speeds{}; ///< that are zero and bring out a force that does no work
+  sequence<expression> auxiliary_speeds{}; ///< zero at all times; they bring into evidence forces that do no
+                                           ///< work
   sequence<frame> frames{};
   sequence<point> points{};
   sequence<body> bodies{};
@@ -38,7 +40,7 @@ struct mechanism {
 
   constexpr explicit mechanism(graph& owner)
       : g(&owner), time(symbolic::variable(owner, {symbolic::symbol_kind::time, name("t"), 0})) {}
-  explicit mechanism(const mechanism&) = default; // of the same graph
+  explicit mechanism(const mechanism&) = default; // uses the same graph
   mechanism& operator=(const mechanism&) = delete;
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
@@ -74,7 +76,7 @@ struct mechanism {
     speed_rates.push(symbolic::variable(*g, {symbolic::symbol_kind::speed_rate, called, i}));
     return speeds[i];
   }
-  /// The rate of each coordinate as a speed, which carries its name and a prime.
+  /// Takes the rate of each coordinate as a speed, named after the coordinate with a prime.
   constexpr void take_rates_as_speeds() {
     for (int i = 0; i < coordinates.size(); ++i) {
       name rate = g->symbol_at(coordinates[i].node()).called;
@@ -87,13 +89,13 @@ struct mechanism {
     parameters.push(symbolic::variable(*g, {symbolic::symbol_kind::parameter, called, i}));
     return parameters[i];
   }
-  /// The ways in which the system can be thought to move: its speeds, then its auxiliary speeds.
+  /// The number of speeds, including auxiliary speeds, which come last.
   constexpr int ways() const { return speeds.size() + auxiliary_speeds.size(); }
   constexpr expression way(int i) const {
     return i < speeds.size() ? speeds[i] : auxiliary_speeds[i - speeds.size()];
   }
 
-  /// A speed that is zero at all times and is in no state.
+  /// Adds a speed that is zero at all times and belongs to no state.
   constexpr expression auxiliary_speed(const name& called) {
     const int i = auxiliary_speeds.size();
     auxiliary_speeds.push(symbolic::variable(*g, {symbolic::symbol_kind::auxiliary_speed, called, i}));

@@ -5,11 +5,11 @@
 
 namespace kanexpr::mechanics {
 
-/// One turn of a vector's axes: about a basis vector, which costs four products, or by a matrix.
+/// One rotation of a vector's axes: about a basis vector, which costs four products, or by a matrix.
 struct elementary_rotation {
   bool about_basis = true;
   int axis = 0;
-  expression angle{}; ///< of the old axes in the new ones
+  expression angle{}; ///< of the old axes relative to the new ones
   matrix3 to_new{};
 };
 
@@ -23,9 +23,9 @@ constexpr components turned(const elementary_rotation& h, const components& v) {
   return out;
 }
 
-/// A symmetric dyadic in turned axes. About a basis vector a: with e = s²(I_bb − I_dd) + 2sc I_bd the
-/// diagonal is I_bb − e, I_dd + e and the product sc(I_bb − I_dd) + (1 − 2s²) I_bd; the row of a turns like a
-/// vector.
+/// A symmetric dyadic in rotated axes. For a rotation about a basis vector a, with e = s²(I_bb − I_dd) + 2sc
+/// I_bd, the diagonal is I_bb − e, I_dd + e and the product sc(I_bb − I_dd) + (1 − 2s²) I_bd; row a
+/// transforms like a vector.
 constexpr symmetric turned(const elementary_rotation& h, const symmetric& m) {
   symmetric out = m;
   if (!h.about_basis) {
@@ -50,9 +50,9 @@ constexpr symmetric turned(const elementary_rotation& h, const symmetric& m) {
   return out;
 }
 
-/// The way from the axes of one frame to those of another: up to the common ancestor and down again.
+/// The path from the axes of one frame to those of another: up to the common ancestor and down again.
 ///
-/// Successive turns about one axis are one turn by the sum of their angles.
+/// Successive rotations about one axis are merged into one by the sum of their angles.
 class path {
 public:
   constexpr path(const mechanism& m, int from, int to) {
@@ -84,7 +84,8 @@ public:
   }
 
 private:
-  /// Formed from the meeting outwards and then turned round: so the angles of a chain add up as running sums.
+  /// Builds the path from the common ancestor outward and then reverses it, so that the angles of a chain add
+  /// up as running sums.
   constexpr void climb(const mechanism& m, int from, int meeting) {
     const sequence<int> way = way_down(m, from, meeting);
     for (int i = way.size() - 1; i >= 0; --i) {
@@ -111,7 +112,7 @@ private:
         rotations_.push({false, 0, expression{}, transpose(f.to_parent)});
     }
   }
-  /// The frames from `f` to the one below `meeting`, the last first.
+  /// The frames from `f` to the child of `meeting`, in ascending order.
   static constexpr sequence<int> way_down(const mechanism& m, int f, int meeting) {
     sequence<int> way;
     for (; f != meeting; f = m.frames[f].parent) way.push(f);
@@ -132,8 +133,8 @@ constexpr components express(const mechanism& m, const components& v, int from, 
   return path(m, from, to).turn(v); // not in a conditional expression: g++ 12 would destroy the path twice
 }
 
-/// A sum over frames in the axes of one: the running sum starts at the frame that is farthest away and is
-/// turned rotation by rotation, taking up the other parts where it meets them.
+/// Expresses a sum over frames in the axes of one frame. The running sum starts at the farthest frame, is
+/// transformed rotation by rotation, and collects the other parts on its path.
 constexpr components express(const mechanism& m, const vector& v, int to) {
   sequence<vector::part> left = v.parts;
   components total(*m.g);
@@ -153,7 +154,7 @@ constexpr components express(const mechanism& m, const vector& v, int to) {
     }
     const int meeting = path::common_ancestor(m, part.frame, to);
     int next = part.frame;
-    bool met = false; // climb or descend to the next frame on the way that has a part of its own
+    bool met = false; // stop at the next frame on the path that has a part
     const auto has_part = [&](int f) {
       for (const vector::part& p : left)
         if (p.frame == f) return true;
@@ -166,7 +167,7 @@ constexpr components express(const mechanism& m, const vector& v, int to) {
     if (!met) {
       next = to;
       for (int f = to; f != meeting; f = m.frames[f].parent)
-        if (has_part(f)) next = f; // the last found is the nearest to the meeting
+        if (has_part(f)) next = f; // the last match is the one nearest to the common ancestor
     }
     const components arrived = express(m, part.value, part.frame, next);
     bool joined = false;
@@ -177,7 +178,7 @@ constexpr components express(const mechanism& m, const vector& v, int to) {
   return total;
 }
 
-/// A dyadic's matrix in the axes of one frame.
+/// The matrix of a dyadic in the axes of one frame.
 constexpr matrix3 express(const mechanism& m, const dyadic& d, int to) {
   matrix3 total(*m.g);
   for (const dyadic::part& p : d.parts) {

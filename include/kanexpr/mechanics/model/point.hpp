@@ -9,10 +9,11 @@ struct point {
   int parent = none;    ///< none: an origin, fixed in the inertial frame
   vector offset{};      ///< from the parent
   int fixed_in = none;  ///< both points are fixed in this frame (two-point theorem)
-  int reference = none; ///< the frame that a declared velocity is measured in
+  int reference = none; ///< the frame in which a declared velocity is measured
   vector velocity{};
-  bool moves_apart = false; ///< from its position, on purpose
-  bool from_parent = false; ///< the declared velocity is that from the parent, which is fixed in `reference`
+  bool moves_apart = false; ///< declared not to match the position
+  bool from_parent = false; ///< the declared velocity is relative to the parent, which is fixed in
+                            ///< `reference`
 
   constexpr bool moves_by_declaration() const { return reference != none; }
 };

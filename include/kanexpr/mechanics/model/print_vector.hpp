@@ -7,14 +7,14 @@
 
 namespace kanexpr::mechanics {
 
-/// How the axes of a frame are called.
+/// The labels of the axes of a frame.
 enum class basis_style { xyz, one_two_three, ijk };
 
-/// Plain text, such as `u1*L.x + (u2 + u3)*L.y`; dyads as `Ixx*(L.x|L.x)`.
+/// Returns plain text, such as `u1*L.x + (u2 + u3)*L.y`; dyads as `Ixx*(L.x|L.x)`.
 KANEXPR_ENGINE std::string print(const mechanism& m, const vector& v, basis_style style = basis_style::xyz);
 KANEXPR_ENGINE std::string print(const mechanism& m, const dyadic& d, basis_style style = basis_style::xyz);
 
-/// LaTeX for math mode, such as `u_1\,\hat{\mathbf{l}}_{x}`.
+/// Returns LaTeX for math mode, such as `u_1\,\hat{\mathbf{l}}_{x}`.
 KANEXPR_ENGINE std::string latex(const mechanism& m, const vector& v, basis_style style = basis_style::xyz);
 KANEXPR_ENGINE std::string latex(const mechanism& m, const dyadic& d, basis_style style = basis_style::xyz);
 

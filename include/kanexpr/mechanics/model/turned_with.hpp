@@ -5,20 +5,21 @@
 
 namespace kanexpr::mechanics {
 
-/// Whether a frame is oriented by way of another one, or is that.
+/// Whether a frame is `other` or is oriented, directly or indirectly, relative to it.
 constexpr bool hangs_on(const mechanism& m, int frame, int other) {
   while (frame != other && frame != none) frame = m.frames[frame].parent;
   return frame == other;
 }
 
-/// Whether the axes of one frame stand still in those of another, whatever the coordinates are.
+/// Whether the axes of one frame are constant in those of another for all coordinates.
 constexpr bool stands_still_in(const mechanism& m, int frame, int other) {
   for (int i = 0; i < 3; ++i)
     if (!is_fixed(express(m, unit(*m.g, i), frame, other))) return false;
   return true;
 }
 
-/// Whether a vector keeps its direction in a frame but for what its components make of it.
+/// Whether a vector is given along axes that are constant in a frame, so that only its components change its
+/// direction there.
 constexpr bool is_along_still_axes(const mechanism& m, const vector& v, int frame) {
   if (is_fixed(express(m, v, frame))) return true;
   for (const vector::part& p : v.parts)
@@ -27,8 +28,8 @@ constexpr bool is_along_still_axes(const mechanism& m, const vector& v, int fram
   return true;
 }
 
-/// A vector in whose parts axes that stand still in a frame without being its own give way to those of the
-/// frame: then it turns with the frame also where auxiliary speeds turn that.
+/// The vector with all parts given along axes that are constant in `frame` rewritten along the axes of
+/// `frame`, so that they also rotate with the frame under auxiliary speeds.
 constexpr vector turned_with(const mechanism& m, const vector& v, int frame) {
   vector out;
   for (const vector::part& p : v.parts)

@@ -4,10 +4,10 @@
 
 namespace kanexpr::mechanics {
 
-/// What stands for "none" among the numbers of frames, points and bodies.
+/// The index of no frame, point or body.
 inline constexpr int none = -1;
 
-/// A vector as a sum over frames: each part is given by its components in the axes of one frame.
+/// A vector as a sum over frames: each part has components in the axes of one frame.
 struct vector {
   struct part {
     int frame = none;

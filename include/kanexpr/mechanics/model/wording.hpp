@@ -3,7 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 
-/// Parts of sentences about a mechanism.
+/// Phrases for the error sentences about a mechanism.
 namespace kanexpr::mechanics {
 
 constexpr std::string_view called(const mechanism& m, expression symbol) {
@@ -15,13 +15,13 @@ constexpr sentence several(int n, std::string_view one, std::string_view what = 
   return sentence({counted(n).view(), " ", one, n == 1 ? "" : "s", what});
 }
 
-/// What stands before entry `i` of a list of `count`: "q1, q2 and q3".
+/// Returns the separator in front of entry `i` of a list of `count` entries: "q1, q2 and q3".
 constexpr std::string_view before_entry(int i, int count) {
   return i == 0 ? "" : i + 1 < count ? ", " : " and ";
 }
 
-/// "q1", "q1 and q2", "q1, q2 and q3"; after a noun, which is made a plural where it has to be. Of many it
-/// names ten, and how many others there are.
+/// Returns "q1", "q1 and q2" or "q1, q2 and q3", preceded by a noun in the singular or plural. Long lists
+/// name ten entries and the number of the others.
 constexpr sentence enumerated(const mechanism& m, const sequence<expression>& symbols,
                               const sequence<int>& places, std::string_view noun = {}) {
   constexpr int most_named = 10;
@@ -34,26 +34,26 @@ constexpr sentence enumerated(const mechanism& m, const sequence<expression>& sy
   return sentence({p.view(), before_entry(named, entries), counted(places.size() - named).view(), " others"});
 }
 
-/// "speed u1"; of Lagrange's method "rate of coordinate q1".
+/// Returns "speed u1"; for Lagrange's method "rate of coordinate q1".
 constexpr sentence speed_called(const mechanism& m, std::string_view speed) {
   if (m.derived_by == method::kane) return sentence({"speed ", speed});
   return sentence({"rate of coordinate ", speed.substr(0, speed.size() - 1)});
 }
 
-/// "rate of speed u1"; of Lagrange's method "second derivative of coordinate q1".
+/// Returns "rate of speed u1"; for Lagrange's method "second derivative of coordinate q1".
 constexpr sentence speed_rate_called(const mechanism& m, std::string_view speed) {
   if (m.derived_by == method::kane) return sentence({"rate of speed ", speed});
   return sentence({"second derivative of coordinate ", speed.substr(0, speed.size() - 1)});
 }
 
-/// "speeds u1 and u2"; of Lagrange's method "rates of coordinates q1 and q2".
+/// Returns "speeds u1 and u2"; for Lagrange's method "rates of coordinates q1 and q2".
 constexpr sentence speeds_called(const mechanism& m, const sequence<int>& places) {
   if (m.derived_by == method::kane) return enumerated(m, m.speeds, places, "speed");
   return sentence({places.size() == 1 ? "rate of " : "rates of ",
                    enumerated(m, m.coordinates, places, "coordinate").view()});
 }
 
-/// "speed"; of Lagrange's method "rate of a coordinate".
+/// Returns "speed"; for Lagrange's method "rate of a coordinate".
 constexpr std::string_view a_speed(const mechanism& m) {
   return m.derived_by == method::kane ? "speed" : "rate of a coordinate";
 }

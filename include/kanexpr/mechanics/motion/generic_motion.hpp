@@ -6,14 +6,15 @@
 #include <kanexpr/mechanics/motion/triple.hpp>
 #include <kanexpr/symbolic/derivatives/evaluate_rate.hpp>
 
-/// How the frames of a mechanism turn, in numbers, at states that nobody chose.
+/// The motion of the frames of a mechanism, evaluated numerically at generic states.
 namespace kanexpr::mechanics {
 
-/// Draws configurations and speeds, solves the kinematic differential equations for the rates of the
-/// coordinates, and says how frames turn then: by what their orientations say, and by what is declared.
+/// Draws random configurations and speeds, solves the kinematic differential equations for the coordinate
+/// rates, and evaluates the rotation of the frames, both from their orientations and from declared angular
+/// velocities.
 class generic_motion {
 public:
-  /// `more` are expressions whose values and rates are wanted too.
+  /// `more` are additional expressions whose values and rates are needed.
   constexpr generic_motion(const mechanism& m, const contents& held, const sequence<expression>& more = {})
       : m_(m), g_(*m.g), equations_(g_, nodes_of(m.kinematics)), scalars_(g_, nodes_of_frames(m, more)),
         symbols_(g_.size()), frames_(m.frames.size()) {
@@ -27,7 +28,7 @@ public:
       if (!in_equations.contains(u.node())) free_speeds_.push(u.node());
   }
 
-  /// Takes up a new configuration and new speeds.
+  /// Draws a new configuration and new speeds.
   constexpr void draw() {
     for (const sequence<expression>* list : {&m_.coordinates, &m_.speeds, &m_.inputs})
       for (const expression& e : *list) symbols_[e.node()].value = 1.8 * between() - 0.9;
@@ -38,16 +39,16 @@ public:
       symbols_[p.quantity.node()].rate = symbols_[p.rate.node()].value;
   }
 
-  /// Sets all speeds but one to zero.
+  /// Sets all speeds except one to zero.
   constexpr void keep_only(expression speed) {
     for (const expression& u : m_.speeds)
       if (u != speed) symbols_[u.node()].value = 0;
   }
 
-  /// Speeds that appear in no kinematic differential equation: the rates of angles that the model leaves out.
+  /// Speeds that appear in no kinematic differential equation: the rates of angles that the model omits.
   constexpr bool has_free_speeds() const { return !free_speeds_.empty(); }
 
-  /// Moves by the speeds that were drawn, or without the free ones. False where that is not defined.
+  /// Evaluates the motion for the drawn speeds, or without the free ones. Returns false if it is undefined.
   constexpr bool move(bool with_free_speeds = true) {
     sequence<double> kept;
     for (int id : free_speeds_) {
@@ -59,21 +60,21 @@ public:
     return defined;
   }
 
-  /// Moves by rates of coordinates that no equation binds.
+  /// Evaluates the motion for arbitrary coordinate rates, without the kinematic equations.
   constexpr bool move_freely() {
     for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), between() - 0.5);
     return evaluate();
   }
 
-  /// Whether a frame's basis is orthonormal, as quaternions and matrices make it only if they are.
+  /// Whether the basis of a frame is orthonormal; with quaternions and matrices this depends on their values.
   constexpr bool is_proper(int f) const { return frames_[f].proper; }
-  /// The frame's basis vectors in inertial axes.
+  /// The basis vectors of a frame in inertial axes.
   constexpr const triad& basis(int f) const { return frames_[f].basis; }
-  /// Its angular velocity in the inertial frame, by its orientation.
+  /// The angular velocity of a frame in the inertial frame, from the orientations.
   constexpr triple by_orientation(int f) const { return frames_[f].by_orientation; }
-  /// Its angular velocity in the inertial frame as the equations of motion use it.
+  /// The angular velocity of a frame in the inertial frame, as used in the equations of motion.
   constexpr triple angular_velocity(int f) const { return frames_[f].angular_velocity; }
-  /// What rounding may make of an angular velocity that is zero: all are solved for together.
+  /// The rounding error of an angular velocity that is zero; all rates come from one linear solution.
   constexpr double rounding() const {
     double fastest = 0;
     for (const pose& p : frames_)
@@ -81,12 +82,12 @@ public:
         if (length(w) > fastest) fastest = length(w);
     return 1e-14 * fastest;
   }
-  /// A declared angular velocity in its reference.
+  /// The declared angular velocity of a frame in its reference.
   constexpr triple declared(int f) const { return vector_of(m_.frames[f].angular_velocity); }
 
   constexpr const symbolic::rated& at(int node) const { return scalars_[node]; }
   constexpr const symbolic::rated& operator[](expression e) const { return at(e.node()); }
-  /// Whether it is a number here; a constant expression must not compute with what is none.
+  /// Whether an expression is finite here; a constant expression must not compute with NaN or infinity.
   constexpr bool is_defined(expression e) const {
     return elementary::detail::is_finite((*this)[e].value) && elementary::detail::is_finite((*this)[e].rate);
   }
@@ -115,7 +116,7 @@ private:
     triad basis{};
     triple by_orientation{}, angular_velocity{};
     bool proper = true;
-    bool known = false; ///< `angular_velocity`
+    bool known = false; ///< of `angular_velocity`
   };
 
   static constexpr sequence<int> nodes_of(const sequence<expression>& all) {
@@ -138,7 +139,7 @@ private:
     return nodes;
   }
 
-  /// Between 0 and 1, by Marsaglia's xorshift.
+  /// Returns a random number between 0 and 1, by Marsaglia's xorshift.
   constexpr double between() {
     random_ ^= random_ << 13, random_ ^= random_ >> 7, random_ ^= random_ << 17;
     return static_cast<double>(random_ >> 11) / 9007199254740992.0;
@@ -158,7 +159,7 @@ private:
     symbols_[m_.coordinates[q].node()].rate = value;
   }
 
-  /// Where the four are symbols of their own.
+  /// Normalizes a quaternion if its four entries are symbols.
   constexpr void normalize(const sequence<expression>& quaternion) {
     double square = 0;
     for (const expression& e : quaternion) {
@@ -168,7 +169,7 @@ private:
     for (const expression& e : quaternion) symbols_[e.node()].value /= elementary::sqrt(square);
   }
 
-  /// The equations are linear in the rates, and most hold one.
+  /// Solves the kinematic equations, which are linear in the rates; most contain a single rate.
   constexpr bool solve_for_rates() {
     const int n = m_.kinematics.size();
     for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), 0);
@@ -229,7 +230,7 @@ private:
     return true;
   }
 
-  /// Parents come before the frames that are oriented relative to them.
+  /// Evaluates the basis of frame `f`; parents precede the frames oriented relative to them.
   constexpr void place(int f) {
     const frame& own = m_.frames[f];
     pose p;
@@ -285,7 +286,7 @@ private:
   static constexpr triad transposed(const triad& t) {
     return {{t.x.x, t.y.x, t.z.x}, {t.x.y, t.y.y, t.z.y}, {t.x.z, t.y.z, t.z.z}};
   }
-  /// Σ b × ḃ over the basis is twice the angular velocity.
+  /// Σ b × ḃ over the basis vectors is twice the angular velocity.
   static constexpr triple axial(const triad& rates, const triad& basis) {
     return cross(basis.x, rates.x) + cross(basis.y, rates.y) + cross(basis.z, rates.z);
   }
@@ -302,7 +303,7 @@ private:
   symbolic::rate_evaluation scalars_;
   sequence<symbolic::rated> symbols_;
   sequence<pose> frames_;
-  sequence<sequence<int>> rates_{}; ///< of coordinates, that each equation holds
+  sequence<sequence<int>> rates_{}; ///< the coordinate rates in each equation
   sequence<int> free_speeds_{};
   std::uint64_t random_ = 88172645463325252u;
 };

@@ -10,10 +10,10 @@
 
 #include <limits>
 
-/// What holds in every configuration, found out by numbers: at a few states that nobody chose.
+/// Properties that hold in every configuration, tested numerically at a few generic states.
 namespace kanexpr::mechanics {
 
-/// A matrix of numbers by rows.
+/// A matrix of numbers, stored by rows.
 struct numbers {
   int rows = 0;
   int columns = 0;
@@ -29,7 +29,7 @@ struct numbers {
 
 namespace detail {
 
-/// Marks what the arguments of functions are made of, as angles.
+/// Marks the nodes that occur in arguments of functions, such as angles.
 constexpr sequence<char> parts_of_arguments(const graph& g, const sequence<int>& live) {
   using symbolic::operation;
   sequence<char> found(g.size(), 0);
@@ -43,10 +43,11 @@ constexpr sequence<char> parts_of_arguments(const graph& g, const sequence<int>&
   return found;
 }
 
-/// In place of what sizes are beside typical ones: as if units said nothing.
+/// A special value of `beside_typical`: all symbols have magnitude 1, whatever their units.
 inline constexpr double all_one = 0;
 
-/// Values of symbols that nobody chose: as large as what they are added to, and of quaternions of length one.
+/// Random values of symbols, with magnitudes comparable to those of the terms they are added to; quaternions
+/// have norm 1.
 class generic_values {
 public:
   constexpr generic_values(const graph& g, const sequence<int>& live, const mechanism* of,
@@ -89,7 +90,8 @@ public:
   constexpr double operator[](int symbol) const { return value_[symbols_.find(symbol)]; }
 
 private:
-  /// A quaternion of which a part is live: the others too have their share in its length.
+  /// Adds the unused entries of a quaternion whose other entries are used, because they contribute to its
+  /// norm.
   constexpr void complete(const sequence<expression>& quaternion) {
     bool any = false;
     for (const expression& e : quaternion) any = any || symbols_.contains(e.node());
@@ -107,10 +109,10 @@ private:
 
 } // namespace detail
 
-/// A matrix of expressions at three generic states; fewer where a function is not defined there. Entries that
-/// are what rounding has left of zero are zero, and so are those too small to keep their digits. Of the
-/// mechanism, if it is given, the quaternions have length one; what is no part of an angle is as large as is
-/// asked, beside what is typical.
+/// Evaluates a matrix of expressions at three generic states, or fewer if functions are undefined at some.
+/// Entries that are zero up to rounding, or too small to keep their digits, become zero. If a mechanism is
+/// given, its quaternions have norm 1. The magnitudes of symbols that are not part of an angle are multiplied
+/// by `beside_typical`.
 constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const mechanism* of = nullptr,
                                               double beside_typical = 1) {
   sequence<numbers> values;
@@ -127,7 +129,7 @@ constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const m
     numbers found{a.rows, a.columns, {}};
     for (int id : outputs) found.entries.push(evaluate[id]);
     if (!found.finite()) continue;
-    if (values.empty()) { // what is zero at one of them is zero at all
+    if (values.empty()) { // zero at one generic state: zero at all
       const symbolic::magnitudes terms(g, evaluate);
       for (int i = 0; i < outputs.size(); ++i)
         is_nothing.push(terms.is_nothing_of(outputs[i], found.entries[i]));
@@ -140,9 +142,9 @@ constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const m
   return values;
 }
 
-/// The same matrices with rows and columns scaled, all alike, so that the largest entry of each is near 1.
-/// What comes out does not depend on the units of rows and columns: scales are first handed on from entry to
-/// entry along a tree of rows and columns, which only places of entries decide.
+/// Scales rows and columns, alike for all states, so that the largest entry of each is near 1. The result
+/// does not depend on the units of rows and columns: initial scales are propagated along a tree of rows and
+/// columns that is determined by the sparsity pattern only.
 class equilibration {
 public:
   constexpr explicit equilibration(const sequence<numbers>& states) {
@@ -182,7 +184,7 @@ public:
 private:
   constexpr double scaled(int i, int j) const { return largest_(i, j) * rows_[i] * columns_[j]; }
 
-  /// To the columns of a row, and to the rows of these.
+  /// Propagates the scale of a row to its columns, and from these to their rows.
   constexpr void hand_on(int row) {
     for (int j = 0; j < largest_.columns; ++j) {
       if (!numeric::equal(columns_[j], 0.0) || numeric::equal(largest_(row, j), 0.0)) continue;
@@ -193,7 +195,7 @@ private:
     }
   }
 
-  numbers largest_{}; ///< of all states
+  numbers largest_{}; ///< the largest over all states
   sequence<double> rows_{}, columns_{};
 };
 
@@ -203,21 +205,21 @@ constexpr sequence<numbers> equilibrated(sequence<numbers> states) {
   return states;
 }
 
-/// What is tried beside typical sizes before a model is accused: of how large symbols are it may say too
-/// little.
+/// Factors on typical magnitudes that are tried before a model is rejected, because the model may specify too
+/// little about the magnitudes of its symbols.
 inline constexpr double other_sizes[]{detail::all_one, 1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9, 1e-12};
-inline constexpr double clearly = 1e-5; ///< what is left there of a whole that does not vanish
+inline constexpr double clearly = 1e-5; ///< tolerance for these, relative to the whole
 
-/// Rows that were found independent, as an orthonormal basis.
+/// The space spanned by the rows found independent, stored as an orthonormal basis.
 class row_space {
 public:
   constexpr explicit row_space(double least = 1e-9) : least_(least) {}
 
-  /// Takes a row up; false where it lies in the space already.
+  /// Adds a row to the basis; returns false if the row already lies in the space.
   constexpr bool add(sequence<double> row) {
     const double whole = norm(row);
     if (numeric::equal(whole, 0.0)) return false;
-    for (int twice = 0; twice < 2; ++twice) // once more for what rounding left
+    for (int twice = 0; twice < 2; ++twice) // repeated to remove rounding errors
       for (const sequence<double>& unit : basis_) {
         const double along = dot(unit, row);
         for (int j = 0; j < row.size(); ++j) row[j] -= along * unit[j];
@@ -237,16 +239,16 @@ private:
   }
   static constexpr double norm(const sequence<double>& a) { return elementary::sqrt(dot(a, a)); }
 
-  double least_; ///< of a row that does not vanish, beside it
+  double least_; ///< smallest remainder, relative to the row
   sequence<sequence<double>> basis_{};
 };
 
-/// Which rows of a matrix do not follow from those before them, in some configuration at least.
+/// Returns for each row whether it is independent of the preceding rows in some configuration.
 constexpr sequence<char> independent_rows(const sequence<numbers>& states, int rows) {
   sequence<row_space> spaces(states.size());
   sequence<char> independent;
   for (int i = 0; i < rows; ++i) {
-    bool adds = states.empty(); // nothing is known
+    bool adds = states.empty(); // no information
     for (int s = 0; s < states.size(); ++s) {
       sequence<double> row;
       for (int j = 0; j < states[s].columns; ++j) row.push(states[s](i, j));
@@ -261,7 +263,7 @@ constexpr sequence<char> independent_rows(const symbolic::matrix& a, const mecha
   return independent_rows(equilibrated(at_generic_states(a, of)), a.rows);
 }
 
-/// Whether the rows of a matrix are independent in some configuration, whatever the sizes of symbols are.
+/// Whether the rows of a matrix are independent in some configuration, for some magnitudes of the symbols.
 constexpr bool has_independent_rows(const symbolic::matrix& a, const mechanism& of) {
   if (!independent_rows(a, &of).contains(0)) return true;
   for (const double size : other_sizes)

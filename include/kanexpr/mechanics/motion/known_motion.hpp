@@ -8,12 +8,12 @@
 
 namespace kanexpr::mechanics {
 
-/// The motion of a mechanism, known before loads and constraints are, so that these can speak of it.
-/// Velocities and accelerations are formed when they are asked for, with the symbols u̇.
+/// The motion of a mechanism, available before its loads and constraints so that these can refer to it.
+/// Velocities and accelerations are formed on first use, with the symbols u̇.
 class known_motion {
 public:
   constexpr explicit known_motion(const mechanism& m) : skeleton_(skeleton_of(m)) {}
-  /// To be read from what was set aside.
+  /// Selects the constructor of an empty object to be restored from stored members.
   struct set_aside {};
   constexpr known_motion(const mechanism& m, set_aside) : skeleton_{&m} {}
   constexpr known_motion(known_motion&& other) noexcept
@@ -27,13 +27,13 @@ public:
 
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.skeleton_); // motions are formed again at little cost
+    visit(self.skeleton_); // motions are cheap to form again
     visit(self.is_without_auxiliary_);
   }
 
   constexpr const skeleton& skeleton_used() const { return skeleton_; }
 
-  /// With the frames and points that the mechanism was given since.
+  /// The motion, including frames and points that were added to the mechanism later.
   constexpr motion& moving() {
     if (lacks_any()) extend();
     if (!has_motion_) motion_ = motion(skeleton_, skeleton_.model->speed_rates);
@@ -41,7 +41,7 @@ public:
     return motion_;
   }
 
-  /// From here on they are zero, once partial velocities have told what they bring out.
+  /// Sets the auxiliary speeds to zero from here on; their partial velocities are known already.
   constexpr void drop_auxiliary_speeds() {
     is_without_auxiliary_ = true;
     if (skeleton_.model->auxiliary_speeds.empty()) return;
@@ -49,9 +49,9 @@ public:
     has_motion_ = false;
   }
 
-  /// Whether the mechanism was given frames or points since.
+  /// Whether frames or points were added to the mechanism since.
   constexpr bool lacks_any() const { return skeleton_.lacks_any(); }
-  /// Takes them up, for expressions that speak of them.
+  /// Adds the new frames and points, so that expressions can refer to them.
   constexpr void extend() {
     mechanics::extend(skeleton_);
     if (is_without_auxiliary_) drop_auxiliary_speeds();

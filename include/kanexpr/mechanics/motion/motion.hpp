@@ -29,9 +29,9 @@ constexpr matrix3 acceleration_matrix(const components& w, const components& alp
   return u;
 }
 
-/// Angular velocities and accelerations of frames, velocities and accelerations of the skeleton's stations,
-/// all in the inertial frame and each in its own working axes. Everything is formed once, outwards from the
-/// ground, and kept.
+/// Angular velocities and accelerations of frames, and velocities and accelerations of the skeleton's
+/// stations, all in the inertial frame and each in its own working axes. Each is formed once, outward from
+/// the ground, and stored.
 class motion {
 public:
   constexpr motion() = default;
@@ -48,23 +48,23 @@ public:
 
   constexpr const skeleton& skeleton_used() const { return *s_; }
 
-  /// Where the skeleton was moved to.
+  /// Updates the address of the skeleton after a move.
   constexpr void follow(const skeleton& s) { s_ = &s; }
 
   /// The time derivative of a scalar.
   constexpr expression rate(expression e) { return along_time_.of(e); }
 
-  /// A scalar with the coordinate rates that the kinematic equations give.
+  /// Substitutes the coordinate rates from the kinematic equations into a scalar.
   constexpr expression known(expression e) const { return known_rates(*m_, s_->coordinate_rates).in(e); }
 
-  /// A uniform acceleration given to the ground; −g stands for gravity on every body.
+  /// Gives the ground a uniform acceleration; −g replaces gravity on every body.
   constexpr void accelerate_ground(const vector& acceleration) {
     ground_ = known_rates(*m_, s_->coordinate_rates).in(acceleration);
   }
 
   constexpr const vector& ground_acceleration() const { return ground_; }
 
-  /// Angular velocity of frame `f`, in its working axes.
+  /// The angular velocity of frame `f`, in its working axes.
   constexpr components angular_velocity(int f) {
     f = s_->rigid_with[f];
     if (omega_[f].known) return omega_[f].value;
@@ -77,7 +77,7 @@ public:
     return omega_[f].keep(w);
   }
 
-  /// Angular acceleration of frame `f`, in its working axes.
+  /// The angular acceleration of frame `f`, in its working axes.
   constexpr components angular_acceleration(int f) {
     f = s_->rigid_with[f];
     if (alpha_[f].known) return alpha_[f].value;
@@ -97,7 +97,7 @@ public:
     return carry_[f].keep(mechanics::acceleration_matrix(w, a));
   }
 
-  /// Velocity of a station, in the working axes of its own frame.
+  /// The velocity of a station, in its working axes.
   constexpr components velocity(int n) {
     if (velocity_[n].known) return velocity_[n].value;
     const station& at = s_->stations[n];
@@ -111,7 +111,7 @@ public:
     return velocity_[n].keep(v);
   }
 
-  /// Acceleration of a station, in the working axes of its own frame.
+  /// The acceleration of a station, in its working axes.
   constexpr components acceleration(int n) {
     if (acceleration_[n].known) return acceleration_[n].value;
     const station& at = s_->stations[n];
@@ -138,7 +138,7 @@ public:
     return acceleration_[n].keep(a);
   }
 
-  /// The station that has the velocity `v`, given in the axes of frame `axes`; or none.
+  /// The station with velocity `v`, given in the axes of frame `axes`; or none.
   constexpr int station_with_velocity(const components& v, int axes) {
     for (int n = 0; n < velocity_.size(); ++n)
       if (s_->working_axes[s_->stations[n].axes] == axes && velocity(n) == v) return n;
@@ -150,7 +150,7 @@ public:
     return turn(acceleration(n), s_->stations[n].axes, frame);
   }
 
-  /// From the working axes of one frame to those of another.
+  /// Transforms components from the working axes of one frame to those of another.
   constexpr components turn(const components& v, int from, int to) const {
     return express(*m_, v, s_->working_axes[from], s_->working_axes[to]);
   }

@@ -2,7 +2,8 @@
 
 #include <kanexpr/mechanics/motion/motion.hpp>
 
-/// What a person asks of single points and frames, as vectors in the frames where they are simplest.
+/// Velocities and accelerations of single points and frames, as vectors in the frames in which they are
+/// simplest.
 namespace kanexpr::mechanics {
 
 constexpr vector in_working_axes(const motion& k, int frame, const components& value) {
@@ -11,32 +12,32 @@ constexpr vector in_working_axes(const motion& k, int frame, const components& v
   return v;
 }
 
-/// Velocity in the inertial frame.
+/// The velocity in the inertial frame.
 constexpr vector velocity_of_point(motion& k, int point) {
   const skeleton& s = k.skeleton_used();
   const int n = s.station_of_point[point];
   return in_working_axes(k, s.stations[n].axes, k.velocity(n));
 }
 
-/// Acceleration in the inertial frame.
+/// The acceleration in the inertial frame.
 constexpr vector acceleration_of_point(motion& k, int point) {
   const skeleton& s = k.skeleton_used();
   const int n = s.station_of_point[point];
   return in_working_axes(k, s.stations[n].axes, k.acceleration(n));
 }
 
-/// Angular velocity in the inertial frame.
+/// The angular velocity in the inertial frame.
 constexpr vector angular_velocity_of_frame(motion& k, int frame) {
   return in_working_axes(k, frame, k.angular_velocity(frame));
 }
 
-/// Angular acceleration in the inertial frame.
+/// The angular acceleration in the inertial frame.
 constexpr vector angular_acceleration_of_frame(motion& k, int frame) {
   return in_working_axes(k, frame, k.angular_acceleration(frame));
 }
 
-/// The time derivative of a vector as `frame` sees it: each part changes by itself and turns with its own
-/// frame.
+/// The time derivative of a vector in `frame`: the components of each part change, and the part rotates with
+/// its own frame.
 constexpr vector derivative_in(motion& k, const vector& v, int frame) {
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;

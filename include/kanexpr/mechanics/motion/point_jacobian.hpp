@@ -4,12 +4,12 @@
 
 namespace kanexpr::mechanics {
 
-/// How each way of moving enters the velocity of a station along a direction.
+/// The partial derivatives of the velocity of a station along a direction with respect to all speeds.
 ///
-/// v = Σ_f w_f × S_f + relative velocities, with the relative angular velocity w_f of each frame below the
-/// station and S_f, what of the way from the ground to the station turns with it: the sum is formed inwards
-/// once, and each way takes one triple product of it. For a single point that is cheaper than the forces and
-/// moments of a unit force there.
+/// v = Σ_f w_f × S_f + relative velocities, where w_f is the relative angular velocity of each frame below
+/// the station, and S_f is the part of the path from the ground to the station that rotates with it. The sum
+/// is formed inward once, and each speed takes one triple product of it. For a single point this is cheaper
+/// than the forces and moments of a unit force there.
 class point_jacobian {
 public:
   constexpr point_jacobian(const skeleton& s, int station)
@@ -20,7 +20,7 @@ public:
       if (s.turns_in[f] != mechanism::inertial) carried_[s.turns_in[f]].add(carried_[f]);
   }
 
-  /// By speeds, then by auxiliary speeds.
+  /// The derivatives with respect to the speeds, followed by those with respect to the auxiliary speeds.
   constexpr sequence<expression> along(const vector& direction) const {
     sequence<expression> share(m_.ways(), m_.zero());
     for (int n = station_; n != none; n = s_.stations[n].absolute ? none : s_.stations[n].parent)
@@ -48,7 +48,8 @@ private:
            (v.x.is_zero() ? 0 : 1) + (v.y.is_zero() ? 0 : 1) + (v.z.is_zero() ? 0 : 1) == 1;
   }
 
-  /// An axis in the axes nearest to `goal` in which it is a basis vector: turns about it cost nothing.
+  /// An axis in the axes nearest to `goal` in which it is a basis vector, so that rotations about it cost
+  /// nothing.
   constexpr seen_from nearest(const components& w, int axes, int goal) const {
     seen_from best{axes, w};
     if (!is_basis(w)) return best;

@@ -2,10 +2,10 @@
 
 #include <kanexpr/mechanics/motion/motion.hpp>
 
-/// How frames and points move relative to each other: only what lies between them matters.
+/// The relative motion of frames and points, formed only from the path between them.
 namespace kanexpr::mechanics {
 
-/// ω of a frame without that of another.
+/// The angular velocity of a frame minus that of another one.
 constexpr vector angular_velocity_between(const skeleton& s, int frame, int other) {
   const auto depth = [&](int f) {
     int steps = 0;
@@ -28,7 +28,7 @@ constexpr vector angular_velocity_between(const skeleton& s, int frame, int othe
 
 namespace detail {
 
-/// What a station's velocity has beside that of the station which it is measured from.
+/// The velocity of a station relative to the station it is measured from.
 constexpr vector step_of(motion& k, int n) {
   const skeleton& s = k.skeleton_used();
   const station& at = s.stations[n];
@@ -41,7 +41,7 @@ constexpr vector step_of(motion& k, int n) {
 
 } // namespace detail
 
-/// v of a station without that of another.
+/// The velocity of a station minus that of another one.
 constexpr vector velocity_between(motion& k, int station, int other) {
   const skeleton& s = k.skeleton_used();
   const auto below = [&](int n) { return s.stations[n].absolute ? none : s.stations[n].parent; };

@@ -4,7 +4,7 @@
 
 namespace kanexpr::mechanics {
 
-/// A vector of numbers.
+/// A numeric vector.
 struct triple {
   double x = 0, y = 0, z = 0;
 
@@ -26,12 +26,12 @@ struct triad {
 
   constexpr const triple& operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
   constexpr triple operator*(triple v) const { return v.x * x + v.y * y + v.z * z; }
-  /// Of an orthonormal one: the components along its vectors.
+  /// The components of `v` along the vectors of an orthonormal triad.
   constexpr triple along(triple v) const { return {dot(x, v), dot(y, v), dot(z, v)}; }
   friend constexpr triad operator*(const triad& a, const triad& b) { return {a * b.x, a * b.y, a * b.z}; }
 };
 
-/// The space that some vectors span, which have to be longer than rounding.
+/// The span of vectors that must be longer than the rounding error.
 class span_of_triples {
 public:
   constexpr void add(triple v) {
@@ -48,7 +48,7 @@ public:
 
 private:
   constexpr triple outside(triple v) const {
-    for (int twice = 0; twice < 2; ++twice) // once more for what rounding left
+    for (int twice = 0; twice < 2; ++twice) // repeated to remove rounding errors
       for (int i = 0; i < size_; ++i) v = v - dot(basis_[i], v) * basis_[i];
     return v;
   }

@@ -3,13 +3,14 @@
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/mechanics/motion/generic_states.hpp>
 
-/// The quaternions of frames whose norm 1 the kinematic differential equations keep: no constraint, for no
-/// speed is bound by it, but what numbers must not lose.
+/// The quaternions of frames whose unit norm the kinematic differential equations preserve. The norm is no
+/// constraint, because it restricts no speed, but numerical integration must maintain it.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// The places of the coordinates that a quaternion is made of, beside zeros; none if it holds anything else.
+/// The indices of the coordinates in a quaternion whose other entries are zero; empty if it contains anything
+/// else.
 constexpr sequence<int> coordinates_of_quaternion(const mechanism& m, const frame& f) {
   sequence<int> places;
   for (const expression& entry : f.quaternion) {
@@ -21,7 +22,7 @@ constexpr sequence<int> coordinates_of_quaternion(const mechanism& m, const fram
   return places;
 }
 
-/// The kinematic differential equations at numbers: unit quaternions e, all else generic.
+/// The kinematic differential equations evaluated numerically: unit quaternions e, all other values generic.
 class kinematics_at_numbers {
 public:
   constexpr kinematics_at_numbers(const mechanism& m, const sequence<int>& places)
@@ -34,7 +35,7 @@ public:
     for (double& e : e_) e /= elementary::sqrt(square);
   }
 
-  /// Whether e·ė = 0 follows from them.
+  /// Whether e·ė = 0 follows from the equations.
   constexpr bool keep_the_norm() {
     sequence<sequence<double>> rows(m_.kinematics.size());
     const sequence<double> rest = with_rate(none);
@@ -61,14 +62,14 @@ private:
     return nodes;
   }
 
-  /// From 0.5 to 1.5, by a number of one's own (Marsaglia's xorshift).
+  /// A random number between 0.5 and 1.5 that depends on `number` only (Marsaglia's xorshift).
   static constexpr double between(int number) {
     std::uint64_t random = 88172645463325252u + 2654435761u * static_cast<std::uint64_t>(number);
     for (int i = 0; i < 3; ++i) random ^= random << 13, random ^= random >> 7, random ^= random << 17;
     return 0.5 + static_cast<double>(random >> 11) / 9007199254740992.0;
   }
 
-  /// What the equations leave where one rate of the quaternion is 1, or none.
+  /// The residuals of the equations with one rate of the quaternion set to 1, or none.
   constexpr sequence<double> with_rate(int moving) {
     evaluate_.at([&](int id) {
       for (int i = 0; i < places_.size(); ++i) {
@@ -90,8 +91,8 @@ private:
 
 } // namespace detail
 
-/// The coordinates of each such quaternion, by their places. A quaternion of other expressions than
-/// coordinates, or whose norm other equations have to keep, is not among them.
+/// The coordinate indices of each such quaternion. A quaternion with entries other than coordinates, or whose
+/// norm other equations must preserve, is not included.
 constexpr sequence<sequence<int>> unit_quaternions(const mechanism& m) {
   sequence<sequence<int>> found;
   sequence<char> taken(m.coordinates.size(), 0);

@@ -5,8 +5,9 @@
 
 namespace kanexpr::mechanics {
 
-/// Auxiliary speeds are zero at all times: once the partial velocities are known that bring out the forces
-/// that do no work, no motion holds them any more. Kane & Levinson (1985), section 4.9.
+/// Removes the auxiliary speeds. They are zero at all times and appear in no motion once their partial
+/// velocities, which bring into evidence forces that do no work, are known. Kane & Levinson (1985), section
+/// 4.9.
 class without_auxiliary_speeds : public vector_substitution {
 public:
   constexpr explicit without_auxiliary_speeds(const mechanism& m) : vector_substitution(*m.g) {

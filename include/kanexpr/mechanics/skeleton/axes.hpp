@@ -2,13 +2,13 @@
 
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 
-/// In which axes a frame's quantities are formed: where they are constant, where they are sparse, and where
-/// the next transformation is free.
+/// The choice of axes in which the quantities of a frame are formed: where they are constant or sparse, and
+/// where the next transformation is free.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// The frames in whose axes the masses and offsets of frame `f` were described.
+/// The frames in whose axes the masses and offsets of frame `f` are given.
 constexpr sequence<int> described_in(const skeleton& s, int f) {
   const mechanism& m = *s.model;
   sequence<int> used;
@@ -24,8 +24,8 @@ constexpr sequence<int> described_in(const skeleton& s, int f) {
   return used;
 }
 
-/// Whether everything that moves with `f` looks the same from all sides of axis `a`: then f's spin about that
-/// axis changes none of its masses or offsets, and the axes that do not spin serve as well.
+/// Whether everything that moves with `f` is rotationally symmetric about axis `a`. The spin of f about this
+/// axis then changes none of its masses or offsets, and non-spinning axes serve equally well.
 constexpr bool axisymmetric(const skeleton& s, int f, int a) {
   const mechanism& m = *s.model;
   const int b = (a + 1) % 3, d = (a + 2) % 3;
@@ -43,7 +43,8 @@ constexpr bool axisymmetric(const skeleton& s, int f, int a) {
   return true;
 }
 
-/// Whether every turn of the mechanism is about one axis of the ground, and what slides is given in its axes.
+/// Whether every rotation of the mechanism is about one axis of the ground and all offsets are given in the
+/// ground's axes.
 constexpr bool planar(const skeleton& s) {
   int axis = none;
   for (const station& n : s.stations)
@@ -61,7 +62,7 @@ constexpr bool planar(const skeleton& s) {
   return true;
 }
 
-/// Whether `f` and the frame below it turn about the same axis.
+/// Whether `f` and its parent frame rotate about the same axis.
 constexpr bool parallel_to_parent(const skeleton& s, int f) {
   const int axis = s.joint_axis(f);
   if (axis == none) return false;
@@ -91,8 +92,9 @@ constexpr void choose_body_axes(skeleton& s) {
   }
 }
 
-/// Body axes, but for frames that turn about parallel axes one after another: those share the axes below
-/// them, in which their common axis stands still and nothing needs to be turned between them.
+/// Working axes are the body axes, except for successive frames that rotate about parallel axes: these share
+/// the axes of the frame before them, in which the common axis is constant, so that no transformation is
+/// needed between them.
 constexpr void choose_working_axes(skeleton& s) {
   s.working_axes = s.body_axes;
   const bool planar = detail::planar(s);
@@ -113,8 +115,8 @@ constexpr void choose_working_axes(skeleton& s) {
   }
 }
 
-/// The axes of frames that carry no mass, from the number `from` on: those below where both turn about
-/// parallel axes.
+/// Chooses the axes of the frames without mass, from index `from` on: those of the parent if both rotate
+/// about parallel axes.
 constexpr void choose_axes_from(skeleton& s, int from) {
   for (int f = from; f < s.rigid_with.size(); ++f) {
     const int stands = s.rigid_with[f];

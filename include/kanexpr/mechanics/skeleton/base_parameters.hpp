@@ -2,19 +2,20 @@
 
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 
-/// Masses gathered where they move as one, and regrouped to the fewest numbers that the motion can feel.
+/// Combines masses that move as one, and regroups them into the smallest set of numbers that affect the
+/// motion.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Links while they are gathered: at most one for each station and frame.
+/// The links being gathered: at most one for each station and frame.
 class gathering {
 public:
   constexpr gathering(const skeleton& s, const sequence<link>& links) : s_(s) {
     for (const link& l : links) put(l);
   }
 
-  /// Walks from the tips to the ground; `regroup` decides whether numbers may move across joints.
+  /// Walks from the tips to the ground; `regroup` determines whether numbers may move across joints.
   constexpr sequence<link> run(bool regroup) {
     for (int c = s_.stations.size() - 1; c >= 0; --c)
       for (int i = deepest_at(c); i >= 0; i = deepest_at(c)) {
@@ -53,11 +54,11 @@ private:
     return found;
   }
 
-  /// Whatever a frame does about a point that is fixed in the frame below it, or about a point at which that
-  /// frame has mass as well, its mass acts on that frame as a particle at the point. A joint about axis a
-  /// does not feel the part {m, h_a, I_dd about both other axes} of what it carries either. These parts move
-  /// to the frame below (base inertial parameters: Gautier & Khalil 1990): numbers fold there, and of symbols
-  /// the mass alone moves, which never costs more than it saves.
+  /// Moves the part of a link whose motion relative to the frame below has no effect. If the station is fixed
+  /// in the frame below, or that frame also has mass there, the mass acts on that frame as a particle at the
+  /// station. Likewise, a joint about axis a does not sense the part {m, h_a, I_dd about both other axes} of
+  /// the link it carries (base inertial parameters: Gautier & Khalil 1990). Numeric values are folded into
+  /// the frame below; of symbolic ones only the mass moves, which never costs more than it saves.
   constexpr link without_invisible_part(const link& l) {
     const station& at = s_.stations[l.station];
     const bool stands = at.rigid || (at.absolute && at.relative_velocity.parts.empty());
@@ -85,7 +86,7 @@ private:
     }
     const int spin = spin_axis(l.frame, below);
     if (spin != none && is_round(l.mass.inertia, spin)) {
-      symmetric across = l.mass.inertia; // what is left to the spinning body is its inertia about the axis
+      symmetric across = l.mass.inertia; // the spinning body keeps only its inertia about the axis
       across(spin, spin) = m.zero();
       left.mass.inertia = symmetric(*m.g);
       left.mass.inertia(spin, spin) = l.mass.inertia(spin, spin);
@@ -95,14 +96,15 @@ private:
     return left;
   }
 
-  /// Whether there is a mass at a station that moves with a frame which is not the ground.
+  /// Whether a mass at the station moves with `frame` and the frame is not the ground.
   constexpr bool carries(int station, int frame) const {
     for (const link& l : links_)
       if (l.station == station && l.frame == frame) return frame != mechanism::inertial;
     return false;
   }
 
-  /// The axis about which frame `f` only spins in the frame below, in axes that do not spin; or none.
+  /// The axis about which frame `f` spins in the frame below, in non-spinning axes; none if the motion is no
+  /// such spin.
   constexpr int spin_axis(int f, int below) const {
     if (s_.turns_in[f] != below || s_.rigid_with[s_.body_axes[f]] != below) return none;
     const components w = express(*s_.model, s_.relative_angular_velocity[f], s_.body_axes[f]);

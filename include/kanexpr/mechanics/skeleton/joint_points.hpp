@@ -2,11 +2,11 @@
 
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 
-/// Where a joint's point stands on its axis is free: it is put where offsets vanish.
+/// The position of a joint's point along its axis is arbitrary; it is chosen so that offset components
+/// vanish.
 namespace kanexpr::mechanics {
 
-/// A point that is fixed in the same frame as the point it was measured from is measured from that one's
-/// parent.
+/// If a point and its parent are fixed in the same frame, measures the point from the parent of that parent.
 constexpr void gather_rigid_steps(skeleton& s, int from = 0) {
   for (int i = from; i < s.stations.size(); ++i) {
     station& n = s.stations[i];
@@ -20,7 +20,8 @@ constexpr void gather_rigid_steps(skeleton& s, int from = 0) {
 
 namespace detail {
 
-/// The station at which all of frame `f` hangs, if there is a single one that carries nothing else; or none.
+/// The station from which all of frame `f` is measured, if there is exactly one and it carries nothing else;
+/// otherwise none.
 constexpr int joint_station(const skeleton& s, int f) {
   int root = none;
   const auto hangs_at = [&](int n) {
@@ -44,7 +45,7 @@ constexpr int nonzero(const components& r) {
   return (r.x.is_zero() ? 0 : 1) + (r.y.is_zero() ? 0 : 1) + (r.z.is_zero() ? 0 : 1);
 }
 
-/// How many components of offsets are left when the joint's point moves by `along` its axis.
+/// The number of nonzero offset components if the joint's point moves by `along` its axis.
 constexpr int offsets_left(const skeleton& s, int root, const components& below, const components& above,
                            expression along) {
   const station& at = s.stations[root];
@@ -56,8 +57,8 @@ constexpr int offsets_left(const skeleton& s, int root, const components& below,
 
 } // namespace detail
 
-/// Slides joint points along their axes where that leaves fewer offset components: intersecting axes come to
-/// share a point. Only numbers are moved, since they fold.
+/// Slides joint points along their axes if that leaves fewer offset components: joints with intersecting axes
+/// come to share a point. Only numeric offsets are moved, because they fold.
 constexpr void place_joint_points(skeleton& s) {
   const mechanism& m = *s.model;
   for (int f = 1; f < m.frames.size(); ++f) {

@@ -27,14 +27,14 @@ constexpr linear_kinematics linear_in_rates(const mechanism& m) {
   return out;
 }
 
-/// q̇ as expressions of q, u and t, and the coupled equations that were solved on the way.
+/// q̇ as expressions of q, u and t, and the coupled equations that were solved for them.
 struct solved_rates {
   sequence<expression> rates;
   sequence<symbolic::solved_block> blocks;
 };
 
-/// q̇ as expressions of q, u and t. An unsolvable part leaves its rates zero (`check` has named the mistake
-/// before).
+/// Returns q̇ as expressions of q, u and t. The rates of an unsolvable part are zero; `check` reports the
+/// mistake beforehand.
 constexpr solved_rates solve_kinematics(const mechanism& m) {
   const linear_kinematics k = linear_in_rates(m);
   symbolic::matrix right(*m.g, k.k_rates.rows, 1);

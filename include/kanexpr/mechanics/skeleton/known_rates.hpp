@@ -4,7 +4,7 @@
 
 namespace kanexpr::mechanics {
 
-/// Replaces the coordinate rates q̇ by what the kinematic differential equations say of them.
+/// Replaces the coordinate rates q̇ by the solutions of the kinematic differential equations.
 class known_rates : public vector_substitution {
 public:
   constexpr known_rates(const mechanism& m, const sequence<expression>& rates) : vector_substitution(*m.g) {

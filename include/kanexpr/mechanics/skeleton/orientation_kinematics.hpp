@@ -9,19 +9,19 @@
 /// The kinematic differential equations of a frame whose angular velocity is declared.
 namespace kanexpr::mechanics {
 
-/// Why a frame's orientation and its declared angular velocity give no equations, or nothing.
+/// Returns why a frame's orientation and declared angular velocity yield no equations, or an empty sentence.
 constexpr sentence check_orientation_kinematics(const mechanism& m, int place, int reference) {
   const std::string_view called = m.frames[place].called.view(), in = m.frames[reference].called.view();
   if (place == reference || path::common_ancestor(m, place, reference) != reference)
-    return sentence({"kinematics_of<", called, ", ", in, "> is asked for, and frame ", called,
+    return sentence({"kinematics_of<", called, ", ", in, "> is not available: frame ", called,
                      " is not oriented relative to ", in});
   const int told = m.frames[place].reference;
   if (told == none)
-    return sentence({"kinematics_of<", called, ", ", in, "> is asked for, and frame ", called,
+    return sentence({"kinematics_of<", called, ", ", in, "> is not available: frame ", called,
                      " has no declared angular velocity"});
   if (told != reference)
-    return sentence({"kinematics_of<", called, ", ", in, "> is asked for, and the angular velocity of frame ",
-                     called, " is declared in ", m.frames[told].called.view()});
+    return sentence({"kinematics_of<", called, ", ", in, "> is not available: the angular velocity of frame ",
+                     called, " is declared relative to ", m.frames[told].called.view()});
   return {};
 }
 
@@ -41,11 +41,11 @@ constexpr sequence<expression> kinematics_of_parameters(const sequence<parameter
 
 } // namespace detail
 
-/// Expressions that vanish where the angular velocity of a frame in `reference` that follows from its
-/// orientation is the declared one.
+/// Expressions that vanish if the angular velocity of a frame in `reference` that follows from its
+/// orientation equals the declared one.
 ///
-/// They are taken in the axes of the frame below the last turn: there the equations of three angles can be
-/// solved one after another.
+/// They are formed in the axes of the frame before the last rotation, in which the equations of three angles
+/// can be solved one after another.
 constexpr sequence<expression> orientation_kinematics(const mechanism& m, int place, int reference) {
   symbolic::differentiation along_time = time_derivative(m, m.coordinate_rates);
   vector missing = without_auxiliary_speeds(m).in(m.frames[place].angular_velocity);
@@ -58,7 +58,7 @@ constexpr sequence<expression> orientation_kinematics(const mechanism& m, int pl
     vector w = relative_angular_velocity(m, f, along_time);
     if (w.is_zero()) continue;
     if (has_rates || turns)
-      w.parts[0].frame = f; // the axis of a turn has the same components below and above it
+      w.parts[0].frame = f; // the axis of a rotation has the same components before and after it
     else
       axes = w.parts[0].frame;
     turns = true;

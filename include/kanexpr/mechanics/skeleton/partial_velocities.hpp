@@ -7,7 +7,8 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// The partial derivatives of a vector by all speeds that it depends on, in the working axes of frame `f`.
+/// The partial derivatives of a vector with respect to all speeds it depends on, in the working axes of frame
+/// `f`.
 constexpr sequence<partial_velocity> partials_of(const skeleton& s, symbolic::differentiation& by_speed,
                                                  const vector& v, int f) {
   const mechanism& m = *s.model;
@@ -26,7 +27,7 @@ constexpr sequence<partial_velocity> partials_of(const skeleton& s, symbolic::di
 
 } // namespace detail
 
-/// How each speed enters at each frame and station that lacks it. Kane & Levinson (1985), section 2.14.
+/// Forms the missing partial velocities of all frames and stations. Kane & Levinson (1985), section 2.14.
 constexpr void form_partial_velocities(skeleton& s) {
   symbolic::differentiation by_speed(*s.model->g);
   for (int f = s.partial_angular_velocities.size(); f < s.relative_angular_velocity.size(); ++f) {

@@ -6,17 +6,17 @@
 
 namespace kanexpr::mechanics {
 
-/// A point of the skeleton and how it moves: v = v_parent + ω_frame × r + relative_velocity.
+/// A point of the skeleton and its motion: v = v_parent + ω_frame × r + relative_velocity.
 struct station {
   int parent = none;
-  bool absolute = false; ///< v = relative_velocity alone, measured from the ground
+  bool absolute = false; ///< v = relative_velocity, measured from the ground
   int frame = mechanism::inertial;
-  int offset_frame = mechanism::inertial; ///< the frame whose axes `r` is given in
+  int offset_frame = mechanism::inertial; ///< the frame in whose axes `r` is given
   components r{};
   bool carried = true; ///< ṙ = ω_frame × r
-  bool rigid = false;  ///< r is fixed in the frame, in fact and not only for the velocity
+  bool rigid = false;  ///< r is constant in the frame, and not only for the velocity
   vector relative_velocity{};
-  int axes = mechanism::inertial; ///< the frame in whose working axes its motion and forces are given
+  int axes = mechanism::inertial; ///< the frame in whose working axes its motion and forces are expressed
 
   constexpr vector offset() const {
     vector v;
@@ -25,41 +25,42 @@ struct station {
   }
 };
 
-/// The mass that moves as one with a frame, seen from a station, in the frame's body axes.
+/// The mass that moves with a frame, about a station, in the frame's body axes.
 struct link {
   int station = none;
   int frame = none;
   rigid_mass mass{};
 };
 
-/// What a unit of one generalized speed adds to a vector that is linear in the speeds: a partial velocity or
-/// a partial angular velocity.
+/// The derivative with respect to one generalized speed of a vector that is linear in the speeds: a partial
+/// velocity or a partial angular velocity.
 struct partial_velocity {
   int speed = none;
   components value{};
 };
 
-/// A mechanism made ready for the dynamics: frames that do not turn in each other are one, points form a tree
-/// of steps, masses are gathered where they move as one, and every frame has the axes in which its quantities
+/// A mechanism prepared for the dynamics. Frames that do not rotate relative to each other are merged, points
+/// form a tree, masses that move as one are combined, and every frame has the axes in which its quantities
 /// are cheapest to form.
 struct skeleton {
   const mechanism* model = nullptr;
   sequence<expression> coordinate_rates{};        ///< q̇ as expressions of q, u and t
-  sequence<symbolic::solved_block> rate_blocks{}; ///< the coupled parts of the equations that gave them
-  sequence<int> rigid_with{}; ///< by frame: the frame that stands for all that turn with it
-  sequence<int> turns_in{};   ///< by such frame: the one that its angular velocity is measured in
-  sequence<vector> relative_angular_velocity{}; ///< by such frame: that angular velocity
-  sequence<int> body_axes{}; ///< by such frame: the axes in which its masses and offsets are given
+  sequence<symbolic::solved_block> rate_blocks{}; ///< the coupled parts of the equations that determine them
+  sequence<int> rigid_with{}; ///< by frame: the representative of the frames that rotate with it
+  sequence<int> turns_in{};   ///< by representative: the frame in which its angular velocity is measured
+  sequence<vector> relative_angular_velocity{}; ///< by representative: that angular velocity
+  sequence<int> body_axes{}; ///< by representative: the axes in which its masses and offsets are given
   sequence<int>
-      working_axes{}; ///< by such frame: the axes in which its motion, forces and composites are formed
+      working_axes{}; ///< by representative: the axes in which its motion, forces and composites are formed
   sequence<sequence<partial_velocity>>
-      partial_angular_velocities{}; ///< by such frame: the partial derivatives of that, in working axes
-  sequence<station> stations{};     ///< a parent comes before its children
+      partial_angular_velocities{}; ///< by representative: the partial derivatives of the relative angular
+                                    ///< velocity, in working axes
+  sequence<station> stations{};     ///< a parent precedes its children
   sequence<sequence<partial_velocity>>
       partial_velocities{}; ///< by station: the partial derivatives of its relative velocity, in working axes
   sequence<int> station_of_point{};
-  sequence<link> links{};      ///< every mass, gathered where it moves as one
-  sequence<link> base_links{}; ///< the same motion with fewer numbers: masses regrouped across joints, see
+  sequence<link> links{};      ///< all masses, combined where they move as one
+  sequence<link> base_links{}; ///< an equivalent set with fewer numbers: masses regrouped across joints, see
                                ///< base_parameters.hpp
 
   /// Whether the mechanism has frames or points that were added later.
@@ -72,10 +73,10 @@ struct skeleton {
     return express(*model, at.r, at.offset_frame, working_axes[at.frame]);
   }
 
-  /// Frames that turn, those farther from the ground before those that they turn in.
+  /// The rotating frames; each precedes the frame in which it rotates.
   constexpr sequence<int> frames_tips_first() const {
     sequence<int> order;
-    sequence<int> waiting(model->frames.size(), 0); // how many frames turn in this one and are not listed yet
+    sequence<int> waiting(model->frames.size(), 0); // the number of unlisted frames that rotate in each frame
     for (int f = 1; f < model->frames.size(); ++f)
       if (rigid_with[f] == f) ++waiting[turns_in[f]];
     for (int f = 1; f < model->frames.size(); ++f)
@@ -87,7 +88,8 @@ struct skeleton {
     return order;
   }
 
-  /// The basis axis that frame `f` turns about in the frame below it, or none: no single one.
+  /// The basis axis about which frame `f` rotates in its parent frame, or none if there is no such single
+  /// axis.
   constexpr int joint_axis(int f) const {
     const frame& own = model->frames[f];
     return own.kind == orientation::about_basis && !own.turns_by_declaration() ? own.axis : none;

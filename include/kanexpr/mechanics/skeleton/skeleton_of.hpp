@@ -14,8 +14,8 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Reads what a skeleton does not have yet of its mechanism into stations and links, with every coordinate
-/// rate replaced by what the kinematic equations say.
+/// Converts the parts of a mechanism that its skeleton lacks into stations and links, with every coordinate
+/// rate replaced by its solution of the kinematic equations.
 class skeleton_builder {
 public:
   constexpr explicit skeleton_builder(skeleton& s)
@@ -60,7 +60,7 @@ public:
     }
   }
 
-  /// Offsets that are fixed in their frame are given in its body axes from here on.
+  /// Expresses offsets that are fixed in their frame in its body axes.
   constexpr void settle_offsets(int from = 0) {
     for (int i = from; i < s_.stations.size(); ++i) {
       station& n = s_.stations[i];
@@ -107,7 +107,7 @@ private:
       return s_.stations.push(n);
     }
     int last = s_.station_of_point[at.parent];
-    const bool carried = !at.moves_apart; // else the offset does not grow by the velocity
+    const bool carried = !at.moves_apart; // otherwise the offset does not change with the velocity
     for (const vector::part& p : at.offset.parts) last = push_step(last, in, p, carried);
     if (at.offset.parts.empty()) last = push_step(last, in, {in, components(*m_.g)}, true);
     s_.stations[last].relative_velocity = v;
@@ -130,7 +130,7 @@ private:
     return last;
   }
 
-  /// The two-point theorem, with the whole offset in the axes of one frame: what its parts have in common
+  /// The two-point theorem, with the whole offset in the axes of one frame, so that common terms of its parts
   /// may cancel.
   constexpr int fixed_station(const point& at, int parent) {
     const int in = s_.rigid_with[at.fixed_in];
@@ -183,8 +183,8 @@ constexpr skeleton skeleton_of(const mechanism& m) {
   return s;
 }
 
-/// Takes up the frames and points that were added to the mechanism after its skeleton was formed. What the
-/// skeleton holds stays as it is, so that results do not depend on them.
+/// Adds the frames and points that were added to the mechanism after its skeleton was formed. The existing
+/// skeleton is unchanged, so that results do not depend on later additions.
 constexpr void extend(skeleton& s) {
   const int frames = s.rigid_with.size(), stations = s.stations.size();
   detail::skeleton_builder build(s);

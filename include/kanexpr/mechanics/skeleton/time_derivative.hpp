@@ -5,8 +5,8 @@
 
 namespace kanexpr::mechanics {
 
-/// The derivative in time of scalars, for given rates of the coordinates and of the speeds; a speed without
-/// a rate counts as constant.
+/// The time derivative of scalars for given rates of the coordinates and speeds; a speed without a rate is
+/// treated as constant.
 constexpr symbolic::differentiation time_derivative(const mechanism& m, const sequence<expression>& qdot,
                                                     const sequence<expression>& udot = {}) {
   symbolic::differentiation d(*m.g);

@@ -10,7 +10,7 @@ class vector_substitution {
 public:
   constexpr explicit vector_substitution(graph& g) : images_(g) {}
 
-  /// To be set before the first `in`.
+  /// Must be called before the first `in`.
   constexpr void replace(expression old, expression by) {
     images_.replace(old, by);
     is_empty_ = false;
