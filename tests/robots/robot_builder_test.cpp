@@ -142,7 +142,7 @@ TEST(robot_builder, falls_along_the_gravity_of_the_robot) {
   EXPECT_EQ(robot_builder(r).cause(), "the gravity of the robot is not finite");
   r.gravity = {};
   EXPECT_EQ(robot_builder(r, {.gravity = std::nan("")}).cause(),
-            "the gravity that the model is given is not finite");
+            "the gravity in the model options is not finite");
 }
 
 // Against weights at the mass centres of the links, without gravity.
