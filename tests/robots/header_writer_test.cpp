@@ -260,7 +260,7 @@ TEST(header_writer, says_why_there_is_none) {
   EXPECT_EQ(header_of(robot_in(
                 "<link name='a'/><link name='b'>" + indefinite +
                 "</link><joint name='j' type='revolute'><parent link='a'/><child link='b'/></joint>")),
-            "the inertia of link b, with what is fixed to it, is indefinite: its moment about some axis is "
+            "the inertia of link b, with the links fixed to it, is indefinite: its moment about some axis is "
             "negative");
   const std::string vast = "<inertial><origin xyz='1e200 0 0'/><mass value='1e200'/></inertial>";
   EXPECT_EQ(header_of(robot_in(

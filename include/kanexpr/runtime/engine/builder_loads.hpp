@@ -4,7 +4,7 @@
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/runtime/builder.hpp>
 
-/// What a builder is told of loads.
+/// The loads of a builder.
 namespace kanexpr::runtime {
 
 KANEXPR_ENGINE void builder::force(point_id at, const vector& value) {
