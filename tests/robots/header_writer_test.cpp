@@ -139,7 +139,7 @@ TEST(header_writer, writes_names_that_are_identifiers) {
       header,
       HasSubstr("/// Names in the file: System_2 is System, Link_3 is 3 *//_, Link is __, joint is !, "
                 "joint_2 is <.\nnamespace"));
-  EXPECT_THAT(header_of(robot_of("gripper.urdf")), Not(HasSubstr("Names of the file")));
+  EXPECT_THAT(header_of(robot_of("gripper.urdf")), Not(HasSubstr("Names in the file")));
   EXPECT_TRUE(is_namespace("arm_2"));
   for (const char* no :
        {"", "2arm", "_arm", "arm_", "a__b", "a-b", "int", "kanexpr", "std", "index", "sinf", "errno"})

@@ -275,7 +275,7 @@ TEST(base_parameters, of_two_bars) {
 
 TEST(base_parameters, need_the_parameters_of_the_model) {
   auto m = kanexpr::derive<double_pendulum::LagrangeSystem>();
-  EXPECT_EQ(kanexpr::find_base_parameters(m).cause(), "base parameters: got 0 parameters of 10");
+  EXPECT_EQ(kanexpr::find_base_parameters(m).cause(), "base parameters: got 0 parameters, expected 10");
   EXPECT_EQ(kanexpr::find_base_parameters(m, VectorXd::Ones(10), {.tolerance = 0.01}).cause(),
             "dependent and independent inertial parameters cannot be separated with a tolerance of 0.01");
   VectorXd p = VectorXd::Ones(10);
@@ -285,7 +285,7 @@ TEST(base_parameters, need_the_parameters_of_the_model) {
   p(4) = std::numeric_limits<double>::infinity();
   EXPECT_THAT(kanexpr::find_base_parameters(m, p).cause(), testing::EndsWith(" is not finite"));
   EXPECT_EQ(kanexpr::find_base_parameters(m, VectorXd::Ones(11)).cause(),
-            "base parameters: got 11 parameters of 10");
+            "base parameters: got 11 parameters, expected 10");
   EXPECT_EQ(kanexpr::find_base_parameters(m, VectorXd::Ones(10), {.tolerance = 2}).cause(),
             "the tolerance of base parameters must be between 0 and 1, got 2");
 }
