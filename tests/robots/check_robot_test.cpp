@@ -72,7 +72,7 @@ TEST(check_robot, knows_what_is_no_number) {
             "the mass or the inertia of link l2 is not a finite number");
   EXPECT_EQ(cause_of([](robot& r) { r.links[2].inertial->mass = -1; }), "the mass of link l2 is negative");
   EXPECT_EQ(cause_of([](robot& r) { r.links[2].inertial->center.at[1] = nan; }),
-            "the mass centre of link l2 is not placed by finite numbers and a rotation matrix");
+            "the mass center of link l2 is not placed by finite numbers and a rotation matrix");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[0].origin.at[2] = inf; }),
             "the origin of joint j1 is not placed by finite numbers and a rotation matrix");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[0].origin.turn[0][0] = -1; }), // mirrors

@@ -155,7 +155,7 @@ TEST(read_urdf, notes_inertias_of_no_body) {
 
 TEST(read_urdf, notes_masses_and_inertias_that_are_not_together) {
   EXPECT_THAT(in_robot(inertial("0", "ixx='1' iyy='1' izz='1'")).notes,
-              ElementsAre("line 2: the inertia of link a has no mass; it is used as written"));
+              ElementsAre("line 2: the inertia of link a is given without a mass and is used as written"));
   EXPECT_THAT(in_robot("<link name='a'><inertial><mass value='2'/></inertial></link>").notes,
               ElementsAre("line 2: link a has a mass but no inertia and is treated as a particle"));
   EXPECT_THAT(in_robot(inertial("1", "ixx='1' iyy='1'")).notes,

@@ -398,9 +398,9 @@ TEST(builder_mistakes, looks_at_axes_and_sequences) {
             "frame A is rotated about an axis of zero length");
   EXPECT_EQ(told([](auto& b) { b.rotated("A", b.n, b.theta, b.along(b.rod, 1, 0, 0)); }),
             "frame A is rotated about an axis that is not fixed in N");
-  EXPECT_EQ(
-      told([](auto& b) { b.body_fixed("A", b.n, "xxy", b.x, b.x, b.x); }),
-      "frame A is rotated by the sequence xxy, which is invalid: take three axes, no two neighbours alike");
+  EXPECT_EQ(told([](auto& b) { b.body_fixed("A", b.n, "xxy", b.x, b.x, b.x); }),
+            "frame A is rotated by the sequence xxy, which is invalid; use three axes, no two consecutive "
+            "ones equal");
   EXPECT_EQ(told([](auto& b) { b.dot(b.m); }),
             "the argument of dot is not a coordinate, speed or prescribed quantity");
 }
@@ -412,15 +412,15 @@ TEST(builder_mistakes, hears_how_something_moves_only_once) {
             }),
             "point P has two declared motions");
   EXPECT_EQ(told([](auto& b) { b.velocity(b.o, b.n, b.along(b.n, 0.0, 0, 0)); }),
-            "point O is an origin, fixed in the inertial frame, and cannot be given a motion");
+            "point O is an origin, fixed in the inertial frame, but has a declared motion");
   EXPECT_EQ(told([](auto& b) { b.angular_velocity(b.n, b.rod, b.along(b.n, 0.0, 0, 0)); }),
-            "the inertial frame N is given an angular velocity");
+            "the inertial frame N has a declared angular velocity");
   EXPECT_EQ(told([](auto& b) {
               for (int i = 0; i < 2; ++i)
                 b.angular_velocity(b.rod, b.n, b.along(b.n, b.number(0.0), b.number(0.0), b.omega));
             }),
             "frame R has two declared angular velocities");
-  EXPECT_EQ(told([](auto& b) { b.gravity(b.along(b.n, 0, 0, 1)); }), "gravity is given twice");
+  EXPECT_EQ(told([](auto& b) { b.gravity(b.along(b.n, 0, 0, 1)); }), "gravity is specified twice");
 }
 
 TEST(builder_mistakes, hears_of_a_force_only_once) {
@@ -600,15 +600,15 @@ TEST(builder_mistakes, finds_those_of_the_finished_mechanism) {
 
 // To C++ 1/2 is the whole number 0.
 TEST(builder_mistakes, takes_no_whole_zero) {
-  const std::string which = ", which is what 1/2 is in C++; write ",
-                    meant = ", and 0.0 for a zero that is meant";
+  const std::string which = ", which is also the value of 1/2 in C++; write ",
+                    meant = ", or 0.0 if you mean zero";
   EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.number(1 / 2)); }),
             "the argument of number is 0" + which + "0.5" + meant);
   EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m + b.number(0.0)); }), "");
   EXPECT_EQ(told([](auto& b) { b.potential_energy(1 / 2 * b.m * b.x * b.x); }),
-            "a potential energy holds an operation with the number 0" + which + "x/2 or 0.5*x" + meant);
+            "a potential energy contains an operation with the integer 0" + which + "x/2 or 0.5*x" + meant);
   EXPECT_EQ(told([](auto& b) { b.force(b.bob, b.along(b.n, 0, b.m * 1 / 3 * (b.x + 1 / 2), 0)); }),
-            "a vector holds an operation with the number 0" + which + "x/2 or 0.5*x" + meant);
+            "a vector contains an operation with the integer 0" + which + "x/2 or 0.5*x" + meant);
   EXPECT_EQ(told([](auto& b) { b.force(b.bob, b.along(b.n, 0, 0, 1 / 2)); }),
             "every component of a vector is 0" + which + "0.5" + meant);
   EXPECT_EQ(
@@ -643,7 +643,7 @@ TEST(builder_mistakes, takes_no_letter_and_no_limits_out_of_order) {
   static_assert(!std::is_constructible_v<kanexpr::runtime::number_or_expression, char>);
   EXPECT_EQ(
       told([](auto& b) { b.force(b.bob, b.along(b.n, clamp(b.push, b.number(1), b.number(-1)), 0.0, 0.0)); }),
-      "a vector holds clamp with limits out of order; write clamp(x, least, most)");
+      "a vector contains clamp with limits out of order; write clamp(x, least, most)");
   EXPECT_EQ(
       told([](auto& b) { b.force(b.bob, b.along(b.n, clamp(b.push, b.number(-1), b.number(1)), 0.0, 0.0)); }),
       "");
@@ -653,15 +653,15 @@ TEST(builder_mistakes, takes_no_number_that_is_none) {
   EXPECT_EQ(told([](auto& b) { b.gravity(b.along(b.n, std::nan(""), 0, 1)); }),
             "the argument of number is not finite");
   EXPECT_EQ(told([](auto& b) { b.potential_energy(b.x * (0.0 / (b.m - b.m))); }),
-            "a potential energy holds a number that is not finite");
+            "a potential energy contains a number that is not finite");
   EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m + acos(b.number(2)) * b.x); }),
-            "A holds a number that is not finite");
+            "A contains a number that is not finite");
   EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m / (b.m - b.m)); }),
-            "A holds a number that is not finite");
+            "A contains a number that is not finite");
   EXPECT_EQ(told([](auto& b) { b.potential_energy(b.x * power(b.number(0.0), b.number(-1))); }),
-            "a potential energy holds a number that is not finite");
+            "a potential energy contains a number that is not finite");
   EXPECT_EQ(told([](auto& b) { b.potential_energy(b.x * (b.number(1e200) * b.number(1e200))); }),
-            "a potential energy holds a number that is not finite");
+            "a potential energy contains a number that is not finite");
 }
 
 kanexpr::mechanics::matrix3 rows(pendulum_on_cart& b, std::initializer_list<double> numbers) {
@@ -812,10 +812,10 @@ TEST(builder_mistakes, looks_at_masses_and_inertias) {
                    return d;
                  }),
             "the inertia of A is not symmetric");
-  EXPECT_EQ(
-      told([](auto& b) { b.potential_energy(1 / 2 * b.m * b.theta); }),
-      "a potential energy holds an operation with the number 0, which is what 1/2 is in C++; write x/2 or "
-      "0.5*x, and 0.0 for a zero that is meant");
+  EXPECT_EQ(told([](auto& b) { b.potential_energy(1 / 2 * b.m * b.theta); }),
+            "a potential energy contains an operation with the integer 0, which is also the value of 1/2 in "
+            "C++; write x/2 or "
+            "0.5*x, or 0.0 if you mean zero");
   EXPECT_EQ(told([](auto& b) { b.potential_energy(0.0 * b.m * b.theta); }), "a potential energy is zero");
   EXPECT_EQ(told([&](auto& b) {
               b.rigid_body("A", b.bob, b.rod, b.m, of({1, 2, 3.1, 0, 0, 0})(b));

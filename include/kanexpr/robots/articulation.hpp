@@ -14,7 +14,7 @@ struct moving_body {
   pose origin{};   ///< pose of the joint in the axes of the parent
   double mass = 0;
   vector3 center{};
-  inertia_matrix inertia{}; ///< about the mass centre
+  inertia_matrix inertia{}; ///< about the mass center
   double weightless = 0;    ///< the part of the mass on which gravity does not act
   vector3 weightless_center{};
 
@@ -64,7 +64,7 @@ inline inertia_matrix turned(const rotation& by, const inertia_matrix& i) {
   return {t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[2][0]};
 }
 
-/// Adds a mass to a total mass and updates its mass centre.
+/// Adds a mass to a total mass and updates its mass center.
 inline void add_mass(double& mass, vector3& center, double added, const vector3& at) {
   const double whole = mass + added;
   if (mass > 0 && added > 0)
@@ -74,7 +74,7 @@ inline void add_mass(double& mass, vector3& center, double added, const vector3&
   mass = whole;
 }
 
-/// Adds the mass of a link. The mass centre of a body with one link is exactly that of the link.
+/// Adds the mass of a link. The mass center of a body with one link is exactly that of the link.
 inline void add(moving_body& to, const inertial& of, const pose& at) {
   const pose center = product(at, of.center);
   const inertia_matrix inertia = turned(center.turn, of.inertia);

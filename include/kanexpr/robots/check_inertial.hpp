@@ -32,7 +32,7 @@ inline bool is_indefinite(const inertia_matrix& i) {
   return !detail::is_semidefinite(detail::scaled(i), 1, 1e-9);
 }
 
-/// Whether the inertia is negligible compared with the mass (a radius of gyration below one micrometre):
+/// Whether the inertia is negligible compared with the mass (a radius of gyration below one micrometer):
 /// files contain 1e-20 where a program computed zero.
 inline bool is_rounding(const inertia_matrix& i, double mass) { return i.largest() <= 1e-12 * mass; }
 
@@ -56,7 +56,8 @@ inline inertial_remarks remarks_on(inertial& of, const std::string& whose) {
   if (is_indefinite(i) && is_rounding(i, of.mass)) i = {};
   if (i.xx < 0 || i.yy < 0 || i.zz < 0) return {"a moment of inertia of " + whose + " is negative", {}};
   const std::string inertia = "the inertia of " + whose;
-  if (!(of.mass > 0) && i.largest() > 0) return {{}, inertia + " has no mass; it is used as written"};
+  if (!(of.mass > 0) && i.largest() > 0)
+    return {{}, inertia + " is given without a mass and is used as written"};
   if (is_indefinite(i)) // links fixed to this one may compensate for it
     return {{}, inertia + " is indefinite: its moment about some axis is negative"};
   if (is_of_no_body(i))

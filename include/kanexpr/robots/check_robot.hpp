@@ -67,7 +67,7 @@ inline std::string wrong_with(const link& l) {
   if (!numeric::is_finite(i.mass + m.xx + m.yy + m.zz + m.xy + m.yz + m.zx))
     return "the mass or the inertia of " + whose + " is not a finite number";
   if (!is_placed(i.center))
-    return "the mass centre of " + whose + " is not placed by finite numbers and a rotation matrix";
+    return "the mass center of " + whose + " is not placed by finite numbers and a rotation matrix";
   return i.mass < 0 ? "the mass of " + whose + " is negative" : "";
 }
 

@@ -13,7 +13,7 @@ enum class base_kind : unsigned char {
 
 enum class binding : unsigned char {
   numbers,
-  parameters, ///< masses, mass centres, inertias, dampings and gravity are symbols; lengths remain numbers
+  parameters, ///< masses, mass centers, inertias, dampings and gravity are symbols; lengths remain numbers
 };
 
 /// Options for the model of a robot.

@@ -12,7 +12,7 @@
 /// A robot as a plain value: links and the joints between them, as described in files. SI units.
 namespace kanexpr::robots {
 
-/// The symmetric inertia matrix about the mass centre; xy is the matrix entry −∫ x y dm.
+/// The symmetric inertia matrix about the mass center; xy is the matrix entry −∫ x y dm.
 struct inertia_matrix {
   double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;
 
@@ -24,7 +24,7 @@ struct inertia_matrix {
 
 struct inertial {
   double mass = 0;
-  pose center{}; ///< the mass centre and the axes of the inertia, in the axes of the link
+  pose center{}; ///< the mass center and the axes of the inertia, in the axes of the link
   inertia_matrix inertia{};
 };
 

@@ -49,10 +49,10 @@ public:
       return fail({whose, " contains an expression that belongs to a different mechanism or to none"});
     if (m_.g->takes_whole_zero())
       return fail(
-          {whose, " holds an operation with the number 0", what_it_is, "write x/2 or 0.5*x", for_zero});
+          {whose, " contains an operation with the integer 0", what_it_is, "write x/2 or 0.5*x", for_zero});
     if (m_.g->takes_limits_out_of_order())
-      return fail({whose, " holds clamp with limits out of order; write clamp(x, least, most)"});
-    return !numbers_.holds_no_number(e) || fail({whose, " holds a number that is not finite"});
+      return fail({whose, " contains clamp with limits out of order; write clamp(x, least, most)"});
+    return !numbers_.holds_no_number(e) || fail({whose, " contains a number that is not finite"});
   }
   bool own(const mechanics::components& v, std::string_view whose) {
     return own(v.x, whose) && own(v.y, whose) && own(v.z, whose);
@@ -113,8 +113,8 @@ private:
   }
 
   static constexpr std::string_view name_of_time = "t";
-  static constexpr std::string_view what_it_is = ", which is what 1/2 is in C++; ",
-                                    for_zero = ", and 0.0 for a zero that is meant";
+  static constexpr std::string_view what_it_is = ", which is also the value of 1/2 in C++; ",
+                                    for_zero = ", or 0.0 if you mean zero";
 
   const mechanics::mechanism& m_;
   mechanics::finiteness numbers_{};

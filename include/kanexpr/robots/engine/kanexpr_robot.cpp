@@ -92,7 +92,7 @@ int main(int count, char** arguments) {
       ->check(CLI::IsMember({"fixed", "floating"}))
       ->option_text("fixed|floating");
   app.add_option("--bind", r.bind,
-                 "whether masses, mass centres, inertias, dampings and gravity are numbers (default) or "
+                 "whether masses, mass centers, inertias, dampings and gravity are numbers (default) or "
                  "parameters with these values")
       ->check(CLI::IsMember({"numbers", "parameters"}))
       ->option_text("numbers|parameters");

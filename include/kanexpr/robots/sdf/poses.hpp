@@ -16,7 +16,7 @@ inline vector3 vector_of(const ignition::math::Vector3d& v) {
   return {v.X() + 0.0, v.Y() + 0.0, v.Z() + 0.0};
 }
 
-/// The position in a pose. Entries below a picometre, rounding errors of the conversion to quaternions,
+/// The position in a pose. Entries below a picometer, rounding errors of the conversion to quaternions,
 /// become 0.
 inline vector3 place_of(const ignition::math::Vector3d& v, double tolerance) {
   vector3 place = vector_of(v);

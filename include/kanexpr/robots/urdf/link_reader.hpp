@@ -7,7 +7,7 @@ namespace kanexpr::robots::urdf {
 
 inline bool read_inertial(document& from, const element& e, const std::string& whose, link& into) {
   inertial read;
-  if (!from.take_origin(e, read.center, "the mass centre of " + whose)) return false;
+  if (!from.take_origin(e, read.center, "the mass center of " + whose)) return false;
   from.know_elements(e, {"origin", "mass", "inertia"}, "the inertial of " + whose);
   const element* const mass = from.only(e, "mass", whose);
   const element* const inertia = from.only(e, "inertia", whose);

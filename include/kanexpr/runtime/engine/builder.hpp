@@ -308,7 +308,7 @@ KANEXPR_ENGINE void builder::declare(frame_id frame, frame_id reference, const v
   constexpr std::string_view whose = "a declared angular velocity";
   if (!inspect_.present(frame, whose) || !inspect_.present(reference, whose)) return;
   if (frame == inertial_frame())
-    inspect_.fail({"the inertial frame ", name_of(frame), " is given an angular velocity"});
+    inspect_.fail({"the inertial frame ", name_of(frame), " has a declared angular velocity"});
   else if (m_.frames[place(frame)].turns_by_declaration())
     inspect_.fail({"frame ", name_of(frame), " has two declared angular velocities"});
   else if (inspect_.own(value, name_of(frame)))
@@ -324,7 +324,7 @@ KANEXPR_ENGINE bool builder::unsaid_motion(point_id p) {
   const mechanics::point& at = m_.points[place(p)];
   if (at.parent == mechanics::none)
     return inspect_.fail(
-        {"point ", name_of(p), " is an origin, fixed in the inertial frame, and cannot be given a motion"});
+        {"point ", name_of(p), " is an origin, fixed in the inertial frame, but has a declared motion"});
   if (at.fixed_in != mechanics::none || at.moves_by_declaration())
     return inspect_.fail({"point ", name_of(p), " has two declared motions"});
   return true;
@@ -341,7 +341,7 @@ KANEXPR_ENGINE frame_id builder::by_sequence(std::string_view called, frame_id p
   if (!new_frame(called, parent) || !inspect_.own(angles, called)) return {};
   if (!mechanics::is_sequence(letters)) {
     inspect_.fail({"frame ", called, " is rotated by the sequence ", letters,
-                   ", which is invalid: take three axes, no two neighbours alike"});
+                   ", which is invalid; use three axes, no two consecutive ones equal"});
     return {};
   }
   return frame_id{mechanics::add_frame_by_sequence(m_, called, place(parent), letters, angles, space_fixed)};
