@@ -92,7 +92,7 @@ inline std::string wrapped(const std::string& before, const std::vector<std::str
   return text;
 }
 
-/// Opens a namespace that uses the names of the library; the one that the name of the namespace would hide is
+/// Opens a namespace that uses the names of the library; a library name that the namespace would hide is
 /// declared separately.
 inline std::string opened(const std::string& called, std::initializer_list<std::string_view> words) {
   const bool hides = std::ranges::find(words, called) != words.end();

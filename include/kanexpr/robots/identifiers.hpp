@@ -55,7 +55,7 @@ inline bool is_namespace(std::string_view name) {
 /// Unique C++ identifiers.
 class identifiers {
 public:
-  /// The name of a type, which is capitalized because no keyword and no name of the library is. Entities that
+  /// The name of a type, capitalized to avoid keywords and names of the library, which are not. Entities that
   /// belong to the type are named after it with the suffixes `endings`.
   std::string type(std::string_view name, std::initializer_list<std::string_view> endings) {
     std::string plain = letters_of(name);

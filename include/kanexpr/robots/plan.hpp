@@ -65,7 +65,7 @@ inline planned_joint floating(int place, const std::string& called) {
   return made;
 }
 
-/// Reports numbers that overflow when links are merged; empty if none do.
+/// Reports a number that overflows when links are merged; empty if none does.
 inline std::string overflowing_in(const robot& r, const articulation& a) {
   const auto too_large = [&](int link) {
     return "the numbers of link " + shown(r.links[static_cast<std::size_t>(link)].name) +

@@ -36,7 +36,7 @@ struct shape {
   pose placed{};
   vector3 size{}; ///< edges of a box; radius and length of a cylinder or capsule along z; radius of a sphere;
                   ///< scale of a mesh
-  std::string file{}; ///< of a mesh, as written in the file
+  std::string file{}; ///< the file of a mesh, as written
 };
 
 struct link {
