@@ -69,7 +69,8 @@ private:
   /// A potential energy that cancels gravity on a weightless body, so that energy is conserved.
   std::string energy_of_lifting(const moving_body& b, const std::string& free_fall) {
     const std::string &on = type(b.link), called = name(b.link) + "_weightless";
-    const std::string symbols = b.is_weightless() ? name(b.link) : called; // the existing ones if they apply
+    const std::string symbols =
+        b.is_weightless() ? name(b.link) : called; // existing ones if the whole body is weightless
     const auto known = values_.size();
     const std::string mass = value("m_" + symbols, b.weightless);
     const std::string at = options_.bind == binding::numbers

@@ -15,7 +15,8 @@ namespace kanexpr::robots {
 /// origin to its joints.
 class picture_writer {
 public:
-  /// `folder` contains the file of the robot, from which meshes are searched; if it is empty, none are found.
+  /// `folder` contains the robot file; meshes are searched relative to it. If it is empty, no meshes are
+  /// found.
   picture_writer(const robot& r, const model_options& options, const std::string& folder = {})
       : robot_(r), options_(options), plan_(plan_of(r, options)), files_(folder) {}
 
@@ -78,7 +79,7 @@ private:
       s.file = *found;
       return true;
     }
-    constexpr std::size_t most = 76; // of its end, the most informative part
+    constexpr std::size_t most = 76; // keeps the end, which is the most informative part
     const std::string file = s.file.size() > most ? "..." + s.file.substr(s.file.size() - most) : s.file;
     const std::string what = "the mesh " + text::comment(file) + " of link " +
                              text::comment(robot_.links[link].name) +

@@ -18,7 +18,7 @@ KANEXPR_ENGINE assembly assemble(model& m, std::span<double> x, std::span<const 
 KANEXPR_ENGINE consistency check_consistency(model& m, std::span<const double> x, std::span<const double> p,
                                              std::span<const double> r, double t, double tolerance);
 
-/// The entries of any vector.
+/// The entries of a vector of any type.
 template <class Vector>
 std::vector<double> entries_of(const Vector& v) {
   std::vector<double> entries;

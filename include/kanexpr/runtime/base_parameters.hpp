@@ -35,7 +35,7 @@ struct base_parameters {
 };
 
 struct base_parameter_options {
-  /// Relative to the lengths of columns: a shorter remainder counts as zero.
+  /// The tolerance relative to the lengths of columns; shorter remainders count as zero.
   double tolerance = 1e-9;
   std::uint64_t seed = 1; ///< seed of the random states
 };
@@ -45,7 +45,7 @@ namespace runtime {
 /// The base parameters without matrices.
 struct found_base_parameters {
   std::vector<int> columns{};
-  std::vector<double> combination{}; ///< by rows
+  std::vector<double> combination{}; ///< row by row
   std::vector<std::string> names{};
   mechanics::sentence failure{};
 };

@@ -193,9 +193,9 @@ public:
   /// A rigid body with the inertia about any point of the body.
   void rigid_body(std::string_view called, point_id center, frame_id frame, expression mass,
                   const dyadic& inertia, point_id about);
-  /// Declares that the inertia of a rigid body in body-fixed axes changes intentionally.
+  /// Declares that the inertia of a rigid body intentionally varies in body-fixed axes.
   void changing_inertia(std::string_view body);
-  /// Declares that the inertia of a body intentionally is not that of a mass distribution.
+  /// Declares that the inertia of a body is intentionally not that of a mass distribution.
   void effective_inertia(std::string_view of);
   void force(point_id at, const vector& value);
   void torque(frame_id on, const vector& value);
@@ -221,7 +221,7 @@ public:
   // ---- constraints; their expressions may contain velocities of a `mechanics::known_motion`
 
   /// A vector whose components along the directions vanish, one constraint for each:
-  /// `b.configuration_constraint(b.zero_along( b.position_of(P, Q), b.along(N, 1, 0, 0), b.along(N, 0, 1,
+  /// `b.configuration_constraint(b.zero_along(b.position_of(P, Q), b.along(N, 1, 0, 0), b.along(N, 0, 1,
   /// 0)))`.
   template <std::same_as<vector>... Directions>
   static vanishing zero_along(const vector& v, const Directions&... directions) {

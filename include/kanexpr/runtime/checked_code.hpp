@@ -40,7 +40,7 @@ private:
   symbolic::sequence<Scalar> found_; ///< the result, then the measure and the scale of each check
   mechanics::sentence lacking_{};    ///< a missing derivative, without which there are no values
   symbolic::sequence<mechanics::sentence> causes_{};
-  symbolic::sequence<bool> is_of_finiteness_{}; ///< whether each check is one for finite values
+  symbolic::sequence<bool> is_of_finiteness_{}; ///< whether each check tests for finite values
 };
 
 template <class Scalar>

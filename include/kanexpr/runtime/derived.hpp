@@ -30,7 +30,7 @@ public:
   virtual symbolic::graph& graph() = 0;
   virtual const mechanics::mechanism& mechanism() const = 0;
   virtual deriving::reader& reader() = 0;
-  /// Null if a mistake was found before they were derived.
+  /// The equations of motion; null if a mistake was found before they were derived.
   virtual mechanics::equations* equations() = 0;
 
   /// The mistake in the last request; the system itself is sound.

@@ -22,7 +22,7 @@ inline std::string_view next_word(std::string_view& text) {
   return word;
 }
 
-/// The value of a word that is a finite number as a whole. Numbers that underflow are 0.
+/// The value of a word if the whole word is a finite number. Numbers that underflow are 0.
 inline std::optional<double> number_in(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   if (word.empty() || word.starts_with('+')) return {};
