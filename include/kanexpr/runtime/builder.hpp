@@ -39,7 +39,7 @@ namespace kanexpr::runtime {
 class given_number {
 public:
   template <class Number>
-    requires std::is_arithmetic_v<Number> && (!numeric::letter<Number>) // i == 0 is 1 or 0
+    requires std::is_arithmetic_v<Number> && (!numeric::letter<Number>) // bool is allowed: i == 0 is 1 or 0
   given_number(Number value)
       : value_(static_cast<double>(value)), is_whole_zero_(describe::is_whole_zero(value)) {}
 
