@@ -1,5 +1,5 @@
-# Writes the flags a consumer of the library compiles with to a response file, for the checks
-# which call the compiler themselves (mistakes, compile cost).
+# Writes the compiler flags of a consumer of the library to a response file, for the checks
+# that call the compiler themselves (mistakes, compile cost).
 function(kanexpr_consumer_flags file)
   file(GENERATE OUTPUT ${file} CONTENT
 "-std=c++20

@@ -1,24 +1,24 @@
-# kanexpr::engine: what works while a program runs, compiled once. With kanexpr::kanexpr alone every file that uses it
+# kanexpr::engine: the run-time part of the library, compiled once. With only kanexpr::kanexpr, every file that uses it
 # compiles it.
 
 # kanexpr_add_engine(<name>): the engine compiled with the flags of the directory.
 #
-# The sources lie with the headers that they compile, and are installed with them, for those who build without CMake.
+# The sources are kept and installed with the headers that they compile, for builds without CMake.
 function(kanexpr_add_engine name)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/kanexpr/engine/*.cpp)
   add_library(${name} STATIC ${sources})
   target_link_libraries(${name} PUBLIC kanexpr)
   target_compile_definitions(${name} PUBLIC KANEXPR_COMPILED_ENGINE)
-  # Eigen's functions are others where a program is compiled with other vector instructions. So the engine has an Eigen
-  # of its own, by another name, and none of its declarations speaks of Eigen.
+  # Eigen's functions differ if a program is compiled with different vector instructions. Therefore the engine has a copy
+  # of Eigen under a different name, and its declarations do not mention Eigen.
   target_compile_definitions(${name} PRIVATE Eigen=kanexpr_engine_eigen KANEXPR_WITHIN_A_LIBRARY)
-  # Its results are the same to the last bit wherever it is compiled.
+  # Its results are bitwise identical on all compilers.
   target_compile_options(${name} PRIVATE -ffp-contract=off)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
 endfunction()
 
-# kanexpr_add_engine_of(<part> <what> [<folder>]): the same of a part that needs more, kanexpr::<part>_engine. Its
-# sources lie in a folder of its name, or another one.
+# kanexpr_add_engine_of(<part> <what> [<folder>]): the engine of a part with further dependencies, kanexpr::<part>_engine. Its
+# sources are in the folder of that name, or in <folder>.
 function(kanexpr_add_engine_of part what)
   set(name kanexpr_${part}_engine)
   set(folder ${ARGN} ${part})
@@ -30,7 +30,7 @@ function(kanexpr_add_engine_of part what)
   target_compile_definitions(${name} PUBLIC KANEXPR_COMPILED_${what} PRIVATE KANEXPR_WITHIN_A_LIBRARY)
   target_compile_options(${name} PRIVATE -ffp-contract=off)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${part}_engine
-    OPTIMIZE_DEPENDENCIES ON) # not the page on which systems move
+    OPTIMIZE_DEPENDENCIES ON) # does not depend on the animation page
   if(KANEXPR_BUILD_ENGINE)
     install(TARGETS ${name} EXPORT kanexpr-${part}_engine-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     install(EXPORT kanexpr-${part}_engine-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
@@ -45,6 +45,6 @@ set_target_properties(kanexpr_engine PROPERTIES EXPORT_NAME engine)
 if(KANEXPR_BUILD_ENGINE)
   install(TARGETS kanexpr_engine EXPORT kanexpr-engine-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT kanexpr-engine-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
-else() # of a project that this one is a part of, too
+else() # also if this project is part of another one
   set_target_properties(kanexpr_engine PROPERTIES EXCLUDE_FROM_ALL ON)
 endif()

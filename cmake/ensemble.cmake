@@ -1,6 +1,6 @@
-# kanexpr::ensemble: many simulations, on the threads of one machine.
+# kanexpr::ensemble: many simulations on the threads of one machine.
 if(kanexpr_ensemble_lacks)
-  message(STATUS "kanexpr::ensemble is left out: ${kanexpr_ensemble_lacks}")
+  message(STATUS "kanexpr::ensemble is disabled: ${kanexpr_ensemble_lacks}")
   return()
 endif()
 

@@ -1,6 +1,6 @@
-# kanexpr::hdf5: files of HDF5 for the results of ensembles.
+# kanexpr::hdf5: HDF5 files for the results of ensembles.
 if(kanexpr_hdf5_lacks)
-  message(STATUS "kanexpr::hdf5 is left out: ${kanexpr_hdf5_lacks}")
+  message(STATUS "kanexpr::hdf5 is disabled: ${kanexpr_hdf5_lacks}")
   return()
 endif()
 

@@ -1,13 +1,13 @@
-# kanexpr_add_model(<target> HEADER <model.hpp> SYSTEMS <system>...): a static library that holds the functions of
-# the systems, which stand in the header, compiled once; the names of systems are those that hold everywhere, as in
-# pendulum::System. Programs that link it include <target>.hpp, which has the types and names of the model and the
+# kanexpr_add_model(<target> HEADER <model.hpp> SYSTEMS <system>...): a static library with the compiled functions of
+# the systems that the header defines; the names of the systems must be fully qualified, as in
+# pendulum::System. Programs that link it include <target>.hpp, which contains the types and names of the model and the
 # sizes of its vectors, and derive nothing:
 #
 #     kanexpr_add_model(pendulum HEADER models/pendulum.hpp SYSTEMS pendulum::System)
 #     target_link_libraries(program PRIVATE pendulum)           # #include <pendulum.hpp>
 #
-# The sizes are known when a program that was compiled with the model has run. Where one compiles for another
-# machine, CMAKE_CROSSCOMPILING_EMULATOR runs it.
+# The sizes are determined by running a program that is compiled with the model. When cross-compiling,
+# CMAKE_CROSSCOMPILING_EMULATOR runs it.
 function(kanexpr_add_model target)
   cmake_parse_arguments(PARSE_ARGV 1 model "" "HEADER" "SYSTEMS")
   if(NOT model_HEADER OR NOT model_SYSTEMS OR model_UNPARSED_ARGUMENTS)
@@ -15,7 +15,7 @@ function(kanexpr_add_model target)
   endif()
   cmake_path(ABSOLUTE_PATH model_HEADER BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
   if(NOT EXISTS ${model_HEADER})
-    message(FATAL_ERROR "kanexpr_add_model: there is no ${model_HEADER}")
+    message(FATAL_ERROR "kanexpr_add_model: ${model_HEADER} does not exist")
   endif()
   set(directory ${CMAKE_CURRENT_BINARY_DIR}/${target}_model)
   set(header ${directory}/include/${target}.hpp)

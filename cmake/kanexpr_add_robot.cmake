@@ -1,13 +1,13 @@
 # kanexpr_add_robot(<target> URDF <file.urdf>|SDF <file.sdf> [BASE fixed|floating] [BIND numbers|parameters]
-# [OPTIONS <option>...]): a library of headers: <target>.hpp has the namespace <target> with the model System of the robot, and
-# <target>_picture.hpp what it looks like, for pages of kanexpr::animate:
+# [OPTIONS <option>...]): a header library: <target>.hpp contains the namespace <target> with the model System of the robot, and
+# <target>_picture.hpp its picture for pages of kanexpr::animate:
 #
 #     kanexpr_add_robot(panda URDF panda.urdf)
 #     target_link_libraries(program PRIVATE panda)               # #include <panda.hpp>
 #
-# The command kanexpr-robot writes it; OPTIONS are more of its options. It is the one that was installed with kanexpr, or is
-# compiled here, with tinyxml2 and CLI11. Where one compiles for another machine, CMAKE_CROSSCOMPILING_EMULATOR runs it, or
-# kanexpr_ROBOT_COMMAND names one that runs here.
+# The command kanexpr-robot writes the headers; OPTIONS are passed to it. The command installed with kanexpr is used, or it is
+# compiled here, with tinyxml2 and CLI11. When cross-compiling, CMAKE_CROSSCOMPILING_EMULATOR runs it, or
+# kanexpr_ROBOT_COMMAND specifies one that runs on the host.
 function(kanexpr_add_robot target)
   cmake_parse_arguments(PARSE_ARGV 1 robot "" "URDF;SDF;BASE;BIND" "OPTIONS")
   set(file ${robot_URDF}${robot_SDF})
@@ -16,7 +16,7 @@ function(kanexpr_add_robot target)
   endif()
   cmake_path(ABSOLUTE_PATH file BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
   if(NOT EXISTS ${file})
-    message(FATAL_ERROR "kanexpr_add_robot: there is no ${file}")
+    message(FATAL_ERROR "kanexpr_add_robot: ${file} does not exist")
   endif()
   if(robot_SDF AND NOT TARGET kanexpr::robots_sdf AND NOT kanexpr_ROBOT_COMMAND)
     message(FATAL_ERROR "kanexpr_add_robot cannot read ${file}: ${kanexpr_robots_sdf_lacks}")
@@ -37,13 +37,13 @@ function(kanexpr_add_robot target)
     COMMAND ${command} ${file} --name ${target} --output ${header} --picture ${picture} ${options}
     DEPENDS ${file} ${command} COMMENT "Writing the model of ${target}" VERBATIM)
   add_custom_target(${target}_header DEPENDS ${header} ${picture})
-  add_library(${target} INTERFACE ${file}) # with a source, so that one can build it: that writes the headers
+  add_library(${target} INTERFACE ${file}) # with a source, so that building the target writes the headers
   add_dependencies(${target} ${target}_header)
   target_include_directories(${target} INTERFACE ${directory})
   target_link_libraries(${target} INTERFACE kanexpr::kanexpr)
 endfunction()
 
-# What writes models: a program that is named, the one that is installed, or one that is compiled once for all robots of the
+# Sets the command that writes models: the specified one, the installed one, or one compiled once for all robots of the
 # project.
 function(kanexpr_find_robot_command command)
   set(${command} kanexpr-robot PARENT_SCOPE)
@@ -58,9 +58,9 @@ function(kanexpr_find_robot_command command)
   endif()
   find_package(CLI11 QUIET)
   if(NOT TARGET kanexpr::robots)
-    message(FATAL_ERROR "kanexpr_add_robot needs kanexpr::robots: ${kanexpr_robots_lacks}")
+    message(FATAL_ERROR "kanexpr_add_robot requires kanexpr::robots: ${kanexpr_robots_lacks}")
   elseif(NOT CLI11_FOUND)
-    message(FATAL_ERROR "kanexpr_add_robot needs CLI11, which was not found")
+    message(FATAL_ERROR "kanexpr_add_robot requires CLI11, which was not found")
   endif()
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/kanexpr_robot.cpp CONTENT
     "#include <kanexpr/robots/engine/kanexpr_robot.cpp>\n" @ONLY)

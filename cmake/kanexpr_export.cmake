@@ -1,18 +1,17 @@
 # kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS c|casadi|fmi... OUTPUT <folder> [SCALAR double|float] [WITH_PYTHON]
 #   [WITH_CPP] [BIND <parameter>=<number>...] [START <symbol>=<number>...] [STEP <number>]
 #   [STEP_METHOD <name>] [RESULTS <results>...] [EXPRESSIONS <name>=<expression>...]): the target
-# <name> leaves results of a system in a folder, for other languages: of the format c <name>.c and <name>.h, with Python <name>.py
-# and with C++ <name>.hpp too; of casadi the rates of the state and a step by STEP_METHOD, with their derivatives, <name>_casadi.c
-# and .h, and compiled <name>.so; of fmi <name>.fmu, whose variables begin with START and which moves by STEP and STEP_METHOD
-# where it moves by itself. Of C each of RESULTS is a function, of one result or of several with spaces between them, or one of the steps
-# runge_kutta_4, ralston_3 and semi_implicit_euler; each of EXPRESSIONS is one of the model, in its words. Without either there are M and f,
-# u̇, ẋ, and A and B. Of an FMU they are outputs beside the state:
+# <name> writes results of a system for other languages to a folder. The format c writes <name>.c and <name>.h, and optionally
+# <name>.py for Python and <name>.hpp for C++; casadi writes the rates of the state and a step by STEP_METHOD with their derivatives,
+# <name>_casadi.c and .h, and the compiled <name>.so; fmi writes <name>.fmu, with the initial values START and, for co-simulation, the
+# step STEP by STEP_METHOD. In C, each of RESULTS is a function of one or several results, separated by spaces, or one of the steps
+# runge_kutta_4, ralston_3 and semi_implicit_euler; each of EXPRESSIONS is an expression in the words of the model. If both are omitted,
+# M and f, u̇, ẋ, and A and B are exported. In an FMU they are outputs in addition to the state:
 #
 #     kanexpr_export(pendulum HEADER models/pendulum.hpp SYSTEM pendulum::System FORMATS c OUTPUT exported
 #       SCALAR float BIND g=9.81 RESULTS udot "mass_matrix forcing" EXPRESSIONS "tip=position_of<P, O>")
 #
-# A program that is compiled here writes them. Where one compiles for another machine, CMAKE_CROSSCOMPILING_EMULATOR runs
-# it.
+# A program that is compiled here writes the files. When cross-compiling, CMAKE_CROSSCOMPILING_EMULATOR runs it.
 function(kanexpr_export name)
   cmake_parse_arguments(PARSE_ARGV 1 export "WITH_PYTHON;WITH_CPP" "HEADER;SYSTEM;OUTPUT;SCALAR;STEP;STEP_METHOD"
     "FORMATS;BIND;START;RESULTS;EXPRESSIONS")
@@ -25,49 +24,49 @@ function(kanexpr_export name)
   cmake_path(ABSOLUTE_PATH export_HEADER BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR} NORMALIZE)
   cmake_path(ABSOLUTE_PATH export_OUTPUT BASE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR} NORMALIZE)
   if(NOT EXISTS ${export_HEADER})
-    message(FATAL_ERROR "kanexpr_export: there is no ${export_HEADER}")
+    message(FATAL_ERROR "kanexpr_export: ${export_HEADER} does not exist")
   endif()
   foreach(format IN LISTS export_FORMATS)
     if(NOT format MATCHES "^(c|casadi|fmi)$")
-      message(FATAL_ERROR "kanexpr_export: there is no format ${format}; there are c, casadi and fmi")
+      message(FATAL_ERROR "kanexpr_export: unknown format ${format}; expected c, casadi or fmi")
     endif()
   endforeach()
   if(NOT "c" IN_LIST export_FORMATS AND (export_SCALAR OR export_WITH_PYTHON OR export_WITH_CPP))
-    message(FATAL_ERROR "kanexpr_export: SCALAR, WITH_PYTHON and WITH_CPP are of the format c")
+    message(FATAL_ERROR "kanexpr_export: SCALAR, WITH_PYTHON and WITH_CPP require the format c")
   endif()
   if(NOT "c" IN_LIST export_FORMATS AND NOT "fmi" IN_LIST export_FORMATS AND (export_RESULTS OR export_EXPRESSIONS))
-    message(FATAL_ERROR "kanexpr_export: RESULTS and EXPRESSIONS are of the formats c and fmi")
+    message(FATAL_ERROR "kanexpr_export: RESULTS and EXPRESSIONS require the format c or fmi")
   endif()
   if(NOT "fmi" IN_LIST export_FORMATS AND (export_START OR export_STEP))
-    message(FATAL_ERROR "kanexpr_export: START and STEP are of the format fmi")
+    message(FATAL_ERROR "kanexpr_export: START and STEP require the format fmi")
   endif()
   if(export_STEP_METHOD AND NOT "casadi" IN_LIST export_FORMATS AND NOT "fmi" IN_LIST export_FORMATS)
-    message(FATAL_ERROR "kanexpr_export: STEP_METHOD is of the formats casadi and fmi")
+    message(FATAL_ERROR "kanexpr_export: STEP_METHOD requires the format casadi or fmi")
   endif()
   if(NOT export_STEP_METHOD)
     set(export_STEP_METHOD runge_kutta_4)
   endif()
 
   if("casadi" IN_LIST export_FORMATS AND export_WITH_PYTHON)
-    message(FATAL_ERROR "kanexpr_export: Python would take the library ${name}.so of the format casadi for the module ${name}; "
-      "call kanexpr_export once more, with another name or OUTPUT")
+    message(FATAL_ERROR "kanexpr_export: Python would load the library ${name}.so of the format casadi as the module ${name}; "
+      "use a separate call of kanexpr_export with a different name or OUTPUT")
   endif()
   if("fmi" IN_LIST export_FORMATS AND "${export_RESULTS}" MATCHES "runge_kutta_4|semi_implicit_euler")
-    message(FATAL_ERROR "kanexpr_export: ${CMAKE_MATCH_0} is a step, and no output of the format fmi; call kanexpr_export once more for it")
+    message(FATAL_ERROR "kanexpr_export: ${CMAKE_MATCH_0} is a step and cannot be an output of the format fmi; export it with a separate call of kanexpr_export")
   endif()
   if("fmi" IN_LIST export_FORMATS AND DEFINED export_STEP AND NOT export_STEP GREATER 0)
-    message(FATAL_ERROR "kanexpr_export: STEP is a length of time above 0, not ${export_STEP}")
+    message(FATAL_ERROR "kanexpr_export: STEP must be greater than 0, got ${export_STEP}")
   endif()
   if("casadi" IN_LIST export_FORMATS AND NOT name MATCHES "^[A-Za-z](_?[A-Za-z0-9]+)*$")
-    message(FATAL_ERROR "kanexpr_export: a function of CasADi needs a name that begins with a letter and has no two underscores in "
-      "a row nor one at its end, not ${name}")
+    message(FATAL_ERROR "kanexpr_export: the name of a CasADi function must begin with a letter and must not contain double underscores or "
+      "end with an underscore, got ${name}")
   endif()
 
   set(chosen "")
   if(export_SCALAR STREQUAL "float")
     string(APPEND chosen "  chosen.number = kanexpr::exporting::precision::single_precision;\n")
   elseif(export_SCALAR AND NOT export_SCALAR STREQUAL "double")
-    message(FATAL_ERROR "kanexpr_export: SCALAR is double or float, not ${export_SCALAR}")
+    message(FATAL_ERROR "kanexpr_export: SCALAR must be double or float, got ${export_SCALAR}")
   endif()
   set(files "")
   set(writes "")
@@ -109,7 +108,7 @@ function(kanexpr_export name)
   endif()
   foreach(results IN LISTS export_RESULTS)
     if(NOT results MATCHES "^[a-z0-9_ ]+$")
-      message(FATAL_ERROR "kanexpr_export: no result is called ${results}")
+      message(FATAL_ERROR "kanexpr_export: there is no result ${results}")
     endif()
     string(APPEND chosen "  chosen.functions.push_back(kanexpr::exporting::results(\"${results}\"));\n")
   endforeach()
@@ -117,7 +116,7 @@ function(kanexpr_export name)
   set(words "")
   foreach(each IN LISTS export_EXPRESSIONS)
     if(NOT each MATCHES "^([A-Za-z_][A-Za-z0-9_]*)=(.+)$")
-      message(FATAL_ERROR "kanexpr_export: EXPRESSIONS ${each} is not <name>=<expression>")
+      message(FATAL_ERROR "kanexpr_export: EXPRESSIONS ${each} is not of the form <name>=<expression>")
     endif()
     string(APPEND chosen
       "  chosen.functions.push_back(kanexpr::exporting::expression<(${CMAKE_MATCH_2})>(\"${CMAKE_MATCH_1}\"));\n")
@@ -168,17 +167,17 @@ int main(int, char** arguments) {
   add_custom_target(${name} ALL DEPENDS ${files})
 endfunction()
 
-# Appends code to what is called `to`, for each <symbol>=<number> of an option.
+# Appends code to the variable `to` for each <symbol>=<number> of an option.
 function(kanexpr_export_numbers option code assignments to)
   set(all "${${to}}")
   foreach(each IN LISTS assignments)
     if(NOT each MATCHES "^([^=\"\\\\]+)=([-+]?[0-9]+(\\.[0-9]*)?([eE][-+]?[0-9]+)?)$")
-      message(FATAL_ERROR "kanexpr_export: ${option} ${each} is not <symbol>=<number>")
+      message(FATAL_ERROR "kanexpr_export: ${option} ${each} is not of the form <symbol>=<number>")
     endif()
     set(symbol ${CMAKE_MATCH_1})
     set(number ${CMAKE_MATCH_2})
     if(number MATCHES "^[-+]?[0-9]+$")
-      string(APPEND number ".0") # no int of C++, nor an octal one
+      string(APPEND number ".0") # not a C++ int, which may be octal
     endif()
     string(CONFIGURE "${code}" line @ONLY)
     string(APPEND all "${line}")

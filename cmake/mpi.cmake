@@ -1,6 +1,6 @@
-# kanexpr::mpi: studies on the ranks of MPI, as many as there are machines.
+# kanexpr::mpi: studies on the ranks of MPI, on any number of machines.
 if(kanexpr_mpi_lacks)
-  message(STATUS "kanexpr::mpi is left out: ${kanexpr_mpi_lacks}")
+  message(STATUS "kanexpr::mpi is disabled: ${kanexpr_mpi_lacks}")
   return()
 endif()
 
@@ -8,7 +8,7 @@ add_library(kanexpr_mpi INTERFACE)
 add_library(kanexpr::mpi ALIAS kanexpr_mpi)
 set_target_properties(kanexpr_mpi PROPERTIES EXPORT_NAME mpi)
 target_link_libraries(kanexpr_mpi INTERFACE kanexpr_ensemble MPI::MPI_CXX)
-# Its headers would bring classes for C++ along that MPI has had no more since 2012.
+# Without this, its headers would include C++ classes that MPI removed in 2012.
 target_compile_definitions(kanexpr_mpi INTERFACE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
 install(TARGETS kanexpr_mpi EXPORT kanexpr-mpi-targets)
 install(EXPORT kanexpr-mpi-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})

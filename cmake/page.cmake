@@ -1,8 +1,8 @@
-# kanexpr::animate: moving systems as pages for a browser. Needs nlohmann-json, and npm for the page itself.
-find_program(KANEXPR_NPM npm DOC "npm, which builds the page on which systems move")
+# kanexpr::animate: animations of systems as pages for a browser. Requires nlohmann-json, and npm for the page itself.
+find_program(KANEXPR_NPM npm DOC "npm, which builds the animation page")
 
-# kanexpr_npm_install(<variable> <source directory> <directory> <file>...): copies the files and installs what
-# the package-lock.json beside them pins. The variable holds what to depend on.
+# kanexpr_npm_install(<variable> <source directory> <directory> <file>...): copies the files and installs the packages
+# pinned in the package-lock.json next to them. The variable is set to the file to depend on.
 function(kanexpr_npm_install result from to)
   set(files package.json package-lock.json .npmrc ${ARGN})
   list(TRANSFORM files PREPEND ${from}/ OUTPUT_VARIABLE sources)
@@ -28,16 +28,16 @@ if(KANEXPR_NPM)
   add_custom_command(OUTPUT ${KANEXPR_PAGE} DEPENDS ${installed}
     COMMAND ${KANEXPR_NPM} run --silent build -- ${KANEXPR_PAGE}
     WORKING_DIRECTORY ${PROJECT_BINARY_DIR}/page
-    COMMENT "Building the page on which systems move" VERBATIM)
+    COMMENT "Building the animation page" VERBATIM)
   add_custom_target(kanexpr_page DEPENDS ${KANEXPR_PAGE})
 else()
   add_custom_target(kanexpr_page
-    COMMAND ${CMAKE_COMMAND} -E echo "The page on which systems move needs npm, which is not here."
+    COMMAND ${CMAKE_COMMAND} -E echo "The animation page requires npm, which was not found."
     COMMAND ${CMAKE_COMMAND} -E false VERBATIM)
 endif()
 
 if(kanexpr_animate_lacks)
-  message(STATUS "kanexpr::animate is left out: ${kanexpr_animate_lacks}")
+  message(STATUS "kanexpr::animate is disabled: ${kanexpr_animate_lacks}")
   return()
 endif()
 add_library(kanexpr_animate INTERFACE)
@@ -54,19 +54,19 @@ install(TARGETS kanexpr_animate EXPORT kanexpr-animate-targets)
 install(EXPORT kanexpr-animate-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 kanexpr_add_engine_of(animate PAGES)
 
-# The package leaves the target out where the page is not there.
+# The package omits the target if the page is missing.
 cmake_path(GET kanexpr_page PARENT_PATH kanexpr_page_dir)
 install(FILES ${KANEXPR_PAGE} DESTINATION ${kanexpr_page_dir} OPTIONAL)
-set(reason "its page was not built; the target kanexpr_page, or KANEXPR_BUILD_PAGE, builds it, with npm")
+set(reason "its page was not built; build it with npm by the target kanexpr_page or the option KANEXPR_BUILD_PAGE")
 install(CODE "
   if(NOT EXISTS \"${KANEXPR_PAGE}\")
-    message(STATUS \"kanexpr::animate is left out: ${reason}\")
+    message(STATUS \"kanexpr::animate is disabled: ${reason}\")
   endif()")
 if(PROJECT_IS_TOP_LEVEL)
-  option(KANEXPR_BUILD_PAGE "Build the page on which systems move (npm, and a network)" OFF)
+  option(KANEXPR_BUILD_PAGE "Build the animation page (requires npm and network access)" OFF)
   if(KANEXPR_BUILD_PAGE)
     set_target_properties(kanexpr_page PROPERTIES EXCLUDE_FROM_ALL OFF)
   else()
-    message(STATUS "kanexpr::animate is installed only if its page was built, by KANEXPR_BUILD_PAGE or the target kanexpr_page")
+    message(STATUS "kanexpr::animate is installed only if its page was built by KANEXPR_BUILD_PAGE or the target kanexpr_page")
   endif()
 endif()

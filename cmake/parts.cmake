@@ -1,13 +1,13 @@
-# What the compiler and the parts of kanexpr lack, for its own build and for its package:
-# kanexpr_<part>_lacks is empty where nothing is lacking, else a sentence.
+# The missing requirements of the compiler and of the parts of kanexpr, for its build and for its package:
+# kanexpr_<part>_lacks is empty if nothing is missing, and a sentence otherwise.
 set(kanexpr_compiler_lacks "")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 12)
-  set(kanexpr_compiler_lacks "kanexpr requires g++ 12 or later, or clang; this is g++ ${CMAKE_CXX_COMPILER_VERSION}")
+  set(kanexpr_compiler_lacks "kanexpr requires g++ 12 or later, or clang; found g++ ${CMAKE_CXX_COMPILER_VERSION}")
 endif()
 
 find_package(SUNDIALS 6.4 QUIET COMPONENTS cvode arkode ida kinsol nvecserial sunmatrixdense sunlinsoldense
   sunnonlinsolfixedpoint)
-# Whether all was found does not matter: a compiler without OpenMP is enough, which only parts need that are not used.
+# SUNDIALS_FOUND is not checked: it is false without OpenMP, which only unused components need.
 set(kanexpr_simulate_lacks "")
 if(NOT TARGET SUNDIALS::cvode)
   set(kanexpr_simulate_lacks "SUNDIALS 6.4 was not found")
@@ -22,10 +22,10 @@ endif()
 find_package(MPI 3.0 QUIET COMPONENTS CXX)
 set(kanexpr_mpi_lacks "${kanexpr_ensemble_lacks}")
 if(NOT kanexpr_mpi_lacks AND NOT TARGET MPI::MPI_CXX)
-  set(kanexpr_mpi_lacks "MPI was not found; Debian has it in libopenmpi-dev and openmpi-bin")
+  set(kanexpr_mpi_lacks "MPI was not found; on Debian, install libopenmpi-dev and openmpi-bin")
 endif()
 
-# CMake's own module needs the language C. Debian has the library once more for MPI, whose headers are others.
+# CMake's own module requires the language C. Debian also has the library for MPI, with different headers.
 find_path(kanexpr_hdf5_include hdf5.h PATH_SUFFIXES hdf5/serial)
 find_library(kanexpr_hdf5_library NAMES hdf5_serial hdf5 PATH_SUFFIXES hdf5/serial)
 mark_as_advanced(kanexpr_hdf5_include kanexpr_hdf5_library)
@@ -42,7 +42,7 @@ if(kanexpr_hdf5_include AND kanexpr_hdf5_library)
   endforeach()
 endif()
 if(NOT kanexpr_hdf5_lacks AND (kanexpr_hdf5_version VERSION_LESS 1.10.2 OR kanexpr_hdf5_parallel))
-  set(kanexpr_hdf5_lacks "HDF5 1.10.2, without MPI, was not found; Debian has it in libhdf5-dev")
+  set(kanexpr_hdf5_lacks "HDF5 1.10.2, without MPI, was not found; on Debian, install libhdf5-dev")
 endif()
 if(NOT kanexpr_hdf5_lacks AND NOT TARGET kanexpr_hdf5_c)
   add_library(kanexpr_hdf5_c UNKNOWN IMPORTED GLOBAL)
@@ -62,12 +62,12 @@ if(NOT TARGET tinyxml2::tinyxml2)
   set(kanexpr_robots_lacks "tinyxml2 was not found")
 endif()
 
-# It tells of what it looks for also where it is asked not to.
+# It prints messages about its search even if it is called with QUIET.
 set(kanexpr_log_level "${CMAKE_MESSAGE_LOG_LEVEL}")
 set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
 find_package(sdformat12 QUIET)
 set(CMAKE_MESSAGE_LOG_LEVEL "${kanexpr_log_level}")
 set(kanexpr_robots_sdf_lacks "${kanexpr_robots_lacks}")
 if(NOT kanexpr_robots_lacks AND NOT TARGET sdformat12::sdformat12)
-  set(kanexpr_robots_sdf_lacks "libsdformat 12 was not found; Debian has it in libsdformat-dev")
+  set(kanexpr_robots_sdf_lacks "libsdformat 12 was not found; on Debian, install libsdformat-dev")
 endif()

@@ -1,7 +1,7 @@
-# kanexpr::robots: robots from URDF files. Needs tinyxml2; the command kanexpr-robot, which writes models, CLI11 too.
-# kanexpr::robots_sdf: the same from SDF files. Needs libsdformat besides.
+# kanexpr::robots: robots from URDF files. Requires tinyxml2; the command kanexpr-robot, which writes models, also requires CLI11.
+# kanexpr::robots_sdf: the same from SDF files. Also requires libsdformat.
 if(kanexpr_robots_lacks)
-  message(STATUS "kanexpr::robots is left out: ${kanexpr_robots_lacks}")
+  message(STATUS "kanexpr::robots is disabled: ${kanexpr_robots_lacks}")
   return()
 endif()
 
@@ -13,7 +13,7 @@ install(TARGETS kanexpr_robots EXPORT kanexpr-robots-targets)
 install(EXPORT kanexpr-robots-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 
 if(kanexpr_robots_sdf_lacks)
-  message(STATUS "kanexpr::robots_sdf is left out: ${kanexpr_robots_sdf_lacks}")
+  message(STATUS "kanexpr::robots_sdf is disabled: ${kanexpr_robots_sdf_lacks}")
 else()
   add_library(kanexpr_robots_sdf INTERFACE)
   add_library(kanexpr::robots_sdf ALIAS kanexpr_robots_sdf)
@@ -24,7 +24,7 @@ else()
   install(EXPORT kanexpr-robots_sdf-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 endif()
 
-# The commands are installed for people, and kanexpr-robot for projects too, kanexpr_add_robot.cmake.
+# The commands are installed for interactive use, and kanexpr-robot also for kanexpr_add_robot.cmake in projects.
 find_package(CLI11 QUIET)
 if(PROJECT_IS_TOP_LEVEL AND KANEXPR_BUILD_ENGINE AND CLI11_FOUND)
   add_executable(kanexpr-robot ${PROJECT_SOURCE_DIR}/include/kanexpr/robots/engine/kanexpr_robot.cpp)
@@ -33,7 +33,7 @@ if(PROJECT_IS_TOP_LEVEL AND KANEXPR_BUILD_ENGINE AND CLI11_FOUND)
   add_executable(kanexpr-export ${PROJECT_SOURCE_DIR}/include/kanexpr/export/engine/kanexpr_export.cpp)
   target_link_libraries(kanexpr-export PRIVATE kanexpr_engine kanexpr_robots $<TARGET_NAME_IF_EXISTS:kanexpr_robots_sdf>
     kanexpr_strict CLI11::CLI11)
-  # what it hands to the compiler of a model
+  # it passes this to the compiler of a model
   target_compile_definitions(kanexpr-export PRIVATE KANEXPR_EIGEN="$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>")
   install(TARGETS kanexpr-robot kanexpr-export RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

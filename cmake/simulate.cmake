@@ -1,6 +1,6 @@
-# kanexpr::simulate: the part that needs SUNDIALS.
+# kanexpr::simulate: the part that requires SUNDIALS.
 if(kanexpr_simulate_lacks)
-  message(STATUS "kanexpr::simulate is left out: ${kanexpr_simulate_lacks}")
+  message(STATUS "kanexpr::simulate is disabled: ${kanexpr_simulate_lacks}")
   return()
 endif()
 

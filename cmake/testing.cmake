@@ -1,13 +1,13 @@
-# kanexpr_add_harness(<name> <engine>): what all tests link. `engine` is kanexpr where every test compiles it.
+# kanexpr_add_harness(<name> <engine>): the library that all tests link. `engine` is kanexpr if every test compiles it.
 #
-# What stands behind a header that not every test includes is a library of its own, built where a test includes it.
+# The implementation of a header that not every test includes is a separate library, built if a test includes it.
 function(kanexpr_add_harness name engine)
   add_library(${name} STATIC EXCLUDE_FROM_ALL no_heap.cpp)
   target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/examples)
-  # Results of two compilers are compared to the last bit: none of them may fuse a product and a sum.
+  # Results of two compilers are compared to the last bit: neither may fuse a product and a sum.
   target_compile_options(${name} PUBLIC -ffp-contract=off)
   target_link_libraries(${name} PUBLIC ${engine} kanexpr_strict GTest::gmock GTest::gtest_main)
-  # Eigen asks malloc itself for memory: replacing operator new would not see it.
+  # Eigen calls malloc directly: replacing operator new would not detect it.
   target_link_options(${name} INTERFACE
     LINKER:--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=posix_memalign)
 
@@ -26,8 +26,8 @@ function(kanexpr_add_harness name engine)
 endfunction()
 set(kanexpr_harness_headers oracles systems/hand_written systems/interpreted systems/linearized systems/robot_results)
 
-# kanexpr_link_harness(<target> <harness> <file>): links the libraries behind the headers that a file includes, by itself
-# or through others of the tests.
+# kanexpr_link_harness(<target> <harness> <file>): links the libraries of the headers that a file includes, directly
+# or through other headers of the tests.
 function(kanexpr_link_harness target harness file)
   set(includes ${file})
   set(left ${file})
@@ -54,7 +54,7 @@ function(kanexpr_link_harness target harness file)
   endforeach()
 endfunction()
 
-# kanexpr_precompile(<harness>): compiles what nearly every test includes once for the tests that link the harness.
+# kanexpr_precompile(<harness>): compiles the most common headers once for the tests that link the harness.
 function(kanexpr_precompile harness)
   file(CONFIGURE OUTPUT precompiled.cpp CONTENT "")
   add_library(${harness}_headers OBJECT EXCLUDE_FROM_ALL ${CMAKE_CURRENT_BINARY_DIR}/precompiled.cpp)
@@ -66,7 +66,7 @@ function(kanexpr_precompile harness)
   endforeach()
 endfunction()
 
-# Rooms are the folders of the tests: the target room_<folder> builds what the tests named <folder>_... run.
+# Rooms are the folders of the tests: the target room_<folder> builds the programs of the tests named <folder>_...
 function(kanexpr_of_room room)
   if(NOT TARGET room_${room})
     add_custom_target(room_${room})
@@ -95,8 +95,8 @@ function(kanexpr_test name)
   kanexpr_of_room(${room} ${name})
 endfunction()
 
-# A test says in its own text which of the special builds it takes part in, `// builds: sanitize no-exceptions`, whether
-# one compiler alone builds it, `// builds: g++`, and whether `./dev test` leaves it to `./dev test all`, `// builds: all`.
+# The text of a test specifies the special builds that it takes part in, `// builds: sanitize no-exceptions`, whether
+# only one compiler builds it, `// builds: g++`, and whether only `./dev test all` runs it, `// builds: all`.
 function(kanexpr_test_builds file result)
   file(STRINGS ${file} builds REGEX "^// builds: " LIMIT_COUNT 1)
   string(REPLACE "// builds: " "" builds "${builds}")
@@ -104,15 +104,15 @@ function(kanexpr_test_builds file result)
   set(${result} ${builds} PARENT_SCOPE)
 endfunction()
 
-# kanexpr_headers_alone(<name> [ONLY <regex>] [EXCEPT <regex>]): compiles every public header as the first of a file.
+# kanexpr_headers_alone(<name> [ONLY <regex>] [EXCEPT <regex>]): compiles every public header as the first one of a file.
 #
-# Files are fewer than headers: a header may follow one that it includes itself, for what it finds there is what it
-# would have found alone. So headers stand in chains, each below the one that includes it.
+# There are fewer files than headers: a header may follow one that it includes itself, since the declarations it finds
+# there are the same. Therefore headers form chains, each below the one that includes it.
 function(kanexpr_headers_alone name)
   cmake_parse_arguments(PARSE_ARGV 1 headers "" "ONLY;EXCEPT" "")
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/include
     ${PROJECT_SOURCE_DIR}/include/*.hpp)
-  list(FILTER headers EXCLUDE REGEX "/letters_(aside|back)\\.hpp$") # stand in others, around what these declare
+  list(FILTER headers EXCLUDE REGEX "/letters_(aside|back)\\.hpp$") # only included inside other headers, around their declarations
   if(headers_ONLY)
     list(FILTER headers INCLUDE REGEX ${headers_ONLY})
   endif()
@@ -124,9 +124,9 @@ function(kanexpr_headers_alone name)
   set(by_choice)
   foreach(header IN LISTS headers)
     file(READ ${PROJECT_SOURCE_DIR}/include/${header} text)
-    # What stands below its declarations, a header does not need.
+    # Includes below its declarations are not needed by a header.
     if(NOT text MATCHES "^(//[^\n]*\n|\n)*#pragma once\n(//[^\n]*\n|#include [^\n]*\n|\n)*")
-      message(FATAL_ERROR "${header} does not begin with #pragma once")
+      message(FATAL_ERROR "${header} must begin with #pragma once")
     endif()
     string(REGEX MATCHALL "#include <[^>]+>" includes "${CMAKE_MATCH_0}")
     list(TRANSFORM includes REPLACE "#include <(.*)>" "\\1")
@@ -178,7 +178,7 @@ function(kanexpr_headers_alone name)
   kanexpr_compile_headers(${name})
 endfunction()
 
-# kanexpr_headers_together(<name>): one file includes the headers at the top, which include all the others.
+# kanexpr_headers_together(<name>): one file includes the top-level headers, which include all the others.
 function(kanexpr_headers_together name)
   file(GLOB headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/include ${PROJECT_SOURCE_DIR}/include/kanexpr/*.hpp)
   list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>\n")

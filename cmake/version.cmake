@@ -1,4 +1,4 @@
-# kanexpr_version, from the header in which it stands.
+# Sets kanexpr_version from the header that defines it.
 set(version_header ${CMAKE_CURRENT_LIST_DIR}/../include/kanexpr/base/version.hpp)
 file(STRINGS ${version_header} version_lines REGEX "^#define KANEXPR_VERSION_(MAJOR|MINOR|PATCH) [0-9]+$")
 list(TRANSFORM version_lines REPLACE "^.* " "")

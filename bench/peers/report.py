@@ -56,7 +56,7 @@ def as_text(model, peer, cells):
 
 def table(measured):
     lines = ["| | M + f: operations | time | u̇: operations | time | ∂u̇: operations | time | compiler, s | MB | code, kB "
-             "| apart |", "|---|---|---|---|---|---|---|---|---|---|---|"]
+             "| difference |", "|---|---|---|---|---|---|---|---|---|---|---|"]
     for model, by_peer in measured.items():
         reference = next(iter(by_peer.values()))
         times = ", ".join(f"{reference[result]['reference']:.0f}" for result in RESULTS)
@@ -80,7 +80,7 @@ def processor():
 def section(measured, tools, tracer):
     return f"""{BEGIN}
 {processor()}; {'; '.join(tools)}. CppADCodeGen's tracer takes {tracer.seconds:.0f} s and {tracer.megabytes:.0f} MB
-once, which is not in the table.
+once, which is not included in the table.
 
 {table(measured)}
 {END}"""

@@ -44,7 +44,7 @@ class Compiled:
 
     def __init__(self, compiler, flags=None, lanes=1, results=RESULTS):
         self.compiler, self.lanes, self.results = compiler, lanes, results
-        self.name = f"kanexpr, {compiler}" + (f", {lanes} at once" if lanes > 1 else "")
+        self.name = f"kanexpr, {compiler}" + (f", {lanes} lanes" if lanes > 1 else "")
         self.flags = CXX if flags is None else flags
 
     def offers(self, model, shop, _):

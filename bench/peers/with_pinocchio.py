@@ -10,7 +10,7 @@ from peer import CXX, HERE, MARCH, RESULTS, Offer, Without, symbol
 
 DEFINED = ["-DBOOST_MPL_LIMIT_LIST_SIZE=30", "-DBOOST_MPL_LIMIT_VECTOR_SIZE=30",
            "-DBOOST_MPL_CFG_NO_PREPROCESSED_HEADERS", "-DBOOST_FUSION_INVOKE_MAX_ARITY=12"]
-CONSTRAINED = "a wheel that rolls is none of its constraints"
+CONSTRAINED = "rolling is not among its constraints"
 
 
 def prefix():

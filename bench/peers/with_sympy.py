@@ -13,7 +13,7 @@ from peer import HERE, MARCH, ROOT, Offer, Without, symbol
 
 SECONDS = 60
 NO_END = f"too large: not derived within {SECONDS} s"
-LARGER = "larger than the iiwa, which is too large"
+LARGER = "larger than the iiwa, which is already too large"
 
 
 def sources(model, shop, models):

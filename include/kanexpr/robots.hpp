@@ -1,6 +1,6 @@
 #pragma once
 
-/// Robots from files: read_urdf, and robot_builder for models built at run time. Requires tinyxml2.
+/// Robots from files: read_urdf, and robot_builder for run-time models. Requires tinyxml2.
 
 #include <kanexpr/compiler.hpp>
 

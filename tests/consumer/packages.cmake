@@ -46,23 +46,23 @@ set(without_sundials -DCMAKE_DISABLE_FIND_PACKAGE_SUNDIALS=ON)
 set(without_json -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON)
 set(without_tinyxml2 -DCMAKE_DISABLE_FIND_PACKAGE_tinyxml2=ON)
 set(without_sdformat -DCMAKE_DISABLE_FIND_PACKAGE_sdformat12=ON)
-build(poor "kanexpr::simulate is left out: SUNDIALS 6.4 was not found" -DKANEXPR_NPM=KANEXPR_NPM-NOTFOUND
+build(poor "kanexpr::simulate is disabled: SUNDIALS 6.4 was not found" -DKANEXPR_NPM=KANEXPR_NPM-NOTFOUND
   -DCMAKE_DISABLE_FIND_PACKAGE_GTest=ON ${without_sundials} ${without_json} ${without_tinyxml2})
-run(passes "kanexpr::animate is left out: nlohmann-json 3.2 was not found" ${CMAKE_COMMAND} ${BINARY}/poor)
-run(passes "kanexpr::robots is left out: tinyxml2 was not found" ${CMAKE_COMMAND} ${BINARY}/poor)
+run(passes "kanexpr::animate is disabled: nlohmann-json 3.2 was not found" ${CMAKE_COMMAND} ${BINARY}/poor)
+run(passes "kanexpr::robots is disabled: tinyxml2 was not found" ${CMAKE_COMMAND} ${BINARY}/poor)
 run(passes "" ${CMAKE_COMMAND} --install ${BINARY}/poor --prefix ${BINARY}/little)
 foreach(part engine simulate robots robots_sdf)
   find(fails "kanexpr::${part} is left out: kanexpr was installed without it" little REQUIRED COMPONENTS ${part})
 endforeach()
 
 # All that can be, but for the page, and then with it
-build(rich "kanexpr::robots_sdf is left out: libsdformat 12 was not found; Debian has it in libsdformat-dev" ${without_sdformat})
+build(rich "kanexpr::robots_sdf is disabled: libsdformat 12 was not found; on Debian, install libsdformat-dev" ${without_sdformat})
 run(passes "only if its page was built" ${CMAKE_COMMAND} ${BINARY}/rich)
-run(passes "kanexpr::animate is left out: its page was not built" ${CMAKE_COMMAND} --install ${BINARY}/rich
+run(passes "kanexpr::animate is disabled: its page was not built" ${CMAKE_COMMAND} --install ${BINARY}/rich
   --prefix ${BINARY}/most)
 find(passes "there is simulate" most REQUIRED COMPONENTS simulate)
-find(passes "kanexpr::animate is left out: the page on which systems move was not installed" most REQUIRED)
-find(fails "kanexpr::animate is left out: the page on which systems move was not installed" most REQUIRED
+find(passes "kanexpr::animate is disabled: the animation page was not installed" most REQUIRED)
+find(fails "kanexpr::animate is disabled: the animation page was not installed" most REQUIRED
   COMPONENTS animate)
 find(fails "kanexpr has no component simulation" most REQUIRED COMPONENTS simulation)
 find(passes "there is simulate" most 0.1...<0.2 REQUIRED OPTIONAL_COMPONENTS simulate animate)

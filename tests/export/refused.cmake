@@ -20,22 +20,22 @@ function(refuses sentence name)
 endfunction()
 
 refuses("kanexpr_export(<name> HEADER <model.hpp> SYSTEM <system> FORMATS" arm FORMATS c)
-refuses("kanexpr_export: there is no /nowhere.hpp" arm HEADER /nowhere.hpp SYSTEM arm::System FORMATS c OUTPUT exported)
-refuses("kanexpr_export: there is no format fortran; there are c, casadi and fmi" arm ${pendulum} FORMATS fortran)
-refuses("kanexpr_export: SCALAR, WITH_PYTHON and WITH_CPP are of the format c" arm ${pendulum} FORMATS fmi WITH_CPP)
-refuses("kanexpr_export: RESULTS and EXPRESSIONS are of the formats c and fmi" arm ${pendulum} FORMATS casadi RESULTS udot)
-refuses("kanexpr_export: START and STEP are of the format fmi" arm ${pendulum} FORMATS c START q=1)
-refuses("kanexpr_export: Python would take the library arm.so of the format casadi for the module arm" arm ${pendulum}
+refuses("kanexpr_export: /nowhere.hpp does not exist" arm HEADER /nowhere.hpp SYSTEM arm::System FORMATS c OUTPUT exported)
+refuses("kanexpr_export: unknown format fortran; expected c, casadi or fmi" arm ${pendulum} FORMATS fortran)
+refuses("kanexpr_export: SCALAR, WITH_PYTHON and WITH_CPP require the format c" arm ${pendulum} FORMATS fmi WITH_CPP)
+refuses("kanexpr_export: RESULTS and EXPRESSIONS require the format c or fmi" arm ${pendulum} FORMATS casadi RESULTS udot)
+refuses("kanexpr_export: START and STEP require the format fmi" arm ${pendulum} FORMATS c START q=1)
+refuses("kanexpr_export: Python would load the library arm.so of the format casadi as the module arm" arm ${pendulum}
   FORMATS c casadi WITH_PYTHON)
-refuses("kanexpr_export: runge_kutta_4 is a step, and no output of the format fmi" arm ${pendulum} FORMATS c fmi
+refuses("kanexpr_export: runge_kutta_4 is a step and cannot be an output of the format fmi" arm ${pendulum} FORMATS c fmi
   RESULTS udot runge_kutta_4)
-refuses("kanexpr_export: STEP is a length of time above 0, not -1" arm ${pendulum} FORMATS fmi STEP -1)
-refuses("kanexpr_export: a function of CasADi needs a name that begins with a letter and has no two underscores in a row" my__arm
+refuses("kanexpr_export: STEP must be greater than 0, got -1" arm ${pendulum} FORMATS fmi STEP -1)
+refuses("kanexpr_export: the name of a CasADi function must begin with a letter and must not contain double underscores" my__arm
   ${pendulum} FORMATS casadi)
-refuses("kanexpr_export: SCALAR is double or float, not half" arm ${pendulum} FORMATS c SCALAR half)
-refuses("kanexpr_export: BIND g is not <symbol>=<number>" arm ${pendulum} FORMATS c BIND g)
-refuses("kanexpr_export: no result is called U!" arm ${pendulum} FORMATS c RESULTS U!)
-refuses("kanexpr_export: EXPRESSIONS tip is not <name>=<expression>" arm ${pendulum} FORMATS c EXPRESSIONS tip)
+refuses("kanexpr_export: SCALAR must be double or float, got half" arm ${pendulum} FORMATS c SCALAR half)
+refuses("kanexpr_export: BIND g is not of the form <symbol>=<number>" arm ${pendulum} FORMATS c BIND g)
+refuses("kanexpr_export: there is no result U!" arm ${pendulum} FORMATS c RESULTS U!)
+refuses("kanexpr_export: EXPRESSIONS tip is not of the form <name>=<expression>" arm ${pendulum} FORMATS c EXPRESSIONS tip)
 if(wrong)
   message(FATAL_ERROR "kanexpr_export takes what it should refuse, or says something else")
 endif()

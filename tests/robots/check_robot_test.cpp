@@ -51,16 +51,16 @@ TEST(check_robot, knows_what_is_no_tree) {
             "joint j2 has a parent or a child that is not among the links");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[1].parent = -1; }),
             "joint j2 has a parent or a child that is not among the links");
-  EXPECT_EQ(cause_of([](robot& r) { r.joints[1].parent = 2; }), "joint j2 leads from a link to itself");
-  EXPECT_EQ(cause_of([](robot& r) { r.joints[1].child = 1; }), "joint j2 leads from a link to itself");
+  EXPECT_EQ(cause_of([](robot& r) { r.joints[1].parent = 2; }), "joint j2 connects a link to itself");
+  EXPECT_EQ(cause_of([](robot& r) { r.joints[1].child = 1; }), "joint j2 connects a link to itself");
   EXPECT_EQ(cause_of([](robot& r) { r.joints.pop_back(); }),
-            "no joint leads to link l0 nor to link l2; a robot has one such link, its root");
+            "no joint has link l0 or link l2as its child; a robot has one such link, its root");
   EXPECT_EQ(cause_of([](robot& r) { r.joints.push_back(between(2, 0)); }),
-            "the joints go round in a circle: a joint leads to every link");
+            "the joints form a loop: every link is the child of a joint");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[0].parent = 2; }),
-            "the joints go round in a circle: link l1 hangs on itself");
+            "the joints form a loop: link l1 is its own ancestor");
   EXPECT_EQ(cause_of([](robot& r) { r.root = 1; }),
-            "the root of the robot is not link l0, to which no joint leads");
+            "the root of the robot must be link l0, which is the child of no joint");
 }
 
 TEST(check_robot, knows_what_is_no_number) {
@@ -72,14 +72,14 @@ TEST(check_robot, knows_what_is_no_number) {
             "the mass or the inertia of link l2 is not a finite number");
   EXPECT_EQ(cause_of([](robot& r) { r.links[2].inertial->mass = -1; }), "the mass of link l2 is negative");
   EXPECT_EQ(cause_of([](robot& r) { r.links[2].inertial->center.at[1] = nan; }),
-            "the mass centre of link l2 is not placed by numbers and a rotation");
+            "the mass center of link l2 is not placed by finite numbers and a rotation matrix");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[0].origin.at[2] = inf; }),
-            "the origin of joint j1 is not placed by numbers and a rotation");
+            "the origin of joint j1 is not placed by finite numbers and a rotation matrix");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[0].origin.turn[0][0] = -1; }), // mirrors
-            "the origin of joint j1 is not placed by numbers and a rotation");
+            "the origin of joint j1 is not placed by finite numbers and a rotation matrix");
   for (const vector3& axis : {vector3{}, {0, 0, 2}, {nan, 0, 1}, {1e-300, 0, 0}, {inf, 0, 0}})
     EXPECT_EQ(cause_of([&](robot& r) { r.joints[0].axis = axis; }),
-              "the axis of joint j1 does not have the length 1");
+              "the axis of joint j1 does not have length 1");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[1].damping = nan; }),
             "the damping, friction or rotor of joint j2 is negative or not finite");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[1].gear_ratio = inf; }),
@@ -90,16 +90,16 @@ TEST(check_robot, knows_what_is_no_number) {
 TEST(check_robot, knows_who_follows_nobody) {
   EXPECT_EQ(cause_of([](robot& r) { r.joints[1].mimic = {0, 2, 0}; }), "");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[1].mimic = {7, 2, 0}; }),
-            "joint j2 follows a joint that is not there");
+            "joint j2 mimics a joint that does not exist");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[1].mimic = {1, 2, 0}; }),
-            "joint j2 follows a joint that follows it in turn");
+            "joint j2 mimics a joint that in turn mimics it");
   EXPECT_EQ(cause_of([](robot& r) {
               r.joints[0].is = joint_kind::fixed;
               r.joints[1].mimic = {0, 2, 0};
             }),
-            "joint j2 follows j1, which has not one coordinate");
+            "joint j2 mimics j1, which does not have exactly one coordinate");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[1].mimic = {0, std::numeric_limits<double>::infinity(), 0}; }),
-            "joint j2 follows another by a number that is not finite");
+            "joint j2 mimics another joint with a multiplier or offset that is not finite");
 }
 
 // A chain and a star of many links that do not move are one body, and are written in no time.
@@ -112,8 +112,7 @@ TEST(check_robot, takes_ten_thousand_links) {
     EXPECT_NE(writer.write("many", "").find("body<10000, "), std::string::npos);
   }
   for (joint& j : long_one.joints) j.is = joint_kind::revolute;
-  EXPECT_EQ(header_writer(long_one, {}).cause(),
-            "the robot has 10000 links that move, and a model has no more than 400");
+  EXPECT_EQ(header_writer(long_one, {}).cause(), "the robot has 10000 moving links; a model has at most 400");
 }
 
 // Names of other languages, of C++ and of the library, and none at all: all are told apart.

@@ -114,7 +114,7 @@ TEST(header_writer, writes_the_gravity_of_the_robot) {
   robot r = robot_of("arm.urdf");
   EXPECT_THAT(header_of(r), HasSubstr("gravity<-9.81 * N::z>"));
   EXPECT_THAT(header_of(r, {.gravity = 3.7}), HasSubstr("gravity<-3.7 * N::z>"));
-  EXPECT_EQ(header_of(r, {.gravity = HUGE_VAL}), "the gravity that the model is given is not finite");
+  EXPECT_EQ(header_of(r, {.gravity = HUGE_VAL}), "the gravity in the model options is not finite");
   r.gravity = vector3{0, 0, -1.62};
   EXPECT_THAT(header_of(r), HasSubstr("gravity<-1.62 * N::z>"));
   r.gravity = vector3{3, 0, -4};
@@ -137,9 +137,9 @@ TEST(header_writer, writes_names_that_are_identifiers) {
   EXPECT_THAT(header, HasSubstr("// !: from System to 3 *//_\n"));
   EXPECT_THAT(
       header,
-      HasSubstr("/// Names of the file: System_2 is System, Link_3 is 3 *//_, Link is __, joint is !, "
+      HasSubstr("/// Names in the file: System_2 is System, Link_3 is 3 *//_, Link is __, joint is !, "
                 "joint_2 is <.\nnamespace"));
-  EXPECT_THAT(header_of(robot_of("gripper.urdf")), Not(HasSubstr("Names of the file")));
+  EXPECT_THAT(header_of(robot_of("gripper.urdf")), Not(HasSubstr("Names in the file")));
   EXPECT_TRUE(is_namespace("arm_2"));
   for (const char* no :
        {"", "2arm", "_arm", "arm_", "a__b", "a-b", "int", "kanexpr", "std", "index", "sinf", "errno"})
@@ -238,9 +238,9 @@ TEST_F(meshes, are_rods_where_they_are_not_found) {
   const std::string picture = picture_of("filename='package://x/arm.stl'", "", &note);
   EXPECT_THAT(picture, HasSubstr("// the mesh package://x/arm.stl of link b was not found\n"));
   EXPECT_THAT(picture, HasSubstr("show<rod<B, Hand, 0.05>"));
-  EXPECT_EQ(note, "1 mesh is left out of the picture: the mesh package://x/arm.stl of link b was not found");
+  EXPECT_EQ(note, "1 mesh is omitted from the picture: the mesh package://x/arm.stl of link b was not found");
   picture_of("filename='arm.step'", "", &note);
-  EXPECT_THAT(note, testing::EndsWith("the mesh arm.step of link b is of a kind that pages do not show"));
+  EXPECT_THAT(note, testing::EndsWith("the mesh arm.step of link b has a format that pages cannot show"));
   for (const char* none : {"filename=''", "filename='package://'", "filename='package:///'", "filename='.'",
                            "filename='file://'", "scale='1 1 1'", "filename='package://some robot/'"})
     EXPECT_THAT(picture_of(none), HasSubstr("show<rod<B")) << none;
@@ -260,21 +260,20 @@ TEST(header_writer, says_why_there_is_none) {
   EXPECT_EQ(header_of(robot_in(
                 "<link name='a'/><link name='b'>" + indefinite +
                 "</link><joint name='j' type='revolute'><parent link='a'/><child link='b'/></joint>")),
-            "the inertia of link b, with what is fixed to it, is indefinite: about some axis its moment is "
+            "the inertia of link b, with the links fixed to it, is indefinite: its moment about some axis is "
             "negative");
   const std::string vast = "<inertial><origin xyz='1e200 0 0'/><mass value='1e200'/></inertial>";
   EXPECT_EQ(header_of(robot_in(
                 "<link name='a'/><link name='b'>" + vast + "</link><link name='c'>" + vast +
                 "</link><joint name='j' type='revolute'><parent link='a'/><child link='b'/></joint><joint "
                 "name='k' type='fixed'><parent link='b'/><child link='c'/><origin xyz='1 0 0'/></joint>")),
-            "the numbers of link b are too large to be computed with");
+            "the numbers of link b are so large that they overflow");
   std::string many = "<link name='l0'/>";
   for (int i = 1; i < 10000; ++i)
     many += "<link name='l" + std::to_string(i) + "'/><joint name='j" + std::to_string(i) +
             "' type='revolute'><parent link='l" + std::to_string(i - 1) + "'/><child link='l" +
             std::to_string(i) + "'/></joint>";
-  EXPECT_EQ(header_of(robot_in(many)),
-            "the robot has 10000 links that move, and a model has no more than 400");
+  EXPECT_EQ(header_of(robot_in(many)), "the robot has 10000 moving links; a model has at most 400");
 }
 
 // Each is read, or refused with a sentence.

@@ -243,28 +243,29 @@ TEST(read_sdf, notes_what_is_left_out) {
       "<inertial><mass>1</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>1</izz></inertia></inertial>";
   const auto notes_of = [&](const std::string& model) { return in_model(model).notes; };
   EXPECT_THAT(notes_of(link_with("<inertial><inertia/></inertial>")),
-              ElementsAre("line 2: link a has no mass, which SDF takes for 1 kg"));
+              ElementsAre("line 2: link a has no mass; the default of SDF is 1 kg"));
   EXPECT_THAT(notes_of(link_with("<inertial><mass>2</mass></inertial>")),
-              ElementsAre("line 2: link a has no inertia, which SDF takes for 1 kg m^2 about each axis"));
-  EXPECT_THAT(notes_of(link_with(ball + "<pose>0 0 0 0 0 90</pose>")),
-              ElementsAre("line 2: <pose>0 0 0 0 0 90</pose> of link a is more than a whole turn; angles are "
-                          "taken as radians"));
+              ElementsAre("line 2: link a has no inertia; the default of SDF is 1 kg m^2 about each axis"));
+  EXPECT_THAT(
+      notes_of(link_with(ball + "<pose>0 0 0 0 0 90</pose>")),
+      ElementsAre(
+          "line 2: <pose>0 0 0 0 0 90</pose> of link a exceeds a full turn; angles are read in radians"));
   EXPECT_THAT(notes_of(link_with(ball + "<pose degrees='true'>0 0 0 0 0 90</pose>")), IsEmpty());
   EXPECT_THAT(notes_of(link_with(ball + "<velocity_decay><linear>0.1</linear><angular>0</angular>"
                                         "</velocity_decay>\n<kinematic>true</kinematic>")),
-              ElementsAre("line 2: <linear>0.1</linear> of velocity_decay is left out",
-                          "line 3: <kinematic>true</kinematic> of link a is left out"));
+              ElementsAre("line 2: <linear>0.1</linear> of velocity_decay is ignored",
+                          "line 3: <kinematic>true</kinematic> of link a is ignored"));
   EXPECT_THAT(notes_of(link_with(ball + "\n" + ball)),
-              ElementsAre("line 3: link a has a second <inertial>, which is left out"));
+              ElementsAre("line 3: link a has a second <inertial>, which is ignored"));
   EXPECT_THAT(
       notes_of(link_with(ball) + "<link name='b'>" + ball + "</link>\n" +
                joint_of("j", "revolute", "a", "b", axis("1 0 0") + "<axis2><xyz>0 1 0</xyz></axis2>")),
-      ElementsAre("line 3: the second axis of joint j is left out"));
+      ElementsAre("line 3: the second axis of joint j is ignored"));
   EXPECT_THAT(notes_of(link_with(ball) + "\n<plugin name='sea' filename='sea.so'/>"),
-              ElementsAre("line 3: plugin sea is left out"));
+              ElementsAre("line 3: plugin sea is ignored"));
   EXPECT_THAT(notes_of(link_with(ball + "\n<dampping x='1'/>")),
-              ElementsAre("line 3: libsdformat says: XML Element[dampping], child of element[link], not "
-                          "defined in SDF; it is left out"));
+              ElementsAre("line 3: libsdformat reports: XML Element[dampping], child of element[link], not "
+                          "defined in SDF; it is ignored"));
   EXPECT_EQ(
       in_model(link_with(ball) + "<model name='inner'><static>1</static>" + link_with(ball) + "</model>")
           .cause(),
@@ -286,35 +287,35 @@ TEST(read_sdf, reads_models_in_models) {
 
 TEST(read_sdf, says_what_is_wrong) {
   const std::string two = link_at("a", "0 0 0 0 0 0", "__model__") + link_at("b", "0 0 0 0 0 0", "__model__");
-  EXPECT_EQ(read_sdf_text("<robot/>").cause(), "line 1: the file begins with <robot>, which is not <sdf>");
-  EXPECT_THAT(read_sdf_text("<sdf").cause(), HasSubstr("this is no XML"));
+  EXPECT_EQ(read_sdf_text("<robot/>").cause(), "line 1: the root element is <robot>, expected <sdf>");
+  EXPECT_THAT(read_sdf_text("<sdf").cause(), HasSubstr("this is not valid XML"));
   EXPECT_EQ(read_sdf_text("<sdf version='x.y'><model name='r'><link name='a'/></model></sdf>").cause(),
-            "libsdformat gives up: stoi");
-  EXPECT_EQ(read_sdf_text("<sdf version='1.9'/>").cause(), "the file has no model, and a robot is one");
-  EXPECT_THAT(cause_of(""), HasSubstr("libsdformat says: A model must have at least one link."));
+            "libsdformat failed: stoi");
+  EXPECT_EQ(read_sdf_text("<sdf version='1.9'/>").cause(), "the file has no model, expected one");
+  EXPECT_THAT(cause_of(""), HasSubstr("libsdformat reports: A model must have at least one link."));
   EXPECT_EQ(
       cause_of(two + joint_of("j", "ball", "a", "b", "")),
-      "line 4: joint j is a ball, which is not read; a robot has fixed, revolute, continuous, prismatic and "
-      "universal joints");
+      "line 4: joint j is a ball joint, which is not supported; use fixed, revolute, continuous, prismatic "
+      "or universal joints");
   EXPECT_THAT(cause_of(two + joint_of("j", "revolute", "a", "c", axis("0 0 1"))),
-              HasSubstr("libsdformat says: "));
-  EXPECT_THAT(cause_of(two), HasSubstr("no joint leads to link a nor to link b"));
+              HasSubstr("libsdformat reports: "));
+  EXPECT_THAT(cause_of(two), HasSubstr("no joint has link a or link b"));
   EXPECT_THAT(cause_of(two + joint_of("j", "revolute", "a", "b",
                                       axis("0 0 1", "<dynamics><damping>-1</damping></dynamics>"))),
               HasSubstr("the damping of joint j is negative"));
   EXPECT_THAT(cause_of(two + joint_of("j", "revolute", "a", "b", axis("0 0 1", "<mimic joint='k'/>"))),
-              HasSubstr("joint j follows k, which is no joint"));
+              HasSubstr("joint j mimics k, which is not a joint"));
   EXPECT_EQ(read_sdf("nowhere/arm.sdf").cause(), "nowhere/arm.sdf cannot be read");
   EXPECT_THAT(
       read_sdf_text(
           "<sdf version='1.9'><world name='w'><model name='m'><link name='a'><inertial><mass>-1</mass>"
           "</inertial></link></model></world></sdf>")
           .cause(),
-      HasSubstr("libsdformat says: A link named a has invalid inertia"));
+      HasSubstr("libsdformat reports: A link named a has invalid inertia"));
   const read_robot light = in_model("<link name='a'/>");
-  EXPECT_THAT(light.notes,
-              ElementsAre("line 2: link a has no inertial, which SDF takes for 1 kg and 1 kg m^2 about "
-                          "each axis"));
+  EXPECT_THAT(
+      light.notes,
+      ElementsAre("line 2: link a has no inertial; the default of SDF is 1 kg and 1 kg m^2 about each axis"));
 }
 
 // Each is read, or refused with a sentence.

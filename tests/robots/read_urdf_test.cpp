@@ -91,46 +91,46 @@ TEST(read_urdf, reads_numbers_the_same_in_every_country) {
 }
 
 TEST(read_urdf, says_what_is_wrong_with_the_xml) {
-  EXPECT_EQ(read_urdf_text("").cause(), "line 1: there is no element, so this is no robot");
-  EXPECT_EQ(read_urdf_text("<!-- nothing -->").cause(), "line 1: there is no element, so this is no robot");
+  EXPECT_EQ(read_urdf_text("").cause(), "line 1: there is no element, so the file does not describe a robot");
+  EXPECT_EQ(read_urdf_text("<!-- nothing -->").cause(),
+            "line 1: there is no element, so the file does not describe a robot");
   EXPECT_THAT(read_urdf_text("<robot>\n<link name='a'>\n</robot>").cause(),
-              HasSubstr("an element is not closed where it should be"));
+              HasSubstr("an element is not closed properly"));
   EXPECT_THAT(read_urdf_text("arm").cause(), HasSubstr("this is no"));
   EXPECT_EQ(read_urdf_text(std::string("<robot/>\0", 9)).cause(),
-            "the file holds a zero byte, so it is not XML");
-  EXPECT_EQ(read_urdf_text("<sdf/>").cause(), "line 1: the file begins with <sdf>, which is not <robot>");
+            "the file contains a zero byte, so it is not XML");
+  EXPECT_EQ(read_urdf_text("<sdf/>").cause(), "line 1: the root element is <sdf>, expected <robot>");
   EXPECT_EQ(read_urdf_text("\n<!DOCTYPE robot [<!ENTITY a 'b'>]>\n<robot/>").cause(),
             "line 2: the document type declares entities, which are not expanded");
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "<a>";
-  EXPECT_EQ(read_urdf_text("<robot>" + deep).cause(), "line 1: elements lie too deep in one another");
+  EXPECT_EQ(read_urdf_text("<robot>" + deep).cause(), "line 1: elements are nested too deeply");
   EXPECT_EQ(read_urdf("nowhere/arm.urdf").cause(), "nowhere/arm.urdf cannot be read");
 }
 
 TEST(read_urdf, says_that_xacro_comes_first) {
   EXPECT_EQ(cause_of("<xacro:include filename='a'/>"), "line 2: this is a xacro file; run xacro on it first");
-  EXPECT_EQ(cause_of(inertial("${mass}", "")), "line 2: value=\"${mass}\" of the mass of link a holds "
-                                               "${mass}, which is not a finite number; this may be a "
-                                               "xacro file, so run xacro on it first");
+  EXPECT_EQ(cause_of(inertial("${mass}", "")),
+            "line 2: value=\"${mass}\" of the mass of link a contains ${mass}, which is not a finite number; "
+            "this may be a xacro file: run xacro on it first");
 }
 
 TEST(read_urdf, says_what_is_wrong_with_numbers) {
   EXPECT_EQ(cause_of(two_links + joint_with("<origin xyz='0 0 1,5'/>")),
-            "line 3: xyz=\"0 0 1,5\" of the origin of joint j holds 1,5, which is not a finite number; "
-            "decimals are "
-            "written with a point");
+            "line 3: xyz=\"0 0 1,5\" of the origin of joint j contains 1,5, which is not a finite number; "
+            "use a decimal point");
   EXPECT_EQ(cause_of(two_links + joint_with("<origin rpy='0 0'/>")),
-            "line 3: rpy=\"0 0\" of the origin of joint j has too few numbers, 2 of 3");
+            "line 3: rpy=\"0 0\" of the origin of joint j has too few numbers: 2 of 3");
   EXPECT_EQ(cause_of(two_links + joint_with("<axis xyz='0 0 1 0'/>")),
             "line 3: xyz=\"0 0 1 0\" of the axis of joint j has more than 3 numbers");
   EXPECT_EQ(cause_of(two_links + joint_with("<axis xyz='0 0 0'/>")),
-            "line 3: the axis of joint j has no length");
+            "line 3: the axis of joint j has zero length");
   EXPECT_EQ(cause_of(two_links + joint_with("<dynamics damping='-1'/>")),
             "line 3: the damping of joint j is negative");
   EXPECT_EQ(cause_of(two_links + joint_with("<dynamics friction='-1'/>")),
             "line 3: the friction of joint j is negative");
-  EXPECT_THAT(cause_of(inertial("nan", "")), HasSubstr("holds nan, which is not a finite number"));
-  EXPECT_THAT(cause_of(inertial("1e999", "")), HasSubstr("holds 1e999, which is not a finite number"));
+  EXPECT_THAT(cause_of(inertial("nan", "")), HasSubstr("contains nan, which is not a finite number"));
+  EXPECT_THAT(cause_of(inertial("1e999", "")), HasSubstr("contains 1e999, which is not a finite number"));
 }
 
 TEST(read_urdf, says_what_is_wrong_with_masses) {
@@ -141,13 +141,12 @@ TEST(read_urdf, says_what_is_wrong_with_masses) {
 }
 
 TEST(read_urdf, notes_inertias_of_no_body) {
-  EXPECT_THAT(
-      in_robot(inertial("1", "ixx='1' iyy='1' izz='3'")).notes,
-      ElementsAre("line 2: the inertia of link a is that of no body: one principal moment is larger than the "
-                  "other two together"));
+  EXPECT_THAT(in_robot(inertial("1", "ixx='1' iyy='1' izz='3'")).notes,
+              ElementsAre("line 2: the inertia of link a is not physical: one principal moment exceeds the "
+                          "sum of the other two"));
   EXPECT_THAT(
       in_robot(inertial("1", "ixx='1' iyy='1' izz='1' ixy='2'")).notes,
-      ElementsAre("line 2: the inertia of link a is indefinite: about some axis its moment is negative"));
+      ElementsAre("line 2: the inertia of link a is indefinite: its moment about some axis is negative"));
   const read_robot rounded = // where a program computed zero
       in_robot(inertial("1", "ixx='0' iyy='0' izz='0' ixy='1e-20'"));
   EXPECT_THAT(rounded.notes, IsEmpty());
@@ -156,11 +155,11 @@ TEST(read_urdf, notes_inertias_of_no_body) {
 
 TEST(read_urdf, notes_masses_and_inertias_that_are_not_together) {
   EXPECT_THAT(in_robot(inertial("0", "ixx='1' iyy='1' izz='1'")).notes,
-              ElementsAre("line 2: the inertia of link a comes without a mass, and is taken as it is"));
+              ElementsAre("line 2: the inertia of link a is given without a mass and is used as written"));
   EXPECT_THAT(in_robot("<link name='a'><inertial><mass value='2'/></inertial></link>").notes,
-              ElementsAre("line 2: link a has a mass without an inertia, and is taken for a particle"));
+              ElementsAre("line 2: link a has a mass but no inertia and is treated as a particle"));
   EXPECT_THAT(in_robot(inertial("1", "ixx='1' iyy='1'")).notes,
-              ElementsAre("line 2: the inertia of link a has no izz, which is taken for 0"));
+              ElementsAre("line 2: the inertia of link a has no izz, which is taken as 0"));
 }
 
 TEST(read_urdf, takes_quaternions) {
@@ -179,13 +178,14 @@ TEST(read_urdf, takes_quaternions) {
   EXPECT_EQ(cause_of(two_links + joint_with("<origin rpy='0 0 0' quat_xyzw='0 0 0 1'/>")),
             "line 3: the origin of joint j has both rpy and quat_xyzw");
   EXPECT_EQ(cause_of(two_links + joint_with("<origin quat_xyzw='0 0 0 0'/>")),
-            "line 3: quat_xyzw=\"0 0 0 0\" of the origin of joint j does not have the norm 1");
+            "line 3: quat_xyzw=\"0 0 0 0\" of the origin of joint j does not have norm 1");
 }
 
 TEST(read_urdf, notes_angles_that_may_be_degrees) {
-  EXPECT_THAT(in_robot(two_links + joint_with("<origin rpy='0 0 90'/>")).notes,
-              ElementsAre("line 3: rpy=\"0 0 90\" of the origin of joint j is more than a whole turn; angles "
-                          "are taken as radians"));
+  EXPECT_THAT(
+      in_robot(two_links + joint_with("<origin rpy='0 0 90'/>")).notes,
+      ElementsAre(
+          "line 3: rpy=\"0 0 90\" of the origin of joint j exceeds a full turn; angles are read in radians"));
   EXPECT_THAT(in_robot(two_links + joint_with("<origin rpy='0 -6.2832 6.2832'/>")).notes, IsEmpty());
 }
 
@@ -193,31 +193,31 @@ TEST(read_urdf, notes_angles_that_may_be_degrees) {
 TEST(read_urdf, notes_what_is_left_out) {
   const std::string box = "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial>";
   EXPECT_THAT(in_robot("<link name='a'>" + box + "\n" + box + "</link>").notes,
-              ElementsAre("line 3: link a has a second <inertial>, which is left out"));
+              ElementsAre("line 3: link a has a second <inertial>, which is ignored"));
   EXPECT_THAT(in_robot(two_links + joint_with("<origin xyz='0 0 1'/>\n<origin xyz='0 0 2'/>")).notes,
-              ElementsAre("line 4: joint j has a second <origin>, which is left out"));
+              ElementsAre("line 4: joint j has a second <origin>, which is ignored"));
   EXPECT_THAT(in_robot(two_links + joint_with("<axis xyz='0 0 1'/>\n<axis xyz='0 1 0'/>")).notes,
-              ElementsAre("line 4: joint j has a second <axis>, which is left out"));
+              ElementsAre("line 4: joint j has a second <axis>, which is ignored"));
   EXPECT_THAT(in_robot(two_links + joint_with("<origin xzy='0 0 1'/>")).notes,
-              ElementsAre("line 3: the origin of joint j has the attribute xzy, which is not known here and "
-                          "left out"));
-  EXPECT_THAT(in_robot(two_links + joint_with("<dynamics damping='1' stiffness='3'/>")).notes,
-              ElementsAre("line 3: the dynamics of joint j has the attribute stiffness, which is not known "
-                          "here and left out"));
-  EXPECT_THAT(in_robot(two_links + joint_with("<joint_properties damping='1'/>")).notes,
-              ElementsAre("line 3: joint j holds <joint_properties>, which is not known here and left out"));
+              ElementsAre("line 3: the origin of joint j has the unknown attribute xzy, which is ignored"));
+  EXPECT_THAT(
+      in_robot(two_links + joint_with("<dynamics damping='1' stiffness='3'/>")).notes,
+      ElementsAre("line 3: the dynamics of joint j has the unknown attribute stiffness, which is ignored"));
+  EXPECT_THAT(
+      in_robot(two_links + joint_with("<joint_properties damping='1'/>")).notes,
+      ElementsAre("line 3: joint j contains the unknown element <joint_properties>, which is ignored"));
   EXPECT_THAT(in_robot("<link name='a'><mass value='1'/></link>").notes,
-              ElementsAre("line 2: link a holds <mass>, which is not known here and left out"));
+              ElementsAre("line 2: link a contains the unknown element <mass>, which is ignored"));
   EXPECT_THAT(in_robot("<link name='a'/><loop_joint/>").notes,
-              ElementsAre("line 2: the robot holds <loop_joint>, which is not known here and left out"));
+              ElementsAre("line 2: the robot contains the unknown element <loop_joint>, which is ignored"));
   EXPECT_THAT(
       in_robot(two_links + joint_with("<dynamics damping='1'/>", "planar")).notes,
-      ElementsAre("line 3: the dynamics of joint j are left out, as it has more than one coordinate"));
+      ElementsAre("line 3: the dynamics of joint j are ignored because it has more than one coordinate"));
   EXPECT_THAT(in_robot("<link name='a'/><gazebo reference='j'><gravity>0</gravity><mu1>1</mu1></gazebo>"
                        "\n<gazebo><turnGravityOff>false</turnGravityOff><static>1</static></gazebo>")
                   .notes,
-              ElementsAre("line 2: <gravity>0</gravity> of j, a word for Gazebo, is left out",
-                          "line 3: <static>1</static>, a word for Gazebo, is left out"));
+              ElementsAre("line 2: <gravity>0</gravity> of j, a Gazebo element, is ignored",
+                          "line 3: <static>1</static>, a Gazebo element, is ignored"));
 }
 
 TEST(read_urdf, knows_links_on_which_gravity_does_not_act) {
@@ -242,8 +242,8 @@ TEST(read_urdf, says_that_not_all_notes_are_listed) {
   for (int i = 0; i < 200; ++i) springs += "<spring/>\n";
   const read_robot read = in_robot(springs + "<link name='a'/>");
   ASSERT_EQ(read.notes.size(), 101u);
-  EXPECT_EQ(read.notes[99], "line 101: the robot holds <spring>, which is not known here and left out");
-  EXPECT_EQ(read.notes[100], "there is more to note, which is not listed");
+  EXPECT_EQ(read.notes[99], "line 101: the robot contains the unknown element <spring>, which is ignored");
+  EXPECT_EQ(read.notes[100], "further notes are not listed");
 }
 
 TEST(read_urdf, says_what_is_wrong_with_names) {
@@ -253,10 +253,9 @@ TEST(read_urdf, says_what_is_wrong_with_names) {
   EXPECT_EQ(cause_of(two_links + "<joint name='j'/>"), "line 3: joint j has no type");
   EXPECT_EQ(
       cause_of(two_links + joint_with("", "hinge")),
-      "line 3: joint j has the type hinge, which is not fixed, revolute, continuous, prismatic, planar or "
-      "floating");
+      "line 3: joint j has type hinge; expected fixed, revolute, continuous, prismatic, planar or floating");
   EXPECT_EQ(cause_of("<link name='a'/>" + joint_with("")),
-            "line 2: joint j has the child b, which is no link");
+            "line 2: joint j has the child b, which is not a link");
   EXPECT_EQ(cause_of("<link name='a'/><joint name='j' type='fixed'><child link='a'/></joint>"),
             "line 2: joint j has no parent");
 }
@@ -269,16 +268,16 @@ std::string joint_between(const std::string& name, const std::string& parent, co
 TEST(read_urdf, says_why_links_are_no_tree) {
   const std::string links = "<link name='a'/><link name='b'/><link name='c'/>\n";
   EXPECT_EQ(cause_of(""), "line 1: the robot has no links");
-  EXPECT_EQ(cause_of(links + joint_between("i", "a", "a")), "line 3: joint i leads from a link to itself");
+  EXPECT_EQ(cause_of(links + joint_between("i", "a", "a")), "line 3: joint i connects a link to itself");
   EXPECT_EQ(cause_of(links + joint_between("i", "a", "c") + joint_between("j", "b", "c")),
             "line 4: link c is the child of two joints, i and j");
   EXPECT_EQ(cause_of(links + joint_between("i", "a", "b")),
-            "line 1: no joint leads to link a nor to link c; a robot has one such link, its root");
+            "line 1: no joint has link a or link cas its child; a robot has one such link, its root");
   EXPECT_EQ(cause_of(links + joint_between("i", "b", "c") + joint_between("j", "c", "b")),
-            "line 4: the joints go round in a circle: link b hangs on itself");
+            "line 4: the joints form a loop: link b is its own ancestor");
   EXPECT_EQ(cause_of(links + joint_between("i", "a", "b") + joint_between("j", "b", "c") +
                      joint_between("k", "c", "a")),
-            "line 1: the joints go round in a circle: a joint leads to every link");
+            "line 1: the joints form a loop: every link is the child of a joint");
 }
 
 std::string mimicking(const std::string& type, const std::string& leader) {
@@ -290,11 +289,11 @@ std::string mimicking(const std::string& type, const std::string& leader) {
 }
 
 TEST(read_urdf, says_what_is_wrong_with_joints_that_follow_others) {
-  EXPECT_EQ(cause_of(mimicking("revolute", "k")), "line 3: joint i follows k, which is no joint");
-  EXPECT_EQ(cause_of(mimicking("revolute", "j")), "line 3: joint i follows a joint that follows it in turn");
-  EXPECT_EQ(cause_of(mimicking("revolute", "i")), "line 3: joint i follows a joint that follows it in turn");
+  EXPECT_EQ(cause_of(mimicking("revolute", "k")), "line 3: joint i mimics k, which is not a joint");
+  EXPECT_EQ(cause_of(mimicking("revolute", "j")), "line 3: joint i mimics a joint that in turn mimics it");
+  EXPECT_EQ(cause_of(mimicking("revolute", "i")), "line 3: joint i mimics a joint that in turn mimics it");
   EXPECT_EQ(cause_of(mimicking("planar", "j")),
-            "line 3: joint i follows j, which has more than one coordinate");
+            "line 3: joint i mimics j, which has more than one coordinate");
   EXPECT_TRUE(in_robot(mimicking("revolute", "k"), {.mimic = false}));
 }
 
@@ -302,8 +301,8 @@ TEST(read_urdf, fixes_what_follows_a_fixed_joint) {
   const read_robot read = in_robot(mimicking("fixed", "j"));
   ASSERT_TRUE(read) << read.cause();
   EXPECT_EQ(read.robot.joints[0].is, joint_kind::fixed);
-  EXPECT_THAT(read.notes, ElementsAre("line 4: joint j is fixed, so its mimic is left out",
-                                      "line 3: joint i follows j, which is fixed, and is fixed too"));
+  EXPECT_THAT(read.notes, ElementsAre("line 4: joint j is fixed, so its mimic is ignored",
+                                      "line 3: joint i mimics j, which is fixed, so it is fixed too"));
   EXPECT_EQ(read.robot.joints[0].origin.turn, (rotation{{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}}));
 }
 
@@ -324,9 +323,8 @@ TEST(read_urdf, reads_gears_and_rotors) {
                      "\n<transmission name='t'><joint name='j'/><mechanicalReduction>0</mechanicalReduction>"
                      "</transmission>"),
             "line 4: the mechanicalReduction of the transmission of joint j is 0");
-  EXPECT_THAT(
-      in_robot(robot + "\n<transmission name='t'><joint name='k'/></transmission>").notes,
-      ElementsAre("line 4: a transmission speaks of the joint k, which is not there, and is left out"));
+  EXPECT_THAT(in_robot(robot + "\n<transmission name='t'><joint name='k'/></transmission>").notes,
+              ElementsAre("line 4: a transmission refers to joint k, which does not exist; it is ignored"));
 }
 
 // n² J is right of one rotor that turns with one joint.
@@ -337,11 +335,13 @@ TEST(read_urdf, notes_rotors_that_are_not_alone) {
     return "<transmission name='t'><joint name='j'/>" + inside + "</transmission>";
   };
   for (const auto& [more, why] :
-       {std::pair<std::string, std::string>(transmission(rotor + rotor), "it is not alone"),
-        {transmission(rotor + "<joint name='j'/>"), "it is not alone"},
-        {transmission(rotor) + transmission(rotor), "the joint has another one"}})
-    EXPECT_THAT(in_robot(robot + more).notes,
-                testing::Contains("line 4: the rotor in the transmission of joint j is left out, as " + why));
+       {std::pair<std::string, std::string>(transmission(rotor + rotor),
+                                            "the transmission has several rotors, gears or joints"),
+        {transmission(rotor + "<joint name='j'/>"), "the transmission has several rotors, gears or joints"},
+        {transmission(rotor) + transmission(rotor), "the joint already has one"}})
+    EXPECT_THAT(
+        in_robot(robot + more).notes,
+        testing::Contains("line 4: the rotor in the transmission of joint j is ignored because " + why));
   const read_robot read = in_robot(robot + transmission(rotor));
   EXPECT_THAT(read.notes, IsEmpty());
   EXPECT_EQ(read.robot.joints[0].rotor_inertia, 2);

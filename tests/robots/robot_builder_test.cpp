@@ -142,10 +142,10 @@ TEST(robot_builder, falls_along_the_gravity_of_the_robot) {
   EXPECT_EQ(robot_builder(r).cause(), "the gravity of the robot is not finite");
   r.gravity = {};
   EXPECT_EQ(robot_builder(r, {.gravity = std::nan("")}).cause(),
-            "the gravity that the model is given is not finite");
+            "the gravity in the model options is not finite");
 }
 
-// Against weights at the mass centres of the links, without gravity.
+// Against weights at the mass centers of the links, without gravity.
 TEST(robot_builder, lets_links_without_gravity_float) {
   const robot r = robot_of("balancer.urdf");
   robot heavy = r;

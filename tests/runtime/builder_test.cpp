@@ -331,26 +331,26 @@ TEST(builder, keeps_a_velocity_from_directions) {
 
 TEST(builder_mistakes, names_a_frame_or_point_that_does_not_exist) {
   EXPECT_EQ(told([](auto& b) { b.rotated("A", frame_id{7}, b.theta, b.along(b.n, 1, 0, 0)); }),
-            "A names frame number 7, which does not exist");
+            "A refers to frame number 7, which does not exist");
   EXPECT_EQ(told([](auto& b) { b.along(frame_id{-1}, 1, 0, 0); }),
-            "a vector names frame number -1, which does not exist");
+            "a vector refers to frame number -1, which does not exist");
   EXPECT_EQ(told([](auto& b) { b.offset("A", point_id{9}, b.along(b.n, 1, 0, 0)); }),
-            "A names point number 9, which does not exist");
+            "A refers to point number 9, which does not exist");
   EXPECT_EQ(told([](auto& b) {
               vector by_hand = b.along(b.n, 1, 0, 0);
               by_hand.parts[0].frame = 5;
               b.force(b.bob, by_hand);
             }),
-            "a force names frame number 5, which does not exist");
+            "a force refers to frame number 5, which does not exist");
 }
 
 TEST(builder_mistakes, takes_no_expression_of_another_mechanism) {
   pendulum_on_cart other;
   EXPECT_EQ(told([&](auto& b) { b.particle("A", b.bob, other.m); }),
-            "A has an expression that belongs to another mechanism or to none");
-  EXPECT_EQ(
-      told([](auto& b) { b.kinematic_equation(expression()); }),
-      "a kinematic differential equation has an expression that belongs to another mechanism or to none");
+            "A contains an expression that belongs to a different mechanism or to none");
+  EXPECT_EQ(told([](auto& b) { b.kinematic_equation(expression()); }),
+            "a kinematic differential equation contains an expression that belongs to a different mechanism "
+            "or to none");
 }
 
 TEST(builder_mistakes, knows_names_that_are_used_twice) {
@@ -395,14 +395,14 @@ TEST(builder_mistakes, keep_the_ends_of_names) {
 
 TEST(builder_mistakes, looks_at_axes_and_sequences) {
   EXPECT_EQ(told([](auto& b) { b.rotated("A", b.n, b.theta, b.along(b.n, 0.0, 0, 0)); }),
-            "frame A is turned about an axis of no length");
+            "frame A is rotated about an axis of zero length");
   EXPECT_EQ(told([](auto& b) { b.rotated("A", b.n, b.theta, b.along(b.rod, 1, 0, 0)); }),
-            "frame A is turned about an axis that is not fixed in N");
-  EXPECT_EQ(
-      told([](auto& b) { b.body_fixed("A", b.n, "xxy", b.x, b.x, b.x); }),
-      "frame A is turned by the sequence xxy, which is invalid: take three axes, no two neighbours alike");
+            "frame A is rotated about an axis that is not fixed in N");
+  EXPECT_EQ(told([](auto& b) { b.body_fixed("A", b.n, "xxy", b.x, b.x, b.x); }),
+            "frame A is rotated by the sequence xxy, which is invalid; use three axes, no two consecutive "
+            "ones equal");
   EXPECT_EQ(told([](auto& b) { b.dot(b.m); }),
-            "the rate of something is asked for that is not a coordinate, speed or prescribed quantity");
+            "the argument of dot is not a coordinate, speed or prescribed quantity");
 }
 
 TEST(builder_mistakes, hears_how_something_moves_only_once) {
@@ -410,17 +410,17 @@ TEST(builder_mistakes, hears_how_something_moves_only_once) {
               b.fixed_in(b.bob, b.rod);
               b.velocity(b.bob, b.n, b.along(b.n, 0.0, 0, 0));
             }),
-            "point P is given two motions");
+            "point P has two declared motions");
   EXPECT_EQ(told([](auto& b) { b.velocity(b.o, b.n, b.along(b.n, 0.0, 0, 0)); }),
-            "point O is an origin, fixed in the inertial frame, and is given a motion");
+            "point O is an origin, fixed in the inertial frame, but has a declared motion");
   EXPECT_EQ(told([](auto& b) { b.angular_velocity(b.n, b.rod, b.along(b.n, 0.0, 0, 0)); }),
-            "the inertial frame N is given an angular velocity");
+            "the inertial frame N has a declared angular velocity");
   EXPECT_EQ(told([](auto& b) {
               for (int i = 0; i < 2; ++i)
                 b.angular_velocity(b.rod, b.n, b.along(b.n, b.number(0.0), b.number(0.0), b.omega));
             }),
-            "frame R is given two angular velocities");
-  EXPECT_EQ(told([](auto& b) { b.gravity(b.along(b.n, 0, 0, 1)); }), "gravity is given twice");
+            "frame R has two declared angular velocities");
+  EXPECT_EQ(told([](auto& b) { b.gravity(b.along(b.n, 0, 0, 1)); }), "gravity is specified twice");
 }
 
 TEST(builder_mistakes, hears_of_a_force_only_once) {
@@ -547,7 +547,7 @@ TEST(builder_mistakes, compares_velocities_at_many_states_and_with_each_speed) {
 }
 
 TEST(builder_mistakes, looks_at_constraints) {
-  const std::string foreign = " has an expression that belongs to another mechanism or to none";
+  const std::string foreign = " contains an expression that belongs to a different mechanism or to none";
   EXPECT_EQ(told([](auto& b) { b.configuration_constraint(expression()); }),
             "a configuration constraint" + foreign);
   EXPECT_EQ(told([](auto& b) { b.velocity_constraint(expression()); }), "a velocity constraint" + foreign);
@@ -555,31 +555,31 @@ TEST(builder_mistakes, looks_at_constraints) {
             "an acceleration constraint" + foreign);
   EXPECT_EQ(
       told([](auto& b) { b.velocity_constraint(b.along(b.n, 1, 0, 0), b.along(frame_id{4}, 1, 0, 0)); }),
-      "a vector names frame number 4, which does not exist");
+      "a vector refers to frame number 4, which does not exist");
   EXPECT_EQ(told([](auto& b) { b.velocity_constraint(b.along(b.n, 1, 0, 0), b.along(b.n, 0.0, 0, 0)); }),
-            "a velocity constraint is given a direction of no length");
-  EXPECT_EQ(told([](auto& b) { b.dependent(expression()); }), "what is dependent" + foreign);
+            "a velocity constraint has a direction of zero length");
+  EXPECT_EQ(told([](auto& b) { b.dependent(expression()); }), "the argument of dependent" + foreign);
   EXPECT_EQ(told([](auto& b) { b.dependent(b.m); }),
-            "dependent is given something that is neither a coordinate nor a speed");
+            "the argument of dependent is neither a coordinate nor a speed");
   EXPECT_EQ(told([](auto& b) {
               b.dependent(b.v);
               b.dependent(b.v);
             }),
-            "v is made dependent twice");
+            "v is declared dependent twice");
 }
 
 TEST(builder_mistakes, looks_at_auxiliary_speeds_and_prescribed_quantities) {
   EXPECT_EQ(told([](auto& b) { b.auxiliary_speed("v"); }), "the name v is used twice");
   EXPECT_EQ(told([](auto& b) { b.dot(b.auxiliary_speed("ua")); }),
-            "the rate of something is asked for that is not a coordinate, speed or prescribed quantity");
+            "the argument of dot is not a coordinate, speed or prescribed quantity");
   EXPECT_EQ(told([](auto& b) { b.prescribed("F"); }), "the name F is used twice");
   EXPECT_EQ(told([](auto& b) { b.dot(b.dot(b.dot(b.prescribed("turn")))); }),
-            "the rate of something is asked for that is not a coordinate, speed or prescribed quantity");
+            "the argument of dot is not a coordinate, speed or prescribed quantity");
 }
 
 TEST(builder_mistakes, looks_at_frames_whose_kinematics_are_asked_for) {
   EXPECT_EQ(told([](auto& b) { b.kinematics_of(frame_id{7}, b.n); }),
-            "kinematics_of names frame number 7, which does not exist");
+            "kinematics_of refers to frame number 7, which does not exist");
   EXPECT_EQ(told([](auto& b) { b.kinematics_of(b.rod, b.n); }),
             "kinematics_of<R, N> is not available: frame R has no declared angular velocity");
   EXPECT_EQ(told([](auto& b) { b.kinematics_of(b.n, b.rod); }),
@@ -600,39 +600,39 @@ TEST(builder_mistakes, finds_those_of_the_finished_mechanism) {
 
 // To C++ 1/2 is the whole number 0.
 TEST(builder_mistakes, takes_no_whole_zero) {
-  const std::string which = ", which is what 1/2 is in C++; write ",
-                    meant = ", and 0.0 for a zero that is meant";
+  const std::string which = ", which is also the value of 1/2 in C++; write ",
+                    meant = ", or 0.0 if you mean zero";
   EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.number(1 / 2)); }),
-            "number is given 0" + which + "0.5" + meant);
+            "the argument of number is 0" + which + "0.5" + meant);
   EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m + b.number(0.0)); }), "");
   EXPECT_EQ(told([](auto& b) { b.potential_energy(1 / 2 * b.m * b.x * b.x); }),
-            "a potential energy holds an operation with the number 0" + which + "x/2 or 0.5*x" + meant);
+            "a potential energy contains an operation with the integer 0" + which + "x/2 or 0.5*x" + meant);
   EXPECT_EQ(told([](auto& b) { b.force(b.bob, b.along(b.n, 0, b.m * 1 / 3 * (b.x + 1 / 2), 0)); }),
-            "a vector holds an operation with the number 0" + which + "x/2 or 0.5*x" + meant);
+            "a vector contains an operation with the integer 0" + which + "x/2 or 0.5*x" + meant);
   EXPECT_EQ(told([](auto& b) { b.force(b.bob, b.along(b.n, 0, 0, 1 / 2)); }),
-            "a vector is given nothing but 0" + which + "0.5" + meant);
+            "every component of a vector is 0" + which + "0.5" + meant);
   EXPECT_EQ(
       told([](auto& b) { b.rigid_body("Rod", b.bob, b.rod, b.m, b.inertia(b.rod, 1 / 12, 0, 1 / 12)); }),
-      "an inertia is given nothing but 0" + which + "0.5" + meant);
+      "every entry of an inertia is 0" + which + "0.5" + meant);
   EXPECT_EQ(told([](auto& b) { b.force(b.bob, b.along(b.n, 0.0, 0, 0)); }), "");
 }
 
 TEST(builder_mistakes, finds_what_is_made_and_used_by_nothing) {
   EXPECT_EQ(told([](auto& b) { b.parameter("d"); }),
-            "parameter d is made and nothing in the system uses it; if that is meant, write used_elsewhere");
+            "parameter d is declared but not used in the system; if this is intended, call used_elsewhere");
   EXPECT_EQ(told([](auto& b) { b.input("T"); }),
-            "input T is made and nothing in the system uses it; if that is meant, write used_elsewhere");
+            "input T is declared but not used in the system; if this is intended, call used_elsewhere");
   EXPECT_EQ(told([](auto& b) {
               const expression r = b.prescribed("r");
               b.force(b.bob, b.along(b.n, b.dot(r), 0, 0)); // its other rates are there with it
             }),
             "");
   EXPECT_EQ(told([](auto& b) { b.auxiliary_speed("lift"); }),
-            "auxiliary speed lift is made and nothing in the system uses it");
+            "auxiliary speed lift is declared but not used in the system");
   EXPECT_EQ(told([](auto& b) { b.velocity_constraint(b.v - b.parameter("w")); }), "");
   EXPECT_EQ(told([](auto& b) { b.used_elsewhere(b.parameter("d")), b.used_elsewhere(b.input("T")); }), "");
   EXPECT_EQ(told([](auto& b) { b.used_elsewhere(b.x); }),
-            "used_elsewhere is given something that is neither a parameter nor an input");
+            "the argument of used_elsewhere is neither a parameter nor an input");
 }
 
 template <class Value>
@@ -643,7 +643,7 @@ TEST(builder_mistakes, takes_no_letter_and_no_limits_out_of_order) {
   static_assert(!std::is_constructible_v<kanexpr::runtime::number_or_expression, char>);
   EXPECT_EQ(
       told([](auto& b) { b.force(b.bob, b.along(b.n, clamp(b.push, b.number(1), b.number(-1)), 0.0, 0.0)); }),
-      "a vector holds clamp with limits out of order; write clamp(x, least, most)");
+      "a vector contains clamp with limits out of order; write clamp(x, least, most)");
   EXPECT_EQ(
       told([](auto& b) { b.force(b.bob, b.along(b.n, clamp(b.push, b.number(-1), b.number(1)), 0.0, 0.0)); }),
       "");
@@ -651,17 +651,17 @@ TEST(builder_mistakes, takes_no_letter_and_no_limits_out_of_order) {
 
 TEST(builder_mistakes, takes_no_number_that_is_none) {
   EXPECT_EQ(told([](auto& b) { b.gravity(b.along(b.n, std::nan(""), 0, 1)); }),
-            "a number is given that is not finite");
+            "the argument of number is not finite");
   EXPECT_EQ(told([](auto& b) { b.potential_energy(b.x * (0.0 / (b.m - b.m))); }),
-            "a potential energy holds a number that is not finite");
+            "a potential energy contains a number that is not finite");
   EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m + acos(b.number(2)) * b.x); }),
-            "A holds a number that is not finite");
+            "A contains a number that is not finite");
   EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m / (b.m - b.m)); }),
-            "A holds a number that is not finite");
+            "A contains a number that is not finite");
   EXPECT_EQ(told([](auto& b) { b.potential_energy(b.x * power(b.number(0.0), b.number(-1))); }),
-            "a potential energy holds a number that is not finite");
+            "a potential energy contains a number that is not finite");
   EXPECT_EQ(told([](auto& b) { b.potential_energy(b.x * (b.number(1e200) * b.number(1e200))); }),
-            "a potential energy holds a number that is not finite");
+            "a potential energy contains a number that is not finite");
 }
 
 kanexpr::mechanics::matrix3 rows(pendulum_on_cart& b, std::initializer_list<double> numbers) {
@@ -811,10 +811,10 @@ TEST(builder_mistakes, looks_at_masses_and_inertias) {
                    return d;
                  }),
             "the inertia of A is not symmetric");
-  EXPECT_EQ(
-      told([](auto& b) { b.potential_energy(1 / 2 * b.m * b.theta); }),
-      "a potential energy holds an operation with the number 0, which is what 1/2 is in C++; write x/2 or "
-      "0.5*x, and 0.0 for a zero that is meant");
+  EXPECT_EQ(told([](auto& b) { b.potential_energy(1 / 2 * b.m * b.theta); }),
+            "a potential energy contains an operation with the integer 0, which is also the value of 1/2 in "
+            "C++; write x/2 or "
+            "0.5*x, or 0.0 if you mean zero");
   EXPECT_EQ(told([](auto& b) { b.potential_energy(0.0 * b.m * b.theta); }), "a potential energy is zero");
   EXPECT_EQ(told([&](auto& b) {
               b.rigid_body("A", b.bob, b.rod, b.m, of({1, 2, 3.1, 0, 0, 0})(b));
@@ -822,7 +822,7 @@ TEST(builder_mistakes, looks_at_masses_and_inertias) {
             }),
             "");
   EXPECT_EQ(told([](auto& b) { b.effective_inertia("B"); }),
-            "there is no body B whose inertia could be an effective one");
+            "effective_inertia refers to body B, which does not exist");
   const auto nothing = [](auto& b) { return b.number(0.0); };
   EXPECT_EQ(body(nothing, of({1, 2, 3, 0, 0, 0})), "");
   EXPECT_EQ(body(nothing, of({0, 0, 0, 0, 0, 0})), "body A has no mass");
@@ -840,24 +840,24 @@ TEST(builder_mistakes, looks_at_what_torsional_springs_turn) {
 
 TEST(builder_mistakes, looks_at_what_vanishes) {
   EXPECT_EQ(told([](auto& b) { b.configuration_constraint(b.zero_along(b.position_of(b.bob, b.o))); }),
-            "zero_along of a configuration constraint is given no direction");
+            "zero_along of a configuration constraint requires at least one direction");
   EXPECT_EQ(told([](auto& b) {
               b.configuration_constraint(b.zero_along(b.position_of(b.bob, b.o), b.along(b.n, 0.0, 0, 0)));
             }),
-            "a configuration constraint is given a direction of no length");
+            "a configuration constraint has a direction of zero length");
   EXPECT_EQ(told([](auto& b) { b.velocity_constraint(b.zero_along(b.along(b.n, b.v, 0, 0))); }),
-            "zero_along of a velocity constraint is given no direction");
+            "zero_along of a velocity constraint requires at least one direction");
   EXPECT_EQ(told([](auto& b) { b.position_of(b.bob, point_id{9}); }),
-            "a position names point number 9, which does not exist");
+            "a position refers to point number 9, which does not exist");
   EXPECT_EQ(told([](auto& b) { b.position_of(b.bob, b.origin("Bearing")); }),
             "the position of P from Bearing is not known: they are measured from two origins, O and Bearing");
   EXPECT_EQ(told([](auto& b) { b.dot(b.along(b.n, 1, 0, 0), pendulum_on_cart().along(b.n, 1, 0, 0)); }),
-            "a dot product has an expression that belongs to another mechanism or to none");
+            "a dot product contains an expression that belongs to a different mechanism or to none");
 }
 
 TEST(builder_mistakes, looks_at_expressions_made_of_two_mechanisms_or_none) {
   constexpr const char* mixed =
-      "a potential energy has an expression that belongs to another mechanism or to none";
+      "a potential energy contains an expression that belongs to a different mechanism or to none";
   pendulum_on_cart other;
   EXPECT_EQ(told([&](auto& b) { b.potential_energy(b.x + other.x); }), mixed);
   EXPECT_EQ(told([&](auto& b) { b.potential_energy(sin(2 * (b.x * other.x)) - b.x); }), mixed);

@@ -53,11 +53,11 @@ TEST(built_model, does_not_read_past_the_end_of_a_vector) {
   const Eigen::Matrix<double, 1, 1> r(0.6);
   const no_heap::guard guard;
   EXPECT_TRUE(std::isnan(udot(x, p.head<2>(), r)(0)));
-  EXPECT_EQ(udot.status().view(), "the parameter vector has 2 entries, and none for g");
+  EXPECT_EQ(udot.status().view(), "the parameter vector has 2 entries, but none for g");
   EXPECT_TRUE(std::isnan(udot(x, p, r.head(0))(0)));
-  EXPECT_EQ(udot.status().view(), "the input vector has 0 entries, and none for T");
+  EXPECT_EQ(udot.status().view(), "the input vector has 0 entries, but none for T");
   EXPECT_TRUE(std::isnan(udot(x.head(0), p, r)(0)));
-  EXPECT_EQ(udot.status().view(), "the state vector has 0 entries, and none for q");
+  EXPECT_EQ(udot.status().view(), "the state vector has 0 entries, but none for q");
   EXPECT_TRUE(std::isfinite(udot(x, p, r)(0)));
   EXPECT_TRUE(udot.status());
 }
@@ -69,7 +69,7 @@ TEST(built_model, needs_the_rates_that_a_result_holds) {
   const Eigen::Vector3d p(1.5, 2, 9.81);
   const Eigen::Matrix<double, 1, 1> r(0.6), a(2);
   EXPECT_TRUE(std::isnan(forces(0, x, p, r, a.head(0))(0)));
-  EXPECT_EQ(forces.status().cause(), "the acceleration vector has 0 entries, and none for u");
+  EXPECT_EQ(forces.status().cause(), "the acceleration vector has 0 entries, but none for u");
   EXPECT_NEAR(forces(0, x, p, r, a)(0), -1.5 * 4 * 2, 1e-13);
 }
 
@@ -83,10 +83,10 @@ TEST(built_model, is_linearized_with_symbols_by_their_names) {
   EXPECT_EQ(print(linear.explicit_form().B), "[0        ]\n[1/(l^2*m)]");
   EXPECT_THAT(linear.states(), testing::ElementsAre("q", "u"));
   EXPECT_THAT(built.linearize({{"w", 0}}).failures(),
-              testing::ElementsAre("the operating point names w, which the system does not have"));
+              testing::ElementsAre("the operating point refers to w, which the system does not have"));
   EXPECT_THAT(built.linearize({{"q", 1}, {"u", 0}, {"T", 0}, {"u'", 0}}).failures(),
-              testing::ElementsAre("the operating point does not satisfy dynamic differential equation 1: it "
-                                   "leaves 0.8414709848078965*g*l*m"));
+              testing::ElementsAre("the operating point does not satisfy dynamic differential equation 1: "
+                                   "the residual is 0.8414709848078965*g*l*m"));
 }
 
 TEST(built_model, does_not_change_with_what_is_built_afterwards) {

@@ -131,7 +131,7 @@ TEST(linearization, says_which_equation_a_point_does_not_satisfy) {
   auto linear = model.linearize(open, {{q1, 0}, {q2, 0}, {q3, 0}});
   ASSERT_FALSE(linear);
   EXPECT_EQ(linear.failures()[0],
-            "the operating point does not satisfy configuration constraint 1: it leaves 3");
+            "the operating point does not satisfy configuration constraint 1: the residual is 3");
   EXPECT_THAT(linear.failures(), testing::Contains(HasSubstr("velocity constraint")));
 }
 
@@ -143,11 +143,13 @@ TEST(linearization, checks_rates_that_the_point_gives) {
   auto wrong_rate = model.linearize(swinging, {{dot(q), 3}});
   EXPECT_THAT(
       wrong_rate.failures(),
-      ElementsAre("the operating point does not satisfy kinematic differential equation 1: it leaves 1"));
+      ElementsAre(
+          "the operating point does not satisfy kinematic differential equation 1: the residual is 1"));
   auto wrong_acceleration = model.linearize(swinging, {{dot(u), 0.5}});
   EXPECT_THAT(
       wrong_acceleration.failures(),
-      ElementsAre("the operating point does not satisfy dynamic differential equation 1: it leaves 0.5"));
+      ElementsAre(
+          "the operating point does not satisfy dynamic differential equation 1: the residual is 0.5"));
 }
 
 // With symbols for the lengths it is satisfied for some of them only.
@@ -166,13 +168,14 @@ TEST(linearization, says_what_it_does_not_know) {
   auto model = kanexpr::derive<System>();
   constexpr kanexpr::coordinate<"x"> x;
   EXPECT_THAT(model.linearize({{x, 1}}).failures(),
-              ElementsAre("the operating point names x, which the system does not have"));
+              ElementsAre("the operating point refers to x, which the system does not have"));
   const linearization_point doubled{{q, 0}, {u, 0}, {q, 1}};
   const std::string two = "the operating point gives q two values";
   EXPECT_THAT(model.linearize(doubled).failures(), testing::Contains(two));
   EXPECT_THAT(model.linearize({{u, 0}}, {{q, 1}, {"q", 1}}).failures(), testing::Contains(two));
-  EXPECT_THAT(model.linearize({{q, x + 1}}).failures(),
-              ElementsAre("the value of q at the operating point holds x, which the system does not have"));
+  EXPECT_THAT(
+      model.linearize({{q, x + 1}}).failures(),
+      ElementsAre("the value of q at the operating point contains x, which the system does not have"));
 }
 
 // A prescribed angle is an input together with both of its derivatives.

@@ -78,14 +78,14 @@ TEST(model, says_what_is_no_scalar_and_no_vector) {
   EXPECT_EQ(derived.get<outer(L::x, L::y)>().entries.size(), 0);
   EXPECT_EQ(derived.mistake(), "a function requests a dyadic; it must request a scalar or a vector");
   EXPECT_TRUE(derived.vector<q1 * u1>().parts.empty());
-  EXPECT_EQ(derived.mistake(), "what is asked for as a vector is another expression");
+  EXPECT_EQ(derived.mistake(), "the expression requested as a vector is not a vector");
 }
 
 TEST(model, evaluates_no_expression_of_another) {
   auto derived = derive<System>(), other = derive<System>();
   auto mass = derived.function(other.mass_matrix());
   EXPECT_EQ(mass(state<System>::Zero().eval(), parameter_values<System>(1, 1, 1)).size(), 0);
-  EXPECT_EQ(mass.status().cause(), "the result that is to be evaluated is one of another model");
+  EXPECT_EQ(mass.status().cause(), "the result to be evaluated belongs to a different model");
 }
 
 TEST(model, tells_in_the_status_why_a_result_was_not_formed) {
@@ -97,14 +97,14 @@ TEST(model, tells_in_the_status_why_a_result_was_not_formed) {
   for (auto* f : {&now, &later})
     EXPECT_EQ((*f)(state<System>::Zero().eval(), parameter_values<System>(1, 1, 1)).size(), 0);
   EXPECT_EQ(now.status().cause(), "speed w, which an expression contains, is not in the list of speeds");
-  EXPECT_EQ(later.status().cause(), "the result that is to be evaluated was not formed");
+  EXPECT_EQ(later.status().cause(), "the result to be evaluated was not formed");
 }
 
 TEST(model, tells_in_the_status_what_was_not_given) {
   auto derived = derive<System>();
   auto mass = derived.function(derived.mass_matrix());
   EXPECT_TRUE(std::isnan(mass(state<System>::Zero().eval())(0, 0)));
-  EXPECT_EQ(mass.status().cause(), "the parameter vector has 0 entries, and none for r");
+  EXPECT_EQ(mass.status().cause(), "the parameter vector has 0 entries, but none for r");
 }
 
 constexpr parameter<"kappa"> pull;

@@ -275,20 +275,19 @@ TEST(base_parameters, of_two_bars) {
 
 TEST(base_parameters, need_the_parameters_of_the_model) {
   auto m = kanexpr::derive<double_pendulum::LagrangeSystem>();
-  EXPECT_EQ(kanexpr::find_base_parameters(m).cause(),
-            "base parameters are asked for with 0 parameters of 10");
+  EXPECT_EQ(kanexpr::find_base_parameters(m).cause(), "base parameters: got 0 parameters, expected 10");
   EXPECT_EQ(kanexpr::find_base_parameters(m, VectorXd::Ones(10), {.tolerance = 0.01}).cause(),
-            "which inertial parameters follow from others is not clear with a tolerance of 0.01");
+            "dependent and independent inertial parameters cannot be separated with a tolerance of 0.01");
   VectorXd p = VectorXd::Ones(10);
   p(4) = 1e6; // a length, in micrometres
   EXPECT_EQ(kanexpr::find_base_parameters(m, p).cause(),
-            "which inertial parameters follow from others is not clear with a tolerance of 1e-09");
+            "dependent and independent inertial parameters cannot be separated with a tolerance of 1e-09");
   p(4) = std::numeric_limits<double>::infinity();
   EXPECT_THAT(kanexpr::find_base_parameters(m, p).cause(), testing::EndsWith(" is not finite"));
   EXPECT_EQ(kanexpr::find_base_parameters(m, VectorXd::Ones(11)).cause(),
-            "base parameters are asked for with 11 parameters of 10");
+            "base parameters: got 11 parameters, expected 10");
   EXPECT_EQ(kanexpr::find_base_parameters(m, VectorXd::Ones(10), {.tolerance = 2}).cause(),
-            "base parameters need a tolerance between 0 and 1, not 2");
+            "the tolerance of base parameters must be between 0 and 1, got 2");
 }
 
 } // namespace

@@ -2,38 +2,39 @@
 
 #include <kanexpr/robots/robot.hpp>
 
-/// What of a robot moves as one.
+/// The parts of a robot that move as one body.
 namespace kanexpr::robots {
 
-/// Links between which joints are fixed, called by the first of them, in whose axes everything is.
+/// Links connected by fixed joints. The body is named after the first of them, in whose axes all quantities
+/// are expressed.
 struct moving_body {
   int link = -1;
-  int joint = -1;  ///< that moves it; -1: the root
-  int parent = -1; ///< its place among the moving bodies; -1: the root has none
-  pose origin{};   ///< of the joint, in the axes of the parent
+  int joint = -1;  ///< the joint that moves it; -1 for the root
+  int parent = -1; ///< index of the parent body; -1 for the root
+  pose origin{};   ///< pose of the joint in the axes of the parent
   double mass = 0;
   vector3 center{};
-  inertia_matrix inertia{}; ///< about the mass centre
-  double weightless = 0;    ///< of the mass, what gravity does not act on
+  inertia_matrix inertia{}; ///< about the mass center
+  double weightless = 0;    ///< the part of the mass on which gravity does not act
   vector3 weightless_center{};
 
   bool has_mass() const { return mass > 0 || inertia.largest() > 0; }
   bool is_weightless() const { return weightless >= mass; }
 };
 
-/// A link, in the axes of the moving body that it is a part of.
+/// The pose of a link in the axes of the moving body it belongs to.
 struct placed_link {
   int body = -1;
   pose at{};
 };
 
 struct articulation {
-  std::vector<moving_body> bodies{}; ///< each behind its parent; the first has the root
-  std::vector<placed_link> links{};  ///< of all links, in their order
-  std::vector<int> joints{};         ///< those that move by coordinates of their own, in their order
+  std::vector<moving_body> bodies{}; ///< each after its parent; the first contains the root
+  std::vector<placed_link> links{};  ///< all links, in their order
+  std::vector<int> joints{};         ///< joints that move independently, in their order
 };
 
-/// Folds fixed joints away, by parallel axes.
+/// Merges links connected by fixed joints, by the parallel-axis theorem.
 inline articulation articulation_of(const robot& r);
 
 } // namespace kanexpr::robots
@@ -46,7 +47,7 @@ inline inertia_matrix sum(const inertia_matrix& a, const inertia_matrix& b) {
   return {a.xx + b.xx, a.yy + b.yy, a.zz + b.zz, a.xy + b.xy, a.yz + b.yz, a.zx + b.zx};
 }
 
-/// Of a mass at r, about the origin.
+/// The inertia of a point mass at r about the origin.
 inline inertia_matrix of_point(double mass, const vector3& r) {
   return {mass * (r[1] * r[1] + r[2] * r[2]),
           mass * (r[2] * r[2] + r[0] * r[0]),
@@ -57,13 +58,13 @@ inline inertia_matrix of_point(double mass, const vector3& r) {
 }
 
 inline inertia_matrix turned(const rotation& by, const inertia_matrix& i) {
-  if (by == no_rotation) return i; // to the last digit
+  if (by == no_rotation) return i; // exactly
   const rotation given{{{i.xx, i.xy, i.zx}, {i.xy, i.yy, i.yz}, {i.zx, i.yz, i.zz}}};
   const rotation t = product(by, product(given, transposed(by)));
   return {t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[2][0]};
 }
 
-/// Adds a mass to others.
+/// Adds a mass to a total mass and updates its mass center.
 inline void add_mass(double& mass, vector3& center, double added, const vector3& at) {
   const double whole = mass + added;
   if (mass > 0 && added > 0)
@@ -73,7 +74,7 @@ inline void add_mass(double& mass, vector3& center, double added, const vector3&
   mass = whole;
 }
 
-/// Adds the mass of a link. The mass centre of a body of one link is that of the link to the last digit.
+/// Adds the mass of a link. The mass center of a body with one link is exactly that of the link.
 inline void add(moving_body& to, const inertial& of, const pose& at) {
   const pose center = product(at, of.center);
   const inertia_matrix inertia = turned(center.turn, of.inertia);
@@ -91,7 +92,7 @@ inline void add(moving_body& to, const inertial& of, const pose& at) {
 
 } // namespace detail
 
-/// Links one after another from the root, the first limb to its end and then the next.
+/// Visits the links depth first, starting at the root.
 class folding {
 public:
   explicit folding(const robot& r) : robot_(r), outward_(r.links.size()) {
@@ -115,7 +116,7 @@ public:
   }
 
 private:
-  /// A link to come, on a body, by a joint that moves or none.
+  /// A link to visit, its body, and the moving joint that leads to it, if any.
   struct step {
     int link = -1, body = -1;
     pose at{};
@@ -148,14 +149,13 @@ private:
 
   const robot& robot_;
   articulation into_{};
-  std::vector<std::vector<int>> outward_; ///< joints at each link, in their order
+  std::vector<std::vector<int>> outward_; ///< joints that start at each link, in their order
   std::vector<step> open_{};
 };
 
 inline articulation articulation_of(const robot& r) { return folding(r).fold(); }
 
-/// Of a robot with links on which gravity does not act: where it acts on none that can fall, there is none.
-/// What is fixed in a link that is called the world cannot fall.
+/// Sets gravity to zero if it acts on no link that can move. Links fixed to a link named "world" cannot move.
 inline void settle_gravity(robot& r) {
   const articulation moving = articulation_of(r);
   const bool in_world = r.links[static_cast<std::size_t>(r.root)].name == "world";
@@ -170,7 +170,7 @@ inline void settle_gravity(robot& r) {
   for (link& l : r.links) l.weightless = false;
 }
 
-/// How a joint follows one with a coordinate of its own: q = multiplier · q_leader + offset.
+/// The relation between a joint and the independent joint that it mimics: q = multiplier · q_leader + offset.
 inline mimicry followed_by(const robot& r, int joint) {
   mimicry f{joint, 1, 0};
   while (const auto& next = r.joints[static_cast<std::size_t>(f.leader)].mimic) {

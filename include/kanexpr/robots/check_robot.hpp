@@ -8,16 +8,16 @@
 #include <string>
 #include <vector>
 
-/// Whether a robot is one: what a file was found to be, a program may have made otherwise.
+/// Checks a robot, which may come from a file or from a program.
 namespace kanexpr::robots {
 
-/// A sentence, and the joint that it is about; empty: nothing is wrong.
+/// A mistake as a sentence, and the joint it concerns; empty if there is none.
 struct robot_mistake {
   std::string what{};
-  int joint = -1; ///< -1: of all
+  int joint = -1; ///< -1 for the whole robot
 };
 
-/// Which link no joint leads to; a mistake where the joints are no tree.
+/// The link that is the child of no joint, or a mistake if the joints do not form a tree.
 struct found_root {
   int link = -1;
   robot_mistake mistake{};
@@ -29,7 +29,7 @@ inline std::string called(const robot& r, int link) {
   return shown(r.links[static_cast<std::size_t>(link)].name);
 }
 
-/// Whether the way along parents leads from every link to the root.
+/// Checks that the path along parents leads from every link to the root.
 inline robot_mistake unreached_in(const robot& r, const std::vector<int>& leads_to, int root) {
   std::vector<bool> reached(leads_to.size(), false);
   reached[static_cast<std::size_t>(root)] = true;
@@ -39,8 +39,7 @@ inline robot_mistake unreached_in(const robot& r, const std::vector<int>& leads_
     for (std::size_t at = l; !reached[at];
          at = static_cast<std::size_t>(r.joints[static_cast<std::size_t>(leads_to[at])].parent)) {
       if (way.size() > leads_to.size())
-        return {"the joints go round in a circle: link " + called(r, static_cast<int>(l)) +
-                    " hangs on itself",
+        return {"the joints form a loop: link " + called(r, static_cast<int>(l)) + " is its own ancestor",
                 leads_to[l]};
       way.push_back(at);
     }
@@ -50,7 +49,7 @@ inline robot_mistake unreached_in(const robot& r, const std::vector<int>& leads_
 }
 
 inline bool is_rotation(const rotation& t) {
-  constexpr double tolerance = 1e-6; // what files with few digits hold
+  constexpr double tolerance = 1e-6; // the accuracy of files with few digits
   for (std::size_t i = 0; i < 3; ++i) {
     if (!(std::abs(dot(t[i], t[i]) - 1) < tolerance)) return false;
     if (!(std::abs(dot(t[i], t[(i + 1) % 3])) < tolerance)) return false;
@@ -67,7 +66,8 @@ inline std::string wrong_with(const link& l) {
   const inertia_matrix& m = i.inertia;
   if (!numeric::is_finite(i.mass + m.xx + m.yy + m.zz + m.xy + m.yz + m.zx))
     return "the mass or the inertia of " + whose + " is not a finite number";
-  if (!is_placed(i.center)) return "the mass centre of " + whose + " is not placed by numbers and a rotation";
+  if (!is_placed(i.center))
+    return "the mass center of " + whose + " is not placed by finite numbers and a rotation matrix";
   return i.mass < 0 ? "the mass of " + whose + " is negative" : "";
 }
 
@@ -77,14 +77,15 @@ inline std::string wrong_with_mimic(const robot& r, const joint& j) {
   for (std::size_t steps = 0; at->mimic; ++steps) {
     const mimicry& m = *at->mimic;
     if (m.leader < 0 || static_cast<std::size_t>(m.leader) >= r.joints.size())
-      return whose + " follows a joint that is not there";
+      return whose + " mimics a joint that does not exist";
     if (!numeric::is_finite(m.multiplier) || !numeric::is_finite(m.offset))
-      return whose + " follows another by a number that is not finite";
-    if (steps == r.joints.size()) return whose + " follows a joint that follows it in turn";
-    if (!has_one_coordinate(at->is)) return whose + " follows another, but has not one coordinate";
+      return whose + " mimics another joint with a multiplier or offset that is not finite";
+    if (steps == r.joints.size()) return whose + " mimics a joint that in turn mimics it";
+    if (!has_one_coordinate(at->is))
+      return whose + " mimics another joint but does not have exactly one coordinate";
     at = &r.joints[static_cast<std::size_t>(m.leader)];
     if (!has_one_coordinate(at->is))
-      return whose + " follows " + shown(at->name) + ", which has not one coordinate";
+      return whose + " mimics " + shown(at->name) + ", which does not have exactly one coordinate";
   }
   return {};
 }
@@ -94,10 +95,11 @@ inline std::string wrong_with(const robot& r, const joint& j) {
   const auto is_link = [&](int l) { return l >= 0 && static_cast<std::size_t>(l) < r.links.size(); };
   if (!is_link(j.parent) || !is_link(j.child))
     return whose + " has a parent or a child that is not among the links";
-  if (j.parent == j.child) return whose + " leads from a link to itself";
-  if (!is_placed(j.origin)) return "the origin of " + whose + " is not placed by numbers and a rotation";
+  if (j.parent == j.child) return whose + " connects a link to itself";
+  if (!is_placed(j.origin))
+    return "the origin of " + whose + " is not placed by finite numbers and a rotation matrix";
   if (has_axis(j.is) && !(std::abs(dot(j.axis, j.axis) - 1) < 1e-6))
-    return "the axis of " + whose + " does not have the length 1";
+    return "the axis of " + whose + " does not have length 1";
   if (!(j.damping >= 0) || !(j.friction >= 0) || !(j.rotor_inertia >= 0) ||
       !numeric::is_finite(j.damping + j.friction + j.rotor_inertia + j.gear_ratio))
     return "the damping, friction or rotor of " + whose + " is negative or not finite";
@@ -107,7 +109,7 @@ inline std::string wrong_with(const robot& r, const joint& j) {
 
 } // namespace detail
 
-/// Of joints whose parents and children are links.
+/// Finds the root of a robot whose joints all have a parent and a child among the links.
 inline found_root root_of(const robot& r) {
   std::vector<int> leads_to(r.links.size(), -1);
   for (std::size_t j = 0; j < r.joints.size(); ++j) {
@@ -124,15 +126,15 @@ inline found_root root_of(const robot& r) {
     if (leads_to[l] >= 0) continue;
     if (root >= 0)
       return {-1,
-              {"no joint leads to link " + detail::called(r, root) + " nor to link " +
-               detail::called(r, static_cast<int>(l)) + "; a robot has one such link, its root"}};
+              {"no joint has link " + detail::called(r, root) + " or link " +
+               detail::called(r, static_cast<int>(l)) + "as its child; a robot has one such link, its root"}};
     root = static_cast<int>(l);
   }
-  if (root < 0) return {-1, {"the joints go round in a circle: a joint leads to every link"}};
+  if (root < 0) return {-1, {"the joints form a loop: every link is the child of a joint"}};
   return {root, detail::unreached_in(r, leads_to, root)};
 }
 
-/// The first mistake in a robot; empty: there is none.
+/// The first mistake in a robot; empty if there is none.
 inline std::string check_robot(const robot& r) {
   if (r.links.empty()) return "the robot has no links";
   if (r.gravity && !detail::is_finite(*r.gravity)) return "the gravity of the robot is not finite";
@@ -142,7 +144,8 @@ inline std::string check_robot(const robot& r) {
     if (std::string wrong = detail::wrong_with(r, j); !wrong.empty()) return wrong;
   const found_root found = root_of(r);
   if (!found.mistake.what.empty() || found.link == r.root) return found.mistake.what;
-  return "the root of the robot is not link " + detail::called(r, found.link) + ", to which no joint leads";
+  return "the root of the robot must be link " + detail::called(r, found.link) +
+         ", which is the child of no joint";
 }
 
 } // namespace kanexpr::robots

@@ -10,17 +10,17 @@
 #include <string_view>
 #include <vector>
 
-/// Pieces of the text of a header.
+/// Formats the text of a header.
 namespace kanexpr::robots {
 
 namespace text {
 
-/// All digits of a number, and no more.
+/// The shortest text that reads back as the same number.
 inline std::string digits(double x) {
   char letters[32];
   const auto end = std::to_chars(letters, letters + sizeof letters, x + 0.0, std::chars_format::general).ptr;
   std::string shortest(letters, end);
-  if (shortest.find_first_of(".e") == shortest.npos && shortest.size() > 9) shortest += ".0"; // is no int
+  if (shortest.find_first_of(".e") == shortest.npos && shortest.size() > 9) shortest += ".0"; // not an int
   return shortest;
 }
 
@@ -42,7 +42,7 @@ inline std::string along(const std::string& axes, const vector3& v) {
   return sum.empty() ? "0.0 * " + axes + "::x" : sum;
 }
 
-/// In parentheses where it is a sum.
+/// An expression, in parentheses if it is a sum.
 inline std::string factor(const std::string& e) {
   return e.find(' ') == e.npos && !e.starts_with('-') ? e : "(" + e + ")";
 }
@@ -55,11 +55,11 @@ inline std::string list(const std::vector<std::string>& all) {
 
 inline constexpr std::size_t columns = 110;
 
-/// A line that begins in a column, broken behind commas and signs where it is too long; it goes on behind
-/// `indent` columns.
+/// Breaks a line that starts at `column` after commas and signs if it is too long; continuation lines are
+/// indented by `indent`.
 inline std::string folded(const std::string& line, std::size_t column, std::size_t indent) {
   std::string text;
-  std::size_t begun = 0, last = 0; // of what is to be written; where it may break
+  std::size_t begun = 0, last = 0; // start of the unwritten text; last position where it may break
   for (std::size_t i = 1; i < line.size(); ++i) {
     const char before = line[i - 1];
     if (line[i] == ' ' && (before == ',' || before == '+' || before == '-')) last = i;
@@ -71,7 +71,8 @@ inline std::string folded(const std::string& line, std::size_t column, std::size
   return text + line.substr(begun);
 }
 
-/// A list over as many lines as it takes, behind `before`, under which it goes on.
+/// A list that starts after `before` and wraps over as many lines as it needs, indented by the length of
+/// `before`.
 inline std::string wrapped(const std::string& before, const std::vector<std::string>& all) {
   const std::size_t indent = before.size();
   std::string text = before;
@@ -91,15 +92,15 @@ inline std::string wrapped(const std::string& before, const std::vector<std::str
   return text;
 }
 
-/// The beginning of a namespace with the words of the library; with one of its own name, which the name of
-/// the namespace hides, by itself.
+/// Opens a namespace that uses the names of the library; a library name that the namespace would hide is
+/// declared separately.
 inline std::string opened(const std::string& called, std::initializer_list<std::string_view> words) {
   const bool hides = std::ranges::find(words, called) != words.end();
   return "namespace " + called + " {\n\nusing namespace kanexpr;\n" +
          (hides ? "using kanexpr::" + called + ";\n" : "") + "\n";
 }
 
-/// What a file says, in a comment: nothing that ends the line or goes on behind it.
+/// Text of a file in a form that is safe in a comment: it can neither end nor continue the line.
 inline std::string comment(std::string_view said) {
   std::string plain;
   for (char c : said.substr(0, 80)) plain += c >= ' ' && c < 0x7f && c != '\\' && c != '?' ? c : '_';

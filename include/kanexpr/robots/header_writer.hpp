@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-/// A robot as a header with its model, for a compiler to derive and for a person to read and change.
+/// Writes the model of a robot as a header, for the compiler to derive and for people to read and change.
 namespace kanexpr::robots {
 
 class header_writer {
@@ -16,13 +16,13 @@ public:
   header_writer(const robot& r, const model_options& options)
       : robot_(r), options_(options), plan_(plan_of(r, options)) {}
 
-  /// Why there is no header; empty: there is one.
+  /// The reason why there is no header; empty if there is one.
   std::string cause() const { return plan_.mistake; }
 
-  /// Which names of the file are others in C++: "Finger_a is finger a, …".
+  /// The names of the file that differ in C++: "Finger_a is finger a, …".
   std::string renamed() const { return text::list(plan_.renamed); }
 
-  /// The header of a model in the namespace `called`, `from` a file.
+  /// The header of a model in the namespace `called`, read from the file `from`.
   std::string write(const std::string& called, std::string_view from) {
     links_.resize(robot_.links.size());
     write_root();
@@ -39,13 +39,13 @@ public:
   }
 
 private:
-  /// The expressions by which a joint of one coordinate moves.
+  /// The coordinate and the speed of a joint with one coordinate, as expressions.
   struct motion {
     std::string q{}, u{};
   };
 
   const std::string& name(int link) const { return plan_.links[static_cast<std::size_t>(link)]; }
-  /// What has the axes and the origin of a link: N of one that is fixed in the ground at its origin.
+  /// The type with the axes and the origin of a link: N for a link that coincides with the ground.
   std::string& type(int link) { return links_[static_cast<std::size_t>(link)]; }
   const joint& joint_of(const moving_body& b) const {
     return robot_.joints[static_cast<std::size_t>(b.joint)];
@@ -62,13 +62,15 @@ private:
     for (const moving_body& b : plan_.what.bodies)
       if (b.weightless > 0 && !(b.joint < 0 && options_.base == base_kind::fixed))
         lifting += (lifting.empty() ? "" : " + ") + energy_of_lifting(b, free_fall);
-    if (!lifting.empty()) loads_.push_back("potential_energy<" + lifting + ">"); // one: wheels have the same
+    if (!lifting.empty())
+      loads_.push_back("potential_energy<" + lifting + ">"); // one sum: wheels have equal terms
   }
 
-  /// Takes gravity away from where it does not act. A potential energy, so that no energy is lost.
+  /// A potential energy that cancels gravity on a weightless body, so that energy is conserved.
   std::string energy_of_lifting(const moving_body& b, const std::string& free_fall) {
     const std::string &on = type(b.link), called = name(b.link) + "_weightless";
-    const std::string symbols = b.is_weightless() ? name(b.link) : called; // whose there are
+    const std::string symbols =
+        b.is_weightless() ? name(b.link) : called; // existing ones if the whole body is weightless
     const auto known = values_.size();
     const std::string mass = value("m_" + symbols, b.weightless);
     const std::string at = options_.bind == binding::numbers
@@ -101,7 +103,7 @@ private:
     out_ += text::wrapped("struct " + called + " : " + word + "<", all) + "> {};\n";
   }
 
-  /// The words for where a joint sits in its parent: none for a place or a turn that is none.
+  /// The arguments that place a joint in its parent; a zero offset or rotation is omitted.
   static std::vector<std::string> placed(const std::string& parent, const pose& origin) {
     std::vector<std::string> words{parent};
     if (!is_zero(origin.at)) words.push_back("at<" + text::along(parent, origin.at) + ">");
@@ -131,7 +133,7 @@ private:
     if (options_.base == base_kind::floating) write_joint_by(root, "floating", {"N"}, plan_.joints[0]);
   }
 
-  /// A joint as one word, with the symbols and the body that it has.
+  /// Writes a joint as one declaration with its symbols and its body.
   void write_joint_by(const moving_body& b, const std::string& word, std::vector<std::string> words,
                       const planned_joint& j) {
     std::vector<std::string> symbols = j.coordinates;
@@ -181,7 +183,7 @@ private:
     return value("f_" + name(b.link), j.friction) + " * sign(" + speed + ")";
   }
 
-  /// A joint without a coordinate of its own: fixed where that of another says.
+  /// Writes a mimic joint: a weld that is placed by the coordinate of its leader.
   void write_follower(const moving_body& b) {
     const joint& j = joint_of(b);
     const std::string &called = name(b.link), start = called + "_start";
@@ -233,7 +235,7 @@ private:
     return "body<" + text::list({mass, center, inertia}) + ">";
   }
 
-  /// n² J is felt at the joint, and nothing else.
+  /// Writes a rotor, which contributes n² J at the joint and nothing else.
   void write_rotor(const moving_body& b) {
     const joint& j = joint_of(b);
     const double felt = j.gear_ratio * j.gear_ratio * j.rotor_inertia;
@@ -246,7 +248,7 @@ private:
     bodies_.push_back(called + "_body");
   }
 
-  /// The links that are fixed to a body, and other names of the ground.
+  /// Writes the links that are fixed to a body, and aliases of the ground.
   void write_folded(const moving_body& b) {
     if (type(b.link) != name(b.link)) out_ += "using " + name(b.link) + " = " + type(b.link) + ";\n";
     const auto body = static_cast<std::size_t>(&b - plan_.what.bodies.data());
@@ -259,12 +261,12 @@ private:
 
   std::string head(const std::string& called, std::string_view from) const {
     const std::size_t links = robot_.links.size(), joints = plan_.what.joints.size();
-    const std::string include = std::string("#") + "include "; // of the header, not of this file
+    const std::string include = std::string("#") + "include "; // in the header, not in this file
     return "#pragma once\n\n" + include + "<kanexpr/joints.hpp>\n" + include + "<kanexpr/kanexpr.hpp>\n\n" +
-           include + "<limits>\n\n/// The robot " + text::comment(robot_.name) + " of " +
+           include + "<limits>\n\n/// The robot " + text::comment(robot_.name) + " from " +
            text::comment(from) + ": " + std::to_string(links) + (links == 1 ? " link, " : " links, ") +
            std::to_string(joints) + (joints == 1 ? " joint" : " joints") + " that move" +
-           (joints == 1 ? "s" : "") + " by coordinates of their own, a " +
+           (joints == 1 ? "s" : "") + " independently, a " +
            (options_.base == base_kind::floating ? "floating" : "fixed") +
            " base.\n/// Written by kanexpr-robot.\n" + names() +
            text::opened(called, {"at",
@@ -313,7 +315,7 @@ private:
     std::vector<std::string> all;
     all.reserve(plan_.renamed.size());
     for (const std::string& each : plan_.renamed) all.push_back(text::comment(each));
-    std::string told = text::wrapped("/// Names of the file: ", all) + ".\n";
+    std::string told = text::wrapped("/// Names in the file: ", all) + ".\n";
     for (std::size_t at = told.find('\n'); at + 1 < told.size(); at = told.find('\n', at + 1))
       told.replace(at + 1, 3, "///");
     return told;
@@ -352,7 +354,7 @@ private:
     return told + "> {};\n";
   }
 
-  /// Of the coordinates of joints, in their order.
+  /// Writes the limits of the joints with one coordinate, in their order.
   std::string limits() const {
     std::vector<std::string> lower, upper, effort, velocity;
     for (const planned_joint& j : plan_.joints) {
@@ -363,7 +365,7 @@ private:
     }
     if (lower.empty()) return {};
     std::string told =
-        "\n/// What the file allows the joints of one coordinate, in their order.\n"
+        "\n/// The limits of the joints with one coordinate, in their order.\n"
         "struct limits {\n  static constexpr double no_limit = std::numeric_limits<double>::infinity();\n";
     for (const auto& [called, all] : {std::pair<const char*, const std::vector<std::string>&>("lower", lower),
                                       {"upper", upper},
@@ -375,7 +377,7 @@ private:
 
   std::string at_rest() const {
     std::string told =
-        "\n/// Nothing moves, and no joint is turned or moved out.\ninline state<System> at_rest() {\n";
+        "\n/// The state at rest in which all joint positions are zero.\ninline state<System> at_rest() {\n";
     told += "  state<System> x = state<System>::Zero();\n";
     for (const planned_joint& j : plan_.joints)
       if (j.is == joint_kind::floating) told += "  x[" + j.coordinates.back() + "] = 1;\n";
@@ -385,7 +387,7 @@ private:
   std::string values() const {
     if (values_.empty()) return {};
     std::string told =
-        "\n/// The parameters as the file has them.\ninline parameter_values<System> values() {\n"
+        "\n/// The values of the parameters in the file.\ninline parameter_values<System> values() {\n"
         "  parameter_values<System> p;\n";
     for (const auto& [called, number] : values_)
       told += "  p[" + called + "] = " + text::digits(number) + ";\n";

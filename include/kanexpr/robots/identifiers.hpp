@@ -12,9 +12,9 @@
 
 namespace kanexpr::robots {
 
-/// Letters, digits and single underscores of a name; what else there is becomes an underscore.
+/// The letters, digits and single underscores of a name; other characters become underscores.
 inline std::string letters_of(std::string_view name) {
-  constexpr std::size_t most = 40; // leaves room for what stands before and behind in a name of 60 letters
+  constexpr std::size_t most = 40; // leaves room for a prefix and a suffix in a name of 60 characters
   std::string plain;
   for (char c : name) {
     const bool taken = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
@@ -30,8 +30,8 @@ inline std::string letters_of(std::string_view name) {
   return plain;
 }
 
-/// Whether it may be the namespace of a model: no word of C++, no function of C, which every header may
-/// bring, and no namespace that a model uses.
+/// Whether a name may be the namespace of a model: not a C++ keyword, not a function of the C library, which
+/// any header may declare, and not a namespace that a model uses.
 inline bool is_namespace(std::string_view name) {
   constexpr std::string_view taken[]{
       "alignas",     "alignof",   "and",        "and_eq",    "asm",      "auto",         "bitand",
@@ -52,11 +52,11 @@ inline bool is_namespace(std::string_view name) {
          std::ranges::find(taken, name) == std::end(taken) && !c_library::has(name);
 }
 
-/// Names that are identifiers of C++, none of them twice.
+/// Unique C++ identifiers.
 class identifiers {
 public:
-  /// Of a type, whose first letter is large: no word of the language or of the library begins so. What goes
-  /// with the type is called by its name and an ending of `endings`.
+  /// The name of a type, capitalized to avoid keywords and names of the library, which are not. Entities that
+  /// belong to the type are named after it with the suffixes `endings`.
   std::string type(std::string_view name, std::initializer_list<std::string_view> endings) {
     std::string plain = letters_of(name);
     if (plain.empty()) plain = "Link";
@@ -64,7 +64,7 @@ public:
     if (plain[0] >= 'a' && plain[0] <= 'z') plain[0] = static_cast<char>(plain[0] - 'a' + 'A');
     return unused(plain, {}, endings);
   }
-  /// Of a joint, of which symbols are called by what stands before it: "q_" and "u_".
+  /// The name of a joint, whose symbols have the prefixes `beginnings`: "q_" and "u_".
   std::string joint(std::string_view name, std::initializer_list<std::string_view> beginnings) {
     const std::string plain = letters_of(name);
     return unused(plain.empty() ? "joint" : plain, beginnings, {});
@@ -91,7 +91,7 @@ private:
   }
 
   std::set<std::string> used_{};
-  std::map<std::string, int> next_{}; ///< so that a thousand links of one name take no time
+  std::map<std::string, int> next_{}; ///< keeps a thousand links with the same name fast
 };
 
 } // namespace kanexpr::robots

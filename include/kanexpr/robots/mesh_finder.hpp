@@ -9,20 +9,21 @@
 
 namespace kanexpr::robots {
 
-/// Finds the files that the description of a robot names. A package of ROS is a folder beside, or above, the
-/// description, or, whatever that is called, one of those that the description lies in.
+/// Finds the files that a robot description refers to. A ROS package is a folder next to or above the
+/// description, or any folder that contains the description, whatever its name.
 class mesh_finder {
 public:
-  /// Of a description in a folder; of one in no folder nothing is found.
+  /// `folder` contains the description; if it is empty, no file is found.
   explicit mesh_finder(const std::string& folder) {
     std::error_code failed;
     if (!folder.empty()) folder_ = std::filesystem::weakly_canonical(folder, failed);
   }
 
-  /// The folder of the description, from the root.
+  /// The absolute path of the folder of the description.
   std::string folder() const { return folder_.generic_string(); }
 
-  /// Its name as seen from the folder of the description, or from the root if the description says that.
+  /// The path of a file relative to the folder of the description, or the absolute path if the description
+  /// specifies one.
   std::optional<std::string> find(std::string_view named) const {
     if (folder_.empty() || named.empty()) return {};
     for (std::string_view scheme : {"package://", "model://"})

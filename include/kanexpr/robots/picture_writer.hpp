@@ -10,28 +10,29 @@
 
 namespace kanexpr::robots {
 
-/// What a robot looks like, as a header beside that of its model: the boxes, cylinders, spheres and meshes of
-/// its links. A link of which only meshes are to be seen that are not found is drawn as rods from its origin
-/// to the joints on it.
+/// Writes the picture of a robot as a second header next to that of its model: the boxes, cylinders, spheres
+/// and meshes of its links. A link whose only shapes are meshes that were not found is drawn as rods from its
+/// origin to its joints.
 class picture_writer {
 public:
-  /// `folder` is that of the file of the robot, from which meshes are looked for; none: there are none.
+  /// `folder` contains the robot file; meshes are searched relative to it. If it is empty, no meshes are
+  /// found.
   picture_writer(const robot& r, const model_options& options, const std::string& folder = {})
       : robot_(r), options_(options), plan_(plan_of(r, options)), files_(folder) {}
 
-  /// The header of a picture in the namespace `called`, whose model is in `called`.hpp. Of a robot without a
-  /// model: nothing.
+  /// The header of a picture in the namespace `called`, whose model is in `called`.hpp; empty if the robot
+  /// has no model.
   std::string write(const std::string& called) {
     if (!plan_.mistake.empty()) return {};
     for (std::size_t l = 0; l < robot_.links.size(); ++l) draw(l);
     if (words_.empty()) draw_joints();
-    const std::string include = std::string("#") + "include "; // of the header, not of this file
+    const std::string include = std::string("#") + "include "; // in the header, not in this file
     std::string told =
         "#pragma once\n\n" + include + "<" + called + ".hpp>\n\n" + include +
         "<kanexpr/animate/animated.hpp>\n\n" +
         text::opened(called, {"box", "colour", "cylinder", "direction_cosines", "files_in", "ground", "mesh",
                               "offset", "rod", "seen_from", "show", "sphere", "up"}) +
-        out_ + "\n/// What is seen of the robot" + (shown_meshes_ == 0 ? "" : ", with meshes in files") +
+        out_ + "\n/// The picture of the robot" + (shown_meshes_ == 0 ? "" : ", with meshes from files") +
         ".\n";
     std::vector<std::string> all{"System", "up<N::z>", "seen_from<N::x - 1.2 * N::y + 0.6 * N::z>"};
     if (options_.base == base_kind::fixed) all.push_back("ground<>");
@@ -41,12 +42,12 @@ public:
            "\n";
   }
 
-  /// What of the robot is not seen, as a sentence; empty: all is.
+  /// The meshes that are not drawn, as a sentence; empty if all are.
   std::string note() const {
     if (left_out_.empty()) return {};
     const bool is_one = left_out_.size() == 1;
     return std::to_string(left_out_.size()) + (is_one ? " mesh is" : " meshes are") +
-           " left out of the picture: " + left_out_[0] + (is_one ? "" : ", and so on");
+           " omitted from the picture: " + left_out_[0] + (is_one ? "" : ", among others");
   }
 
 private:
@@ -69,7 +70,8 @@ private:
     if (count == 0 && lacks) draw_rods(link);
   }
 
-  /// Whether the file of a mesh is one that pages show; the shape then has its name as the picture says it.
+  /// Finds the file of a mesh and sets its path as used by the picture; false if it is missing or of an
+  /// unsupported kind.
   bool find(shape& s, std::size_t link) {
     const std::optional<std::string> found = files_.find(s.file);
     const bool is_known = found && !mesh_kind_of(*found).empty();
@@ -77,17 +79,17 @@ private:
       s.file = *found;
       return true;
     }
-    constexpr std::size_t most = 76; // of its end, which says most
+    constexpr std::size_t most = 76; // keeps the end, which is the most informative part
     const std::string file = s.file.size() > most ? "..." + s.file.substr(s.file.size() - most) : s.file;
     const std::string what = "the mesh " + text::comment(file) + " of link " +
                              text::comment(robot_.links[link].name) +
-                             (found ? " is of a kind that pages do not show" : " was not found");
+                             (found ? " has a format that pages cannot show" : " was not found");
     out_ += "// " + what + "\n";
     left_out_.push_back(what);
     return false;
   }
 
-  /// A name in a header, where lines may be broken behind commas and signs.
+  /// A name as a literal in a header whose lines may be broken after commas and signs.
   static std::string literal(const std::string& name) {
     std::string quoted = "\"";
     char before = 0;
@@ -150,7 +152,7 @@ private:
     }
   }
 
-  /// A COLLADA file has colours of its own.
+  /// A COLLADA file defines its colours itself.
   void show_mesh(const std::string& begun, const shape& s) {
     const std::string drawn = begun + ", " + literal(s.file) + scale_of(s.size) + ">";
     ++shown_meshes_;
@@ -160,7 +162,7 @@ private:
       show(drawn, link_colour);
   }
 
-  /// As thick as a twentieth of the longest way between two joints.
+  /// A twentieth of the longest distance between two joints.
   std::string thickness() const {
     double longest = 0;
     for (const joint& j : robot_.joints)
@@ -175,7 +177,7 @@ private:
              link_colour);
   }
 
-  /// Of a robot of which nothing is seen.
+  /// Draws the joints of a robot without visible shapes.
   void draw_joints() {
     for (const moving_body& b : plan_.what.bodies)
       show("sphere<" + name(static_cast<std::size_t>(b.link)) + ", " + thickness() + ">", joint_colour);

@@ -12,25 +12,25 @@
 #include <utility>
 #include <vector>
 
-/// A robot on its way to a model: what moves, and what everything is called.
+/// The plan for the model of a robot: its moving bodies and the names of all symbols and links.
 namespace kanexpr::robots {
 
-/// A joint with coordinates of its own; the base has one where it floats.
+/// A joint that moves independently; a floating base has one too.
 struct planned_joint {
-  int joint = -1; ///< its place in the robot; -1: the floating base
+  int joint = -1; ///< index in the robot; -1 for the floating base
   joint_kind is = joint_kind::floating;
   std::string called{};
   std::vector<std::string> coordinates{}, speeds{};
-  std::string input{}; ///< empty: there is none
+  std::string input{}; ///< empty if there is none
 };
 
 struct plan {
   articulation what{};
-  std::vector<planned_joint> joints{}; ///< the base, then in the order of the file
+  std::vector<planned_joint> joints{}; ///< that of the base, then in the order of the file
   std::vector<std::string> links{};    ///< names of all links
-  std::vector<int> joint_of{};         ///< the place among `joints` of each joint of the robot; -1: none
-  std::vector<std::string> renamed{};  ///< "Finger_a is finger a": names that are not those of the file
-  std::string mistake{};               ///< why there is no model; empty: there is one
+  std::vector<int> joint_of{};         ///< index in `joints` for each joint of the robot; -1 if it has none
+  std::vector<std::string> renamed{};  ///< names that differ from those of the file: "Finger_a is finger a"
+  std::string mistake{};               ///< the reason why there is no model; empty if there is one
 
   const planned_joint* joint_by(int of_robot) const {
     const int place = joint_of[static_cast<std::size_t>(of_robot)];
@@ -38,7 +38,7 @@ struct plan {
   }
 };
 
-/// One coordinate: a torque or a force drives it.
+/// A joint with one coordinate, driven by a torque or a force.
 inline planned_joint single(const robot& r, int place, const std::string& called) {
   const joint_kind is = r.joints[static_cast<std::size_t>(place)].is;
   return {place,           is,
@@ -55,7 +55,8 @@ inline planned_joint planar(int place, const std::string& called) {
           {}};
 }
 
-/// Position, unit quaternion with the scalar part last, velocity and angular velocity in its own axes.
+/// A floating joint: position, unit quaternion with the scalar part last, and velocity and angular velocity
+/// in the axes of the child.
 inline planned_joint floating(int place, const std::string& called) {
   planned_joint made{place, joint_kind::floating, called, {}, {}, {}};
   const std::string behind = called.empty() ? "" : "_" + called;
@@ -64,11 +65,11 @@ inline planned_joint floating(int place, const std::string& called) {
   return made;
 }
 
-/// Which numbers overflow where links are put together; empty: none.
+/// Reports a number that overflows when links are merged; empty if none does.
 inline std::string overflowing_in(const robot& r, const articulation& a) {
   const auto too_large = [&](int link) {
     return "the numbers of link " + shown(r.links[static_cast<std::size_t>(link)].name) +
-           " are too large to be computed with";
+           " are so large that they overflow";
   };
   const auto is_finite = [](const vector3& v) { return numeric::is_finite(v[0] + v[1] + v[2]); };
   for (const moving_body& b : a.bodies) {
@@ -84,21 +85,21 @@ inline std::string overflowing_in(const robot& r, const articulation& a) {
     const joint& j = r.joints[static_cast<std::size_t>(b.joint)];
     const mimicry how = followed_by(r, b.joint);
     if (!numeric::is_finite(j.gear_ratio * j.gear_ratio * j.rotor_inertia + how.multiplier + how.offset))
-      return "the gear of joint " + shown(j.name) + " is too large to be computed with";
+      return "the gear of joint " + shown(j.name) + " is so large that it overflows";
   }
   return {};
 }
 
-/// Which inertia is negative about some axis; empty: none.
+/// Reports an inertia that is negative about some axis; empty if there is none.
 inline std::string indefinite_in(const robot& r, const articulation& a, const model_options& options) {
   for (const moving_body& b : a.bodies)
     if ((b.joint >= 0 || options.base == base_kind::floating) && is_indefinite(b.inertia))
       return "the inertia of link " + shown(r.links[static_cast<std::size_t>(b.link)].name) +
-             ", with what is fixed to it, is indefinite: about some axis its moment is negative";
+             ", with the links fixed to it, is indefinite: its moment about some axis is negative";
   return {};
 }
 
-/// The first letter of a type is a capital: that alone is no other name.
+/// Notes a name that differs from that in the file, unless only the first letter was capitalized.
 inline void note_name(plan& p, const std::string& called, const std::string& in_file) {
   std::string small_first = called;
   if (!in_file.empty()) small_first[0] = in_file[0];
@@ -113,13 +114,13 @@ inline plan plan_of(const robot& r, const model_options& options) {
   plan p;
   if (p.mistake = check_robot(r); !p.mistake.empty()) return p;
   if (!numeric::is_finite(options.gravity.value_or(0))) {
-    p.mistake = "the gravity that the model is given is not finite";
+    p.mistake = "the gravity in the model options is not finite";
     return p;
   }
   p.what = articulation_of(r);
   if (p.what.bodies.size() > most_bodies) {
     p.mistake = "the robot has " + std::to_string(p.what.bodies.size()) +
-                " links that move, and a model has no more than " + std::to_string(most_bodies);
+                " moving links; a model has at most " + std::to_string(most_bodies);
     return p;
   }
   if (p.mistake = overflowing_in(r, p.what); !p.mistake.empty()) return p;
@@ -146,7 +147,7 @@ inline plan plan_of(const robot& r, const model_options& options) {
   return p;
 }
 
-/// Two directions across an axis that make right-handed axes with it; of z these are x and y.
+/// Two directions normal to an axis that form a right-handed triad with it; x and y for the axis z.
 inline std::pair<vector3, vector3> across(const vector3& axis) {
   std::size_t most = 0;
   for (std::size_t i = 1; i < 3; ++i)

@@ -5,17 +5,17 @@
 #include <cmath>
 #include <numbers>
 
-/// Where something sits in axes that it is fixed in, as numbers.
+/// Positions and orientations as numbers.
 namespace kanexpr::robots {
 
 using vector3 = std::array<double, 3>;
 
-/// Rows; v in the outer axes = rotation · v in the turned axes.
+/// A rotation matrix by rows: v in the outer axes = rotation · v in the rotated axes.
 using rotation = std::array<vector3, 3>;
 
 inline constexpr rotation no_rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-/// A turn, and the way to the turned axes in the outer ones.
+/// The rotation of axes, and the position of their origin in the outer axes.
 struct pose {
   rotation turn = no_rotation;
   vector3 at{};
@@ -53,7 +53,8 @@ struct sine_and_cosine {
   double sine = 0, cosine = 1;
 };
 
-/// Of an angle that is within `tolerance` of a multiple of π/4, those of that multiple.
+/// The sine and cosine of an angle. An angle within `tolerance` of a multiple of π/4 is rounded to that
+/// multiple.
 inline sine_and_cosine of_angle(double angle, double tolerance) {
   constexpr double eighth = std::numbers::pi / 4, half = std::numbers::sqrt2 / 2;
   const double turns = (std::round)(angle / eighth);
@@ -63,7 +64,7 @@ inline sine_and_cosine of_angle(double angle, double tolerance) {
   return exact[(static_cast<int>(std::fmod(turns, 8)) + 8) % 8];
 }
 
-/// By roll, pitch and yaw about the outer axes x, y and z, one after another.
+/// The rotation by roll, pitch and yaw about the fixed axes x, y and z, in this order.
 inline rotation by_roll_pitch_yaw(const vector3& angles, double tolerance) {
   const sine_and_cosine r = of_angle(angles[0], tolerance), p = of_angle(angles[1], tolerance),
                         y = of_angle(angles[2], tolerance);
@@ -73,14 +74,15 @@ inline rotation by_roll_pitch_yaw(const vector3& angles, double tolerance) {
   return product(about_z, product(about_y, about_x));
 }
 
-/// By a unit quaternion, x, y, z and the scalar part behind them.
+/// The rotation by a unit quaternion with vector part x, y, z and scalar part w.
 inline rotation by_quaternion(double x, double y, double z, double w) {
   return {{{1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)},
            {2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)},
            {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}}};
 }
 
-/// The same turn by three angles, of which right ones are exact. Near a pitch of 90° these have few digits.
+/// The rotation with its right angles made exact, by way of roll, pitch and yaw. Near a pitch of 90°, where
+/// these angles are inaccurate, it is returned unchanged.
 inline rotation with_right_angles(const rotation& r, double tolerance) {
   constexpr double right = std::numbers::pi / 2;
   const double pitch = std::asin(std::clamp(-r[2][0], -1.0, 1.0)), to_pole = right - std::abs(pitch);
@@ -89,7 +91,7 @@ inline rotation with_right_angles(const rotation& r, double tolerance) {
   return by_roll_pitch_yaw({std::atan2(r[2][1], r[2][2]), pitch, std::atan2(r[1][0], r[0][0])}, tolerance);
 }
 
-/// About an axis of length 1, by Rodrigues' formula.
+/// The rotation about a unit vector, by Rodrigues' formula.
 inline rotation by_axis(const vector3& a, double angle, double tolerance) {
   const auto [s, c] = of_angle(angle, tolerance);
   const double v = 1 - c;
@@ -98,12 +100,12 @@ inline rotation by_axis(const vector3& a, double angle, double tolerance) {
            {v * a[0] * a[2] - s * a[1], v * a[1] * a[2] + s * a[0], c + v * a[2] * a[2]}}};
 }
 
-/// A direction of length 1, to the last digit the given one if that has it. What is within `tolerance`
-/// radians of a basis vector becomes that; of no length: zero.
+/// The unit vector along v, which is exactly v if v has length 1. A direction within `tolerance` radians of a
+/// basis vector becomes that vector; a zero vector stays zero.
 inline vector3 direction_of(vector3 v, double tolerance) {
   const double largest = (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
   if (!(largest > 0)) return {};
-  if (largest > 1e100 || largest < 1e-100) // whose square overflows or vanishes
+  if (largest > 1e100 || largest < 1e-100) // whose square would overflow or underflow
     for (double& e : v) e /= largest;
   const double least = tolerance * std::sqrt(dot(v, v));
   for (double& e : v) e = std::abs(e) <= least ? 0 : e;

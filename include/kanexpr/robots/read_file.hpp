@@ -13,18 +13,18 @@
 
 namespace kanexpr::robots {
 
-/// A robot, or why a file has none: "line 12 of arm.urdf: the mass of link elbow is negative".
+/// A robot, or the reason why the file has none: "line 12 of arm.urdf: the mass of link elbow is negative".
 struct [[nodiscard]] read_robot : outcome {
   using outcome::outcome;
 
   robots::robot robot{};
-  /// What was left out, or is strange: "line 80 of arm.urdf: the inertia of link hand is that of no body: …".
+  /// What was ignored or is unusual: "line 80 of arm.urdf: the inertia of link hand is not physical: …".
   std::vector<std::string> notes{};
 };
 
 namespace detail {
 
-/// What a reader of one format makes of a text.
+/// Reads a robot from a text with the reader of one format.
 template <class Reader>
 read_robot read_text(const std::string& text, const std::string& called, const reading_options& options) {
   urdf::document from(called, options.right_angles);

@@ -3,15 +3,16 @@
 #include <kanexpr/robots/read_file.hpp>
 #include <kanexpr/robots/sdf/reader.hpp>
 
-/// Robots from files of the Simulation Description Format, by libsdformat, which no other header includes.
+/// Reads robots from files in the Simulation Description Format (SDF) with libsdformat, which no other header
+/// includes.
 namespace kanexpr::robots {
 
-/// The robot of a text in the Simulation Description Format.
+/// Reads a robot from a text in the Simulation Description Format (SDF).
 inline read_robot read_sdf_text(const std::string& text, const reading_options& options = {}) {
   return detail::read_text<sdf_files::reader>(text, {}, options);
 }
 
-/// The same of a file.
+/// Reads a robot from an SDF file.
 inline read_robot read_sdf(const std::string& path, const reading_options& options = {}) {
   return detail::read_file<sdf_files::reader>(path, options);
 }

@@ -5,12 +5,12 @@
 
 namespace kanexpr::robots {
 
-/// The robot of a text in the Unified Robot Description Format.
+/// Reads a robot from a text in the Unified Robot Description Format (URDF).
 inline read_robot read_urdf_text(const std::string& text, const reading_options& options = {}) {
   return detail::read_text<urdf::reader>(text, {}, options);
 }
 
-/// The same of a file.
+/// Reads a robot from a URDF file.
 inline read_robot read_urdf(const std::string& path, const reading_options& options = {}) {
   return detail::read_file<urdf::reader>(path, options);
 }

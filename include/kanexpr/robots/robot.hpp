@@ -9,14 +9,14 @@
 #include <string>
 #include <vector>
 
-/// A robot as a plain value: links and the joints between them, as files give them. SI units.
+/// A robot as a plain value: links and the joints between them, as described in files. SI units.
 namespace kanexpr::robots {
 
-/// Symmetric, about the mass centre; xy is the entry of the matrix, −∫ x y dm.
+/// The symmetric inertia matrix about the mass center; xy is the matrix entry −∫ x y dm.
 struct inertia_matrix {
   double xx = 0, yy = 0, zz = 0, xy = 0, yz = 0, zx = 0;
 
-  /// The largest entry without its sign; 0 of no inertia at all.
+  /// The largest absolute value of an entry.
   double largest() const {
     return (std::max)({std::abs(xx), std::abs(yy), std::abs(zz), std::abs(xy), std::abs(yz), std::abs(zx)});
   }
@@ -24,19 +24,19 @@ struct inertia_matrix {
 
 struct inertial {
   double mass = 0;
-  pose center{}; ///< the mass centre and the axes of the inertia, in the axes of the link
+  pose center{}; ///< the mass center and the axes of the inertia, in the axes of the link
   inertia_matrix inertia{};
 };
 
 enum class shape_kind : unsigned char { box, cylinder, sphere, capsule, mesh };
 
-/// What is seen or touched of a link.
+/// A visual or collision shape of a link.
 struct shape {
   shape_kind is = shape_kind::box;
   pose placed{};
-  vector3
-      size{}; ///< edges of a box; radius and length of a cylinder or capsule along z; radius; scale of a mesh
-  std::string file{}; ///< of a mesh, as it is written
+  vector3 size{}; ///< edges of a box; radius and length of a cylinder or capsule along z; radius of a sphere;
+                  ///< scale of a mesh
+  std::string file{}; ///< the file of a mesh, as written
 };
 
 struct link {
@@ -51,16 +51,16 @@ enum class joint_kind : unsigned char {
   revolute,
   continuous, ///< revolute without limits
   prismatic,
-  planar,   ///< two ways in the plane across the axis, and a turn about it
-  floating, ///< all six
+  planar,   ///< two translations in the plane normal to the axis, and a rotation about it
+  floating, ///< all six degrees of freedom
 };
 
-/// Whether it moves by one coordinate.
+/// Whether the joint has exactly one coordinate.
 constexpr bool has_one_coordinate(joint_kind is) {
   return is == joint_kind::revolute || is == joint_kind::continuous || is == joint_kind::prismatic;
 }
 
-/// Whether it turns about an axis or moves along or across one.
+/// Whether the joint has an axis to rotate about or to move along or across.
 constexpr bool has_axis(joint_kind is) { return is != joint_kind::fixed && is != joint_kind::floating; }
 
 struct joint_limits {
@@ -68,33 +68,33 @@ struct joint_limits {
   double effort = std::numeric_limits<double>::infinity(), velocity = std::numeric_limits<double>::infinity();
 };
 
-/// A joint that follows another: q = multiplier · q_leader + offset.
+/// The rule by which a joint mimics another: q = multiplier · q_leader + offset.
 struct mimicry {
-  int leader = -1; ///< its place among the joints
+  int leader = -1; ///< index of the joint
   double multiplier = 1, offset = 0;
 };
 
 struct joint {
   std::string name{};
   joint_kind is = joint_kind::fixed;
-  int parent = -1, child = -1; ///< places among the links
-  pose origin{};               ///< of the child at q = 0, in the axes of the parent
-  vector3 axis{1, 0, 0};       ///< of length 1, in the axes of the child
+  int parent = -1, child = -1; ///< indices of links
+  pose origin{};               ///< pose of the child at q = 0, in the axes of the parent
+  vector3 axis{1, 0, 0};       ///< unit vector in the axes of the child
   joint_limits limits{};
   double damping = 0;  ///< the torque or force −damping·q̇
   double friction = 0; ///< the torque or force −friction·sign q̇
   std::optional<mimicry> mimic{};
-  double gear_ratio = 1;    ///< turns of the rotor for a turn of the joint
+  double gear_ratio = 1;    ///< turns of the rotor per turn of the joint
   double rotor_inertia = 0; ///< about the axis of the rotor
 };
 
-/// The links are a tree: a joint leads to each but `root`.
+/// The links form a tree: every link except `root` is the child of one joint.
 struct robot {
   std::string name{};
   std::vector<link> links{};
   std::vector<joint> joints{};
   int root = -1;
-  std::optional<vector3> gravity{}; ///< the acceleration of free fall, in the axes of the root
+  std::optional<vector3> gravity{}; ///< gravitational acceleration, in the axes of the root
 };
 
 } // namespace kanexpr::robots

@@ -11,11 +11,11 @@
 
 namespace kanexpr::robots {
 
-/// A robot as a model of the program: a builder that has its joints, links and motors, to which loads and
-/// constraints may be added. `derive(arm)` and `simulate(arm, …)` take it like any other.
+/// A robot as a run-time model: a builder with the joints, links and motors of the robot, to which loads and
+/// constraints may be added. `derive(arm)` and `simulate(arm, …)` accept it like any other builder.
 ///
-/// The state is, of a floating base, px, py, pz, e1, e2, e3, e0 and vx, vy, vz, wx, wy, wz, and then q_ and
-/// u_ of each joint in the order of the file; the inputs are T_ (torques) and F_ (forces).
+/// The state consists of px, py, pz, e1, e2, e3, e0 and vx, vy, vz, wx, wy, wz of a floating base, followed
+/// by q_ and u_ of each joint in the order of the file; the inputs are T_ (torques) and F_ (forces).
 class robot_builder : public runtime::builder {
 public:
   using frame_id = runtime::frame_id;
@@ -23,15 +23,17 @@ public:
 
   explicit robot_builder(robot r, const model_options& options = {});
 
-  /// The first mistake, as a sentence; empty: there is none.
+  /// The first mistake as a sentence; empty if there is none.
   std::string cause() const { return plan_.mistake.empty() ? std::string((check)().view()) : plan_.mistake; }
 
-  /// Axes and origin of a link by its name in the file; the ground of a name that no link has.
+  /// The axes and the origin of a link, by its name in the file; those of the ground if no link has that
+  /// name.
   frame_id frame_of(std::string_view link) const { return frames_[place_of(link)]; }
   point_id origin_of(std::string_view link) const { return origins_[place_of(link)]; }
 
-  /// The name of the body that has the mass of a link and of all that is fixed to it: of the link that moves,
-  /// "Forearm_body" of a tool on a forearm; empty of what is part of the ground or has no mass.
+  /// The name of the body that contains the mass of a link and of all links fixed to it. It is named after
+  /// the moving link: "Forearm_body" for a tool on a forearm. Empty if the link is part of the ground or has
+  /// no mass.
   std::string body_of(std::string_view link) const {
     const std::size_t place = place_of(link);
     if (place >= plan_.what.links.size()) return {};
@@ -39,10 +41,10 @@ public:
     return is_on_ground(b) || !b.has_mass() ? "" : name(b.link) + "_body";
   }
 
-  /// The values that the file has for the parameters, in their order.
+  /// The parameters with their values in the file, in order.
   const std::vector<std::pair<std::string, double>>& values() const { return values_; }
 
-  /// A state by names: nothing moves, and no joint is turned or moved out.
+  /// The state at rest in which all joint positions are zero, by name.
   std::map<std::string, double> at_rest() const {
     std::map<std::string, double> x;
     for (const planned_joint& j : plan_.joints) {
@@ -59,7 +61,7 @@ private:
   using expression = symbolic::expression;
   using vector = mechanics::vector;
 
-  /// The symbols by which a joint moves, or what they follow, and its input.
+  /// The coordinates and speeds of a joint, or the expressions that determine them, and its input.
   struct motion {
     std::vector<expression> q{}, u{};
     expression drive{};
@@ -87,13 +89,13 @@ private:
 
   vector along_numbers(frame_id axes, const vector3& v) { return along(axes, v[0], v[1], v[2]); }
 
-  /// A number of the file, or a parameter that has its value there.
+  /// A number of the file, or a parameter with that value.
   expression value(const std::string& called, double of_file) {
     if (options_.bind == binding::numbers) return number(of_file);
     values_.emplace_back(called, of_file);
     return parameter(called);
   }
-  /// Axes that are turned in others; the same ones without a turn.
+  /// A frame rotated in another; the same frame if there is no rotation.
   frame_id turned(const std::string& called, frame_id in, const rotation& by) {
     if (by == no_rotation) return in;
     const auto row = [&](const vector3& v) {
@@ -126,7 +128,7 @@ private:
     }
   }
 
-  /// Of a joint that follows another: by the symbols of that.
+  /// The motion of a joint. The motion of a mimic joint is expressed by the symbols of its leader.
   motion motion_of(int joint) {
     const mimicry how = followed_by(robot_, joint);
     const motion& leader =
@@ -174,7 +176,8 @@ private:
     origin(b.link) = offset(called + "_origin", start, gone);
   }
 
-  /// Position in the axes that it moves in, velocity and angular velocity in its own.
+  /// The position is expressed in the parent axes, the velocity and the angular velocity in the axes of the
+  /// link.
   void float_free(int link, frame_id in, point_id start, const motion& m) {
     const std::string& called = name(link);
     const frame_id own = quaternion(called, in, m.q[6], m.q[3], m.q[4], m.q[5]);
@@ -221,7 +224,7 @@ private:
     if (is_of_no_body(i)) effective_inertia(called + "_body");
   }
 
-  /// What turns n times as fast as the joint, beside the links: n² J is felt at the joint, and nothing else.
+  /// Adds a rotor that turns n times as fast as the joint. It contributes n² J at the joint and nothing else.
   void add_rotor(const moving_body& b) {
     const joint& j = joint_of(b);
     const double felt = j.gear_ratio * j.gear_ratio * j.rotor_inertia;
@@ -244,10 +247,10 @@ private:
       if (b.weightless > 0 && !is_on_ground(b))
         lifting =
             lifting.is_given() ? lifting + energy_of_lifting(b, free_fall) : energy_of_lifting(b, free_fall);
-    if (lifting.is_given()) potential_energy(lifting); // one: wheels of an axle have the same
+    if (lifting.is_given()) potential_energy(lifting); // one sum: the wheels of an axle have equal terms
   }
 
-  /// Takes gravity away from where it does not act. A potential energy, so that no energy is lost.
+  /// A potential energy that cancels gravity on a weightless body, so that energy is conserved.
   expression energy_of_lifting(const moving_body& b, const vector& free_fall) {
     weight lifted;
     if (b.is_weightless()) {
@@ -275,11 +278,11 @@ private:
   model_options options_;
   robots::plan plan_;
   std::vector<motion> motions_{};
-  std::vector<frame_id> frames_{}; ///< of the links, and behind them the ground
+  std::vector<frame_id> frames_{}; ///< of the links, then of the ground
   std::vector<point_id> origins_{};
   std::map<std::string, std::size_t, std::less<>> places_{};
   std::vector<std::pair<std::string, double>> values_{};
-  std::map<int, weight> weights_{}; ///< of bodies, by their links
+  std::map<int, weight> weights_{}; ///< weights of the bodies, by link
 };
 
 inline robot_builder::robot_builder(robot r, const model_options& options)

@@ -18,7 +18,7 @@ KANEXPR_ENGINE assembly assemble(model& m, std::span<double> x, std::span<const 
 KANEXPR_ENGINE consistency check_consistency(model& m, std::span<const double> x, std::span<const double> p,
                                              std::span<const double> r, double t, double tolerance);
 
-/// The entries of any vector.
+/// The entries of a vector of any type.
 template <class Vector>
 std::vector<double> entries_of(const Vector& v) {
   std::vector<double> entries;
@@ -28,8 +28,8 @@ std::vector<double> entries_of(const Vector& v) {
 
 } // namespace runtime
 
-/// As for a compiled system: gives quaternions norm 1 and solves the constraints for what is dependent in
-/// `x` = [q; u].
+/// Normalizes quaternions and solves the constraints for the dependent coordinates and speeds in `x` = [q;
+/// u], as for a compiled system.
 template <class Parameters = Eigen::VectorXd, class Inputs = Eigen::VectorXd>
 assembly assemble(model& m, Eigen::VectorXd& x, const Parameters& p = {}, const Inputs& r = {}, double t = 0,
                   const assembly_options& options = {}) {
@@ -37,8 +37,8 @@ assembly assemble(model& m, Eigen::VectorXd& x, const Parameters& p = {}, const 
                            runtime::entries_of(r), t, options);
 }
 
-/// Whether a state satisfies the constraints to within `tolerance`, beside the terms of which they are sums,
-/// and its quaternions have norm 1; if not, what is off and by how much.
+/// Checks whether a state satisfies the constraints to within `tolerance`, relative to their terms, and
+/// whether its quaternions have norm 1. If not, reports which condition is violated and by how much.
 template <class Parameters = Eigen::VectorXd, class Inputs = Eigen::VectorXd>
 consistency check_consistency(model& m, const Eigen::VectorXd& x, const Parameters& p, const Inputs& r,
                               double t = 0, double tolerance = 1e-9) {
@@ -46,8 +46,8 @@ consistency check_consistency(model& m, const Eigen::VectorXd& x, const Paramete
                                     runtime::entries_of(r), t, tolerance);
 }
 
-/// Whether the constraints on the speeds are independent at a state, or which of them follow from those
-/// before them there: rows of `constraint_jacobian`.
+/// Checks whether the constraints on the speeds are independent at a state, and reports the rows of
+/// `constraint_jacobian` that depend on the rows before them.
 template <class Parameters = Eigen::VectorXd, class Inputs = Eigen::VectorXd>
 independence check_independence(model& m, const Eigen::VectorXd& x, const Parameters& p = {},
                                 const Inputs& r = {}, double t = 0) {

@@ -12,20 +12,20 @@
 
 namespace kanexpr {
 
-/// The base parameters of a system: as few combinations of the inertial parameters of its bodies as inverse
-/// dynamics depends on, π_base = K π with Y π = Y_base π_base. They are what experiments can identify
-/// (Gautier, Numerical Calculation of the Base Inertial Parameters of Robots, Journal of Robotic Systems 8,
-/// 1991).
+/// The base parameters of a system: the smallest set of combinations of the inertial parameters of its bodies
+/// that determines the inverse dynamics, π_base = K π with Y π = Y_base π_base. Only these can be identified
+/// by experiments (Gautier, Numerical Calculation of the Base Inertial Parameters of Robots, Journal of
+/// Robotic Systems 8, 1991).
 struct base_parameters {
-  std::vector<Eigen::Index> columns{}; ///< those of Y that are Y_base
+  std::vector<Eigen::Index> columns{}; ///< the columns of Y that form Y_base
   Eigen::MatrixXd combination{};       ///< K
   std::vector<std::string> names{};    ///< "izz of Upper + 0.25*m of Lower"
-  mechanics::sentence failure{};       ///< why they were not found
+  mechanics::sentence failure{};       ///< the reason why they were not found
 
   explicit operator bool() const { return !failure; }
   std::string cause() const { return failure.cause(); }
 
-  /// Y_base, of any Y.
+  /// The columns Y_base of a regressor Y.
   template <class Regressor>
   Eigen::MatrixXd columns_of(const Eigen::MatrixBase<Regressor>& y) const {
     Eigen::MatrixXd base(y.rows(), static_cast<Eigen::Index>(columns.size()));
@@ -35,17 +35,17 @@ struct base_parameters {
 };
 
 struct base_parameter_options {
-  /// Beside the lengths of columns: what is no longer counts as nothing.
+  /// The tolerance relative to the lengths of columns; shorter remainders count as zero.
   double tolerance = 1e-9;
-  std::uint64_t seed = 1; ///< of the states that are drawn
+  std::uint64_t seed = 1; ///< seed of the random states
 };
 
 namespace runtime {
 
-/// The same without matrices.
+/// The base parameters without matrices.
 struct found_base_parameters {
   std::vector<int> columns{};
-  std::vector<double> combination{}; ///< by rows
+  std::vector<double> combination{}; ///< row by row
   std::vector<std::string> names{};
   mechanics::sentence failure{};
 };
@@ -55,9 +55,10 @@ KANEXPR_ENGINE found_base_parameters find_base_parameters(model& m, std::span<co
 
 } // namespace runtime
 
-/// Finds them at random states, which satisfy the constraints, of a system with the parameters `p`: lengths
-/// enter the combinations. A parameter that follows from those before it is combined with them, so what is
-/// left stands near the ground, body by body in the order of the system.
+/// Finds the base parameters of a system with the parameters `p`, from random states that satisfy the
+/// constraints; the combinations depend on lengths in `p`. A parameter that depends on those before it is
+/// combined with them, so the remaining parameters are those of the bodies closest to the ground, in the
+/// order of the system.
 template <class Parameters = Eigen::VectorXd>
 base_parameters find_base_parameters(model& m, const Parameters& p = {},
                                      const base_parameter_options& options = {}) {

@@ -19,14 +19,14 @@ namespace runtime {
 class builder;
 }
 
-/// Derives what was built so far; what is built afterwards does not change the model. A mistake of the
-/// builder is one of the model.
+/// Derives the system built so far; later calls of the builder do not change the model. A mistake of the
+/// builder is also a mistake of the model.
 KANEXPR_ENGINE model derive(const runtime::builder& built);
 
 namespace runtime {
 
-/// The same in a graph that is not the builder's: its expressions belong to the model alone, and are the same
-/// in the programs of all compilers, whatever was derived before.
+/// Derives the system in a separate graph. Its expressions belong only to the model, and depend neither on
+/// the compiler nor on what was derived before.
 KANEXPR_ENGINE model derive_in_own_graph(const builder& built);
 
 } // namespace runtime
@@ -35,11 +35,11 @@ KANEXPR_ENGINE model derive_in_own_graph(const builder& built);
 
 namespace kanexpr::runtime {
 
-/// A number as it was given: to C++ 1/2 is the whole number 0, which nobody gives on purpose.
+/// A number as it was passed. In C++, 1/2 is the integer 0, which is never intended.
 class given_number {
 public:
   template <class Number>
-    requires std::is_arithmetic_v<Number> && (!numeric::letter<Number>) // i == 0 is 1 or 0
+    requires std::is_arithmetic_v<Number> && (!numeric::letter<Number>) // bool is allowed: i == 0 is 1 or 0
   given_number(Number value)
       : value_(static_cast<double>(value)), is_whole_zero_(describe::is_whole_zero(value)) {}
 
@@ -51,7 +51,7 @@ private:
   bool is_whole_zero_;
 };
 
-/// A number among expressions.
+/// A number or an expression.
 class number_or_expression {
 public:
   template <class Number>
@@ -69,26 +69,26 @@ private:
   std::variant<given_number, expression> held_;
 };
 
-/// A vector that has no part along some directions.
+/// A vector whose components along some directions vanish.
 struct vanishing {
   vector value;
   std::vector<vector> directions;
 };
 
-/// Builds a system from values while the program runs. It stays where it was made; `derive(b)` gives a
-/// model of it, with the results of a system that was described as types.
+/// Builds a system from values at run time. A builder cannot be copied or moved; `derive(b)` returns a model
+/// of the system, with the same results as a system described by types.
 ///
-/// A mistake does not stop the program: the first one is kept as a sentence, and what was wrong is left out.
+/// A mistake does not stop the program: the first one is kept as a sentence, and the invalid item is omitted.
 ///
-/// Loads and constraints may speak of velocities, which `mechanics::known_motion known(b.mechanism());` knows
-/// once frames and points are there.
+/// Loads and constraints may contain velocities, which `mechanics::known_motion known(b.mechanism());`
+/// provides once frames and points are defined.
 class builder {
 public:
   explicit builder(std::string_view inertial_frame);
   builder(const builder&) = delete;
   builder& operator=(const builder&) = delete;
 
-  /// The first mistake made while building, or else the first that the system holds; empty: none.
+  /// The first mistake made while building, or the first in the resulting system; empty if there is none.
   sentence(check)() const;
   const sentence& mistake() const { return inspect_.mistake(); }
 
@@ -102,38 +102,41 @@ public:
   expression speed(std::string_view u);
   expression parameter(std::string_view p);
   expression input(std::string_view r);
-  /// A quantity that is known as a function of time: three inputs in a row, r, dot(r) and dot(dot(r)).
+  /// A quantity that is known as a function of time: three consecutive inputs, r, dot(r) and dot(dot(r)).
   expression prescribed(std::string_view r);
-  /// A parameter or an input is there for expressions that are asked for later: any other that nothing in the
-  /// system uses is a mistake.
+  /// Declares that a parameter or an input is used by expressions that are requested later; any other unused
+  /// parameter or input is a mistake.
   void used_elsewhere(expression parameter_or_input);
-  /// A speed that is zero at all times and brings out a force that does no work.
+  /// A speed that is always zero and makes a force that does no work appear in the equations.
   expression auxiliary_speed(std::string_view u);
-  /// Lagrange's method: the rates of the coordinates, which are there already, take the place of speeds.
+  /// Selects Lagrange's method: the rates of the coordinates declared so far are used as speeds.
   void rates_as_speeds();
-  /// In place of bodies, after `rates_as_speeds`.
+  /// Specifies a Lagrangian instead of bodies; call it after `rates_as_speeds`.
   void lagrangian(expression energy);
   expression time() { return inspect_.take_time(), m_.time; }
-  /// 0.0 where it is 0.
+  /// A constant; write zero as 0.0.
   expression number(given_number value);
 
   /// The rate of a coordinate, speed or prescribed quantity.
   expression dot(expression e);
 
-  /// An expression that vanishes, linear in the rates of the coordinates: `dot(q) - u`.
+  /// A kinematic differential equation: an expression that vanishes, linear in the rates of the coordinates,
+  /// `dot(q) - u`.
   void kinematic_equation(expression vanishes);
-  /// The equations that say that the angular velocity of a frame which follows from its orientation is the
-  /// one that was declared.
+  /// The equations that equate the angular velocity derived from the orientation of a frame with the declared
+  /// one.
   void kinematics_of(frame_id frame, frame_id reference);
 
   // ---- vectors and dyadics
 
-  /// By its components, numbers or expressions: `b.along(A, l, 0, 0)`. That of no length is `{}`.
+  /// A vector by its components, which are numbers or expressions: `b.along(A, l, 0, 0)`. The zero vector is
+  /// `{}`.
   vector along(frame_id axes, const number_or_expression& x, const number_or_expression& y,
                const number_or_expression& z);
   expression dot(const vector& a, const vector& b);
 
-  /// Inertia scalars in the axes of a frame; products with the sign of Σ m (r·r E − r r).
+  /// An inertia dyadic by its scalars in the axes of a frame; the products of inertia have the sign of Σ m
+  /// (r·r E − r r).
   dyadic inertia(frame_id axes, const number_or_expression& xx, const number_or_expression& yy,
                  const number_or_expression& zz, const number_or_expression& xy,
                  const number_or_expression& yz, const number_or_expression& zx);
@@ -144,24 +147,24 @@ public:
 
   static constexpr frame_id inertial_frame() { return frame_id{mechanics::mechanism::inertial}; }
 
-  /// Turned by `angle` about an axis that is fixed in the parent.
+  /// A frame rotated by `angle` about an axis that is fixed in the parent.
   frame_id rotated(std::string_view called, frame_id parent, expression angle, const vector& axis);
   frame_id body_fixed(std::string_view called, frame_id parent, std::string_view letters, expression first,
                       expression second, expression third);
   frame_id space_fixed(std::string_view called, frame_id parent, std::string_view letters, expression first,
                        expression second, expression third);
-  /// Turned by the unit quaternion e0 + e1 i + e2 j + e3 k.
+  /// A frame rotated by the unit quaternion e0 + e1 i + e2 j + e3 k.
   frame_id quaternion(std::string_view called, frame_id parent, expression e0, expression e1, expression e2,
                       expression e3);
-  /// Turned by φ about the unit vector a, with the modified Rodrigues parameters a tan φ/4.
+  /// A frame rotated by φ about the unit vector a, with the modified Rodrigues parameters a tan φ/4.
   frame_id modified_rodrigues(std::string_view called, frame_id parent, expression s1, expression s2,
                               expression s3);
-  /// v in the parent's axes = to_parent · v in the frame's axes.
+  /// A frame by its direction cosines: v in the parent's axes = to_parent · v in the frame's axes.
   frame_id direction_cosines(std::string_view called, frame_id parent, const mechanics::matrix3& to_parent);
-  /// The angular velocity of a frame in another one, used in place of the derived one. It is that of the
-  /// orientation, or that and the spin about an axis by an angle which the orientation leaves out.
+  /// Declares the angular velocity of a frame in `reference`, used in place of the derived one. It must agree
+  /// with the orientation, except for a spin about an axis whose angle the orientation omits.
   void angular_velocity(frame_id frame, frame_id reference, const vector& value);
-  /// The same of a frame whose orientation does not follow its angular velocity, on purpose.
+  /// The same for a frame whose orientation intentionally does not follow its angular velocity.
   void angular_velocity_apart_from_orientation(frame_id frame, frame_id reference, const vector& value);
 
   // ---- points
@@ -171,14 +174,15 @@ public:
   point_id offset(std::string_view called, point_id parent, const vector& from_parent);
   /// The two-point theorem: the point and its parent are both fixed in `frame`.
   void fixed_in(point_id point, frame_id frame);
-  /// The position of a point from another.
+  /// The position of `point` relative to `from`.
   vector position_of(point_id point, point_id from);
-  /// The velocity of a point in `reference`, used in place of the derived one: in the inertial frame as it
-  /// is, in any other with the motion of its parent, which is fixed there (one-point theorem).
+  /// Declares the velocity of a point in `reference`, used in place of the derived one. In the inertial frame
+  /// it is the full velocity; in any other frame the motion of the parent, which is fixed there, is added
+  /// (one-point theorem).
   void velocity(point_id point, frame_id reference, const vector& value);
-  /// The same of a point whose position does not follow its velocity, on purpose.
+  /// The same for a point whose position intentionally does not follow its velocity.
   void velocity_apart_from_position(point_id point, frame_id reference, const vector& value);
-  /// `velocity` with the motion of the parent in any frame.
+  /// Like `velocity`, with the motion of the parent added in any frame.
   void velocity_from_parent(point_id point, frame_id reference, const vector& value);
 
   // ---- bodies and loads
@@ -186,38 +190,39 @@ public:
   void particle(std::string_view called, point_id at, expression mass);
   void rigid_body(std::string_view called, point_id center, frame_id frame, expression mass,
                   const dyadic& inertia);
-  /// With the inertia about any other point of the body.
+  /// A rigid body with the inertia about any point of the body.
   void rigid_body(std::string_view called, point_id center, frame_id frame, expression mass,
                   const dyadic& inertia, point_id about);
-  /// The inertia of a rigid body is not the same at all times as the body sees it, on purpose.
+  /// Declares that the inertia of a rigid body intentionally varies in body-fixed axes.
   void changing_inertia(std::string_view body);
-  /// Of a body with an inertia that no distribution of mass has, on purpose.
+  /// Declares that the inertia of a body is intentionally not that of a mass distribution.
   void effective_inertia(std::string_view of);
   void force(point_id at, const vector& value);
   void torque(frame_id on, const vector& value);
-  /// A force on a point, and the opposite on another.
+  /// A force on a point, and the opposite force on another.
   void force_between(point_id at, point_id other, const vector& value);
-  /// A torque on a frame, and the opposite on another.
+  /// A torque on a frame, and the opposite torque on another.
   void torque_between(frame_id on, frame_id other, const vector& value);
-  /// The acceleration of free fall of every body.
+  /// The gravitational acceleration of all bodies.
   void gravity(const vector& acceleration);
-  /// Of coordinates, parameters, time and inputs.
+  /// A potential energy as a function of coordinates, parameters, time and inputs.
   void potential_energy(expression energy);
-  /// A straight spring, which pulls two points to each other with stiffness·(distance − natural length).
+  /// A straight spring that pulls two points together with the force stiffness·(distance − natural length).
   void spring(point_id at, point_id other, expression stiffness, expression natural_length);
   void spring(point_id at, point_id other, expression stiffness);
-  /// Pulls two points to each other with damping·(rate of their distance).
+  /// A damper that pulls two points together with the force damping·(rate of their distance).
   void damper(point_id at, point_id other, expression damping);
-  /// Turns an angle back to where it is at rest, with stiffness·(angle − rest).
+  /// A torsional spring that returns an angle to its rest position with the torque stiffness·(angle − rest).
   void torsional_spring(expression angle, expression stiffness, expression rest);
   void torsional_spring(expression angle, expression stiffness);
-  /// A torque −damping·ω on a frame that turns with ω in another, and the opposite on that.
+  /// A torque −damping·ω on a frame that rotates with ω in another, and the opposite torque on the other.
   void torsional_damper(frame_id on, frame_id other, expression damping);
 
-  // ---- constraints; what vanishes may hold velocities of a `mechanics::known_motion`
+  // ---- constraints; their expressions may contain velocities of a `mechanics::known_motion`
 
-  /// What one constraint along each direction says of a vector: `b.configuration_constraint(b.zero_along(
-  /// b.position_of(P, Q), b.along(N, 1, 0, 0), b.along(N, 0, 1, 0)))`.
+  /// A vector whose components along the directions vanish, one constraint for each:
+  /// `b.configuration_constraint(b.zero_along(b.position_of(P, Q), b.along(N, 1, 0, 0), b.along(N, 0, 1,
+  /// 0)))`.
   template <std::same_as<vector>... Directions>
   static vanishing zero_along(const vector& v, const Directions&... directions) {
     return {v, {directions...}};
@@ -225,26 +230,26 @@ public:
 
   /// An expression of the coordinates that vanishes.
   void configuration_constraint(expression vanishes);
-  /// A position that vanishes along each of some directions.
+  /// A position whose components along some directions vanish.
   void configuration_constraint(const vanishing& v);
   /// An expression that vanishes, linear in speeds or rates of coordinates.
   void velocity_constraint(expression vanishes);
-  /// A velocity that vanishes along a direction.
+  /// A velocity whose component along a direction vanishes.
   void velocity_constraint(const vector& vanishes, const vector& direction);
-  /// The same along each of some directions.
+  /// A velocity whose components along some directions vanish.
   void velocity_constraint(const vanishing& v);
   /// An expression that vanishes, linear in the rates of the speeds: `dot(u1) + dot(u2)`.
   void acceleration_constraint(expression vanishes);
-  /// A coordinate or speed that the constraints are to be solved for.
+  /// Selects a coordinate or speed that the constraints are solved for.
   void dependent(expression e);
-  /// Configuration constraints are counted from 1 on; this one follows from the others wherever all hold.
+  /// Declares a configuration constraint, counted from 1, that follows from the others wherever all hold.
   void redundant(int configuration_constraint);
 
 private:
   friend model kanexpr::derive(const builder& built);
 
   expression of(const number_or_expression& given);
-  /// Whether not all of some numbers are a whole 0.
+  /// Whether at least one of the arguments is not the integer 0.
   bool not_all_zero(std::initializer_list<const number_or_expression*> given, std::string_view whose);
   bool may_vanish(const vector& v, const vector& direction, std::string_view whose);
   void declare(frame_id frame, frame_id reference, const vector& value, bool apart);
@@ -259,7 +264,7 @@ private:
 
   bool new_frame(std::string_view called, frame_id parent);
 
-  /// How a point moves is said once.
+  /// Checks that the motion of a point has not been declared yet.
   bool unsaid_motion(point_id p);
   bool may_move(point_id point, frame_id reference, const vector& velocity);
 

@@ -11,16 +11,16 @@
 
 namespace kanexpr::runtime {
 
-/// The code for a result, and whether what it rests on can be solved at a state. It takes no memory when it
-/// is evaluated.
+/// The code of a result, with checks that everything it depends on can be solved at a state. The evaluation
+/// allocates no memory.
 template <class Scalar>
 class checked_code {
 public:
-  /// `checks`: what may be singular on the way to the results.
+  /// `checks` detect singularities in the computation of the result.
   checked_code(symbolic::graph& g, const symbolic::matrix& wanted,
                const symbolic::sequence<mechanics::singularity_check>& checks);
 
-  /// The entries of the result, row by row.
+  /// Returns the entries of the result, row by row.
   template <class Arguments>
   const Scalar* evaluate(const Arguments& value_of) {
     code_.evaluate(value_of, found_.begin());
@@ -29,7 +29,7 @@ public:
 
   const lower::tape& code() const { return code_.code(); }
   symbolic::cost cost() const;
-  /// Whether all could be solved in the last evaluation.
+  /// Whether everything could be solved in the last evaluation.
   kanexpr::status status() const;
 
 private:
@@ -37,10 +37,10 @@ private:
                                        const symbolic::sequence<mechanics::singularity_check>& checks);
 
   interpreter<Scalar> code_;
-  symbolic::sequence<Scalar> found_; ///< the result, then how regular what it rests on is
-  mechanics::sentence lacking_{};    ///< a derivative that is not given, without which there are no values
+  symbolic::sequence<Scalar> found_; ///< the result, then the measure and the scale of each check
+  mechanics::sentence lacking_{};    ///< a missing derivative, without which there are no values
   symbolic::sequence<mechanics::sentence> causes_{};
-  symbolic::sequence<bool> is_of_finiteness_{}; ///< each of them
+  symbolic::sequence<bool> is_of_finiteness_{}; ///< whether each check tests for finite values
 };
 
 template <class Scalar>

@@ -17,8 +17,8 @@ class reader;
 
 namespace runtime {
 
-/// A system that was derived while the program runs, wherever it comes from. It stays where it was made:
-/// expressions refer to it.
+/// A system derived at run time, from any source. It cannot be copied or moved, since expressions refer to
+/// it.
 class derived {
 public:
   derived() = default;
@@ -30,10 +30,10 @@ public:
   virtual symbolic::graph& graph() = 0;
   virtual const mechanics::mechanism& mechanism() const = 0;
   virtual deriving::reader& reader() = 0;
-  /// Null where a mistake came before them.
+  /// The equations of motion; null if a mistake was found before they were derived.
   virtual mechanics::equations* equations() = 0;
 
-  /// What is wrong with the last request alone; the system is sound.
+  /// The mistake in the last request; the system itself is sound.
   mechanics::sentence refused{};
 };
 

@@ -15,14 +15,14 @@ using mechanics::sentence;
 using mechanics::vector;
 using symbolic::expression;
 
-/// The numbers of frames and points, as types of their own so that none is taken for the other.
+/// The indices of frames and points, as distinct types so that they cannot be confused.
 enum class frame_id : int {};
 enum class point_id : int {};
 
 constexpr int place(frame_id f) { return static_cast<int>(f); }
 constexpr int place(point_id p) { return static_cast<int>(p); }
 
-/// Looks at what a builder is given and keeps the first mistake.
+/// Checks the arguments of a builder and keeps the first mistake.
 class inspector {
 public:
   explicit inspector(const mechanics::mechanism& m) : m_(m) {}
@@ -43,16 +43,16 @@ public:
 
   bool fail_by_whole_zero(std::string_view given) { return fail({given, what_it_is, "write 0.5", for_zero}); }
 
-  /// Whether everything in there belongs to this mechanism.
+  /// Whether an expression belongs entirely to this mechanism.
   bool own(expression e, std::string_view whose) {
     if (!e.lives_in(*m_.g))
-      return fail({whose, " has an expression that belongs to another mechanism or to none"});
+      return fail({whose, " contains an expression that belongs to a different mechanism or to none"});
     if (m_.g->takes_whole_zero())
       return fail(
-          {whose, " holds an operation with the number 0", what_it_is, "write x/2 or 0.5*x", for_zero});
+          {whose, " contains an operation with the integer 0", what_it_is, "write x/2 or 0.5*x", for_zero});
     if (m_.g->takes_limits_out_of_order())
-      return fail({whose, " holds clamp with limits out of order; write clamp(x, least, most)"});
-    return !numbers_.holds_no_number(e) || fail({whose, " holds a number that is not finite"});
+      return fail({whose, " contains clamp with limits out of order; write clamp(x, least, most)"});
+    return !numbers_.holds_no_number(e) || fail({whose, " contains a number that is not finite"});
   }
   bool own(const mechanics::components& v, std::string_view whose) {
     return own(v.x, whose) && own(v.y, whose) && own(v.z, whose);
@@ -77,7 +77,7 @@ public:
     return true;
   }
 
-  /// A name that nothing else of its kind has.
+  /// Whether a name is valid and not used by another entity of its kind.
   template <class Entity>
   bool fresh(std::string_view kinds, std::string_view called, const symbolic::sequence<Entity>& others) {
     if (!tellable(kinds, called)) return false;
@@ -105,7 +105,7 @@ private:
     if (number >= 0 && number < count) return true;
     mechanics::name told;
     told.append(number);
-    return fail({whom, " names ", what, " number ", told.view(), ", which does not exist"});
+    return fail({whom, " refers to ", what, " number ", told.view(), ", which does not exist"});
   }
   bool tellable(std::string_view kinds, std::string_view called) {
     const sentence found = mechanics::check_name(called, kinds);
@@ -113,8 +113,8 @@ private:
   }
 
   static constexpr std::string_view name_of_time = "t";
-  static constexpr std::string_view what_it_is = ", which is what 1/2 is in C++; ",
-                                    for_zero = ", and 0.0 for a zero that is meant";
+  static constexpr std::string_view what_it_is = ", which is also the value of 1/2 in C++; ",
+                                    for_zero = ", or 0.0 if you mean zero";
 
   const mechanics::mechanism& m_;
   mechanics::finiteness numbers_{};

@@ -9,14 +9,14 @@
 
 namespace kanexpr::runtime {
 
-/// A result that is interpreted, called like the compiled one: f(x), f(x, p), f(x, p, r), f(t, x, p, r) or
-/// f(t, x, p, r, a). Behind the inputs stands what the result reads beside them, in this order: the rates of
-/// the speeds, weights, a direction. It keeps the matrix that it returns, and takes no memory when it is
-/// called. Where a vector is not given, or too short for what is needed of it, and of a model with a mistake,
-/// the result is not a number, and the status says so.
+/// An interpreted result, called like the compiled one: f(x), f(x, p), f(x, p, r), f(t, x, p, r) or
+/// f(t, x, p, r, a). The inputs are followed by the other arguments that the result reads, in this order: the
+/// rates of the speeds, weights, a direction. The object owns the matrix that it returns, and a call
+/// allocates no memory. If a vector is omitted or too short, or the model has a mistake, the entries are NaN
+/// and the status reports the cause.
 template <class Scalar = double>
 class interpreted {
-  /// Stands for arguments that are not given.
+  /// Represents omitted arguments.
   struct nothing {
     static constexpr Eigen::Index size() { return 0; }
     Scalar operator[](Eigen::Index) const { return not_a_number(); }
@@ -25,7 +25,8 @@ class interpreted {
 public:
   using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  /// `checks`: what may be singular on the way to the results. `mistake`: why they have no values anywhere.
+  /// `checks` detect singularities in the computation of the result. `mistake` is the reason why it has no
+  /// values at any state.
   interpreted(symbolic::graph& g, const symbolic::matrix& wanted, int coordinates,
               const symbolic::sequence<mechanics::singularity_check>& checks = {},
               const mechanics::sentence& mistake = {})
@@ -35,10 +36,10 @@ public:
       if (need* const of = need_of(each.from)) of->take(place_of(each), g, each);
   }
 
-  /// Operations of one call.
+  /// The number of operations of one call.
   symbolic::cost cost() const { return code_.cost(); }
 
-  /// Whether all that the last call had to solve could be solved at its state.
+  /// Whether everything that the last call had to solve could be solved at its state.
   kanexpr::status status() const {
     if (mistake_) return kanexpr::status(mistake_.view());
     return too_short_ ? kanexpr::status(too_short_.view()) : code_.status();
@@ -89,7 +90,7 @@ public:
       case symbol_kind::time: return t;
       case symbol_kind::coordinate_rate:
       case symbol_kind::auxiliary_speed:
-      case symbol_kind::multiplier: break; // are in no code
+      case symbol_kind::multiplier: break; // do not occur in code
       }
       return t;
     });
@@ -102,7 +103,7 @@ private:
     return lower::scalar_math<Scalar>::from(std::numeric_limits<double>::quiet_NaN());
   }
 
-  /// The last entry that the code reads of a vector.
+  /// The last entry of a vector that the code reads.
   struct need {
     std::string_view vector;
     int entries = 0;
@@ -144,7 +145,7 @@ private:
       if (too_short_ || size >= of.entries) return;
       too_short_ =
           mechanics::sentence({"the ", of.vector, " vector has ", mechanics::counted(size).view(),
-                               size == 1 ? " entry" : " entries", ", and none for ", of.last.view()});
+                               size == 1 ? " entry" : " entries", ", but none for ", of.last.view()});
     }
   }
 

@@ -4,9 +4,8 @@
 
 namespace kanexpr::runtime {
 
-/// Evaluates a tape that is only known while the program runs: the steps of the compiled evaluation, in its
-/// order and with its arithmetic, so the results agree to the last bit. All memory is taken once, by the
-/// constructor.
+/// Evaluates a tape that is known only at run time, with the steps, the order and the arithmetic of the
+/// compiled evaluation, so the results agree to the last bit. The constructor allocates all memory.
 template <class Number = double>
 class interpreter {
 public:
@@ -15,7 +14,7 @@ public:
   const lower::tape& code() const { return code_; }
   int size() const { return code_.results.size(); }
 
-  /// Writes `results[i]` for each result; `value_of(load)` gives the value of a symbol by its kind and
+  /// Writes `results[i]` for each result; `value_of(load)` returns the value of a symbol by its kind and
   /// position.
   template <class Arguments, class Results>
   void evaluate(const Arguments& value_of, Results&& results) {
@@ -30,10 +29,10 @@ private:
 
   lower::tape code_;
   symbolic::sequence<Number> slots_;
-  symbolic::sequence<Number> aside_; ///< what a step works on
+  symbolic::sequence<Number> aside_; ///< working memory of a step
 };
 
-// Not inside of the class: there they would be inline, and every file would compile them.
+// Defined outside the class: inside it they would be inline, and every file would compile them.
 
 template <class Number>
 interpreter<Number>::interpreter(const lower::tape& code)

@@ -8,8 +8,8 @@ namespace kanexpr {
 
 namespace runtime {
 
-/// What `constrained_motion` asks of a model for its multipliers at a state: all constraints on the speeds,
-/// and behind them the redundant ones.
+/// The equations of a model that `constrained_motion` needs to find multipliers at a state: all constraints
+/// on the speeds, followed by the redundant ones.
 class bound_equations {
   using quantity = mechanics::quantity;
   using vector = Eigen::VectorXd;
@@ -19,7 +19,7 @@ public:
   static constexpr int fixed_coordinates = -1, fixed_speeds = -1, fixed_rows_of_coordinates = -1,
                        fixed_rows_of_speeds = -1;
 
-  /// Of a model without a mistake.
+  /// Requires a model without a mistake.
   bound_equations(model& m, double t, const vector& p, const vector& r)
       : coordinates_(m.mechanism().coordinates.size()), speeds_(m.mechanism().speeds.size()),
         solved_(m.get(quantity::constraint_jacobian).rows),
@@ -55,19 +55,19 @@ private:
   int coordinates_, speeds_, solved_, redundant_;
   double t_;
   const vector &p_, &r_;
-  // keep what they return
+  // own the matrices that they return
   mutable interpreted<double> qdot_, mass_, force_, bias_, redundant_bias_, jacobian_, redundant_jacobian_;
 };
 
 } // namespace runtime
 
-/// As for a compiled system: u̇ and the multipliers of least norm at a state where constraints may follow from
-/// others.
+/// Finds u̇ and the multipliers of least norm at a state where constraints may be redundant, as for a compiled
+/// system.
 template <class Parameters = Eigen::VectorXd, class Inputs = Eigen::VectorXd>
 numeric::least_multipliers<Eigen::VectorXd, Eigen::VectorXd>
 find_least_multipliers(model& m, const Eigen::VectorXd& x, const Parameters& p = {}, const Inputs& r = {},
                        double t = 0) {
-  m.udot(); // which may be a mistake, and lets go of what was refused before
+  m.udot(); // may report a mistake, and clears that of the previous request
   if (!m.mistake().empty()) return {.failure = mechanics::sentence({m.mistake()})};
   const mechanics::mechanism& of = m.mechanism();
   if (const mechanics::sentence wrong = compiled::check_size("state", "the model", static_cast<int>(x.size()),

@@ -26,29 +26,28 @@ struct explicit_matrices {
   symbolic::matrix A, B{};
 };
 
-/// δy = C δ[q_i; u_i] + D δr of outputs y.
+/// δy = C δ[q_i; u_i] + D δr for outputs y.
 struct output_matrices {
   symbolic::matrix C, D;
 };
 
-/// A system linearized about an operating point while the program runs, as matrices of expressions. What the
-/// point does not name stays a symbol. Every result is formed when it is asked for. Copies share what is
-/// formed.
+/// A system linearized about an operating point at run time, as matrices of expressions. Symbols that the
+/// point does not name are kept. Each result is formed when it is first requested. Copies share the results.
 class linearization {
 public:
-  /// Of a system with a mistake there are no results, and the mistake is the failure.
+  /// If the system has a mistake, there are no results, and the mistake is the only failure.
   linearization(std::shared_ptr<derived> system, const linearization_point& at);
 
-  /// Whether the point satisfies all equations, and all that was asked for so far has a value there.
+  /// Whether the point satisfies all equations, and all results requested so far have values there.
   explicit operator bool() const { return failures().empty(); }
 
-  /// What is wrong with the point, and which entries have no value there, as sentences.
+  /// The mistakes in the point, and the entries that have no value there, as sentences.
   const std::vector<std::string>& failures() const;
 
   const implicit_matrices& implicit_form();
   const explicit_matrices& explicit_form();
 
-  /// Of outputs that hold q, u, r and their rates.
+  /// Linearizes outputs that contain q, u, r and their rates.
   output_matrices outputs(const symbolic::matrix& y);
 
   /// P in [q; u; λ] = P [q_i; u_i; q_d; u_d; λ].

@@ -11,8 +11,8 @@
 
 namespace kanexpr {
 
-/// The value of a symbol at an operating point: a number (whole numbers are kept exactly), an expression in
-/// the words of a model such as `v / r`, or an expression of a model that was derived.
+/// The value of a symbol at an operating point: a number (integers are exact), an expression in the words of
+/// a model such as `v / r`, or an expression of a derived model.
 class point_value {
 public:
   template <std::integral Whole>
@@ -30,8 +30,8 @@ private:
   std::variant<symbolic::number, phrase, symbolic::expression> held_;
 };
 
-/// Where a system is linearized, as named values: `linearization_point{{q1, 0}, {u1, 2.5}, {u2, v / r}}`.
-/// What it does not name stays a symbol; rates that it does not name are those of the motion.
+/// An operating point for linearization, as named values: `linearization_point{{q1, 0}, {u1, 2.5}, {u2, v /
+/// r}}`. Symbols that it does not name are kept; rates that it does not name are those of the motion.
 class linearization_point {
 public:
   struct entry {
@@ -44,11 +44,11 @@ public:
 
   linearization_point& set(const symbol_name& what, const point_value& value);
 
-  /// Both sets of values; where both name a symbol, the other's value counts.
+  /// Merges both sets of values; if both name a symbol, the value of `other` is used.
   linearization_point with(const linearization_point& other) const;
 
   const std::vector<entry>& entries() const { return entries_; }
-  /// What one list names twice, which is a mistake.
+  /// Symbols that a list names twice, which is a mistake.
   const std::vector<symbol_name>& doubled() const { return doubled_; }
 
 private:

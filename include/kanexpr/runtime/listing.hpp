@@ -12,7 +12,7 @@ namespace kanexpr {
 
 namespace runtime {
 
-/// Writes statements as text: `s1 = sin(q1)`. Numbers and arguments stand where they are used.
+/// Writes statements as text: `s1 = sin(q1)`. Numbers and arguments appear where they are used.
 class lister {
 public:
   lister(const lower::statements& code, const symbolic::graph& g) : code_(code), graph_(g) {
@@ -35,14 +35,14 @@ public:
 private:
   const std::string& name(int value) const { return names_[static_cast<std::size_t>(value)]; }
 
-  /// The name of a symbol as it is printed.
+  /// The printed name of a symbol.
   static std::string printed(const symbolic::symbol& s) {
     using symbolic::symbol_kind;
     const bool is_rate = s.kind == symbol_kind::coordinate_rate || s.kind == symbol_kind::speed_rate;
     return std::string(s.called.view()) + (is_rate ? "'" : "");
   }
 
-  /// Whether a symbol or a function has a name that a value of the code might get.
+  /// Whether a symbol or a function has a name that a value of the code could be given.
   bool is_taken() const {
     for (const symbolic::symbol& s : graph_.symbols())
       if (is_taken_by(s.called.view())) return true;
@@ -83,7 +83,7 @@ private:
     return "";
   }
 
-  /// A sign and a quotient need parentheses beside an operator.
+  /// Negative values and quotients need parentheses next to an operator.
   static std::string operand(const std::string& text) {
     return text[0] == '-' || text.find('/') != std::string::npos ? '(' + text + ')' : text;
   }
@@ -116,7 +116,7 @@ private:
     case form::transposed_solve:
     case form::component:
     case form::singularity_measure:
-    case form::call: break; // are written otherwise
+    case form::call: break; // are handled elsewhere
     }
     return "";
   }
@@ -131,15 +131,15 @@ private:
 
 } // namespace runtime
 
-/// The code of a result as text that a person can read, one operation a line in the order in which they are
-/// done, and then its entries by rows:
+/// The code of a result as readable text, one operation per line in the order of execution, followed by the
+/// entries by rows:
 ///
 ///     s1 = sin(q)
 ///     t1 = g * s1
 ///     udot(0) = t1
 ///
-/// `a > 0 ? b : c` is b where a is positive; linear systems exchange their rows by such. The singularities
-/// that a compiled function watches besides are not in it.
+/// `a > 0 ? b : c` is b if a is positive; linear systems use it to exchange rows. The singularity checks of a
+/// compiled function are not included.
 inline std::string listing(const symbolic::matrix& result, std::string_view called = "result") {
   if (result.entries.empty()) return "";
   const symbolic::graph& g = result.entries[0].owner();
@@ -157,7 +157,7 @@ inline std::string listing(const symbolic::matrix& result, std::string_view call
   return text;
 }
 
-/// Of a result by its name.
+/// The code of a result by its name.
 inline std::string listing(model& of, mechanics::quantity wanted) {
   return listing(of.get(wanted), mechanics::row_of(wanted).called);
 }

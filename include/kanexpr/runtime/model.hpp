@@ -24,32 +24,33 @@ namespace deriving {
 struct survey;
 }
 
-/// A system derived while the program runs, by the functions that derive it in the compiler: its results are
-/// expressions, to print, to look into and to evaluate. Copies share one derivation, which lives as long as
-/// the last of them and of their linearizations; one thread at a time may use it.
+/// A system derived at run time by the functions that derive it at compile time. Its results are expressions
+/// to print, inspect and evaluate. Copies share one derivation, which lives as long as the last of them and
+/// of their linearizations; only one thread at a time may use it.
 class model {
 public:
-  /// `also` are expressions with points and frames that the system itself does not use.
-  /// `meant` are the digests of entities in the file that means the system.
+  /// `also` are expressions with points and frames that the system itself does not use. `meant` are the
+  /// digests of the entities in the file that refers to the system.
   explicit model(const deriving::checked_words& from, std::span<const deriving::request> also = {},
                  std::span<const std::uint64_t> meant = {});
   explicit model(std::shared_ptr<runtime::derived> system) : system_(std::move(system)) {}
 
-  /// The first mistake of the system as a sentence, or else that of the last result that was asked for;
-  /// empty: there is none.
+  /// The first mistake of the system as a sentence, or that of the last requested result; empty if there is
+  /// none.
   std::string mistake() const;
 
-  /// What the constraints are solved for, by the choice of the model or of the library: "q4", "u1, u4 and
-  /// u6".
+  /// The coordinates or speeds that the constraints are solved for, chosen by the model or by the library:
+  /// "q4", "u1, u4 and u6".
   std::string names_of_dependent_coordinates();
   std::string names_of_dependent_speeds();
 
-  /// What the columns of the regressor belong to: "m of Link", "m*x of Link", … "izx of Link", body by body.
+  /// The inertial parameters that the columns of the regressor belong to, body by body: "m of Link", "m*x of
+  /// Link", … "izx of Link".
   std::vector<std::string> names_of_inertial_parameters() const;
 
-  /// A result as a matrix of expressions; without entries where the system has a mistake.
+  /// A result as a matrix of expressions; without entries if the system has a mistake.
   symbolic::matrix get(mechanics::quantity wanted);
-  // the steps of Kane's method, in its words
+  // the steps of Kane's method
   symbolic::matrix qdot() { return get(mechanics::quantity::qdot); }
   symbolic::matrix configuration_residual() { return get(mechanics::quantity::configuration_residual); }
   symbolic::matrix velocity_residual() { return get(mechanics::quantity::velocity_residual); }
@@ -65,17 +66,17 @@ public:
   symbolic::matrix rhs() { return get(mechanics::quantity::rhs); }
   symbolic::matrix multipliers() { return get(mechanics::quantity::multipliers); }
   symbolic::matrix noncontributing_forces() { return get(mechanics::quantity::noncontributing_forces); }
-  /// The same by another name.
+  /// Another name for `noncontributing_forces`.
   symbolic::matrix auxiliary_forces() { return noncontributing_forces(); }
 
-  /// The derivatives of [q̇; u̇] by parameters, a column for each: `model.sensitivity<m, l>()`.
+  /// The derivatives of [q̇; u̇] with respect to parameters, one column each: `model.sensitivity<m, l>()`.
   template <auto... parameters>
   symbolic::matrix sensitivity() {
     return get(deriving::requested<deriving::sensitivity_to<parameters...>{}>::value);
   }
 
-  /// The system linearized about an operating point, in up to three sets of values that are merged:
-  /// `model.linearize(upright, {{u3, 2}})`. Without one all symbols stay.
+  /// Linearizes the system about an operating point, merged from up to three sets of values:
+  /// `model.linearize(upright, {{u3, 2}})`. Symbols without a value are kept.
   runtime::linearization linearize(const linearization_point& at = {}, const linearization_point& second = {},
                                    const linearization_point& third = {});
 
@@ -87,16 +88,16 @@ public:
   }
   symbolic::matrix measured_by(std::span<const deriving::request> measured);
 
-  /// An expression with the rates q̇ and u̇ as the equations of motion give them; as it is where the system has
-  /// a mistake.
+  /// An expression with the rates q̇ and u̇ replaced by those of the equations of motion; unchanged if the
+  /// system has a mistake.
   symbolic::expression in_motion(symbolic::expression e);
 
-  /// A vector or scalar with the dependent speeds as the constraints give them; as it is where the system has
-  /// a mistake.
+  /// A vector or scalar with the dependent speeds replaced by those of the constraints; unchanged if the
+  /// system has a mistake.
   symbolic::expression imposed(symbolic::expression e);
   mechanics::vector imposed(const mechanics::vector& v);
 
-  /// An expression of the model: `model.get<magnitude(velocity_of<P>)>()`; of a vector, its components.
+  /// An expression of the model: `model.get<magnitude(velocity_of<P>)>()`; for a vector, its components.
   template <auto wanted, class Where = describe::file_of<wanted>>
   symbolic::matrix get() {
     return get(deriving::requested<wanted>::value);
@@ -115,11 +116,11 @@ public:
   std::string latex(const mechanics::vector& v,
                     mechanics::basis_style style = mechanics::basis_style::xyz) const;
 
-  /// Interpreted evaluation of a result: the steps of the compiled function, so a result that is the first to
-  /// be asked for agrees with that to the last bit. Results share expressions with those that were formed
-  /// before them, which may change the order of operations, and so the last bits.
-  /// Of a model with a mistake, of a result that was refused and of expressions that are not this model's, it
-  /// has no values, and its status says why.
+  /// Interpreted evaluation of a result, with the steps of the compiled function: the first requested result
+  /// agrees with the compiled one to the last bit. Later results share expressions with earlier ones, which
+  /// may change the order of operations and thus the last bits. If the model has a mistake, the result was
+  /// refused or its expressions belong to a different model, the function has no values, and its status
+  /// reports why.
   template <class Scalar = double>
   runtime::interpreted<Scalar> function(const symbolic::matrix& result) {
     if (const mechanics::sentence wrong = mistake_of(result))
@@ -129,25 +130,25 @@ public:
   /// Whether all entries are expressions of this model.
   bool owns(const symbolic::matrix& result) const;
 
-  /// Its symbols in order, and which of them are dependent.
+  /// The symbols of the model in order, and which of them are dependent.
   std::shared_ptr<const deriving::survey> known() const;
 
   symbolic::graph& graph() { return system_->graph(); }
   const mechanics::mechanism& mechanism() const { return system_->mechanism(); }
-  /// Only without a mistake.
+  /// Requires a model without a mistake.
   mechanics::equations& equations() { return *system_->equations(); }
 
 private:
   int coordinates() const;
-  /// Why a result has no values.
+  /// The reason why a result has no values; empty if it has values.
   mechanics::sentence mistake_of(const symbolic::matrix& result) const;
-  /// What may be singular on the way to a result.
+  /// The checks that detect singularities in the computation of a result.
   symbolic::sequence<mechanics::singularity_check> singularity_checks_of(const symbolic::matrix& result);
 
   std::shared_ptr<runtime::derived> system_; ///< shared with its linearizations
 };
 
-/// Derives a system while the program runs.
+/// Derives a system at run time.
 template <class System, auto... also, std::uint64_t described = deriving::digests_as_read<System>[0]>
 model derive() {
   const std::span<const std::uint64_t> meant(deriving::digests_as_meant<System, described>);

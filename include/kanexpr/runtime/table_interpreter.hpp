@@ -8,7 +8,7 @@
 
 namespace kanexpr::runtime {
 
-/// Interprets the code table of a function, with numbers of one type.
+/// Interprets the code table of a function with one scalar type.
 template <class Number>
 class table_interpreter {
 public:
@@ -19,7 +19,7 @@ public:
       slots_[static_cast<std::size_t>(i)] = lower::number_as<Number>(table.tape.numbers[i]);
   }
 
-  /// Writes the results one after another, each row by row.
+  /// Writes the results consecutively, each row by row.
   status evaluate(const Number& t, const Number* x, const Number* p, const Number* r, Number* results) {
     Number* load = slots_.data() + table_.tape.numbers.size();
     for (const lower::load& each : table_.tape.loads) *load++ = value_of(each, t, x, p, r);

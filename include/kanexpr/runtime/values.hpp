@@ -16,11 +16,11 @@ namespace runtime {
 
 using compiled::symbols_of;
 
-/// What the sentences about values call a model, whose type says nothing of it.
+/// The name of a model in sentences about values; empty, since the type of a model does not identify it.
 inline constexpr std::string_view name_of_models = {};
 
-/// A vector of a model that was derived while the program runs: an Eigen vector with access by name,
-/// `x["q1"]`. One that was not made of a model knows no names.
+/// A vector of a run-time model: an Eigen vector with access by name, `x["q1"]`. A vector that was not
+/// constructed from a model has no names.
 class value_vector : public Eigen::VectorXd {
 public:
   using Eigen::VectorXd::operator[];
@@ -36,7 +36,7 @@ public:
   value_vector(value_vector&&) = default;
   ~value_vector() = default;
 
-  /// Takes the numbers, and names only where it had none.
+  /// Assigns the numbers; the names are assigned only if the vector had none.
   value_vector& operator=(const value_vector& other) {
     Eigen::VectorXd::operator=(other);
     unknown_ = other.unknown_;
@@ -49,8 +49,8 @@ public:
     return *this;
   }
 
-  /// The value of a symbol. Where the model has none of that name it is not a number, what is assigned is
-  /// lost, and `mistake` says so.
+  /// The value of a symbol. If the model has no symbol of that name, the value is NaN, assignments are
+  /// ignored, and `mistake` reports the name.
   double& operator[](std::string_view name) {
     const int i = place(name);
     return i >= 0 ? (*this)(i) : nothing_ = not_a_number;
@@ -62,13 +62,13 @@ public:
 
   bool holds(std::string_view name) const { return find(name) >= 0; }
 
-  /// The last name that was asked for and is not there, as a sentence; empty: there was none.
+  /// The last unknown name that was looked up, as a sentence; empty if there was none.
   mechanics::sentence mistake() const {
     if (unknown_.empty()) return {};
     return mechanics::sentence({"the model has no ", range().symbol, " ", unknown_});
   }
 
-  /// The symbols of the model; null: it was not made of one.
+  /// The symbols of the model; null if the vector was not constructed from one.
   const std::shared_ptr<const deriving::survey>& known() const { return known_; }
 
 private:
@@ -94,11 +94,11 @@ private:
   std::shared_ptr<const deriving::survey> known_{};
   symbols_of which_ = symbols_of::state;
   mutable std::string unknown_{};
-  double nothing_ = not_a_number; ///< takes what is assigned to no symbol
+  double nothing_ = not_a_number; ///< receives assignments to unknown symbols
 };
 
-/// Values for a vector of a model as they are given, by name or as a vector of numbers. They find their
-/// places when the model is known.
+/// Values for a vector of a model, specified by name or as a vector of numbers. They are assigned to symbols
+/// once the model is known.
 template <symbols_of which, class Vector>
 class given_values {
 public:
@@ -116,10 +116,10 @@ public:
   given_values(const Eigen::MatrixBase<Derived>& numbers) : numbers_(numbers) {}
 
   Vector values{};
-  std::vector<bool> is_left_out{}; ///< those that have no value, for the constraints give it
-  mechanics::sentence mistake{};   ///< the first mistake in the values, as a sentence; empty: there is none
+  std::vector<bool> is_left_out{}; ///< symbols without a value, which the constraints determine
+  mechanics::sentence mistake{};   ///< the first mistake in the values, as a sentence; empty if there is none
 
-  /// Puts the values into their places among the symbols of a model.
+  /// Assigns the values to the symbols of a model.
   void read(const std::shared_ptr<const deriving::survey>& known) {
     const compiled::symbol_range range = compiled::range_of(which, *known);
     static constexpr describe::system_record nothing_bound{};
@@ -132,7 +132,7 @@ public:
       if (mistake) return;
       values = *numbers_;
     } else {
-      values.setZero(); // what may be left out
+      values.setZero(); // the default for omitted values
       for (const named_value& each : named_) reader.read(each.what, each.value);
       reader.look_for_missing();
       for (int i = 0; i < range.size; ++i) is_left_out[static_cast<std::size_t>(i)] = !reader.is_named(i);
@@ -149,7 +149,7 @@ private:
 
 } // namespace runtime
 
-/// The state [q; u] of a model: zero at first.
+/// The state [q; u] of a model, initially zero.
 template <>
 class state<model> : public runtime::value_vector {
 public:
@@ -166,7 +166,7 @@ public:
   auto u() const { return tail(known()->speeds); }
 };
 
-/// The parameters of a model: not numbers until they are set.
+/// The parameters of a model, NaN until they are set.
 template <>
 class parameter_values<model> : public runtime::value_vector {
 public:
@@ -178,8 +178,7 @@ public:
   using value_vector::operator=;
 };
 
-/// The inputs of a model, with "theta'" for the rate of a prescribed quantity: not numbers until they are
-/// set.
+/// The inputs of a model, NaN until they are set. The rate of a prescribed quantity theta is called "theta'".
 template <>
 class input_values<model> : public runtime::value_vector {
 public:

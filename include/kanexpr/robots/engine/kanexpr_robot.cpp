@@ -1,4 +1,4 @@
-// kanexpr-robot: writes the model of a robot that a URDF or SDF file describes as a header.
+// kanexpr-robot: writes the model of a robot described by a URDF or SDF file as a header.
 #include <kanexpr/robots/header_writer.hpp>
 #include <kanexpr/robots/picture_writer.hpp>
 #include <kanexpr/robots/read_urdf.hpp>
@@ -29,9 +29,8 @@ read_robot robot_of(const std::string& file, const reading_options& options) {
 #ifdef KANEXPR_ROBOTS_READ_SDF
   return read_sdf(file, options);
 #else
-  return read_robot(file +
-                    " is an SDF file, and kanexpr-robot was compiled without libsdformat 12, which reads "
-                    "these; Debian has it in libsdformat-dev");
+  return read_robot(file + " is an SDF file, but kanexpr-robot was compiled without libsdformat 12, which "
+                           "reads these; the Debian package is libsdformat-dev");
 #endif
 }
 
@@ -59,8 +58,8 @@ int write(request r) {
   const std::string file = std::filesystem::path(r.file).stem().string();
   const std::string name = r.name.empty() ? letters_of(file) : r.name;
   if (!is_namespace(name))
-    return refuse(r.name.empty() ? file + " is not the name of a namespace; --name gives another"
-                                 : name + " is not the name of a namespace");
+    return refuse(r.name.empty() ? file + " is not a valid namespace name; set one with --name"
+                                 : name + " is not a valid namespace name");
   r.name = name;
   if (r.as_written) r.reading.right_angles = 0;
   r.reading.mimic = !r.without_mimic, r.model.damping = !r.without_damping;
@@ -84,28 +83,27 @@ int write(request r) {
 
 int main(int count, char** arguments) {
   request r;
-  CLI::App app("Writes the model of a robot that a URDF or SDF file describes as a header.");
-  app.add_option("file", r.file, "the file; one that ends with .sdf or .world is read as SDF")->required();
-  app.add_option("-n,--name", r.name, "the namespace of the model; without this the name of the file");
-  app.add_option("-o,--output", r.header, "the header; without one it is printed");
-  app.add_option("--picture", r.picture, "a second header, with what the robot looks like");
-  app.add_option("--base", r.base, "what becomes of the root: it is fixed, as without this, or moves")
+  CLI::App app("Writes the model of a robot described by a URDF or SDF file as a C++ header.");
+  app.add_option("file", r.file, "the robot; .sdf and .world files are read as SDF")->required();
+  app.add_option("-n,--name", r.name, "the namespace of the model (default: the name of the file)");
+  app.add_option("-o,--output", r.header, "the header to write (default: standard output)");
+  app.add_option("--picture", r.picture, "a second header to write, with the picture of the robot");
+  app.add_option("--base", r.base, "whether the root is fixed (default) or moves")
       ->check(CLI::IsMember({"fixed", "floating"}))
       ->option_text("fixed|floating");
-  app.add_option(
-         "--bind", r.bind,
-         "what masses, mass centres, inertias, dampings and gravity are: numbers, as without this, or "
-         "parameters with these values")
+  app.add_option("--bind", r.bind,
+                 "whether masses, mass centers, inertias, dampings and gravity are numbers (default) or "
+                 "parameters with these values")
       ->check(CLI::IsMember({"numbers", "parameters"}))
       ->option_text("numbers|parameters");
   app.add_option("--gravity", r.model.gravity,
-                 "against the z axis of the root, in m/s^2; without this that of an SDF world, or 9.81")
+                 "gravity along -z of the root, in m/s^2 (default: that of an SDF world, or 9.81)")
       ->option_text("NUMBER");
-  app.add_flag("--as-written", r.as_written, "angles as they are written: 1.5708 is no right angle");
-  app.add_flag("--no-mimic", r.without_mimic, "joints that follow others move by themselves");
-  app.add_flag("--no-damping", r.without_damping, "leave the damping of joints out");
-  app.add_flag("--friction", r.model.friction, "with the dry friction of joints");
-  app.add_flag("-q,--quiet", r.quiet, "do not say what is strange in the file, nor what names become");
+  app.add_flag("--as-written", r.as_written, "use angles as written: 1.5708 is not a right angle");
+  app.add_flag("--no-mimic", r.without_mimic, "let joints that mimic others move independently");
+  app.add_flag("--no-damping", r.without_damping, "omit the damping of joints");
+  app.add_flag("--friction", r.model.friction, "include the dry friction of joints");
+  app.add_flag("-q,--quiet", r.quiet, "do not print notes about the file and about renamed links and joints");
   CLI11_PARSE(app, count, arguments);
   return write(std::move(r));
 }

@@ -14,33 +14,35 @@ namespace kanexpr::robots::sdf_files {
 
 using ignition::math::Pose3d;
 
-/// Where links are in the world where all coordinates are zero.
+/// The poses of the links in the world when all coordinates are zero.
 struct placed_links {
   std::map<std::string, int> places{};
   std::vector<Pose3d> poses{};
 };
 
-/// Joints of a model, as those of a robot: about axes through the origin of their child. A joint elsewhere
-/// gets a link of its own there, and one of two axes a link between them, both without mass.
+/// Converts the joints of a model to those of a robot, whose axes pass through the origin of the child. A
+/// joint elsewhere gets an additional massless link at its position, and a joint with two axes a massless
+/// link between them.
 class joint_reader {
 public:
   joint_reader(urdf::document& from, placed_links& links, robot& into)
       : from_(from), links_(links), into_(into) {}
 
-  /// `scope` stands before the names of the model that has the joint.
+  /// `scope` is the prefix of the names in the model that contains the joint.
   bool read(const sdf::Joint& j, const std::string& scope) {
     const std::string called = scope + j.Name(), whose = "joint " + shown(called);
     std::string child, parent;
     if (!j.ResolveChildLink(child).empty() || !j.ResolveParentLink(parent).empty())
-      return from_.fail(line_of(j), whose + " has a parent or a child that is no link");
+      return from_.fail(line_of(j), whose + " has a parent or a child that is not a link");
     Pose3d sits;
     if (!j.SemanticPose().Resolve(sits, child).empty())
-      return from_.fail(line_of(j), "the place of " + whose + " is not known");
+      return from_.fail(line_of(j), "the pose of " + whose + " cannot be resolved");
     const int from = place_of(parent, scope), to = place_of(child, scope);
-    if (from < 0 || to < 0) return from_.fail(line_of(j), whose + " has a parent or a child that is no link");
+    if (from < 0 || to < 0)
+      return from_.fail(line_of(j), whose + " has a parent or a child that is not a link");
     begin_ = {called, from, to, links_.poses[static_cast<std::size_t>(to)], sits.Pos()};
     const bool has_two = j.Type() == sdf::JointType::UNIVERSAL || j.Type() == sdf::JointType::REVOLUTE2;
-    if (j.Axis(1) && !has_two) from_.note(line_of(j), "the second axis of " + whose + " is left out");
+    if (j.Axis(1) && !has_two) from_.note(line_of(j), "the second axis of " + whose + " is ignored");
     switch (j.Type()) {
     case sdf::JointType::FIXED: return add(joint_kind::fixed, called, to, begin_.child);
     case sdf::JointType::REVOLUTE:
@@ -53,9 +55,10 @@ public:
     }
     default: break;
     }
-    return from_.fail(line_of(j), whose + " is " + kind_of(j.Type()) +
-                                      ", which is not read; a robot has fixed, revolute, continuous, "
-                                      "prismatic and universal joints");
+    return from_.fail(
+        line_of(j),
+        whose + " is " + kind_of(j.Type()) +
+            ", which is not supported; use fixed, revolute, continuous, prismatic or universal joints");
   }
 
   bool read_mimics() {
@@ -63,8 +66,8 @@ public:
       joint& of = into_.joints[place];
       const auto leader = joints_.find(m.leader);
       if (leader == joints_.end())
-        return from_.fail(m.line,
-                          "joint " + shown(of.name) + " follows " + shown(m.leader) + ", which is no joint");
+        return from_.fail(m.line, "joint " + shown(of.name) + " mimics " + shown(m.leader) +
+                                      ", which is not a joint");
       of.mimic = {static_cast<int>(leader->second), m.multiplier, m.offset};
     }
     return true;
@@ -84,12 +87,12 @@ private:
   };
 
   static std::string kind_of(sdf::JointType type) {
-    if (type == sdf::JointType::BALL) return "a ball";
-    if (type == sdf::JointType::SCREW) return "a screw";
-    return type == sdf::JointType::GEARBOX ? "a gearbox" : "of no known type";
+    if (type == sdf::JointType::BALL) return "a ball joint";
+    if (type == sdf::JointType::SCREW) return "a screw joint";
+    return type == sdf::JointType::GEARBOX ? "a gearbox joint" : "a joint of unknown type";
   }
 
-  /// The ground is the link "world", where a joint asks for it.
+  /// The index of a link. The ground becomes the link "world" when a joint refers to it.
   int place_of(const std::string& link, const std::string& scope) {
     if (link == "world") {
       const auto known = links_.places.find("world");
@@ -111,7 +114,7 @@ private:
     return begin_.child * Pose3d(begin_.sits, ignition::math::Quaterniond::Identity);
   }
 
-  /// From the last link on, to a link that is `at`.
+  /// Adds a joint from the last link to a link with the pose `at`.
   bool add(joint_kind is, const std::string& called, int to, const Pose3d& at) {
     const Pose3d seen = links_.poses[static_cast<std::size_t>(begin_.from)].Inverse() * at;
     joint made;
@@ -126,7 +129,7 @@ private:
   bool add_slide(const sdf::Joint& j, const std::string& scope) {
     return add(joint_kind::prismatic, begin_.called, begin_.to, begin_.child) && take_axis(j, 0, scope);
   }
-  /// About an axis beside the origin of the child: by a link on the axis.
+  /// Adds a revolute joint, and a link on its axis if the axis does not pass through the origin of the child.
   bool add_turn(const sdf::Joint& j, unsigned which, const std::string& scope, const std::string& called,
                 int to) {
     const bool to_cross = to != begin_.to;
@@ -150,7 +153,7 @@ private:
       return from_.fail(line_of(j), "joint " + shown(j.Name()) + " has no axis");
     into = direction_of(vector_of(along), (std::max)(from_.tolerance(), 1e-15));
     return !is_zero(into) ||
-           from_.fail(line_of(j), "the axis of joint " + shown(j.Name()) + " has no length");
+           from_.fail(line_of(j), "the axis of joint " + shown(j.Name()) + " has zero length");
   }
 
   bool take_axis(const sdf::Joint& j, unsigned which, const std::string& scope) {
@@ -170,11 +173,11 @@ private:
     if (into.damping < 0) return from_.fail(line_of(j), "the damping of " + whose + " is negative");
     if (into.friction < 0) return from_.fail(line_of(j), "the friction of " + whose + " is negative");
     if (std::abs(axis.SpringStiffness()) > 0)
-      from_.note(line_of(j), "the spring of " + whose + " is left out");
+      from_.note(line_of(j), "the spring of " + whose + " is ignored");
     return take_mimic(axis, scope);
   }
 
-  /// Files have it since SDF 1.11; libraries that are older leave it as they find it.
+  /// Mimics exist since SDF 1.11; older versions of libsdformat keep the element without reading it.
   bool take_mimic(const sdf::JointAxis& axis, const std::string& scope) {
     const sdf::ElementPtr mimic = axis.Element() ? axis.Element()->FindElement("mimic") : nullptr;
     if (!mimic) return true;

@@ -16,12 +16,13 @@
 
 namespace kanexpr::robots::sdf_files {
 
-/// Notes what a file says of the motion that no robot has, and angles that may be degrees.
+/// Notes the elements of a file that affect the motion but are not supported, and angles that may be in
+/// degrees.
 class left_out {
 public:
   explicit left_out(urdf::document& from) : from_(from) {}
 
-  /// In an element and in all that lie in it.
+  /// Checks an element and its descendants.
   void note_in(const sdf::ElementPtr& e) {
     if (e->GetExplicitlySetInFile()) note(*e);
     note_second_ones(*e);
@@ -30,26 +31,26 @@ public:
 
 private:
   void note(sdf::Element& e) {
-    if (e.GetName() == "plugin") return say(e, "plugin " + shown(name_of(e)) + " is left out");
+    if (e.GetName() == "plugin") return say(e, "plugin " + shown(name_of(e)) + " is ignored");
     if (!e.GetValue()) return;
     const std::string text = e.GetValue()->GetAsString();
     const std::string what =
         "<" + e.GetName() + ">" + shown(text) + "</" + e.GetName() + "> of " + owner_of(e);
     if (e.GetName() == "pose") {
       if (!is_in_degrees(e) && is_more_than_a_turn(text))
-        say(e, what + " is more than a whole turn; angles are taken as radians");
+        say(e, what + " exceeds a full turn; angles are read in radians");
     } else if (changes_motion(e) && !is_nothing(text)) {
-      say(e, what + " is left out");
+      say(e, what + " is ignored");
     }
   }
-  /// Of what belongs into an element once, the first is read.
+  /// Notes repeated elements that are expected only once; the first one is read.
   void note_second_ones(sdf::Element& in) {
     constexpr std::string_view once[]{"pose",  "inertial", "mass",  "inertia", "gravity",  "static", "parent",
                                       "child", "axis",     "axis2", "xyz",     "dynamics", "damping"};
     std::set<std::string> seen;
     for (sdf::ElementPtr e = in.GetFirstElement(); e; e = e->GetNextElement())
       if (std::ranges::find(once, e->GetName()) != std::end(once) && !seen.insert(e->GetName()).second)
-        say(*e, called(in) + " has a second <" + e->GetName() + ">, which is left out");
+        say(*e, called(in) + " has a second <" + e->GetName() + ">, which is ignored");
   }
   void say(sdf::Element& e, const std::string& what) { from_.note(e.LineNumber().value_or(1), what); }
 

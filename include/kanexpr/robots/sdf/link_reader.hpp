@@ -22,13 +22,13 @@
 
 namespace kanexpr::robots::sdf_files {
 
-/// The line in the file; 1 of what the library made itself.
+/// The line in the file; 1 for elements that libsdformat created.
 template <class Entity>
 int line_of(const Entity& e) {
   return e.Element() ? e.Element()->LineNumber().value_or(1) : 1;
 }
 
-/// A shape of those that robots have.
+/// The shape of a geometry, if it is supported.
 inline std::optional<shape> shape_of(const sdf::Geometry& g) {
   shape s;
   if (const sdf::Box* box = g.BoxShape()) {
@@ -81,10 +81,11 @@ private:
         l.Element() && l.Element()->HasElement("inertial") ? l.Element()->GetElement("inertial") : nullptr;
     if (!given)
       return from_.note(line_of(l),
-                        whose + " has no inertial, which SDF takes for 1 kg and 1 kg m^2 about each axis");
-    if (!given->HasElement("mass")) from_.note(line_of(l), whose + " has no mass, which SDF takes for 1 kg");
+                        whose + " has no inertial; the default of SDF is 1 kg and 1 kg m^2 about each axis");
+    if (!given->HasElement("mass"))
+      from_.note(line_of(l), whose + " has no mass; the default of SDF is 1 kg");
     if (!given->HasElement("inertia"))
-      from_.note(line_of(l), whose + " has no inertia, which SDF takes for 1 kg m^2 about each axis");
+      from_.note(line_of(l), whose + " has no inertia; the default of SDF is 1 kg m^2 about each axis");
   }
 
   template <class Seen>
@@ -93,7 +94,7 @@ private:
     std::optional<shape> s = seen.Geom() ? shape_of(*seen.Geom()) : std::nullopt;
     if (!s || !seen.SemanticPose().Resolve(placed).empty())
       return from_.note(line_of(seen),
-                        "link " + shown(of.name) + " has a shape that is not known here, and left out");
+                        "link " + shown(of.name) + " has an unsupported shape, which is ignored");
     s->placed = pose_of(placed, from_.tolerance());
     into.push_back(std::move(*s));
   }

@@ -10,7 +10,8 @@
 
 namespace kanexpr::robots::sdf_files {
 
-/// Keeps what libsdformat would print. (What is no SDF at all, it hands to urdfdom, which prints a line.)
+/// Captures the messages that libsdformat would print. (It passes text that is not SDF to urdfdom, which
+/// prints a line.)
 class messages {
 public:
   messages() : stream_(sdf::Console::Instance()->GetMsgStream()), to_(stream_.GetStream()) {
@@ -20,7 +21,7 @@ public:
   messages(const messages&) = delete;
   messages& operator=(const messages&) = delete;
 
-  /// The words and attributes that it does not know, but those that a joint follows another by, which are
+  /// Notes the elements and attributes that libsdformat does not know, except those of mimics, which are
   /// read.
   void note_in(urdf::document& from) const {
     std::istringstream all(kept_.str());
@@ -31,8 +32,8 @@ public:
       const auto number = urdf::number_in(
           place == line.npos ? "" : line.substr(place + 2, line.find(']', place) - place - 2));
       from.note(static_cast<int>(number.value_or(1)),
-                "libsdformat says: " + shown(line.substr(is + 1, end - is - 1), 200) +
-                    " not defined in SDF; it is left out");
+                "libsdformat reports: " + shown(line.substr(is + 1, end - is - 1), 200) +
+                    " not defined in SDF; it is ignored");
     }
   }
 

@@ -9,14 +9,15 @@
 
 #include <kanexpr/base/letters_aside.hpp>
 
-/// Poses of libsdformat, which have quaternions, as those of robots, which have right angles.
+/// Converts poses of libsdformat, which use quaternions, to poses of robots, whose right angles are exact.
 namespace kanexpr::robots::sdf_files {
 
 inline vector3 vector_of(const ignition::math::Vector3d& v) {
   return {v.X() + 0.0, v.Y() + 0.0, v.Z() + 0.0};
 }
 
-/// Rounding errors of the way through quaternions are no lengths: what is below a picometre is 0.
+/// The position in a pose. Entries below a picometer, rounding errors of the conversion to quaternions,
+/// become 0.
 inline vector3 place_of(const ignition::math::Vector3d& v, double tolerance) {
   vector3 place = vector_of(v);
   if (tolerance > 0)

@@ -19,25 +19,25 @@
 
 namespace kanexpr::robots::sdf_files {
 
-/// Goes through the one model of a file.
+/// Reads the only model of a file.
 class reader {
 public:
   reader(urdf::document& from, const reading_options& options) : from_(from), options_(options) {}
 
-  /// Whether there is one, and no mistake in it.
+  /// Whether the text contains a robot without a mistake.
   bool read(const std::string& text) {
     const urdf::element* const root = from_.open(text);
-    if (!root) return from_.fail(1, "there is no element, so this is no robot");
+    if (!root) return from_.fail(1, "there is no element, so the file does not describe a robot");
     if (std::string_view(root->Name()) != "sdf")
-      return from_.fail(*root, "the file begins with <" + shown(root->Name()) + ">, which is not <sdf>");
+      return from_.fail(*root, "the root element is <" + shown(root->Name()) + ">, expected <sdf>");
     const messages said;
     sdf::ParserConfig strict;
     strict.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::WARN);
     sdf::Root file;
     try {
       if (!is_sound(file.LoadSdfString(text, strict))) return false;
-    } catch (const std::exception& e) { // as of a number in a version
-      return from_.fail(std::string("libsdformat gives up: ") + shown(e.what()));
+    } catch (const std::exception& e) { // for example, an invalid number in the version
+      return from_.fail(std::string("libsdformat failed: ") + shown(e.what()));
     }
     const sdf::Model* const model = model_of(file);
     if (!model) return false;
@@ -54,7 +54,8 @@ public:
   robots::robot robot{};
 
 private:
-  /// An inertia of no body is no mistake here, but for libsdformat it is one in a world.
+  /// Whether libsdformat found no error. Inertias that are not physical are accepted here, although
+  /// libsdformat rejects them in a world.
   bool is_sound(const sdf::Errors& errors) {
     const auto is_inertia = [](const sdf::Error& e) {
       return e.Code() == sdf::ErrorCode::LINK_INERTIA_INVALID;
@@ -64,7 +65,7 @@ private:
     const auto first = std::ranges::find_if(errors, is_inertia);
     const sdf::Error& e = first == errors.end() ? *worst : *first;
     const std::string message = e.Message();
-    const std::string said = "libsdformat says: " + shown(message.substr(0, message.find('\n')), 200);
+    const std::string said = "libsdformat reports: " + shown(message.substr(0, message.find('\n')), 200);
     return e.LineNumber() ? from_.fail(*e.LineNumber(), said) : from_.fail(said);
   }
 
@@ -74,7 +75,7 @@ private:
     const std::uint64_t models = one_world ? file.WorldByIndex(0)->ModelCount() : 0;
     if (models == 1) return file.WorldByIndex(0)->ModelByIndex(0);
     from_.fail("the file has " + (one_world ? std::to_string(models) + " models" : "no model") +
-               ", and a robot is one");
+               ", expected one");
     return nullptr;
   }
 
@@ -84,7 +85,7 @@ private:
       const sdf::Link& l = *m.LinkByIndex(i);
       Pose3d at;
       if (!l.SemanticPose().Resolve(at, "__model__").empty())
-        return from_.fail(line_of(l), "the place of link " + shown(l.Name()) + " is not known");
+        return from_.fail(line_of(l), "the pose of link " + shown(l.Name()) + " cannot be resolved");
       const std::string called = scope + l.Name();
       link read;
       if (!link_reader(from_).read(l, called, read)) return false;
@@ -97,7 +98,7 @@ private:
       const sdf::Model& inner = *m.ModelByIndex(i);
       Pose3d at;
       if (!inner.SemanticPose().Resolve(at, "__model__").empty())
-        return from_.fail(line_of(inner), "the place of model " + shown(inner.Name()) + " is not known");
+        return from_.fail(line_of(inner), "the pose of model " + shown(inner.Name()) + " cannot be resolved");
       if (!read_links(inner, scope + inner.Name() + "::", stands * at)) return false;
     }
     return true;
@@ -111,7 +112,8 @@ private:
     return true;
   }
 
-  /// The root is upright: where a link stands otherwise, the model is a link below it.
+  /// The root is upright: if the root link is rotated, an upright link named after the model is added below
+  /// it.
   bool is_robot(const sdf::Model& m) {
     const found_root found = root_of(robot);
     if (!found.mistake.what.empty()) return from_.fail(line_of(m), found.mistake.what);

@@ -19,7 +19,7 @@ namespace kanexpr::robots::urdf {
 
 using element = tinyxml2::XMLElement;
 
-/// A file that is being read: its elements, their numbers, and the first mistake in it.
+/// A file that is being read: its elements, their numbers, and the first mistake.
 class document {
 public:
   document(std::string called, double right_angles) : called_(std::move(called)), tolerance_(right_angles) {}
@@ -27,7 +27,7 @@ public:
   /// The root element; null after a mistake.
   const element* open(const std::string& text) {
     if (text.find('\0') != std::string::npos)
-      return fail("the file holds a zero byte, so it is not XML"), nullptr;
+      return fail("the file contains a zero byte, so it is not XML"), nullptr;
     if (xml_.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
       return fail(xml_.ErrorLineNum(), cause_of(xml_.ErrorID())), nullptr;
     for (const tinyxml2::XMLNode* n = xml_.FirstChild(); n; n = n->NextSibling())
@@ -38,7 +38,7 @@ public:
 
   const std::string& mistake() const { return mistake_; }
   double tolerance() const { return tolerance_; }
-  /// What was left out or taken in another way than it is written.
+  /// Notes about what was ignored or not used as written.
   const std::vector<std::string>& notes() const { return notes_; }
   std::vector<std::string>&& take_notes() { return std::move(notes_); }
 
@@ -47,7 +47,7 @@ public:
     return false;
   }
   bool fail(const element& e, const std::string& what) { return fail(e.GetLineNum(), what); }
-  /// Of the whole file.
+  /// Reports a mistake that concerns the whole file.
   bool fail(const std::string& what) {
     if (mistake_.empty()) mistake_ = called_.empty() ? what : called_ + ": " + what;
     return false;
@@ -56,18 +56,18 @@ public:
     if (notes_.size() < most_notes)
       notes_.push_back(at(line) + what);
     else if (notes_.size() == most_notes)
-      notes_.push_back("there is more to note, which is not listed");
+      notes_.push_back("further notes are not listed");
   }
   void note(const element& e, const std::string& what) { note(e.GetLineNum(), what); }
 
-  /// An attribute that has to be there.
+  /// The value of a required attribute.
   std::optional<std::string> text(const element& e, const char* attribute, const std::string& whose) {
     if (const char* found = e.Attribute(attribute); found && *found) return std::string(found);
     fail(e, whose + " has no " + attribute);
     return {};
   }
 
-  /// Reads an attribute into a number, which stays as it is without one.
+  /// Reads an attribute into a number, which is left unchanged if the attribute is missing.
   bool take(const element& e, const char* attribute, double& into, const std::string& whose) {
     const char* const found = e.Attribute(attribute);
     return !found || take_words(e, attribute, found, &into, 1, whose);
@@ -76,28 +76,28 @@ public:
     const char* const found = e.Attribute(attribute);
     return !found || take_words(e, attribute, found, into.data(), 3, whose);
   }
-  /// The one element of that name in another; a second one is noted.
+  /// The only child element with that name; a second one is noted.
   const element* only(const element& in, const char* name, const std::string& whose) {
     const element* const first = in.FirstChildElement(name);
     if (const element* const second = first ? first->NextSiblingElement(name) : nullptr)
-      note(*second, whose + " has a second <" + name + ">, which is left out");
+      note(*second, whose + " has a second <" + name + ">, which is ignored");
     return first;
   }
-  /// Notes the attributes of an element that are not among those that are known.
+  /// Notes the unknown attributes of an element.
   void know(const element& e, std::initializer_list<std::string_view> known, const std::string& whose) {
     for (const tinyxml2::XMLAttribute* a = e.FirstAttribute(); a; a = a->Next())
       if (std::ranges::find(known, a->Name()) == known.end())
-        note(e, whose + " has the attribute " + shown(a->Name()) + ", which is not known here and left out");
+        note(e, whose + " has the unknown attribute " + shown(a->Name()) + ", which is ignored");
   }
-  /// The same of the elements in one.
+  /// Notes the unknown child elements of an element.
   void know_elements(const element& in, std::initializer_list<std::string_view> known,
                      const std::string& whose) {
     for (const element* e = in.FirstChildElement(); e; e = e->NextSiblingElement())
       if (std::ranges::find(known, e->Name()) == known.end())
-        note(*e, whose + " holds <" + shown(e->Name()) + ">, which is not known here and left out");
+        note(*e, whose + " contains the unknown element <" + shown(e->Name()) + ">, which is ignored");
   }
 
-  /// Reads the <origin> in an element.
+  /// Reads the <origin> of an element.
   bool take_origin(const element& in, pose& into, const std::string& whose) {
     const element* const origin = only(in, "origin", whose);
     if (!origin) return true;
@@ -113,15 +113,16 @@ private:
     return "line " + std::to_string((std::max)(line, 1)) + (called_.empty() ? "" : " of " + called_) + ": ";
   }
   static std::string cause_of(tinyxml2::XMLError error) {
-    if (error == tinyxml2::XML_ERROR_EMPTY_DOCUMENT) return "there is no element, so this is no robot";
-    if (error == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) return "elements lie too deep in one another";
-    if (error == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT) return "an element is not closed where it should be";
-    return "this is no XML";
+    if (error == tinyxml2::XML_ERROR_EMPTY_DOCUMENT)
+      return "there is no element, so the file does not describe a robot";
+    if (error == tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED) return "elements are nested too deeply";
+    if (error == tinyxml2::XML_ERROR_MISMATCHED_ELEMENT) return "an element is not closed properly";
+    return "this is not valid XML";
   }
 
   static const char* advice_on(std::string_view word) {
-    if (word.find('$') != word.npos) return "; this may be a xacro file, so run xacro on it first";
-    return word.find(',') == word.npos ? "" : "; decimals are written with a point";
+    if (word.find('$') != word.npos) return "; this may be a xacro file: run xacro on it first";
+    return word.find(',') == word.npos ? "" : "; use a decimal point";
   }
 
   bool take_angles(const element& e, rotation& into, const std::string& of) {
@@ -130,7 +131,7 @@ private:
     if (!take(e, "rpy", angles, of)) return false;
     if (std::ranges::any_of(angles, [&](double a) { return std::abs(a) > turn; }))
       note(e, "rpy=\"" + shown(e.Attribute("rpy")) + "\" of " + of +
-                  " is more than a whole turn; angles are taken as radians");
+                  " exceeds a full turn; angles are read in radians");
     into = by_roll_pitch_yaw(angles, tolerance_);
     return true;
   }
@@ -140,8 +141,8 @@ private:
     if (!take_words(e, "quat_xyzw", e.Attribute("quat_xyzw"), q, 4, of)) return false;
     const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
     if (!(std::abs(norm - 1) < 1e-2))
-      return fail(e, "quat_xyzw=\"" + shown(e.Attribute("quat_xyzw")) + "\" of " + of +
-                         " does not have the norm 1");
+      return fail(e,
+                  "quat_xyzw=\"" + shown(e.Attribute("quat_xyzw")) + "\" of " + of + " does not have norm 1");
     for (double& each : q) each /= norm;
     into = with_right_angles(by_quaternion(q[0], q[1], q[2], q[3]), tolerance_);
     return true;
@@ -153,10 +154,11 @@ private:
     for (int i = 0; i < count; ++i) {
       const std::string_view word = next_word(words);
       if (word.empty())
-        return fail(e, what + " has too few numbers, " + std::to_string(i) + " of " + std::to_string(count));
+        return fail(e, what + " has too few numbers: " + std::to_string(i) + " of " + std::to_string(count));
       const std::optional<double> value = number_in(word);
       if (!value)
-        return fail(e, what + " holds " + shown(word) + ", which is not a finite number" + advice_on(word));
+        return fail(e,
+                    what + " contains " + shown(word) + ", which is not a finite number" + advice_on(word));
       into[i] = *value;
     }
     return next_word(words).empty() ||

@@ -8,8 +8,8 @@
 
 namespace kanexpr::robots::urdf {
 
-/// Takes from the words for Gazebo on which links gravity does not act, and notes the others that change how
-/// a robot moves; they are left out.
+/// Reads the Gazebo elements that switch off gravity for a link, and notes the others that would change the
+/// motion of the robot; these are ignored.
 inline void read_gazebo(document& from, const element& e, robot& into) {
   const char* const reference = e.Attribute("reference");
   const auto of_link = std::ranges::find_if(
@@ -29,7 +29,7 @@ inline void read_gazebo(document& from, const element& e, robot& into) {
       else
         from.note(*each, "<" + shown(is) + ">" + shown(value) + "</" + shown(is) + ">" +
                              (reference != nullptr ? " of " + shown(reference) : "") +
-                             ", a word for Gazebo, is left out");
+                             ", a Gazebo element, is ignored");
     }
   }
 }

@@ -8,7 +8,7 @@
 
 namespace kanexpr::robots::urdf {
 
-/// The places of what has a name.
+/// Indices by name.
 using places = std::unordered_map<std::string, int>;
 
 inline std::optional<joint_kind> joint_kind_of(std::string_view type) {
@@ -21,7 +21,7 @@ inline std::optional<joint_kind> joint_kind_of(std::string_view type) {
   return {};
 }
 
-/// Joints, and what speaks of them, once all links are there.
+/// Reads joints, their mimics and their transmissions after all links have been read.
 class joint_reader {
 public:
   joint_reader(document& from, const places& links, robot& into) : from_(from), links_(links), into_(into) {}
@@ -38,8 +38,8 @@ public:
     if (!type) return false;
     const auto kind = joint_kind_of(*type);
     if (!kind)
-      return from_.fail(e, whose + " has the type " + shown(*type) +
-                               ", which is not fixed, revolute, continuous, prismatic, planar or floating");
+      return from_.fail(e, whose + " has type " + shown(*type) +
+                               "; expected fixed, revolute, continuous, prismatic, planar or floating");
     read.is = *kind;
     from_.know_elements(e,
                         {"origin", "parent", "child", "axis", "calibration", "dynamics", "limit", "mimic",
@@ -49,7 +49,7 @@ public:
         !from_.take_origin(e, read.origin, whose) || !take_axis(e, whose, read) ||
         !take_limits(e, whose, read) || !take_dynamics(e, whose, read))
       return false;
-    if (read.parent == read.child) return from_.fail(e, whose + " leads from a link to itself");
+    if (read.parent == read.child) return from_.fail(e, whose + " connects a link to itself");
     if (const element* mimic = from_.only(e, "mimic", whose))
       mimics_.emplace_back(into_.joints.size(), mimic);
     into_.joints.push_back(std::move(read));
@@ -60,35 +60,35 @@ public:
   bool read_mimics() {
     for (const auto& [place, e] : mimics_)
       if (!take_mimic(*e, into_.joints[place])) return false;
-    std::vector<std::pair<std::size_t, double>> held; // by a joint that is fixed
+    std::vector<std::pair<std::size_t, double>> held; // by a fixed leader
     for (const auto& [place, e] : mimics_) {
       double multiplier = 1, offset = 0;
       const joint* at = &into_.joints[place];
       for (std::size_t steps = 0; at->mimic; ++steps) {
         if (steps == mimics_.size())
           return from_.fail(*e, "joint " + shown(into_.joints[place].name) +
-                                    " follows a joint that follows it in turn");
+                                    " mimics a joint that in turn mimics it");
         offset += multiplier * at->mimic->offset;
         multiplier *= at->mimic->multiplier;
         at = &into_.joints[static_cast<std::size_t>(at->mimic->leader)];
       }
       if (at->is != joint_kind::fixed || at == &into_.joints[place]) continue;
-      from_.note(*e, "joint " + shown(into_.joints[place].name) + " follows " + shown(at->name) +
-                         ", which is fixed, and is fixed too");
+      from_.note(*e, "joint " + shown(into_.joints[place].name) + " mimics " + shown(at->name) +
+                         ", which is fixed, so it is fixed too");
       held.emplace_back(place, offset);
     }
     for (const auto& [place, q] : held) fix(into_.joints[place], q);
     return true;
   }
 
-  /// The gear and the rotor behind a joint.
+  /// Reads the gear and the rotor of a joint.
   bool read_transmission(const element& e) {
     for (const element* j = e.FirstChildElement("joint"); j; j = j->NextSiblingElement("joint")) {
       const char* const name = j->Attribute("name");
       const auto found = places_.find(name ? name : "");
       if (found == places_.end()) {
-        from_.note(*j, "a transmission speaks of the joint " + shown(name ? name : "") +
-                           ", which is not there, and is left out");
+        from_.note(*j, "a transmission refers to joint " + shown(name ? name : "") +
+                           ", which does not exist; it is ignored");
         continue;
       }
       joint& of = into_.joints[static_cast<std::size_t>(found->second)];
@@ -112,7 +112,7 @@ private:
     if (!name) return false;
     const auto at = links_.find(*name);
     if (at == links_.end())
-      return from_.fail(*found, whose + " has the " + which + " " + shown(*name) + ", which is no link");
+      return from_.fail(*found, whose + " has the " + which + " " + shown(*name) + ", which is not a link");
     into = at->second;
     return true;
   }
@@ -123,7 +123,7 @@ private:
     from_.know(*axis, {"xyz"}, "the axis of " + whose);
     if (!from_.take(*axis, "xyz", into.axis, "the axis of " + whose)) return false;
     into.axis = direction_of(into.axis, from_.tolerance());
-    return !is_zero(into.axis) || from_.fail(*axis, "the axis of " + whose + " has no length");
+    return !is_zero(into.axis) || from_.fail(*axis, "the axis of " + whose + " has zero length");
   }
 
   bool take_limits(const element& e, const std::string& whose, joint& into) {
@@ -134,10 +134,10 @@ private:
     if (!from_.take(*limit, "effort", read.effort, of) || !from_.take(*limit, "velocity", read.velocity, of))
       return false;
     if (into.is != joint_kind::revolute && into.is != joint_kind::prismatic) return true;
-    read.lower = read.upper = 0; // what URDF takes them for where they are left out
+    read.lower = read.upper = 0; // the defaults of URDF
     if (!from_.take(*limit, "lower", read.lower, of) || !from_.take(*limit, "upper", read.upper, of))
       return false;
-    if (read.lower > read.upper) from_.note(*limit, whose + " has a lower limit above its upper one");
+    if (read.lower > read.upper) from_.note(*limit, whose + " has a lower limit above its upper limit");
     return true;
   }
 
@@ -152,14 +152,15 @@ private:
     if (into.friction < 0) return from_.fail(*dynamics, "the friction of " + whose + " is negative");
     const bool is_felt = into.is == joint_kind::fixed || has_one_coordinate(into.is);
     if (!is_felt && (into.damping > 0 || into.friction > 0))
-      from_.note(*dynamics, "the dynamics of " + whose + " are left out, as it has more than one coordinate");
+      from_.note(*dynamics,
+                 "the dynamics of " + whose + " are ignored because it has more than one coordinate");
     return true;
   }
 
   bool take_mimic(const element& e, joint& into) {
     const std::string whose = "joint " + shown(into.name);
-    if (into.is == joint_kind::fixed) { // as programs leave it that fix joints
-      from_.note(e, whose + " is fixed, so its mimic is left out");
+    if (into.is == joint_kind::fixed) { // programs that fix joints leave the mimic in place
+      from_.note(e, whose + " is fixed, so its mimic is ignored");
       return true;
     }
     const auto name = from_.text(e, "joint", "the mimic of " + whose);
@@ -170,18 +171,19 @@ private:
         !from_.take(e, "offset", read.offset, "the mimic of " + whose))
       return false;
     const auto at = places_.find(*name);
-    if (at == places_.end()) return from_.fail(e, whose + " follows " + shown(*name) + ", which is no joint");
+    if (at == places_.end())
+      return from_.fail(e, whose + " mimics " + shown(*name) + ", which is not a joint");
     read.leader = at->second;
     if (!has_one_coordinate(into.is))
-      return from_.fail(e, whose + " follows another, but has more than one coordinate");
+      return from_.fail(e, whose + " mimics another joint but has more than one coordinate");
     const joint_kind leader = into_.joints[static_cast<std::size_t>(read.leader)].is;
     if (leader != joint_kind::fixed && !has_one_coordinate(leader))
-      return from_.fail(e, whose + " follows " + shown(*name) + ", which has more than one coordinate");
+      return from_.fail(e, whose + " mimics " + shown(*name) + ", which has more than one coordinate");
     into.mimic = read;
     return true;
   }
 
-  /// Fixes a joint where it is at q.
+  /// Fixes a joint at the position q.
   void fix(joint& j, double q) {
     if (j.is == joint_kind::prismatic)
       j.origin = product(j.origin, pose{no_rotation, {q * j.axis[0], q * j.axis[1], q * j.axis[2]}});
@@ -191,13 +193,13 @@ private:
     j.mimic.reset();
   }
 
-  /// What a transmission says of the gear and the rotor of a joint.
+  /// The gear ratio and the rotor inertia of a joint, as read from a transmission.
   struct drive {
     std::optional<double> gear_ratio{}, rotor_inertia{};
     bool is_one = true; ///< one gear and one rotor
   };
 
-  /// By the words of ROS, or those of Drake.
+  /// Reads the elements of ROS or of Drake.
   bool take_gear(const element& in, const std::string& whose, drive& into) {
     for (const element* e = in.FirstChildElement(); e; e = e->NextSiblingElement()) {
       const std::string_view is = e->Name();
@@ -219,15 +221,15 @@ private:
     return true;
   }
 
-  /// A rotor is felt as n² J at its joint, if it is one and turns with one joint alone.
+  /// A rotor contributes n² J at its joint if it is the only rotor and drives only that joint.
   void keep_gear(const element& e, const drive& read, const std::string& whose, joint& into) {
     const bool is_alone = read.is_one && !e.FirstChildElement("joint")->NextSiblingElement("joint");
-    const char* const why = !is_alone                      ? "it is not alone"
-                            : into.rotor_inertia > 0       ? "the joint has another one"
-                            : !has_one_coordinate(into.is) ? "the joint does not have one coordinate"
+    const char* const why = !is_alone                ? "the transmission has several rotors, gears or joints"
+                            : into.rotor_inertia > 0 ? "the joint already has one"
+                            : !has_one_coordinate(into.is) ? "the joint does not have exactly one coordinate"
                                                            : nullptr;
     if (why && read.rotor_inertia > 0.0)
-      return from_.note(e, "the rotor in " + whose + " is left out, as " + why);
+      return from_.note(e, "the rotor in " + whose + " is ignored because " + why);
     into.gear_ratio = read.gear_ratio.value_or(into.gear_ratio);
     into.rotor_inertia = read.rotor_inertia.value_or(into.rotor_inertia);
   }

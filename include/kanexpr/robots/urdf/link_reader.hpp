@@ -7,7 +7,7 @@ namespace kanexpr::robots::urdf {
 
 inline bool read_inertial(document& from, const element& e, const std::string& whose, link& into) {
   inertial read;
-  if (!from.take_origin(e, read.center, "the mass centre of " + whose)) return false;
+  if (!from.take_origin(e, read.center, "the mass center of " + whose)) return false;
   from.know_elements(e, {"origin", "mass", "inertia"}, "the inertial of " + whose);
   const element* const mass = from.only(e, "mass", whose);
   const element* const inertia = from.only(e, "inertia", whose);
@@ -20,13 +20,13 @@ inline bool read_inertial(document& from, const element& e, const std::string& w
     from.know(*inertia, {"ixx", "iyy", "izz", "ixy", "iyz", "ixz"}, of);
     for (const char* moment : {"ixx", "iyy", "izz"})
       if (!inertia->Attribute(moment))
-        from.note(*inertia, of + " has no " + moment + ", which is taken for 0");
+        from.note(*inertia, of + " has no " + moment + ", which is taken as 0");
     if (!from.take(*inertia, "ixx", i.xx, of) || !from.take(*inertia, "iyy", i.yy, of) ||
         !from.take(*inertia, "izz", i.zz, of) || !from.take(*inertia, "ixy", i.xy, of) ||
         !from.take(*inertia, "iyz", i.yz, of) || !from.take(*inertia, "ixz", i.zx, of))
       return false;
   } else if (read.mass > 0) {
-    from.note(e, whose + " has a mass without an inertia, and is taken for a particle");
+    from.note(e, whose + " has a mass but no inertia and is treated as a particle");
   }
   const inertial_remarks remarks = remarks_on(read, whose);
   const element& at = inertia && read.mass >= 0 ? *inertia : *mass;
@@ -39,7 +39,7 @@ inline bool read_inertial(document& from, const element& e, const std::string& w
 inline bool read_shape(document& from, const element& e, const std::string& whose, std::vector<shape>& into) {
   const element* const geometry = e.FirstChildElement("geometry");
   const element* const is = geometry ? geometry->FirstChildElement() : nullptr;
-  if (!is) return from.note(e, whose + " has a shape without a geometry, which is left out"), true;
+  if (!is) return from.note(e, whose + " has a shape without a geometry, which is ignored"), true;
   shape read;
   const std::string_view kind = is->Name();
   const std::string of = "the " + shown(kind) + " of " + whose;
@@ -59,7 +59,7 @@ inline bool read_shape(document& from, const element& e, const std::string& whos
     if (const char* file = is->Attribute("filename")) read.file = file;
     taken = from.take(*is, "scale", read.size, of);
   } else {
-    from.note(*is, of + " is a shape that is not known here, and left out");
+    from.note(*is, of + " is an unsupported shape and is ignored");
     return true;
   }
   if (taken) into.push_back(std::move(read));

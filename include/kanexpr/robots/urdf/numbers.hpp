@@ -7,12 +7,12 @@
 #include <string_view>
 #include <system_error>
 
-/// Numbers in the text of a file, which mean the same in every country.
+/// Reads numbers in the text of a file, independently of the locale.
 namespace kanexpr::robots::urdf {
 
 inline constexpr std::string_view spaces = " \t\r\n\f\v";
 
-/// The next word of a text, which is taken off it; empty at its end.
+/// Removes the next word from a text and returns it; empty at the end of the text.
 inline std::string_view next_word(std::string_view& text) {
   const std::size_t from = text.find_first_not_of(spaces);
   if (from == std::string_view::npos) return text = {};
@@ -22,7 +22,7 @@ inline std::string_view next_word(std::string_view& text) {
   return word;
 }
 
-/// A finite number that is the whole word. What is too small for a number is 0.
+/// The value of a word if the whole word is a finite number. Numbers that underflow are 0.
 inline std::optional<double> number_in(std::string_view word) {
   if (word.starts_with('+')) word.remove_prefix(1);
   if (word.empty() || word.starts_with('+')) return {};

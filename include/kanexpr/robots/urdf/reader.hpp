@@ -9,17 +9,17 @@
 
 namespace kanexpr::robots::urdf {
 
-/// Goes through the elements of a <robot>.
+/// Reads the elements of a <robot>.
 class reader {
 public:
   reader(document& from, const reading_options& options) : from_(from), options_(options) {}
 
-  /// Whether there is one, and no mistake in it.
+  /// Whether the text contains a robot without a mistake.
   bool read(const std::string& text) {
     const element* const root = from_.open(text);
-    if (!root) return from_.fail(1, "there is no element, so this is no robot");
+    if (!root) return from_.fail(1, "there is no element, so the file does not describe a robot");
     if (std::string_view(root->Name()) != "robot")
-      return from_.fail(*root, "the file begins with <" + shown(root->Name()) + ">, which is not <robot>");
+      return from_.fail(*root, "the root element is <" + shown(root->Name()) + ">, expected <robot>");
     if (const char* name = root->Attribute("name")) robot.name = name;
     if (!is_expanded(*root)) return false;
     from_.know_elements(*root,

@@ -9,8 +9,7 @@
 
 namespace kanexpr::runtime {
 
-/// The constraints of a system that was derived while the program runs, for the numerical methods that
-/// satisfy them.
+/// Provides the constraints of a run-time model to the numerical methods that satisfy them.
 class constraints_at {
   using given_vector = Eigen::Map<const Eigen::VectorXd>;
 
@@ -55,7 +54,7 @@ public:
   Eigen::VectorXd redundant_rate_terms(const Eigen::VectorXd& x) {
     return redundant_rate_terms_(t_, x, p_, r_);
   }
-  /// To rounding.
+  /// Whether the configuration constraints hold to within rounding.
   bool configuration_holds(const Eigen::VectorXd& x) {
     return numeric::is_rounding(
         configuration_residual(x),
@@ -68,7 +67,7 @@ public:
         numeric::usual_terms([&](const Eigen::VectorXd& at) { return velocity_terms(at); }, x,
                              all_coordinates()));
   }
-  /// What the norms of quaternions are off.
+  /// The residuals (e·e − 1)/2 of the norms of quaternions.
   Eigen::VectorXd quaternion_residual(const Eigen::VectorXd& x) const {
     Eigen::VectorXd left(quaternions_.size());
     for (int i = 0; i < quaternions_.size(); ++i) left(i) = (lower::squared_norm(x, quaternions_[i]) - 1) / 2;
@@ -115,9 +114,10 @@ private:
       jacobian_, velocity_residual_, velocity_terms_, speeds_solved_;
 };
 
-/// Why the constraints of a model cannot be looked at in a state of so many entries; empty: they can.
+/// The reason why the constraints of a model cannot be evaluated at a state with `entries` entries; empty if
+/// they can.
 inline mechanics::sentence mistake_of_constraints(model& m, std::size_t entries) {
-  m.get(mechanics::quantity::velocity_residual); // lets go of what was refused before
+  m.get(mechanics::quantity::velocity_residual); // clears the mistake of the previous request
   if (!m.mistake().empty()) return mechanics::sentence({m.mistake()});
   return compiled::check_size("state", "the model", static_cast<int>(entries),
                               m.mechanism().coordinates.size() + m.mechanism().speeds.size());

@@ -20,8 +20,7 @@ public:
         dependency_(m.function(m.get(mechanics::quantity::dependency))),
         bias_(m.function(m.get(mechanics::quantity::acceleration_bias))) {}
 
-  /// Several times as many rows as columns, one regressor below another; without rows where no states were
-  /// found.
+  /// Stacked regressors with several times as many rows as columns; without rows if no states were found.
   Eigen::MatrixXd draw(Eigen::Index columns) {
     const Eigen::Index rows = m_.mechanism().speeds.size() - m_.equations().speeds().dependent.size();
     const Eigen::Index states = rows == 0 ? 0 : 3 * columns / rows + 3;
@@ -32,7 +31,7 @@ public:
     return found < states ? Eigen::MatrixXd(0, columns) : all;
   }
 
-  /// Why the last state was not taken.
+  /// The reason why the last state was rejected.
   const mechanics::sentence& cause() const { return cause_; }
 
 private:
@@ -100,12 +99,12 @@ KANEXPR_ENGINE found_base_parameters find_base_parameters(model& m, std::span<co
   const symbolic::matrix y = m.get(mechanics::quantity::regressor);
   if (!m.mistake().empty()) return refuse(mechanics::sentence({m.mistake()}));
   if (!(numeric::is_finite(options.tolerance) && options.tolerance > 0 && options.tolerance < 1))
-    return refuse(
-        numeric::with_number("base parameters need a tolerance between 0 and 1, not ", options.tolerance));
+    return refuse(numeric::with_number("the tolerance of base parameters must be between 0 and 1, got ",
+                                       options.tolerance));
   if (static_cast<int>(p.size()) != m.mechanism().parameters.size())
     return refuse(mechanics::sentence(
-        {"base parameters are asked for with ", mechanics::counted(static_cast<int>(p.size())).view(),
-         " parameters of ", mechanics::counted(m.mechanism().parameters.size()).view()}));
+        {"base parameters: got ", mechanics::counted(static_cast<int>(p.size())).view(),
+         " parameters, expected ", mechanics::counted(m.mechanism().parameters.size()).view()}));
   for (int i = 0; i < m.mechanism().parameters.size(); ++i)
     if (!numeric::is_finite(p[static_cast<std::size_t>(i)]))
       return refuse(mechanics::sentence(
@@ -115,12 +114,13 @@ KANEXPR_ENGINE found_base_parameters find_base_parameters(model& m, std::span<co
   const Eigen::MatrixXd all = states.draw(y.columns);
   if (all.rows() == 0)
     return refuse(mechanics::sentence(
-        {"no states were found to look for base parameters at: ", states.cause().view()}));
+        {"no states were found at which base parameters can be computed: ", states.cause().view()}));
   const numeric::independent_columns chosen = numeric::independent_columns_of(all, options.tolerance);
   constexpr double apart = 100;
   if (chosen.shortest_kept < apart * options.tolerance || chosen.longest_left * apart > options.tolerance)
     return refuse(numeric::with_number(
-        "which inertial parameters follow from others is not clear with a tolerance of ", options.tolerance));
+        "dependent and independent inertial parameters cannot be separated with a tolerance of ",
+        options.tolerance));
   const std::vector<std::string> names = m.names_of_inertial_parameters();
   Eigen::Index row = 0;
   for (const Eigen::Index column : chosen.kept) {

@@ -32,7 +32,7 @@ KANEXPR_ENGINE void builder::used_elsewhere(expression parameter_or_input) {
   if (m_.parameters.contains(parameter_or_input) || m_.inputs.contains(parameter_or_input))
     used_elsewhere_.push(parameter_or_input);
   else
-    inspect_.fail({"used_elsewhere is given something that is neither a parameter nor an input"});
+    inspect_.fail({"the argument of used_elsewhere is neither a parameter nor an input"});
 }
 
 KANEXPR_ENGINE expression builder::coordinate(std::string_view q) {
@@ -77,8 +77,8 @@ KANEXPR_ENGINE void builder::lagrangian(expression energy) {
 }
 
 KANEXPR_ENGINE expression builder::number(given_number value) {
-  if (value.is_whole_zero()) inspect_.fail_by_whole_zero("number is given 0");
-  if (!symbolic::is_finite(value.value())) inspect_.fail({"a number is given that is not finite"});
+  if (value.is_whole_zero()) inspect_.fail_by_whole_zero("the argument of number is 0");
+  if (!symbolic::is_finite(value.value())) inspect_.fail({"the argument of number is not finite"});
   return m_.number(value.value());
 }
 
@@ -90,8 +90,7 @@ KANEXPR_ENGINE expression builder::dot(expression e) {
     for (const mechanics::prescribed_rate& p : m_.prescribed_rates)
       if (p.quantity == e) return p.rate;
   }
-  inspect_.fail(
-      {"the rate of something is asked for that is not a coordinate, speed or prescribed quantity"});
+  inspect_.fail({"the argument of dot is not a coordinate, speed or prescribed quantity"});
   return m_.zero();
 }
 
@@ -125,7 +124,7 @@ KANEXPR_ENGINE bool builder::not_all_zero(std::initializer_list<const number_or_
 KANEXPR_ENGINE vector builder::along(frame_id axes, const number_or_expression& x,
                                      const number_or_expression& y, const number_or_expression& z) {
   vector v;
-  if (!not_all_zero({&x, &y, &z}, "a vector is given nothing but 0")) return v;
+  if (!not_all_zero({&x, &y, &z}, "every component of a vector is 0")) return v;
   const mechanics::components value{of(x), of(y), of(z)};
   if (inspect_.present(axes, "a vector") && inspect_.own(value, "a vector")) v.add(place(axes), value);
   return v;
@@ -141,7 +140,7 @@ KANEXPR_ENGINE dyadic builder::inertia(frame_id axes, const number_or_expression
                                        const number_or_expression& yy, const number_or_expression& zz,
                                        const number_or_expression& xy, const number_or_expression& yz,
                                        const number_or_expression& zx) {
-  if (!not_all_zero({&xx, &yy, &zz, &xy, &yz, &zx}, "an inertia is given nothing but 0")) return {};
+  if (!not_all_zero({&xx, &yy, &zz, &xy, &yz, &zx}, "every entry of an inertia is 0")) return {};
   mechanics::symmetric scalars;
   scalars.xx = of(xx), scalars.yy = of(yy), scalars.zz = of(zz);
   scalars.xy = of(xy), scalars.yz = of(yz), scalars.zx = of(zx);
@@ -159,9 +158,9 @@ KANEXPR_ENGINE frame_id builder::rotated(std::string_view called, frame_id paren
   if (!new_frame(called, parent) || !inspect_.own(angle, called) || !inspect_.own(axis, called)) return {};
   const mechanics::components a = mechanics::express(m_, axis, place(parent));
   if (a.is_zero())
-    inspect_.fail({"frame ", called, " is turned about an axis of no length"});
+    inspect_.fail({"frame ", called, " is rotated about an axis of zero length"});
   else if (!mechanics::is_fixed(a))
-    inspect_.fail({"frame ", called, " is turned about an axis that is not fixed in ", name_of(parent)});
+    inspect_.fail({"frame ", called, " is rotated about an axis that is not fixed in ", name_of(parent)});
   else
     return frame_id{mechanics::add_rotated_frame(m_, called, place(parent), angle, a)};
   return {};
@@ -275,7 +274,7 @@ KANEXPR_ENGINE void builder::changing_inertia(std::string_view body) {
       b.inertia_changes = true;
       return;
     }
-  inspect_.fail({"changing_inertia names ", body, ", and there is no such body"});
+  inspect_.fail({"changing_inertia refers to body ", body, ", which does not exist"});
 }
 
 KANEXPR_ENGINE void builder::effective_inertia(std::string_view of) {
@@ -284,19 +283,19 @@ KANEXPR_ENGINE void builder::effective_inertia(std::string_view of) {
       b.effective = true;
       return;
     }
-  inspect_.fail({"there is no body ", of, " whose inertia could be an effective one"});
+  inspect_.fail({"effective_inertia refers to body ", of, ", which does not exist"});
 }
 
 KANEXPR_ENGINE void builder::dependent(expression e) {
-  if (!inspect_.own(e, "what is dependent")) return;
+  if (!inspect_.own(e, "the argument of dependent")) return;
   const int q = m_.coordinates.find(e), u = m_.speeds.find(e);
   symbolic::sequence<int>& places =
       q >= 0 ? system_.constraints.dependent_coordinates : system_.constraints.dependent_speeds;
   const int at = q >= 0 ? q : u;
   if (at < 0)
-    inspect_.fail({"dependent is given something that is neither a coordinate nor a speed"});
+    inspect_.fail({"the argument of dependent is neither a coordinate nor a speed"});
   else if (places.contains(at))
-    inspect_.fail({m_.g->symbol_at(e.node()).called.view(), " is made dependent twice"});
+    inspect_.fail({m_.g->symbol_at(e.node()).called.view(), " is declared dependent twice"});
   else
     places.push(at);
 }
@@ -309,9 +308,9 @@ KANEXPR_ENGINE void builder::declare(frame_id frame, frame_id reference, const v
   constexpr std::string_view whose = "a declared angular velocity";
   if (!inspect_.present(frame, whose) || !inspect_.present(reference, whose)) return;
   if (frame == inertial_frame())
-    inspect_.fail({"the inertial frame ", name_of(frame), " is given an angular velocity"});
+    inspect_.fail({"the inertial frame ", name_of(frame), " has a declared angular velocity"});
   else if (m_.frames[place(frame)].turns_by_declaration())
-    inspect_.fail({"frame ", name_of(frame), " is given two angular velocities"});
+    inspect_.fail({"frame ", name_of(frame), " has two declared angular velocities"});
   else if (inspect_.own(value, name_of(frame)))
     mechanics::declare_angular_velocity(m_, place(frame), place(reference), value, apart);
 }
@@ -325,9 +324,9 @@ KANEXPR_ENGINE bool builder::unsaid_motion(point_id p) {
   const mechanics::point& at = m_.points[place(p)];
   if (at.parent == mechanics::none)
     return inspect_.fail(
-        {"point ", name_of(p), " is an origin, fixed in the inertial frame, and is given a motion"});
+        {"point ", name_of(p), " is an origin, fixed in the inertial frame, but has a declared motion"});
   if (at.fixed_in != mechanics::none || at.moves_by_declaration())
-    return inspect_.fail({"point ", name_of(p), " is given two motions"});
+    return inspect_.fail({"point ", name_of(p), " has two declared motions"});
   return true;
 }
 
@@ -341,8 +340,8 @@ KANEXPR_ENGINE frame_id builder::by_sequence(std::string_view called, frame_id p
                                              const symbolic::sequence<expression>& angles, bool space_fixed) {
   if (!new_frame(called, parent) || !inspect_.own(angles, called)) return {};
   if (!mechanics::is_sequence(letters)) {
-    inspect_.fail({"frame ", called, " is turned by the sequence ", letters,
-                   ", which is invalid: take three axes, no two neighbours alike"});
+    inspect_.fail({"frame ", called, " is rotated by the sequence ", letters,
+                   ", which is invalid; use three axes, no two consecutive ones equal"});
     return {};
   }
   return frame_id{mechanics::add_frame_by_sequence(m_, called, place(parent), letters, angles, space_fixed)};

@@ -6,7 +6,7 @@
 #include <kanexpr/mechanics/model/orientation.hpp>
 #include <kanexpr/runtime/builder.hpp>
 
-/// What a builder is told of constraints.
+/// The constraints of a builder.
 namespace kanexpr::runtime {
 
 KANEXPR_ENGINE void builder::configuration_constraint(expression vanishes) {
@@ -16,12 +16,12 @@ KANEXPR_ENGINE void builder::configuration_constraint(expression vanishes) {
 
 KANEXPR_ENGINE bool builder::may_vanish(const vector& v, const vector& direction, std::string_view whose) {
   if (!inspect_.own(v, whose) || !inspect_.own(direction, whose)) return false;
-  return !direction.is_zero() || inspect_.fail({whose, " is given a direction of no length"});
+  return !direction.is_zero() || inspect_.fail({whose, " has a direction of zero length"});
 }
 
 KANEXPR_ENGINE void builder::configuration_constraint(const vanishing& v) {
   constexpr std::string_view whose = "a configuration constraint";
-  if (v.directions.empty()) inspect_.fail({"zero_along of ", whose, " is given no direction"});
+  if (v.directions.empty()) inspect_.fail({"zero_along of ", whose, " requires at least one direction"});
   for (const vector& direction : v.directions)
     if (may_vanish(v.value, direction, whose))
       system_.constraints.on_configuration.push(deriving::dot(m_, v.value, direction));
@@ -41,7 +41,8 @@ KANEXPR_ENGINE void builder::velocity_constraint(const vector& vanishes, const v
 }
 
 KANEXPR_ENGINE void builder::velocity_constraint(const vanishing& v) {
-  if (v.directions.empty()) inspect_.fail({"zero_along of a velocity constraint is given no direction"});
+  if (v.directions.empty())
+    inspect_.fail({"zero_along of a velocity constraint requires at least one direction"});
   for (const vector& direction : v.directions) velocity_constraint(v.value, direction);
 }
 

@@ -4,7 +4,7 @@
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/runtime/builder.hpp>
 
-/// What a builder is told of loads.
+/// The loads of a builder.
 namespace kanexpr::runtime {
 
 KANEXPR_ENGINE void builder::force(point_id at, const vector& value) {
@@ -29,7 +29,7 @@ KANEXPR_ENGINE void builder::torque_between(frame_id on, frame_id other, const v
 
 KANEXPR_ENGINE void builder::gravity(const vector& acceleration) {
   if (system_.loads.has_gravity)
-    inspect_.fail({"gravity is given twice"});
+    inspect_.fail({"gravity is specified twice"});
   else if (inspect_.own(acceleration, "gravity"))
     system_.loads.has_gravity = true, system_.loads.gravity = acceleration;
 }

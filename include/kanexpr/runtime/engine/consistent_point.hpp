@@ -34,7 +34,7 @@ public:
                 "dynamic differential equation ");
   }
 
-  /// Whether no symbol has a value.
+  /// Whether the point specifies no values.
   bool is_empty() const { return is_empty_; }
 
   symbolic::point_values values(const symbolic::matrix& m) { return symbolic::limits_at(g_, m, all_); }
@@ -62,7 +62,7 @@ private:
     return true;
   }
 
-  /// Gives the symbols that the point does not name the values that expressions have there.
+  /// Assigns the values of expressions at the point to the symbols that the point does not specify.
   void complete(const symbols& wanted, const symbols& expressions) {
     symbolic::matrix column(g_, wanted.size(), 1);
     column.entries = expressions;
@@ -77,7 +77,8 @@ private:
     all_.insert(all_.end(), added.begin(), added.end());
   }
 
-  /// Equations that still hold a coordinate, a speed or a rate may be satisfied by what is left open.
+  /// Checks that equations vanish. Those that still contain a coordinate, a speed or a rate may be satisfied
+  /// by unspecified values.
   void must_vanish(const symbols& zero, const std::string& what) {
     using kind = symbolic::symbol_kind;
     symbolic::matrix column(g_, zero.size(), 1);
@@ -93,11 +94,11 @@ private:
         continue;
       if (vanishes(left[i], terms[i])) continue;
       failures_.push_back("the operating point does not satisfy " + what + std::to_string(i + 1) +
-                          ": it leaves " + symbolic::print(left[i]));
+                          ": the residual is " + symbolic::print(left[i]));
     }
   }
 
-  /// Whether a sum is zero beside its terms, at two generic values of the symbols that it holds.
+  /// Whether a sum is negligible compared with its terms, at two generic values of its symbols.
   bool vanishes(symbolic::expression e, symbolic::expression terms) const {
     for (const double first : {0.7312, 1.2931}) {
       const auto any = [&](int id) { return 0.4 + std::fmod(first * (id + 1), 1.0); };
@@ -110,7 +111,7 @@ private:
   const mechanics::general_form& form_;
   symbolic::graph& g_;
   bool is_empty_;
-  std::vector<symbolic::replacement> all_; ///< what is given, then what follows from it
+  std::vector<symbolic::replacement> all_; ///< the specified values, then those that follow from them
   std::vector<std::string> failures_{};
 };
 

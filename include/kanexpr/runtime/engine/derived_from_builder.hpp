@@ -10,7 +10,7 @@
 
 namespace kanexpr::runtime {
 
-/// Derived from a system that was built, of which it keeps a copy, unless `mistake` was found in it.
+/// A system derived from a copy of a built one; not derived if `mistake` is set.
 class derived_from_builder final : public derived {
 public:
   derived_from_builder(std::shared_ptr<symbolic::graph> g, const mechanics::multibody_system& built,
@@ -38,7 +38,7 @@ private:
   mechanics::multibody_system system_;
   mechanics::sentence mistake_;
   describe::system_record no_words_{};
-  deriving::reader reader_{no_words_, system_}; ///< of symbols, by their names
+  deriving::reader reader_{no_words_, system_}; ///< looks up symbols by name
   std::optional<mechanics::equations> equations_{};
 };
 

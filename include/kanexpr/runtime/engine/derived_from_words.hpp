@@ -9,7 +9,7 @@
 
 namespace kanexpr::runtime {
 
-/// Derived from the words of a model.
+/// A system derived from the words of a model.
 class derived_from_words final : public derived {
 public:
   derived_from_words(const deriving::checked_words& from, std::span<const deriving::request> also,
@@ -29,7 +29,7 @@ public:
   mechanics::equations* equations() override { return system_.is_derived() ? &system_.equations() : nullptr; }
 
 private:
-  mechanics::sentence mistake_; ///< in the words as such
+  mechanics::sentence mistake_; ///< in the words themselves
   deriving::derived_system system_;
 };
 

@@ -9,7 +9,7 @@
 
 namespace kanexpr::runtime {
 
-/// Calls `use` with each expression of a system or of a part of one, in the order of its members.
+/// Calls `use` for each expression of a system or of one of its parts, in the order of the members.
 template <class Use>
 class each_expression {
 public:

@@ -25,7 +25,7 @@ public:
     const std::vector<symbolic::replacement> point = reader.read(given);
     if (system_->mistake()) {
       failures_.assign(1, std::string(system_->mistake().view()));
-      if (is_sound) system_->reader().forget_mistake(); // the point's alone
+      if (is_sound) system_->reader().forget_mistake(); // a mistake in the point only
       return;
     }
     failures_ = reader.failures();
@@ -87,7 +87,7 @@ private:
   mechanics::equations& equations() { return *system_->equations(); }
   symbolic::graph& graph() { return system_->graph(); }
 
-  /// What was formed; nothing where forming it showed that the system has a mistake.
+  /// The result that was formed; empty if forming it revealed a mistake in the system.
   template <class Form>
   Form unless_mistaken(const Form& formed) {
     if (!system_->mistake()) return formed;
@@ -111,7 +111,7 @@ private:
     return {values(l.state, "A"), values(l.input, "B")};
   }
 
-  /// Solved after the values are in their places: as numbers where all are numbers.
+  /// Solves for the rates after the values have been substituted, numerically if all entries are numbers.
   explicit_matrices from_implicit() {
     const implicit_matrices& given = implicit_form();
     const mechanics::linearizer& full = equations().linearized().in_full();
@@ -139,7 +139,7 @@ private:
       failures_.push_back("the rates cannot be solved for at the operating point: M is singular");
   }
 
-  /// Whether all entries are numbers at generic values of the symbols that they hold.
+  /// Whether all entries are finite at generic values of their symbols.
   bool has_values(const symbolic::matrix& m) {
     const auto any = [](int id) { return 0.4 + std::fmod(0.7312 * (id + 1), 1.0); };
     for (const double value : symbolic::values_at(graph(), symbolic::nodes_of(m.entries), any))
@@ -155,7 +155,7 @@ private:
   }
 
   std::shared_ptr<derived> system_;
-  std::optional<consistent_point> point_{}; ///< of a system without a mistake
+  std::optional<consistent_point> point_{}; ///< empty if the system has a mistake
   std::vector<std::string> failures_{};
   implicit_matrices implicit_{};
   explicit_matrices explicit_{};

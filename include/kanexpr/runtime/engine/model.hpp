@@ -19,7 +19,8 @@ inline std::string enumerated(derived& system, const symbolic::sequence<symbolic
   return text;
 }
 
-/// What is asked of a sound system; a mistake in the request alone is refused, and forgotten by the next one.
+/// Forms a result of a sound system. A mistake in the request itself is reported, and cleared by the next
+/// request.
 template <class Form>
 auto asked_of(derived& system, const Form& form) {
   using result = decltype(form());
@@ -34,7 +35,7 @@ auto asked_of(derived& system, const Form& form) {
   return system.refused || system.mistake() ? result() : found;
 }
 
-/// A result that belongs to what the system has, formed by way of the stages that the compiler takes.
+/// Forms a result of a system by way of the same stages as the compiler.
 inline symbolic::matrix result_of(derived& system, const deriving::request& wanted) {
   if (wanted.what == deriving::request::kind::result)
     system.refused = system.equations()->check_bodies(wanted.wanted);
@@ -97,7 +98,7 @@ KANEXPR_ENGINE mechanics::vector model::vector(const describe::phrase& words) {
     system_->reader().take_up();
     const deriving::value found = system_->reader().evaluate(words, "an expression");
     if (found.kind != describe::shape::vector)
-      system_->reader().refuse("what is asked for as a vector is another expression");
+      system_->reader().refuse("the expression requested as a vector is not a vector");
     return found.vector;
   });
 }
@@ -143,11 +144,10 @@ KANEXPR_ENGINE bool model::owns(const symbolic::matrix& result) const {
 
 KANEXPR_ENGINE mechanics::sentence model::mistake_of(const symbolic::matrix& result) const {
   if (system_->mistake()) return system_->mistake();
-  if (!owns(result))
-    return mechanics::sentence({"the result that is to be evaluated is one of another model"});
+  if (!owns(result)) return mechanics::sentence({"the result to be evaluated belongs to a different model"});
   if (result.rows != 0 || result.columns != 0) return {};
   return system_->refused ? system_->refused
-                          : mechanics::sentence({"the result that is to be evaluated was not formed"});
+                          : mechanics::sentence({"the result to be evaluated was not formed"});
 }
 
 KANEXPR_ENGINE int model::coordinates() const { return mechanism().coordinates.size(); }

@@ -6,8 +6,9 @@
 
 namespace kanexpr::runtime {
 
-/// Gives a system a graph of its own. What users write numbers its nodes in the order in which their compiler
-/// evaluates operands, and models of one builder share a graph; here neither matters.
+/// Moves a system to a separate graph. In the graph of a builder, which its models share, the numbering of
+/// the nodes depends on the order in which the compiler evaluates operands; in the separate graph it does
+/// not.
 inline void move_to(symbolic::graph& own, mechanics::multibody_system& system) {
   const symbolic::graph& shared = *system.mechanism.g;
   symbolic::sequence<int> nodes;

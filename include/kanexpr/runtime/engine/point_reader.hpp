@@ -9,8 +9,8 @@
 
 namespace kanexpr::runtime {
 
-/// Finds the symbols of an operating point in a system that was derived. A parameter that only the operating
-/// point speaks of, such as the speed of a vehicle, becomes one more parameter.
+/// Looks up the symbols of an operating point in a derived system. A parameter that only the operating point
+/// uses, such as the speed of a vehicle, is added to the parameters.
 class point_reader {
 public:
   explicit point_reader(derived& system) : system_(system), m_(system.mechanism()) {}
@@ -22,7 +22,7 @@ public:
     for (const linearization_point::entry& e : point.entries()) {
       const std::optional<symbolic::expression> symbol = symbol_of(e.what);
       if (!symbol.has_value()) {
-        failures_.push_back("the operating point names " + e.what.name() +
+        failures_.push_back("the operating point refers to " + e.what.name() +
                             ", which the system does not have");
         continue;
       }
@@ -31,13 +31,13 @@ public:
     return found;
   }
 
-  /// What could not be read, as sentences.
+  /// The mistakes in the operating point, as sentences.
   const std::vector<std::string>& failures() const { return failures_; }
 
 private:
   using symbols = symbolic::sequence<symbolic::expression>;
 
-  /// The symbol among some that are named, or its partner in another list.
+  /// Finds a symbol by name in one list and returns its partner in another.
   std::optional<symbolic::expression> find(const symbols& named, std::string_view name,
                                            const symbols& partners) const {
     for (int i = 0; i < named.size(); ++i)
@@ -64,7 +64,7 @@ private:
     case symbol_kind::auxiliary_speed:
     case symbol_kind::multiplier:
     case symbol_kind::weight:
-    case symbol_kind::direction: break; // belong to no point
+    case symbol_kind::direction: break; // cannot occur in an operating point
     }
     return std::nullopt;
   }
@@ -99,7 +99,7 @@ private:
       if (t.symbol->kind == symbolic::symbol_kind::parameter)
         system_.reader().admit_parameter(*t.symbol);
       else if (!symbol_of(*t.symbol).has_value()) {
-        failures_.push_back("the value of " + e.what.name() + " at the operating point holds " +
+        failures_.push_back("the value of " + e.what.name() + " at the operating point contains " +
                             std::string(t.symbol->called.view()) + ", which the system does not have");
         return std::nullopt;
       }

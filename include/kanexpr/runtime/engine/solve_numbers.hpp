@@ -9,8 +9,8 @@
 
 namespace kanexpr::runtime {
 
-/// M⁻¹ [A B] of a linearization whose entries are all numbers, by elimination with row exchanges. Units of
-/// equations and unknowns do not matter.
+/// Computes M⁻¹ [A B] of a linearization whose entries are all numbers, by elimination with row exchanges.
+/// The result does not depend on the units of equations and unknowns.
 class solve_numbers {
 public:
   static bool are_numbers(const symbolic::matrix& m) {
@@ -29,7 +29,7 @@ public:
   /// Whether M is regular.
   explicit operator bool() const { return factors_.singularity_measure() > mechanics::vanishing_measure; }
 
-  /// δ[q̇; u̇; λ] for each state, then each input.
+  /// δ[q̇; u̇; λ] for each state, then for each input.
   const symbolic::matrix& rates() const { return rates_; }
 
 private:

@@ -6,7 +6,7 @@
 
 namespace kanexpr::runtime {
 
-/// A parameter or an input that nothing in a system uses, nor anything `elsewhere`, or an auxiliary speed. A
+/// Reports a parameter, an input or an auxiliary speed that is used neither in a system nor `elsewhere`. A
 /// prescribed quantity and its rates are used together.
 inline mechanics::sentence check_uses(const mechanics::multibody_system& system,
                                       const symbolic::sequence<symbolic::expression>& elsewhere) {
@@ -24,7 +24,7 @@ inline mechanics::sentence check_uses(const mechanics::multibody_system& system,
   each(system.constraints);
   each(elsewhere);
   symbolic::sequence<char> used = symbolic::live_nodes(*m.g, nodes);
-  for (int i = 0; i < 2; ++i) // upwards, then down again
+  for (int i = 0; i < 2; ++i) // towards higher rates, then back
     for (const mechanics::prescribed_rate& p : m.prescribed_rates) {
       char &quantity = used[p.quantity.node()], &rate = used[p.rate.node()];
       quantity = rate = static_cast<char>(quantity | rate);
@@ -37,12 +37,12 @@ inline mechanics::sentence check_uses(const mechanics::multibody_system& system,
     for (const symbolic::expression& e : l.symbols)
       if (used[e.node()] == 0)
         return mechanics::sentence({l.kind, " ", m.g->symbol_at(e.node()).called.view(),
-                                    " is made and nothing in the system uses it; if that is meant, write ",
+                                    " is declared but not used in the system; if this is intended, call ",
                                     "used_elsewhere"});
   for (const symbolic::expression& e : m.auxiliary_speeds)
     if (used[e.node()] == 0)
       return mechanics::sentence({"auxiliary speed ", m.g->symbol_at(e.node()).called.view(),
-                                  " is made and nothing in the system uses it"});
+                                  " is declared but not used in the system"});
   return {};
 }
 
