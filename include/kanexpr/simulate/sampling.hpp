@@ -76,7 +76,7 @@ public:
   }
 
   /// Makes the time and state that were reached the last sample; goes back to the last sample if it was
-  /// rejected or no more can be taken.
+  /// rejected or no further sample fits.
   void end(double& t, state& x) {
     if (!last_) return;
     const bool is_taken = numeric::equal(last_->t, t) && last_->x == x;

@@ -34,7 +34,7 @@ public:
     return *reduced_;
   }
 
-  /// The same, but for Lagrange's method the equations of all speeds with their multipliers.
+  /// As above, except for Lagrange's method: the equations of all speeds with their multipliers.
   constexpr linearizer& in_full() {
     if (m_.derived_by == method::kane || constraints_.size() == 0) return reduced();
     if (!in_full_.has_value()) in_full_.emplace(*m_.g, form().with_multipliers());

@@ -15,7 +15,7 @@ struct monomial {
   int count = 0;
   power powers[most_powers]{};
 
-  /// Returns false if there is no room for another factor.
+  /// Returns false if another factor does not fit.
   constexpr bool multiply_by(int factor, int exponent) {
     int place = 0;
     while (place < count && powers[place].factor < factor) ++place;
