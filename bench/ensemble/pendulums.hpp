@@ -43,10 +43,9 @@ study_in_steps<runge_kutta_4<System>, Number> in_steps(std::size_t count) {
           .state = at_rest,
           .parameters = bars,
           .inputs = without_motors,
-          .step = step,
-          .steps = static_cast<int>(span.to / step),
-          .keep = {at_end<q1>("q1_end"), at_end<q2>("q2_end")},
-          .look_every = static_cast<int>(span.to / step)};
+          .span = {.step = step, .steps = static_cast<int>(span.to / step)},
+          .simulation = {.look_every = static_cast<int>(span.to / step)},
+          .keep = {at_end<q1>("q1_end"), at_end<q2>("q2_end")}};
 }
 
 /// The same numbers, whoever formed them, have the same sum.

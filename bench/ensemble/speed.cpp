@@ -10,7 +10,7 @@ using namespace pendulums;
 using namespace timing;
 
 sum bare_steps(std::size_t count) {
-  const int steps = in_steps(1).steps;
+  const int steps = in_steps(1).span.steps;
   const runs all = starts(count);
   const parameter_values<System> p = given_parameters<System>(bars).values;
   const input_values<System> r(0, 0);
@@ -31,8 +31,8 @@ int main(int count, char** words) {
   const std::size_t runs = count > 1 ? std::strtoul(words[1], nullptr, 10) : 16;
   const int turns = count > 2 ? std::atoi(words[2]) : 301;
   const ensemble<System> study(in_full(runs));
-  const ensemble_in_steps stepped(in_steps(runs));
-  const ensemble_in_steps single(in_steps<float>(runs));
+  const auto stepped = ensemble_in_steps(in_steps(runs));
+  const auto single = ensemble_in_steps(in_steps<float>(runs));
 
   print_load();
   std::printf("%zu runs, %d turns\n", runs, turns);

@@ -65,13 +65,13 @@ double apart(const table& found, double within) {
   table starts;
   if (!starts.add("q1", first) || !starts.add("q2", second)) std::abort();
   constexpr double step = 1e-3;
-  const study_in_steps<runge_kutta_4<System>> told{.runs = runs_of(starts),
-                                                   .state = at_rest,
-                                                   .parameters = bars,
-                                                   .inputs = without_motors,
-                                                   .step = step,
-                                                   .steps = static_cast<int>(within / step),
-                                                   .keep_trajectories = true};
+  const study_in_steps<runge_kutta_4<System>> told{
+      .runs = runs_of(starts),
+      .state = at_rest,
+      .parameters = bars,
+      .inputs = without_motors,
+      .span = {.step = step, .steps = static_cast<int>(within / step)},
+      .keep_trajectories = true};
   const auto again = ensemble_in_steps<runge_kutta_4<System>>(told).run();
   double most = again ? 0 : NAN;
   for (std::size_t i = 0; again && i < times.size(); ++i) {

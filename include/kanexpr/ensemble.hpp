@@ -6,7 +6,6 @@
 
 #include <kanexpr/ensemble/csv_file.hpp>
 #include <kanexpr/ensemble/ensemble.hpp>
-#include <kanexpr/ensemble/ensemble_in_steps.hpp>
 #include <kanexpr/ensemble/stop_on_signal.hpp>
 #include <kanexpr/fixed_step.hpp>
 #include <kanexpr/simulate.hpp>

@@ -1,4 +1,4 @@
-#include <kanexpr/ensemble/on_threads.hpp>
+#include <kanexpr/ensemble/thread_pool.hpp>
 
 #include <gmock/gmock.h>
 
@@ -17,14 +17,14 @@ using namespace kanexpr;
 namespace files = std::filesystem;
 
 // A study whose runs cost nothing. Run 5 fails, and each third has an event.
-class squares final : public ensembles::job {
+class squares final : public ensembles::study_interface {
 public:
   explicit squares(std::size_t count, const char* name = "squares") {
     layout_.study = name, layout_.runs = count, layout_.columns = {{"run"}, {"square", "m2"}};
     layout_.state = {{"q"}}, layout_.samples = {{"t", "s"}, {"q"}}, layout_.events = {"third"};
   }
   const study_layout& layout() const override { return layout_; }
-  std::size_t side_by_side() const override { return 1; }
+  std::size_t lanes() const override { return 1; }
   std::vector<finished_run> run(std::size_t first, std::size_t count) const override {
     std::vector<finished_run> all(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -60,8 +60,8 @@ protected:
                                    if (until > 0 && done >= double(until)) stop->request_stop();
                                  },
                              .stop = stop->get_token()};
-    ensembles::on_threads crew;
-    return crew.run(squares(count), known_by, options);
+    ensembles::thread_pool pool;
+    return pool.run(squares(count), known_by, options);
   }
 
   static constexpr std::size_t count = 1000;
@@ -92,7 +92,7 @@ TEST_F(checkpoint, is_where_an_interrupted_study_goes_on) {
   EXPECT_GE(first.done, 100u);
   EXPECT_LT(first.done, count);
   EXPECT_EQ(first.runs.rows(), first.done); // what is done is kept
-  EXPECT_EQ(first.cause(), "the study was ended after " + std::to_string(first.done) + " of 1000 runs");
+  EXPECT_EQ(first.cause(), "the study was stopped after " + std::to_string(first.done) + " of 1000 runs");
   const auto second = run(400);
   EXPECT_GT(second.done, first.done);
   EXPECT_FALSE(second);
@@ -113,15 +113,14 @@ TEST_F(checkpoint, is_written_where_a_link_leads) {
 
 TEST_F(checkpoint, of_another_study_is_refused) {
   const std::size_t done = run(100).done;
-  ensembles::on_threads crew;
+  ensembles::thread_pool threads;
   for (const auto& other :
        {run(0, 1, "by that"),
-        crew.run(squares(count, "of a name that differs"), "by this",
-                 {.reduce = {statistics_of("square"), quantiles_of("square")}, .checkpoint = path})}) {
+        threads.run(squares(count, "of a name that differs"), "by this",
+                    {.reduce = {statistics_of("square"), quantiles_of("square")}, .checkpoint = path})}) {
     EXPECT_FALSE(other);
-    EXPECT_EQ(
-        other.cause(),
-        path + " is of another study, another model or another version of kanexpr; remove it to begin anew");
+    EXPECT_EQ(other.cause(),
+              path + " belongs to a different study, model or version of kanexpr; remove it to start over");
     EXPECT_EQ(other.done, 0u);
   }
   EXPECT_GT(run(done + 1).done, done); // it is still there
@@ -137,6 +136,9 @@ TEST_F(checkpoint, that_is_damaged_is_refused) {
   EXPECT_EQ(run().cause(), path + " is damaged");
   files::resize_file(path, 30);
   EXPECT_EQ(run().cause(), path + " is damaged");
+  std::ofstream(path) << "kanexpr checkpoint 1\nof an older version";
+  EXPECT_EQ(run().cause(),
+            path + " belongs to a different study, model or version of kanexpr; remove it to start over");
   std::ofstream(path) << "t,q\n0,1\n";
   EXPECT_EQ(run().cause(), path + " is not a checkpoint of a study");
 }
@@ -150,13 +152,13 @@ TEST_F(checkpoint, that_is_empty_begins_anew) {
 
 TEST_F(checkpoint, at_a_path_that_cannot_be_one_is_refused) {
   const auto cause_at = [](const std::string& at) {
-    ensembles::on_threads crew;
-    return crew.run(squares(10), "by this", {.checkpoint = at}).cause();
+    ensembles::thread_pool threads;
+    return threads.run(squares(10), "by this", {.checkpoint = at}).cause();
   };
   EXPECT_EQ(cause_at(""), "the path of the checkpoint is empty");
   for (const std::string& each : {folder.string(), folder.string() + '/', std::string(".")})
     EXPECT_EQ(cause_at(each), each + " is a folder, not a checkpoint");
-  EXPECT_EQ(cause_at("/dev/null"), "/dev/null is no file that could be replaced");
+  EXPECT_EQ(cause_at("/dev/null"), "/dev/null is not a regular file");
   EXPECT_TRUE(files::is_empty(folder));
 }
 
@@ -165,18 +167,18 @@ TEST_F(checkpoint, stays_where_it_was_when_the_program_changes_its_folder) {
   files::create_directory(elsewhere);
   files::current_path(folder);
   std::stop_source stop;
-  ensembles::on_threads crew;
-  const auto found = crew.run(squares(count), "by this",
-                              {.threads = 1,
-                               .reduce = {statistics_of("square"), quantiles_of("square")},
-                               .checkpoint = files::path(path).filename(),
-                               .checkpoint_every = 0,
-                               .progress =
-                                   [&](double done, double, double) {
-                                     files::current_path(elsewhere);
-                                     if (done > 100) stop.request_stop();
-                                   },
-                               .stop = stop.get_token()});
+  ensembles::thread_pool threads;
+  const auto found = threads.run(squares(count), "by this",
+                                 {.threads = 1,
+                                  .reduce = {statistics_of("square"), quantiles_of("square")},
+                                  .checkpoint = files::path(path).filename(),
+                                  .checkpoint_every = 0,
+                                  .progress =
+                                      [&](double done, double, double) {
+                                        files::current_path(elsewhere);
+                                        if (done > 100) stop.request_stop();
+                                      },
+                                  .stop = stop.get_token()});
   files::current_path(before);
   EXPECT_LT(found.done, count);
   EXPECT_TRUE(files::is_empty(elsewhere));
@@ -186,13 +188,14 @@ TEST_F(checkpoint, stays_where_it_was_when_the_program_changes_its_folder) {
 TEST_F(checkpoint, serves_one_study_at_a_time) {
   static_cast<void>(run(100));
   std::vector<std::string> causes;
-  ensembles::on_threads crew;
-  const auto first = crew.run(squares(count), "by this",
-                              {.threads = 1,
-                               .reduce = {statistics_of("square"), quantiles_of("square")},
-                               .checkpoint = path,
-                               .checkpoint_every = 0,
-                               .progress = [&](double, double, double) { causes.push_back(run().cause()); }});
+  ensembles::thread_pool threads;
+  const auto first =
+      threads.run(squares(count), "by this",
+                  {.threads = 1,
+                   .reduce = {statistics_of("square"), quantiles_of("square")},
+                   .checkpoint = path,
+                   .checkpoint_every = 0,
+                   .progress = [&](double, double, double) { causes.push_back(run().cause()); }});
   expect_whole(first);
   EXPECT_THAT(causes, testing::Each(path + " is in use by another study"));
   EXPECT_TRUE(files::is_empty(folder));
@@ -201,15 +204,15 @@ TEST_F(checkpoint, serves_one_study_at_a_time) {
 TEST_F(checkpoint, does_not_mind_what_a_killed_study_left) {
   const ::pid_t other = ::fork();
   if (other == 0) {
-    ensembles::on_threads crew;
-    static_cast<void>(crew.run(squares(count), "by this",
-                               {.threads = 1,
-                                .reduce = {statistics_of("square"), quantiles_of("square")},
-                                .checkpoint = path,
-                                .checkpoint_every = 0,
-                                .progress = [](double done, double, double) {
-                                  if (done > 100) std::raise(SIGKILL);
-                                }}));
+    ensembles::thread_pool threads;
+    static_cast<void>(threads.run(squares(count), "by this",
+                                  {.threads = 1,
+                                   .reduce = {statistics_of("square"), quantiles_of("square")},
+                                   .checkpoint = path,
+                                   .checkpoint_every = 0,
+                                   .progress = [](double done, double, double) {
+                                     if (done > 100) std::raise(SIGKILL);
+                                   }}));
     ::_exit(1);
   }
   int how = 0;
@@ -230,8 +233,8 @@ TEST_F(checkpoint, that_cannot_be_written_is_told_before_the_first_run) {
 
 TEST_F(checkpoint, is_written_from_time_to_time) {
   std::size_t seen = 0;
-  ensembles::on_threads crew;
-  const auto found = crew.run(
+  ensembles::thread_pool threads;
+  const auto found = threads.run(
       squares(count), "by this",
       {.threads = 1, .checkpoint = path, .checkpoint_every = 0, .progress = [&](double, double, double) {
          seen += files::exists(path);
@@ -241,8 +244,8 @@ TEST_F(checkpoint, is_written_from_time_to_time) {
 }
 
 TEST(results, that_are_not_held_are_not_there) {
-  ensembles::on_threads crew;
-  const auto found = crew.run(squares(100), "", {.hold = false, .reduce = {statistics_of("square")}});
+  ensembles::thread_pool threads;
+  const auto found = threads.run(squares(100), "", {.hold = false, .reduce = {statistics_of("square")}});
   ASSERT_TRUE(found);
   EXPECT_EQ(found.runs.columns(), 0u);
   EXPECT_TRUE(found.trajectories.empty() && found.events.empty());
@@ -252,13 +255,13 @@ TEST(results, that_are_not_held_are_not_there) {
 
 TEST(results, are_told_of_as_they_come) {
   std::vector<double> told;
-  ensembles::on_threads crew;
+  ensembles::thread_pool threads;
   const auto found =
-      crew.run(squares(100), "", {.threads = 3, .progress = [&](double done, double from, double to) {
-                                    EXPECT_EQ(from, 0);
-                                    EXPECT_EQ(to, 100);
-                                    told.push_back(done);
-                                  }});
+      threads.run(squares(100), "", {.threads = 3, .progress = [&](double done, double from, double to) {
+                                       EXPECT_EQ(from, 0);
+                                       EXPECT_EQ(to, 100);
+                                       told.push_back(done);
+                                     }});
   ASSERT_TRUE(found);
   EXPECT_TRUE(std::ranges::is_sorted(told));
   EXPECT_EQ(told.back(), 100);
@@ -274,27 +277,27 @@ TEST(results, end_with_a_sentence_whatever_is_thrown) {
       return {};
     }
     outcome begin(const study_layout&) override { return throw_at(step::begin); }
-    outcome go_on(const study_layout&, const std::string&) override { return {}; }
+    outcome resume(const study_layout&, const std::string&) override { return {}; }
     outcome take(const finished_run&) override { return throw_at(step::take); }
     outcome flush(std::string&) override { return {}; }
     outcome end() override { return throw_at(step::end); }
   };
   const auto cause = [](const ensemble_options& options) {
-    ensembles::on_threads crew;
-    return crew.run(squares(100), "", options).cause();
+    ensembles::thread_pool threads;
+    return threads.run(squares(100), "", options).cause();
   };
-  const std::string expected = "the results of the study could not be taken: what was thrown is no "
-                               "std::exception";
+  const std::string expected = "the results of the study could not be processed: something other than a "
+                               "std::exception was thrown";
   EXPECT_EQ(cause({.progress = [](double, double, double) { throw 5; }}), expected);
   for (const step each : {step::begin, step::take, step::end})
     EXPECT_EQ(cause({.files = {std::make_shared<thrower>(each)}}), expected);
 }
 
 TEST(results, that_progress_throws_at_are_kept) {
-  ensembles::on_threads crew;
-  const auto found = crew.run(
+  ensembles::thread_pool threads;
+  const auto found = threads.run(
       squares(100), "", {.progress = [](double, double, double) { throw std::runtime_error("no paper"); }});
-  EXPECT_EQ(found.cause(), "the results of the study could not be taken: no paper");
+  EXPECT_EQ(found.cause(), "the results of the study could not be processed: no paper");
   EXPECT_GT(found.done, 0u);
   EXPECT_EQ(found.runs.rows(), found.done);
 }

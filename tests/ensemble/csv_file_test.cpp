@@ -1,7 +1,7 @@
 #include "ensemble/written_study.hpp"
 
 #include <kanexpr/ensemble/csv_file.hpp>
-#include <kanexpr/ensemble/held_file.hpp>
+#include <kanexpr/ensemble/exclusive_file.hpp>
 #include <kanexpr/simulate/csv.hpp>
 
 #include <gmock/gmock.h>
@@ -10,8 +10,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-
-#include <sys/file.h>
 
 namespace {
 
@@ -49,7 +47,7 @@ TEST(csv_file, has_the_table_of_runs) {
   EXPECT_EQ(text_of(path), held.str());
 }
 
-TEST(csv_file, stands_where_nothing_else_of_its_study_does) {
+TEST(csv_file, is_no_other_file_of_its_study) {
   const std::filesystem::path folder = std::filesystem::path(TempDir()) / "kanexpr_names";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directory(folder);
@@ -59,14 +57,9 @@ TEST(csv_file, stands_where_nothing_else_of_its_study_does) {
     return written::run(written::study(10, false), options).cause();
   };
   for (const std::string& file : {one, same, link})
-    EXPECT_EQ(cause({.files = {csv_file(file)}, .checkpoint = one}),
-              file + " cannot be a file of results: the checkpoint of the study takes that name");
-  for (const std::string& beside : {one + ".new", one + ".lock"}) // which are there for a while
-    EXPECT_EQ(cause({.files = {csv_file(beside)}, .checkpoint = one}),
-              beside + " cannot be a file of results: the checkpoint of the study takes that name");
-  EXPECT_EQ(cause({.files = {csv_file(one), csv_file(same)}}),
-            same + " cannot be a file of results: a file of results takes that name");
+    EXPECT_EQ(cause({.files = {csv_file(file)}, .checkpoint = one}), file + " is in use by another study");
   EXPECT_FALSE(std::filesystem::exists(one));
+  EXPECT_EQ(cause({.files = {csv_file(one), csv_file(same)}}), same + " is in use by another study");
   std::filesystem::remove_all(folder);
 }
 
@@ -79,7 +72,7 @@ TEST(csv_file, goes_on_where_a_study_was_noted) {
   std::filesystem::remove(options.checkpoint->text());
   const auto first = written::run(known, stopped().after(1000, options));
   ASSERT_FALSE(first);
-  EXPECT_THAT(first.cause(), HasSubstr("the study was ended after "));
+  EXPECT_THAT(first.cause(), HasSubstr("the study was stopped after "));
   std::ofstream(path, std::ios::app) << "half a ro"; // behind the checkpoint
   const auto rest = written::run(known, options);
   EXPECT_TRUE(rest) << rest.cause();
@@ -98,11 +91,9 @@ TEST(csv_file, does_not_go_on_behind_the_rows_of_another_study) {
   rows += rows.substr(rows.find('\n') + 1);
   std::ofstream(path, std::ios::binary) << rows;
   std::ofstream(other, std::ios::binary) << rows;
-  EXPECT_EQ(written::run(known, options).cause(),
-            path + " does not hold what it held when the study was noted");
+  EXPECT_EQ(written::run(known, options).cause(), path + " has changed since the checkpoint was written");
   options.files = {csv_file(other)};
-  EXPECT_EQ(written::run(known, options).cause(),
-            other + " does not hold what " + path + " held when the study was noted");
+  EXPECT_EQ(written::run(known, options).cause(), other + " has changed since the checkpoint was written");
   EXPECT_EQ(text_of(path), rows); // as they were
   EXPECT_EQ(text_of(other), rows);
 
@@ -117,18 +108,12 @@ TEST(csv_file, says_what_it_cannot) {
     return written::run(written::study(10, keeps_all), {.files = {csv_file(path)}}).cause();
   };
   EXPECT_EQ(cause("/nowhere/study.csv"), "/nowhere/study.csv cannot be opened: No such file or directory");
-  EXPECT_EQ(cause("some.csv", true), "some.csv cannot hold the trajectories that the study keeps, as it is a "
-                                     "table of runs; a file of HDF5 can");
+  EXPECT_EQ(cause("some.csv", true),
+            "some.csv cannot hold the trajectories that the study keeps; use an HDF5 file");
   EXPECT_THAT(cause("/dev/full"), HasSubstr("writing /dev/full failed"));
 
   const std::string path = TempDir() + "held.csv";
-  std::ofstream(path) << "run,end\n";
-  const int other = ::open(path.c_str(), O_RDONLY);
-  ::flock(other, LOCK_SH);
-  EXPECT_EQ(cause(path), path + " is open in another program");
-  ::close(other);
-
-  kanexpr::ensembles::held_file first, second; // which begin at the same moment
+  kanexpr::ensembles::exclusive_file first, second;
   EXPECT_TRUE(first.claim(path));
   EXPECT_EQ(second.claim(path).cause(), path + " is in use by another study");
   EXPECT_EQ(cause(path), path + " is in use by another study");
@@ -137,14 +122,10 @@ TEST(csv_file, says_what_it_cannot) {
   second.release();
   EXPECT_FALSE(std::filesystem::exists(path + ".lock"));
 
-  std::string position(16, '\0');
+  std::string position(24, '\0');
   position[0] = 100;
-  EXPECT_EQ(csv_file(path)->go_on(known.layout(), position).cause(),
-            path + " does not begin with the columns of the study");
-  ASSERT_EQ(cause(path), "");
-  position[1] = 100;
-  EXPECT_EQ(csv_file(path)->go_on(known.layout(), position).cause(),
-            path + " is shorter than it was when the study was noted");
+  EXPECT_EQ(csv_file(path)->resume(known.layout(), position).cause(),
+            path + " has changed since the checkpoint was written");
 }
 
 } // namespace

@@ -95,7 +95,7 @@ TEST(ensemble, does_not_depend_on_threads) {
   EXPECT_EQ(alone.quantiles("t_contact").quantile(0.5), shared.quantiles("t_contact").quantile(0.5));
   EXPECT_EQ(alone.histogram("h_end").count(3), shared.histogram("h_end").count(3));
   EXPECT_EQ(alone.counts("contacts").counts(), shared.counts("contacts").counts());
-  EXPECT_EQ(alone.statistics("h_end").count(), 0u); // nobody asked
+  EXPECT_EQ(alone.statistics("h_end").count(), 0u); // not requested
   ASSERT_EQ(alone.trajectories.size(), 40u);
   for (std::size_t i = 0; i < 40; ++i) expect_equal(alone.trajectories[i], shared.trajectories[i]);
 }
@@ -170,7 +170,7 @@ TEST(ensemble, tells_what_was_thrown_and_what_is_no_number) {
   EXPECT_EQ(found.failures[0].cause, "root is not a number");
   EXPECT_EQ(found.failures[0].state.size(), 2u);
   EXPECT_EQ(found.failures[1].cause, "a push of no size");
-  EXPECT_EQ(found.failures[2].cause, "something was thrown that is no std::exception");
+  EXPECT_EQ(found.failures[2].cause, "something other than a std::exception was thrown");
   EXPECT_EQ(found.runs["end"][1], 0);
 }
 
@@ -210,7 +210,7 @@ TEST(ensemble, drops_no_event_in_silence) {
   const auto found = ensemble<System>(told).run();
   ASSERT_EQ(found.failures.size(), 1u);
   EXPECT_EQ(found.failures[0].run, 7u);
-  EXPECT_EQ(found.failures[0].cause, "the event top is none of those that the study was told");
+  EXPECT_EQ(found.failures[0].cause, "the event top is not an event of the study");
 }
 
 TEST(ensemble, ends_as_an_event_asks) {
@@ -249,11 +249,12 @@ std::string refusal(study<System> told, const ensemble_options& options = {}) {
 TEST(ensemble, says_what_was_told_wrongly) {
   study<System> told = bouncing_balls();
   told.runs = grid({{"m_2", {1}}});
-  EXPECT_EQ(refusal(told),
-            "the system System has no m_2 that could differ from run to run; if it is none of its "
-            "symbols, it is a factor, factor{\"m_2\"}, or of a table runs_of(table, {factor{\"m_2\"}})");
+  EXPECT_EQ(
+      refusal(told),
+      "the system System has no m_2 to vary; a quantity that is not a symbol of the system is a factor: "
+      "factor{\"m_2\"}, or of a table runs_of(table, {factor{\"m_2\"}})");
   told = bouncing_balls(), told.for_each_run = [](const run_values& run, auto&) { run["push"]; };
-  EXPECT_EQ(refusal(told), "the runs of the study have no push that differs");
+  EXPECT_EQ(refusal(told), "the runs of the study do not vary push");
   told = bouncing_balls(), told.state = {};
   EXPECT_EQ(refusal(told), "speed v has no value");
   told = bouncing_balls(), told.parameters.push_back({g, 9.81});
@@ -263,11 +264,11 @@ TEST(ensemble, says_what_was_told_wrongly) {
   told = bouncing_balls(), told.keep.push_back(times_of("flip", "flips"));
   EXPECT_EQ(refusal(told), "the simulations of the study have no event flip");
   told = bouncing_balls(), told.keep.push_back(at_end<v>("g"));
-  EXPECT_EQ(refusal(told), "of what the study keeps, column g already exists");
+  EXPECT_EQ(refusal(told), "in the outputs of the study, column g already exists");
   told = bouncing_balls(), told.keep.push_back(at_end<height>());
-  EXPECT_EQ(refusal(told), "of what the study keeps, a column has no name");
+  EXPECT_EQ(refusal(told), "in the outputs of the study, a column has no name");
   told = bouncing_balls(), told.units.push_back({"hh", "m"});
-  EXPECT_EQ(refusal(told), "a unit is told of hh, which the study does not have");
+  EXPECT_EQ(refusal(told), "the study has no hh that could have a unit");
   told = bouncing_balls(), told.span = {1, 0};
   EXPECT_EQ(refusal(told), "the time span ends at 0, before it begins at 1");
   EXPECT_EQ(refusal(bouncing_balls(), {.reduce = {statistics_of("velocity")}}),
@@ -275,7 +276,7 @@ TEST(ensemble, says_what_was_told_wrongly) {
   for (const reduction& wrong : {histogram_of("g", 1, 1, 5), histogram_of("g", -3, 3, std::size_t(-1)),
                                  histogram_of("g", -3, 3, 0), histogram_of("g", 0, std::nan(""), 5)})
     EXPECT_EQ(refusal(bouncing_balls(), {.reduce = {wrong}}),
-              "the histogram of g needs a bin at least and 16777216 at most, and must begin below its end");
+              "the histogram of g requires between 1 and 16777216 bins and a start below its end");
   told = bouncing_balls(), told.runs = grid({{g, evenly_spaced(0, 1, std::size_t(-3))}});
   EXPECT_EQ(refusal(told), "the grid has no values of g");
   told = bouncing_balls(), told.runs = runs_of(read_csv("nowhere/runs.csv"));

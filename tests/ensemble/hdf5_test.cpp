@@ -21,7 +21,6 @@
 #include <thread>
 
 #include <fcntl.h>
-#include <sys/file.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
@@ -296,16 +295,16 @@ TEST(hdf5_file, does_not_go_on_in_rows_that_are_not_those_of_its_study) {
     for (std::uintmax_t left : {size / 2, size / 10}) { // as a copy that was interrupted
       std::filesystem::copy_file(noted, path, std::filesystem::copy_options::overwrite_existing);
       std::filesystem::resize_file(path, left);
-      EXPECT_FALSE(file->go_on(known.layout(), position)) << left << " of " << size << " bytes";
+      EXPECT_FALSE(file->resume(known.layout(), position)) << left << " of " << size << " bytes";
     }
     ASSERT_TRUE(file->begin(known.layout())); // of a study with the same columns
     for (const auto& each : known.run(1, 2500)) ASSERT_TRUE(file->take(each));
     ASSERT_TRUE(file->end());
-    EXPECT_EQ(file->go_on(known.layout(), position).cause(),
-              path + " does not hold what it held when the study was noted");
+    EXPECT_EQ(file->resume(known.layout(), position).cause(),
+              path + " has changed since the checkpoint was written");
 
     std::filesystem::copy_file(noted, path, std::filesystem::copy_options::overwrite_existing);
-    ASSERT_TRUE(file->go_on(known.layout(), position));
+    ASSERT_TRUE(file->resume(known.layout(), position));
     for (const auto& each : known.run(2000, 1000)) ASSERT_TRUE(file->take(each));
     ASSERT_TRUE(file->end());
     expect_same(path, whole(known));
@@ -324,8 +323,7 @@ TEST(hdf5_file, is_written_where_a_link_leads_and_replaces_files_alone) {
   EXPECT_TRUE(std::filesystem::is_symlink(link));
   EXPECT_EQ(reader(folder / "scratch" / "study.h5").rows("runs"), 10u);
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  EXPECT_EQ(written::run(known, {.files = {hdf5_file(pipe)}}).cause(),
-            pipe + " is no file that could be replaced");
+  EXPECT_EQ(written::run(known, {.files = {hdf5_file(pipe)}}).cause(), pipe + " is not a regular file");
   EXPECT_EQ(written::run(known, {.files = {hdf5_file(folder.string())}}).cause(),
             folder.string() + " is a folder, not a file");
   std::filesystem::remove_all(folder);
@@ -347,7 +345,7 @@ TEST(hdf5_file, ends_where_a_study_is_asked_to_stop_before_it_was_interrupted) {
   }
   EXPECT_EQ(reader(path).rows("runs"), 80u);
   const auto file = hdf5_file(path);
-  ASSERT_TRUE(file->go_on(known.layout(), position));
+  ASSERT_TRUE(file->resume(known.layout(), position));
   for (std::size_t i = 40; i < 50; ++i) ASSERT_TRUE(file->take(known.one(i)));
   EXPECT_TRUE(file->end());
   EXPECT_EQ(reader(path).rows("runs"), 50u);
@@ -426,19 +424,19 @@ TEST(hdf5_file, says_what_it_cannot) {
   const auto here = hdf5_file(path), other = hdf5_file(path);
   ASSERT_TRUE(other->begin(known.layout()));
   EXPECT_EQ(here->begin(known.layout()).cause(), path + " is in use by another study");
-  EXPECT_EQ(here->go_on(known.layout(), "").cause(), path + " is in use by another study");
+  EXPECT_EQ(here->resume(known.layout(), "").cause(), path + " is in use by another study");
   ASSERT_TRUE(other->end());
 
-  EXPECT_EQ(here->go_on(wide, "").cause(), path + " does not have the columns of the study");
+  EXPECT_THAT(here->resume(wide, "").cause(), StartsWith(path + " cannot be opened: "));
   std::string position(32, '\0');
   position[0] = 1;
-  EXPECT_EQ(here->go_on(known.layout(), position).cause(),
-            path + " has fewer rows in runs than when the study was noted");
+  EXPECT_EQ(here->resume(known.layout(), position).cause(),
+            path + " has changed since the checkpoint was written");
   EXPECT_TRUE(reader(path));
   std::ofstream(path) << "something else";
-  EXPECT_EQ(here->go_on(known.layout(), "").cause(), path + " is not a file of HDF5");
+  EXPECT_EQ(here->resume(known.layout(), "").cause(), path + " cannot be opened: file signature not found");
   std::filesystem::remove(path);
-  EXPECT_EQ(here->go_on(known.layout(), "").cause(), path + " cannot be opened: No such file or directory");
+  EXPECT_EQ(here->resume(known.layout(), "").cause(), path + " cannot be opened: No such file or directory");
 }
 
 TEST(hdf5_file, takes_a_million_runs) {

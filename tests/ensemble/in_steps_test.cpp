@@ -18,11 +18,10 @@ study_in_steps<runge_kutta_4<one::System>> swinging() {
           .state = {{one::u, 0}},
           .parameters = {{one::l, 0.7}, {one::g, 9.81}, {one::c, 0.03}},
           .inputs = {{one::T, 0.5}},
-          .step = 1e-2,
-          .steps = 100,
+          .span = {.step = 1e-2, .steps = 100},
+          .simulation = {.look_every = 10},
           .keep = {at_end<one::q>("angle"), greatest<one::u>("fastest"), least<one::u>("slowest"),
                    at_end<dot(position_of<one::P, one::O>, one::N::y)>("height")},
-          .look_every = 10,
           .keep_end_state = true};
 }
 
@@ -78,7 +77,7 @@ TEST(ensemble_in_steps, takes_inputs_from_a_function) {
   for (std::size_t i = 0; i < 37; ++i) EXPECT_EQ(batches.runs["q_end"][i], singles.runs["q_end"][i]);
   told.inputs = {{one::T, 0}};
   EXPECT_EQ(ensemble_in_steps(told, of_one).run().cause(),
-            "the inputs are told twice, by the study and by a function");
+            "the inputs are specified twice, by the study and by a function");
 }
 
 TEST(ensemble_in_steps, serves_single_precision) {
@@ -87,7 +86,7 @@ TEST(ensemble_in_steps, serves_single_precision) {
     told.state = {{one::u, 0}};
     told.parameters = {{one::l, 0.7}, {one::g, 9.81}, {one::c, 0.03}};
     told.inputs = {{one::T, 0.5}};
-    told.step = 1e-2, told.steps = 100, told.look_every = 10;
+    told.span = {.step = 1e-2, .steps = 100}, told.simulation.look_every = 10;
     told.keep = {at_end<one::q>("angle"), greatest<one::u>("fastest")};
     return told;
   };
@@ -133,7 +132,7 @@ TEST(ensemble_in_steps, lets_a_function_set_what_goes_together) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(found.runs["q_end"][i], found.runs["q"][i], 1e-14);
   told.for_each_run = [](const run_values& run, run_setup<one::System>&) { run["push"]; };
   EXPECT_EQ(ensemble_in_steps<runge_kutta_4<one::System>>(told).run().cause(),
-            "the runs of the study have no push that differs");
+            "the runs of the study do not vary push");
 }
 
 TEST(ensemble_in_steps, begins_where_the_constraints_hold) {
@@ -141,8 +140,7 @@ TEST(ensemble_in_steps, begins_where_the_constraints_hold) {
   study_in_steps<runge_kutta_4<pendulum_nonminimal::System>> told{
       .runs = grid({{q2, {0.5, 1, 3}}}),
       .parameters = {{m, 1}, {L, 2}, {g, 9.81}},
-      .step = 1e-2,
-      .steps = 100,
+      .span = {.step = 1e-2, .steps = 100},
       .keep = {at_end<q1>("x_end"), at_end<q2>("y_end")}};
   told.state = {{q1, 1}, {u2, 0.1}};
   const auto held = ensemble_in_steps<runge_kutta_4<pendulum_nonminimal::System>>(told).run();
@@ -151,7 +149,7 @@ TEST(ensemble_in_steps, begins_where_the_constraints_hold) {
   EXPECT_EQ(held.failures[0].cause,
             "coordinate q1, which is dependent, was given as 1, but the constraints require 1.93649167; omit "
             "it, declare others dependent<...>, or set guesses_dependent");
-  told.guesses_dependent = true;
+  told.simulation.guesses_dependent = true;
   const auto found = ensemble_in_steps<runge_kutta_4<pendulum_nonminimal::System>>(told).run();
   ASSERT_TRUE(found) << found.cause();
   for (std::size_t i : {0u, 1u})
@@ -165,8 +163,7 @@ TEST(ensemble_in_steps, holds_what_dependent_variables_are_given) {
   study_in_steps<runge_kutta_4<pendulum_nonminimal::System>> told{.runs = grid({{q1, {1.6, 1.5}}}),
                                                                   .state = {{q2, 1.2}, {u2, 0.1}},
                                                                   .parameters = {{m, 1}, {L, 2}, {g, 9.81}},
-                                                                  .step = 1e-2,
-                                                                  .steps = 10,
+                                                                  .span = {.step = 1e-2, .steps = 10},
                                                                   .keep = {at_end<q1>("x_end")}};
   const auto run = [&] { return ensemble_in_steps<runge_kutta_4<pendulum_nonminimal::System>>(told).run(); };
   auto found = run();
@@ -191,8 +188,7 @@ TEST(ensemble_in_steps, takes_no_rates_that_are_not_those_of_what_is_prescribed)
       .state = {{u, 0}},
       .parameters = {{m, 1}, {k, 10}, {q0, 0.5}, {g, 9.81}, {c, 0}},
       .inputs = {{theta, 0}, {dot(theta), 2}, {dot(dot(theta)), 0}},
-      .step = 1e-2,
-      .steps = 100};
+      .span = {.step = 1e-2, .steps = 100}};
   const std::string all = "the run failed, the first of them: prescribed quantity theta ";
   EXPECT_EQ(ensemble_in_steps(told).run().cause(), all + "is constant, but its rate is given as 2");
   told.inputs = {};
@@ -214,17 +210,16 @@ TEST(ensemble_in_steps, says_what_was_told_wrongly) {
     return ensemble_in_steps<runge_kutta_4<one::System>>(told).run().cause();
   };
   auto told = swinging();
-  told.step = NAN;
-  EXPECT_EQ(refusal(told), "the steps of the study are not finite");
-  told = swinging(), told.steps = -1;
-  EXPECT_EQ(refusal(told), "the number of steps is negative");
-  told = swinging(), told.look_every = 0;
-  EXPECT_EQ(refusal(told), "a study looks at its runs after a step at least");
+  told.span.step = NAN;
+  EXPECT_EQ(refusal(told), "the step and the start of a study must be finite");
+  told = swinging(), told.span.steps = -1;
+  EXPECT_EQ(refusal(told), "the number of steps must be at least 0");
+  told = swinging(), told.simulation.look_every = 0;
+  EXPECT_EQ(refusal(told), "look_every must be at least 1");
   told = swinging(), told.inputs = {};
   EXPECT_EQ(refusal(told), "input T has no value");
   told = swinging(), told.runs = grid({{"m3", {1}}});
-  EXPECT_THAT(refusal(told),
-              testing::StartsWith("the system System has no m3 that could differ from run to run"));
+  EXPECT_THAT(refusal(told), testing::StartsWith("the system System has no m3 to vary"));
 }
 
 } // namespace

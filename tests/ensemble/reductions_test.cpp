@@ -1,3 +1,4 @@
+#include <kanexpr/ensemble/archive.hpp>
 #include <kanexpr/ensemble/reduction.hpp>
 
 #include <gtest/gtest.h>
@@ -26,11 +27,11 @@ std::vector<double> draws(std::size_t count) {
 template <class Reduction>
 Reduction halfway_noted(Reduction one, const std::vector<double>& numbers) {
   for (std::size_t i = 0; i < numbers.size() / 2; ++i) one.take(numbers[i]);
-  bytes_writer noted;
-  one.write(noted);
+  ensembles::saver noted;
+  noted(one);
   Reduction other;
-  bytes_reader from(noted.bytes());
-  other.read(from);
+  ensembles::loader from(noted.bytes());
+  from(other);
   EXPECT_TRUE(from.is_at_end());
   for (std::size_t i = numbers.size() / 2; i < numbers.size(); ++i) other.take(numbers[i]);
   return other;
@@ -174,8 +175,8 @@ TEST(counts, are_those_of_each_number) {
   EXPECT_EQ(found.count(3), 0u);
   EXPECT_EQ(found.missing(), 1u);
   for (int i = 0; i < 2000; ++i) found.take(1000 + i);
-  EXPECT_EQ(found.counts().size(), value_counts::most_values);
-  EXPECT_EQ(found.others(), 2003 - value_counts::most_values);
+  EXPECT_EQ(found.counts().size(), value_counts::max_values);
+  EXPECT_EQ(found.others(), 2003 - value_counts::max_values);
 }
 
 } // namespace

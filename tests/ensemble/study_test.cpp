@@ -11,6 +11,11 @@ namespace {
 
 using namespace simple_pendulum;
 
+template <class Runner>
+std::string identity_of(study_of<typename Runner::kind> study) {
+  return ensembles::study_runs<Runner>(std::move(study), Runner()).identity();
+}
+
 // Two states of one model, whose symbols are the same, and the first one once more, as another build has it.
 namespace before {
 struct System
@@ -44,7 +49,7 @@ TEST(study, begins_functions_anew_with_every_run) {
 
 TEST(study, is_another_where_anything_of_it_differs) {
   const auto text = [](const study<System>& told) {
-    return ensembles::simulated_study<System, integrator::adams>(told).text();
+    return identity_of<ensembles::simulation_runner<System, integrator::adams>>(told);
   };
   study<System> told = turning({{u, {1}}});
   told.state = {{q, 0}};
@@ -70,16 +75,16 @@ TEST(study, is_another_where_anything_of_it_differs) {
   expect_other([](auto& s) { s.inputs = {{T, std::nextafter(0, 1)}}; });
   expect_other([](auto& s) { s.inputs = {}, s.simulation.inputs = {{T, 1}}; });
   expect_other([](auto& s) { s.for_each_run = [](const run_values&, auto&) {}; });
-  EXPECT_NE((ensembles::simulated_study<System, integrator::bdf>(told).text()), first);
+  EXPECT_NE((identity_of<ensembles::simulation_runner<System, integrator::bdf>>(told)), first);
 }
 
 TEST(study, is_another_with_another_event_of_the_same_name) {
-  const auto text = [](event<System> passes, kept<System> kept) {
+  const auto text = [](event<System> passes, run_output<System> kept) {
     study<System> told = turning({{u, {1}}});
     told.state = {{q, 0}};
     told.simulation.events = {std::move(passes), when < System, q == 3 > ("turns")};
     told.keep = {std::move(kept)};
-    return ensembles::simulated_study<System, integrator::adams>(told).text();
+    return identity_of<ensembles::simulation_runner<System, integrator::adams>>(told);
   };
   const auto passes = first_time_of("passes", "t");
   const std::string first = text(when<System, q>("passes"), passes);
@@ -101,14 +106,13 @@ TEST(study, is_another_with_another_event_of_the_same_name) {
 
 TEST(study, is_another_of_another_model_alone) {
   const auto text = []<class Model>(Model) {
-    return ensembles::simulated_study<Model, integrator::adams>(
-               {.runs = grid({{q, {1, 2}}}),
-                .state = {{u, 0}},
-                .parameters = {{m, 1}, {l, 1}, {g, 9.81}},
-                .span = {0, 1},
-                .simulation = {.events = {when<Model, q>("passes")}},
-                .keep = {at_end<q>(), greatest<u>()}})
-        .text();
+    return identity_of<ensembles::simulation_runner<Model, integrator::adams>>(
+        {.runs = grid({{q, {1, 2}}}),
+         .state = {{u, 0}},
+         .parameters = {{m, 1}, {l, 1}, {g, 9.81}},
+         .span = {0, 1},
+         .simulation = {.events = {when<Model, q>("passes")}},
+         .keep = {at_end<q>(), greatest<u>()}});
   };
   const std::string first = text(System());
   EXPECT_EQ(text(before::System()), first);
@@ -121,10 +125,11 @@ TEST(study, is_another_of_another_model_alone) {
 TEST(study, in_steps_is_another_where_anything_of_it_differs) {
   using told_study = study_in_steps<runge_kutta_4<System>>;
   const auto text = [](const told_study& told) {
-    return ensembles::stepped_study<runge_kutta_4<System>, ensembles::constant_inputs, double>(told, {})
-        .text();
+    return identity_of<ensembles::step_runner<runge_kutta_4<System>, ensembles::constant_inputs, double>>(
+        told);
   };
-  const told_study told{.runs = grid({{q, {1, 2}}}), .step = 0.1, .steps = 10, .keep = {at_end<q>("kept")}};
+  const told_study told{
+      .runs = grid({{q, {1, 2}}}), .span = {.step = 0.1, .steps = 10}, .keep = {at_end<q>("kept")}};
   const std::string first = text(told);
   EXPECT_NE(
       first.find(std::string_view(reinterpret_cast<const char*>(&compiled::digest_of_model<System>), 8)),
@@ -136,23 +141,23 @@ TEST(study, in_steps_is_another_where_anything_of_it_differs) {
   };
   expect_other([](auto& s) { s.keep = {at_end<u>("kept")}; });
   expect_other([](auto& s) { s.keep = {least<q>("kept")}; });
-  expect_other([](auto& s) { s.step = 0.2; });
-  expect_other([](auto& s) { s.guesses_dependent = true; });
+  expect_other([](auto& s) { s.span.step = 0.2; });
+  expect_other([](auto& s) { s.simulation.guesses_dependent = true; });
   expect_other([](auto& s) { s.for_each_run = [](const run_values&, auto&) {}; });
-  EXPECT_NE((ensembles::stepped_study<semi_implicit_euler<System>, ensembles::constant_inputs, double>(
-                 {.runs = told.runs, .step = 0.1, .steps = 10, .keep = {at_end<q>("kept")}}, {})
-                 .text()),
-            first);
+  EXPECT_NE(
+      (identity_of<ensembles::step_runner<semi_implicit_euler<System>, ensembles::constant_inputs, double>>(
+          {.runs = told.runs, .span = {.step = 0.1, .steps = 10}, .keep = {at_end<q>("kept")}})),
+      first);
 }
 
 TEST(study, says_what_of_it_cannot_be) {
   const auto refusal = [](const study<System>& told) { return ensemble<System>(told).run().cause(); };
   study<System> told = turning({{factor{"g"}, {1}}, {u, {1}}});
   told.state = {{q, 0}};
-  EXPECT_EQ(refusal(told), "the factor g is called as a symbol of the system System");
+  EXPECT_EQ(refusal(told), "the factor g has the name of a symbol of the system System");
   told.runs = grid({{u, {1}}});
   told.keep_events = true;
-  EXPECT_EQ(refusal(told), "the study has no events that it could keep");
+  EXPECT_EQ(refusal(told), "the study has no events to keep");
   told.keep_events = false;
   told.runs = random_runs(
       3, {{u, distribution("none", [](double) -> double { throw std::runtime_error("no number"); })}}, 1);
@@ -177,8 +182,7 @@ TEST(study, in_steps_survives_a_law_that_throws) {
   study_in_steps<runge_kutta_4<System>> told{.runs = grid({{u, evenly_spaced(0.5, 1.5, 9)}}),
                                              .state = {{q, 0}},
                                              .parameters = {{m, 1}, {l, 1}, {g, 0}, {c, 0}},
-                                             .step = 0.1,
-                                             .steps = 10};
+                                             .span = {.step = 0.1, .steps = 10}};
   const auto law = [](double, const state<System>& x) {
     if (x[q] > 1.25) throw std::runtime_error("too far");
     return input_values<System>{{T, 0}};

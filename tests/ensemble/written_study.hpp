@@ -2,8 +2,8 @@
 #pragma once
 
 #include <kanexpr/ensemble/ensemble_options.hpp>
-#include <kanexpr/ensemble/job.hpp>
-#include <kanexpr/ensemble/on_threads.hpp>
+#include <kanexpr/ensemble/study_interface.hpp>
+#include <kanexpr/ensemble/thread_pool.hpp>
 
 #include <cmath>
 #include <limits>
@@ -14,7 +14,7 @@
 namespace written {
 
 /// Every seventh run fails; the others have two numbers and, where they are kept, samples and events.
-class study final : public kanexpr::ensembles::job {
+class study final : public kanexpr::ensembles::study_interface {
 public:
   explicit study(std::size_t runs, bool keeps_all = true) {
     layout_.study = "a known study";
@@ -37,7 +37,7 @@ public:
   static std::size_t samples(std::size_t run) { return run % 5; }
 
   const kanexpr::study_layout& layout() const override { return layout_; }
-  std::size_t side_by_side() const override { return 1; }
+  std::size_t lanes() const override { return 1; }
   std::vector<kanexpr::finished_run> run(std::size_t first, std::size_t count) const override {
     std::vector<kanexpr::finished_run> all;
     for (std::size_t i = first; i < first + count; ++i) all.push_back(one(i));
@@ -69,7 +69,7 @@ private:
 };
 
 inline kanexpr::ensemble_results run(const study& known, const kanexpr::ensemble_options& options) {
-  kanexpr::ensembles::on_threads threads;
+  kanexpr::ensembles::thread_pool threads;
   return threads.run(known, "known", options);
 }
 

@@ -1,6 +1,6 @@
 // Motions and derivatives that are asked for in other ways.
 #include "shapes.hpp"
-#include <kanexpr/ensemble/kept.hpp>
+#include <kanexpr/ensemble/run_output.hpp>
 #include <kanexpr/simulate/event.hpp>
 
 // expect: an expression with P uses position_of with something other than two points; write
@@ -163,8 +163,8 @@ struct System : loaded<weight> {};
 auto f() { return when<System, nullptr>("never"); }
 } // namespace n20
 
-// expect: what a study keeps, with P, is a vector; it must be a scalar
+// expect: the output of a study, with P, is a vector; it must be a scalar
 namespace n21 {
 struct System : loaded<weight> {};
-kept<System> f() { return at_end<velocity_of<P>>("v"); }
+run_output<System> f() { return at_end<velocity_of<P>>("v"); }
 } // namespace n21

@@ -1,6 +1,6 @@
-// A study that ranks do together, and one of them ends badly: `study FILE [word=value]…` writes the table.
-#include <kanexpr/ensemble/on_threads.hpp>
+// A study that ranks perform together, of which one may crash: `study FILE [word=value]…` writes the table.
 #include <kanexpr/ensemble/stop_on_signal.hpp>
+#include <kanexpr/ensemble/thread_pool.hpp>
 #include <kanexpr/mpi/mpi_ranks.hpp>
 
 #include <chrono>
@@ -19,28 +19,28 @@ using namespace kanexpr;
 
 std::map<std::string, std::string> words; // of the command line
 
-std::string told(const std::string& word) {
+std::string value(const std::string& word) {
   const auto found = words.find(word);
   return found == words.end() ? "" : found->second;
 }
 
 double number(const std::string& word, double otherwise) {
-  return words.contains(word) ? std::stod(told(word)) : otherwise;
+  return words.contains(word) ? std::stod(value(word)) : otherwise;
 }
 
-bool is_this(const std::string& word, std::size_t what) { return told(word) == std::to_string(what); }
+bool is_this(const std::string& word, std::size_t what) { return value(word) == std::to_string(what); }
 
-/// Numbers that show every bit of what was done, by runs of which some take 100 times as long as others.
-class logistic_maps final : public ensembles::job {
+/// Chaotic numbers, which show every difference between runs. Some runs take 100 times as long as others.
+class logistic_maps final : public ensembles::study_interface {
 public:
   explicit logistic_maps(std::size_t rank) : rank_(rank) {
-    layout_.study = told("study");
+    layout_.study = value("study");
     layout_.runs = static_cast<std::size_t>(number("runs", 1500));
     layout_.columns = {{"run"}, {"end"}, {"t_end", "s"}, {"rate"}, {"mean"}};
     layout_.samples = {{"t", "s"}};
   }
   const study_layout& layout() const override { return layout_; }
-  std::size_t side_by_side() const override { return 4; }
+  std::size_t lanes() const override { return 4; }
   std::vector<finished_run> run(std::size_t first, std::size_t count) const override {
     std::vector<finished_run> all;
     for (std::size_t i = first; i < first + count; ++i) all.push_back(one(i));
@@ -49,10 +49,8 @@ public:
 
 private:
   finished_run one(std::size_t run) const {
-    if (is_this("bad_rank", rank_) && run >= 200) end_badly(told("how"));
-    if (is_this("bad_run", run) && rank_ > 0) end_badly(told("how"));
-    const bool waits = words.contains("bad_rank") ? run >= 400 : words.contains("bad_run") && rank_ == 0;
-    while (waits && !std::filesystem::exists(told("mark")))
+    if (is_this("bad_rank", rank_) && run >= 200) end_badly(value("how"));
+    while (words.contains("bad_rank") && run >= 400 && !std::filesystem::exists(value("mark")))
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     finished_run done;
     done.run = run;
@@ -66,17 +64,14 @@ private:
     done.samples.assign(run % 50 == 0 ? 3000 : 1, x); // some too long for MPI to send at once
     if (run % 7 != 3) return done;
     done.end = run_end::failed;
-    done.failure = "it is one of seven";
+    done.failure = "every seventh run fails";
     return done;
   }
 
-  /// The others wait until it has happened.
+  /// The other ranks wait until it has happened.
   static void end_badly(const std::string& how) {
-    const std::ofstream mark(told("mark"));
-    if (how == "kill") std::raise(SIGKILL);
-    if (how == "stop") std::raise(SIGSTOP);
-    if (how == "fault") std::raise(SIGSEGV);
-    while (how == "loop") std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const std::ofstream mark(value("mark"));
+    std::raise(how == "kill" ? SIGKILL : SIGSEGV);
   }
 
   std::size_t rank_;
@@ -101,22 +96,23 @@ int main(int argc, char** argv) {
     const auto behind = word.find('=');
     words[word.substr(0, behind)] = word.substr(behind + 1);
   }
-  mpi_ranks ranks(argc, argv, {.patience = number("patience", 600), .silence = 1});
+  mpi_ranks ranks(argc, argv);
   const auto rank = static_cast<std::size_t>(ranks.rank());
   const logistic_maps study(rank);
   const stop_on_signal stop({SIGTERM, SIGUSR1});
   ensemble_options options{.threads = static_cast<unsigned>(number("threads", 1)), .stop = stop.token()};
-  if (words.contains("checkpoint")) options.checkpoint = told("checkpoint");
+  if (words.contains("checkpoint")) options.checkpoint = value("checkpoint");
   options.checkpoint_every = 0;
   options.progress = [&](double done, double, double) {
     if (done >= number("stop_at", 1e9)) std::raise(SIGTERM);
     while (done >= number("stop_at", 1e9) && !stop.token().stop_requested()) std::this_thread::yield();
   };
-  ensembles::on_threads threads;
-  ensembles::crew& crew = words.contains("alone") ? static_cast<ensembles::crew&>(threads) : ranks;
+  ensembles::thread_pool threads;
+  ensembles::executor& executor =
+      words.contains("alone") ? static_cast<ensembles::executor&>(threads) : ranks;
   if (is_this("absent_rank", rank)) return 0;
-  const std::string known_by = is_this("odd_rank", rank) ? "another" : told("seed");
-  const ensemble_results found = crew.run(study, known_by, options);
+  const std::string identity = is_this("odd_rank", rank) ? "another" : value("seed");
+  const ensemble_results found = executor.run(study, identity, options);
   if (!found) std::cout << "rank " << ranks.rank() << ": " << found.cause() << '\n';
   if (ranks.is_first()) write(found, argv[1]);
   return found ? 0 : 1;

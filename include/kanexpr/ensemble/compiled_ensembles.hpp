@@ -2,9 +2,8 @@
 
 #include <kanexpr/base/one_way.hpp>
 
-/// What of ensembles does not depend on a system is compiled by every file that uses it, or the library
-/// kanexpr::ensemble_engine holds it: then KANEXPR_COMPILED_ENSEMBLES is defined wherever the headers are
-/// included.
+/// The code of ensembles that does not depend on a system is compiled by every file that uses it, or once, in
+/// the library kanexpr::ensemble_engine, which defines KANEXPR_COMPILED_ENSEMBLES for all its users.
 #if defined KANEXPR_COMPILED_ENSEMBLES
 #define KANEXPR_ENSEMBLES
 KANEXPR_ONE_WAY("KANEXPR_COMPILED_ENSEMBLES", "1");

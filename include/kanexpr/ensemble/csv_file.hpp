@@ -8,8 +8,8 @@
 
 namespace kanexpr {
 
-/// The table of runs as text, a row of each: `.files = {csv_file("study.csv")}`. It has no units, and no
-/// place for trajectories and the times of events, which <kanexpr/hdf5.hpp> has.
+/// The table of runs as text, one line per run: `.files = {csv_file("study.csv")}`. It has no units, and
+/// refuses trajectories and events, which the files of <kanexpr/hdf5.hpp> can hold.
 KANEXPR_ENSEMBLES std::shared_ptr<results_file> csv_file(const file_path& path);
 
 } // namespace kanexpr

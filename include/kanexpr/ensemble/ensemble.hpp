@@ -1,13 +1,42 @@
 #pragma once
 
-#include <kanexpr/ensemble/runnable.hpp>
-#include <kanexpr/ensemble/simulated_study.hpp>
+#include <kanexpr/ensemble/simulation_runner.hpp>
+#include <kanexpr/ensemble/step_runner.hpp>
+#include <kanexpr/ensemble/study_runs.hpp>
+#include <kanexpr/ensemble/thread_pool.hpp>
 
+#include <memory>
 #include <utility>
 
 namespace kanexpr {
 
-/// Many simulations of one system, which share out the cores of the machine:
+/// A study that can be run, any number of times. Copies share the study.
+template <class Runner>
+class ensemble_of {
+public:
+  explicit ensemble_of(study_of<typename Runner::kind> what, Runner runner = {})
+      : runs_(std::make_shared<ensembles::study_runs<Runner>>(std::move(what), std::move(runner))) {}
+
+  ensemble_results run(const ensemble_options& options = {}) const {
+    ensembles::thread_pool threads;
+    return run(options, threads);
+  }
+  /// Runs the study on another executor, as the ranks of <kanexpr/mpi.hpp>.
+  ensemble_results run(const ensemble_options& options, ensembles::executor& executor) const {
+    if (runs_->mistake().empty()) return executor.run(*runs_, runs_->identity(), options);
+    ensemble_results none;
+    none.planned = layout().runs;
+    none.failure = runs_->mistake();
+    return none;
+  }
+
+  const study_layout& layout() const { return runs_->layout(); }
+
+private:
+  std::shared_ptr<const ensembles::study_runs<Runner>> runs_;
+};
+
+/// Many simulations of one system, on all cores of the machine:
 ///
 ///     const ensemble<System> pendulums({
 ///         .runs = latin_hypercube(1000, {{q, uniform(-3, 3)}, {m, normal(1, 0.1)}}, 42),
@@ -20,14 +49,28 @@ namespace kanexpr {
 ///     if (!found) std::cerr << found.cause() << '\n';
 ///     for (double angle : found.runs["q"]) …
 ///
-/// What is found does not depend on the number of threads, to the last bit. A run that fails is a row like
-/// the others, with its cause among the `failures`, and the study goes on. Another method of integration is
-/// named as in `ensemble<System, integrator::bdf>`.
+/// The results do not depend on the number of threads, to the last bit. A run that fails is a row like the
+/// others, with its cause in `failures`, and the study continues. A different integrator: `ensemble<System,
+/// integrator::bdf>`.
 template <class System, integrator by = integrator::adams>
-class ensemble : public ensembles::runnable<ensembles::simulated_study<System, by>> {
-public:
-  explicit ensemble(study<System> told)
-      : ensembles::runnable<ensembles::simulated_study<System, by>>(std::in_place, std::move(told)) {}
-};
+using ensemble = ensemble_of<ensembles::simulation_runner<System, by>>;
+
+/// Many motions of one system in steps of a fixed length, several of them in each vector of the processor:
+///
+///     const auto pendulums = ensemble_in_steps<runge_kutta_4<System>>({
+///         .runs = grid({{q, evenly_spaced(-3, 3, 1000)}}),
+///         .state = {{u, 0}},
+///         .parameters = {{m, 1}, {l, 1}, {g, 9.81}},
+///         .span = {.step = 1e-3, .steps = 10'000},
+///         .keep = {at_end<q>("q_end"), greatest<u>("fastest")},
+///     });
+///
+/// Inputs are constants by name, or a function (t, x): `ensemble_in_steps(study, law)`. It takes one state,
+/// or a batch of states if its second parameter is `const auto&`.
+template <class Step, class Law = ensembles::constant_inputs, class Number = double>
+auto ensemble_in_steps(study_in_steps<Step, Number> what, Law law = {}) {
+  using runner = ensembles::step_runner<Step, Law, Number>;
+  return ensemble_of<runner>(std::move(what), runner(std::move(law)));
+}
 
 } // namespace kanexpr

@@ -4,7 +4,6 @@
 #include <kanexpr/ensemble/results_file.hpp>
 #include <kanexpr/simulate/file_path.hpp>
 
-#include <cstddef>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -13,23 +12,22 @@
 
 namespace kanexpr {
 
-/// How a study is run and what becomes of its results: `study.run({.progress = progress_bar()})`.
+/// How a study is executed, and where its results go: `study.run({.progress = progress_bar()})`.
 struct ensemble_options {
-  unsigned threads = 0; ///< 0: as many as the machine has cores
+  unsigned threads = 0; ///< 0: one per core
 
-  bool hold = true;                   ///< false: rows go to files and reductions alone, none stay in memory
-  std::vector<reduction> reduce = {}; ///< formed as the runs come
-  std::vector<std::shared_ptr<results_file>> files = {}; ///< written as the runs come
+  bool hold = true; ///< keeps all rows in memory; false: only reductions and files receive them
+  std::vector<reduction> reduce = {};                    ///< updated after each run
+  std::vector<std::shared_ptr<results_file>> files = {}; ///< written while the study runs
 
-  /// Where the study is noted from time to time, so that it can go on there if it is interrupted: by any
-  /// program that has the same study, on any number of threads or processes. The file is gone when the study
-  /// is complete.
+  /// A file, updated periodically, from which an interrupted study resumes: in any program that runs the same
+  /// study, on any number of threads or ranks. It is removed when the study is complete.
   std::optional<file_path> checkpoint = {};
   double checkpoint_every = 60; ///< seconds
 
-  /// Told after runs are done: how many, and from 0 to how many.
+  /// Called after runs are done, with their number and the bounds 0 and the number of planned runs.
   std::function<void(double done, double from, double to)> progress = {};
-  /// Asks the study to end: runs that have begun are completed, and all that was done is kept.
+  /// Stops the study: runs that have started are completed, and their results are kept.
   std::stop_token stop = {};
 };
 

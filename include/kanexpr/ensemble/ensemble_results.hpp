@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/ensemble/compiled_ensembles.hpp>
 #include <kanexpr/ensemble/layout.hpp>
 #include <kanexpr/ensemble/reduction.hpp>
 #include <kanexpr/simulate/settings.hpp>
@@ -13,38 +12,47 @@
 
 namespace kanexpr {
 
-/// A run that failed: why, and in which state.
+/// Why and in which state a run failed.
 struct failed_run {
   std::size_t run;
   double time;
-  std::vector<double> state; ///< coordinates and speeds, where it ended
+  std::vector<double> state; ///< coordinates and speeds where the run ended
   std::string cause;
+
+  static void fields(auto& self, auto& archive) { archive(self.run, self.time, self.state, self.cause); }
 };
 
-/// What a study found.
+/// The results of a study.
 struct [[nodiscard]] ensemble_results {
-  /// A row of each run, in their order: its number, how it ended (0 reached the end, 1 stopped by an event, 2
-  /// failed), when, what it was given, and what is kept of it, which is not a number where the run failed.
-  /// Empty if rows were not to be held.
+  /// One row per run, in order: its number, how it ended (0 reached the end, 1 stopped by an event, 2
+  /// failed), its end time, its varied values, and the outputs that the study keeps, NaN if the run failed.
+  /// Empty if `ensemble_options::hold` is false.
   table runs{};
-  std::vector<failed_run> failures{}; ///< the first thousand of them
+  std::vector<failed_run> failures{}; ///< at most the first thousand
   std::vector<reduction> reductions{};
-  std::vector<table> trajectories{};             ///< of each run, if they are kept
-  std::vector<std::vector<occurrence>> events{}; ///< of each run, if they are kept
+  std::vector<table> trajectories{};             ///< of each run, if the study keeps them
+  std::vector<std::vector<occurrence>> events{}; ///< of each run, if the study keeps them
 
-  std::size_t planned = 0; ///< runs
-  std::size_t done = 0;    ///< the first so many, those that failed among them
+  std::size_t planned = 0; ///< runs of the study
+  std::size_t done = 0;    ///< runs performed: the first of the study, including failed ones
   std::size_t failed = 0;
-  std::string failure{}; ///< why the study itself could not begin or go on, as a sentence; empty: it could
+  std::string failure{}; ///< why the study itself could not start or continue; empty if it could
 
-  /// Whether all runs are done. Some of them may have failed, but not all.
+  /// True if all runs are done and at least one of them succeeded.
   explicit operator bool() const {
     return failure.empty() && done == planned && !(failed > 0 && failed == done);
   }
-  /// Why not.
-  KANEXPR_ENSEMBLES std::string cause() const;
+  /// Why not, as a sentence.
+  std::string cause() const {
+    if (!failure.empty() || *this) return failure;
+    if (done < planned)
+      return "the study was stopped after " + std::to_string(done) + " of " + std::to_string(planned) +
+             " runs";
+    return (done == 1 ? "the run failed" : "all " + std::to_string(done) + " runs failed") +
+           (failures.empty() ? std::string() : ", the first of them: " + failures.front().cause);
+  }
 
-  /// What was formed of a column; without numbers if it was not asked for.
+  /// The reductions of a column. A reduction that was not requested is empty; its `count()` is 0.
   const kanexpr::statistics& statistics(std::string_view column) const {
     return reduced<kanexpr::statistics>(column);
   }
@@ -66,7 +74,3 @@ private:
 };
 
 } // namespace kanexpr
-
-#ifndef KANEXPR_COMPILED_ENSEMBLES
-#include <kanexpr/ensemble/engine/ensemble_results.hpp>
-#endif

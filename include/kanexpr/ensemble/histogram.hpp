@@ -1,7 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/bytes.hpp>
-#include <kanexpr/ensemble/between.hpp>
+#include <kanexpr/ensemble/lerp.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 
 #include <cstddef>
@@ -10,15 +9,15 @@
 
 namespace kanexpr {
 
-/// How many numbers fall into each of equal bins from a number to another, which belongs to none of them.
+/// Counts numbers in equal bins between two numbers, of which the second is excluded.
 class histogram {
 public:
-  static constexpr std::size_t most_bins = std::size_t{1} << 24;
+  static constexpr std::size_t max_bins = std::size_t{1} << 24;
 
   histogram() = default;
-  /// Without bins where there would be too many, of which a negative number is one; a study refuses that.
+  /// A histogram with a negative number of bins, or too many, has none; a study refuses it.
   histogram(double from, double to, std::size_t bins)
-      : from_(from), to_(to), counts_(bins <= most_bins ? bins : 0) {}
+      : from_(from), to_(to), counts_(bins <= max_bins ? bins : 0) {}
 
   void take(double number) {
     if (numeric::is_nan(number)) {
@@ -28,7 +27,7 @@ public:
     } else if (number >= to_) {
       ++above_;
     } else {
-      std::size_t bin = 0; // the edges themselves decide, for any other sum rounds otherwise
+      std::size_t bin = 0; // compared with the edges, because other formulas round differently
       for (std::size_t end = bins(); end - bin > 1;) {
         const std::size_t middle = bin + (end - bin) / 2;
         (number < edge(middle) ? end : bin) = middle;
@@ -37,26 +36,21 @@ public:
     }
   }
 
+  bool is_valid() const { return bins() > 0 && from_ < to_; }
   std::size_t bins() const { return counts_.size(); }
-  /// How many x there are with edge(bin) ≤ x < edge(bin + 1); none where there is no such bin.
+  /// The number of x with edge(bin) ≤ x < edge(bin + 1); 0 if there is no such bin.
   std::uint64_t count(std::size_t bin) const { return bin < bins() ? counts_[bin] : 0; }
-  /// Where a bin begins; that behind the last is the end.
+  /// The lower edge of a bin; edge(bins()) is the end.
   double edge(std::size_t bin) const {
-    return bin < bins()
-               ? ensembles::between(from_, to_, static_cast<double>(bin) / static_cast<double>(bins()))
-               : to_;
+    return bin < bins() ? ensembles::lerp(from_, to_, static_cast<double>(bin) / static_cast<double>(bins()))
+                        : to_;
   }
   std::uint64_t below() const { return below_; }
   std::uint64_t above() const { return above_; }
-  std::uint64_t missing() const { return missing_; } ///< how many were not numbers
+  std::uint64_t missing() const { return missing_; } ///< the number of NaN
 
-  void write(bytes_writer& out) const {
-    out.put(from_), out.put(to_), out.put(counts_);
-    out.put(below_), out.put(above_), out.put(missing_);
-  }
-  void read(bytes_reader& in) {
-    from_ = in.get<double>(), to_ = in.get<double>(), counts_ = in.get_all<std::uint64_t>();
-    below_ = in.get<std::uint64_t>(), above_ = in.get<std::uint64_t>(), missing_ = in.get<std::uint64_t>();
+  static void fields(auto& self, auto& archive) {
+    archive(self.from_, self.to_, self.counts_, self.below_, self.above_, self.missing_);
   }
 
 private:

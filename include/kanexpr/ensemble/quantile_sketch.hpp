@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/base/bytes.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 
 #include <algorithm>
@@ -10,12 +9,12 @@
 
 namespace kanexpr {
 
-/// Quantiles of numbers as they come, of which it keeps few: exact up to `room` numbers, and then within a
-/// rank that it tells.
+/// Approximate quantiles of a stream of numbers, in little memory: exact up to `room` numbers, then within a
+/// reported error of the rank.
 ///
-/// A full level of numbers is sorted, and every other one of them goes to the next level, where each counts
-/// twice (Manku, Rajagopalan & Lindsay, SIGMOD 1998): that moves the rank of any number by at most the weight
-/// of one. The odd and the even ones go in turn, so that most of it cancels.
+/// When a level of numbers is full, it is sorted, and every other number moves to the next level, where it
+/// counts twice (Manku, Rajagopalan & Lindsay, SIGMOD 1998). This changes the rank of a number by at most the
+/// weight of one. Odd and even places alternate, so most of the error cancels.
 class quantile_sketch {
 public:
   static constexpr std::size_t room = 4096;
@@ -33,12 +32,12 @@ public:
   }
 
   std::uint64_t count() const { return count_; }
-  std::uint64_t missing() const { return missing_; } ///< how many were not numbers
-  /// By how many places of the sorted numbers a quantile may be off, at worst.
+  std::uint64_t missing() const { return missing_; } ///< the number of NaN
+  /// The maximum error of a quantile, in places of the sorted numbers.
   std::uint64_t rank_error() const { return rank_error_; }
 
-  /// The number below which this part of them lies: quantile(0.5) is the median, quantile(0) the least. Not a
-  /// number where there are none, or the part is not between 0 and 1.
+  /// The number below which this part of them lies: quantile(0.5) is the median, quantile(0) the minimum. NaN
+  /// without numbers, or if the part is not between 0 and 1.
   double quantile(double part) const {
     if (count_ == 0 || numeric::is_nan(part) || part < 0 || part > 1) return numeric::not_a_number<double>;
     if (part <= 0) return least_;
@@ -57,26 +56,15 @@ public:
     return all.back().first;
   }
 
-  void write(bytes_writer& out) const {
-    out.put(count_), out.put(missing_), out.put(rank_error_), out.put(least_), out.put(greatest_);
-    out.put(levels_.size());
-    for (const level& each : levels_) out.put(each.numbers), out.put(each.takes_odd);
-  }
-  void read(bytes_reader& in) {
-    count_ = in.get<std::uint64_t>(), missing_ = in.get<std::uint64_t>(),
-    rank_error_ = in.get<std::uint64_t>(), least_ = in.get<double>(), greatest_ = in.get<double>();
-    levels_.clear();
-    for (auto left = in.get<std::size_t>(); left > 0 && in; --left) {
-      levels_.emplace_back();
-      levels_.back().numbers = in.get_all<double>();
-      levels_.back().takes_odd = in.get<bool>();
-    }
+  static void fields(auto& self, auto& archive) {
+    archive(self.count_, self.missing_, self.rank_error_, self.least_, self.greatest_, self.levels_);
   }
 
 private:
   struct level {
     std::vector<double> numbers{};
     bool takes_odd = false;
+    static void fields(auto& self, auto& archive) { archive(self.numbers, self.takes_odd); }
   };
 
   void compact(std::size_t i) {

@@ -11,8 +11,7 @@
 
 namespace kanexpr {
 
-/// What is formed of a column over all runs, as they come: `statistics_of("height")`. Runs that failed are
-/// not in it.
+/// A summary of a column over all runs that did not fail, updated after each run: `statistics_of("height")`.
 struct reduction {
   std::string column;
   std::variant<statistics, quantile_sketch, histogram, value_counts> what;
@@ -20,21 +19,18 @@ struct reduction {
   void take(double number) {
     std::visit([&](auto& one) { one.take(number); }, what);
   }
-  void write(bytes_writer& out) const {
-    std::visit([&](const auto& one) { one.write(out); }, what);
-  }
-  void read(bytes_reader& in) {
-    std::visit([&](auto& one) { one.read(in); }, what);
+  static void fields(auto& self, auto& archive) {
+    std::visit([&](auto& one) { archive(one); }, self.what);
   }
 };
 
 inline reduction statistics_of(std::string column) { return {std::move(column), statistics()}; }
 inline reduction quantiles_of(std::string column) { return {std::move(column), quantile_sketch()}; }
-/// Equal bins from a number to another, which belongs to none of them.
+/// Equal bins between two numbers, of which the second is excluded.
 inline reduction histogram_of(std::string column, double from, double to, std::size_t bins) {
   return {std::move(column), histogram(from, to, bins)};
 }
-/// How often each number came, for counts and other whole numbers.
+/// The frequency of each value, for counts and other integers.
 inline reduction counts_of(std::string column) { return {std::move(column), value_counts()}; }
 
 } // namespace kanexpr

@@ -8,8 +8,8 @@
 
 namespace kanexpr {
 
-/// Where the results of a study go as they come: run after run, in the order of their numbers, whatever the
-/// order was in which they ended. Its functions are called one at a time.
+/// A file, or another destination, that receives the results of a study in the order of the runs while the
+/// study is running. Its functions are called one at a time.
 class results_file {
 public:
   results_file() = default;
@@ -17,18 +17,18 @@ public:
   results_file& operator=(const results_file&) = delete;
   virtual ~results_file() = default;
 
-  /// The path at which it is a file; empty: at none.
-  virtual std::string path() const { return {}; }
-  /// Whether it can hold what a study keeps: asked of all files before the first of them begins.
+  /// Succeeds if the file can hold the quantities that a study keeps; checked for all files before the first
+  /// run.
   virtual outcome fits(const study_layout&) const { return {}; }
-  /// Begins anew, or goes on behind a position that `flush` told: what was written behind it goes.
+  /// Starts a new file.
   virtual outcome begin(const study_layout& layout) = 0;
-  virtual outcome go_on(const study_layout& layout, const std::string& position) = 0;
+  /// Resumes an existing file at a position that `flush` reported, and discards the rows after it.
+  virtual outcome resume(const study_layout& layout, const std::string& position) = 0;
 
   virtual outcome take(const finished_run& run) = 0;
-  /// Hands all that was taken to the system, so that others can read it. `position` tells how far it is.
+  /// Writes all results taken so far, so that other programs can read them, and reports the position.
   virtual outcome flush(std::string& position) = 0;
-  /// Ends the file, whether or not all runs are in it.
+  /// Completes the file, which may lack some of the runs.
   virtual outcome end() = 0;
 };
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/base/bytes.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 
 #include <algorithm>
@@ -9,8 +8,7 @@
 
 namespace kanexpr {
 
-/// Mean, variance and extremes of numbers as they come (Welford, Technometrics 4, 1962). What is not a number
-/// is counted and left out.
+/// Running mean, variance and extremes (Welford, Technometrics 4, 1962). NaN is counted and ignored.
 class statistics {
 public:
   void take(double number) {
@@ -22,35 +20,28 @@ public:
     least_ = (std::min)(least_, number), greatest_ = (std::max)(greatest_, number);
     if (!numeric::is_finite(number)) return;
     const auto count = static_cast<double>(count_);
-    const double before = number - mean_; // beyond the greatest number, perhaps
+    const double before = number - mean_; // may overflow
     mean_ += numeric::is_finite(before) ? before / count : number / count - mean_ / count;
     squares_ += before * (number - mean_);
   }
 
   std::uint64_t count() const { return count_; }
-  std::uint64_t missing() const { return missing_; } ///< how many were not numbers
-  /// Not a number where there are none. Infinite if one of them is, and not a number if both infinities are
-  /// among them.
+  std::uint64_t missing() const { return missing_; } ///< the number of NaN
+  /// NaN without numbers. Infinite if a number is infinite, and NaN if there are infinite numbers of both
+  /// signs.
   double mean() const { return count_ == 0 ? none : are_finite() ? mean_ : least_ + greatest_; }
-  /// Of the population that the numbers are drawn from, with n − 1; not a number below two numbers, or where
-  /// one of them is infinite. Infinite where it is greater than numbers can say.
+  /// The unbiased estimate, with n − 1: NaN for fewer than two numbers, or if one of them is infinite.
   double variance() const {
     return count_ > 1 && are_finite() ? squares_ / static_cast<double>(count_ - 1) : none;
   }
   double deviation() const { return std::sqrt(variance()); }
-  /// How far the mean of so many draws is from that of all, as a standard deviation.
+  /// The standard error of the mean.
   double error_of_mean() const { return std::sqrt(variance() / static_cast<double>(count_)); }
   double least() const { return count_ > 0 ? least_ : none; }
   double greatest() const { return count_ > 0 ? greatest_ : none; }
 
-  void write(bytes_writer& out) const {
-    out.put(count_), out.put(missing_), out.put(mean_), out.put(squares_), out.put(least_),
-        out.put(greatest_);
-  }
-  void read(bytes_reader& in) {
-    count_ = in.get<std::uint64_t>(), missing_ = in.get<std::uint64_t>();
-    mean_ = in.get<double>(), squares_ = in.get<double>();
-    least_ = in.get<double>(), greatest_ = in.get<double>();
+  static void fields(auto& self, auto& archive) {
+    archive(self.count_, self.missing_, self.mean_, self.squares_, self.least_, self.greatest_);
   }
 
 private:

@@ -1,36 +1,85 @@
 #pragma once
 
-#include <kanexpr/ensemble/compiled_ensembles.hpp>
-
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
 #include <csignal>
+#include <cstddef>
 #include <initializer_list>
+#include <map>
+#include <mutex>
 #include <stop_token>
+#include <thread>
 
 namespace kanexpr {
 
-/// Asks a study to end where this process is sent a signal, as by Ctrl-C or by a scheduler whose time is up:
+namespace ensembles {
+
+/// How often each signal was received. A signal handler may do little more than count.
+inline std::array<std::atomic<unsigned>, 128> signals_received{};
+
+/// Installs the handler of a signal while at least one object listens to it.
+inline void listen_to(int signal, bool begins) {
+  struct handled {
+    int listeners = 0;
+    struct sigaction before = {};
+  };
+  static std::mutex mutex;
+  static std::map<int, handled> all;
+  const std::scoped_lock lock(mutex);
+  handled& one = all[signal];
+  struct sigaction counts = {};
+  counts.sa_handler = [](int received) { ++signals_received[static_cast<std::size_t>(received)]; };
+  counts.sa_flags = SA_RESTART;
+  if (begins && one.listeners++ == 0) ::sigaction(signal, &counts, &one.before);
+  if (!begins && --one.listeners == 0) ::sigaction(signal, &one.before, nullptr);
+}
+
+} // namespace ensembles
+
+/// Stops a study when this process receives a signal, as from Ctrl-C or a batch scheduler:
 ///
 ///     const stop_on_signal stop;
-///     study.run({.checkpoint = "study.note", .stop = stop.token()});
+///     study.run({.checkpoint = "study.checkpoint", .stop = stop.token()});
 ///
-/// Runs that have begun are completed, and all that was done is kept. As long as the object lives, these
-/// signals do not end the program. Several may live at once, on any threads, and end in any order: a signal
-/// asks all of them that listen to it.
+/// Runs that have started are completed. While the object exists, its signals do not end the program. Several
+/// objects may exist on any threads and end in any order; a signal stops all that listen to it.
 class stop_on_signal {
 public:
-  KANEXPR_ENSEMBLES explicit stop_on_signal(std::initializer_list<int> which = {SIGINT, SIGTERM, SIGUSR1});
+  explicit stop_on_signal(std::initializer_list<int> signals = {SIGINT, SIGTERM, SIGUSR1}) {
+    for (const int each : signals) {
+      before_.emplace(each, received(each));
+      ensembles::listen_to(each, true);
+    }
+    thread_ = std::jthread([this](const std::stop_token& ended) { poll(ended); });
+  }
   stop_on_signal(const stop_on_signal&) = delete;
   stop_on_signal& operator=(const stop_on_signal&) = delete;
-  KANEXPR_ENSEMBLES ~stop_on_signal();
+  ~stop_on_signal() {
+    for (const auto& [each, count] : before_) ensembles::listen_to(each, false);
+  }
 
   std::stop_token token() const { return source_.get_token(); }
 
 private:
+  static unsigned received(int signal) {
+    return ensembles::signals_received[static_cast<std::size_t>(signal)];
+  }
+
+  void poll(const std::stop_token& ended) {
+    std::mutex mutex;
+    std::condition_variable_any any;
+    for (std::unique_lock lock(mutex); !ended.stop_requested();) {
+      for (const auto& [each, count] : before_)
+        if (received(each) != count) source_.request_stop();
+      any.wait_for(lock, ended, std::chrono::milliseconds(5), [] { return false; });
+    }
+  }
+
   std::stop_source source_{};
+  std::map<int, unsigned> before_{};
+  std::jthread thread_{}; ///< compares the counts with those before
 };
 
 } // namespace kanexpr
-
-#ifndef KANEXPR_COMPILED_ENSEMBLES
-#include <kanexpr/ensemble/engine/stop_on_signal.hpp>
-#endif

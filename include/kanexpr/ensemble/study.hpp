@@ -1,38 +1,71 @@
 #pragma once
 
-#include <kanexpr/ensemble/kept.hpp>
+#include <kanexpr/compiled/instance.hpp>
+#include <kanexpr/ensemble/run_output.hpp>
 #include <kanexpr/ensemble/run_setup.hpp>
-#include <kanexpr/ensemble/run_values.hpp>
 #include <kanexpr/ensemble/runs.hpp>
 #include <kanexpr/ensemble/study_columns.hpp>
-#include <kanexpr/simulate/simulation_options.hpp>
 
 #include <functional>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace kanexpr {
 
-/// A set of simulations of one system, and what is kept of each.
-template <class System>
-struct study {
-  kanexpr::runs runs = {};                  ///< what differs
-  std::vector<named_value> state = {};      ///< what does not, at the start
-  std::vector<named_value> parameters = {}; ///< and of the parameters
-  std::vector<named_value> inputs = {};     ///< and of inputs, where they are constants
-  time_span span = {};
-  simulation_options<System> simulation = {}; ///< of all runs; its functions are called by many threads
+namespace ensembles {
 
-  /// Changes a run by what it is given, as for a push, another controller, or parameters that go together.
-  /// Each run has a copy of it.
-  std::function<void(const run_values&, simulation_setup<System>&)> for_each_run = {};
-
-  std::vector<kept<System>> keep = {};
-  bool keep_end_state = false;    ///< all coordinates and speeds, as q1_end, where the run ends
-  bool keep_trajectories = false; ///< all samples of all runs
-  bool keep_events = false;       ///< which happened when
-  std::vector<unit_of> units = {};
-  std::string name = {}; ///< in files; empty: that of the system
+/// The types in studies whose runs are performed by `simulate`.
+template <class Simulated>
+struct simulation_kind {
+  using System = Simulated;
+  using span = time_span;
+  using options = simulation_options<System>;
+  using setup = simulation_setup<System>;
+  using output = run_output<System>;
 };
+
+/// The types in studies whose runs are performed by steps of a fixed length.
+template <class Step, class Number>
+struct step_kind {
+  using System = typename compiled::stated<std::remove_cv_t<decltype(Step::eom::udot)>>::System;
+  using span = step_span;
+  using options = step_options;
+  using setup = run_setup<System>;
+  using output = step_output<System, Number>;
+};
+
+} // namespace ensembles
+
+/// A set of runs of one system, and the outputs to keep of each.
+template <class Kind>
+struct study_of {
+  kanexpr::runs runs = {};                  ///< the values that vary from run to run
+  std::vector<named_value> state = {};      ///< the constant values of the initial state
+  std::vector<named_value> parameters = {}; ///< the constant values of parameters
+  std::vector<named_value> inputs = {};     ///< the constant values of inputs
+  typename Kind::span span = {};
+  typename Kind::options simulation = {}; ///< of all runs; several threads call its functions
+
+  /// Changes the setup of a run that depends on its values in other ways, as a push, a controller, or
+  /// parameters that vary together. Each run has a copy of the function.
+  std::function<void(const run_values&, typename Kind::setup&)> for_each_run = {};
+
+  std::vector<typename Kind::output> keep = {};
+  bool keep_end_state = false;    ///< the state at the end of each run, as q1_end
+  bool keep_trajectories = false; ///< all samples of all runs
+  bool keep_events = false;       ///< the times of all events
+  std::vector<unit_of> units = {};
+  std::string name = {}; ///< in files; by default the name of the system
+};
+
+/// A study whose runs are performed by `simulate`.
+template <class System>
+using study = study_of<ensembles::simulation_kind<System>>;
+
+/// A study whose runs are performed by steps of a fixed length: `.span = {.step = 1e-3, .steps = 500}`. In
+/// single precision, `study_in_steps<Step, float>`, twice as many runs fit into a vector of the processor.
+template <class Step, class Number = double>
+using study_in_steps = study_of<ensembles::step_kind<Step, Number>>;
 
 } // namespace kanexpr

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/base/bytes.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 
 #include <cstddef>
@@ -9,17 +8,17 @@
 
 namespace kanexpr {
 
-/// How often each number came, for those that are whole or few: how many events there were, how a run ended.
+/// The frequency of each value of a quantity with few values: the number of events, or how a run ended.
 class value_counts {
 public:
-  static constexpr std::size_t most_values = 1000;
+  static constexpr std::size_t max_values = 1000;
 
   void take(double number) {
     if (numeric::is_nan(number))
       ++missing_;
     else if (const auto found = counts_.find(number); found != counts_.end())
       ++found->second;
-    else if (counts_.size() < most_values)
+    else if (counts_.size() < max_values)
       counts_.emplace(number, 1);
     else
       ++others_;
@@ -30,22 +29,10 @@ public:
     return found == counts_.end() ? 0 : found->second;
   }
   const std::map<double, std::uint64_t>& counts() const { return counts_; }
-  std::uint64_t others() const { return others_; }   ///< of numbers behind the first `most_values` ones
-  std::uint64_t missing() const { return missing_; } ///< how many were not numbers
+  std::uint64_t others() const { return others_; }   ///< values after the first `max_values` ones
+  std::uint64_t missing() const { return missing_; } ///< the number of NaN
 
-  void write(bytes_writer& out) const {
-    out.put(counts_.size());
-    for (const auto& [number, count] : counts_) out.put(number), out.put(count);
-    out.put(others_), out.put(missing_);
-  }
-  void read(bytes_reader& in) {
-    counts_.clear();
-    for (auto left = in.get<std::size_t>(); left > 0 && in; --left) {
-      const auto number = in.get<double>();
-      counts_[number] = in.get<std::uint64_t>();
-    }
-    others_ = in.get<std::uint64_t>(), missing_ = in.get<std::uint64_t>();
-  }
+  static void fields(auto& self, auto& archive) { archive(self.counts_, self.others_, self.missing_); }
 
 private:
   std::map<double, std::uint64_t> counts_{};

@@ -2,8 +2,8 @@
 
 #include <kanexpr/base/one_way.hpp>
 
-/// What runs on ranks is compiled by every file that uses it, or the library kanexpr::mpi_engine holds it:
-/// then KANEXPR_COMPILED_MPI is defined wherever the headers are included.
+/// The code for MPI is compiled by every file that uses it, or once, in the library kanexpr::mpi_engine,
+/// which defines KANEXPR_COMPILED_MPI for all its users.
 #if defined KANEXPR_COMPILED_MPI
 #define KANEXPR_MPI
 KANEXPR_ONE_WAY("KANEXPR_COMPILED_MPI", "1");

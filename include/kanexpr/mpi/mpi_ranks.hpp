@@ -1,46 +1,43 @@
 #pragma once
 
-#include <kanexpr/ensemble/crew.hpp>
+#include <kanexpr/ensemble/executor.hpp>
 #include <kanexpr/mpi/compiled_mpi.hpp>
-#include <kanexpr/mpi/mpi_options.hpp>
 
 #include <memory>
 #include <string>
 
 namespace kanexpr {
 
-/// The processes that `mpirun` has started, which do the runs of studies together:
+/// The processes that `mpirun` has started, which perform the runs of studies together:
 ///
 ///     int main(int argc, char** argv) {
 ///       mpi_ranks ranks(argc, argv);
 ///       const ensemble<System> pendulums({ … });
-///       const ensemble_results found = pendulums.run({.checkpoint = "pendulums.note"}, ranks);
+///       const ensemble_results found = pendulums.run({.checkpoint = "pendulums.checkpoint"}, ranks);
 ///       if (!ranks.is_first()) return 0;
 ///       …
 ///     }
 ///
-/// All of them run the same program and tell the same studies in the same order. What is found is the same as
-/// on the threads of one process, to the last bit, on any number of ranks. The first rank shares out the
-/// runs, does some itself, and has the results, files and checkpoint; the others have results without rows.
-/// Each works on `ensemble_options::threads` threads, one unless told otherwise.
+/// Every rank must construct the same studies in the same order. The results are those of one process, to the
+/// last bit, on any number of ranks. The first rank distributes the runs and performs some of them; only this
+/// rank has rows, files and the checkpoint. Each rank uses `ensemble_options::threads` threads, by default
+/// one.
 ///
-/// There is one object, in the thread that made it, before all else and gone last: where a rank hangs at the
-/// end, it ends the program.
-class mpi_ranks final : public ensembles::crew {
+/// A program creates one such object at its start. It initializes MPI, and finalizes it at its end.
+class mpi_ranks final : public ensembles::executor {
 public:
-  KANEXPR_MPI mpi_ranks(int& argc, char**& argv, const mpi_options& options = {});
+  KANEXPR_MPI mpi_ranks(int& argc, char**& argv);
   KANEXPR_MPI ~mpi_ranks() override;
 
   KANEXPR_MPI int rank() const;  ///< of this process, from 0
-  KANEXPR_MPI int count() const; ///< how many there are
+  KANEXPR_MPI int count() const; ///< the number of ranks
   bool is_first() const { return rank() == 0; }
 
-  KANEXPR_MPI ensemble_results run(const ensembles::job& study, const std::string& known_by,
+  KANEXPR_MPI ensemble_results run(const ensembles::study_interface& study, const std::string& identity,
                                    const ensemble_options& options) override;
 
 private:
   struct state;
-  KANEXPR_MPI static std::unique_ptr<state> begin(int& argc, char**& argv, const mpi_options& options);
   std::unique_ptr<state> state_;
 };
 

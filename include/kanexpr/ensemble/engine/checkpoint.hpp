@@ -1,98 +1,70 @@
 #pragma once
 
-#include <kanexpr/base/bytes.hpp>
-#include <kanexpr/ensemble/checkpoint.hpp>
-#include <kanexpr/ensemble/sum_of_bytes.hpp>
+#include <kanexpr/ensemble/archive.hpp>
+#include <kanexpr/ensemble/content_hash.hpp>
+#include <kanexpr/ensemble/exclusive_file.hpp>
 
-#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <string>
 #include <string_view>
-#include <system_error>
-
-#include <fcntl.h>
-#include <unistd.h>
 
 namespace kanexpr::ensembles {
 
-inline constexpr std::string_view kind_of_note = "kanexpr checkpoint 1\n";
+/// The file from which an interrupted study resumes. It is replaced as a whole, so it is always complete.
+class checkpoint_file {
+  static constexpr std::string_view kind = "kanexpr checkpoint ", header = "kanexpr checkpoint 2\n";
 
-inline outcome checkpoint_file::failed(const char* what) const {
-  return outcome(path_ + ' ' + what + ": " + std::generic_category().message(errno));
-}
-
-KANEXPR_ENSEMBLES outcome checkpoint_file::hold(const std::string& path) {
-  if (path.empty()) return outcome("the path of the checkpoint is empty");
-  path_ = path;
-  if (outcome fits = check_replaceable(path, "a checkpoint"); !fits) return fits;
-  const std::string end = end_of_links(path);
-  const std::size_t folders = end.rfind('/') + 1; // 0: it has none
-  name_ = end.substr(folders);
-  const std::string folder = folders > 0 ? end.substr(0, folders) : ".";
-  folder_ = ::open(folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC);
-  if (folder_ < 0) return failed("cannot be written");
-  // A file beside it is locked, as it is itself replaced by each note.
-  switch (lock_.hold(end)) {
-  case lock_beside::answer::held: return {};
-  case lock_beside::answer::taken: return outcome(path_ + " is in use by another study");
-  case lock_beside::answer::impossible: break;
+public:
+  outcome claim(const std::string& path) {
+    path_ = path;
+    if (path.empty()) return outcome("the path of the checkpoint is empty");
+    if (outcome claimed = file_.claim(path); !claimed) return claimed;
+    return file_.check_replaceable("a checkpoint");
   }
-  return failed("cannot be written");
-}
 
-KANEXPR_ENSEMBLES checkpoint_file::~checkpoint_file() {
-  if (folder_ >= 0) ::close(folder_);
-}
-
-KANEXPR_ENSEMBLES outcome checkpoint_file::write(const std::string& content) const {
-  const std::string beside = name_ + ".new";
-  const int file = ::openat(folder_, beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) return failed("cannot be written");
-  bytes_writer sum;
-  sum.put(sum_of(content));
-  const std::string whole = std::string(kind_of_note) + sum.bytes() + content;
-  bool is_sound = true;
-  for (std::size_t at = 0; is_sound && at < whole.size();) {
-    const auto count = ::write(file, whole.data() + at, whole.size() - at);
-    if (count > 0)
-      at += static_cast<std::size_t>(count);
-    else
-      is_sound = count < 0 && errno == EINTR;
+  /// Leaves the content empty if there is no file, or an empty one.
+  outcome read(std::string& content) const {
+    std::ifstream in(file_.target(), std::ios::binary);
+    if (!in) return errno == ENOENT ? outcome() : file_.failure("cannot be opened");
+    const std::string whole(std::istreambuf_iterator<char>(in), {});
+    if (in.bad()) return file_.failure("cannot be read");
+    if (whole.empty()) return {};
+    if (!whole.starts_with(kind)) return outcome(path_ + " is not a checkpoint of a study");
+    if (!whole.starts_with(header)) return of_another_study();
+    std::uint64_t expected = 0;
+    loader all(std::string_view(whole).substr(header.size()));
+    all(expected, content);
+    return all.is_at_end() && content_hash(content) == expected ? outcome() : damaged();
   }
-  is_sound = is_sound && ::fsync(file) == 0;
-  outcome done = is_sound ? outcome() : failed("cannot be written");
-  if (::close(file) != 0 && done) done = failed("cannot be written");
-  if (done && ::renameat(folder_, beside.c_str(), folder_, name_.c_str()) != 0)
-    done = failed("cannot be replaced");
-  if (!done) ::unlinkat(folder_, beside.c_str(), 0);
-  return done;
-}
 
-KANEXPR_ENSEMBLES noted checkpoint_file::read() const {
-  const int file = ::openat(folder_, name_.c_str(), O_RDONLY | O_CLOEXEC);
-  if (file < 0) return errno == ENOENT ? noted() : noted(failed("cannot be opened"));
-  std::string content;
-  ::ssize_t count = 0;
-  char some[16384];
-  while ((count = ::read(file, some, sizeof some)) > 0 || (count < 0 && errno == EINTR))
-    if (count > 0) content.append(some, static_cast<std::size_t>(count));
-  const outcome done = count < 0 ? failed("cannot be read") : outcome();
-  ::close(file);
-  if (!done) return noted(done);
-  if (content.empty()) return {}; // as mktemp makes one
-  if (!content.starts_with(kind_of_note)) return noted(outcome(path_ + " is not a checkpoint of a study"));
-  content.erase(0, kind_of_note.size());
-  bytes_reader sum(content);
-  const auto told = sum.get<std::uint64_t>();
-  const bool is_whole = static_cast<bool>(sum);
-  if (is_whole) content.erase(0, sizeof told);
-  if (!is_whole || told != sum_of(content)) return noted(outcome(path_ + " is damaged"));
-  noted found;
-  found.content = std::move(content);
-  return found;
-}
+  outcome write(const std::string& content) const {
+    const std::string name = file_.replacement();
+    saver all;
+    all(content_hash(content), content);
+    std::ofstream out(name, std::ios::binary);
+    out << header << all.bytes();
+    out.close();
+    outcome done = out ? file_.sync(name) : file_.failure("cannot be written");
+    if (done) done = file_.replace();
+    if (!done) ::unlink(name.c_str());
+    return done;
+  }
 
-KANEXPR_ENSEMBLES outcome checkpoint_file::remove() const {
-  return ::unlinkat(folder_, name_.c_str(), 0) == 0 || errno == ENOENT ? outcome()
-                                                                       : failed("cannot be removed");
-}
+  outcome remove() const {
+    return ::unlink(file_.target().c_str()) == 0 || errno == ENOENT ? outcome()
+                                                                    : file_.failure("cannot be removed");
+  }
+
+  outcome of_another_study() const {
+    return outcome(path_ +
+                   " belongs to a different study, model or version of kanexpr; remove it to start over");
+  }
+  outcome damaged() const { return outcome(path_ + " is damaged"); }
+
+private:
+  std::string path_{};
+  exclusive_file file_{};
+};
 
 } // namespace kanexpr::ensembles

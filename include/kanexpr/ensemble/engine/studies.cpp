@@ -1,5 +1,1 @@
-#include <kanexpr/ensemble/engine/checkpoint.hpp>
-#include <kanexpr/ensemble/engine/collector.hpp>
-#include <kanexpr/ensemble/engine/ensemble_results.hpp>
-#include <kanexpr/ensemble/engine/on_threads.hpp>
-#include <kanexpr/ensemble/engine/stop_on_signal.hpp>
+#include <kanexpr/ensemble/engine/thread_pool.hpp>

@@ -2,8 +2,8 @@
 
 #include <kanexpr/base/one_way.hpp>
 
-/// Every file that writes HDF5 sees its headers, with their macros, or the library kanexpr::hdf5_engine holds
-/// what does: then KANEXPR_COMPILED_HDF5 is defined wherever the headers are included.
+/// The code for HDF5 is compiled by every file that uses it, which then sees the macros of HDF5, or once, in
+/// the library kanexpr::hdf5_engine, which defines KANEXPR_COMPILED_HDF5 for all its users.
 #if defined KANEXPR_COMPILED_HDF5
 #define KANEXPR_HDF5
 KANEXPR_ONE_WAY("KANEXPR_COMPILED_HDF5", "1");

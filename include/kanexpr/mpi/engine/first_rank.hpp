@@ -1,200 +1,134 @@
 #pragma once
 
-#include <kanexpr/ensemble/collector.hpp>
-#include <kanexpr/ensemble/sharing.hpp>
-#include <kanexpr/mpi/engine/patience.hpp>
-#include <kanexpr/mpi/mailbox.hpp>
-#include <kanexpr/mpi/worker_threads.hpp>
+#include <kanexpr/ensemble/engine/collector.hpp>
+#include <kanexpr/ensemble/engine/run_scheduler.hpp>
+#include <kanexpr/mpi/engine/channel.hpp>
+#include <kanexpr/mpi/engine/messages.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <deque>
-#include <limits>
-#include <optional>
+#include <exception>
+#include <set>
 #include <string>
 #include <utility>
-#include <vector>
 
 namespace kanexpr::mpi {
 
-/// The rank that shares out the runs of one study, and takes what they leave.
+/// The first rank in one study: distributes the runs, performs some of them, and collects the results. All
+/// other ranks wait for it at the end of a study, except those that have left.
 class first_rank {
-public:
-  first_rank(mailbox& post, const mpi_options& options, std::uint64_t study, std::uint64_t known_by)
-      : post_(post), options_(options), study_(study), known_by_(known_by),
-        others_(static_cast<std::size_t>(post.ranks())) {}
+  using scheduler = ensembles::run_scheduler;
 
-  /// Its own threads come home when it is gone, as the others wait for what came of the study.
-  ensemble_results run(const ensembles::job& study, const std::string& known_by,
+public:
+  first_rank(channel& messages, std::set<int>& absent, std::uint64_t study)
+      : messages_(messages), absent_(absent), study_(study) {}
+
+  ensemble_results run(const ensembles::study_interface& study, const std::string& identity,
                        const ensemble_options& options) {
-    ensembles::collector results(study.layout(), known_by, options);
-    if (results.begin()) share_out(study, results, options);
+    ensembles::collector results(study.layout(), identity, options);
+    const bool can_begin = results.begin();
+    const std::size_t threads = (std::max)(options.threads, 1u);
+    const std::size_t workers = threads * static_cast<std::size_t>(messages_.ranks());
+    scheduler shares({.runs = study.layout().runs,
+                      .done = results.done(),
+                      .lanes = study.lanes(),
+                      .workers = workers,
+                      .share_seconds = 0.05,
+                      .max_pending = (std::max)(std::size_t{65536}, 512 * workers)},
+                     options.stop,
+                     [&](std::vector<finished_run>&& runs) { return results.add(std::move(runs)); });
+    if (!can_begin) shares.end();
+    {
+      const auto own = ensembles::start_threads(threads, [&](std::size_t) { shares.work(study); });
+      attempt([&] { serve(shares); });
+      shares.end();
+    }
     ensemble_results found = results.end();
     if (found.failure.empty()) found.failure = failure_;
+    const std::string summarized = bytes_of(summary{found.done, found.failed, found.failure});
+    attempt([&] {
+      for (const int each : finished_) messages_.send(each, to_rank, summarized);
+    });
     return found;
   }
 
-  /// Those of which nothing is heard any more.
-  std::vector<std::int64_t> lost() const {
-    std::vector<std::int64_t> all;
-    for (std::size_t i = 0; i < others_.size(); ++i)
-      if (others_[i].is_lost) all.push_back(static_cast<std::int64_t>(i));
-    return all;
+  /// Answers ranks that still expect studies, until all have left.
+  void serve_without_study() {
+    scheduler none({}, {}, {});
+    while (static_cast<int>(absent_.size()) + 1 < messages_.ranks()) {
+      take(report_from(messages_.receive(MPI_ANY_SOURCE, to_first)), none);
+      answer(none);
+      for (const int each : finished_)
+        messages_.send(each, to_rank, bytes_of(summary{0, 0, "the first rank has ended without this study"}));
+      finished_.clear();
+    }
   }
 
 private:
-  struct other {
-    std::size_t room = 0; ///< 0: it has never been heard of
-    std::vector<ensembles::share> holds{};
-    clock::time_point heard{}, told{};
-    clock::time_point gave{}; ///< back a share, as the last time
-    bool is_lost = false, waits = false;
+  template <class Step>
+  void attempt(const Step& step) {
+    try {
+      step();
+    } catch (const std::exception& thrown) {
+      failure_ = thrown.what();
+    }
+  }
+
+  struct sent_report {
+    int from;
+    report content;
   };
+  static sent_report report_from(const message& one) { return {one.from, read<report>(one.content)}; }
 
-  void share_out(const ensembles::job& study, ensembles::collector& results,
-                 const ensemble_options& options) {
-    const std::size_t threads = (std::max)(options.threads, 1u), all = threads * others_.size();
-    ensembles::sharing shares(
-        {.runs = study.layout().runs,
-         .done = results.done(),
-         .side_by_side = study.side_by_side(),
-         .takers = all,
-         .seconds_of_share = 0.05,
-         .most_ahead = (std::max)(std::size_t{65536}, 512 * all)},
-        options.stop, [&](std::vector<finished_run>&& runs) { return results.take(std::move(runs)); });
-    worker_threads& own = own_.emplace(study, threads);
-    nap rest;
-    while (!shares.is_over() && failure_.empty()) {
-      bool was_idle = true;
-      while (const auto come = post_.receive()) take(*come, shares), was_idle = false;
-      for (ensembles::finished_share& each : own.finished())
-        finish(std::move(each), shares), was_idle = false;
-      if (seconds_since(looked_) > 0.01) look_after(shares, study.layout());
-      give(shares, own);
-      if (was_idle)
-        own.wait(rest.next());
-      else
-        rest.reset();
-    }
-  }
-
-  void take(const letter& come, ensembles::sharing& shares) {
-    if (come.kind != kind_of_message::report) return;
-    auto told = come.read<report>();
-    if (told.study != study_) return;
-    if (told.known_by != known_by_) {
-      failure_ = "rank " + std::to_string(come.from) +
-                 " has another study than the first one, or another build of the program";
-      return;
-    }
-    other& from = others_[static_cast<std::size_t>(come.from)];
-    if (from.room == 0 || !told.done.empty()) from.gave = clock::now();
-    from.heard = clock::now(), from.is_lost = false, from.room = told.room;
-    for (ensembles::finished_share& each : told.done) {
-      std::erase_if(from.holds, [&](const auto& held) { return held.first == each.what.first; });
-      finish(std::move(each), shares);
-    }
-    wait_for_more(come.from, from);
-    if (seconds_since(from.told) > seconds_of_sign(options_)) tell(come.from, from, {});
-  }
-
-  void finish(ensembles::finished_share&& one, ensembles::sharing& shares) {
-    shares.finish(one.what, std::move(one.runs), one.seconds);
-    last_finished_ = clock::now();
-  }
-
-  void wait_for_more(int rank, other& one) {
-    if (one.waits || one.holds.size() >= one.room) return;
-    one.waits = true;
-    waiting_.push_back(rank);
-  }
-
-  void tell(int rank, other& to, std::vector<ensembles::share> what) {
-    post_.send(rank, orders{study_, std::move(what)});
-    to.told = clock::now();
-  }
-
-  /// Takes from those that are lost what they hold, and lets go of what nobody survives.
-  void look_after(ensembles::sharing& shares, const study_layout& layout) {
-    looked_ = clock::now();
-    asks_again_ = true;
-    for (other& each : others_) {
-      if (each.room == 0 || each.is_lost || seconds_since(each.heard) <= options_.silence) continue;
-      each.is_lost = true;
-      for (const ensembles::share& held : each.holds) shares.lose(held);
-      each.holds.clear();
-    }
-    while (const auto one = shares.hopeless(options_.patience)) {
-      std::vector<finished_run> none;
-      none.reserve(one->count);
-      for (std::size_t i = 0; i < one->count; ++i) none.push_back(unfinished(one->first + i, layout));
-      shares.finish(*one, std::move(none), 0.0);
-    }
-    if (seconds_since(last_finished_) > 4 * options_.patience)
-      failure_ = "no run has ended for " + std::to_string(std::llround(4 * options_.patience)) + " seconds";
-  }
-
-  static finished_run unfinished(std::size_t run, const study_layout& layout) {
-    finished_run one;
-    one.run = run, one.end = run_end::failed, one.time = std::numeric_limits<double>::quiet_NaN();
-    one.values.assign(layout.columns.size(), one.time);
-    one.values[0] = static_cast<double>(run), one.values[1] = static_cast<double>(one.end);
-    one.failure = "nobody has finished the run, each time it was given out: the ranks that did it were lost, "
-                  "or it takes longer than they have patience";
-    return one;
-  }
-
-  void give(ensembles::sharing& shares, worker_threads& own) {
-    for (std::size_t left = waiting_.size(); left > 0; --left) {
-      const int rank = waiting_.front();
-      waiting_.pop_front();
-      other& one = others_[static_cast<std::size_t>(rank)];
-      one.waits = false;
-      if (one.is_lost) continue;
-      std::vector<ensembles::share> what;
-      while (one.holds.size() < one.room) {
-        const auto next = next_for_others(shares);
-        if (!next) break;
-        what.push_back(*next), one.holds.push_back(*next);
+  void serve(scheduler& shares) {
+    const auto is_complete = [&] {
+      return static_cast<int>(finished_.size() + absent_.size()) + 1 == messages_.ranks() && shares.is_over();
+    };
+    for (int tries = 0; !is_complete(); ++tries) {
+      if (const auto one = messages_.try_receive(MPI_ANY_SOURCE, to_first)) {
+        take(report_from(*one), shares);
+        tries = 0;
       }
-      wait_for_more(rank, one);
-      if (what.empty()) break;
-      tell(rank, one, std::move(what));
-    }
-    while (own.held() < own.room()) {
-      auto next = shares.next_at_once();
-      // What has ended another rank may end this one too, and with it the study.
-      if (!next && own.held() == 0 && is_alone()) next = next_for_others(shares);
-      if (!next) break;
-      own.give(*next);
+      answer(shares);
+      if (tries > 0) channel::pause(tries);
     }
   }
 
-  /// Whether no other rank can do anything.
-  bool is_alone() const {
-    return std::ranges::all_of(others_, [&](const other& each) {
-      const bool is_stuck = each.holds.size() >= each.room && seconds_since(each.gave) > options_.patience;
-      return each.room == 0 || each.is_lost || is_stuck;
-    });
+  void take(sent_report one, scheduler& shares) {
+    report& reported = one.content;
+    if (reported.wants == request::leave) {
+      absent_.insert(one.from);
+    } else if (reported.wants == request::summary) {
+      finished_.push_back(one.from);
+    } else {
+      if (reported.study != study_) {
+        failure_ = "rank " + std::to_string(one.from) + " runs a different study from the first rank";
+        shares.end();
+      } else if (reported.done.count > 0) {
+        shares.finish(reported.done, std::move(reported.runs), reported.seconds);
+      }
+      idle_.emplace_back(one.from, reported.thread);
+    }
   }
 
-  std::optional<ensembles::share> next_for_others(ensembles::sharing& shares) {
-    if (asks_again_)
-      if (const auto again = shares.overdue(options_.patience)) return again;
-    asks_again_ = false; // for a while, as it takes a look at all shares
-    return shares.next_at_once();
+  /// Gives shares to idle threads, and an empty one to each if there are no more.
+  void answer(scheduler& shares) {
+    while (!idle_.empty()) {
+      const auto next = shares.try_next();
+      if (!next && shares.has_more()) return; // later, as too many runs are pending
+      const auto [rank, thread] = idle_.front();
+      idle_.pop_front();
+      messages_.send(rank, to_thread + thread, bytes_of(next.value_or(ensembles::share{})));
+    }
   }
 
-  mailbox& post_;
-  const mpi_options& options_;
-  const std::uint64_t study_, known_by_;
-  std::vector<other> others_; ///< by rank; the first is this one
-  std::deque<int> waiting_{}; ///< for shares
-  clock::time_point looked_ = clock::now(), last_finished_ = looked_;
-  bool asks_again_ = false;
+  channel& messages_;
+  std::set<int>& absent_; ///< ranks that take part in no more studies
+  const std::uint64_t study_;
+  std::deque<std::pair<int, int>> idle_{}; ///< rank and thread
+  std::vector<int> finished_{};            ///< ranks that wait for the summary
   std::string failure_{};
-  std::optional<worker_threads> own_{};
 };
 
 } // namespace kanexpr::mpi

@@ -7,11 +7,11 @@
 
 namespace kanexpr::ensembles {
 
-/// What lies a part of the way from a number to another: never beyond them, never back where the part grows,
-/// and with the same bits whether or not the compiler fuses products with sums.
-inline double between(double from, double to, double part) {
+/// Linear interpolation between two numbers. It is monotonic, stays between them, also if their difference
+/// overflows, and has the same bits whether or not the compiler contracts products and sums.
+inline double lerp(double from, double to, double part) {
   if (part >= 1) return to;
-  const double width = to - from; // beyond the greatest number if they have different signs
+  const double width = to - from;
   const double at =
       numeric::is_finite(width) ? std::fma(part, width, from) : std::fma(part, to, (1 - part) * from);
   return std::clamp(at, (std::min)(from, to), (std::max)(from, to));
