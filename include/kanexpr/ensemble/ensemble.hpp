@@ -14,7 +14,7 @@ namespace kanexpr {
 template <class Runner>
 class ensemble_of {
 public:
-  explicit ensemble_of(study_of<typename Runner::kind> what, Runner runner = {})
+  explicit ensemble_of(study_of<typename Runner::kind> what, Runner runner = Runner())
       : runs_(std::make_shared<ensembles::study_runs<Runner>>(std::move(what), std::move(runner))) {}
 
   ensemble_results run(const ensemble_options& options = {}) const {

@@ -27,8 +27,8 @@ public:
   outcome claim(const std::string& path) {
     release();
     path_ = path;
-    target_ = std::filesystem::absolute(path);
     std::error_code none;
+    target_ = std::filesystem::absolute(path, none);
     for (int i = 0; i < 40 && std::filesystem::is_symlink(target_, none);
          ++i) // as Linux; it may lead nowhere yet
       target_ = target_.parent_path() / std::filesystem::read_symlink(target_, none);

@@ -27,7 +27,7 @@ struct finished_run {
     failure = std::move(why);
   }
   template <class State>
-  void stand_at(double t, const State& x) {
+  void set_end(double t, const State& x) {
     time = t;
     state.assign(x.data(), x.data() + x.size());
   }

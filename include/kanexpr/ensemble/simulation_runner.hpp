@@ -87,7 +87,7 @@ private:
     const run_values varied = of.varied(done);
     simulation_setup<System> one = setup(of, varied);
     options& how = one.options;
-    done.stand_at(of.study.span.from, one.x);
+    done.set_end(of.study.span.from, one.x);
     if (std::string mistake = mistake_in_events(of, how); !mistake.empty())
       return done.fail(std::move(mistake));
     if (!needs_motion && !any(&run_output<System>::needs_samples) && !of.study.keep_trajectories &&
@@ -106,7 +106,7 @@ private:
     }
     const simulation<System> ended =
         simulate<System, by>(start_of(of, one.x), given_parameters<System>(one.p), of.study.span, how);
-    done.stand_at(ended.time, ended.state);
+    done.set_end(ended.time, ended.state);
     if (ended.stopped_by_event) done.end = run_end::stopped_by_event;
     if (!ended) done.fail(ended.cause());
     input_values<System> r;

@@ -111,7 +111,7 @@ private:
     const double start = of.study.span.start;
     auto [x, p, r] = setup(of, of.varied(done));
     if constexpr (has_law) r = inputs_at(start, x);
-    done.stand_at(start, x);
+    done.set_end(start, x);
     if (const auto mistake = given_parameters<System>(p).mistake)
       return done.fail(std::string(mistake.view()));
     if constexpr (known.constraints + known.configuration_constraints + known.quaternions > 0) {
@@ -173,7 +173,7 @@ private:
   void move(const context& of, moving& all, values_of_lanes& at, runs_span runs) const {
     const auto leave = [&](std::size_t lane, const status& why) {
       if (lane >= runs.size() || !is_sound(runs[lane])) return;
-      runs[lane].stand_at(time(all), all.state_in(lane));
+      runs[lane].set_end(time(all), all.state_in(lane));
       runs[lane].fail(why.cause());
     };
     const int steps = of.study.span.steps;
@@ -217,7 +217,7 @@ private:
 
   static void end(const context& of, moving& all, const values_of_lanes& at, std::size_t lane,
                   finished_run& done) {
-    done.stand_at(time(all), all.state_in(lane));
+    done.set_end(time(all), all.state_in(lane));
     double* to = of.outputs(done);
     for (std::size_t i = 0; i < of.study.keep.size(); ++i) {
       to[i] = batches::lane_of(at.outputs[i], lane);

@@ -4,6 +4,7 @@
 #include <kanexpr/ensemble/archive.hpp>
 #include <kanexpr/ensemble/run_setup.hpp>
 #include <kanexpr/ensemble/run_values.hpp>
+#include <kanexpr/ensemble/study_columns.hpp>
 
 #include <algorithm>
 #include <array>

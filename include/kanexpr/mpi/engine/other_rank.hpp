@@ -42,7 +42,8 @@ private:
         messages_.send(0, to_first, bytes_of(done));
         done.done = read<ensembles::share>(messages_.receive(0, to_thread + thread).content);
         if (done.done.count == 0) return;
-        done.runs = ensembles::perform(study, done.done, done.seconds);
+        // Runs report errors as failed runs; without memory, the rank ends.
+        done.runs = [&]() noexcept { return ensembles::perform(study, done.done, done.seconds); }();
       }
     } catch (const std::exception& thrown) {
       const std::scoped_lock lock(mutex_);
