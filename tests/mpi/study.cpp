@@ -50,7 +50,8 @@ public:
 private:
   finished_run one(std::size_t run) const {
     if (is_this("bad_rank", rank_) && run >= 200) end_badly(value("how"));
-    while (words.contains("bad_rank") && run >= 400 && !std::filesystem::exists(value("mark")))
+    const bool waits = words.contains("bad_rank") ? run >= 400 : words.contains("stop_at") && run >= 1000;
+    while (waits && !std::filesystem::exists(value("mark")))
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     finished_run done;
     done.run = run;
@@ -104,8 +105,10 @@ int main(int argc, char** argv) {
   if (words.contains("checkpoint")) options.checkpoint = value("checkpoint");
   options.checkpoint_every = 0;
   options.progress = [&](double done, double, double) {
-    if (done >= number("stop_at", 1e9)) std::raise(SIGTERM);
-    while (done >= number("stop_at", 1e9) && !stop.token().stop_requested()) std::this_thread::yield();
+    if (done < number("stop_at", 1e9)) return;
+    std::raise(SIGTERM);
+    while (!stop.token().stop_requested()) std::this_thread::yield();
+    const std::ofstream mark(value("mark"));
   };
   ensembles::thread_pool threads;
   ensembles::executor& executor =
