@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/ensemble/archive.hpp>
+
 #include <chrono>
 #include <cstddef>
 #include <mutex>
@@ -7,15 +9,17 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include <mpi.h>
 
 namespace kanexpr::mpi {
 
-/// A message and its sender.
+/// The content of a message, and its sender.
+template <class Content>
 struct message {
   int from = 0;
-  std::string content{};
+  Content content{};
 };
 
 /// Messages between ranks. A function that waits polls MPI and sleeps in between, so that a waiting rank
@@ -37,21 +41,27 @@ public:
   int rank() const { return rank_; }
   int ranks() const { return ranks_; }
 
-  void send(int to, int tag, std::string content) {
-    content.resize((content.size() / word + 1) * word);
+  template <class Content>
+  void send(int to, int tag, const Content& content) {
+    ensembles::saver all;
+    all(content);
+    std::string bytes = all.bytes();
+    bytes.resize((bytes.size() / word + 1) * word);
     const std::scoped_lock lock(mutex_);
-    check(MPI_Send(content.data(), static_cast<int>(content.size() / word), MPI_UINT64_T, to, tag, all_));
+    check(MPI_Send(bytes.data(), static_cast<int>(bytes.size() / word), MPI_UINT64_T, to, tag, all_));
   }
 
-  message receive(int from, int tag) {
+  template <class Content>
+  message<Content> receive(int from, int tag) {
     for (int tries = 0;; ++tries) {
-      if (auto found = try_receive(from, tag)) return *std::move(found);
+      if (auto found = try_receive<Content>(from, tag)) return *std::move(found);
       pause(tries);
     }
   }
 
   /// A message that has arrived, if there is one.
-  std::optional<message> try_receive(int from, int tag) {
+  template <class Content>
+  std::optional<message<Content>> try_receive(int from, int tag) {
     int is_there = 0, words = 0;
     MPI_Message handle;
     MPI_Status status;
@@ -59,8 +69,11 @@ public:
     check(MPI_Improbe(from, tag, all_, &is_there, &handle, &status));
     if (is_there == 0) return std::nullopt;
     check(MPI_Get_count(&status, MPI_UINT64_T, &words));
-    message found{status.MPI_SOURCE, std::string(static_cast<std::size_t>(words) * word, '\0')};
-    check(MPI_Mrecv(found.content.data(), words, MPI_UINT64_T, &handle, MPI_STATUS_IGNORE));
+    std::string bytes(static_cast<std::size_t>(words) * word, '\0');
+    check(MPI_Mrecv(bytes.data(), words, MPI_UINT64_T, &handle, MPI_STATUS_IGNORE));
+    message<Content> found{status.MPI_SOURCE, {}};
+    ensembles::loader all(bytes);
+    all(found.content);
     return found;
   }
 

@@ -46,9 +46,9 @@ public:
     }
     ensemble_results found = results.end();
     if (found.failure.empty()) found.failure = failure_;
-    const std::string summarized = bytes_of(summary{found.done, found.failed, found.failure});
     attempt([&] {
-      for (const int each : finished_) messages_.send(each, to_rank, summarized);
+      for (const int each : finished_)
+        messages_.send(each, to_rank, summary{found.done, found.failed, found.failure});
     });
     return found;
   }
@@ -57,10 +57,10 @@ public:
   void serve_without_study() {
     scheduler none({}, {}, {});
     while (static_cast<int>(absent_.size()) + 1 < messages_.ranks()) {
-      take(report_from(messages_.receive(MPI_ANY_SOURCE, to_first)), none);
+      take(messages_.receive<report>(MPI_ANY_SOURCE, to_first), none);
       answer(none);
       for (const int each : finished_)
-        messages_.send(each, to_rank, bytes_of(summary{0, 0, "the first rank has ended without this study"}));
+        messages_.send(each, to_rank, summary{0, 0, "the first rank has ended without this study"});
       finished_.clear();
     }
   }
@@ -75,19 +75,13 @@ private:
     }
   }
 
-  struct sent_report {
-    int from;
-    report content;
-  };
-  static sent_report report_from(const message& one) { return {one.from, read<report>(one.content)}; }
-
   void serve(scheduler& shares) {
     const auto is_complete = [&] {
       return static_cast<int>(finished_.size() + absent_.size()) + 1 == messages_.ranks() && shares.is_over();
     };
     for (int tries = 0; !is_complete(); ++tries) {
-      if (const auto one = messages_.try_receive(MPI_ANY_SOURCE, to_first)) {
-        take(report_from(*one), shares);
+      if (auto one = messages_.try_receive<report>(MPI_ANY_SOURCE, to_first)) {
+        take(*std::move(one), shares);
         tries = 0;
       }
       answer(shares);
@@ -95,7 +89,7 @@ private:
     }
   }
 
-  void take(sent_report one, scheduler& shares) {
+  void take(message<report> one, scheduler& shares) {
     report& reported = one.content;
     if (reported.wants == request::leave) {
       absent_.insert(one.from);
@@ -119,7 +113,7 @@ private:
       if (!next && shares.has_more()) return; // later, as too many runs are pending
       const auto [rank, thread] = idle_.front();
       idle_.pop_front();
-      messages_.send(rank, to_thread + thread, bytes_of(next.value_or(ensembles::share{})));
+      messages_.send(rank, to_thread + thread, next.value_or(ensembles::share{}));
     }
   }
 

@@ -1,12 +1,10 @@
 #pragma once
 
-#include <kanexpr/ensemble/archive.hpp>
 #include <kanexpr/ensemble/engine/run_scheduler.hpp>
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace kanexpr::mpi {
@@ -39,19 +37,5 @@ struct summary {
 
   static void fields(auto& self, auto& archive) { archive(self.done, self.failed, self.failure); }
 };
-
-template <class Content>
-std::string bytes_of(const Content& content) {
-  ensembles::saver all;
-  all(content);
-  return all.bytes();
-}
-template <class Content>
-Content read(std::string_view bytes) {
-  Content found{};
-  ensembles::loader all(bytes);
-  all(found);
-  return found;
-}
 
 } // namespace kanexpr::mpi

@@ -32,7 +32,7 @@ KANEXPR_MPI mpi_ranks::~mpi_ranks() {
     if (is_first())
       mpi::first_rank(*state_->messages, state_->absent, 0).serve_without_study();
     else
-      state_->messages->send(0, mpi::to_first, mpi::bytes_of(mpi::report{.wants = mpi::request::leave}));
+      state_->messages->send(0, mpi::to_first, mpi::report{.wants = mpi::request::leave});
   } catch (const std::exception&) { // ranks that cannot be reached would make MPI_Finalize wait for ever
     MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
   }

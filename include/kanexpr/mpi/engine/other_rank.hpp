@@ -25,8 +25,8 @@ public:
     }
     try {
       if (failure_.empty()) {
-        messages_.send(0, to_first, bytes_of(report{.wants = request::summary, .study = study_}));
-        return read<summary>(messages_.receive(0, to_rank).content);
+        messages_.send(0, to_first, report{.wants = request::summary, .study = study_});
+        return messages_.receive<summary>(0, to_rank).content;
       }
     } catch (const std::exception& thrown) {
       failure_ = thrown.what();
@@ -39,8 +39,8 @@ private:
     try {
       report done{.study = study_, .thread = thread};
       for (;;) {
-        messages_.send(0, to_first, bytes_of(done));
-        done.done = read<ensembles::share>(messages_.receive(0, to_thread + thread).content);
+        messages_.send(0, to_first, done);
+        done.done = messages_.receive<ensembles::share>(0, to_thread + thread).content;
         if (done.done.count == 0) return;
         // Runs report errors as failed runs; without memory, the rank ends.
         done.runs = [&]() noexcept { return ensembles::perform(study, done.done, done.seconds); }();

@@ -46,7 +46,6 @@ public:
   study_tables& operator=(const study_tables&) = delete;
   ~study_tables() = default;
 
-  const std::vector<dataset>& all() const { return all_; }
   /// Calls a function of each dataset's rows until one returns false.
   template <class Function>
   bool for_all(const Function& call) const {
