@@ -18,8 +18,8 @@ namespace kanexpr::ensembles {
 /// The content of a study, and the version of the library, to compare it with other studies.
 inline std::string identity_of(const study_layout& layout, const std::string& identity) {
   saver all;
-  all(KANEXPR_VERSION, layout.study, identity, layout.runs, layout.constants, layout.columns,
-      layout.state, layout.samples, layout.events);
+  all(KANEXPR_VERSION, layout.study, identity, layout.runs, layout.constants, layout.columns, layout.state,
+      layout.samples, layout.events);
   return all.bytes();
 }
 
