@@ -39,7 +39,7 @@ inline constexpr auto chunk_numbers = [] {
 }();
 
 /// Calls work(i) for i = 0 … count − 1: on this thread, through a callable, or through an execution policy of
-/// the standard library, whose header the caller includes.
+/// the standard library, whose header the caller must include.
 template <class Executor, class Work>
 void run_chunks([[maybe_unused]] Executor&& by, int count, const Work& work) {
   if constexpr (std::same_as<std::remove_cvref_t<Executor>, on_this_thread>)

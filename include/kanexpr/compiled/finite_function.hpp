@@ -5,8 +5,8 @@
 
 namespace kanexpr {
 
-/// A function of several results, each with a status, even if nothing had to be solved. If a result is not
-/// finite, its status reports it and names the argument that was not finite.
+/// A function with several results, each with a status, even if no equations had to be solved. If a result is
+/// not finite, its status reports this and names the argument that was not finite.
 template <class System, auto... wanted>
 struct finite_function : function<System, wanted...>, compiled::callable<finite_function<System, wanted...>> {
   using compiled::callable<finite_function>::operator();
@@ -45,7 +45,7 @@ private:
   static void look_at_one(const Result&, const State&, const Parameters&, const Inputs&) {
   } // results of an invalid call
 
-  /// Checks every entry, so that all states take the same time.
+  /// Always checks every entry, so that the time does not depend on the state.
   template <class Matrix>
   [[gnu::always_inline]] static bool is_finite(const Matrix& m) {
     bool all = true;

@@ -5,7 +5,7 @@
 #include <kanexpr/symbolic/numbers/number.hpp>
 
 /// The storage of a model's words: flat arrays of tokens in postfix order, which are template arguments and
-/// cost the compiler next to nothing, and records of entities that point to each other.
+/// cost almost no compile time, and records of entities that point to each other.
 namespace kanexpr::describe {
 
 struct frame_record;
@@ -30,8 +30,8 @@ enum class token_kind : unsigned char {
   number,
   symbol,
   scalar_function, ///< given by `operation`
-  composed,        ///< of scalars: `index` is the symbolic::composition, `number` their count
-  external,        ///< `external` applied to scalars, `number` their count
+  composed,        ///< of scalars; `index` is the symbolic::composition, `number` the count of scalars
+  external,        ///< `external` applied to scalars; `number` is their count
   basis,           ///< axis `index` of `frame`; null denotes the frame that is being described
   add,
   subtract,

@@ -6,7 +6,7 @@ namespace kanexpr::describe {
 
 inline constexpr std::string_view joint_out_of_place = "a joint; write joints<...> around it";
 
-/// Describes a type for a sentence about one in the wrong place. Empty if it is not one of a model's words.
+/// Describes a type for a sentence about a type in the wrong place; empty if it is not a word of a model.
 template <class Type>
 constexpr std::string_view what_it_is() {
   if constexpr (requires { Type::joint_told(); })

@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/text.hpp>
 
-/// Names that joints derive from the type that they describe: `q_Link2`, `Link2_home`.
+/// Names that a joint forms from the name of its type: `q_Link2`, `Link2_home`.
 namespace kanexpr::describe {
 
 /// Appends the characters of a type's name that are allowed in a name and replaces all others by an

@@ -29,7 +29,7 @@ namespace kanexpr::mechanics {
 
 /// The equations of one system. Each result is formed on first use and only once.
 ///
-/// Constraints are processed by `constrain`, or when the first result is requested.
+/// Constraints are processed by `constrain`, at the latest when the first result is requested.
 class equations {
 public:
   constexpr explicit equations(const multibody_system& of) : equations(of, known_motion(of.mechanism)) {}
@@ -198,8 +198,8 @@ public:
     return linearized_;
   }
 
-  /// The derivatives of the rates q̇ and u̇ with respect to some parameters, a column for each, with the
-  /// symbols u̇.
+  /// The derivatives of the rates q̇ and u̇ with respect to the given parameters, with a column for each,
+  /// with the symbols u̇.
   constexpr symbolic::matrix sensitivity_to(const sequence<expression>& parameters) {
     if (!is_sound()) return {};
     return linearized_.to_second_order().rates_by(parameters);

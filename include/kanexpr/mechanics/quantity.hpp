@@ -4,8 +4,9 @@
 
 namespace kanexpr::mechanics {
 
-/// The results available for a system. Each is a matrix of expressions; n is the number of coordinates, p of
-/// speeds, m of constraints on the speeds, l of configuration constraints.
+/// The results available for a system. Each is a matrix of expressions; n is the number of coordinates, p the
+/// number of speeds, m the number of constraints on the speeds, and l the number of configuration
+/// constraints.
 enum class quantity : unsigned char {
   mass_matrix,           ///< M of the independent speeds, (p−m)×(p−m)
   forcing,               ///< f in M u̇ = f, p−m
@@ -54,7 +55,7 @@ enum class quantity : unsigned char {
   acceleration_bias,      ///< b in u̇_d = A u̇_i + b, m
   constraint_pivots,      ///< the determinants of the blocks in which dependent speeds are solved, m
   multipliers,            ///< the generalized forces of the constraints: F_r + F_r* + Σ λ_j J_jr = 0, m
-  noncontributing_forces, ///< the forces that keep the auxiliary speeds zero, one for each
+  noncontributing_forces, ///< the forces that keep the auxiliary speeds at zero, one for each
   state_matrix,           ///< A in δ[q̇_i; u̇_i] = A δ[q_i; u_i] + B δr, (n−l+p−m)×(n−l+p−m)
   input_matrix,           ///< B, (n−l+p−m)×s
   state_jacobian,         ///< ∂[q̇; u̇]/∂[q; u] without constraints on the state, (n+p)×(n+p)
@@ -70,7 +71,7 @@ enum class quantity : unsigned char {
   auxiliary_forces = noncontributing_forces, ///< alternative name
 };
 
-/// The number of rows or columns of a result, by what it counts.
+/// The quantity that determines the number of rows or columns of a result.
 enum class extent_by : unsigned char {
   scalar,
   one,
@@ -104,7 +105,7 @@ struct result_row {
   std::string_view called{}; ///< the name by which it is requested
   extent_by rows{}, columns{};
   stage needs{};
-  bool is_of_bodies = false;      ///< unavailable if a model specifies its Lagrangian as a whole
+  bool is_of_bodies = false;      ///< not available if the model specifies its Lagrangian as a whole
   bool holds_speed_rates = false; ///< depends on the symbols u̇, which are passed to its function
   bool takes_weights = false;     ///< depends on λ of ẋ, passed likewise
   bool takes_direction = false;   ///< depends on v of z, passed likewise

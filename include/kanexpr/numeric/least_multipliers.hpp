@@ -24,8 +24,8 @@ struct least_multipliers {
   std::string cause() const { return failure.cause(); }
 };
 
-/// Finds them at a state of equations in the form that `constrained_motion` requires. Rows of redundant
-/// constraints follow the first `solved` rows of J.
+/// Finds u̇ and λ at a state; `of` provides the equations in the form that `constrained_motion` requires.
+/// Rows of redundant constraints follow the first `solved` rows of J.
 template <class Equations>
 auto find_least_multipliers(const Equations& of, const typename constrained_motion<Equations>::state& x,
                             int solved) {

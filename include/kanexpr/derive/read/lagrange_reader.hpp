@@ -6,8 +6,8 @@
 namespace kanexpr::deriving {
 
 /// Reads the parts that are specific to Lagrange's method: the rates of the coordinates as speeds, and the
-/// Lagrangian if the model specifies it. The Lagrangian is read with its symbols and evaluated once
-/// velocities are known.
+/// Lagrangian if the model specifies it. The symbols of the Lagrangian are read with all others; it is
+/// evaluated when velocities are known.
 class lagrange_reader {
 public:
   constexpr lagrange_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases,

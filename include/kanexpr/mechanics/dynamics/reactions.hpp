@@ -30,7 +30,8 @@ constexpr symbolic::linear_solution multipliers(graph& g, const constraints& c, 
   return symbolic::solve_linear(g, transposed, right);
 }
 
-/// The forces along the partial velocities of each auxiliary speed that keep it zero: −(F_a + F_a* + J_aᵀ λ).
+/// The forces along the partial velocities of each auxiliary speed that keep the speed at zero: −(F_a + F_a*
+/// + J_aᵀ λ).
 constexpr sequence<expression> noncontributing_forces(const constraints& c, const symbolic::matrix& lambda,
                                                       const sequence<expression>& imbalance_of_auxiliary) {
   sequence<expression> out;

@@ -71,8 +71,8 @@ struct spring_damper {
   constexpr void each_vector(const mechanism&, Visit&&) const {}
 
 private:
-  /// The line d in the axes in which the forces of one of its points are formed, whichever is deeper in the
-  /// tree.
+  /// The line d in the axes in which the forces at one of its points are formed: the point that is deeper in
+  /// the tree.
   struct stretch {
     int axes = mechanism::inertial;
     components d{};

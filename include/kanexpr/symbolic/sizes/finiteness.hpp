@@ -2,8 +2,8 @@
 
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 
-/// Finds results that can become infinite or NaN although everything they depend on is finite and of ordinary
-/// size.
+/// Finds results that can become infinite or NaN although all values they depend on are finite and of
+/// ordinary size.
 namespace kanexpr::symbolic {
 
 /// Determines which outputs must be checked to be sure that all are finite. Quotients, roots and functions
@@ -79,7 +79,7 @@ private:
   /// Properties of a live node, as bits.
   enum fact : int { sure = 1, never_negative = 2, begins = 4, may_fail = 8 };
 
-  constexpr void look_at(int id) { // writes only set bits, because compilers are slow here
+  constexpr void look_at(int id) { // writes only bits that are set, because compilers are slow here
     const node& n = nodes_[id];
     const int a = facts_of_[n.a], b = is_binary(n.op) && !is_numbered(n.op) ? facts_of_[n.b] : a;
     int found = (a | b) & may_fail;
@@ -119,7 +119,7 @@ private:
     if (found != 0) facts_of_[id] |= found;
   }
 
-  /// Marks the operands that, if not finite, make the result not finite.
+  /// Marks the operands that make the result not finite if they are not finite.
   static constexpr void pass_on(const node& n, char* is_told) {
     switch (form_of(n.op)) {
     case form::add:
