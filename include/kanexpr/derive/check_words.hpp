@@ -62,7 +62,7 @@ constexpr sentence check_word(std::string_view system) {
                      type_name<Told>(), ">"});
   else if constexpr (requires { Told::load.what; })
     return sentence(
-        {name_of(Told::load).view(), " is among the words of ", system, "; write loads<...> around it"});
+        {name_of(Told::load).view(), " is among the words of ", system, "; list it in loads<...>"});
   else if constexpr (requires { Told::place(); })
     return sentence(
         {"point ", type_name<Told>(), " is among the words of ", system, "; points need not be listed"});

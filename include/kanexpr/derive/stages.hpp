@@ -42,8 +42,8 @@ struct staged {
   }
 };
 
-/// The first stage and the survey of a system. If there is a mistake, the survey contains what was known
-/// before it occurred.
+/// The first stage and the survey of a system. If there is a mistake, the survey contains the properties that
+/// were known before it occurred.
 struct surveyed_stage : staged {
   survey known{};
 };

@@ -220,7 +220,7 @@ struct load_record {
 struct joint_record {
   std::string_view called{};
   std::string_view calls_itself{};
-  std::string_view mistake{}; ///< the end of a sentence: "has two homes"
+  std::string_view mistake{}; ///< the end of a sentence, such as "has two homes"
   std::string_view form{};    ///< the correct form, if the form is the mistake
   const frame_record* frame = nullptr;
   const point_record* point = nullptr;

@@ -98,7 +98,7 @@ struct at {
 };
 
 /// The axis of a joint, or its two axes: vectors of any length, fixed in the parent or given in `own` axes,
-/// those of the child.
+/// the axes of the child.
 template <auto... vectors>
 struct axis {
   static constexpr describe::joint_word joint_word = describe::joint_word::axis;

@@ -110,7 +110,7 @@ public:
   /// Declares that a parameter or an input is used by expressions that are requested later; any other unused
   /// parameter or input is a mistake.
   void used_elsewhere(expression parameter_or_input);
-  /// A speed that is always zero and that brings a force that does no work into evidence in the equations.
+  /// A speed that is always zero; it brings a force that does no work into evidence.
   expression auxiliary_speed(std::string_view u);
   /// Selects Lagrange's method: the rates of the coordinates declared so far are used as speeds.
   void rates_as_speeds();

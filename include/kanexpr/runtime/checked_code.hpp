@@ -12,7 +12,7 @@
 namespace kanexpr::runtime {
 
 /// The code of a result, with checks that all systems of equations on which it depends can be solved at a
-/// state. The evaluation allocates no memory.
+/// state. The evaluation does not allocate memory.
 template <class Scalar>
 class checked_code {
 public:

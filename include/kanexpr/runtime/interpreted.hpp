@@ -11,9 +11,9 @@ namespace kanexpr::runtime {
 
 /// An interpreted result, called like the compiled one: f(x), f(x, p), f(x, p, r), f(t, x, p, r) or f(t, x,
 /// p, r, a). After the inputs come the other arguments that the result reads, in this order: the rates of the
-/// speeds, weights, a direction. The object owns the matrix that it returns, and a call allocates no memory.
-/// If a vector is omitted or too short, or the model has a mistake, the entries are NaN and the status
-/// reports the cause.
+/// speeds, weights, a direction. The object owns the matrix that it returns, and a call does not allocate
+/// memory. If a vector is omitted or too short, or the model has a mistake, the entries are NaN and the
+/// status reports the cause.
 template <class Scalar = double>
 class interpreted {
   /// Represents omitted arguments.

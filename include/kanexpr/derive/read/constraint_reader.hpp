@@ -99,7 +99,7 @@ private:
       if (!turns && t.what != describe::token_kind::velocity) continue;
       return reading_.fail({"a configuration constraint contains the ", turns ? "angular " : "",
                             "velocity of ", turns ? t.frame->called : t.point->called,
-                            "; write it in velocity_constraints<...>"});
+                            "; move it to velocity_constraints<...>"});
     }
   }
   /// Returns the expressions that one constraint sets to zero: the difference of an equation's sides, or a

@@ -45,7 +45,7 @@ struct reading {
     fail({called, ", which ", whom, " uses, has no base class"});
   }
 
-  /// Checks that an entity has no word twice and only words that belong to it.
+  /// Checks that an entity does not have a word twice and has only words that belong to it.
   constexpr bool words_belong(describe::misfit beside, std::string_view called) {
     if (beside == describe::misfit::none) return true;
     fail({misfit_of(beside, called).view()});

@@ -20,8 +20,8 @@ struct composite {
 
 /// M = Σ J_iᵀ M_i J_i by composite bodies (Featherstone 2008, section 6.2), for any tree of frames, any tree
 /// of points and any generalized speeds. The velocity that a frame or a point adds to that of its parent is
-/// given by a few columns; each column is multiplied with the composite body where it enters and with the
-/// columns of everything outward of it.
+/// given by a few columns; each column is multiplied with the composite body where it enters and with all
+/// columns farther outward.
 class mass_matrix_builder {
 public:
   constexpr explicit mass_matrix_builder(const skeleton& s)

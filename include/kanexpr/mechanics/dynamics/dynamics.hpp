@@ -150,7 +150,7 @@ public:
     return reduce(mechanics::active_forces(s_, loads_));
   }
 
-  /// F_r* at u̇ = 0 of all speeds; with Kane's method followed by those of the auxiliary speeds.
+  /// F_r* of all speeds at u̇ = 0; with Kane's method, followed by F_r* of the auxiliary speeds.
   constexpr sequence<expression> inertia_bias() const {
     if (by_lagrange()) return lagrange_.inertia_bias();
     return mechanics::inertia_bias(s_);

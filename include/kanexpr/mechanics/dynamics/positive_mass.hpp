@@ -22,8 +22,8 @@ constexpr bool is_positive_definite(sequence<double> a, int order) {
 }
 
 /// Proves that a mass matrix is positive definite in every configuration by showing, from the ground outward,
-/// that a motion with zero kinetic energy is rest. A frame that rotates in a resting one rests as well if its
-/// axes are numeric and the inertias that rotate with it resist all of its rotations. A point that slides
+/// that all parts rest if the kinetic energy is zero. A frame that rotates in a resting one rests as well if
+/// its axes are numeric and the inertias that rotate with it resist all of its rotations. A point that slides
 /// relative to a resting one rests if its directions are numeric and it has a mass. All masses and inertias
 /// must be numbers for which no energy is negative.
 class energy_of_motion {

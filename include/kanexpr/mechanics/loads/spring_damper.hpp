@@ -97,7 +97,7 @@ private:
     return d;
   }
 
-  /// The spring force divided by the length, k (1 − l/|d|). Without natural length this needs no root and no
+  /// The spring force divided by the length, k (1 − l/|d|). Without a natural length, this needs no root or
   /// division.
   constexpr expression pull_of_spring(const components& d) const {
     return length.is_zero() ? stiffness : stiffness * (1 - length / sqrt(dot(d, d)));

@@ -14,7 +14,7 @@ struct station {
   int offset_frame = mechanism::inertial; ///< the frame in whose axes `r` is given
   components r{};
   bool carried = true; ///< ṙ = ω_frame × r
-  bool rigid = false;  ///< r is really constant in the frame, not only where the velocity is concerned
+  bool rigid = false;  ///< r is constant in the frame, not only treated as constant in the velocity
   vector relative_velocity{};
   int axes = mechanism::inertial; ///< the frame in whose working axes its motion and forces are expressed
 

@@ -134,8 +134,8 @@ struct function_properties {
   unit_rule unit = unit_rule::numbers;
   bool is_trigonometric = false; ///< counted as trigonometric, otherwise as `other`
   bool never_negative = false;
-  bool stays_finite = false;    ///< finite wherever its argument is finite
-  bool passes_infinity = false; ///< not finite where its argument is not
+  bool stays_finite = false;    ///< finite if its argument is finite
+  bool passes_infinity = false; ///< not finite if its argument is not
 
   constexpr bool is_smooth_at(double x) const { return x > smooth_from && x < smooth_to; }
 };

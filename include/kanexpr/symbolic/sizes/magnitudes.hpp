@@ -19,7 +19,7 @@ public:
 
   constexpr double operator[](int id) const { return size_[id]; }
 
-  /// Whether a value has no reliable digit, even if its constants are accurate to only ten digits.
+  /// Whether a value has no reliable digits, even if its constants are accurate to only ten digits.
   constexpr bool is_nothing_of(int id, double value) const {
     return elementary::abs(value) <= negligible * size_[id];
   }
