@@ -13,7 +13,7 @@ struct animation {
   struct shape {
     std::string name{}, kind{}; ///< the name and the word of the picture, such as "sphere" or "trace"
     std::string colour{};       ///< "#rrggbb"; empty: the page chooses
-    std::string file{};         ///< of a mesh, as specified in the picture
+    std::string file{};         ///< the file of a mesh, as specified in the picture
     double opacity = 1;
     std::vector<double> sizes{};
     animate::placing placed_by = animate::placing::place;

@@ -18,7 +18,7 @@ struct on_this_thread {};
 struct chunks {
   static constexpr int most = 256;
   int count = 0;
-  Eigen::Index length = 0; ///< of each chunk except the last
+  Eigen::Index length = 0; ///< length of each chunk except the last
 
   /// Divides `systems` into chunks of at least `least` systems each, except the last. Chunks are whole cache
   /// lines and whole batches of `width`.

@@ -171,7 +171,7 @@ struct function : compiled::callable<function<System, wanted...>> {
       case symbol_kind::input: return r[i];
       case symbol_kind::speed_rate: return a[i];
       case symbol_kind::time: return t;
-      case symbol_kind::coordinate_rate: // are not arguments of a call
+      case symbol_kind::coordinate_rate: // not arguments of a call
       case symbol_kind::auxiliary_speed:
       case symbol_kind::multiplier:
       case symbol_kind::weight:

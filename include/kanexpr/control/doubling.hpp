@@ -143,7 +143,7 @@ constexpr Number mean_rate(const numeric::eliminated<Number, states>& m) {
   if (m.is_singular()) return 0;
   constexpr int most = 2 * std::numeric_limits<Number>::max_exponent;
   int exponent = 0;
-  Number product = 1; // of the reciprocals of the pivots
+  Number product = 1; // the product of the reciprocals of the pivots
   for (int k = 0; k < states; ++k) {
     product *= numeric::constant_elimination_math::magnitude(m.reciprocal(k));
     for (int i = 0; i < most && product >= 2; ++i) product /= 2, --exponent;

@@ -29,7 +29,7 @@ struct inertial_values {
   int count = 0;
   of_body bodies[room_for_bodies]{};
   int named = 0;
-  symbolic::name names[room_for_names]{}; ///< of bodies and of reference points of inertias
+  symbolic::name names[room_for_names]{}; ///< names of bodies and of reference points of inertias
 
   /// Returns the first mistake for the given parameters: a value that is negative by more than rounding, or
   /// an inertia that no body can have. Values that depend on a NaN parameter are skipped.

@@ -33,19 +33,19 @@ struct request {
     result,      ///< a quantity of the system
     expressions, ///< phrases of the model, one below the other; vectors as their components
     jacobian,    ///< the derivatives of a phrase with respect to symbols
-    derivatives, ///< of a quantity of the system with respect to symbols of the system
+    derivatives, ///< the derivatives of a quantity of the system with respect to symbols of the system
     sensitivity, ///< the sensitivity of phrases to the state or the inputs
     parameters,  ///< the sensitivity of the rates of the state to parameters, given as phrases
   };
 
   kind what = kind::foreign;
   quantity wanted{};                       ///< the result, or the quantity to be differentiated
-  with_respect_to symbols{};               ///< for derivatives
-  bool is_at_given_rates = false;          ///< with the symbols u̇
-  std::span<const phrase> phrases{};       ///< for the other kinds
+  with_respect_to symbols{};               ///< the symbols of derivatives
+  bool is_at_given_rates = false;          ///< whether the result contains the symbols u̇
+  std::span<const phrase> phrases{};       ///< the phrases of the other kinds
   std::string_view whom = "an expression"; ///< contains the phrases
-  std::span<const describe::token> by{};   ///< for a Jacobian: the symbols
-  bool is_to_inputs = false;               ///< for a sensitivity
+  std::span<const describe::token> by{};   ///< the symbols of a Jacobian
+  bool is_to_inputs = false;               ///< whether a sensitivity is to the inputs, not to the state
 
   /// Whether a function that returns it takes weights or a direction.
   constexpr bool is_weighted() const {

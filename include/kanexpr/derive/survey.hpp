@@ -31,8 +31,8 @@ struct survey {
   int inertial_parameters = 0;
   symbolic::name names[room]{}; ///< coordinates, speeds, parameters, inputs
   bool dependent[room]{};       ///< in the same order
-  bool is_mass[room]{};         ///< is the mass of a body
-  bool is_moment[room]{};       ///< is a moment of inertia
+  bool is_mass[room]{};         ///< whether the symbol is the mass of a body
+  bool is_moment[room]{};       ///< whether the symbol is a moment of inertia
   inertial_values inertial{};   ///< masses and moments that are longer expressions
   int quaternions = 0;          ///< unit quaternions, whose norm the motion preserves
   int quaternion_of[room]{};    ///< for each coordinate: the number of its quaternion, counted from 1; 0 if

@@ -16,7 +16,7 @@
 namespace kanexpr {
 
 namespace symbolic {
-class expression; // of builders, which models do not need
+class expression; // the expressions of builders, which models do not need
 }
 
 namespace describe {

@@ -135,7 +135,7 @@ struct frame_record {
   std::string_view calls_itself{}; ///< the first template argument of its orientation word
   arguments fits{};
   bool unparsed = false;
-  orientation_word orientation{}; ///< by default that of an inertial frame
+  orientation_word orientation{}; ///< the default is that of an inertial frame
   const frame_record* parent = nullptr;
   phrase given[9]{}; ///< angles, quaternion or matrix
   std::string_view given_as = "an angle of frame ";
@@ -187,7 +187,7 @@ struct body_record {
   const point_record* about = nullptr;
   std::string_view instead_of_inertia{}; ///< the type that is passed in its place but is not an inertia
   std::string_view instead{};            ///< the actual kind, if it is not a body
-  bool has_whole_zeros = false;          ///< for all scalars of its inertia
+  bool has_whole_zeros = false;          ///< whether all scalars of its inertia are the integer 0
   bool inertia_changes = false;
   bool effective = false; ///< the inertia need not correspond to a mass distribution
   misfit beside = misfit::none;
@@ -206,7 +206,7 @@ struct load_record {
   const frame_record* frame = nullptr;
   const frame_record* other_frame = nullptr; ///< null if it does not act between two frames
   phrase value{};                            ///< a force or torque, energy, stiffness or damping
-  phrase angle{};                            ///< of a torsional spring
+  phrase angle{};                            ///< the angle of a torsional spring
   phrase rest{};                             ///< the length or angle of a spring at rest
   phrase known_by{};                         ///< the expression that identifies it, if not points or frames
   std::string_view called{};

@@ -59,14 +59,14 @@ void evaluate_step(const instruction& step, const Number* values, Number* out) {
     symbolic::with_function(step.op, [&]<operation function>() { *out = apply<function>(a, b); });
     return;
   case form::constant:
-  case form::symbol: // are loaded beforehand
+  case form::symbol: // loaded beforehand
   case form::pair:
   case form::factorization:
   case form::solve:
   case form::transposed_solve:
   case form::component:
   case form::singularity_measure:
-  case form::call: return; // are linear steps
+  case form::call: return; // executed as linear steps
   }
 }
 

@@ -134,7 +134,7 @@ private:
 
   /// Places angles first, then all their sines and cosines.
   constexpr void gather_angles() {
-    // whether a node depends on no function: sums and products of arguments
+    // whether a node does not depend on any function: sums and products of arguments
     sequence<char> is_free(slots_.size(), 0);
     char* const free = is_free.begin();
     sequence<int> gathered;
@@ -223,7 +223,7 @@ private:
   const sequence<int>& outputs_;
   const symbolic::node* nodes_;
   char* is_live_;
-  int* slot_;                      ///< by node
+  int* slot_;                      ///< the slot of each node
   sequence<int> nodes_in_order_{}; ///< the live nodes
   int first_step_ = 0;
   tape tape_{};
@@ -260,7 +260,7 @@ constexpr symbolic::cost cost_of(const tape& t) {
     else
       total.count_substitution(e.order);
   }
-  int times[static_cast<int>(operation::singularity_measure) + 1]{}; // by operation
+  int times[static_cast<int>(operation::singularity_measure) + 1]{}; // the number of steps of each operation
   for (const instruction& step : t.steps) {
     ++times[static_cast<int>(step.op)];
     if (step.op == operation::cos && step.paired) --total.trigonometric;

@@ -47,7 +47,7 @@ class unrolled_tape {
 public:
   static constexpr const auto& tape = Code::tape;
 
-  /// `Arguments` returns the value of each load: `arguments(load)`.
+  /// `arguments(load)` returns the value of each load.
   template <class Arguments>
   [[gnu::always_inline]] explicit unrolled_tape(const Arguments& arguments) noexcept {
     run(arguments, up_to<tape.sizes.numbers>{}, up_to<tape.sizes.loads>{}, up_to<first_angle>{},
@@ -69,7 +69,7 @@ private:
   using up_to = std::make_integer_sequence<int, count>;
   static constexpr std::size_t at_least_one(int n) { return n > 0 ? static_cast<std::size_t>(n) : 1; }
 
-  // clang++ would otherwise load an index from the tape
+  // consteval, because clang++ would otherwise load an index from the tape
   static consteval int a(int step) { return tape.a[step]; }
   static consteval int b(int step) { return tape.b[step]; }
   static consteval int slot_of(int result) { return tape.results[result]; }

@@ -10,7 +10,7 @@ namespace kanexpr::mechanics {
 enum class quantity : unsigned char {
   mass_matrix,           ///< M of the independent speeds, (p−m)×(p−m)
   forcing,               ///< f in M u̇ = f, p−m
-  mass_matrix_full,      ///< of [q̇; u̇], (n+p)×(n+p): E, M and the differentiated constraints
+  mass_matrix_full,      ///< M_full of [q̇; u̇], (n+p)×(n+p): E, M and the differentiated constraints
   forcing_full,          ///< [q̇; f; …], n+p, with M_full [q̇; u̇] = f_full
   qdot,                  ///< q̇, n
   udot,                  ///< u̇ of all speeds, p
@@ -29,7 +29,7 @@ enum class quantity : unsigned char {
   inertial_parameters,   ///< π with the values of the model, b
   coriolis,              ///< C with Ṁ − 2C skew-symmetric, if the speeds are coordinate rates, p×p
   kinetic_energy,
-  potential_energy,                    ///< of gravity, springs and given potential energies
+  potential_energy,                    ///< the energy of gravity, springs and given potential energies
   linear_momentum,                     ///< 3, inertial axes
   angular_momentum,                    ///< 3, inertial axes, about the origin
   center_of_mass,                      ///< 3, inertial axes, from the origin
@@ -46,7 +46,8 @@ enum class quantity : unsigned char {
                                        ///< coordinates, l×l
   configuration_jacobian_by_all,       ///< derivatives of the residual with respect to all coordinates, l×n
   configuration_step,                  ///< Newton step of the dependent coordinates, l
-  velocity_residual,      ///< of the velocity constraints, then the rates of configuration constraints, m
+  velocity_residual,      ///< residual of the velocity constraints, then of the rates of configuration
+                          ///< constraints, m
   velocity_terms,         ///< magnitude of the terms of this residual, m
   constraint_residual,    ///< both residuals, l+m
   constraint_jacobian,    ///< J in J u + c = 0, m×p

@@ -94,7 +94,7 @@ bool is_rounding(const Vector& left, const Vector& terms) {
 template <class Vector, class Terms, class State>
 mechanics::sentence first_off(const Vector& left, const Terms& terms_at, const State& x, int coordinates,
                               double tolerance, std::string_view which) {
-  constexpr double rounding = 1e-5; // for terms that vanish here but are usually large
+  constexpr double rounding = 1e-5; // tolerance for terms that vanish here but are usually large
   const auto terms = terms_at(x);
   for (int i = 0; i < left.size(); ++i)
     if (const double off = static_cast<double>(left(i));

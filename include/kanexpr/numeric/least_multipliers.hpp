@@ -15,7 +15,7 @@ namespace numeric {
 template <class Speeds, class Multipliers>
 struct least_multipliers {
   Speeds udot{};
-  Multipliers multipliers{};  ///< of the velocity constraints, then of the redundant ones
+  Multipliers multipliers{};  ///< those of the velocity constraints, then those of the redundant ones
   independence constraints{}; ///< the constraints that depend on others at the state
   mechanics::sentence failure{};
 

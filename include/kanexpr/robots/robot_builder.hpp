@@ -279,7 +279,7 @@ private:
   model_options options_;
   robots::plan plan_;
   std::vector<motion> motions_{};
-  std::vector<frame_id> frames_{}; ///< of the links, then of the ground
+  std::vector<frame_id> frames_{}; ///< the frames of the links, then that of the ground
   std::vector<point_id> origins_{};
   std::map<std::string, std::size_t, std::less<>> places_{};
   std::vector<std::pair<std::string, double>> values_{};

@@ -90,7 +90,7 @@ public:
       case symbol_kind::time: return t;
       case symbol_kind::coordinate_rate:
       case symbol_kind::auxiliary_speed:
-      case symbol_kind::multiplier: break; // do not occur in code
+      case symbol_kind::multiplier: break; // does not occur in code
       }
       return t;
     });

@@ -109,7 +109,7 @@ private:
     case form::atan2: return "atan2(" + name(line.a) + ", " + name(line.b) + ')';
     case form::function: return symbolic::function_name(line.op) + ('(' + name(line.a) + ')');
     case form::constant:
-    case form::symbol: // have no line
+    case form::symbol: // has no line
     case form::selection:
     case form::pair:
     case form::factorization:
@@ -117,7 +117,7 @@ private:
     case form::transposed_solve:
     case form::component:
     case form::singularity_measure:
-    case form::call: break; // are handled elsewhere
+    case form::call: break; // handled elsewhere
     }
     return "";
   }

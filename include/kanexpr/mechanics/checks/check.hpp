@@ -104,7 +104,7 @@ private:
     if (!found_) found_ = check_direction_cosines(m_, f);
     if (!f.turns_by_declaration()) return;
     velocity(f.angular_velocity, "the angular velocity of frame ", f.called);
-    // the chain of reference frames
+    // follows the chain of reference frames
     int steps =
         m_.frames.size(); // the bound ends loops that do not contain f; these are reported for another frame
     for (int on = f.reference; on != none && steps > 0; --steps) {

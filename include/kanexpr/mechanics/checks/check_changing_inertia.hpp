@@ -127,7 +127,7 @@ private:
         size += length(along);
       }
     }
-    triple r, moves; // of the reference point of the inertia
+    triple r, moves; // position and velocity of the reference point of the inertia
     for (const vector::part& p : d.from_center.parts) {
       if (!motion.is_proper(p.frame)) return false;
       const triple part = motion.basis(p.frame) * motion.value(p.value);

@@ -70,7 +70,7 @@ private:
     const bool is_other_way = a.against != none && a.on == b.against && a.against == b.on;
     if (is_same_way || is_other_way)
       return compare(one, other, (a.is_turned_round != b.is_turned_round) != is_other_way);
-    // the torque of a motor between two frames must not be listed as an external load as well
+    // the torque of a motor between two frames must not also be listed as an external load
     const bool is_outside = a.against == none;
     if (is_outside == (b.against == none) || !holds_input(one.value)) return;
     const felt &outside = is_outside ? a : b, &between = is_outside ? b : a;

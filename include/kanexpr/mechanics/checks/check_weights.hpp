@@ -56,7 +56,7 @@ private:
   struct doubt {
     int body = none;
     int force = none;  ///< index among the forces
-    double sign = 1;   ///< of the force on the body
+    double sign = 1;   ///< sign of the force on the body
     int energy = none; ///< index among the potential energies
   };
 

@@ -22,7 +22,8 @@ struct given_constraints {
   sequence<expression> on_accelerations{}; ///< expressions linear in u̇ that vanish; empty: derived from the
                                            ///< others
   sequence<int> redundant{}; ///< configuration constraints that follow from the others, numbered from 1
-  sequence<int> dependent_coordinates{}, dependent_speeds{}; ///< by index; empty: chosen by the library
+  sequence<int> dependent_coordinates{},
+      dependent_speeds{}; ///< as indices; if empty, the library chooses them
 };
 
 } // namespace kanexpr::mechanics

@@ -78,7 +78,7 @@ public:
       const int order = b.rows.size();
       const expression pivot = order <= symbolic::largest_with_determinant
                                    ? symbolic::determinant(entries, order)
-                                   : b.measure; // has no sign
+                                   : b.measure; // this measure has no sign
       for (int d : b.columns) pivots[d] = pivot;
     }
     return pivots;

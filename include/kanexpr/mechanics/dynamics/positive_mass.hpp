@@ -107,7 +107,8 @@ private:
     sequence<double> energy(9, 0.0);
     for (const link& l : s_.links)
       if (l.frame == f) {
-        // about the station if it rests; otherwise the omitted part is nonnegative
+        // about the station if it rests; otherwise about the mass center, where the omitted part is
+        // nonnegative
         const sequence<double> own = inertia(l, station_rests_[l.station] == 0);
         for (int i = 0; i < 9; ++i) energy[i] += own[i];
       }

@@ -5,7 +5,7 @@
 /// Forces that do no work, from Kane's equations of the speeds that the motion does not have.
 namespace kanexpr::mechanics {
 
-/// f − M u̇ = F_r + F_r* in motion, for the given speeds; zero for the others.
+/// F_r + F_r* = f − M u̇ in the actual motion, for the given speeds; zero for all others.
 constexpr sequence<expression> imbalance(const symbolic::matrix& mass, const sequence<expression>& force,
                                          const sequence<expression>& udot, const sequence<int>& ways) {
   sequence<expression> out;

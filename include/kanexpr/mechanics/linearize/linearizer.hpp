@@ -50,7 +50,7 @@ public:
     sequence<expression> unknowns = form_.qdot;
     for (const sequence<expression>* more : {&form_.udot, &form_.lambda})
       for (const expression& e : *more) unknowns.push(e);
-    // each group separately, because the cheaper method may differ between groups
+    // treats each group separately, because the cheaper method may differ between groups
     explicit_linearization change(g_, zero.size(), variations_.states(), form_.inputs());
     int row = 0;
     for (const sequence<expression>& group :

@@ -78,7 +78,7 @@ private:
     std::string called{};
     int from = -1, to = -1;
     Pose3d child{};                  ///< in the world
-    ignition::math::Vector3d sits{}; ///< the joint, in the axes of the child
+    ignition::math::Vector3d sits{}; ///< position of the joint, in the axes of the child
   };
   struct following {
     std::string leader{};

@@ -139,7 +139,7 @@ private:
   sequence<int> live_;
   sequence<double> value_;
   sequence<double> more_{}; ///< factors and solutions
-  sequence<int> place_{};   ///< start in `more_`, by node
+  sequence<int> place_{};   ///< for each node, where its values start in `more_`
 };
 
 /// The values of the outputs; `value_of_symbol(id)` returns the value of the symbol at node `id`.

@@ -38,13 +38,14 @@ enum class operation : unsigned char {
   if_not_positive,
   // lists, linear systems and calls; a list is not a value, only an operand of these
   pair,          ///< a list: its first element and the list of the rest, ended by the constant zero
-  factorization, ///< of the matrix given as a list of rows, each of them a list; the constant b is its order
+  factorization, ///< factorization of the matrix given as a list of rows, each of them a list; the constant b
+                 ///< is its order
   solve,         ///< A x = b: a factorization and the list b
   transposed_solve,    ///< Aᵀ x = b
   component,           ///< an element of a solution; the constant b is its zero-based index
   singularity_measure, ///< distance of a factorization from singularity: the determinant if small, otherwise
                        ///< the pivots relative to the list b, the squared sizes of the entries
-  call,                ///< of a user-defined function with a list of operands; the constant b is its index
+  call, ///< call of a user-defined function with a list of operands; the constant b is its index
 };
 
 constexpr bool is_leaf(operation op) { return op == operation::constant || op == operation::symbol; }
@@ -126,7 +127,7 @@ struct function_properties {
 
   operation op;
   const char* name;        ///< its name in C++
-  double (*value)(double); ///< in constant expressions
+  double (*value)(double); ///< evaluates the function in constant expressions
   const char* latex = "";  ///< a LaTeX command; if empty, the name as an operator
   parity symmetry = parity::none;
   double smooth_from = -everywhere, smooth_to = everywhere; ///< open interval where differentiable

@@ -78,9 +78,9 @@ private:
   int n_ = 0;
   int matched_ = 0;
   int count_ = 0;
-  sequence<int> row_of_; ///< by column
+  sequence<int> row_of_; ///< the row matched to each column
   sequence<char> visited_;
-  sequence<int> number_{}, least_{}; ///< of columns, in order of discovery
+  sequence<int> number_{}, least_{}; ///< numbers of columns, in order of discovery
   sequence<int> open_{};
   sequence<char> is_open_{};
   sequence<coupled_part> parts_{};

@@ -45,8 +45,8 @@ struct symmetric_elimination {
   int n;
   sequence<int> entries;
   sequence<int> row_degrees;
-  int* entry;  ///< by rows
-  int* degree; ///< by row
+  int* entry;  ///< entries in row-major order
+  int* degree; ///< number of off-diagonal entries in each row
 
   /// Reads the lower triangle.
   constexpr explicit symmetric_elimination(const matrix& m)

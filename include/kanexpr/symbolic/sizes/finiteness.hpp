@@ -93,7 +93,8 @@ private:
     case form::function: {
       const function_properties& f = properties_of(n.op);
       if (f.never_negative) found |= never_negative;
-      if (n.op == operation::sqrt ? (a & never_negative) == 0 : !f.stays_finite) // may be rounded below 0
+      if (n.op == operation::sqrt ? (a & never_negative) == 0
+                                  : !f.stays_finite) // the argument may be rounded below 0
         found |= begins;
       break;
     }
@@ -114,7 +115,7 @@ private:
     case form::singularity_measure: break;
     }
     if ((found & begins) != 0) found |= may_fail, any_begins_ = true;
-    if (n.op >= operation::pair) found |= may_fail; // has a separate status
+    if (n.op >= operation::pair) found |= may_fail; // the result has a separate status
     if ((found & may_fail) != 0) any_fails_ = true;
     if (found != 0) facts_of_[id] |= found;
   }
@@ -141,7 +142,7 @@ private:
     case form::transposed_solve:
     case form::component:
     case form::singularity_measure:
-    case form::call: break; // may still be finite
+    case form::call: break; // the result may still be finite
     }
   }
 
