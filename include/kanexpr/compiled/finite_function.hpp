@@ -15,7 +15,7 @@ struct finite_function : function<System, wanted...>, compiled::callable<finite_
   [[gnu::always_inline]] static auto called(const First& first, const More&... more) noexcept {
     auto found = function<System, wanted...>::template evaluate_at<true>(first, more...);
     constexpr auto each = std::index_sequence_for<decltype(wanted)...>{};
-    if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
+    if constexpr (requires { First::SizeAtCompileTime; }) // the first argument is a vector, not the time
       look_at(each, found, first, more...);
     else
       look_at(each, found, more...);

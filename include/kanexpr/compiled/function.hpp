@@ -383,7 +383,7 @@ protected:
   /// Returns the results, each with a status if requested, even if no equations had to be solved.
   template <bool with_statuses, class First, class... More>
   [[gnu::always_inline]] static auto evaluate_at(const First& first, const More&... more) noexcept {
-    if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
+    if constexpr (requires { First::SizeAtCompileTime; }) // the first argument is a vector, not the time
       return evaluate<with_statuses>(compiled::not_given{}, first, more...);
     else if constexpr (compiled::lacks_first<More...>)
       static_assert(sizeof(First) == 0, "a result requires a state; call it as f(t, x, p, r)");

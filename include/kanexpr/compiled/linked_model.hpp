@@ -132,7 +132,7 @@ struct linked : callable<linked<Function>> {
 
   template <class First, class... More>
   static auto called(const First& first, const More&... more) noexcept {
-    if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
+    if constexpr (requires { First::SizeAtCompileTime; }) // the first argument is a vector, not the time
       return at<typename First::Scalar>(0.0, first, more...);
     else
       return at_time(first, more...);

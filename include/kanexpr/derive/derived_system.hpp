@@ -40,7 +40,7 @@ public:
   derived_system(const derived_system&) = delete;
   derived_system& operator=(const derived_system&) = delete;
 
-  /// Checks the system that was read for mistakes.
+  /// Checks the system for mistakes after it was read.
   constexpr void check_model() {
     if (!mistake()) mistake_ = mechanics::check_system(system_);
     if (!mistake()) reader_.check_listed_are_used();

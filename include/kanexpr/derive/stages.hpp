@@ -64,7 +64,7 @@ constexpr surveyed_stage first_stage() {
       if (!s.mistake)
         s.mistake = sentence(
             {type_name<System>(), " has more than ", mechanics::counted(survey::room).view(), " symbols"});
-      s.known = {}; // there is no room for the names
+      s.known = {}; // the names do not fit
     }
   }
   s.known.mistake = s.mistake;

@@ -199,7 +199,8 @@ enum class load_word : unsigned char;
 
 struct load_record {
   load_word what{};
-  std::string_view word{}; ///< "the force": for sentences, followed by the point or frame on which it acts
+  std::string_view
+      word{}; ///< its name in sentences, such as "the force"; the point or frame on which it acts follows
   arguments fits{};
   const point_record* point = nullptr;
   const point_record* other_point = nullptr; ///< null if it does not act between two points

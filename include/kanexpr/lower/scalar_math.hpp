@@ -188,8 +188,8 @@ template <symbolic::operation op, class Number>
   }
 }
 
-/// Converts a constant to the scalar type; exact fractions are divided there, so that a long double keeps all
-/// its digits.
+/// Converts a constant to the scalar type; exact fractions are divided in that type, so that a long double
+/// keeps all its digits.
 template <class Number>
 [[gnu::always_inline]] inline Number number_as(const symbolic::number& n) {
   if (n.denominator == 0) return scalar_math<Number>::from(n.real);

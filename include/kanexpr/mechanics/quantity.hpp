@@ -108,8 +108,8 @@ struct result_row {
   stage needs{};
   bool is_of_bodies = false;      ///< not available if the model specifies its Lagrangian as a whole
   bool holds_speed_rates = false; ///< depends on the symbols u̇, which are passed to its function
-  bool takes_weights = false;     ///< depends on λ of ẋ, passed likewise
-  bool takes_direction = false;   ///< depends on v of z, passed likewise
+  bool takes_weights = false;     ///< depends on the weights λ of ẋ, which are passed to its function
+  bool takes_direction = false;   ///< depends on the direction v of z, which is passed to its function
 };
 
 inline constexpr result_row results[]{

@@ -89,7 +89,7 @@ private:
     return false;
   }
 
-  /// Returns a name as a string literal in a header; its lines may be broken after commas and signs.
+  /// Returns a name as a string literal for a header whose lines may be broken after commas and signs.
   static std::string literal(const std::string& name) {
     std::string quoted = "\"";
     char before = 0;

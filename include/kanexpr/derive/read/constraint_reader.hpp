@@ -15,7 +15,7 @@ public:
                               entity_reader& entities)
       : reading_(all), m_(all.into.mechanism), symbols_(symbols), phrases_(phrases), entities_(entities) {}
 
-  /// Requires that `know` was called.
+  /// Evaluates the constraints; requires that `know` was called.
   constexpr void read_constraints() {
     if (reading_.mistake) return;
     for (const kind& k : kinds)

@@ -14,14 +14,14 @@ public:
                             entity_reader& entities)
       : reading_(all), m_(all.into.mechanism), symbols_(symbols), phrases_(phrases), entities_(entities) {}
 
-  /// Requires that `know` was called.
+  /// Evaluates the Lagrangian; requires that `know` was called.
   constexpr void read_lagrangian() {
     if (reading_.mistake || !reading_.into.loads.has_lagrangian) return;
     reading_.into.loads.lagrangian =
         phrases_.scalar_of(reading_.from.lagrangian[0], {"", the_lagrangian}, the_lagrangian);
   }
 
-  /// Requires that the list of coordinates was read.
+  /// Takes the rates of the coordinates as speeds; requires that the list of coordinates was read.
   constexpr void read_rates() {
     if (!reading_.takes_rates_as_speeds()) return;
     m_.derived_by = mechanics::method::lagrange;

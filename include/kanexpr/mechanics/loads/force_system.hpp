@@ -69,7 +69,7 @@ public:
   constexpr sequence<expression>& shares() { return share_; }
 
 private:
-  /// Adds a torque between a frame and the frame that it rotates in.
+  /// Adds a torque between a frame and the frame in which it rotates.
   constexpr void add_turning(int f, const vector& value) {
     for (const partial_velocity& w : s_.partial_angular_velocities[f])
       share_[w.speed] += dot(w.value, express(m_, value, s_.working_axes[f]));

@@ -32,7 +32,7 @@ struct external_function {
 /// A substitute value for tests of expressions at generic points, because the compiler may be unable to call
 /// the function: 1.25 plus a sine of the operands, with matching derivatives.
 constexpr double generic_value_of(const external_function& f, const double* operands) {
-  unsigned mark = 2166136261u; // Fowler, Noll & Vo's hash
+  unsigned mark = 2166136261u; // the FNV hash of Fowler, Noll & Vo
   for (char letter : f.original.view()) mark = (mark ^ static_cast<unsigned char>(letter)) * 16777619u;
   const auto between = [](unsigned bits) { return static_cast<double>(bits >> 8) / 16777216.0; };
   double weights[1 + most_derivatives]{}, phase = 1.5 * between(mark), factor = 1;
