@@ -92,7 +92,7 @@ void f() { use<System>(); }
 // expect: the damping of the damper between Q and O uses a function that models do not have; the available
 // expect: functions are sqrt, sin, cos, tan,
 namespace n15 {
-struct System : loaded<damper<Q, O, cbrt(u)>> {};
+struct System : loaded<damper<Q, O, exp2(u)>> {};
 void f() { use<System>(); }
 } // namespace n15
 

@@ -58,7 +58,9 @@ inline constexpr mechanics::sentence which_functions_there_are = [] {
   };
   append(" uses a function that models do not have; the available functions are ");
   for (const symbolic::function_properties& f : symbolic::functions) append(f.name), append(", ");
-  append("atan2, pow, hypot, min, max and clamp");
+  for (const symbolic::binary_function_properties& f : symbolic::binary_functions)
+    append(f.name), append(", ");
+  append("pow, hypot, min, max and clamp");
   return p;
 }();
 
