@@ -104,9 +104,9 @@ TEST(functions, of_two_arguments_are_the_same_in_the_program) {
         const double there =
             with_binary_function(f.op, [&]<operation op>() { return binary_function<op>::of(a, b); });
         EXPECT_EQ(std::isnan(there), std::isnan(value));
-    if (!std::isnan(value)) {
-      EXPECT_NEAR(there, value, 1e-15 * std::abs(value));
-    }
+        if (!std::isnan(value)) {
+          EXPECT_NEAR(there, value, 1e-15 * std::abs(value));
+        }
       });
 }
 
