@@ -155,8 +155,8 @@ template <std::size_t... row>
 void write_step(const written_equations& of, std::string_view name, const lower::written_value& t,
                 written_vector& x, const lower::written_value& h, std::index_sequence<row...>) {
   const auto write = [&]<std::size_t i>() {
-    constexpr const stepping::tableau& method = *stepping::tableaux[i];
-    if (method.name == name) static_cast<void>(stepping::stepped<stepping::method<method>>(of, t, x, h));
+    using method = stepping::method<*stepping::tableaux[i]>;
+    if (stepping::tableaux[i]->name == name) static_cast<void>(stepping::stepped<method>(of, t, x, h));
   };
   (write.template operator()<row>(), ...);
 }
