@@ -1,4 +1,3 @@
-#include <kanexpr/symbolic/algebra/collect.hpp>
 #include <kanexpr/symbolic/algebra/compare.hpp>
 #include <kanexpr/symbolic/algebra/expand.hpp>
 #include <kanexpr/symbolic/algebra/simplify.hpp>

@@ -5,7 +5,7 @@
 
 namespace {
 
-using namespace kanexpr::symbolic::algebra;
+using namespace kanexpr::symbolic::polynomials;
 using real_polynomial = polynomial<rational>;
 
 class random_polynomials {

@@ -34,18 +34,20 @@ public:
     for (const term<rational>& t : angle.terms) {
       const rational parts = t.coefficient * rational(parts_of_angle);
       constexpr std::int64_t most_turns = 1 << 20;
-      if (parts.is_whole() && abs(parts.above()) <= most_turns * parts_of_angle) {
-        const int node = term_in(g_, {t.factors, 1}).node();
+      if (parts.is_integer() && abs(parts.numerator()) <= most_turns * parts_of_angle) {
+        const int node = to_expression(g_, term<rational>{t.factors, 1}).node();
         factors_.emplace(node, t.factors);
-        all = times(all, {{~node, parts.above().convert_to<std::int64_t>()}});
+        all = times(all, {{~node, parts.numerator().convert_to<std::int64_t>()}});
       } else {
-        all = times(all, of_its_own(term_in(g_, {t.factors, measure_of(t.coefficient)}).node(),
-                                    t.coefficient.is_negative() ? -1 : 1));
+        all = times(all,
+                    independent_angle(
+                        to_expression(g_, term<rational>{t.factors, positive_content(t.coefficient)}).node(),
+                        t.coefficient.is_negative() ? -1 : 1));
       }
     }
     return all;
   }
-  monomial of_its_own(int node, int sign) { return {{~node, sign * parts_of_angle}}; }
+  monomial independent_angle(int node, int sign) { return {{~node, sign * parts_of_angle}}; }
 
   /// The factors of an angle; null for an independent angle.
   const monomial* factors_of(int node) const {
@@ -55,7 +57,7 @@ public:
 
   /// The polynomial in terms of sines and cosines of sums, as symbols. The input must be real: every
   /// exponential has its conjugate.
-  real_polynomial in_sines(const trigonometric_polynomial& p) {
+  real_polynomial to_sines_and_cosines(const trigonometric_polynomial& p) {
     term_sum<rational> sum;
     for (const term<gaussian>& t : p.terms) {
       monomial angle, others;
@@ -86,8 +88,8 @@ private:
     real_polynomial sum;
     for (const factor& f : angle)
       sum = sum + scaled(atom<rational>({g_, ~f.base}), {integer(f.exponent), integer(parts_of_angle)});
-    const bool negative = leads_with_minus(g_, sum);
-    const unsigned_argument argument{sum_in(g_, negative ? -sum : sum), negative};
+    const bool negative = has_negative_leading_term(g_, sum);
+    const unsigned_argument argument{to_expression(g_, negative ? -sum : sum), negative};
     return functions_
         .emplace(angle, functions{function_of<rational>(operation::sin, argument, argument),
                                   function_of<rational>(operation::cos, argument, argument)})

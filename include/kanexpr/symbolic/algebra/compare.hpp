@@ -12,7 +12,7 @@ namespace algebra {
 
 /// Whether two expressions differ clearly, by much more than rounding errors, at each of several random
 /// states where both are defined.
-inline bool are_seen_apart(const graph& g, const sequence<int>& both) {
+inline bool differ_numerically(const graph& g, const sequence<int>& both) {
   constexpr int wanted = 3, tries = 40;
   constexpr double apart = 1e-4;
   evaluation values(g, both);
@@ -40,12 +40,11 @@ KANEXPR_ENGINE equality compare(expression a, expression b, std::size_t most_ter
   algebra::trigonometric_reader reader(g, left);
   const auto fractions = reader.read(both);
   if (!left.failed()) {
-    algebra::fraction_arithmetic<algebra::gaussian>& arithmetic = reader.arithmetic();
-    const auto difference = arithmetic.sum(fractions[0], arithmetic.negative(fractions[1]));
-    if (!left.failed() && difference.above.is_zero()) return equality::equal;
-    if (!left.failed() && !reader.holds_unknown(difference.above)) return equality::different;
+    const auto difference = reader.sum(fractions[0], reader.negative(fractions[1]));
+    if (!left.failed() && difference.numerator.is_zero()) return equality::equal;
+    if (!left.failed() && !reader.has_opaque_functions(difference.numerator)) return equality::different;
   }
-  return algebra::are_seen_apart(g, both) ? equality::different : equality::undecided;
+  return algebra::differ_numerically(g, both) ? equality::different : equality::undecided;
 }
 
 KANEXPR_ENGINE bool are_equal(expression a, expression b, std::size_t most_terms) {

@@ -20,11 +20,11 @@ enum class equality {
 /// found equal are equal. If relations between these functions might matter, or there are too many terms, a
 /// numerical test can show that the expressions differ; otherwise, as for abs(x) and x, the result is
 /// undecided. Decimal numbers have their exact binary value: 0.1 is not 1/10.
-KANEXPR_ENGINE equality compare(expression a, expression b, std::size_t most_terms = usual_most_terms);
+KANEXPR_ENGINE equality compare(expression a, expression b, std::size_t most_terms = default_max_terms);
 
 /// Whether two expressions are proved to have the same value everywhere; `compare` distinguishes different
 /// from undecided.
-KANEXPR_ENGINE bool are_equal(expression a, expression b, std::size_t most_terms = usual_most_terms);
+KANEXPR_ENGINE bool are_equal(expression a, expression b, std::size_t most_terms = default_max_terms);
 
 } // namespace kanexpr::symbolic
 

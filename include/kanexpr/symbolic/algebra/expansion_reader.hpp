@@ -1,102 +1,87 @@
 #pragma once
 
-#include <kanexpr/symbolic/algebra/bottom_up.hpp>
-#include <kanexpr/symbolic/algebra/sum_of_terms.hpp>
+#include <kanexpr/symbolic/algebra/expression_reader.hpp>
 
-namespace kanexpr::symbolic {
-
-namespace algebra {
+namespace kanexpr::symbolic::algebra {
 
 /// Reads expressions as sums of products of powers. Functions are treated as symbols, and a sum in a
 /// denominator as one factor.
-class expansion_reader {
+class expansion_reader : public expression_reader<real_polynomial, expansion_reader> {
 public:
-  expansion_reader(graph& g, budget& left) : g_(g), left_(left) {}
+  using expression_reader::expression_reader;
 
-  /// Returns nothing if the budget is exceeded.
-  std::vector<real_polynomial> read(const sequence<int>& outputs) {
-    const auto size_of = [](const real_polynomial& p) { return p.size(); };
-    return bottom_up<real_polynomial>(
-        g_, without_small_solves(g_, outputs), left_, size_of,
-        [this](int id, const real_polynomial& a, const real_polynomial& b) { return value(id, a, b); });
+  static std::size_t size(const real_polynomial& p) { return p.size(); }
+  bool has_minus(const real_polynomial& p) { return has_negative_leading_term(owner(), p); }
+  expression written(const real_polynomial& p) { return to_expression(owner(), p); }
+
+  real_polynomial negative(const real_polynomial& a) { return -a; }
+  real_polynomial sum(const real_polynomial& a, const real_polynomial& b) { return a + b; }
+  real_polynomial product(const real_polynomial& a, const real_polynomial& b) {
+    return multiplied(polynomials::product(a, b, left()));
   }
-
-private:
-  real_polynomial value(int id, const real_polynomial& a, const real_polynomial& b) {
-    const operation op = g_[id].op;
-    if (op == operation::negate) return -a;
-    if (op == operation::add) return a + b;
-    if (op == operation::subtract) return a - b;
-    if (op == operation::multiply) return multiplied(product(a, b, left_));
-    if (op == operation::divide)
-      return b.is_zero() ? over_zero(a) : multiplied(product(a, inverse(b), left_));
-    if (is_atomic(op)) return atom<rational>({g_, id});
+  real_polynomial quotient(const real_polynomial& a, const real_polynomial& b) {
+    return b.is_zero() ? over_zero(a) : product(a, inverse(b));
+  }
+  real_polynomial atomic(int id) { return atom<rational>({owner(), id}); }
+  real_polynomial function(operation op, const real_polynomial& a, const real_polynomial& b) {
     const unsigned_argument x = argument(a), y = argument(b);
     const real_polynomial f = function_of<rational>(op, x, y);
-    if (op == operation::sqrt && f.size() == 1 && !f.is_constant()) meanings_[f.terms[0].factors[0].base] = a;
+    if (op == operation::sqrt && f.size() == 1 && !f.is_constant())
+      definitions_[f.terms[0].factors[0].base] = a;
     return f;
   }
 
-  unsigned_argument argument(const real_polynomial& p) {
-    const bool negative = leads_with_minus(g_, p);
-    return {sum_in(g_, negative ? -p : p), negative};
-  }
-
+private:
   real_polynomial over_zero(const real_polynomial& a) {
-    return {{{(sum_in(g_, a) / expression(g_, graph::zero)).node(), 1}}, rational(1)};
+    return {{{(to_expression(owner(), a) / expression(owner(), graph::zero)).node(), 1}}, rational(1)};
   }
 
   real_polynomial inverse(const real_polynomial& p) {
     if (p.size() == 1) return {over({}, p.terms.front().factors), rational(1) / p.terms.front().coefficient};
-    const monomial shared = common_monomial(p);
-    rational c = holds_decimals(p) ? 1 : common_number(p);
-    if (leads_with_minus(g_, p)) c = -c;
-    const real_polynomial sum = scaled(p, rational(1) / c, over({}, shared));
-    const int base = sum_in(g_, sum).node();
-    meanings_[base] = sum;
-    return {over({}, times(shared, {{base, 1}})), rational(1) / c};
+    auto [number, shared, sum] = split_content(p);
+    if (has_negative_leading_term(owner(), p)) number = -number, sum = -sum;
+    const int base = to_expression(owner(), sum).node();
+    definitions_[base] = sum;
+    return {over({}, times(shared, {{base, 1}})), rational(1) / number};
   }
 
   /// Replaces squares of roots by their radicands, and denominator sums that move to a numerator by their
   /// terms.
   real_polynomial multiplied(const real_polynomial& p) {
-    const int base = meanings_.empty() ? none : outer_base(p);
+    const int base = definitions_.empty() ? none : expandable_base(p);
     if (base == none) return p;
     real_polynomial open, others;
     for (const term<rational>& t : p.terms)
-      (is_outer(base, exponent_of(t.factors, base)) ? open : others).terms.push_back(t);
+      (is_expandable(base, exponent_of(t.factors, base)) ? open : others).terms.push_back(t);
     real_polynomial sum = multiplied(others);
-    for (const auto& [power, rest] : coefficients<rational>(open, [base](int b) { return b == base; })) {
+    for (const auto& [power, rest] : coefficients(open, [base](int b) { return b == base; })) {
       const std::int64_t exponent = power.front().exponent;
       const std::int64_t root = is_root(base) ? exponent % 2 : 0;
       const std::int64_t whole = is_root(base) ? exponent / 2 : exponent;
-      const real_polynomial& meaning = meanings_.find(base)->second;
-      const real_polynomial value = raised(whole < 0 ? inverse(meaning) : meaning, std::abs(whole), left_);
+      const real_polynomial& definition = definitions_.find(base)->second;
+      const real_polynomial value =
+          raised(whole < 0 ? inverse(definition) : definition, std::abs(whole), left());
       const monomial kept = root == 0 ? monomial{} : monomial{{base, root}};
-      sum = sum + multiplied(product(scaled(rest, rational(1), kept), value, left_));
-      if (!left_.allows(sum.size())) return {};
+      sum = sum + multiplied(polynomials::product(scaled(rest, rational(1), kept), value, left()));
+      if (!left().allows(sum.size())) return {};
     }
     return sum;
   }
 
   static constexpr int none = -1;
 
-  int outer_base(const real_polynomial& p) const {
+  int expandable_base(const real_polynomial& p) const {
     for (const term<rational>& t : p.terms)
       for (const factor& f : t.factors)
-        if (meanings_.contains(f.base) && is_outer(f.base, f.exponent)) return f.base;
+        if (definitions_.contains(f.base) && is_expandable(f.base, f.exponent)) return f.base;
     return none;
   }
-  bool is_root(int base) const { return g_[base].op == operation::sqrt; }
-  bool is_outer(int base, std::int64_t exponent) const {
+  bool is_root(int base) const { return owner()[base].op == operation::sqrt; }
+  bool is_expandable(int base, std::int64_t exponent) const {
     return is_root(base) ? exponent > 1 || exponent < -1 : exponent > 0;
   }
 
-  graph& g_;
-  budget& left_;
-  std::map<int, real_polynomial> meanings_{}; ///< radicands and sums in denominators
+  std::map<int, real_polynomial> definitions_{}; ///< radicands and sums in denominators
 };
 
-} // namespace algebra
-
-} // namespace kanexpr::symbolic
+} // namespace kanexpr::symbolic::algebra

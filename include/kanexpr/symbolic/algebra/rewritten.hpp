@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/polynomials/budget.hpp>
 
 #include <string>
 
@@ -15,5 +16,20 @@ struct rewritten {
   explicit operator bool() const { return cause.empty(); }
   operator expression() const { return value; }
 };
+
+namespace algebra {
+
+/// Reads an expression and writes it in the form of a reader.
+template <class Reader>
+rewritten rewrite(expression e, std::size_t most_terms, const std::string& failure) {
+  polynomials::budget left(most_terms);
+  Reader reader(e.owner(), left);
+  const auto values = reader.read({e.node()});
+  const expression result = left.failed() ? e : reader.written(values.front());
+  if (left.failed()) return {e, failure + left.cause()};
+  return {result, {}};
+}
+
+} // namespace algebra
 
 } // namespace kanexpr::symbolic

@@ -7,6 +7,9 @@
 /// node numbers, so equal polynomials become the same node.
 namespace kanexpr::symbolic::algebra {
 
+using namespace polynomials;
+using polynomials::monomial; // not the graph's
+
 using real_polynomial = polynomial<rational>;
 
 /// A node as a polynomial: the node itself to the first power, or the negative of its operand if it is a
@@ -24,23 +27,24 @@ polynomial<Coefficient> atom(expression e) {
 }
 
 /// Π base^exponent over the factors whose exponents have the given sign (1 or -1).
-inline expression side_of(graph& g, const monomial& m, int sign) {
+inline expression one_sided_product(graph& g, const monomial& m, int sign) {
   expression side(g, graph::one);
   for (const factor& f : m)
     if (sign * f.exponent > 0) side *= expression(g, integer_power(g, f.base, sign * f.exponent));
   return side;
 }
 
-inline expression number_in(graph& g, const rational& r) { return constant(g, number_of(r)); }
+inline expression to_expression(graph& g, const rational& r) { return constant(g, number_of(r)); }
 
-inline expression term_in(graph& g, const term<rational>& t) {
-  const expression coefficient = number_in(g, t.coefficient), above = coefficient * side_of(g, t.factors, 1);
-  return above / side_of(g, t.factors, -1);
+inline expression to_expression(graph& g, const term<rational>& t) {
+  const expression coefficient = to_expression(g, t.coefficient),
+                   numerator = coefficient * one_sided_product(g, t.factors, 1);
+  return numerator / one_sided_product(g, t.factors, -1);
 }
 
-inline expression sum_in(graph& g, const real_polynomial& p) {
+inline expression to_expression(graph& g, const real_polynomial& p) {
   expression sum(g, graph::zero);
-  for (const term<rational>& t : p.terms) sum += term_in(g, t);
+  for (const term<rational>& t : p.terms) sum += to_expression(g, t);
   return sum;
 }
 
@@ -50,13 +54,13 @@ inline std::map<int, std::size_t> written_order(graph& g, const real_polynomial&
   for (const auto& [base, range] : exponent_ranges(p)) all.push_back({base, 1});
   printing::term_reader reader(g);
   std::map<int, std::size_t> order;
-  for (const printing::factor& f : reader.terms_of(side_of(g, all, 1).node()).front().factors)
+  for (const printing::factor& f : reader.terms_of(one_sided_product(g, all, 1).node()).front().factors)
     order.emplace(f.base, order.size());
   return order;
 }
 
 /// Whether the first term, in an order by names, is negative; this sign does not depend on node numbers.
-inline bool leads_with_minus(graph& g, const real_polynomial& p) {
+inline bool has_negative_leading_term(graph& g, const real_polynomial& p) {
   if (p.size() <= 1) return !p.is_zero() && p.terms.front().coefficient.is_negative();
   const std::map<int, std::size_t> order = written_order(g, p);
   const auto is_before = [&order](const term<rational>& s, const term<rational>& t) {

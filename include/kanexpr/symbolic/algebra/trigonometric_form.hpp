@@ -18,21 +18,20 @@ public:
   trigonometric_reader(graph& g, budget& left) : fraction_reader(g, left), angles_(g) {}
 
   expression written(const fraction& f) {
-    if (f.below.empty()) return sum_in(owner(), angles_.in_sines(f.above));
-    real_fraction real{angles_.in_sines(f.above), {}};
-    for (const auto& [place, exponent] : f.below)
-      real.below.emplace_back(angles_.in_sines(arithmetic().divisor(place)), exponent);
-    return quotient_in(owner(), real);
+    if (f.denominator.empty()) return to_expression(owner(), angles_.to_sines_and_cosines(f.numerator));
+    real_fraction real{angles_.to_sines_and_cosines(f.numerator), {}};
+    for (const auto& [place, exponent] : f.denominator)
+      real.denominator.emplace_back(angles_.to_sines_and_cosines(divisor(place)), exponent);
+    return to_expression(owner(), real);
   }
 
-  unsigned_argument argument(const fraction& f) {
-    const bool negative = leads_with_minus(owner(), angles_.in_sines(f.above));
-    return {written(negative ? arithmetic().negative(f) : f), negative};
+  bool has_minus(const fraction& f) {
+    return has_negative_leading_term(owner(), angles_.to_sines_and_cosines(f.numerator));
   }
 
   /// The numerator and denominator of a trigonometric function.
-  std::optional<std::pair<trigonometric_polynomial, trigonometric_polynomial>> function(operation op,
-                                                                                        const fraction& x) {
+  std::optional<std::pair<trigonometric_polynomial, trigonometric_polynomial>>
+  known_function(operation op, const fraction& x) {
     const trigonometric_polynomial one(1);
     if (op != operation::sin && op != operation::cos && op != operation::tan) return std::nullopt;
     const monomial e = exponential(x), conjugate = over({}, e);
@@ -45,27 +44,28 @@ public:
     return std::pair(sine, op == operation::sin ? one : sum(half, half));
   }
 
-  void meets_opaque(int node) { opaque_.insert(node); }
+  void on_opaque_function(int node) { opaque_.insert(node); }
 
   /// Whether a polynomial contains functions treated as symbols, so that it may be zero although its form is
   /// not.
-  bool holds_unknown(const trigonometric_polynomial& p) const {
-    return std::ranges::any_of(p.terms, [this](const term<gaussian>& t) { return holds_unknown(t.factors); });
+  bool has_opaque_functions(const trigonometric_polynomial& p) const {
+    return std::ranges::any_of(p.terms,
+                               [this](const term<gaussian>& t) { return has_opaque_functions(t.factors); });
   }
 
 private:
   monomial exponential(const fraction& x) {
-    const auto plain = x.below.empty() ? without_angles(x.above) : std::nullopt;
+    const auto plain = x.denominator.empty() ? without_angles(x.numerator) : std::nullopt;
     if (plain) return angles_.exponential(*plain);
     const unsigned_argument whole = argument(x);
-    return angles_.of_its_own(whole.magnitude.node(), whole.negative ? -1 : 1);
+    return angles_.independent_angle(whole.magnitude.node(), whole.negative ? -1 : 1);
   }
 
-  bool holds_unknown(const monomial& m) const {
+  bool has_opaque_functions(const monomial& m) const {
     return std::ranges::any_of(m, [this](const factor& f) {
       if (f.base >= 0) return opaque_.contains(f.base);
       const monomial* const angle = angles_.factors_of(~f.base);
-      return angle == nullptr || holds_unknown(*angle);
+      return angle == nullptr || has_opaque_functions(*angle);
     });
   }
 
@@ -76,12 +76,8 @@ private:
 } // namespace algebra
 
 KANEXPR_ENGINE rewritten trigonometric_normal_form(expression e, std::size_t most_terms) {
-  algebra::budget left(most_terms);
-  algebra::trigonometric_reader reader(e.owner(), left);
-  const auto fractions = reader.read({e.node()});
-  const expression result = left.failed() ? e : reader.written(fractions.front());
-  if (left.failed()) return {e, "the expression has no trigonometric normal form: " + left.cause()};
-  return {result, {}};
+  return algebra::rewrite<algebra::trigonometric_reader>(e, most_terms,
+                                                         "the expression has no trigonometric normal form: ");
 }
 
 } // namespace kanexpr::symbolic

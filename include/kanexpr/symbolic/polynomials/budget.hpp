@@ -6,9 +6,9 @@
 namespace kanexpr::symbolic {
 
 /// The default limit on the number of terms of an intermediate sum.
-inline constexpr std::size_t usual_most_terms = 20'000;
+inline constexpr std::size_t default_max_terms = 20'000;
 
-namespace algebra {
+namespace polynomials {
 
 /// Limits the size of a rewriting. After a failure, all further results are short and meaningless.
 class budget {
@@ -24,7 +24,7 @@ public:
     return !failed();
   }
   /// Whether all sums held simultaneously may have the given number of terms.
-  bool allows_together(std::size_t terms) {
+  bool allows_total(std::size_t terms) {
     if (terms > 10 * most_terms_)
       fail("the sums together have more than " + std::to_string(10 * most_terms_) + " terms");
     return !failed();
@@ -47,6 +47,6 @@ private:
   std::string cause_{};
 };
 
-} // namespace algebra
+} // namespace polynomials
 
 } // namespace kanexpr::symbolic

@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-namespace kanexpr::symbolic::algebra {
+namespace kanexpr::symbolic::polynomials {
 
 /// A power of a node or, if the base is negative, of an exponential; see angle.hpp.
 struct factor {
@@ -75,14 +75,10 @@ inline monomial without(const monomial& m, int base) {
 
 /// The lexicographic order of exponents, which multiplication preserves.
 inline std::strong_ordering compare(const monomial& a, const monomial& b) {
-  for (std::size_t i = 0; i < (std::max)(a.size(), b.size()); ++i) {
-    if (i == a.size()) return 0 <=> b[i].exponent;
-    if (i == b.size()) return a[i].exponent <=> 0;
-    if (a[i].base < b[i].base) return a[i].exponent <=> 0;
-    if (b[i].base < a[i].base) return 0 <=> b[i].exponent;
-    if (a[i].exponent != b[i].exponent) return a[i].exponent <=> b[i].exponent;
-  }
-  return std::strong_ordering::equal;
+  const auto [x, y] = std::ranges::mismatch(a, b);
+  const bool in_a = x != a.end() && (y == b.end() || x->base <= y->base);
+  const bool in_b = y != b.end() && (x == a.end() || y->base <= x->base);
+  return (in_a ? x->exponent : 0) <=> (in_b ? y->exponent : 0);
 }
 
 struct descending {
@@ -101,4 +97,4 @@ struct monomial_hash {
   }
 };
 
-} // namespace kanexpr::symbolic::algebra
+} // namespace kanexpr::symbolic::polynomials

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <kanexpr/symbolic/polynomials/budget.hpp>
-#include <kanexpr/symbolic/polynomials/exact_number.hpp>
+#include <kanexpr/symbolic/polynomials/exact_numbers.hpp>
 #include <kanexpr/symbolic/polynomials/monomial.hpp>
 
 #include <unordered_map>
 #include <utility>
 
-namespace kanexpr::symbolic::algebra {
+namespace kanexpr::symbolic::polynomials {
 
 template <class Coefficient>
 struct term {
@@ -137,12 +137,8 @@ polynomial<Coefficient> product(const polynomial<Coefficient>& p, const polynomi
 
 template <class Coefficient>
 polynomial<Coefficient> raised(const polynomial<Coefficient>& p, std::int64_t exponent, budget& left) {
-  polynomial<Coefficient> result(Coefficient(1)), square = p;
-  for (; exponent > 0 && !left.failed(); exponent /= 2) {
-    if (exponent % 2 != 0) result = product(result, square, left);
-    if (exponent > 1) square = product(square, square, left);
-  }
-  return result;
+  return power_by_squaring(p, static_cast<std::uint64_t>(exponent), polynomial<Coefficient>(Coefficient(1)),
+                           [&left](const auto& a, const auto& b) { return product(a, b, left); });
 }
 
-} // namespace kanexpr::symbolic::algebra
+} // namespace kanexpr::symbolic::polynomials

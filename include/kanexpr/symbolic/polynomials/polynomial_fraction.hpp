@@ -2,13 +2,13 @@
 
 #include <kanexpr/symbolic/polynomials/polynomial_parts.hpp>
 
-namespace kanexpr::symbolic::algebra {
+namespace kanexpr::symbolic::polynomials {
 
 /// A polynomial over a product of powers of other polynomials, identified by their indices in a list.
 template <class Coefficient>
 struct fraction {
-  polynomial<Coefficient> above{};
-  std::map<std::size_t, std::int64_t> below{}; ///< positive exponents
+  polynomial<Coefficient> numerator{};
+  std::map<std::size_t, std::int64_t> denominator{}; ///< positive exponents
 };
 
 /// Arithmetic of fractions. Denominators stay factored, and each factor is canceled as often as it divides
@@ -16,96 +16,97 @@ struct fraction {
 template <class Coefficient>
 class fraction_arithmetic {
 public:
+  using fraction = polynomials::fraction<Coefficient>;
+
   explicit fraction_arithmetic(budget& left) : left_(left) {}
 
   const polynomial<Coefficient>& divisor(std::size_t place) const { return divisors_[place]; }
 
   /// Sets the square of a node, to be used wherever it occurs.
-  void set_square(int root, const fraction<Coefficient>& square) { squares_[root] = square; }
+  void set_square(int root, const fraction& square) { squares_[root] = square; }
 
-  fraction<Coefficient> sum(const fraction<Coefficient>& a, const fraction<Coefficient>& b) {
-    if (a.below == b.below) return simplified({a.above + b.above, a.below});
-    fraction<Coefficient> all;
-    for (const fraction<Coefficient>* each : {&a, &b})
-      for (const auto& [place, exponent] : each->below)
-        all.below[place] = (std::max)(all.below[place], exponent);
-    fraction<Coefficient> result = without_squares(brought_to(a, all) + brought_to(b, all));
-    for (const auto& [place, exponent] : all.below) result.below[place] += exponent;
+  fraction sum(const fraction& a, const fraction& b) {
+    if (a.denominator == b.denominator) return simplified({a.numerator + b.numerator, a.denominator});
+    fraction all;
+    for (const fraction* each : {&a, &b})
+      for (const auto& [place, exponent] : each->denominator)
+        all.denominator[place] = (std::max)(all.denominator[place], exponent);
+    fraction result = without_squares(brought_to(a, all) + brought_to(b, all));
+    for (const auto& [place, exponent] : all.denominator) result.denominator[place] += exponent;
     return simplified(std::move(result));
   }
 
-  fraction<Coefficient> negative(const fraction<Coefficient>& a) { return {-a.above, a.below}; }
+  fraction negative(const fraction& a) { return {-a.numerator, a.denominator}; }
 
-  fraction<Coefficient> product(const fraction<Coefficient>& a, const fraction<Coefficient>& b) {
-    fraction<Coefficient> result = without_squares(algebra::product(a.above, b.above, left_));
-    for (const fraction<Coefficient>* each : {&a, &b})
-      for (const auto& [place, exponent] : each->below) result.below[place] += exponent;
+  fraction product(const fraction& a, const fraction& b) {
+    fraction result = without_squares(polynomials::product(a.numerator, b.numerator, left_));
+    for (const fraction* each : {&a, &b})
+      for (const auto& [place, exponent] : each->denominator) result.denominator[place] += exponent;
     return simplified(std::move(result));
   }
 
   /// Requires that b is not zero.
-  fraction<Coefficient> quotient(const fraction<Coefficient>& a, const fraction<Coefficient>& b) {
-    const fraction<Coefficient> below = divided_by(b.above);
-    std::map<std::size_t, std::int64_t> exponents = a.below;
-    for (const auto& [place, exponent] : below.below) exponents[place] += exponent;
-    for (const auto& [place, exponent] : b.below) exponents[place] -= exponent;
-    fraction<Coefficient> result = without_squares(algebra::product(a.above, below.above, left_));
+  fraction quotient(const fraction& a, const fraction& b) {
+    const fraction inverse = reciprocal(b.numerator);
+    std::map<std::size_t, std::int64_t> exponents = a.denominator;
+    for (const auto& [place, exponent] : inverse.denominator) exponents[place] += exponent;
+    for (const auto& [place, exponent] : b.denominator) exponents[place] -= exponent;
+    fraction result = without_squares(polynomials::product(a.numerator, inverse.numerator, left_));
     for (const auto& [place, exponent] : exponents) {
-      if (exponent > 0) result.below[place] += exponent;
+      if (exponent > 0) result.denominator[place] += exponent;
       if (exponent < 0) result = product(result, {raised(divisors_[place], -exponent, left_), {}});
     }
     return simplified(std::move(result));
   }
 
 private:
-  polynomial<Coefficient> brought_to(const fraction<Coefficient>& a, const fraction<Coefficient>& common) {
-    polynomial<Coefficient> above = a.above;
-    for (const auto& [place, exponent] : common.below) {
-      const auto own = a.below.find(place);
-      const std::int64_t missing = exponent - (own == a.below.end() ? 0 : own->second);
-      if (missing > 0) above = algebra::product(above, raised(divisors_[place], missing, left_), left_);
+  polynomial<Coefficient> brought_to(const fraction& a, const fraction& common) {
+    polynomial<Coefficient> numerator = a.numerator;
+    for (const auto& [place, exponent] : common.denominator) {
+      const auto own = a.denominator.find(place);
+      const std::int64_t missing = exponent - (own == a.denominator.end() ? 0 : own->second);
+      if (missing > 0)
+        numerator = polynomials::product(numerator, raised(divisors_[place], missing, left_), left_);
     }
-    return above;
+    return numerator;
   }
 
-  fraction<Coefficient> simplified(fraction<Coefficient> a) {
-    if (a.above.is_zero()) a.below.clear();
-    for (auto& [place, exponent] : a.below)
+  fraction simplified(fraction a) {
+    if (a.numerator.is_zero()) a.denominator.clear();
+    for (auto& [place, exponent] : a.denominator)
       while (exponent > 0 && !left_.failed()) {
-        const auto quotient = exact_quotient(a.above, divisors_[place], left_);
+        const auto quotient = exact_quotient(a.numerator, divisors_[place], left_);
         if (!quotient) break;
-        a.above = *quotient;
+        a.numerator = *quotient;
         --exponent;
       }
-    std::erase_if(a.below, [](const auto& each) { return each.second == 0; });
+    std::erase_if(a.denominator, [](const auto& each) { return each.second == 0; });
     return a;
   }
 
   /// 1/p: numbers and powers of nodes are inverted directly; the remaining polynomial becomes a divisor,
   /// split into known factors.
-  fraction<Coefficient> divided_by(const polynomial<Coefficient>& p) {
-    const monomial shared = common_monomial(p);
-    rational scale = holds_decimals(p) ? 1 : common_number(p);
-    if (is_negative(p.terms.front().coefficient)) scale = -scale;
-    fraction<Coefficient> result{{over({}, shared), Coefficient(1) / Coefficient(scale)}, {}};
-    polynomial<Coefficient> rest = scaled(p, Coefficient(1) / Coefficient(scale), over({}, shared));
+  fraction reciprocal(const polynomial<Coefficient>& p) {
+    auto [scale, shared, rest] = split_content(p);
+    if (is_negative(p.terms.front().coefficient)) scale = -scale, rest = -rest;
+    fraction result{{over({}, shared), Coefficient(1) / Coefficient(scale)}, {}};
     for (std::size_t i = 0; i < divisors_.size() && !rest.is_constant(); ++i)
       while (const auto quotient = exact_quotient(rest, divisors_[i], left_)) {
         rest = *quotient;
-        ++result.below[i];
+        ++result.denominator[i];
       }
     if (rest.is_constant()) {
       if (!rest.is_zero())
-        result.above = scaled(result.above, Coefficient(1) / rest.terms.front().coefficient);
+        result.numerator = scaled(result.numerator, Coefficient(1) / rest.terms.front().coefficient);
       return result;
     }
-    ++result.below[divisors_.size()];
+    ++result.denominator[divisors_.size()];
     divisors_.push_back(rest);
     return result;
   }
 
   /// Leaves only first powers of square roots.
-  fraction<Coefficient> without_squares(const polynomial<Coefficient>& p) {
+  fraction without_squares(const polynomial<Coefficient>& p) {
     const int root = squared_root(p);
     if (root == none) return {p, {}};
     std::map<std::int64_t, term_sum<Coefficient>> by_square;
@@ -114,23 +115,20 @@ private:
       const monomial others = without(t.factors, root);
       by_square[(exponent - rest) / 2].add(rest == 0 ? others : times(others, {{root, 1}}), t.coefficient);
     }
-    fraction<Coefficient> all;
+    fraction all;
     for (const auto& [exponent, terms] : by_square) {
-      const fraction<Coefficient> part = without_squares(terms.sorted());
+      const fraction part = without_squares(terms.sorted());
       all = sum(all, product(part, square_raised(root, exponent)));
     }
     return all;
   }
 
-  fraction<Coefficient> square_raised(int root, std::int64_t exponent) {
-    const fraction<Coefficient> one{Coefficient(1), {}};
-    fraction<Coefficient> result = one, power = squares_.find(root)->second;
-    if (exponent < 0) power = quotient(one, power);
-    for (std::int64_t rest = std::abs(exponent); rest > 0 && !left_.failed(); rest /= 2) {
-      if (rest % 2 != 0) result = product(result, power);
-      if (rest > 1) power = product(power, power);
-    }
-    return result;
+  fraction square_raised(int root, std::int64_t exponent) {
+    const fraction one{Coefficient(1), {}};
+    const fraction& square = squares_.find(root)->second;
+    return power_by_squaring(exponent < 0 ? quotient(one, square) : square,
+                             static_cast<std::uint64_t>(std::abs(exponent)), one,
+                             [this](const auto& a, const auto& b) { return product(a, b); });
   }
 
   int squared_root(const polynomial<Coefficient>& p) const {
@@ -145,7 +143,7 @@ private:
 
   budget& left_;
   std::vector<polynomial<Coefficient>> divisors_{};
-  std::map<int, fraction<Coefficient>> squares_{};
+  std::map<int, fraction> squares_{};
 };
 
-} // namespace kanexpr::symbolic::algebra
+} // namespace kanexpr::symbolic::polynomials

@@ -2,7 +2,7 @@
 
 #include <kanexpr/symbolic/polynomials/sparse_interpolation.hpp>
 
-namespace kanexpr::symbolic::algebra {
+namespace kanexpr::symbolic::polynomials {
 
 /// Divides out the common numerical factor and monomial; the first term becomes positive.
 inline polynomial<rational> primitive_part(const polynomial<rational>& p) {
@@ -48,8 +48,8 @@ private:
       return std::ranges::any_of(exponent_ranges(p), [&](const auto& each) { return is_absent(each.first); });
     };
     if (has_absent(a) || has_absent(b)) {
-      std::vector<real_polynomial> parts = values_of(coefficients<rational>(a, is_absent));
-      for (real_polynomial& part : values_of(coefficients<rational>(b, is_absent))) parts.push_back(part);
+      std::vector<real_polynomial> parts = values_of(coefficients(a, is_absent));
+      for (real_polynomial& part : values_of(coefficients(b, is_absent))) parts.push_back(part);
       return of_all(parts);
     }
     for (const auto& [divisor, other] : {std::pair(&a, &b), std::pair(&b, &a)}) {
@@ -95,7 +95,7 @@ private:
   }
 
   real_polynomial content(const real_polynomial& p, int main) {
-    return of_all(values_of(coefficients<rational>(p, [main](int base) { return base == main; })));
+    return of_all(values_of(coefficients(p, [main](int base) { return base == main; })));
   }
 
   /// Upper bounds on the degrees of the divisor, for the variables in both.
@@ -123,10 +123,10 @@ private:
   real_polynomial interpolated(const real_polynomial& a, const real_polynomial& b, int main,
                                const std::map<int, std::int64_t>& bounds) {
     const auto is_main = [main](int base) { return base == main; };
-    const real_polynomial x = coefficients<rational>(a, is_main).begin()->second;
-    const real_polynomial y = coefficients<rational>(b, is_main).begin()->second;
-    const real_polynomial leading = scaled(primitive_or_monomial(common_divisor(x, y)),
-                                           common_measure(common_number(x), common_number(y)));
+    const real_polynomial x = coefficients(a, is_main).begin()->second;
+    const real_polynomial y = coefficients(b, is_main).begin()->second;
+    const real_polynomial leading =
+        scaled(primitive_or_monomial(common_divisor(x, y)), rational_gcd(common_number(x), common_number(y)));
     sparse_interpolation::problem given{
         a, b, leading, main, static_cast<std::size_t>(bounds.find(main)->second), {}};
     for (const auto& [base, bound] : bounds)
@@ -141,9 +141,9 @@ private:
       const prime_field field(prime);
       sparse_interpolation images(field, given, random_, left_);
       const auto found = images.run();
-      if (images.degree_seen() == 0) return one();
-      if (images.degree_seen() < given.degree)
-        given.degree = images.degree_seen(), lifted.clear(), modulus = 1;
+      if (images.image_degree() == 0) return one();
+      if (images.image_degree() < given.degree)
+        given.degree = images.image_degree(), lifted.clear(), modulus = 1;
       if (!found || !lift(*found, field, lifted, modulus)) continue;
       const real_polynomial candidate = divisor_of(lifted, modulus, main);
       if (exact_quotient(a, candidate, left_) && exact_quotient(b, candidate, left_)) return candidate;
@@ -191,4 +191,4 @@ private:
   std::mt19937_64 random_{20240229};
 };
 
-} // namespace kanexpr::symbolic::algebra
+} // namespace kanexpr::symbolic::polynomials

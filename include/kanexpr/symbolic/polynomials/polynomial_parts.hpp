@@ -2,12 +2,11 @@
 
 #include <kanexpr/symbolic/polynomials/polynomial.hpp>
 
-#include <functional>
 #include <map>
 #include <optional>
 
 /// Parts of polynomials: obvious common factors, degrees, coefficients, exact quotients.
-namespace kanexpr::symbolic::algebra {
+namespace kanexpr::symbolic::polynomials {
 
 struct exponent_range {
   std::int64_t least = 0;
@@ -48,19 +47,35 @@ monomial common_monomial(const polynomial<Coefficient>& p) {
 template <class Coefficient>
 rational common_number(const polynomial<Coefficient>& p) {
   rational common = 0;
-  for (const term<Coefficient>& t : p.terms) common = common_measure(common, measure_of(t.coefficient));
+  for (const term<Coefficient>& t : p.terms) common = rational_gcd(common, positive_content(t.coefficient));
   return common;
 }
 
 template <class Coefficient>
-bool holds_decimals(const polynomial<Coefficient>& p) {
+bool has_decimals(const polynomial<Coefficient>& p) {
   return std::ranges::any_of(p.terms, [](const term<Coefficient>& t) { return is_decimal(t.coefficient); });
 }
 
-/// The coefficients of a polynomial, by the monomials in some of its bases.
+/// A polynomial as a number times a monomial times the remaining polynomial.
 template <class Coefficient>
-std::map<monomial, polynomial<Coefficient>, descending>
-coefficients(const polynomial<Coefficient>& p, const std::function<bool(int)>& is_taken_out) {
+struct factored {
+  rational number;
+  monomial factors;
+  polynomial<Coefficient> rest;
+};
+
+/// Takes out the common factors of the terms; decimals stay as they are.
+template <class Coefficient>
+factored<Coefficient> split_content(const polynomial<Coefficient>& p) {
+  const rational number = has_decimals(p) ? 1 : common_number(p);
+  const monomial factors = common_monomial(p);
+  return {number, factors, scaled(p, Coefficient(rational(1) / number), over({}, factors))};
+}
+
+/// The coefficients of a polynomial, by the monomials in some of its bases.
+template <class Coefficient, class IsTakenOut>
+std::map<monomial, polynomial<Coefficient>, descending> coefficients(const polynomial<Coefficient>& p,
+                                                                     IsTakenOut is_taken_out) {
   std::map<monomial, polynomial<Coefficient>, descending> parts;
   for (const term<Coefficient>& t : p.terms) {
     monomial out, in;
@@ -107,4 +122,4 @@ std::optional<polynomial<Coefficient>> exact_quotient(const polynomial<Coefficie
   return quotient;
 }
 
-} // namespace kanexpr::symbolic::algebra
+} // namespace kanexpr::symbolic::polynomials

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <kanexpr/symbolic/polynomials/exact_number.hpp>
+#include <kanexpr/symbolic/polynomials/exact_numbers.hpp>
 
 #include <cstdint>
 #include <vector>
 
 /// Arithmetic modulo a prime below 2³¹, and univariate polynomials over that field.
-namespace kanexpr::symbolic::algebra {
+namespace kanexpr::symbolic::polynomials {
 
 using residue = std::uint64_t;
 /// The coefficients of a univariate polynomial, constant term first; the last is not zero.
@@ -25,12 +25,8 @@ public:
   residue subtract(residue a, residue b) const { return (a + prime_ - b) % prime_; }
   residue multiply(residue a, residue b) const { return a * b % prime_; }
   residue power(residue base, std::uint64_t exponent) const {
-    residue result = 1;
-    for (; exponent > 0; exponent /= 2) {
-      if (exponent % 2 != 0) result = multiply(result, base);
-      base = multiply(base, base);
-    }
-    return result;
+    return power_by_squaring(base, exponent, residue{1},
+                             [this](residue a, residue b) { return multiply(a, b); });
   }
   residue inverse(residue a) const { return power(a, prime_ - 2); }
 
@@ -52,7 +48,7 @@ public:
     return a.empty() ? a : scaled(a, inverse(a.back()));
   }
   /// Π (x - root).
-  residues from_roots(const residues& roots) const {
+  residues polynomial_with_roots(const residues& roots) const {
     residues p{1};
     for (residue root : roots) {
       p.insert(p.begin(), 0);
@@ -61,7 +57,7 @@ public:
     return p;
   }
   /// p/(x - root).
-  residues without_root(const residues& p, residue root) const {
+  residues deflate(const residues& p, residue root) const {
     residues quotient(p.size() - 1);
     residue carried = 0;
     for (std::size_t i = p.size() - 1; i > 0; --i)
@@ -70,10 +66,10 @@ public:
   }
   /// The polynomial with the given values at the given points.
   residues interpolated(const residues& places, const residues& values) const {
-    const residues all = from_roots(places);
+    const residues all = polynomial_with_roots(places);
     residues sum(places.size(), 0);
     for (std::size_t i = 0; i < places.size(); ++i) {
-      const residues others = without_root(all, places[i]);
+      const residues others = deflate(all, places[i]);
       const residue weight = multiply(values[i], inverse(value(others, places[i])));
       for (std::size_t k = 0; k < sum.size(); ++k) sum[k] = add(sum[k], multiply(weight, others[k]));
     }
@@ -81,11 +77,11 @@ public:
   }
   /// The c with Σ c_s base_s^t = value_t for t = 1, 2, ... (a transposed Vandermonde system). There may be
   /// more values than needed.
-  residues weights(const residues& bases, const residues& values) const {
-    const residues all = from_roots(bases);
+  residues solve_transposed_vandermonde(const residues& bases, const residues& values) const {
+    const residues all = polynomial_with_roots(bases);
     residues found;
     for (residue base : bases) {
-      const residues others = without_root(all, base);
+      const residues others = deflate(all, base);
       residue sum = 0;
       for (std::size_t t = 0; t < others.size(); ++t) sum = add(sum, multiply(others[t], values[t]));
       found.push_back(multiply(sum, inverse(multiply(base, value(others, base)))));
@@ -120,4 +116,4 @@ inline residue prime_below(residue n) {
   return n;
 }
 
-} // namespace kanexpr::symbolic::algebra
+} // namespace kanexpr::symbolic::polynomials

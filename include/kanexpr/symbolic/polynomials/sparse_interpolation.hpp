@@ -6,7 +6,16 @@
 #include <random>
 #include <set>
 
-namespace kanexpr::symbolic::algebra {
+namespace kanexpr::symbolic::polynomials {
+
+/// The value of a monomial whose exponents are not negative.
+inline residue value_at(const prime_field& field, const monomial& m, const std::map<int, residue>& point) {
+  residue value = 1;
+  for (const factor& f : m)
+    value = field.multiply(value,
+                           field.power(point.find(f.base)->second, static_cast<std::uint64_t>(f.exponent)));
+  return value;
+}
 
 /// Evaluates polynomials with integer coefficients modulo a prime, as polynomials in one of their variables.
 class modular_image {
@@ -15,7 +24,7 @@ public:
     for (const term<rational>& t : p.terms) {
       const auto degree = static_cast<std::size_t>(exponent_of(t.factors, main));
       degree_ = (std::max)(degree_, degree);
-      terms_.push_back({without(t.factors, main), degree, f.of(t.coefficient.above())});
+      terms_.push_back({without(t.factors, main), degree, f.of(t.coefficient.numerator())});
     }
   }
 
@@ -24,13 +33,9 @@ public:
   /// The result is shorter if the leading coefficient vanishes.
   residues at(const std::map<int, residue>& point) const {
     residues sum(degree_ + 1, 0);
-    for (const piece& t : terms_) {
-      residue value = t.coefficient;
-      for (const factor& f : t.factors)
-        value = field_.multiply(
-            value, field_.power(point.find(f.base)->second, static_cast<std::uint64_t>(f.exponent)));
-      sum[t.degree] = field_.add(sum[t.degree], value);
-    }
+    for (const piece& t : terms_)
+      sum[t.degree] =
+          field_.add(sum[t.degree], field_.multiply(t.coefficient, value_at(field_, t.factors, point)));
     while (!sum.empty() && sum.back() == 0) sum.pop_back();
     return sum;
   }
@@ -64,11 +69,11 @@ public:
         leading_(f, given.leading, given.main), random_(random), left_(left) {}
 
   /// The degree of an image in the main variable; lower than the given degree if that was too high.
-  std::size_t degree_seen() const { return degree_seen_; }
+  std::size_t image_degree() const { return image_degree_; }
 
   /// The coefficients by monomials; nothing if a random point was unsuitable.
   std::optional<std::vector<std::pair<monomial, residue>>> run() {
-    for (const auto& [base, bound] : given_.bounds) point_[base] = any();
+    for (const auto& [base, bound] : given_.bounds) point_[base] = random_nonzero();
     const residues first = image(point_);
     if (first.empty()) return std::nullopt;
     for (residue c : first) {
@@ -90,7 +95,7 @@ private:
   static monomial power_of(int base, std::size_t exponent) {
     return exponent == 0 ? monomial{} : monomial{{base, static_cast<std::int64_t>(exponent)}};
   }
-  residue any() { return std::uniform_int_distribution<residue>(1, field_.prime() - 1)(random_); }
+  residue random_nonzero() { return std::uniform_int_distribution<residue>(1, field_.prime() - 1)(random_); }
 
   /// Empty if the point is unsuitable.
   residues image(const std::map<int, residue>& point) {
@@ -98,7 +103,7 @@ private:
     const residues a = a_.at(point), b = b_.at(point), leading = leading_.at(point);
     if (a.size() <= a_.degree() || b.size() <= b_.degree() || leading.empty()) return {};
     const residues divisor = field_.greatest_common_divisor(a, b);
-    degree_seen_ = (std::min)(degree_seen_, divisor.size() - 1);
+    image_degree_ = (std::min)(image_degree_, divisor.size() - 1);
     if (divisor.size() - 1 != given_.degree) return {};
     return field_.scaled(divisor, leading.front());
   }
@@ -109,7 +114,7 @@ private:
     residues places{point_[base]};
     std::vector<residues_by_degree> all{values_};
     while (places.size() <= bound) {
-      const residue place = any();
+      const residue place = random_nonzero();
       if (std::ranges::find(places, place) != places.end()) continue;
       std::map<int, residue> point = point_;
       point[base] = place;
@@ -143,7 +148,7 @@ private:
     for (const std::vector<monomial>& support : supports_) most = (std::max)(most, support.size());
     if (!left_.allows(most)) return {};
     std::map<int, residue> steps;
-    for (std::size_t i = 0; i < free; ++i) steps[given_.bounds[i].first] = any();
+    for (std::size_t i = 0; i < free; ++i) steps[given_.bounds[i].first] = random_nonzero();
     for (const auto& [base, step] : steps) point[base] = 1;
     residues_by_degree images(supports_.size());
     for (std::size_t t = 0; t < most; ++t) {
@@ -154,14 +159,9 @@ private:
     }
     for (std::size_t k = 0; k < supports_.size(); ++k) {
       residues bases;
-      for (const monomial& m : supports_[k]) {
-        residue base = 1;
-        for (const factor& f : m)
-          base = field_.multiply(base, field_.power(steps[f.base], static_cast<std::uint64_t>(f.exponent)));
-        bases.push_back(base);
-      }
+      for (const monomial& m : supports_[k]) bases.push_back(value_at(field_, m, steps));
       if (std::set<residue>(bases.begin(), bases.end()).size() != bases.size()) return {};
-      images[k] = field_.weights(bases, images[k]);
+      images[k] = field_.solve_transposed_vandermonde(bases, images[k]);
     }
     return images;
   }
@@ -171,10 +171,10 @@ private:
   modular_image a_, b_, leading_;
   std::mt19937_64& random_;
   budget& left_;
-  std::size_t degree_seen_ = (std::numeric_limits<std::size_t>::max)();
+  std::size_t image_degree_ = (std::numeric_limits<std::size_t>::max)();
   std::map<int, residue> point_{};
   std::vector<std::vector<monomial>> supports_{}; ///< by the power of the main variable
   residues_by_degree values_{};
 };
 
-} // namespace kanexpr::symbolic::algebra
+} // namespace kanexpr::symbolic::polynomials

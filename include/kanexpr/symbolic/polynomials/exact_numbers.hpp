@@ -9,40 +9,53 @@
 #include <utility>
 
 /// Run-time algebra on expressions: exact arithmetic without overflow.
-namespace kanexpr::symbolic::algebra {
+namespace kanexpr::symbolic::polynomials {
 
 using integer =
     boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
+
+/// base^exponent by repeated squaring, for an exponent of at least zero.
+template <class Value, class Multiply>
+Value power_by_squaring(Value base, std::uint64_t exponent, Value one, Multiply multiply) {
+  for (; exponent > 0; exponent /= 2) {
+    if (exponent % 2 != 0) one = multiply(one, base);
+    if (exponent > 1) base = multiply(base, base);
+  }
+  return one;
+}
 
 /// A fraction in lowest terms. Most fractions are integers, for which no common divisor is computed.
 class rational {
 public:
   rational() = default;
   template <std::integral Whole>
-  rational(Whole whole) : above_(whole) {}
-  explicit rational(integer whole) : above_(std::move(whole)) {}
-  rational(integer above, integer below) : above_(std::move(above)), below_(std::move(below)) { reduce(); }
+  rational(Whole whole) : numerator_(whole) {}
+  explicit rational(integer whole) : numerator_(std::move(whole)) {}
+  rational(integer numerator, integer denominator)
+      : numerator_(std::move(numerator)), denominator_(std::move(denominator)) {
+    reduce();
+  }
   /// The exact value of a finite double.
   explicit rational(double value) {
     int exponent = 0;
-    above_ = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
+    numerator_ = static_cast<std::int64_t>(std::ldexp(std::frexp(value, &exponent), 53));
     exponent -= 53;
-    (exponent < 0 ? below_ : above_) <<= std::abs(exponent);
+    (exponent < 0 ? denominator_ : numerator_) <<= std::abs(exponent);
     reduce();
   }
 
-  const integer& above() const { return above_; }
-  const integer& below() const { return below_; } ///< positive
-  bool is_zero() const { return above_.is_zero(); }
-  bool is_whole() const { return below_ == 1; }
-  bool is_negative() const { return above_.sign() < 0; }
+  const integer& numerator() const { return numerator_; }
+  const integer& denominator() const { return denominator_; } ///< positive
+  bool is_zero() const { return numerator_.is_zero(); }
+  bool is_integer() const { return denominator_ == 1; }
+  bool is_negative() const { return numerator_.sign() < 0; }
   /// The nearest double.
   double value() const {
     if (is_zero()) return 0;
-    const integer magnitude = abs(above_);
-    const int shift = 63 - static_cast<int>(msb(magnitude)) + static_cast<int>(msb(below_));
+    const integer magnitude = abs(numerator_);
+    const int shift = 63 - static_cast<int>(msb(magnitude)) + static_cast<int>(msb(denominator_));
     const integer divided = shift < 0 ? magnitude : magnitude << shift;
-    const integer by = shift < 0 ? below_ << -shift : below_;
+    const integer by = shift < 0 ? denominator_ << -shift : denominator_;
     integer quotient, rest;
     divide_qr(divided, by, quotient, rest);
     const auto digits = quotient.convert_to<std::uint64_t>() | (rest.is_zero() ? 0u : 1u); // 63 or 64 bits
@@ -51,38 +64,38 @@ public:
 
   bool operator==(const rational&) const = default;
   rational& operator+=(const rational& b) {
-    if (is_whole() && b.is_whole())
-      above_ += b.above_;
+    if (is_integer() && b.is_integer())
+      numerator_ += b.numerator_;
     else
-      *this = {above_ * b.below_ + b.above_ * below_, below_ * b.below_};
+      *this = {numerator_ * b.denominator_ + b.numerator_ * denominator_, denominator_ * b.denominator_};
     return *this;
   }
   friend rational operator-(rational a) {
-    a.above_ = -a.above_;
+    a.numerator_ = -a.numerator_;
     return a;
   }
   friend rational operator+(rational a, const rational& b) { return a += b; }
   friend rational operator-(rational a, const rational& b) { return a += -b; }
   friend rational operator*(const rational& a, const rational& b) {
-    if (a.is_whole() && b.is_whole()) return rational(a.above_ * b.above_);
-    return {a.above_ * b.above_, a.below_ * b.below_};
+    if (a.is_integer() && b.is_integer()) return rational(a.numerator_ * b.numerator_);
+    return {a.numerator_ * b.numerator_, a.denominator_ * b.denominator_};
   }
   friend rational operator/(const rational& a, const rational& b) {
-    return {a.above_ * b.below_, a.below_ * b.above_};
+    return {a.numerator_ * b.denominator_, a.denominator_ * b.numerator_};
   }
 
 private:
   void reduce() {
-    if (below_.sign() < 0) above_ = -above_, below_ = -below_;
-    if (below_ == 1) return;
-    const integer common = gcd(above_, below_);
+    if (denominator_.sign() < 0) numerator_ = -numerator_, denominator_ = -denominator_;
+    if (denominator_ == 1) return;
+    const integer common = gcd(numerator_, denominator_);
     if (common == 1) return;
-    above_ /= common;
-    below_ /= common;
+    numerator_ /= common;
+    denominator_ /= common;
   }
 
-  integer above_{};
-  integer below_ = 1;
+  integer numerator_{};
+  integer denominator_ = 1;
 };
 
 /// A double is converted to its exact binary fraction, so 0.1 is not 1/10; it must be finite.
@@ -92,17 +105,18 @@ inline rational exact_value(const number& n) {
 
 /// Whether a fraction is printed as a double because it came from a decimal number such as 0.1 or 9.81: its
 /// denominator is a multiple of 2²⁰ or very large.
-inline bool is_decimal(const rational& r) { return lsb(r.below()) >= 20 || msb(r.below()) >= 32; }
+inline bool is_decimal(const rational& r) { return lsb(r.denominator()) >= 20 || msb(r.denominator()) >= 32; }
 
 /// Fractions that fit into 64 bits stay exact; decimals and larger fractions become the nearest double.
 inline number number_of(const rational& r) {
-  if (is_decimal(r) || abs(r.above()) > (std::numeric_limits<std::int64_t>::max)()) return real(r.value());
-  return exactly(r.above().convert_to<std::int64_t>(), r.below().convert_to<std::int64_t>());
+  if (is_decimal(r) || abs(r.numerator()) > (std::numeric_limits<std::int64_t>::max)())
+    return real(r.value());
+  return exactly(r.numerator().convert_to<std::int64_t>(), r.denominator().convert_to<std::int64_t>());
 }
 
 /// The largest positive fraction of which both are integer multiples; zero is a multiple of any fraction.
-inline rational common_measure(const rational& a, const rational& b) {
-  return {gcd(a.above(), b.above()), lcm(a.below(), b.below())};
+inline rational rational_gcd(const rational& a, const rational& b) {
+  return {gcd(a.numerator(), b.numerator()), lcm(a.denominator(), b.denominator())};
 }
 
 /// a + i b with rational parts.
@@ -140,12 +154,12 @@ inline bool is_negative(const rational& a) { return a.is_negative(); }
 inline bool is_negative(const gaussian& a) {
   return a.real.is_zero() ? a.imaginary.is_negative() : a.real.is_negative();
 }
-inline rational measure_of(const rational& a) { return a.is_negative() ? -a : a; }
-inline rational measure_of(const gaussian& a) { return common_measure(a.real, a.imaginary); }
+inline rational positive_content(const rational& a) { return a.is_negative() ? -a : a; }
+inline rational positive_content(const gaussian& a) { return rational_gcd(a.real, a.imaginary); }
 
 inline std::size_t bits_of(const rational& a) {
-  return a.is_zero() ? 0 : msb(abs(a.above())) + msb(a.below());
+  return a.is_zero() ? 0 : msb(abs(a.numerator())) + msb(a.denominator());
 }
 inline std::size_t bits_of(const gaussian& a) { return bits_of(a.real) + bits_of(a.imaginary); }
 
-} // namespace kanexpr::symbolic::algebra
+} // namespace kanexpr::symbolic::polynomials
