@@ -37,8 +37,8 @@ public:
   constexpr equations(const multibody_system& of, known_motion&& known)
       : system_(&of), m_(&of.mechanism), known_(std::move(known)) {}
   /// Creates an empty object to be restored from stored members.
-  using set_aside = known_motion::set_aside;
-  constexpr equations(const multibody_system& of, set_aside empty)
+  using for_restore = known_motion::for_restore;
+  constexpr equations(const multibody_system& of, for_restore empty)
       : equations(of, known_motion(of.mechanism, empty)) {}
   equations(const equations&) = delete;
   equations& operator=(const equations&) = delete;
@@ -76,7 +76,7 @@ public:
     constraints_.on_accelerations = given.on_accelerations;
     if (!given.on_velocities.empty() || !given.on_configuration.empty())
       constraints_ = form_constraints(moving(), given);
-    tell_redundant(all, constraints_);
+    record_redundant(all, constraints_);
     configuration_ = mechanics::configuration_jacobian_by_all(*m_, given.on_configuration);
     const sequence<numbers> by_q = equilibrated(at_generic_states(configuration_, m_)),
                             by_u = equilibrated(at_generic_states(constraints_.jacobian, m_));
@@ -152,8 +152,8 @@ public:
       return column(symbolic::terms_of(*m_->g, constraints_.on_configuration));
     case quantity::redundant_residual: return column(constraints_.redundant);
     case quantity::redundant_terms: return column(symbolic::terms_of(*m_->g, constraints_.redundant));
-    case quantity::redundant_jacobian: return redundant_alone(moving(), constraints_).jacobian;
-    case quantity::redundant_bias: return column(dynamics_.bias_of(redundant_alone(moving(), constraints_)));
+    case quantity::redundant_jacobian: return only_redundant(moving(), constraints_).jacobian;
+    case quantity::redundant_bias: return column(dynamics_.bias_of(only_redundant(moving(), constraints_)));
     case quantity::redundant_rate: return column(rates_of_redundant());
     case quantity::redundant_rate_terms: return column(symbolic::terms_of(*m_->g, rates_of_redundant()));
     case quantity::configuration_jacobian_by_dependent:
@@ -261,11 +261,11 @@ private:
 
   /// Marks the speeds that are the rates of dependent coordinates, which are preferred as dependent speeds.
   constexpr sequence<char> moving_dependent_coordinates() const {
-    sequence<char> favoured(m_->speeds.size(), 0);
+    sequence<char> preferred(m_->speeds.size(), 0);
     for (int j : coordinates_.dependent)
       for (int i = 0; i < m_->speeds.size(); ++i)
-        if (s_.coordinate_rates[j] == m_->speeds[i]) favoured[i] = 1;
-    return favoured;
+        if (s_.coordinate_rates[j] == m_->speeds[i]) preferred[i] = 1;
+    return preferred;
   }
 
   constexpr const symbolic::matrix& mass() {
@@ -305,7 +305,7 @@ private:
   }
 
   constexpr symbolic::matrix regressor() {
-    motion k = motion_on_rising_ground(s_, system_->loads, m_->speed_rates);
+    motion k = motion_on_accelerated_ground(s_, system_->loads, m_->speed_rates);
     if (!mistake_) mistake_ = check_regressor(s_, k);
     if (mistake_) return {};
     const symbolic::matrix of_all = regressor_of_all(s_, k);

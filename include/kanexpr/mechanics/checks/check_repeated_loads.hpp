@@ -16,10 +16,10 @@ struct felt {
   bool is_turned_round = false; ///< true if it is the opposite of the load as written
 };
 
-class checking_repeated_loads {
+class repeated_loads_checker {
 public:
-  constexpr checking_repeated_loads(const mechanism& m, const loads& acting, const contents& held,
-                                    load_check& by)
+  constexpr repeated_loads_checker(const mechanism& m, const loads& acting, const contents& held,
+                                   load_check& by)
       : m_(m), acting_(acting), held_(held), by_(by) {}
 
   constexpr void run();
@@ -29,7 +29,7 @@ private:
 
   /// Two loads that contain the same symbols: vectors along axes that turn relative to each other, or
   /// energies.
-  struct doubt {
+  struct candidate {
     const vector* one = nullptr;
     const vector* other = nullptr;
     bool is_opposite = false;
@@ -42,7 +42,7 @@ private:
 
   constexpr bool rests(const force&, int p) const {
     for (; p != none; p = m_.points[p].parent) {
-      if (m_.points[p].moves_by_declaration()) return false;
+      if (m_.points[p].has_declared_velocity()) return false;
       for (const vector::part& part : m_.points[p].offset.parts)
         if (part.frame != mechanism::inertial || !held_.is_fixed(part.value)) return false;
     }
@@ -89,7 +89,7 @@ private:
       by_.fail({told(one, other).view()});
     else if (is_turned(one.value, other.value) &&
              hold_the_same(one.value, other.value, {kind::parameter, kind::input, kind::speed}))
-      doubtful_.push({&one.value, &other.value, is_opposite, {}, {}, told(one, other)});
+      candidates_.push({&one.value, &other.value, is_opposite, {}, {}, told(one, other)});
   }
 
   constexpr bool holds_input(const vector& v) const {
@@ -136,14 +136,14 @@ private:
         if (one == other)
           by_.fail({told.view()});
         else if (hold_the_same(one, other, {kind::coordinate, kind::parameter, kind::input}))
-          doubtful_.push({nullptr, nullptr, false, one, other, told});
+          candidates_.push({nullptr, nullptr, false, one, other, told});
       }
   }
 
   constexpr void check_in_numbers() {
-    if (doubtful_.empty() || by_.mistake()) return;
+    if (candidates_.empty() || by_.mistake()) return;
     sequence<expression> all;
-    for (const doubt& d : doubtful_) {
+    for (const candidate& d : candidates_) {
       if (d.one == nullptr) all.push(d.energy), all.push(d.other_energy);
       for (const vector* v : {d.one, d.other})
         for (int i = 0; v != nullptr && i < 3; ++i)
@@ -153,13 +153,13 @@ private:
     for (int tries = 0; tries < 6; ++tries) {
       motion.draw();
       if (!motion.move(false) && !motion.move_freely()) continue;
-      for (const doubt& d : doubtful_)
+      for (const candidate& d : candidates_)
         if (is_same(d, motion)) return by_.fail({d.told.view()});
       return;
     }
   }
   /// Whether two energies are equal up to a constant.
-  static constexpr bool is_same(const doubt& d, const generic_motion& motion) {
+  static constexpr bool is_same(const candidate& d, const generic_motion& motion) {
     const bool is_energy = d.one == nullptr;
     if (is_energy ? !motion.is_defined(d.energy) || !motion.is_defined(d.other_energy)
                   : !motion.is_defined(*d.one) || !motion.is_defined(*d.other))
@@ -217,11 +217,11 @@ private:
   const loads& acting_;
   const contents& held_;
   load_check& by_;
-  sequence<doubt> doubtful_{};
+  sequence<candidate> candidates_{};
 };
 
 /// Defined after the templates it uses, which clang++ must have parsed already.
-constexpr void checking_repeated_loads::run() {
+constexpr void repeated_loads_checker::run() {
   check_pairs(acting_.forces);
   check_pairs(acting_.torques);
   check_energies();
@@ -234,7 +234,7 @@ constexpr void checking_repeated_loads::run() {
 
 constexpr void check_repeated_loads(const mechanism& m, const loads& acting, const contents& held,
                                     load_check& by) {
-  detail::checking_repeated_loads(m, acting, held, by).run();
+  detail::repeated_loads_checker(m, acting, held, by).run();
 }
 
 } // namespace kanexpr::mechanics

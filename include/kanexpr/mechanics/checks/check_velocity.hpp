@@ -16,9 +16,9 @@ namespace detail {
 /// angle that its orientation omits, both angular velocities are tried. For a point without an offset, there
 /// is no position to compare with. Speeds that appear in no kinematic equation are the rates of coordinates
 /// that the model omits.
-class checking_velocity {
+class velocity_checker {
 public:
-  constexpr checking_velocity(const mechanism& m, const contents& held)
+  constexpr velocity_checker(const mechanism& m, const contents& held)
       : m_(m), held_(held), motion_(m, held, geometry_of(m)) {}
 
   constexpr sentence run() {
@@ -41,7 +41,7 @@ public:
   /// Whether a velocity is declared for a point with index `first` or higher.
   static constexpr bool is_any_declared(const mechanism& m, int first) {
     for (int p = first; p < m.points.size(); ++p)
-      if (m.points[p].moves_by_declaration()) return true;
+      if (m.points[p].has_declared_velocity()) return true;
     return false;
   }
   /// Whether the velocity of a mass may differ from the rate of its position.
@@ -122,7 +122,7 @@ private:
   }
 
   constexpr bool is_to_agree(const point& p) const {
-    if (!p.moves_by_declaration() || p.moves_apart || p.offset.is_zero()) return false;
+    if (!p.has_declared_velocity() || p.moves_apart || p.offset.is_zero()) return false;
     for (const vector* v : {&p.offset, &p.velocity})
       for (const vector::part& part : v->parts)
         if (!motion_.is_proper(part.frame)) return false;
@@ -209,14 +209,14 @@ private:
     const point& p = m_.points[place];
     difference sum;
     if (p.parent == none) return sum;
-    if (p.moves_by_declaration() && !p.from_parent && p.fixed_in == none) {
+    if (p.has_declared_velocity() && !p.from_parent && p.fixed_in == none) {
       sum.add(motion_.vector_of(p.velocity), rate_from_origin(place, w), reach_from_origin(place));
       return sum;
     }
     sum = velocity_apart(p.parent, w);
     if (p.fixed_in != none)
       sum.add(in_frame(p), rate_of(p.offset, w), reach(p));
-    else if (p.moves_by_declaration())
+    else if (p.has_declared_velocity())
       sum.add(motion_.vector_of(p.velocity) + carried(p, as_used), rate_of(p.offset, w), reach(p));
     else
       for (const vector::part& part : p.offset.parts) {
@@ -272,7 +272,7 @@ private:
     const point& p = m_.points[place];
     if (p.parent == none) return {};
     if (p.fixed_in != none) return velocity(p.parent) + in_frame(p);
-    if (!p.moves_by_declaration()) return velocity(p.parent) + rate_of(p.offset, as_used);
+    if (!p.has_declared_velocity()) return velocity(p.parent) + rate_of(p.offset, as_used);
     const triple said = motion_.vector_of(p.velocity);
     return p.from_parent ? velocity(p.parent) + carried(p, as_used) + said : said;
   }

@@ -33,16 +33,16 @@ constexpr bool are_among(const sequence<int>& some, const sequence<int>& all) {
 /// Finds weights among the loads, also as summands and along any axes. If loads contain the symbols of the
 /// mass and of gravity, the summands of forces at the mass center and the rates of the summands of potential
 /// energies are evaluated at one generic state.
-class checking_weights {
+class weights_checker {
 public:
-  constexpr checking_weights(const mechanism& m, const loads& acting, const contents& held, load_check& by)
+  constexpr weights_checker(const mechanism& m, const loads& acting, const contents& held, load_check& by)
       : m_(m), acting_(acting), held_(held), by_(by), of_gravity_(constants_in(acting.gravity, held)) {}
 
   constexpr void run() {
     for (const body& b : m_.bodies) check_gravity(b);
     if (by_.mistake()) return;
     for (int b = 0; b < m_.bodies.size(); ++b) collect(b);
-    if (doubtful_.empty()) return;
+    if (candidates_.empty()) return;
     generic_motion motion(m_, held_, wanted());
     for (int tries = 0; tries < 6; ++tries) {
       motion.draw();
@@ -53,7 +53,7 @@ public:
 private:
   using kind = contents::kind;
 
-  struct doubt {
+  struct candidate {
     int body = none;
     int force = none;  ///< index among the forces
     double sign = 1;   ///< sign of the force on the body
@@ -76,11 +76,11 @@ private:
     for (int i = 0; i < acting_.forces.size(); ++i) {
       const force& f = acting_.forces[i];
       if ((f.point == b.center || f.against == b.center) && are_among(symbols, constants_in(f.value, held_)))
-        doubtful_.push({place, i, f.point == b.center ? 1.0 : -1.0, none});
+        candidates_.push({place, i, f.point == b.center ? 1.0 : -1.0, none});
     }
     for (int i = 0; i < acting_.potential_energies.size(); ++i)
       if (are_among(symbols, constants_in(acting_.potential_energies[i].value, held_)))
-        doubtful_.push({place, none, 1, i});
+        candidates_.push({place, none, 1, i});
   }
 
   constexpr sequence<expression> wanted() const {
@@ -91,7 +91,7 @@ private:
     };
     push(acting_.gravity);
     for (const point& p : m_.points) push(p.offset);
-    for (const doubt& d : doubtful_) {
+    for (const candidate& d : candidates_) {
       all.push(m_.bodies[d.body].mass);
       if (d.force != none)
         push(acting_.forces[d.force].value);
@@ -104,7 +104,7 @@ private:
   constexpr void look_at(const generic_motion& motion) {
     if (!motion.is_defined(acting_.gravity)) return;
     const triple free_fall = motion.vector_of(acting_.gravity);
-    for (const doubt& d : doubtful_) {
+    for (const candidate& d : candidates_) {
       const body& b = m_.bodies[d.body];
       if (!motion.is_defined(b.mass)) continue;
       const triple weight = motion[b.mass].value * free_fall;
@@ -134,22 +134,22 @@ private:
   /// The summands of a force. If the mass contains no symbols, every summand may be part of the weight.
   constexpr sequence<triple> summands_of(const vector& v, const body& b, const generic_motion& motion) const {
     const sequence<int> of_mass = constants_in(b.mass, held_);
-    const summing_up summands(motion, *m_.g, of_mass);
+    const summand_expansion summands(motion, *m_.g, of_mass);
     sequence<triple> found;
     for (const vector::part& p : v.parts)
       for (int i = 0; i < 3; ++i)
         for (const summand& s : summands(p.value[i]))
-          if ((s.is_of_mass || of_mass.empty()) && is_something(s.worth.value))
-            found.push(s.worth.value * motion.basis(p.frame)[i]);
+          if ((s.is_of_mass || of_mass.empty()) && is_something(s.value.value))
+            found.push(s.value.value * motion.basis(p.frame)[i]);
     return found;
   }
   /// The summands of the rate of an energy.
   constexpr sequence<triple> summands_of(expression e, const body& b, const generic_motion& motion) const {
     const sequence<int> of_mass = constants_in(b.mass, held_);
-    const summing_up summands(motion, *m_.g, of_mass);
+    const summand_expansion summands(motion, *m_.g, of_mass);
     sequence<triple> found;
     for (const summand& s : summands(e))
-      if ((s.is_of_mass || of_mass.empty()) && is_something(s.worth.rate)) found.push({s.worth.rate, 0, 0});
+      if ((s.is_of_mass || of_mass.empty()) && is_something(s.value.rate)) found.push({s.value.rate, 0, 0});
     return found;
   }
   static constexpr bool is_something(double x) {
@@ -178,13 +178,13 @@ private:
   const contents& held_;
   load_check& by_;
   sequence<int> of_gravity_;
-  sequence<doubt> doubtful_{};
+  sequence<candidate> candidates_{};
 };
 
 } // namespace detail
 
 constexpr void check_weights(const mechanism& m, const loads& acting, const contents& held, load_check& by) {
-  if (acting.has_gravity) detail::checking_weights(m, acting, held, by).run();
+  if (acting.has_gravity) detail::weights_checker(m, acting, held, by).run();
 }
 
 } // namespace kanexpr::mechanics

@@ -217,7 +217,7 @@ private:
 
 /// The number of states to check, the maximum number of attempts to find them, and the number that must be
 /// found.
-struct looks {
+struct sampling {
   int attempts = 12;
   int states = 3;
   int least = 2;
@@ -225,7 +225,7 @@ struct looks {
 
 /// Returns the first expression that does not vanish at any of the states found, or none.
 constexpr int first_that_never_vanishes(consistent_states& states, const sequence<expression>& wanted,
-                                        const looks& at = {}) {
+                                        const sampling& at = {}) {
   sequence<char> vanishes(wanted.size(), 0);
   int looked = 0;
   for (int attempts = 0; attempts < at.attempts && looked < at.states && vanishes.contains(0); ++attempts) {

@@ -34,7 +34,7 @@ constexpr given_constraints without_redundant(const given_constraints& all) {
 }
 
 /// Records the numbers of the constraints used in solving, and the redundant ones.
-constexpr void tell_redundant(const given_constraints& all, constraints& c) {
+constexpr void record_redundant(const given_constraints& all, constraints& c) {
   for (int i = 0; i < all.on_configuration.size(); ++i)
     if (all.redundant.contains(i + 1))
       c.redundant.push(all.on_configuration[i]);
@@ -43,7 +43,7 @@ constexpr void tell_redundant(const given_constraints& all, constraints& c) {
 }
 
 /// The redundant constraints, as constraints on the speeds.
-constexpr constraints redundant_alone(motion& k, const constraints& c) {
+constexpr constraints only_redundant(motion& k, const constraints& c) {
   given_constraints alone;
   alone.on_configuration = c.redundant;
   return form_constraints(k, alone);

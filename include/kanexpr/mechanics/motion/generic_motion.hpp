@@ -269,7 +269,7 @@ private:
     if (p.known) return;
     p.known = true;
     const frame& own = m_.frames[f];
-    if (own.turns_by_declaration()) {
+    if (own.has_declared_angular_velocity()) {
       turn(own.reference);
       p.angular_velocity = frames_[own.reference].angular_velocity + declared(f);
       p.proper = p.proper && frames_[own.reference].proper;
