@@ -17,7 +17,7 @@ public:
                               bool has_rates = false)
       : s_(s), m_(*s.model), by_q_(configuration), by_u_(c.jacobian), sizes_(*m_.g), symbols_(m_.g->size()),
         has_rates_(has_rates), places_(first(configurations, c.on_configuration)),
-        moves_(first(velocities, values_of(c))), evaluate_(*m_.g, outputs(wanted)),
+        moves_(first(velocities, c.velocity_residual())), evaluate_(*m_.g, outputs(wanted)),
         rates_(*m_.g, outputs_with_rates()), generic_(*m_.g, evaluate_.live(), &m_, 1.0) {}
 
   /// Finds a state from a new random start; returns false if the iteration does not converge.
@@ -42,11 +42,6 @@ private:
     sequence<expression> some;
     for (int i = 0; i < count; ++i) some.push(all[i]);
     return some;
-  }
-  static constexpr sequence<expression> values_of(const constraints& c) {
-    sequence<expression> values;
-    for (const velocity_constraint& v : c.on_velocities) values.push(v.value);
-    return values;
   }
   constexpr sequence<int> outputs(const sequence<expression>& wanted) const {
     sequence<int> nodes;
