@@ -27,12 +27,7 @@ constexpr sentence constraints_of_nothing(const given_constraints& given) {
   sequence<int> numbers;
   for (int i = 0; i < given.on_configuration.size(); ++i)
     if (given.on_configuration[i].is_zero() && !given.redundant.contains(i + 1)) numbers.push(i + 1);
-  const auto [named, listed] = numbered(numbers);
-  return numbers.size() == 1
-             ? sentence({"configuration constraint ", named.view(), " contains no coordinate; add redundant<",
-                         listed.view(), "> to drop it"})
-             : sentence({"configuration constraints ", named.view(), " contain no coordinate; add redundant<",
-                         listed.view(), "> to drop them"});
+  return dropping(numbers, " contains no coordinate", " contain no coordinate");
 }
 
 /// Checks which symbols the constraints of a model contain.
@@ -148,9 +143,7 @@ constexpr sentence check_constraints(const skeleton& s, const constraints& c,
                  ? sentence({"configuration constraint ", counted(c.numbers[i]).view(),
                              i == 0 ? " constrains no coordinate in any configuration"
                                     : " contradicts the preceding ones"})
-                 : sentence({"configuration constraint ", counted(c.numbers[i]).view(),
-                             " follows from the preceding ones in every configuration; add redundant<",
-                             counted(c.numbers[i]).view(), "> to drop it"});
+                 : dropping({c.numbers[i]}, " follows from the preceding ones in every configuration", {});
   for (int i = 0; i < c.size(); ++i) {
     bool moves = false;
     for (int j = 0; j < speeds; ++j) moves = moves || !c.jacobian(i, j).is_zero();

@@ -108,7 +108,7 @@ private:
     for (kind k : {kind::coordinate, kind::input, kind::time}) held.collect(e, k, symbols);
   }
 
-  using angular_velocities = triple (generic_motion::*)(int) const;
+  using angular_velocities = generic_motion::angular_velocities;
   static constexpr angular_velocities by_orientation = &generic_motion::by_orientation,
                                       as_used = &generic_motion::angular_velocity;
 
@@ -140,7 +140,7 @@ private:
     const point& p = m_.points[place];
     const triple said = motion_.vector_of(p.velocity);
     for (const angular_velocities w : {by_orientation, as_used}) {
-      const triple rate = rate_of(p.offset, w);
+      const triple rate = motion_.rate_of(p.offset, w);
       if (p.from_parent ? is_same(said + carried(p, w), rate, reach(p))
                         : is_same(said, velocity(p.parent) + rate, reach_from_origin(place)))
         return true;
@@ -167,7 +167,7 @@ private:
     for (const vector::part& part : p.offset.parts)
       if (!motion_.is_proper(part.frame)) return false;
     for (const angular_velocities w : {by_orientation, as_used})
-      if (is_same(in_frame(p), rate_of(p.offset, w), reach(p))) return false;
+      if (is_same(in_frame(p), motion_.rate_of(p.offset, w), reach(p))) return false;
     return true;
   }
 
@@ -215,9 +215,9 @@ private:
     }
     sum = velocity_apart(p.parent, w);
     if (p.fixed_in != none)
-      sum.add(in_frame(p), rate_of(p.offset, w), reach(p));
+      sum.add(in_frame(p), motion_.rate_of(p.offset, w), reach(p));
     else if (p.has_declared_velocity())
-      sum.add(motion_.vector_of(p.velocity) + carried(p, as_used), rate_of(p.offset, w), reach(p));
+      sum.add(motion_.vector_of(p.velocity) + carried(p, as_used), motion_.rate_of(p.offset, w), reach(p));
     else
       for (const vector::part& part : p.offset.parts) {
         const triple there = motion_.basis(part.frame) * motion_.value(part.value);
@@ -243,14 +243,6 @@ private:
     return sum;
   }
 
-  constexpr triple rate_of(const vector& v, angular_velocities w) const {
-    triple sum;
-    for (const vector::part& p : v.parts) {
-      const triad& axes = motion_.basis(p.frame);
-      sum = sum + axes * motion_.rate(p.value) + cross((motion_.*w)(p.frame), axes * motion_.value(p.value));
-    }
-    return sum;
-  }
   /// The velocity due to the rotation of the reference.
   constexpr triple carried(const point& p, angular_velocities w) const {
     return cross((motion_.*w)(p.reference), motion_.vector_of(p.offset));
@@ -263,7 +255,8 @@ private:
 
   constexpr triple rate_from_origin(int place, angular_velocities w) const {
     triple sum;
-    for (int p = place; p != none; p = m_.points[p].parent) sum = sum + rate_of(m_.points[p].offset, w);
+    for (int p = place; p != none; p = m_.points[p].parent)
+      sum = sum + motion_.rate_of(m_.points[p].offset, w);
     return sum;
   }
 
@@ -272,7 +265,7 @@ private:
     const point& p = m_.points[place];
     if (p.parent == none) return {};
     if (p.fixed_in != none) return velocity(p.parent) + in_frame(p);
-    if (!p.has_declared_velocity()) return velocity(p.parent) + rate_of(p.offset, as_used);
+    if (!p.has_declared_velocity()) return velocity(p.parent) + motion_.rate_of(p.offset, as_used);
     const triple said = motion_.vector_of(p.velocity);
     return p.from_parent ? velocity(p.parent) + carried(p, as_used) + said : said;
   }

@@ -1,11 +1,12 @@
 #pragma once
 
+#include <kanexpr/mechanics/constraints/consistent_configurations.hpp>
 #include <kanexpr/mechanics/constraints/constraints.hpp>
 #include <kanexpr/symbolic/derivatives/evaluate_rate.hpp>
 
 namespace kanexpr::mechanics {
 
-/// Random states, with rates of the speeds, that satisfy the constraints. They are used to test numerically
+/// Random states, with rates of the speeds, that satisfy the constraints. They serve to test numerically
 /// whether an expression vanishes wherever the constraints hold.
 class consistent_states {
 public:
@@ -15,12 +16,12 @@ public:
   constexpr consistent_states(const skeleton& s, const symbolic::matrix& configuration, int configurations,
                               const constraints& c, int velocities, const sequence<expression>& wanted,
                               bool has_rates = false)
-      : s_(s), m_(*s.model), by_q_(configuration), by_u_(c.jacobian), sizes_(*m_.g), symbols_(m_.g->size()),
-        has_rates_(has_rates), places_(first(configurations, c.on_configuration)),
-        moves_(first(velocities, c.velocity_residual())), evaluate_(*m_.g, outputs(wanted)),
+      : s_(s), m_(*s.model), by_u_(c.jacobian), sizes_(*m_.g), symbols_(m_.g->size()), has_rates_(has_rates),
+        places_(first(configurations, c.on_configuration)), moves_(first(velocities, c.velocity_residual())),
+        configurations_(m_, configuration, places_), evaluate_(*m_.g, outputs(wanted)),
         rates_(*m_.g, outputs_with_rates()), generic_(*m_.g, evaluate_.live(), &m_, 1.0) {}
 
-  /// Finds a state from a new random start; returns false if the iteration does not converge.
+  /// Finds another state from a new random start; returns false if the iteration does not converge.
   constexpr bool next() {
     generic_.draw();
     for (int id : evaluate_.live())
@@ -48,7 +49,6 @@ private:
     const auto add = [&](const sequence<expression>& all) {
       for (const expression& e : all) nodes.push(e.node());
     };
-    if (!places_.empty()) add(places_), add(by_q_.entries);
     if (!moves_.empty()) add(moves_), add(by_u_.entries);
     if (has_rates_) add(s_.coordinate_rates);
     add(wanted);
@@ -65,25 +65,12 @@ private:
   }
   constexpr double value(expression e) const { return evaluate_[e.node()]; }
 
-  /// Finds a configuration by Newton's method from a random start.
   constexpr bool place() {
-    evaluate();
-    if (places_.empty()) return true;
-    double step = 1;
-    for (int steps = 0; steps < 40 && step > 1e-12; ++steps) {
-      numbers rows{places_.size(), m_.coordinates.size() + 1, {}};
-      for (int i = 0; i < rows.rows; ++i) {
-        for (int j = 0; j < m_.coordinates.size(); ++j) rows.entries.push(value(by_q_(i, j)));
-        rows.entries.push(value(places_[i]));
-      }
-      keep_norms(rows);
-      step = change(rows, m_.coordinates);
-      normalize();
-      evaluate();
+    if (!places_.empty()) {
+      if (!configurations_.next()) return false;
+      configurations_.each_symbol([&](int id) { symbols_[id] = {configurations_[id], 0}; });
     }
-    if (!(step >= 0 && step <= 1e-12)) return false;
-    for (const expression& f : places_)
-      if (!elementary::detail::is_finite(value(f)) || !vanishes(f)) return false;
+    evaluate();
     return true;
   }
 
@@ -119,37 +106,6 @@ private:
     }
     evaluate();
     return true;
-  }
-
-  /// Whether an entry of a frame's quaternion is itself a coordinate.
-  constexpr bool is_free(expression entry) const { return m_.coordinates.contains(entry); }
-
-  /// Restricts the equations to changes that preserve the norms of quaternions.
-  constexpr void keep_norms(numbers& rows) const {
-    for (const frame& f : m_.frames)
-      for (int i = 0; i < rows.rows && !f.quaternion.empty(); ++i) {
-        const auto entry = [&](expression e) -> double& {
-          return rows.entries[i * rows.columns + m_.coordinates.find(e)];
-        };
-        double along = 0;
-        for (const expression& e : f.quaternion)
-          if (is_free(e)) along += entry(e) * symbols_[e.node()].value;
-        for (const expression& e : f.quaternion)
-          if (is_free(e)) {
-            const double before = entry(e), left = before - along * symbols_[e.node()].value;
-            entry(e) = elementary::abs(left) > 1e-12 * elementary::abs(before) ? left : 0;
-          }
-      }
-  }
-  constexpr void normalize() {
-    for (const frame& f : m_.frames) {
-      double square = 0;
-      for (const expression& e : f.quaternion)
-        if (is_free(e)) square += symbols_[e.node()].value * symbols_[e.node()].value;
-      if (!(square > 0)) continue;
-      for (const expression& e : f.quaternion)
-        if (is_free(e)) symbols_[e.node()].value /= elementary::sqrt(square);
-    }
   }
 
   /// Solves for changes of as many unknowns as there are rows, so that the last column of the rows vanishes,
@@ -200,18 +156,18 @@ private:
 
   const skeleton& s_;
   const mechanism& m_;
-  const symbolic::matrix &by_q_, &by_u_;
+  const symbolic::matrix& by_u_;
   symbolic::typical_sizes sizes_;
   sequence<symbolic::rated> symbols_;
   bool has_rates_;
   sequence<expression> places_, moves_;
+  consistent_configurations configurations_;
   symbolic::evaluation evaluate_;
   symbolic::rate_evaluation rates_;
   detail::generic_values generic_;
 };
 
-/// The number of states to check, the maximum number of attempts to find them, and the number that must be
-/// found.
+/// The number of states to check, the number of attempts to find them, and the number that must be found.
 struct sampling {
   int attempts = 12;
   int states = 3;
