@@ -31,20 +31,20 @@ template <class Word, class Added>
 struct joined {
   static constexpr bool is_one = false;
 };
-template <template <auto...> class Word, auto... told, auto... added>
-struct joined<Word<told...>, Word<added...>> {
+template <template <auto...> class Word, auto... existing, auto... added>
+struct joined<Word<existing...>, Word<added...>> {
   static constexpr bool is_one = true;
-  using type = Word<told..., added...>;
+  using type = Word<existing..., added...>;
 };
 template <template <class...> class Word, class... Told, class... Added>
 struct joined<Word<Told...>, Word<Added...>> {
   static constexpr bool is_one = true;
   using type = Word<Told..., Added...>;
 };
-template <auto... told, auto... added>
-struct joined<added_inputs<told...>, inputs<added...>> {
+template <auto... existing, auto... added>
+struct joined<added_inputs<existing...>, inputs<added...>> {
   static constexpr bool is_one = true;
-  using type = added_inputs<told..., added...>;
+  using type = added_inputs<existing..., added...>;
 };
 
 /// Adds words to a system. `Before` contains the words that were already compared and are of different kinds.

@@ -91,10 +91,10 @@ private:
     for (declared_angular_velocity& t : declared_) {
       const int reference = m_.frames[t.frame].reference;
       if (!motion_.is_proper(t.frame) || !motion_.is_proper(reference)) continue;
-      const triple said = motion_.declared(t.frame), own = motion_.by_orientation(t.frame),
+      const triple declared = motion_.declared(t.frame), own = motion_.by_orientation(t.frame),
                    below = motion_.by_orientation(reference);
-      const double rounding = 1e-9 * (length(said) + length(own) + length(below)) + motion_.rounding();
-      const triple left = in_own_axes(t.frame, said - (own - below));
+      const double rounding = 1e-9 * (length(declared) + length(own) + length(below)) + motion_.rounding();
+      const triple left = in_own_axes(t.frame, declared - (own - below));
       if (!with_free_speeds) t.before = left;
       if (length(left) > rounding) (with_free_speeds ? t.all : t.bound).add(left);
       if (with_free_speeds && !motion_.has_free_speeds() && length(left) > rounding) t.bound.add(left);

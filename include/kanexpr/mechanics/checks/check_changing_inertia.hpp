@@ -32,7 +32,7 @@ public:
       if (!motion.move()) continue;
       ++looked; // an inertia that is constant at one generic state is constant at all
       for (const candidate& d : candidates_)
-        if (changes(motion, d)) return told(m_.bodies[d.body]);
+        if (changes(motion, d)) return sentence_for(m_.bodies[d.body]);
     }
     return {};
   }
@@ -43,7 +43,7 @@ private:
     vector from_center{}; ///< to the reference point of the inertia
   };
 
-  constexpr sentence told(const body& b) const {
+  constexpr sentence sentence_for(const body& b) const {
     constexpr std::string_view word = "if this is intended, write changing_inertia<...>";
     const std::string_view frame = m_.frames[b.frame].called.view();
     for (const dyadic::part& p : b.inertia.parts)

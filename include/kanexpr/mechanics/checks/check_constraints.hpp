@@ -91,17 +91,17 @@ namespace detail {
 /// violated wherever the preceding ones hold.
 constexpr bool contradicts_configuration(const skeleton& s, const constraints& c,
                                          const symbolic::matrix& configuration, int i) {
-  const sequence<expression> said{c.on_configuration[i]};
-  consistent_states states(s, configuration, i, c, 0, said);
-  return first_that_never_vanishes(states, said) == 0;
+  const sequence<expression> last{c.on_configuration[i]};
+  consistent_states states(s, configuration, i, c, 0, last);
+  return first_that_never_vanishes(states, last) == 0;
 }
 
 /// The same for a velocity constraint.
 constexpr bool contradicts_velocities(const skeleton& s, const constraints& c,
                                       const symbolic::matrix& configuration, int i) {
-  const sequence<expression> said{c.on_velocities[i].value};
-  consistent_states states(s, configuration, configuration.rows, c, i, said);
-  return first_that_never_vanishes(states, said) == 0;
+  const sequence<expression> last{c.on_velocities[i].value};
+  consistent_states states(s, configuration, configuration.rows, c, i, last);
+  return first_that_never_vanishes(states, last) == 0;
 }
 
 /// Checks the rates of configuration constraints that are omitted because velocity constraints imply them.

@@ -36,7 +36,7 @@ public:
       motion.draw();
       if (!motion.move()) continue;
       for (const candidate& d : candidates_)
-        if (depends(motion, d)) return told(d);
+        if (depends(motion, d)) return sentence_for(d);
       break;
     }
     return {};
@@ -126,19 +126,21 @@ private:
     return length(v) > 0 && (d.angle->axes.size() > 1 || !d.angle->axes.holds(v));
   }
 
-  constexpr sentence told(const candidate& d) const {
-    const auto said = [&](std::string_view of, std::string_view whose) {
+  constexpr sentence sentence_for(const candidate& d) const {
+    const auto sentence_about = [&](std::string_view of, std::string_view whose) {
       const std::string_view turns = m_.frames[d.angle->frame].called.view();
       return sentence({of, whose, " is given along the axes of ", m_.frames[d.axes].called.view(),
                        " and depends on the omitted angle of ", turns, "; give ", turns,
                        " this angle, or write angular_velocity_apart_from_orientation<...>"});
     };
     switch (d.is) {
-    case what::axis: return said("the axis of frame ", m_.frames[d.of].called.view());
-    case what::angular_velocity: return said("the angular velocity of frame ", m_.frames[d.of].called.view());
-    case what::offset: return said("the offset of point ", m_.points[d.of].called.view());
-    case what::load: return said(d.load, d.loaded);
-    case what::direction: return said("a direction of velocity constraint ", counted(d.of + 1).view());
+    case what::axis: return sentence_about("the axis of frame ", m_.frames[d.of].called.view());
+    case what::angular_velocity:
+      return sentence_about("the angular velocity of frame ", m_.frames[d.of].called.view());
+    case what::offset: return sentence_about("the offset of point ", m_.points[d.of].called.view());
+    case what::load: return sentence_about(d.load, d.loaded);
+    case what::direction:
+      return sentence_about("a direction of velocity constraint ", counted(d.of + 1).view());
     }
     return {};
   }

@@ -28,8 +28,8 @@ constexpr sentence check_redundant_rates(const skeleton& s, const sequence<int>&
   for (int left = i + 1; left > 0; --left)
     for (++number; !listed.contains(number);) ++number;
   return sentence({"configuration constraint ", counted(number).view(),
-                   " does not follow from the others; redundant<", counted(number).view(),
-                   "> must not drop it"});
+                   " does not follow from the others, so it is not redundant; remove redundant<",
+                   counted(number).view(), ">"});
 }
 
 } // namespace kanexpr::mechanics

@@ -138,14 +138,15 @@ private:
 
   constexpr bool agrees(int place) const {
     const point& p = m_.points[place];
-    const triple said = motion_.vector_of(p.velocity);
+    const triple declared = motion_.vector_of(p.velocity);
     for (const angular_velocities w : {by_orientation, as_used}) {
       const triple rate = motion_.rate_of(p.offset, w);
-      if (p.from_parent ? is_same(said + carried(p, w), rate, reach(p))
-                        : is_same(said, velocity(p.parent) + rate, reach_from_origin(place)))
+      if (p.from_parent ? is_same(declared + carried(p, w), rate, reach(p))
+                        : is_same(declared, velocity(p.parent) + rate, reach_from_origin(place)))
         return true;
     }
-    return !p.from_parent && is_same(said, rate_from_origin(place, by_orientation), reach_from_origin(place));
+    return !p.from_parent &&
+           is_same(declared, rate_from_origin(place, by_orientation), reach_from_origin(place));
   }
 
   /// Returns the first point, on the path to a mass, whose velocity differs from the rate of its position
@@ -266,8 +267,8 @@ private:
     if (p.parent == none) return {};
     if (p.fixed_in != none) return velocity(p.parent) + in_frame(p);
     if (!p.has_declared_velocity()) return velocity(p.parent) + motion_.rate_of(p.offset, as_used);
-    const triple said = motion_.vector_of(p.velocity);
-    return p.from_parent ? velocity(p.parent) + carried(p, as_used) + said : said;
+    const triple declared = motion_.vector_of(p.velocity);
+    return p.from_parent ? velocity(p.parent) + carried(p, as_used) + declared : declared;
   }
 
   const mechanism& m_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/mechanics/motion/generic_states.hpp>
+#include <kanexpr/numeric/elimination.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -115,24 +116,23 @@ private:
     return elementary::sqrt(square);
   }
 
-  /// Takes the step δ of (Jᵀ J + damping) δ = −Jᵀ f, by a Cholesky factorization.
+  /// Takes the step δ of (Jᵀ J + damping) δ = −Jᵀ f.
   constexpr void step(double damping) {
     const int n = columns();
-    sequence<double> square(n * n, 0.0), delta(n, 0.0);
+    const auto product = [&](int j, int k) {
+      double sum = 0;
+      for (int i = 0; i < rows_.rows; ++i) sum += rows_(i, j) * rows_(i, k);
+      return sum;
+    };
+    const numeric::factors place{n};
+    sequence<double> square(place.size(), 0), delta;
     for (int j = 0; j < n; ++j) {
-      for (int i = 0; i < rows_.rows; ++i) delta[j] -= rows_(i, j) * rows_(i, n);
-      for (int k = 0; k <= j; ++k) {
-        double entry = j == k ? damping : 0;
-        for (int i = 0; i < rows_.rows; ++i) entry += rows_(i, j) * rows_(i, k);
-        for (int l = 0; l < k; ++l) entry -= square[j * n + l] * square[k * n + l];
-        square[j * n + k] = j == k ? elementary::sqrt(entry) : entry / square[k * n + k];
-      }
-      for (int k = 0; k < j; ++k) delta[j] -= square[j * n + k] * delta[k];
-      delta[j] /= square[j * n + j];
+      for (int k = 0; k < n; ++k) square[place.at(j, k)] = product(j, k) + (j == k ? damping : 0);
+      delta.push(-product(j, n));
     }
-    for (int j = n; j-- > 0;) {
-      for (int k = j + 1; k < n; ++k) delta[j] -= square[k * n + j] * delta[k];
-      delta[j] /= square[j * n + j];
+    numeric::factorize<numeric::constant_elimination_math>(n, &square[0]);
+    numeric::solve_factorized<numeric::constant_elimination_math>(n, &square[0], &delta[0]);
+    for (int j = 0; j < n; ++j) {
       const int id = m_.coordinates[j].node();
       symbols_[id] += delta[j] * sizes_[id];
     }

@@ -81,7 +81,7 @@ private:
       for (int j = 0; j < m_.speeds.size(); ++j) rows.entries.push(value(by_u_(i, j)));
       rows.entries.push(value(moves_[i]));
     }
-    if (change(rows, m_.speeds) < 0) return false;
+    if (!change(rows, m_.speeds)) return false;
     evaluate();
     return true;
   }
@@ -102,56 +102,33 @@ private:
         for (int j = 0; j < m_.speeds.size(); ++j) rows.entries.push(value(by_u_(i, j)));
         rows.entries.push(rates_[moves_[i].node()].rate);
       }
-      if (change(rows, m_.speed_rates) < 0) return false;
+      if (!change(rows, m_.speed_rates)) return false;
     }
     evaluate();
     return true;
   }
 
-  /// Solves for changes of as many unknowns as there are rows, so that the last column of the rows vanishes,
-  /// by elimination with full pivoting. Returns the largest change relative to the typical sizes, or −1 if
-  /// the rows are singular. Zero rows are skipped.
-  constexpr double change(numbers rows, const sequence<expression>& unknowns) {
+  /// Makes the smallest change of the unknowns, in units of their typical sizes, with which the last column
+  /// of the rows vanishes. Returns false if the rows are singular. Zero rows are skipped.
+  constexpr bool change(const numbers& rows, const sequence<expression>& unknowns) {
+    if (!rows.finite()) return false;
     const int n = unknowns.size();
-    const auto at = [&](int i, int j) -> double& { return rows.entries[i * rows.columns + j]; };
-    if (!rows.finite()) return -1;
-    sequence<double> whole;
+    row_space equations;
     for (int i = 0; i < rows.rows; ++i) {
-      whole.push(0.0);
+      sequence<double> row;
+      bool is_zero = true;
       for (int j = 0; j < n; ++j) {
-        at(i, j) *= sizes_[unknowns[j].node()];
-        if (elementary::abs(at(i, j)) > whole[i]) whole[i] = elementary::abs(at(i, j));
+        row.push(rows(i, j) * sizes_[unknowns[j].node()]);
+        is_zero = is_zero && numeric::equal(row[j], 0.0);
       }
+      if (!is_zero && !equations.add(row, -rows(i, n))) return false;
     }
-    sequence<int> pivot_of(rows.rows, none);
-    for (int step = 0; step < rows.rows; ++step) {
-      int row = none, column = none;
-      double most = 1e-9;
-      for (int i = 0; i < rows.rows; ++i)
-        for (int j = 0; j < n && pivot_of[i] == none; ++j)
-          if (const double size = elementary::abs(at(i, j)); size > most * whole[i])
-            row = i, column = j, most = size / whole[i];
-      if (row == none) break;
-      pivot_of[row] = column;
-      for (int i = 0; i < rows.rows; ++i) {
-        if (i == row || numeric::equal(at(i, column), 0.0)) continue;
-        const double factor = at(i, column) / at(row, column);
-        for (int j = 0; j <= n; ++j) at(i, j) -= factor * at(row, j);
-        at(i, column) = 0;
-      }
+    const sequence<double> changes = equations.solution(n);
+    for (int j = 0; j < n; ++j) {
+      const int id = unknowns[j].node();
+      symbols_[id].value += changes[j] * sizes_[id];
     }
-    double largest = 0;
-    for (int i = 0; i < rows.rows; ++i) {
-      if (pivot_of[i] == none) {
-        if (whole[i] > 0) return -1;
-        continue;
-      }
-      const double by = -at(i, n) / at(i, pivot_of[i]);
-      const int id = unknowns[pivot_of[i]].node();
-      symbols_[id].value += by * sizes_[id];
-      if (elementary::abs(by) > largest) largest = elementary::abs(by);
-    }
-    return largest;
+    return true;
   }
 
   const skeleton& s_;

@@ -210,25 +210,35 @@ constexpr sequence<numbers> equilibrated(sequence<numbers> states) {
 inline constexpr double trial_sizes[]{detail::unit_sizes, 1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9, 1e-12};
 inline constexpr double clearly = 1e-5; ///< tolerance for these, relative to the whole
 
-/// The space spanned by the rows found to be independent, stored as an orthonormal basis.
+/// The space spanned by the rows found independent, stored as an orthonormal basis. A row may be an equation
+/// with a right-hand side.
 class row_space {
 public:
   constexpr explicit row_space(double least = 1e-9) : least_(least) {}
 
   /// Adds a row to the basis; returns false if the row already lies in the space.
-  constexpr bool add(sequence<double> row) {
+  constexpr bool add(sequence<double> row, double right = 0) {
     const double whole = norm(row);
     if (numeric::equal(whole, 0.0)) return false;
     for (int twice = 0; twice < 2; ++twice) // repeated to remove rounding errors
-      for (const sequence<double>& unit : basis_) {
-        const double along = dot(unit, row);
-        for (int j = 0; j < row.size(); ++j) row[j] -= along * unit[j];
+      for (int i = 0; i < basis_.size(); ++i) {
+        const double along = dot(basis_[i], row);
+        for (int j = 0; j < row.size(); ++j) row[j] -= along * basis_[i][j];
+        right -= along * right_[i];
       }
     const double left = norm(row);
     if (left <= least_ * whole) return false;
     for (double& e : row) e /= left;
-    basis_.push(row);
+    basis_.push(row), right_.push(right / left);
     return true;
+  }
+
+  /// The smallest solution of the equations that were added, with `size` unknowns.
+  constexpr sequence<double> solution(int size) const {
+    sequence<double> x(size, 0.0);
+    for (int i = 0; i < basis_.size(); ++i)
+      for (int j = 0; j < size; ++j) x[j] += right_[i] * basis_[i][j];
+    return x;
   }
 
 private:
@@ -241,6 +251,7 @@ private:
 
   double least_; ///< smallest remainder, relative to the row
   sequence<sequence<double>> basis_{};
+  sequence<double> right_{};
 };
 
 /// Returns for each row whether it is independent of the preceding rows in some configuration.
