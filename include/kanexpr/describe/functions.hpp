@@ -154,7 +154,7 @@ constexpr auto cbrt(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto cbrt(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::cbrt));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::cbrt));
 }
 
 template <int size>
@@ -163,7 +163,7 @@ constexpr auto erf(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto erf(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::erf));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::erf));
 }
 
 template <int size>
@@ -172,7 +172,7 @@ constexpr auto wrap_to_pi(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto wrap_to_pi(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::wrap_to_pi));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::wrap_to_pi));
 }
 
 template <int left_size, int right_size>
