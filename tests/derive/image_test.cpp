@@ -1,4 +1,4 @@
-// A derivation that is set aside and taken up again is the one that went on.
+// A derivation that is stored and resumed is the one that went on.
 #include <kanexpr/derive/cut.hpp>
 #include <kanexpr/derive/digest.hpp>
 #include <kanexpr/lower/tape.hpp>
@@ -27,10 +27,10 @@ using kanexpr::deriving::request;
 using kanexpr::deriving::stage;
 using kanexpr::mechanics::quantity;
 
-std::unique_ptr<image> set_aside(const derived_system& system) {
-  auto aside = std::make_unique<image>();
-  system.write(*aside);
-  return aside;
+std::unique_ptr<image> store(const derived_system& system) {
+  auto stored = std::make_unique<image>();
+  system.write(*stored);
+  return stored;
 }
 
 void expect_same(const image& a, const image& b) {
@@ -84,9 +84,9 @@ TYPED_TEST(image_of, a_stage_taken_up_again_is_the_same_when_set_aside) {
   for (const stage to : {stage::constrained, stage::equations, stage::linearized}) {
     go_on(straight, to);
     ASSERT_FALSE(straight.mistake()) << straight.mistake();
-    const auto aside = set_aside(straight);
-    const derived_system again(TypeParam::record, *aside);
-    expect_same(*aside, *set_aside(again));
+    const auto stored = store(straight);
+    const derived_system again(TypeParam::record, *stored);
+    expect_same(*stored, *store(again));
   }
 }
 
@@ -95,15 +95,15 @@ TYPED_TEST(image_of, results_do_not_depend_on_where_the_derivation_was_set_aside
     SCOPED_TRACE(row.called);
     derived_system straight(TypeParam::record);
     go_on(straight, stage::constrained);
-    auto aside = set_aside(straight);
+    auto stored = store(straight);
     for (const stage to : {stage::equations, stage::linearized}) {
       if (row.needs < to) break;
       go_on(straight, to);
-      derived_system again(TypeParam::record, *aside);
+      derived_system again(TypeParam::record, *stored);
       go_on(again, to);
-      aside = set_aside(again);
+      stored = store(again);
     }
-    derived_system again(TypeParam::record, *aside);
+    derived_system again(TypeParam::record, *stored);
     expect_same(tape_for(straight, row.is), tape_for(again, row.is));
   }
 }
@@ -111,10 +111,10 @@ TYPED_TEST(image_of, results_do_not_depend_on_where_the_derivation_was_set_aside
 template <class System>
 void expect_the_image_of_the_compiler() {
   constexpr std::uint64_t of_compiler =
-      kanexpr::deriving::digest_of(kanexpr::deriving::stages_of<System>::linearized.aside);
+      kanexpr::deriving::digest_of(kanexpr::deriving::stages_of<System>::linearized.stored);
   derived_system system(System::record);
   for (const stage to : {stage::constrained, stage::equations, stage::linearized}) go_on(system, to);
-  EXPECT_EQ(digest_of(*set_aside(system)), of_compiler);
+  EXPECT_EQ(digest_of(*store(system)), of_compiler);
 }
 
 // Of operands that have no order g++ evaluates the last one first in a program, and the first one in a
@@ -129,31 +129,31 @@ TEST(image, of_the_compiler_is_that_of_the_program) {
 TEST(image, has_a_digest_that_sees_every_entry) {
   derived_system system(simple_pendulum::System::record);
   go_on(system, stage::constrained);
-  const auto aside = set_aside(system);
-  ASSERT_GT(aside->numbers, 1);
-  aside->denominators[0] = aside->denominators[1] = 0, aside->reals[0] = 0.25, aside->reals[1] = 0.75;
-  const std::uint64_t before = digest_of(*aside);
-  EXPECT_EQ(digest_of(*set_aside(system)), digest_of(*set_aside(system)));
+  const auto stored = store(system);
+  ASSERT_GT(stored->numbers, 1);
+  stored->denominators[0] = stored->denominators[1] = 0, stored->reals[0] = 0.25, stored->reals[1] = 0.75;
+  const std::uint64_t before = digest_of(*stored);
+  EXPECT_EQ(digest_of(*store(system)), digest_of(*store(system)));
   const auto expect_other = [&](auto&... entries) {
     (void(entries = -entries), ...);
-    EXPECT_NE(digest_of(*aside), before);
+    EXPECT_NE(digest_of(*stored), before);
     (void(entries = -entries), ...);
   };
-  expect_other(aside->reals[0]);
-  expect_other(aside->reals[0], aside->reals[1]);
-  expect_other(aside->numerators[2]);
-  expect_other(aside->a[aside->nodes - 1]);
-  expect_other(aside->integer[aside->integers - 1], aside->integer[0]);
-  EXPECT_EQ(digest_of(*aside), before);
+  expect_other(stored->reals[0]);
+  expect_other(stored->reals[0], stored->reals[1]);
+  expect_other(stored->numerators[2]);
+  expect_other(stored->a[stored->nodes - 1]);
+  expect_other(stored->integer[stored->integers - 1], stored->integer[0]);
+  EXPECT_EQ(digest_of(*stored), before);
 }
 
 TEST(image, of_a_system_that_there_is_no_room_for_says_so) {
   auto ended = std::make_unique<kanexpr::deriving::staged>();
-  ended->aside.integers = image::most_integers;
+  ended->stored.integers = image::most_integers;
   derived_system system(simple_pendulum::System::record);
   go_on(system, stage::constrained);
   ended->take(system, "System");
-  EXPECT_TRUE(ended->aside.is_full);
+  EXPECT_TRUE(ended->stored.is_full);
   EXPECT_EQ(ended->mistake.view(), "System exceeds the supported size of a system");
 }
 

@@ -59,7 +59,7 @@ public:
     const std::regex row("\\| `([a-z]+)/` \\|([^\\n]*)\\|");
     for (std::sregex_iterator i(markdown.begin(), markdown.end(), row), end; i != end; ++i) {
       const std::string room = i->str(1);
-      for (const std::string& within : matches(i->str(2), "`([a-z0-9_.]+)`")) add(room + "/" + within);
+      for (const std::string& within : matches(i->str(2), "`([a-z0-9_./]+)`")) add(room + "/" + within);
       add(room);
       rooms_.push_back(room);
     }

@@ -46,13 +46,20 @@ bool is_header(const std::string& named) {
          std::filesystem::exists(project / named);
 }
 
+/// Whether the table of rooms names a file within a folder of a room.
+bool is_in_a_room(const std::string& named) {
+  return std::ranges::any_of(order_of_rooms().rooms(),
+                             [&](const std::string& room) { return is_header(room + "/" + named); });
+}
+
 TEST(include_order, headers_named_in_the_documents_are_there) {
   std::vector<std::filesystem::path> pages{project / "CONTRIBUTING.md"};
   for (const auto& file : std::filesystem::directory_iterator(project / "docs"))
     if (file.path().extension() == ".md") pages.push_back(file.path());
   for (const std::filesystem::path& page : pages)
     for (const std::string& named : rooms::matches(rooms::text_of(page), "`([a-z_/]+/[a-z_]+\\.hpp)`"))
-      EXPECT_TRUE(is_header(named)) << page << " names " << named << ", which is not there";
+      EXPECT_TRUE(is_header(named) || is_in_a_room(named))
+          << page << " names " << named << ", which is not there";
 }
 
 TEST(include_order, every_room_has_a_page_whose_headers_are_there) {

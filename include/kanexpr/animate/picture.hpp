@@ -16,7 +16,7 @@ namespace animate {
 template <class Picture>
 struct sound_picture {
   static constexpr sentence mistake = Picture::mistake;
-  static_assert(deriving::tell<sound_picture>());
+  static_assert(deriving::report<sound_picture>());
   static constexpr bool value = !static_cast<bool>(mistake);
 };
 

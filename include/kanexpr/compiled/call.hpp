@@ -70,7 +70,7 @@ struct external_calls {
                                 type_name<Number>(), ", which ", refusing, " does not accept"});
   }(std::make_integer_sequence<int, Code::tape.sizes.externals>{});
   static constexpr bool possible = !static_cast<bool>(mistake);
-  static_assert(deriving::tell<external_calls>());
+  static_assert(deriving::report<external_calls>());
 };
 
 template <class Code, class Number, bool is_interpreted, auto wanted, auto...>
@@ -125,7 +125,7 @@ struct call {
       keep(mechanics::sentence({result, " needs the time: call it as ", result, "(t, x, p, r)"}));
     return found;
   }();
-  static_assert(deriving::tell<call>());
+  static_assert(deriving::report<call>());
 
   static constexpr bool possible = sound && !static_cast<bool>(mistake);
 };
@@ -158,7 +158,7 @@ struct weighted_call {
     keep(check_size("direction", system, entries_of<Direction>(), state + known.inputs));
     return found;
   }();
-  static_assert(deriving::tell<weighted_call>());
+  static_assert(deriving::report<weighted_call>());
   static constexpr bool possible = !static_cast<bool>(mistake);
 };
 

@@ -9,7 +9,7 @@ namespace kanexpr::compiled {
 /// Identifies a system across builds and programs.
 template <class System>
 inline constexpr std::uint64_t digest_of_model =
-    deriving::digest_of(deriving::stages_of<System>::constrained.aside);
+    deriving::digest_of(deriving::stages_of<System>::constrained.stored);
 
 /// Identifies a function of the system together with the code that this version of the library derives for
 /// it.

@@ -40,7 +40,7 @@ struct fitting {
     if (survey_of<System>.mistake) return mechanics::sentence{};
     return check_size(wanted.vector, type_name<System>(), given, wanted.size);
   }();
-  static_assert(deriving::tell<fitting>());
+  static_assert(deriving::report<fitting>());
   static constexpr bool possible =
       !static_cast<bool>(mistake) && !static_cast<bool>(survey_of<System>.mistake);
 };
@@ -56,7 +56,7 @@ constexpr mechanics::sentence check_scalar() {
 template <class System, class Scalar>
 struct holding {
   static constexpr mechanics::sentence mistake = check_scalar<System, Scalar>();
-  static_assert(deriving::tell<holding>());
+  static_assert(deriving::report<holding>());
 };
 
 constexpr std::string_view plural_of(symbols_of which) {
@@ -82,7 +82,7 @@ constexpr mechanics::sentence check_exchanged(std::string_view caller) {
 template <class System, symbols_of wanted, class Other, symbols_of given>
 struct exchanged {
   static constexpr mechanics::sentence mistake = check_exchanged<System, wanted, Other, given>({});
-  static_assert(deriving::tell<exchanged>());
+  static_assert(deriving::report<exchanged>());
   static constexpr bool possible =
       !static_cast<bool>(mistake) && !static_cast<bool>(survey_of<System>.mistake);
 };

@@ -40,7 +40,7 @@ public:
   static constexpr mechanics::sentence mistake = cut.mistake;
   static constexpr bool follows_from_unparsed = cut.follows_from_unparsed;
   static constexpr bool tells_finiteness = cut.tells_finiteness;
-  static_assert(deriving::tell<code>());
+  static_assert(deriving::report<code>());
 };
 
 /// Selects the arguments of a call that the code loads.
@@ -223,8 +223,8 @@ private:
     } else if constexpr (!compiled::call<System, code, Time, State, Parameters, Inputs, Accelerations,
                                          wanted...>::possible ||
                          !compiled::can_call_externals<code, Number, false, wanted...>()) {
-      deriving::tell_in_code<compiled::surveyed<System>>();
-      deriving::tell_in_code<code>();
+      deriving::report_in_code<compiled::surveyed<System>>();
+      deriving::report_in_code<code>();
       return no_results<Number>();
     } else {
       compiled::link_as_one_system<System>();
@@ -246,8 +246,8 @@ private:
     if constexpr (!compiled::call<System, code, Time, State, Parameters, Inputs, none, wanted...>::possible ||
                   !compiled::weighted_call<System, code, Weights, Direction, given, wanted...>::possible ||
                   !compiled::can_call_externals<code, Number, false, wanted...>()) {
-      deriving::tell_in_code<compiled::surveyed<System>>();
-      deriving::tell_in_code<code>();
+      deriving::report_in_code<compiled::surveyed<System>>();
+      deriving::report_in_code<code>();
       return no_results<Number>();
     } else {
       compiled::link_as_one_system<System>();

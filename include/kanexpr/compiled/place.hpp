@@ -24,7 +24,7 @@ struct placed {
     const std::string_view what = deriving::kind_of(symbol);
     return mechanics::sentence({"the system ", type_name<System>(), " has no ", what, symbol.called.view()});
   }();
-  static_assert(deriving::tell<placed>());
+  static_assert(deriving::report<placed>());
 };
 
 /// A symbol of a kind that a vector does not contain, such as a parameter looked up in the state.
@@ -37,7 +37,7 @@ struct misplaced {
     return mechanics::sentence({s != nullptr ? s->called.view() : "the expression",
                                 " is not an entry of the ", vector.view(), " of ", type_name<System>()});
   }();
-  static_assert(deriving::tell<misplaced>());
+  static_assert(deriving::report<misplaced>());
   static constexpr int place = 0;
 };
 

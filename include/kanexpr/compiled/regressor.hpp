@@ -43,7 +43,7 @@ struct regressor {
   static constexpr std::array<symbolic::name, static_cast<std::size_t>(size)> names = [] {
     std::array<symbolic::name, static_cast<std::size_t>(size)> all{};
     if constexpr (size > 0) {
-      const deriving::derived_system system(System::record, deriving::stages_of<System>::constrained.aside);
+      const deriving::derived_system system(System::record, deriving::stages_of<System>::constrained.stored);
       std::size_t next = 0;
       for (const symbolic::name& each : mechanics::names_of_inertial_parameters(system.mechanism()))
         all[next++] = each;

@@ -14,7 +14,7 @@ struct surveyed {
   static constexpr mechanics::sentence mistake = deriving::stages_of<System>::constrained.mistake;
   static constexpr bool follows_from_unparsed =
       deriving::stages_of<System>::constrained.follows_from_unparsed;
-  static_assert(deriving::tell<surveyed>());
+  static_assert(deriving::report<surveyed>());
 };
 
 } // namespace kanexpr::compiled

@@ -25,7 +25,7 @@ public:
 
   /// A state is initialized to zero; unset parameters and inputs are NaN.
   value_vector() {
-    deriving::tell_in_code<surveyed<System>>();
+    deriving::report_in_code<surveyed<System>>();
     fill(from(which == symbols_of::state ? 0 : number_for(gap::never_set)));
   }
 

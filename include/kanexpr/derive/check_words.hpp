@@ -22,57 +22,57 @@ constexpr sentence check_symbol_among_words(const describe::token& t, std::strin
 }
 
 /// Checks for base classes next to a system or one of its words: `struct System : kane_system<…>, loads<…>`.
-template <class Told>
-constexpr sentence word_beside() {
-  constexpr bool is_system = __is_base_of(describe::whole_systems, Told);
-  if constexpr (__is_base_of(describe::load_words, Told)) {
+template <class Type>
+constexpr sentence check_base_classes() {
+  constexpr bool is_system = __is_base_of(describe::whole_systems, Type);
+  if constexpr (__is_base_of(describe::load_words, Type)) {
     return sentence(
-        {"a load is a separate base class of ", type_name<Told>(), "; list it in the system's loads<...>"});
-  } else if constexpr (describe::has_word_beside<Told>()) {
+        {"a load is a separate base class of ", type_name<Type>(), "; list it in the system's loads<...>"});
+  } else if constexpr (describe::has_misplaced_word<Type>()) {
     return sentence(
-        {type_name<Told>(), " is described as a system and as part of a system; give each its own name"});
-  } else if constexpr (is_system && __is_base_of(describe::system_words, Told)) {
+        {type_name<Type>(), " is described as a system and as part of a system; give each its own name"});
+  } else if constexpr (is_system && __is_base_of(describe::system_words, Type)) {
     std::string_view word = "a word";
-    if constexpr (requires { Told::word; }) word = Told::word;
+    if constexpr (requires { Type::word; }) word = Type::word;
     return sentence({word, word == "a word" ? "" : "<...>", " is a separate base class of ",
-                     type_name<Told>(), "; list it among the words of the system, between its < >"});
+                     type_name<Type>(), "; list it among the words of the system, between its < >"});
   } else {
     return {};
   }
 }
 
 /// Checks that an argument of a system is one of its words.
-template <class Told>
+template <class Type>
 constexpr sentence check_word(std::string_view system) {
-  if constexpr (describe::system_word<Told>)
-    return word_beside<Told>();
-  else if constexpr (requires { typename Told::extended_base; })
-    return sentence({system, " extends ", type_name<typename Told::extended_base>(),
+  if constexpr (describe::system_word<Type>)
+    return check_base_classes<Type>();
+  else if constexpr (requires { typename Type::extended_base; })
+    return sentence({system, " extends ", type_name<typename Type::extended_base>(),
                      ", which is not a system; extended<System, ...> takes a system and the words to add"});
-  else if constexpr (requires { Told::joint_told(); })
-    return sentence({"joint ", type_name<Told>(), " is among the words of ", system, "; write joints<",
-                     type_name<Told>(), ">"});
-  else if constexpr (requires { Told::content(); })
-    return sentence({"body ", type_name<Told>(), " is among the words of ", system, "; write bodies<",
-                     type_name<Told>(), ">"});
-  else if constexpr (std::derived_from<Told, scalar<1>>)
-    return check_symbol_among_words(Told{}.tokens[0], system);
-  else if constexpr (requires { Told::orientation(); })
-    return sentence({"frame ", type_name<Told>(), " is among the words of ", system, "; write inertial<",
-                     type_name<Told>(), ">"});
-  else if constexpr (requires { Told::load.what; })
+  else if constexpr (requires { Type::joint_description(); })
+    return sentence({"joint ", type_name<Type>(), " is among the words of ", system, "; write joints<",
+                     type_name<Type>(), ">"});
+  else if constexpr (requires { Type::content(); })
+    return sentence({"body ", type_name<Type>(), " is among the words of ", system, "; write bodies<",
+                     type_name<Type>(), ">"});
+  else if constexpr (std::derived_from<Type, scalar<1>>)
+    return check_symbol_among_words(Type{}.tokens[0], system);
+  else if constexpr (requires { Type::orientation(); })
+    return sentence({"frame ", type_name<Type>(), " is among the words of ", system, "; write inertial<",
+                     type_name<Type>(), ">"});
+  else if constexpr (requires { Type::load.what; })
     return sentence(
-        {name_of(Told::load).view(), " is among the words of ", system, "; list it in loads<...>"});
-  else if constexpr (requires { Told::place(); })
+        {name_of(Type::load).view(), " is among the words of ", system, "; list it in loads<...>"});
+  else if constexpr (requires { Type::place(); })
     return sentence(
-        {"point ", type_name<Told>(), " is among the words of ", system, "; points need not be listed"});
+        {"point ", type_name<Type>(), " is among the words of ", system, "; points need not be listed"});
   else
     return sentence(
-        {short_name(type_name<Told>()).view(), " is not a word of a system, but ", system, " lists it"});
+        {short_name(type_name<Type>()).view(), " is not a word of a system, but ", system, " lists it"});
 }
 
 template <describe::method by, class... Words>
-constexpr sentence check_each_word(std::string_view system, const describe::system_told_by<by, Words...>*) {
+constexpr sentence check_each_word(std::string_view system, const describe::system_of_words<by, Words...>*) {
   sentence found;
   ((found = found ? found : check_word<Words>(system)), ...);
   return found;
@@ -94,15 +94,15 @@ constexpr bool lists_joint(const describe::listing<describe::body_record>& bodie
 /// Checks for words of one method in a system of the other, and for incompatible words.
 template <class System>
 constexpr sentence check_method(std::string_view called) {
-  const bool bodies = System::times_told("bodies") != 0 || brings_body(System::record.joints),
-             whole = System::times_told("lagrangian") != 0;
+  const bool bodies = System::count_of_word("bodies") != 0 || brings_body(System::record.joints),
+             whole = System::count_of_word("lagrangian") != 0;
   if (System::record.derived_by == describe::method::kane) {
     if (whole)
       return sentence({"the system ", called, " has lagrangian<...>, which only a lagrange_system takes"});
     return {};
   }
   for (std::string_view word : {"speeds", "kinematics", "auxiliary", "reactions"})
-    if (System::times_told(word) != 0)
+    if (System::count_of_word(word) != 0)
       return sentence({"the system ", called, " has ", word,
                        "<...>; the only speeds of a lagrange_system are the rates of its coordinates"});
   if (bodies && whole)
@@ -122,24 +122,24 @@ constexpr sentence check_words() {
   } else if constexpr (!requires { System::record; }) {
     if constexpr (!__is_base_of(describe::whole_systems, System))
       return sentence({called, " is not a system; derive it from kane_system<...> or lagrange_system<...>"});
-    else if (describe::hides<describe::whole_systems>(static_cast<System*>(nullptr)))
+    else if (describe::inherits_privately<describe::whole_systems>(static_cast<System*>(nullptr)))
       return sentence({called, " inherits privately; declare it as a struct"});
     else
       return sentence({called, " is derived from two systems; give each its own name"});
   } else {
-    if (const sentence beside = word_beside<System>()) return beside;
+    if (const sentence conflict = check_base_classes<System>()) return conflict;
     const sentence foreign = check_each_word(called, static_cast<const System*>(nullptr));
     if (foreign) return foreign;
     sentence found = check_method<System>(called);
     const auto needs = [&](std::initializer_list<std::string_view> words) {
       for (std::string_view word : words)
-        if (!found && System::times_told(word) == 0)
+        if (!found && System::count_of_word(word) == 0)
           found = sentence({"the system ", called, " has no ", word, "<...>"});
     };
     needs({"inertial"});
     const bool is_kane = System::record.derived_by == describe::method::kane;
     if (lists_joint(System::record.bodies)) return found;
-    if (System::times_told("joints") == 0) {
+    if (System::count_of_word("joints") == 0) {
       needs({"coordinates"});
       if (is_kane) needs({"speeds", "kinematics", "bodies"});
     } else if (is_kane && !brings_body(System::record.joints)) {
@@ -150,7 +150,7 @@ constexpr sentence check_words() {
          {"inertial", "coordinates", "speeds", "auxiliary", "kinematics", "configuration_constraints",
           "velocity_constraints", "acceleration_constraints", "dependent", "redundant", "bodies",
           "lagrangian", "loads", "joints", "reactions", "parameters", "inputs", "values", "used_elsewhere"})
-      if (System::times_told(word) > 1)
+      if (System::count_of_word(word) > 1)
         return sentence({"the system ", called, " lists ", word, "<...> twice; write one list"});
     return {};
   }

@@ -103,9 +103,9 @@ constexpr stage stage_for(std::span<const request> all) {
 
 /// Extracts the code from a stored stage of the derivation.
 template <std::same_as<image> Image>
-constexpr cut_code cut(const system_record& from, const Image& aside, std::string_view called,
+constexpr cut_code cut(const system_record& from, const Image& stored, std::string_view called,
                        const survey& of_system, std::span<const request> all) {
-  derived_system system(from, aside);
+  derived_system system(from, stored);
   visit(all, system.reader());
   cut_code code = cut(system, called, of_system, all);
   code.follows_from_unparsed = system.reader().follows_from_unparsed();
@@ -120,13 +120,13 @@ constexpr cut_code code_for() {
   if constexpr (static_cast<bool>(stages_of<System>::constrained.mistake)) {
     return {};
   } else if constexpr (stage_for(all) == stage::constrained) {
-    return cut(System::record, stages_of<System>::constrained.aside, type_name<System>(), known, all);
+    return cut(System::record, stages_of<System>::constrained.stored, type_name<System>(), known, all);
   } else if constexpr (static_cast<bool>(stages_of<System>::equations.mistake)) {
     return cut_code(stages_of<System>::equations.mistake);
   } else if constexpr (stage_for(all) == stage::equations) {
-    return cut(System::record, stages_of<System>::equations.aside, type_name<System>(), known, all);
+    return cut(System::record, stages_of<System>::equations.stored, type_name<System>(), known, all);
   } else {
-    return cut(System::record, stages_of<System>::linearized.aside, type_name<System>(), known, all);
+    return cut(System::record, stages_of<System>::linearized.stored, type_name<System>(), known, all);
   }
 }
 

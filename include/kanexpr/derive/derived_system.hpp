@@ -30,11 +30,11 @@ public:
   /// Resumes a stored derivation of the same record. It is a template, like `write`, so that files that do
   /// not derive anything do not instantiate the code it needs.
   template <std::same_as<image> Image>
-  constexpr derived_system(const system_record& from, const Image& aside)
+  constexpr derived_system(const system_record& from, const Image& stored)
       : system_(graph_), reader_(from, system_) {
-    equations_.emplace(system_, mechanics::equations::set_aside{});
+    equations_.emplace(system_, mechanics::equations::for_restore{});
     reader_.know(equations_->known());
-    image_reader read(aside, graph_, system_.mechanism);
+    image_reader read(stored, graph_, system_.mechanism);
     each_part(*this, read);
   }
   derived_system(const derived_system&) = delete;

@@ -10,20 +10,20 @@ namespace kanexpr {
 
 namespace deriving {
 
-/// Whether there is a sentence to report, `Told::mistake`, that is not reported by `tell_in_code`.
-template <class Told>
-constexpr bool is_told() {
-  if constexpr (requires { Told::follows_from_unparsed; })
-    return static_cast<bool>(Told::mistake) && !Told::follows_from_unparsed;
+/// Whether there is a sentence to report, `Report::mistake`, that is not reported by `report_in_code`.
+template <class Report>
+constexpr bool has_message() {
+  if constexpr (requires { Report::follows_from_unparsed; })
+    return static_cast<bool>(Report::mistake) && !Report::follows_from_unparsed;
   else
-    return static_cast<bool>(Told::mistake);
+    return static_cast<bool>(Report::mistake);
 }
 
 /// Returns the characters `begin` to `end` of a sentence as a template argument.
-template <class Told, int begin, int end>
+template <class Report, int begin, int end>
 constexpr auto text_of() {
   text<static_cast<std::size_t>(end - begin + 1)> t;
-  for (int i = begin; i < end; ++i) t.letters[i - begin] = Told::mistake.letters[i];
+  for (int i = begin; i < end; ++i) t.letters[i - begin] = Report::mistake.letters[i];
   t.letters[end - begin] = '\0'; // with a terminator, clang prints characters instead of numbers
   return t;
 }
@@ -40,12 +40,12 @@ struct model_error {
 
 namespace deriving {
 
-/// Stops the compilation with the sentence `Told::mistake`, if there is one. A repeated sentence is reported
-/// only once.
-template <class Told>
-constexpr bool tell() {
-  if constexpr (is_told<Told>())
-    return sizeof(model_error<text_of<Told, 0, Told::mistake.length>()>) != 0;
+/// Stops the compilation with the sentence `Report::mistake`, if there is one. A repeated sentence is
+/// reported only once.
+template <class Report>
+constexpr bool report() {
+  if constexpr (has_message<Report>())
+    return sizeof(model_error<text_of<Report, 0, Report::mistake.length>()>) != 0;
   else
     return true;
 }
@@ -89,10 +89,10 @@ constexpr int piece_begin(const mechanics::sentence& p, int piece) {
   return begin;
 }
 
-template <class Told, int piece>
+template <class Report, int piece>
 constexpr auto piece_of() {
-  constexpr int begin = piece_begin(Told::mistake, piece);
-  return text_of<Told, begin, piece_end(Told::mistake, begin)>();
+  constexpr int begin = piece_begin(Report::mistake, piece);
+  return text_of<Report, begin, piece_end(Report::mistake, begin)>();
 }
 
 constexpr int count_pieces(const mechanics::sentence& p) {
@@ -101,17 +101,17 @@ constexpr int count_pieces(const mechanics::sentence& p) {
   return pieces;
 }
 
-// Overload resolution for `shown` completes its argument's class, which is the error; the call itself remains
-// valid, so there is no second error. Repeating the same sentence gives no further error either.
-constexpr bool shown(const void*) { return true; }
+// Overload resolution for `accept` completes its argument's class, which is the error; the call itself
+// remains valid, so there is no second error. Repeating the same sentence gives no further error either.
+constexpr bool accept(const void*) { return true; }
 
 template <text... sentence>
-struct told : model_error<sentence...> {};
+struct reported : model_error<sentence...> {};
 
 /// For a whole system, the error is an invalid initialization of the system from a sentence, so that the
 /// compiler shows where the system is defined.
 template <class System, text... sentence>
-struct told_of {
+struct reported_for {
 #ifdef __clang__
   using error = decltype(System(std::declval<const model_error<sentence...>&>()));
 #else
@@ -119,17 +119,18 @@ struct told_of {
 #endif
 };
 
-/// Stops the compilation with the sentence `Told::mistake`, if there is one. The sentence concerns
-/// `Told::system`, if that exists.
-template <class Told>
-constexpr bool tell() {
-  if constexpr (is_told<Told>())
+/// Stops the compilation with the sentence `Report::mistake`, if there is one. The sentence concerns
+/// `Report::system`, if that exists.
+template <class Report>
+constexpr bool report() {
+  if constexpr (has_message<Report>())
     return []<int... index>(std::integer_sequence<int, index...>) {
-      if constexpr (requires { typename Told::system; })
-        return shown(static_cast<told_of<typename Told::system, piece_of<Told, index>()...>*>(nullptr));
+      if constexpr (requires { typename Report::system; })
+        return accept(
+            static_cast<reported_for<typename Report::system, piece_of<Report, index>()...>*>(nullptr));
       else
-        return shown(static_cast<told<piece_of<Told, index>()...>*>(nullptr));
-    }(std::make_integer_sequence<int, count_pieces(Told::mistake)>{});
+        return accept(static_cast<reported<piece_of<Report, index>()...>*>(nullptr));
+    }(std::make_integer_sequence<int, count_pieces(Report::mistake)>{});
   else
     return true;
 }
@@ -142,18 +143,18 @@ namespace deriving {
 
 /// Compilers evaluate this attribute only during code generation, which they skip after an earlier error.
 template <class System>
-[[gnu::error("this system, or an entity in it, has no base class")]] void derived_from_nothing() noexcept;
+[[gnu::error("this system, or an entity in it, has no base class")]] void has_no_base_class() noexcept;
 
 // The only call of this function, so that there is only one error.
 template <class System>
-[[gnu::noinline]] void refuse_code() noexcept {
-  derived_from_nothing<System>();
+[[gnu::noinline]] void reject_code() noexcept {
+  has_no_base_class<System>();
 }
 
 /// Reports a system that depends on a type that did not parse, unless the compiler has reported an error.
-template <class Told>
-inline void tell_in_code() noexcept {
-  if constexpr (Told::follows_from_unparsed) refuse_code<typename Told::system>();
+template <class Report>
+inline void report_in_code() noexcept {
+  if constexpr (Report::follows_from_unparsed) reject_code<typename Report::system>();
 }
 
 } // namespace deriving

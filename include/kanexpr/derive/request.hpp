@@ -118,7 +118,7 @@ constexpr void visit(std::span<const request> all, reader& r) {
       r.refuse("a function requests something that is not an expression of a model");
     for (const phrase& p : wanted.phrases) r.visit(p.tokens, p.size);
   }
-  r.take_up();
+  r.add_late_entities();
 }
 
 namespace detail {

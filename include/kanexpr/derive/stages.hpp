@@ -31,14 +31,14 @@ struct staged {
   sentence mistake{};
   bool follows_from_unparsed =
       false; ///< the compiler has already reported an error about the type that contains the mistake
-  image aside{};
+  image stored{};
 
   template <std::same_as<derived_system> System>
   constexpr void take(const System& system, std::string_view called) {
     mistake = system.mistake();
     if (mistake) return;
-    system.write(aside);
-    if (aside.is_full) mistake = sentence({called, " exceeds the supported size of a system"});
+    system.write(stored);
+    if (stored.is_full) mistake = sentence({called, " exceeds the supported size of a system"});
   }
 };
 
@@ -76,7 +76,7 @@ constexpr staged next_stage(const staged& before, stage to) {
   staged s;
   if constexpr (requires { System::record; }) {
     if (before.mistake) return s;
-    derived_system system(System::record, before.aside);
+    derived_system system(System::record, before.stored);
     go_on(system, to);
     s.take(system, type_name<System>());
   }

@@ -118,7 +118,7 @@ inline constexpr body_record body_of = [] {
   }
   r.called = type_name<Body>();
   if constexpr (requires { sizeof(Body); })
-    r.beside = find_misfit<Body>(); // not possible for an incomplete type
+    r.conflict = find_base_conflict<Body>(); // not possible for an incomplete type
   return r;
 }();
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/describe/mistaken.hpp>
-#include <kanexpr/describe/mixed.hpp>
+#include <kanexpr/describe/diagnostics/mismatched_operands.hpp>
+#include <kanexpr/describe/diagnostics/unsupported_operators.hpp>
 #include <kanexpr/symbolic/graph/composition.hpp>
 
 /// Functions of several expressions that are defined in terms of other functions. The reader of the model

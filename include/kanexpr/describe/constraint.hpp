@@ -49,7 +49,7 @@ inline constexpr auto zero_along = describe::one_after_another<vector_and_direct
 template <auto... constraints>
 struct configuration_constraints : describe::system_words {
   static constexpr std::string_view word = "configuration_constraints";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.configuration_constraints =
         describe::list_of<describe::phrase, &describe::phrase_of<constraints>...>::all;
   }
@@ -60,7 +60,7 @@ struct configuration_constraints : describe::system_words {
 template <auto... constraints>
 struct velocity_constraints : describe::system_words {
   static constexpr std::string_view word = "velocity_constraints";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.velocity_constraints = describe::list_of<describe::phrase, &describe::phrase_of<constraints>...>::all;
   }
 };
@@ -70,7 +70,7 @@ struct velocity_constraints : describe::system_words {
 template <auto... constraints>
 struct acceleration_constraints : describe::system_words {
   static constexpr std::string_view word = "acceleration_constraints";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.acceleration_constraints =
         describe::list_of<describe::phrase, &describe::phrase_of<constraints>...>::all;
   }
@@ -80,7 +80,7 @@ struct acceleration_constraints : describe::system_words {
 template <auto... symbols>
 struct dependent : describe::system_words {
   static constexpr std::string_view word = "dependent";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.dependent = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
   }
 };
@@ -95,7 +95,7 @@ inline constexpr int number_of_constraint = number;
 template <int... numbers>
 struct redundant : describe::system_words {
   static constexpr std::string_view word = "redundant";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.redundant = describe::list_of<int, &describe::number_of_constraint<numbers>...>::all;
   }
 };
@@ -105,7 +105,7 @@ struct redundant : describe::system_words {
 template <auto... symbols>
 struct auxiliary : describe::system_words {
   static constexpr std::string_view word = "auxiliary";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.auxiliary = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
   }
 };

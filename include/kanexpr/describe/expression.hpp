@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/letter.hpp>
-#include <kanexpr/describe/misuse.hpp>
+#include <kanexpr/describe/diagnostics/misuse.hpp>
 #include <kanexpr/describe/token.hpp>
 
 #include <concepts>

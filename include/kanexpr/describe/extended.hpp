@@ -10,7 +10,7 @@ namespace describe {
 template <auto... symbols>
 struct added_inputs : system_words {
   static constexpr std::string_view word = "inputs";
-  static constexpr void tell(system_record& r) {
+  static constexpr void add_to(system_record& r) {
     r.added_inputs = list_of<phrase, &phrase_of<symbols>...>::all;
   }
 };
@@ -31,20 +31,20 @@ template <class Word, class Added>
 struct joined {
   static constexpr bool is_one = false;
 };
-template <template <auto...> class Word, auto... told, auto... added>
-struct joined<Word<told...>, Word<added...>> {
+template <template <auto...> class Word, auto... existing, auto... added>
+struct joined<Word<existing...>, Word<added...>> {
   static constexpr bool is_one = true;
-  using type = Word<told..., added...>;
+  using type = Word<existing..., added...>;
 };
 template <template <class...> class Word, class... Told, class... Added>
 struct joined<Word<Told...>, Word<Added...>> {
   static constexpr bool is_one = true;
   using type = Word<Told..., Added...>;
 };
-template <auto... told, auto... added>
-struct joined<added_inputs<told...>, inputs<added...>> {
+template <auto... existing, auto... added>
+struct joined<added_inputs<existing...>, inputs<added...>> {
   static constexpr bool is_one = true;
-  using type = added_inputs<told..., added...>;
+  using type = added_inputs<existing..., added...>;
 };
 
 /// Adds words to a system. `Before` contains the words that were already compared and are of different kinds.
@@ -55,7 +55,7 @@ struct word_list {};
 
 template <method by, class... Words>
 struct extended_words<by, word_list<>, word_list<Words...>> {
-  using type = system_told_by<by, Words...>;
+  using type = system_of_words<by, Words...>;
 };
 template <method by, class... Before, class Word, class... After, class Added, class... More>
 struct extended_words<by, word_list<Before...>, word_list<Word, After...>, Added, More...>
@@ -77,9 +77,9 @@ struct extends_no_system {
 
 template <class Base, class... Added>
 struct extension {
-  static auto words(const volatile void*) -> system_told_by<method::kane, extends_no_system<Base>>;
+  static auto words(const volatile void*) -> system_of_words<method::kane, extends_no_system<Base>>;
   template <method by, class... Words>
-  static auto words(const system_told_by<by, Words...>*) ->
+  static auto words(const system_of_words<by, Words...>*) ->
       typename extended_words<by, word_list<>, word_list<Words...>, Added...>::type;
 
   using type = decltype(words(static_cast<const Base*>(nullptr)));

@@ -32,7 +32,7 @@ constexpr frame_record record_frame() {
   }
   r.called = type_name<Frame>();
   if constexpr (requires { sizeof(Frame); })
-    r.beside = find_misfit<Frame>(); // not possible for an incomplete type
+    r.conflict = find_base_conflict<Frame>(); // not possible for an incomplete type
   if constexpr (requires { Frame::turns_in; }) {
     r.reference = Frame::turns_in;
     r.angular_velocity = Frame::declared_angular_velocity;
@@ -59,7 +59,7 @@ template <class Other>
 inline constexpr frame_record frame_under_another_name = [] {
   frame_record r;
   r.called = r.calls_itself = type_name<Other>();
-  r.beside = misfit::name_of_another;
+  r.conflict = base_conflict::name_of_another;
   return r;
 }();
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <kanexpr/describe/composed.hpp>
+#include <kanexpr/describe/diagnostics/mismatched_operands.hpp>
+#include <kanexpr/describe/diagnostics/unsupported_operators.hpp>
 #include <kanexpr/describe/external.hpp>
-#include <kanexpr/describe/mistaken.hpp>
-#include <kanexpr/describe/mixed.hpp>
 
 /// Functions of expressions. The reader of the model rejects arguments that are not scalars.
 namespace kanexpr {
@@ -28,7 +28,7 @@ constexpr auto sqrt(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto sqrt(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::sqrt));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::sqrt));
 }
 
 template <int size>
@@ -37,7 +37,7 @@ constexpr auto sin(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto sin(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::sin));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::sin));
 }
 
 template <int size>
@@ -46,7 +46,7 @@ constexpr auto cos(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto cos(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::cos));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::cos));
 }
 
 template <int size>
@@ -55,7 +55,7 @@ constexpr auto tan(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto tan(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::tan));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::tan));
 }
 
 template <int size>
@@ -64,7 +64,7 @@ constexpr auto asin(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto asin(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::asin));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::asin));
 }
 
 template <int size>
@@ -73,7 +73,7 @@ constexpr auto acos(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto acos(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::acos));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::acos));
 }
 
 template <int size>
@@ -82,7 +82,7 @@ constexpr auto atan(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto atan(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::atan));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::atan));
 }
 
 template <int size>
@@ -91,7 +91,7 @@ constexpr auto exp(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto exp(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::exp));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::exp));
 }
 
 template <int size>
@@ -100,7 +100,7 @@ constexpr auto log(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto log(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::log));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::log));
 }
 
 template <int size>
@@ -109,7 +109,7 @@ constexpr auto sinh(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto sinh(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::sinh));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::sinh));
 }
 
 template <int size>
@@ -118,7 +118,7 @@ constexpr auto cosh(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto cosh(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::cosh));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::cosh));
 }
 
 template <int size>
@@ -127,7 +127,7 @@ constexpr auto tanh(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto tanh(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::tanh));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::tanh));
 }
 
 template <int size>
@@ -136,7 +136,7 @@ constexpr auto abs(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto abs(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::abs));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::abs));
 }
 
 template <int size>
@@ -145,7 +145,7 @@ constexpr auto sign(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto sign(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::sign));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::sign));
 }
 
 template <int size>
@@ -154,7 +154,7 @@ constexpr auto cbrt(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto cbrt(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::cbrt));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::cbrt));
 }
 
 template <int size>
@@ -163,7 +163,7 @@ constexpr auto erf(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto erf(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::erf));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::erf));
 }
 
 template <int size>
@@ -172,7 +172,7 @@ constexpr auto wrap_to_pi(const scalar<size>& x) {
 }
 template <describe::no_scalar Operand>
 constexpr auto wrap_to_pi(const Operand& x) {
-  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::wrap_to_pi));
+  return describe::mismatched<scalar>(x, describe::with(symbolic::operation::wrap_to_pi));
 }
 
 template <int left_size, int right_size>
@@ -190,7 +190,7 @@ constexpr auto atan2(Number y, const scalar<size>& x) {
 template <class Left, class Right>
   requires describe::no_function<Left, Right>
 constexpr auto atan2(const Left& x, const Right& y) {
-  return describe::meaningless<scalar>(x, y, describe::with(symbolic::operation::atan2));
+  return describe::mismatched<scalar>(x, y, describe::with(symbolic::operation::atan2));
 }
 
 template <int left_size, int right_size>
@@ -210,7 +210,7 @@ constexpr auto pow(Number x, const scalar<size>& exponent) {
 template <class Left, class Right>
   requires describe::no_function<Left, Right>
 constexpr auto pow(const Left& x, const Right& y) {
-  return describe::meaningless<scalar>(x, y, describe::with(symbolic::operation::power));
+  return describe::mismatched<scalar>(x, y, describe::with(symbolic::operation::power));
 }
 
 // Functions that C++ has but models do not; they are declared so that an error sentence can report their use.

@@ -9,7 +9,7 @@ namespace kanexpr {
 template <auto... expression>
 struct lagrangian : describe::system_words {
   static constexpr std::string_view word = "lagrangian";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     if constexpr (sizeof...(expression) == 0)
       r.lagrangian = describe::list_of<describe::phrase, &describe::phrase_of<nullptr>>::all;
     else
@@ -21,6 +21,6 @@ struct lagrangian : describe::system_words {
 /// System : lagrange_system<inertial<N>, coordinates<q>, bodies<Bob>, loads<gravity<g * N::x>>> {};` The
 /// rates of the coordinates replace the speeds and are part of the state, [q; dq/dt].
 template <class... Words>
-struct lagrange_system : describe::system_told_by<describe::method::lagrange, Words...> {};
+struct lagrange_system : describe::system_of_words<describe::method::lagrange, Words...> {};
 
 } // namespace kanexpr

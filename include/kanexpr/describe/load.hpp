@@ -179,8 +179,8 @@ constexpr load_record record_load() {
     r.unparsed = is_unparsed<Load>();
   }
   if constexpr (requires { sizeof(Load); }) {
-    r.beside = find_misfit<Load>();
-    if (r.beside != misfit::none) r.called = type_name<Load>();
+    r.conflict = find_base_conflict<Load>();
+    if (r.conflict != base_conflict::none) r.called = type_name<Load>();
   }
   return r;
 }

@@ -37,7 +37,7 @@ constexpr auto in_the_inertial_frame(const vector<1>& motion) {
   if constexpr (sizeof...(Others) == 0)
     return motion;
   else
-    return misused<vector>(motion, misuse::seen_motion);
+    return misused<vector>(motion, misuse::motion_in_frame);
 }
 
 } // namespace describe
@@ -122,15 +122,15 @@ constexpr auto partial(const Operand& x, const Symbol& by) {
 // derivatives and axes with arguments of the wrong kind
 template <describe::no_scalar Operand>
 constexpr auto derivative(const Operand& x) {
-  return describe::misused<scalar>(x, describe::misuse::unseen_derivative);
+  return describe::misused<scalar>(x, describe::misuse::derivative_without_frame);
 }
 template <class Frame, describe::no_vector Operand>
 constexpr auto derivative_in(const Operand& x) {
-  return describe::misused<vector>(x, describe::misuse::seen_scalar);
+  return describe::misused<vector>(x, describe::misuse::scalar_derivative_in_frame);
 }
 template <describe::written Operand>
 constexpr auto derivative_in(const Operand& x) {
-  return describe::misused<vector>(x, describe::misuse::unseen_derivative);
+  return describe::misused<vector>(x, describe::misuse::derivative_without_frame);
 }
 template <class Frame, describe::no_vector Operand>
 constexpr auto in_axes_of(const Operand& x) {

@@ -29,9 +29,9 @@ template <class Operand>
            std::is_arithmetic_v<Operand>) // in this order, because few types reach the second condition
 constexpr scalar<1> operand(Operand x) {
   if constexpr (std::is_same_v<Operand, bool>)
-    return {{misused(misuse::truth)}};
+    return {{misused(misuse::boolean)}};
   else if constexpr (numeric::letter<Operand>)
-    return {{misused(misuse::letter)}};
+    return {{misused(misuse::character)}};
   else
     return number(x);
 }

@@ -22,7 +22,7 @@ constexpr point_record record_point() {
   }
   r.called = type_name<Point>();
   if constexpr (requires { sizeof(Point); })
-    r.beside = find_misfit<Point>(); // not possible for an incomplete type
+    r.conflict = find_base_conflict<Point>(); // not possible for an incomplete type
   if constexpr (requires { Point::both_fixed_in; }) r.fixed_in = Point::both_fixed_in;
   if constexpr (requires { Point::moves_in; }) {
     r.reference = Point::moves_in;

@@ -2,8 +2,8 @@
 
 #include <kanexpr/base/text.hpp>
 #include <kanexpr/describe/arguments.hpp>
+#include <kanexpr/describe/diagnostics/conflicting_bases.hpp>
 #include <kanexpr/describe/functions.hpp>
-#include <kanexpr/describe/misfit.hpp>
 #include <kanexpr/describe/shape.hpp>
 #include <kanexpr/describe/unparsed.hpp>
 #include <kanexpr/describe/what_it_is.hpp>
@@ -46,7 +46,7 @@ constexpr auto with_numbers_as_scalars(const Written& value) {
   if constexpr (plain_number<Written>)
     return number(value);
   else if constexpr (numeric::letter<Written>)
-    return scalar<1>{{misused(misuse::letter)}};
+    return scalar<1>{{misused(misuse::character)}};
   else
     return value;
 }
@@ -147,7 +147,7 @@ struct frame_record {
   std::string_view instead{}; ///< the actual kind, if it is not a frame
   std::string_view its_own{}; ///< the frame of that entity, if it has one
   bool is_of_joint = false;
-  misfit beside = misfit::none;
+  base_conflict conflict = base_conflict::none;
 
   constexpr bool is_inertial() const { return parent == nullptr; }
 };
@@ -168,7 +168,7 @@ struct point_record {
       false; ///< the velocity is relative to the parent, even if `reference` is the inertial frame
   std::string_view instead{}; ///< the actual kind, if it is not a point
   std::string_view its_own{}; ///< the point of that entity, if it has one
-  misfit beside = misfit::none;
+  base_conflict conflict = base_conflict::none;
 
   constexpr bool is_origin() const { return parent == nullptr; }
 };
@@ -190,7 +190,7 @@ struct body_record {
   bool has_whole_zeros = false;          ///< whether all scalars of its inertia are the integer 0
   bool inertia_changes = false;
   bool effective = false; ///< the inertia need not correspond to a mass distribution
-  misfit beside = misfit::none;
+  base_conflict conflict = base_conflict::none;
   bool unparsed = false;
 };
 
@@ -212,7 +212,7 @@ struct load_record {
   phrase known_by{};                         ///< the expression that identifies it, if not points or frames
   std::string_view called{};
   std::string_view instead{}; ///< the actual kind, if it is not a load
-  misfit beside = misfit::none;
+  base_conflict conflict = base_conflict::none;
   bool unparsed = false;
   bool once = false; ///< listing the same load again is a mistake
 };
@@ -233,7 +233,7 @@ struct joint_record {
   listing<phrase> coordinates{}, speeds{}, kinematics{};
   const body_record* body = nullptr; ///< null if it has no mass
   std::string_view instead{};        ///< the actual kind, if it is not a joint
-  misfit beside = misfit::none;
+  base_conflict conflict = base_conflict::none;
   bool unparsed = false;
 };
 

@@ -35,7 +35,7 @@ struct system_record {
 
 /// A word of a system.
 template <class Word>
-concept system_word = requires(system_record& r) { Word::tell(r); };
+concept system_word = requires(system_record& r) { Word::add_to(r); };
 
 template <class Word>
 constexpr std::string_view word_of() {
@@ -46,8 +46,8 @@ constexpr std::string_view word_of() {
 }
 
 template <class Word>
-constexpr void tell(system_record& r) {
-  if constexpr (system_word<Word>) Word::tell(r);
+constexpr void add_word(system_record& r) {
+  if constexpr (system_word<Word>) Word::add_to(r);
 }
 
 } // namespace describe
@@ -56,7 +56,7 @@ constexpr void tell(system_record& r) {
 template <class... Frame>
 struct inertial : describe::system_words {
   static constexpr std::string_view word = "inertial";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     const describe::frame_record* const frames[]{&describe::frame_of<Frame>..., nullptr};
     if constexpr (sizeof...(Frame) == 1) r.inertial = frames[0];
   }
@@ -66,7 +66,7 @@ struct inertial : describe::system_words {
 template <auto... symbols>
 struct coordinates : describe::system_words {
   static constexpr std::string_view word = "coordinates";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.coordinates = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
   }
 };
@@ -75,7 +75,7 @@ struct coordinates : describe::system_words {
 template <auto... symbols>
 struct speeds : describe::system_words {
   static constexpr std::string_view word = "speeds";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.speeds = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
   }
 };
@@ -84,7 +84,7 @@ struct speeds : describe::system_words {
 template <auto... symbols>
 struct parameters : describe::system_words {
   static constexpr std::string_view word = "parameters";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.parameters = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
   }
 };
@@ -93,7 +93,7 @@ struct parameters : describe::system_words {
 template <auto... symbols>
 struct inputs : describe::system_words {
   static constexpr std::string_view word = "inputs";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.inputs = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
   }
 };
@@ -103,7 +103,7 @@ struct inputs : describe::system_words {
 template <auto... symbols>
 struct used_elsewhere : describe::system_words {
   static constexpr std::string_view word = "used_elsewhere";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.used_elsewhere = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
   }
 };
@@ -112,7 +112,7 @@ struct used_elsewhere : describe::system_words {
 template <auto... equations>
 struct kinematics : describe::system_words {
   static constexpr std::string_view word = "kinematics";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.kinematics = describe::list_of<describe::phrase, &describe::phrase_of<equations>...>::all;
   }
 };
@@ -121,7 +121,7 @@ struct kinematics : describe::system_words {
 template <auto... equations>
 struct values : describe::system_words {
   static constexpr std::string_view word = "values";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.values = describe::list_of<describe::phrase, &describe::phrase_of<equations>...>::all;
   }
 };
@@ -130,7 +130,7 @@ struct values : describe::system_words {
 template <class... Bodies>
 struct bodies : describe::system_words {
   static constexpr std::string_view word = "bodies";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.bodies = describe::list_of<describe::body_record, &describe::body_of<Bodies>...>::all;
   }
 };
@@ -139,7 +139,7 @@ struct bodies : describe::system_words {
 template <class... Loads>
 struct loads : describe::system_words {
   static constexpr std::string_view word = "loads";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.loads = describe::list_of<describe::load_record, &describe::load_of<Loads>...>::all;
   }
 };
@@ -148,10 +148,10 @@ namespace describe {
 
 /// A system, with its words in any order.
 template <method derived_by, class... Words>
-struct system_told_by : whole_systems {
+struct system_of_words : whole_systems {
   static constexpr auto words = boost::hana::tuple_t<Words...>;
 
-  static constexpr int times_told(std::string_view wanted) {
+  static constexpr int count_of_word(std::string_view wanted) {
     int times = 0;
     boost::hana::for_each(words, [&](auto word) {
       if (word_of<typename decltype(word)::type>() == wanted) ++times;
@@ -162,7 +162,7 @@ struct system_told_by : whole_systems {
   static constexpr system_record record = [] {
     system_record r;
     r.derived_by = derived_by;
-    boost::hana::for_each(words, [&](auto word) { tell<typename decltype(word)::type>(r); });
+    boost::hana::for_each(words, [&](auto word) { add_word<typename decltype(word)::type>(r); });
     return r;
   }();
 };
@@ -172,6 +172,6 @@ struct system_told_by : whole_systems {
 /// A system whose equations of motion are derived by Kane's method, with its words in any order: `struct
 /// System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>> {};`
 template <class... Words>
-struct kane_system : describe::system_told_by<describe::method::kane, Words...> {};
+struct kane_system : describe::system_of_words<describe::method::kane, Words...> {};
 
 } // namespace kanexpr

@@ -9,7 +9,7 @@ inline constexpr std::string_view joint_out_of_place = "a joint; list it in join
 /// Describes a type for a sentence about a type in the wrong place; empty if it is not a word of a model.
 template <class Type>
 constexpr std::string_view what_it_is() {
-  if constexpr (requires { Type::joint_told(); })
+  if constexpr (requires { Type::joint_description(); })
     return joint_out_of_place;
   else if constexpr (requires { Type::content(); })
     return "a body; list it in bodies<...>";

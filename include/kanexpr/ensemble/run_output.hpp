@@ -82,7 +82,7 @@ struct output_expression {
                                 deriving::is_a(words.kind), "it must be a scalar"});
   }();
   static constexpr bool is_scalar = !mistake;
-  static_assert(deriving::tell<output_expression>());
+  static_assert(deriving::report<output_expression>());
 
   template <class System>
   static double at(double t, const state<System>& x, const parameter_values<System>& p,

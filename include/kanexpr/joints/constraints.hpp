@@ -25,7 +25,7 @@ constexpr auto coupled(const auto& of_first, const auto& of_second) {
                 effort_of_joint<Second>() == joint_effort::none) {
     return mistaken<First>(misuse::coupling);
   } else if constexpr (std::same_as<First, Second>) {
-    return mistaken<First>(misuse::own_coupling);
+    return mistaken<First>(misuse::self_coupling);
   } else {
     return of_first * First::template q<0> == of_second * Second::template q<0>;
   }

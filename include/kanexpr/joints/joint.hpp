@@ -283,7 +283,7 @@ struct joint : axes<Self>, place_words, joint_words {
     return r;
   }
 
-  static constexpr joint_record joint_told() {
+  static constexpr joint_record joint_description() {
     joint_record r;
     if constexpr (is_written) {
       r = written();
@@ -311,7 +311,7 @@ private:
     if constexpr (has<joint_word::body>) r.body = &body_of_joint<Self>;
     r.mistake = mistake_of_words<joint, Words...>();
     if (!r.mistake.empty()) return r;
-    r.axes = axes_told();
+    r.axes = axes_to_check();
     if constexpr (is_off_parent)
       if (holds_other_axes(word<joint_word::at>::in_parent, parent_frame()))
         r.place = phrase_of<word<joint_word::at>::in_parent, Self>;
@@ -333,7 +333,7 @@ private:
 
   /// The axes that need a check: for their length, for being fixed, and, if there are two, for not being
   /// parallel.
-  static constexpr listing<phrase> axes_told() {
+  static constexpr listing<phrase> axes_to_check() {
     if constexpr (!has<joint_word::axis>) {
       return {};
     } else {
@@ -376,14 +376,14 @@ constexpr joint_effort effort_of_joint() {
 template <class Joint>
 constexpr joint_record record_joint() {
   joint_record r;
-  if constexpr (requires { Joint::joint_told(); }) {
-    r = Joint::joint_told();
+  if constexpr (requires { Joint::joint_description(); }) {
+    r = Joint::joint_description();
   } else {
     r.instead = what_it_is<Joint>();
     r.unparsed = is_unparsed<Joint>();
   }
   r.called = type_name<Joint>();
-  if constexpr (requires { sizeof(Joint); }) r.beside = find_misfit<Joint>();
+  if constexpr (requires { sizeof(Joint); }) r.conflict = find_base_conflict<Joint>();
   return r;
 }
 

@@ -10,7 +10,7 @@ namespace kanexpr {
 template <class... Joints>
 struct joints : describe::system_words {
   static constexpr std::string_view word = "joints";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.joints = describe::list_of<describe::joint_record, &describe::joint_of<Joints>...>::all;
   }
 };

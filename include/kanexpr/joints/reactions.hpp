@@ -79,7 +79,7 @@ inline constexpr reaction_record reaction_of = [] {
 template <class... Joints>
 struct reactions : describe::system_words {
   static constexpr std::string_view word = "reactions";
-  static constexpr void tell(describe::system_record& r) {
+  static constexpr void add_to(describe::system_record& r) {
     r.reactions = describe::list_of<describe::reaction_record, &describe::reaction_of<Joints>...>::all;
   }
 };

@@ -23,8 +23,6 @@
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/sizes/terms.hpp>
 
-#include <optional>
-
 namespace kanexpr::mechanics {
 
 /// The equations of one system. Each result is formed on first use and only once.
@@ -37,8 +35,8 @@ public:
   constexpr equations(const multibody_system& of, known_motion&& known)
       : system_(&of), m_(&of.mechanism), known_(std::move(known)) {}
   /// Creates an empty object to be restored from stored members.
-  using set_aside = known_motion::set_aside;
-  constexpr equations(const multibody_system& of, set_aside empty)
+  using for_restore = known_motion::for_restore;
+  constexpr equations(const multibody_system& of, for_restore empty)
       : equations(of, known_motion(of.mechanism, empty)) {}
   equations(const equations&) = delete;
   equations& operator=(const equations&) = delete;
@@ -76,7 +74,7 @@ public:
     constraints_.on_accelerations = given.on_accelerations;
     if (!given.on_velocities.empty() || !given.on_configuration.empty())
       constraints_ = form_constraints(moving(), given);
-    tell_redundant(all, constraints_);
+    record_redundant(all, constraints_);
     configuration_ = mechanics::configuration_jacobian_by_all(*m_, given.on_configuration);
     const sequence<numbers> by_q = equilibrated(at_generic_states(configuration_, m_)),
                             by_u = equilibrated(at_generic_states(constraints_.jacobian, m_));
@@ -89,8 +87,8 @@ public:
     if (mistake_) return;
     coordinates_ = partition_of(by_q, configuration_, given.dependent_coordinates,
                                 sequence<char>(m_->coordinates.size(), 0));
-    speeds_ =
-        partition_of(by_u, constraints_.jacobian, given.dependent_speeds, moving_dependent_coordinates());
+    speeds_ = partition_of(by_u, constraints_.jacobian, given.dependent_speeds,
+                           rates_of_dependent(s_, coordinates_));
     known_.drop_auxiliary_speeds();
   }
 
@@ -113,74 +111,13 @@ public:
   constexpr symbolic::matrix get(quantity wanted) {
     if (!is_constrained_) constrain();
     if (!mistake_) mistake_ = check_bodies(wanted);
-    switch (wanted) {
-    case quantity::mass_matrix: return mass();
-    case quantity::forcing: return column(dynamics_.force());
-    case quantity::mass_matrix_full: {
-      const symbolic::matrix& formed = mass();
-      return mass_matrix_of_all(*m_, speeds_, formed, dynamics_.dependent());
-    }
-    case quantity::forcing_full: {
-      const sequence<expression>& force = dynamics_.force();
-      return column(s_.coordinate_rates, forcing_of_all(force, dynamics_.dependent()));
-    }
-    case quantity::qdot: return column(s_.coordinate_rates);
-    case quantity::udot: return column(accelerations());
-    case quantity::rhs: return column(s_.coordinate_rates, accelerations());
-    case quantity::active_forces: return column(dynamics_.active_forces());
-    case quantity::inertia_forces: return column(dynamics_.inertia_forces());
-    case quantity::unreduced_forces: return column(dynamics_.unreduced_forces());
-    case quantity::unreduced_mass_matrix: return dynamics_.unreduced_mass();
-    case quantity::unreduced_forcing: return column(dynamics_.unreduced_forcing());
-    case quantity::constraint_bias: return column(dynamics_.constraint_bias());
-    case quantity::inverse_dynamics: return column(negative(dynamics_.reduce(dynamics_.unreduced_forces())));
-    case quantity::required_inputs: return inputs_of_motion();
-    case quantity::gravity_compensation: return column(negative(dynamics_.reduce(forces_of_gravity())));
-    case quantity::load_compensation:
-      return column(negative(dynamics_.reduce(forces_of_loads(s_, system_->loads))));
-    case quantity::regressor: return regressor();
-    case quantity::inertial_parameters: return column(inertial_values(s_));
-    case quantity::coriolis: return coriolis();
-    case quantity::kinetic_energy: return column({mechanics::kinetic_energy(moving())});
-    case quantity::potential_energy: return column({mechanics::potential_energy(s_, system_->loads)});
-    case quantity::linear_momentum: return column(mechanics::linear_momentum(moving()));
-    case quantity::angular_momentum: return column(mechanics::angular_momentum(moving()));
-    case quantity::center_of_mass: return column(mechanics::center_of_mass(s_));
-    case quantity::generalized_momenta: return column(momenta());
-    case quantity::configuration_residual: return column(constraints_.on_configuration);
-    case quantity::configuration_terms:
-      return column(symbolic::terms_of(*m_->g, constraints_.on_configuration));
-    case quantity::redundant_residual: return column(constraints_.redundant);
-    case quantity::redundant_terms: return column(symbolic::terms_of(*m_->g, constraints_.redundant));
-    case quantity::redundant_jacobian: return redundant_alone(moving(), constraints_).jacobian;
-    case quantity::redundant_bias: return column(dynamics_.bias_of(redundant_alone(moving(), constraints_)));
-    case quantity::redundant_rate: return column(rates_of_redundant());
-    case quantity::redundant_rate_terms: return column(symbolic::terms_of(*m_->g, rates_of_redundant()));
-    case quantity::configuration_jacobian_by_dependent:
-      return detail::columns_of(*m_->g, configuration_, coordinates_.dependent);
-    case quantity::configuration_jacobian_by_all: return configuration_;
-    case quantity::configuration_step: return step_of_configuration();
-    case quantity::velocity_residual: return column(velocity_residual());
-    case quantity::velocity_terms: return column(symbolic::terms_of(*m_->g, velocity_residual()));
-    case quantity::constraint_residual: return column(constraints_.on_configuration, velocity_residual());
-    case quantity::constraint_jacobian: return constraints_.jacobian;
-    case quantity::dependent_speeds: return column(dynamics_.speeds_by_constraints());
-    case quantity::dependency: return dynamics_.dependent().on_independent;
-    case quantity::acceleration_bias: return column(dynamics_.dependent().acceleration_bias);
-    case quantity::constraint_pivots: return column(dynamics_.constraint_pivots());
-    case quantity::multipliers: return dynamics_.lambda();
-    case quantity::noncontributing_forces: return column(dynamics_.noncontributing_forces());
-    case quantity::state_matrix:
-    case quantity::input_matrix:
-    case quantity::state_jacobian:
-    case quantity::input_jacobian:
-    case quantity::implicit_mass_matrix:
-    case quantity::implicit_state_matrix:
-    case quantity::implicit_input_matrix:
-    case quantity::weighted_gradient:
-    case quantity::directional_derivative:
-    case quantity::weighted_hessian:
-    case quantity::weighted_hessian_product: return in_motion(at_given_rates(wanted));
+    switch (kind_of(wanted)) {
+    case result_kind::equations_of_motion: return equation_of_motion(wanted);
+    case result_kind::forces: return of_forces(wanted);
+    case result_kind::energies: return of_energies(wanted);
+    case result_kind::configuration_constraints: return of_configuration_constraints(wanted);
+    case result_kind::velocity_constraints: return of_velocity_constraints(wanted);
+    case result_kind::derivatives: return in_motion(at_given_rates(wanted));
     }
     return {};
   }
@@ -259,13 +196,88 @@ private:
     return !mistake_;
   }
 
-  /// Marks the speeds that are the rates of dependent coordinates, which are preferred as dependent speeds.
-  constexpr sequence<char> moving_dependent_coordinates() const {
-    sequence<char> favoured(m_->speeds.size(), 0);
-    for (int j : coordinates_.dependent)
-      for (int i = 0; i < m_->speeds.size(); ++i)
-        if (s_.coordinate_rates[j] == m_->speeds[i]) favoured[i] = 1;
-    return favoured;
+  constexpr symbolic::matrix equation_of_motion(quantity wanted) {
+    switch (wanted) {
+    case quantity::mass_matrix: return mass();
+    case quantity::forcing: return column(dynamics_.force());
+    case quantity::mass_matrix_full: {
+      const symbolic::matrix& formed = mass();
+      return mass_matrix_of_all(*m_, speeds_, formed, dynamics_.dependent());
+    }
+    case quantity::forcing_full: {
+      const sequence<expression>& force = dynamics_.force();
+      return column(s_.coordinate_rates, forcing_of_all(force, dynamics_.dependent()));
+    }
+    case quantity::qdot: return column(s_.coordinate_rates);
+    case quantity::udot: return column(accelerations());
+    case quantity::rhs: return column(s_.coordinate_rates, accelerations());
+    default: return {};
+    }
+  }
+  constexpr symbolic::matrix of_forces(quantity wanted) {
+    switch (wanted) {
+    case quantity::active_forces: return column(dynamics_.active_forces());
+    case quantity::inertia_forces: return column(dynamics_.inertia_forces());
+    case quantity::unreduced_forces: return column(dynamics_.unreduced_forces());
+    case quantity::unreduced_mass_matrix: return dynamics_.unreduced_mass();
+    case quantity::unreduced_forcing: return column(dynamics_.unreduced_forcing());
+    case quantity::constraint_bias: return column(dynamics_.constraint_bias());
+    case quantity::inverse_dynamics: return column(negative(dynamics_.reduce(dynamics_.unreduced_forces())));
+    case quantity::required_inputs: return inputs_of_motion();
+    case quantity::gravity_compensation: return column(negative(dynamics_.reduce(forces_of_gravity())));
+    case quantity::load_compensation:
+      return column(negative(dynamics_.reduce(forces_of_loads(s_, system_->loads))));
+    case quantity::regressor: return regressor();
+    case quantity::inertial_parameters: return column(inertial_values(s_));
+    case quantity::coriolis: return coriolis();
+    default: return {};
+    }
+  }
+  constexpr symbolic::matrix of_energies(quantity wanted) {
+    switch (wanted) {
+    case quantity::kinetic_energy: return column({mechanics::kinetic_energy(moving())});
+    case quantity::potential_energy: return column({mechanics::potential_energy(s_, system_->loads)});
+    case quantity::linear_momentum: return column(mechanics::linear_momentum(moving()));
+    case quantity::angular_momentum: return column(mechanics::angular_momentum(moving()));
+    case quantity::center_of_mass: return column(mechanics::center_of_mass(s_));
+    case quantity::generalized_momenta: return column(momenta());
+    default: return {};
+    }
+  }
+  constexpr symbolic::matrix of_configuration_constraints(quantity wanted) {
+    switch (wanted) {
+    case quantity::configuration_residual: return column(constraints_.on_configuration);
+    case quantity::configuration_terms:
+      return column(symbolic::terms_of(*m_->g, constraints_.on_configuration));
+    case quantity::redundant_residual: return column(constraints_.redundant);
+    case quantity::redundant_terms: return column(symbolic::terms_of(*m_->g, constraints_.redundant));
+    case quantity::redundant_jacobian: return only_redundant(moving(), constraints_).jacobian;
+    case quantity::redundant_bias: return column(dynamics_.bias_of(only_redundant(moving(), constraints_)));
+    case quantity::redundant_rate: return column(rates_of_redundant());
+    case quantity::redundant_rate_terms: return column(symbolic::terms_of(*m_->g, rates_of_redundant()));
+    case quantity::configuration_jacobian_by_dependent:
+      return detail::columns_of(*m_->g, configuration_, coordinates_.dependent);
+    case quantity::configuration_jacobian_by_all: return configuration_;
+    case quantity::configuration_step: return step_of_configuration();
+    default: return {};
+    }
+  }
+  constexpr symbolic::matrix of_velocity_constraints(quantity wanted) {
+    switch (wanted) {
+    case quantity::velocity_residual: return column(constraints_.velocity_residual());
+    case quantity::velocity_terms:
+      return column(symbolic::terms_of(*m_->g, constraints_.velocity_residual()));
+    case quantity::constraint_residual:
+      return column(constraints_.on_configuration, constraints_.velocity_residual());
+    case quantity::constraint_jacobian: return constraints_.jacobian;
+    case quantity::dependent_speeds: return column(dynamics_.speeds_by_constraints());
+    case quantity::dependency: return dynamics_.dependent().on_independent;
+    case quantity::acceleration_bias: return column(dynamics_.dependent().acceleration_bias);
+    case quantity::constraint_pivots: return column(dynamics_.constraint_pivots());
+    case quantity::multipliers: return dynamics_.lambda();
+    case quantity::noncontributing_forces: return column(dynamics_.noncontributing_forces());
+    default: return {};
+    }
   }
 
   constexpr const symbolic::matrix& mass() {
@@ -305,7 +317,7 @@ private:
   }
 
   constexpr symbolic::matrix regressor() {
-    motion k = motion_on_rising_ground(s_, system_->loads, m_->speed_rates);
+    motion k = motion_on_accelerated_ground(s_, system_->loads, m_->speed_rates);
     if (!mistake_) mistake_ = check_regressor(s_, k);
     if (mistake_) return {};
     const symbolic::matrix of_all = regressor_of_all(s_, k);
@@ -356,11 +368,6 @@ private:
     for (const expression& f : constraints_.redundant) rates.push(drop.in(known.in(moving().rate(f))));
     return rates;
   }
-  constexpr sequence<expression> velocity_residual() const {
-    sequence<expression> residual;
-    for (const velocity_constraint& c : constraints_.on_velocities) residual.push(c.value);
-    return residual;
-  }
   constexpr symbolic::matrix column(const sequence<expression>& above,
                                     const sequence<expression>& below = {}) const {
     symbolic::matrix m(*m_->g, above.size() + below.size(), 1);
@@ -378,8 +385,7 @@ private:
   const skeleton& s_ = known_.skeleton_used();
   sentence mistake_{};
   constraints constraints_{};
-  symbolic::matrix configuration_{}; ///< the derivatives of the configuration constraints with respect to the
-                                     ///< coordinates
+  symbolic::matrix configuration_{}; ///< the Jacobian of the configuration constraints by all coordinates
   partition speeds_{}, coordinates_{};
   sequence<symbolic::solved_block>
       step_blocks_{}; ///< the blocks of the Newton step of the dependent coordinates

@@ -231,6 +231,25 @@ static_assert([] {
   return true;
 }());
 
+/// The kinds of results; those of one kind follow each other in `quantity`.
+enum class result_kind : unsigned char {
+  equations_of_motion,
+  forces,   ///< and the matrices with which they are formed
+  energies, ///< and momenta
+  configuration_constraints,
+  velocity_constraints,
+  derivatives, ///< linearized equations, and derivatives with weights or a direction
+};
+
+constexpr result_kind kind_of(quantity wanted) {
+  if (wanted < quantity::active_forces) return result_kind::equations_of_motion;
+  if (wanted < quantity::kinetic_energy) return result_kind::forces;
+  if (wanted < quantity::configuration_residual) return result_kind::energies;
+  if (wanted < quantity::velocity_residual) return result_kind::configuration_constraints;
+  if (wanted < quantity::state_matrix) return result_kind::velocity_constraints;
+  return result_kind::derivatives;
+}
+
 /// Whether a result is part of the linearized equations, which are requested as a whole.
 constexpr bool is_of_linearization(quantity wanted) {
   return wanted >= quantity::state_matrix && wanted <= quantity::implicit_input_matrix;

@@ -80,7 +80,7 @@ struct watched {
                                 deriving::name_in(words), words.size > 0 ? "," : "",
                                 deriving::is_a(words.kind), "it must be a scalar that can pass zero"});
   }();
-  static_assert(deriving::tell<watched>());
+  static_assert(deriving::report<watched>());
 };
 
 } // namespace simulated

@@ -207,7 +207,7 @@ TEST(springs, are_looked_at) {
   EXPECT_EQ(mistake([](arm& a) { a.force_between(a.tip, a.o, a.dot(a.u[0]) * a.along(a.n, 0, 0, 1)); }),
             "the force between T and O contains the rate of speed u0");
   EXPECT_EQ(mistake([](arm& a) { a.spring(a.tip, point_id{99}, a.number(1)); }),
-            "a spring names point number 99, which does not exist");
+            "a spring refers to point number 99, which does not exist");
   EXPECT_EQ(mistake([](arm& a) { a.spring(a.tip, a.o, a.number(-2)), a.damper(a.tip, a.o, a.number(-1)); }),
             "");
 }

@@ -14,11 +14,11 @@ public:
 
   constexpr void read(const body_record& r) {
     if (r.unparsed) return reading_.fail_by_unparsed(r.called, "bodies<...>");
-    if (!reading_.words_belong(r.beside, r.called)) return;
+    if (!reading_.check_base_conflict(r.conflict, r.called)) return;
     if (r.calls_itself.empty())
       return reading_.fail({"bodies<...> lists ", short_name(r.called).view(), ", which is ",
                             r.instead.empty() ? "not a body" : r.instead});
-    if (r.called != r.calls_itself) return reading_.slip("body ", r.called, r.calls_itself);
+    if (r.called != r.calls_itself) return reading_.fail_by_self("body ", r.called, r.calls_itself);
     if (!r.fits) return reading_.wrong_count("body ", r.called, r.fits);
     if (r.has_whole_zeros && r.about == nullptr && !r.inertia_changes && !r.effective)
       return reading_.fail(

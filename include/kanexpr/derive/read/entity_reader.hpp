@@ -32,12 +32,12 @@ public:
 
   /// Adds entities that phrases mention but the system itself does not use to a derived system. If there is a
   /// mistake, they are discarded, because the system is valid without them.
-  constexpr void take_up() {
+  constexpr void add_late_entities() {
     if (reading_.known == nullptr) return;
     const mechanics::skeleton& s = reading_.known->skeleton_used();
     const int frames = s.rigid_with.size(), points = s.station_of_point.size();
     if (!reading_.mistake && reading_.known->lacks_any()) {
-      reading_.mistake = mechanics::check_late_entities(reading_.into, frames, points);
+      reading_.mistake = mechanics::check_added_entities(reading_.into, frames, points);
       if (!reading_.mistake) reading_.known->extend();
     }
     if (reading_.mistake) forget_after(frames, points);
@@ -62,23 +62,23 @@ public:
     const int describing_before = reading_.describing;
     reading_.describing = none;
     open_frames_.push(r);
-    const frame_record& told = *freed_.told_of(r);
-    const int parent = told.parent != nullptr ? frame(told.parent, told.called) : none;
+    const frame_record& record = *freed_.record_of(r);
+    const int parent = record.parent != nullptr ? frame(record.parent, record.called) : none;
     if (reading_.mistake) return mechanism::inertial;
     const frame_record* const parent_before = reading_.parent;
-    reading_.parent = told.parent;
-    const int place = add_frame(told, parent);
+    reading_.parent = record.parent;
+    const int place = add_frame(record, parent);
     reading_.parent = parent_before;
     open_frames_.pop();
     frames_.push(r);
     places_of_frames_.push(place);
-    if (told.reference != nullptr && !reading_.mistake) {
+    if (record.reference != nullptr && !reading_.mistake) {
       reading_.describing = place;
-      const int reference = frame(told.reference, told.called);
+      const int reference = frame(record.reference, record.called);
       const mechanics::vector w = phrases_.vector_of(
-          told.angular_velocity, {"the angular velocity of frame ", told.called}, told.called);
-      freed_.check_is_held(told);
-      if (!reading_.mistake) mechanics::declare_angular_velocity(m_, place, reference, w, told.turns_apart);
+          record.angular_velocity, {"the angular velocity of frame ", record.called}, record.called);
+      freed_.check_is_held(record);
+      if (!reading_.mistake) mechanics::declare_angular_velocity(m_, place, reference, w, record.turns_apart);
     }
     reading_.describing = describing_before;
     return place;
@@ -91,29 +91,29 @@ public:
       reading_.fail({"point ", r->called, " of ", whom, " is not part of the derived system"});
     check_point(*r, whom);
     if (reading_.mistake) return 0;
-    const point_record& told = *freed_.told_of(r);
+    const point_record& record = *freed_.record_of(r);
     mechanics::point p;
-    p.called = symbolic::name(told.called);
-    if (told.parent != nullptr) {
+    p.called = symbolic::name(record.called);
+    if (record.parent != nullptr) {
       open_points_.push(r);
-      p.parent = point(told.parent, told.called);
+      p.parent = point(record.parent, record.called);
       open_points_.pop();
-      p.offset = phrases_.vector_of(told.offset, {"the offset of point ", told.called}, told.called);
-      const frame_record* const on = freed_.frame_below(told);
+      p.offset = phrases_.vector_of(record.offset, {"the offset of point ", record.called}, record.called);
+      const frame_record* const on = freed_.frame_below(record);
       if (on != nullptr && !reading_.mistake)
-        p.offset = mechanics::turned_with(m_, p.offset, frame(on, told.called));
-    } else if (frame(told.origin_of, told.called) != mechanism::inertial) {
+        p.offset = mechanics::turned_with(m_, p.offset, frame(on, record.called));
+    } else if (frame(record.origin_of, record.called) != mechanism::inertial) {
       reading_.fail(
           {"origin ", r->called, " is not fixed in the inertial frame; a point that moves needs an offset"});
     }
-    if (told.fixed_in != nullptr) p.fixed_in = frame(told.fixed_in, told.called);
-    if (told.reference != nullptr) {
-      const int reference = frame(told.reference, told.called);
+    if (record.fixed_in != nullptr) p.fixed_in = frame(record.fixed_in, record.called);
+    if (record.reference != nullptr) {
+      const int reference = frame(record.reference, record.called);
       const mechanics::vector v =
-          phrases_.vector_of(told.velocity, {"the velocity of point ", told.called}, told.called);
-      p.moves_apart = told.moves_apart;
-      if (reference == mechanism::inertial && !told.from_parent) freed_.check_is_held(told);
-      if (told.from_parent)
+          phrases_.vector_of(record.velocity, {"the velocity of point ", record.called}, record.called);
+      p.moves_apart = record.moves_apart;
+      if (reference == mechanism::inertial && !record.from_parent) freed_.check_is_held(record);
+      if (record.from_parent)
         mechanics::declare_velocity_from_parent(p, reference, v);
       else
         mechanics::declare_velocity(p, reference, v);
@@ -140,8 +140,8 @@ private:
   }
 
   /// Reports a type that is used as a frame or point but is neither.
-  constexpr void no_such(std::string_view kind, std::string_view called, std::string_view whom,
-                         std::string_view instead, std::string_view its_own) {
+  constexpr void fail_by_kind(std::string_view kind, std::string_view called, std::string_view whom,
+                              std::string_view instead, std::string_view its_own) {
     if (instead.empty())
       return reading_.fail(
           {called, ", which ", whom, " uses as a ", kind, ", is not a ", kind, ", or is defined later"});
@@ -152,9 +152,9 @@ private:
 
   constexpr void check_frame(const frame_record& r, std::string_view whom) {
     if (r.unparsed) return reading_.fail_by_unparsed(r.called, whom);
-    if (!reading_.words_belong(r.beside, r.called)) return;
-    if (r.calls_itself.empty()) return no_such("frame", r.called, whom, r.instead, r.its_own);
-    if (r.called != r.calls_itself) return reading_.slip("frame ", r.called, r.calls_itself);
+    if (!reading_.check_base_conflict(r.conflict, r.called)) return;
+    if (r.calls_itself.empty()) return fail_by_kind("frame", r.called, whom, r.instead, r.its_own);
+    if (r.called != r.calls_itself) return reading_.fail_by_self("frame ", r.called, r.calls_itself);
     if (r.is_of_joint && !is_listed(r))
       return reading_.fail({"joint ", r.called, ", which ", whom, " uses, is not listed in joints<...>"});
     if (!r.fits) return reading_.wrong_count("frame ", r.called, r.fits);
@@ -174,9 +174,9 @@ private:
 
   constexpr void check_point(const point_record& r, std::string_view whom) {
     if (r.unparsed) return reading_.fail_by_unparsed(r.called, whom);
-    if (!reading_.words_belong(r.beside, r.called)) return;
-    if (r.calls_itself.empty()) return no_such("point", r.called, whom, r.instead, r.its_own);
-    if (r.called != r.calls_itself) return reading_.slip("point ", r.called, r.calls_itself);
+    if (!reading_.check_base_conflict(r.conflict, r.called)) return;
+    if (r.calls_itself.empty()) return fail_by_kind("point", r.called, whom, r.instead, r.its_own);
+    if (r.called != r.calls_itself) return reading_.fail_by_self("point ", r.called, r.calls_itself);
     if (!r.fits) return reading_.wrong_count("point ", r.called, r.fits);
     if (r.parent == nullptr && (r.fixed_in != nullptr || r.reference != nullptr))
       reading_.fail(

@@ -19,12 +19,12 @@ public:
   constexpr explicit freed_joints(reading& all) : reading_(all) {}
 
   /// Returns the record of a frame; the frame of such a joint also moves with auxiliary speeds.
-  constexpr const frame_record* told_of(const frame_record* r) const {
+  constexpr const frame_record* record_of(const frame_record* r) const {
     for (int i = 0; i < size(); ++i)
       if (freed(i).frame == r) return freed(i).freed_frame;
     return r;
   }
-  constexpr const point_record* told_of(const point_record* r) const {
+  constexpr const point_record* record_of(const point_record* r) const {
     for (int i = 0; i < size(); ++i)
       if (freed(i).point == r) return freed(i).freed_point;
     return r;

@@ -52,11 +52,11 @@ public:
 private:
   constexpr void check_joint(const joint_record& r) {
     if (r.unparsed) return reading_.fail_by_unparsed(r.called, "joints<...>");
-    if (!reading_.words_belong(r.beside, r.called)) return;
+    if (!reading_.check_base_conflict(r.conflict, r.called)) return;
     if (r.calls_itself.empty())
       return reading_.fail({"joints<...> lists ", short_name(r.called).view(), ", which is ",
                             r.instead.empty() ? "not a joint" : r.instead});
-    if (r.called != r.calls_itself) return reading_.slip("joint ", r.called, r.calls_itself);
+    if (r.called != r.calls_itself) return reading_.fail_by_self("joint ", r.called, r.calls_itself);
     if (!r.mistake.empty())
       return reading_.fail({"joint ", r.called, " ", r.mistake, r.form.empty() ? "" : "; write ", r.form});
     if (r.parent_frame->calls_itself.empty())

@@ -27,7 +27,7 @@ public:
   }
 
   constexpr void read_load(const load_record& r) {
-    if (!reading_.words_belong(r.beside, r.called)) return;
+    if (!reading_.check_base_conflict(r.conflict, r.called)) return;
     if (!r.fits) return reading_.wrong_count("", name_of(r).view(), r.fits);
     if (r.once && is_listed_twice(r)) return reading_.fail({name_of(r).view(), " is listed twice"});
     if (!moves(r)) return evaluate_load(r);

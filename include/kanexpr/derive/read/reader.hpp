@@ -69,9 +69,9 @@ public:
   constexpr bool read_moving_loads() { return loads_.read_moving_loads(); }
   constexpr void read_constraints() { constraints_.read_constraints(); }
 
-  /// Reads the entities that a phrase mentions; `take_up` adds them to a derived system.
+  /// Reads the entities that a phrase mentions; `add_late_entities` adds them to a derived system.
   constexpr void visit(const describe::token* tokens, int size) { entities_.visit(tokens, size); }
-  constexpr void take_up() { entities_.take_up(); }
+  constexpr void add_late_entities() { entities_.add_late_entities(); }
   /// Returns the value of a phrase of `whom`.
   constexpr value evaluate(const phrase& p, std::string_view whom) { return phrases_.evaluate(p, whom); }
   constexpr expression symbol(const symbol_record& r, std::string_view whom) {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
-#include <kanexpr/derive/read/misfit_wording.hpp>
+#include <kanexpr/derive/read/base_conflict_wording.hpp>
 #include <kanexpr/derive/read/wording.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>
@@ -46,15 +46,15 @@ struct reading {
   }
 
   /// Checks that an entity does not have a word twice and has only words that belong to it.
-  constexpr bool words_belong(describe::misfit beside, std::string_view called) {
-    if (beside == describe::misfit::none) return true;
-    fail({misfit_of(beside, called).view()});
+  constexpr bool check_base_conflict(describe::base_conflict conflict, std::string_view called) {
+    if (conflict == describe::base_conflict::none) return true;
+    fail({base_conflict_sentence(conflict, called).view()});
     return false;
   }
 
   /// Reports an entity that names another entity as itself: `struct B : rotated<A, ...>` would define A a
   /// second time.
-  constexpr void slip(std::string_view kind, std::string_view called, std::string_view other) {
+  constexpr void fail_by_self(std::string_view kind, std::string_view called, std::string_view other) {
     fail({kind, called, " names itself ", other, "; the first template argument of its base must be ",
           called});
   }

@@ -38,7 +38,7 @@ public:
       if (right.tokens[i].what == describe::token_kind::number &&
           right.tokens[i].index == describe::whole_zero)
         return reading_.fail(
-            {"the value of parameter ", s->called.view(), describe::what_is_wrong(describe::misuse::zero)});
+            {"the value of parameter ", s->called.view(), describe::misuse_message(describe::misuse::zero)});
     const value number = phrases_.evaluate_part("the value of parameter ", right, s->called.view());
     if (!reading_.mistake && (number.kind != shape::scalar || !number.scalar.is_constant()))
       reading_.fail({"the value of parameter ", s->called.view(), " is not a number"});

@@ -6,8 +6,8 @@
 #include <kanexpr/mechanics/checks/check_dyadic.hpp>
 #include <kanexpr/mechanics/checks/check_inertia.hpp>
 #include <kanexpr/mechanics/checks/check_kinematics.hpp>
-#include <kanexpr/mechanics/checks/check_left_out_angles.hpp>
 #include <kanexpr/mechanics/checks/check_loads.hpp>
+#include <kanexpr/mechanics/checks/check_omitted_angles.hpp>
 #include <kanexpr/mechanics/checks/check_velocity.hpp>
 #include <kanexpr/mechanics/checks/prescribed.hpp>
 #include <kanexpr/mechanics/constraints/partition.hpp>
@@ -20,9 +20,9 @@ namespace kanexpr::mechanics {
 namespace detail {
 
 /// Runs the checks of a system; the mistake that the user should fix first is reported first.
-class checking {
+class system_checker {
 public:
-  constexpr explicit checking(const multibody_system& of) : of_(of), m_(of.mechanism), held_(*m_.g) {}
+  constexpr explicit system_checker(const multibody_system& of) : of_(of), m_(of.mechanism), held_(*m_.g) {}
 
   constexpr sentence run() {
     if (m_.speeds.empty())
@@ -30,28 +30,28 @@ public:
           {"the system has no ", m_.derived_by == method::kane ? "generalized speeds" : "coordinates"});
     if (m_.bodies.empty() && !of_.loads.has_lagrangian)
       return sentence({"the system has no particles or rigid bodies"});
-    found_ = checking_kinematics(m_, held_).run();
+    found_ = kinematics_checker(m_, held_).run();
     for (int f = 0; f < m_.frames.size() && !found_; ++f) check_frame(f);
-    for (const point& p : m_.points) look_at(p);
-    for (const body& b : m_.bodies) look_at(b);
+    for (const point& p : m_.points) check_point(p);
+    for (const body& b : m_.bodies) check_body(b);
     if (!found_) found_ = check_loads(m_, of_.loads, held_);
-    if (!found_) found_ = checking_dyadics(m_, held_).run();
-    if (!found_ && m_.derived_by == method::kane) what_is_declared(); // `check_lagrange` requires more
+    if (!found_) found_ = dyadics_checker(m_, held_).run();
+    if (!found_ && m_.derived_by == method::kane) check_declarations(); // `check_lagrange` requires more
     return found_;
   }
 
   /// Checks the frames and points added after the first `frames` and `points`.
-  constexpr sentence run_on_late(int frames, int points) {
+  constexpr sentence run_on_added(int frames, int points) {
     bool is_any_declared = false;
     for (int f = frames; f < m_.frames.size() && !found_; ++f) {
       check_frame(f);
-      is_any_declared = is_any_declared || m_.frames[f].turns_by_declaration();
+      is_any_declared = is_any_declared || m_.frames[f].has_declared_angular_velocity();
     }
-    for (int p = points; p < m_.points.size(); ++p) look_at(m_.points[p]);
+    for (int p = points; p < m_.points.size(); ++p) check_point(m_.points[p]);
     if (!found_ && is_any_declared && m_.derived_by == method::kane)
-      found_ = checking_angular_velocity(m_, held_).run();
-    if (!found_ && m_.derived_by == method::kane && checking_velocity::is_any_declared(m_, points))
-      found_ = checking_velocity(m_, held_).run();
+      found_ = angular_velocity_checker(m_, held_).run();
+    if (!found_ && m_.derived_by == method::kane && velocity_checker::is_any_declared(m_, points))
+      found_ = velocity_checker(m_, held_).run();
     return found_;
   }
 
@@ -64,46 +64,47 @@ private:
 
   /// Checks a geometric quantity: it may contain coordinates, parameters and time, but no quantity whose rate
   /// is unknown.
-  constexpr void geometry(expression e, std::string_view of, const name& whose) {
+  constexpr void check_geometry(expression e, std::string_view of, const name& whose) {
     if (found_ || !held_.holds_any(e, {kind::speed, kind::auxiliary_speed, kind::input, kind::coordinate_rate,
                                        kind::speed_rate}))
       return;
     found_ = check_stillness(m_, held_, e, of, whose.view());
-    inputs(e, 2, of, whose.view());
+    check_inputs(e, 2, of, whose.view());
   }
 
   /// Checks that the inputs in a differentiated quantity are prescribed, with their derivatives.
-  constexpr void inputs(expression e, int derivatives, std::string_view of, std::string_view whose) {
+  constexpr void check_inputs(expression e, int derivatives, std::string_view of, std::string_view whose) {
     if (const unknown_derivative u = find_unknown_derivative(m_, held_, e, derivatives))
       fail({of, whose, " contains the input ", u.input, ", whose ", u.what, is_not_known});
   }
 
   /// Checks declared velocities and inertias at generic states.
-  constexpr void what_is_declared() {
+  constexpr void check_declarations() {
     bool declared = false, apart = false;
-    sequence<left_out_angle> angles;
-    for (const frame& f : m_.frames) declared = declared || f.turns_by_declaration();
+    sequence<omitted_angle> angles;
+    for (const frame& f : m_.frames) declared = declared || f.has_declared_angular_velocity();
     if (declared) {
-      checking_angular_velocity checked(m_, held_);
+      angular_velocity_checker checked(m_, held_);
       found_ = checked.run();
       apart = checked.is_any_apart();
-      angles = checked.left_out_angles();
+      angles = checked.omitted_angles();
     }
-    if (!found_ && (checking_velocity::is_any_declared(m_, 0) || checking_velocity::may_any_slip(m_, held_)))
-      found_ = checking_velocity(m_, held_).run();
-    if (!found_) found_ = checking_inertia(m_, held_, apart).run();
-    if (!found_) found_ = checking_left_out_angles(of_, held_, angles).run();
+    if (!found_ && (velocity_checker::is_any_declared(m_, 0) || velocity_checker::may_any_slip(m_, held_)))
+      found_ = velocity_checker(m_, held_).run();
+    if (!found_) found_ = inertia_checker(m_, held_, apart).run();
+    if (!found_) found_ = omitted_angles_checker(of_, held_, angles).run();
   }
 
   constexpr void check_frame(int place) {
     const frame& f = m_.frames[place];
     if (f.kind == orientation::about_basis || f.kind == orientation::about_axis)
-      geometry(f.angle, "the angle of frame ", f.called);
+      check_geometry(f.angle, "the angle of frame ", f.called);
     if (f.kind == orientation::matrix)
-      for (int i = 0; i < 9; ++i) geometry(f.to_parent(i / 3, i % 3), "the orientation of frame ", f.called);
+      for (int i = 0; i < 9; ++i)
+        check_geometry(f.to_parent(i / 3, i % 3), "the orientation of frame ", f.called);
     if (!found_) found_ = check_direction_cosines(m_, f);
-    if (!f.turns_by_declaration()) return;
-    velocity(f.angular_velocity, "the angular velocity of frame ", f.called);
+    if (!f.has_declared_angular_velocity()) return;
+    check_velocity_of(f.angular_velocity, "the angular velocity of frame ", f.called);
     // follows the chain of reference frames
     int steps =
         m_.frames.size(); // the bound ends loops that do not contain f; these are reported for another frame
@@ -112,21 +113,21 @@ private:
       if (on == place)
         return fail({"the angular velocity of frame ", f.called.view(), " is given relative to ",
                      m_.frames[f.reference].called.view(), ", which turns with ", f.called.view()});
-      on = above.turns_by_declaration() ? above.reference : above.parent;
+      on = above.has_declared_angular_velocity() ? above.reference : above.parent;
     }
   }
 
-  constexpr void look_at(const point& p) {
+  constexpr void check_point(const point& p) {
     for (const vector::part& part : p.offset.parts)
-      for (int i = 0; i < 3; ++i) geometry(part.value[i], "the offset of point ", p.called);
-    if (p.moves_by_declaration()) velocity(p.velocity, "the velocity of point ", p.called);
+      for (int i = 0; i < 3; ++i) check_geometry(part.value[i], "the offset of point ", p.called);
+    if (p.has_declared_velocity()) check_velocity_of(p.velocity, "the velocity of point ", p.called);
   }
 
-  constexpr void velocity(const vector& v, std::string_view of, const name& whose) {
+  constexpr void check_velocity_of(const vector& v, std::string_view of, const name& whose) {
     for (const vector::part& part : v.parts)
       for (int i = 0; i < 3 && !found_; ++i) {
         const expression e = part.value[i];
-        inputs(e, 1, of, whose.view());
+        check_inputs(e, 1, of, whose.view());
         if (held_.holds(e, kind::speed_rate))
           fail({of, whose.view(), " contains the ",
                 speed_rate_called(m_, held_.name_of(e, kind::speed_rate)).view()});
@@ -134,13 +135,13 @@ private:
       }
   }
 
-  constexpr void look_at(const body& b) {
+  constexpr void check_body(const body& b) {
     const std::string_view called = b.called.view();
     if (b.mass.is_zero() && !has_inertia(b)) fail({"body ", called, " has no mass"});
     if (is_negative(b.mass)) fail({"the mass of ", called, " is negative"});
-    mass(b.mass, "the mass of ", called);
+    check_mass_of(b.mass, "the mass of ", called);
     for (const dyadic::part& p : b.inertia.parts) {
-      for (int i = 0; i < 9; ++i) mass(p.value(i / 3, i % 3), "the inertia of ", called);
+      for (int i = 0; i < 9; ++i) check_mass_of(p.value(i / 3, i % 3), "the inertia of ", called);
       for (int i = 0; i < 3; ++i)
         if (b.inertia.parts.size() == 1 && p.left == p.right && p.value(i, i).is_constant() &&
             m_.g->number_at(p.value(i, i).node()).negative())
@@ -156,7 +157,7 @@ private:
   }
 
   /// Checks a mass or an inertia, which may depend on time, coordinates and prescribed quantities.
-  constexpr void mass(expression e, std::string_view of, std::string_view whose) {
+  constexpr void check_mass_of(expression e, std::string_view of, std::string_view whose) {
     const std::string_view an_article = m_.derived_by == method::kane ? "" : "the ";
     if (held_.holds(e, kind::speed))
       return fail(
@@ -171,7 +172,7 @@ private:
     for (const named_kind& w : {named_kind{kind::auxiliary_speed, " changes with auxiliary speed "},
                                 named_kind{kind::coordinate_rate, " changes with the rate of coordinate "}})
       if (held_.holds(e, w.what)) return fail({of, whose, w.called, held_.name_of(e, w.what)});
-    inputs(e, 1, of, whose);
+    check_inputs(e, 1, of, whose);
   }
 
   const multibody_system& of_;
@@ -184,11 +185,11 @@ private:
 
 /// Returns the first mistake of a system, or an empty sentence. Constraints are checked later, once the
 /// velocities have been derived.
-constexpr sentence check_system(const multibody_system& of) { return detail::checking(of).run(); }
+constexpr sentence check_system(const multibody_system& of) { return detail::system_checker(of).run(); }
 
 /// Checks frames and points that were added to a system after it had been derived.
-constexpr sentence check_late_entities(const multibody_system& of, int frames, int points) {
-  return detail::checking(of).run_on_late(frames, points);
+constexpr sentence check_added_entities(const multibody_system& of, int frames, int points) {
+  return detail::system_checker(of).run_on_added(frames, points);
 }
 
 /// Reports a zero on the diagonal of the mass matrix.

@@ -11,7 +11,7 @@ namespace detail {
 
 /// The axes, in the frame's own basis, about which a frame turns in addition to the motion that its
 /// orientation describes. If there is more than one, no single angle explains the motion.
-struct left_out_angle {
+struct omitted_angle {
   int frame = none;
   span_of_triples axes{};
 };
@@ -22,12 +22,12 @@ struct left_out_angle {
 /// The difference between a declared angular velocity and that of the orientation must be the spin of omitted
 /// angles, such as the rotation angle of an axisymmetric wheel. A single omitted angle turns the frame about
 /// an axis that is fixed in the frame and about which the angles of its orientation do not turn it.
-class checking_angular_velocity {
+class angular_velocity_checker {
 public:
-  constexpr checking_angular_velocity(const mechanism& m, const contents& held)
+  constexpr angular_velocity_checker(const mechanism& m, const contents& held)
       : m_(m), held_(held), motion_(m, held) {
     for (int f = 0; f < m.frames.size(); ++f)
-      if (m.frames[f].turns_by_declaration())
+      if (m.frames[f].has_declared_angular_velocity())
         declared_.push({.frame = f, .all = {}, .bound = {}, .free = {}, .by_angles = {}, .before = {}});
   }
 
@@ -59,8 +59,8 @@ public:
 
   constexpr bool is_any_apart() const { return is_any_apart_; }
 
-  constexpr sequence<left_out_angle> left_out_angles() const {
-    sequence<left_out_angle> found;
+  constexpr sequence<omitted_angle> omitted_angles() const {
+    sequence<omitted_angle> found;
     for (const declared_angular_velocity& t : declared_)
       if (t.all.size() != 0 && !m_.frames[t.frame].turns_apart) found.push({t.frame, t.all});
     return found;
@@ -91,10 +91,10 @@ private:
     for (declared_angular_velocity& t : declared_) {
       const int reference = m_.frames[t.frame].reference;
       if (!motion_.is_proper(t.frame) || !motion_.is_proper(reference)) continue;
-      const triple said = motion_.declared(t.frame), own = motion_.by_orientation(t.frame),
+      const triple declared = motion_.declared(t.frame), own = motion_.by_orientation(t.frame),
                    below = motion_.by_orientation(reference);
-      const double rounding = 1e-9 * (length(said) + length(own) + length(below)) + motion_.rounding();
-      const triple left = in_own_axes(t.frame, said - (own - below));
+      const double rounding = 1e-9 * (length(declared) + length(own) + length(below)) + motion_.rounding();
+      const triple left = in_own_axes(t.frame, declared - (own - below));
       if (!with_free_speeds) t.before = left;
       if (length(left) > rounding) (with_free_speeds ? t.all : t.bound).add(left);
       if (with_free_speeds && !motion_.has_free_speeds() && length(left) > rounding) t.bound.add(left);

@@ -13,37 +13,37 @@ namespace detail {
 /// Checks rigid bodies whose inertia contains only numbers and parameters, and is therefore meant to be
 /// constant, but is given along axes or about a point that may move in the body. An inertia that is meant to
 /// change contains the quantities with which it changes, or the model marks it.
-class checking_inertia {
+class inertia_checker {
 public:
   /// `apart` means that a frame turns differently from its orientation, so that even the axes of a body may
   /// move in the body.
-  constexpr checking_inertia(const mechanism& m, const contents& held, bool apart) : m_(m), held_(held) {
+  constexpr inertia_checker(const mechanism& m, const contents& held, bool apart) : m_(m), held_(held) {
     for (int b = 0; b < m.bodies.size(); ++b)
-      if (is_meant_to_stay(m.bodies[b]) && (apart || is_elsewhere(m.bodies[b]))) doubtful_.push({b, {}});
+      if (is_meant_to_stay(m.bodies[b]) && (apart || is_elsewhere(m.bodies[b]))) candidates_.push({b, {}});
   }
 
   constexpr sentence run() {
-    if (doubtful_.empty()) return {};
+    if (candidates_.empty()) return {};
     sequence<expression> wanted;
-    for (doubt& d : doubtful_) d.from_center = collect_inertia(m_, m_.bodies[d.body], wanted);
+    for (candidate& d : candidates_) d.from_center = collect_inertia(m_, m_.bodies[d.body], wanted);
     generic_motion motion(m_, held_, wanted);
     for (int state = 0, looked = 0; state < 6 && looked == 0; ++state) {
       motion.draw();
       if (!motion.move()) continue;
       ++looked; // an inertia that is constant at one generic state is constant at all
-      for (const doubt& d : doubtful_)
-        if (changes(motion, d)) return told(m_.bodies[d.body]);
+      for (const candidate& d : candidates_)
+        if (changes(motion, d)) return sentence_for(m_.bodies[d.body]);
     }
     return {};
   }
 
 private:
-  struct doubt {
+  struct candidate {
     int body = none;
     vector from_center{}; ///< to the reference point of the inertia
   };
 
-  constexpr sentence told(const body& b) const {
+  constexpr sentence sentence_for(const body& b) const {
     constexpr std::string_view word = "if this is intended, write changing_inertia<...>";
     const std::string_view frame = m_.frames[b.frame].called.view();
     for (const dyadic::part& p : b.inertia.parts)
@@ -97,7 +97,7 @@ private:
   constexpr bool is_still(int f, int above) const {
     for (; f != above; f = m_.frames[f].parent) {
       const frame& own = m_.frames[f];
-      if (own.turns_by_declaration()) return false;
+      if (own.has_declared_angular_velocity()) return false;
       if (own.kind == orientation::matrix ? !held_.is_fixed(own.to_parent) : !held_.is_fixed(own.angle))
         return false;
     }
@@ -106,7 +106,7 @@ private:
 
   /// Whether the inertia I = Σ a⊗b has a rate in the body frame. For axes that turn with w relative to the
   /// body, İ = Σ (w_a × a)⊗b + a⊗(w_b × b).
-  constexpr bool changes(const generic_motion& motion, const doubt& d) const {
+  constexpr bool changes(const generic_motion& motion, const candidate& d) const {
     const body& b = m_.bodies[d.body];
     if (!motion.is_proper(b.frame)) return false;
     const triple own = motion.angular_velocity(b.frame);
@@ -151,7 +151,7 @@ private:
 
   const mechanism& m_;
   const contents& held_;
-  sequence<doubt> doubtful_{};
+  sequence<candidate> candidates_{};
 };
 
 } // namespace detail

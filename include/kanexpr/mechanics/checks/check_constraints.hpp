@@ -27,12 +27,7 @@ constexpr sentence constraints_of_nothing(const given_constraints& given) {
   sequence<int> numbers;
   for (int i = 0; i < given.on_configuration.size(); ++i)
     if (given.on_configuration[i].is_zero() && !given.redundant.contains(i + 1)) numbers.push(i + 1);
-  const auto [named, listed] = numbered(numbers);
-  return numbers.size() == 1
-             ? sentence({"configuration constraint ", named.view(), " contains no coordinate; add redundant<",
-                         listed.view(), "> to drop it"})
-             : sentence({"configuration constraints ", named.view(), " contain no coordinate; add redundant<",
-                         listed.view(), "> to drop them"});
+  return dropping(numbers, " contains no coordinate", " contain no coordinate");
 }
 
 /// Checks which symbols the constraints of a model contain.
@@ -96,17 +91,17 @@ namespace detail {
 /// violated wherever the preceding ones hold.
 constexpr bool contradicts_configuration(const skeleton& s, const constraints& c,
                                          const symbolic::matrix& configuration, int i) {
-  const sequence<expression> said{c.on_configuration[i]};
-  consistent_states states(s, configuration, i, c, 0, said);
-  return first_that_never_vanishes(states, said) == 0;
+  const sequence<expression> last{c.on_configuration[i]};
+  consistent_states states(s, configuration, i, c, 0, last);
+  return first_that_never_vanishes(states, last) == 0;
 }
 
 /// The same for a velocity constraint.
 constexpr bool contradicts_velocities(const skeleton& s, const constraints& c,
                                       const symbolic::matrix& configuration, int i) {
-  const sequence<expression> said{c.on_velocities[i].value};
-  consistent_states states(s, configuration, configuration.rows, c, i, said);
-  return first_that_never_vanishes(states, said) == 0;
+  const sequence<expression> last{c.on_velocities[i].value};
+  consistent_states states(s, configuration, configuration.rows, c, i, last);
+  return first_that_never_vanishes(states, last) == 0;
 }
 
 /// Checks the rates of configuration constraints that are omitted because velocity constraints imply them.
@@ -148,9 +143,7 @@ constexpr sentence check_constraints(const skeleton& s, const constraints& c,
                  ? sentence({"configuration constraint ", counted(c.numbers[i]).view(),
                              i == 0 ? " constrains no coordinate in any configuration"
                                     : " contradicts the preceding ones"})
-                 : sentence({"configuration constraint ", counted(c.numbers[i]).view(),
-                             " follows from the preceding ones in every configuration; add redundant<",
-                             counted(c.numbers[i]).view(), "> to drop it"});
+                 : dropping({c.numbers[i]}, " follows from the preceding ones in every configuration", {});
   for (int i = 0; i < c.size(); ++i) {
     bool moves = false;
     for (int j = 0; j < speeds; ++j) moves = moves || !c.jacobian(i, j).is_zero();

@@ -54,11 +54,11 @@ constexpr sequence<expression> quadratic_part(const mechanism& m, const sequence
 
 /// Returns a sentence that explains why the equations of motion may differ from Lagrange's, whose C is formed
 /// from Christoffel symbols; empty if they cannot.
-constexpr sentence doubt_about_rates(motion& k, const loads& acting) {
+constexpr sentence mismatch_of_rates(motion& k, const loads& acting) {
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;
   if (m.derived_by == method::lagrange) return {};
-  if (const sentence found = checking_lagrange(k, acting, by_coriolis).run()) return found;
+  if (const sentence found = lagrange_checker(k, acting, by_coriolis).run()) return found;
   for (int j = 0; j < m.coordinates.size(); ++j)
     if (!m.speeds.contains(s.coordinate_rates[j]))
       return sentence({"the Coriolis matrix requires the coordinate rates as speeds; the rate of ",
@@ -77,13 +77,13 @@ constexpr sentence check_coriolis(motion& k, const loads& acting, const symbolic
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;
   if (const sentence found = detail::check_changes_of_mass(s, mass)) return found;
-  const sentence doubt = detail::doubt_about_rates(k, acting);
-  if (!doubt) return {};
+  const sentence candidate = detail::mismatch_of_rates(k, acting);
+  if (!candidate) return {};
   sequence<expression> off = detail::quadratic_part(m, bias_of());
   off.resize(m.speeds.size(), m.zero()); // the auxiliary speeds come last
   for (int i = 0; i < c.rows; ++i)
     for (int j = 0; j < c.columns; ++j) off[i] -= c(i, j) * m.speeds[j];
-  return detail::vanish(m, off) ? sentence() : doubt;
+  return detail::vanish(m, off) ? sentence() : candidate;
 }
 
 } // namespace kanexpr::mechanics

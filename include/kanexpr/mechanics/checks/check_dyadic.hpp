@@ -11,37 +11,37 @@ namespace detail {
 
 /// Evaluates the inertias in the axes of their bodies at generic states. An inertia that is equal at two
 /// states is treated as numeric.
-class checking_dyadics {
+class dyadics_checker {
 public:
-  constexpr checking_dyadics(const mechanism& m, const contents& held) : m_(m), held_(held) {
+  constexpr dyadics_checker(const mechanism& m, const contents& held) : m_(m), held_(held) {
     for (int b = 0; b < m.bodies.size(); ++b)
-      if (is_doubtful(m.bodies[b])) doubtful_.push({b, {}, {}, {}});
+      if (needs_check(m.bodies[b])) candidates_.push({b, {}, {}, {}});
   }
 
   constexpr sentence run() {
-    if (doubtful_.empty()) return {};
+    if (candidates_.empty()) return {};
     sequence<expression> wanted;
-    for (doubt& d : doubtful_) d.from_center = collect_inertia(m_, m_.bodies[d.body], wanted);
+    for (candidate& d : candidates_) d.from_center = collect_inertia(m_, m_.bodies[d.body], wanted);
     generic_motion motion(m_, held_, wanted);
     for (int state = 0, looked = 0; state < 6 && looked < 2; ++state) {
       motion.draw();
       if (!motion.move()) continue;
       ++looked;
-      for (doubt& d : doubtful_)
+      for (candidate& d : candidates_)
         if (const sentence found = look(motion, d, looked == 1)) return found;
     }
     return {};
   }
 
 private:
-  struct doubt {
+  struct candidate {
     int body = none;
     vector from_center{};     ///< from the mass center to the reference point of the inertia
     numeric_inertia before{}; ///< the inertia at the first state
     numeric_way way_before{};
   };
 
-  static constexpr bool is_doubtful(const body& b) {
+  static constexpr bool needs_check(const body& b) {
     if (b.inertia.parts.empty()) return false;
     const dyadic::part& p = b.inertia.parts[0];
     if (b.inertia.parts.size() > 1 || p.left != p.right) return true;
@@ -50,7 +50,7 @@ private:
     return false;
   }
 
-  constexpr bool is_proper(const generic_motion& motion, const doubt& d) const {
+  constexpr bool is_proper(const generic_motion& motion, const candidate& d) const {
     const body& b = m_.bodies[d.body];
     bool proper = motion.is_proper(b.frame);
     for (const dyadic::part& p : b.inertia.parts)
@@ -59,7 +59,7 @@ private:
     return proper;
   }
 
-  constexpr sentence look(const generic_motion& motion, doubt& d, bool is_first) const {
+  constexpr sentence look(const generic_motion& motion, candidate& d, bool is_first) const {
     if (!is_proper(motion, d)) return {};
     const body& b = m_.bodies[d.body];
     numeric_inertia inertia = inertia_in_body(motion, b);
@@ -93,7 +93,7 @@ private:
     return sum;
   }
 
-  constexpr numeric_way way_in_body(const generic_motion& motion, const doubt& d) const {
+  constexpr numeric_way way_in_body(const generic_motion& motion, const candidate& d) const {
     numeric_way way;
     if (d.from_center.parts.empty()) return way;
     triple r;
@@ -117,7 +117,7 @@ private:
 
   const mechanism& m_;
   const contents& held_;
-  sequence<doubt> doubtful_{};
+  sequence<candidate> candidates_{};
 };
 
 } // namespace detail

@@ -11,9 +11,9 @@ namespace detail {
 
 /// Checks the kinematic differential equations. The coordinate rates in each equation are collected once;
 /// coefficients are formed only for equations that are coupled or that do not look linear.
-class checking_kinematics {
+class kinematics_checker {
 public:
-  constexpr checking_kinematics(const mechanism& m, const contents& c) : m_(m), c_(c) {
+  constexpr kinematics_checker(const mechanism& m, const contents& c) : m_(m), c_(c) {
     for (const expression& e : m.kinematics) {
       sequence<int> held;
       c.collect(e, kind::coordinate_rate, held);

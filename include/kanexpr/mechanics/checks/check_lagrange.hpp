@@ -30,9 +30,9 @@ inline constexpr wording_of_rates by_lagrange{", as Lagrange's method requires",
 
 /// Checks a mechanism for Lagrange's method. Kane's method uses velocities as declared; here they must be the
 /// rates of positions and orientations, with respect to which the kinetic energy is differentiated.
-class checking_lagrange {
+class lagrange_checker {
 public:
-  constexpr checking_lagrange(motion& k, const loads& acting, const wording_of_rates& wording)
+  constexpr lagrange_checker(motion& k, const loads& acting, const wording_of_rates& wording)
       : k_(k), s_(k.skeleton_used()), m_(*s_.model), loads_(acting), wording_(wording), held_(*m_.g) {}
 
   constexpr sentence run() {
@@ -44,7 +44,7 @@ public:
       check_mass(b);
     }
     for (int p = 0; p < m_.points.size() && !found_; ++p)
-      if (m_.points[p].moves_by_declaration() && !m_.points[p].moves_apart &&
+      if (m_.points[p].has_declared_velocity() && !m_.points[p].moves_apart &&
           !m_.points[p].offset.is_zero() && !moves_as_placed(p))
         fail({"the velocity of point ", m_.points[p].called.view(),
               " is not the rate of its position; if this is intended, write velocity_apart_from_position"});
@@ -74,7 +74,7 @@ private:
 
   /// Compares a declared angular velocity with the one that follows from the orientation.
   constexpr void check_angular_velocity(int place) {
-    if (!m_.frames[place].turns_by_declaration()) return;
+    if (!m_.frames[place].has_declared_angular_velocity()) return;
     symbolic::differentiation along_time = time_derivative(m_, s_.coordinate_rates);
     symbolic::substitution at_norm_one(*m_.g);
     components w =
@@ -107,7 +107,7 @@ private:
   constexpr void check_velocity(const body& b) {
     bool declared = false;
     for (int p = b.center; p != none; p = m_.points[p].parent)
-      declared = declared || m_.points[p].moves_by_declaration() || m_.points[p].fixed_in != none;
+      declared = declared || m_.points[p].has_declared_velocity() || m_.points[p].fixed_in != none;
     if (declared && !moves_as_placed(b.center))
       fail({"the velocity of ", b.called.view(), " is not the rate of its position", wording_.of_velocity});
   }
@@ -162,7 +162,7 @@ private:
 
 /// Returns the first mistake of a mechanism that matters only for Lagrange's method, or an empty sentence.
 constexpr sentence check_lagrange(motion& k, const loads& acting) {
-  return detail::checking_lagrange(k, acting, detail::by_lagrange).run();
+  return detail::lagrange_checker(k, acting, detail::by_lagrange).run();
 }
 
 } // namespace kanexpr::mechanics

@@ -11,9 +11,9 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-class checking_gravity {
+class gravity_checker {
 public:
-  constexpr checking_gravity(const mechanism& m, const vector& gravity, const contents& held, load_check& by)
+  constexpr gravity_checker(const mechanism& m, const vector& gravity, const contents& held, load_check& by)
       : m_(m), gravity_(gravity), held_(held), by_(by) {}
 
   /// Checks all loads. The potential energy of gravity is −m g·r and its force is m g, which is the negative
@@ -82,7 +82,7 @@ constexpr sentence check_loads(const mechanism& m, const loads& acting, const co
   acting.each([&](const auto& load, int place) {
     if (!by.mistake()) load.check_with(by, place);
   });
-  detail::checking_gravity(m, acting.gravity, held, by).run();
+  detail::gravity_checker(m, acting.gravity, held, by).run();
   if (!by.mistake()) check_repeated_loads(m, acting, held, by);
   if (!by.mistake()) check_weights(m, acting, held, by);
   return by.mistake();

@@ -1,25 +1,16 @@
 #pragma once
 
-#include <kanexpr/mechanics/loads/loads.hpp>
-#include <kanexpr/mechanics/motion/generic_motion.hpp>
+#include <kanexpr/mechanics/checks/declared_values.hpp>
 
 /// Loads that are listed twice.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// The normal form of a force or torque for comparisons: the point or frame on which it acts, and the one on
-/// which its reaction acts, or none if that is at rest.
-struct felt {
-  int on = none;
-  int against = none;
-  bool is_turned_round = false; ///< true if it is the opposite of the load as written
-};
-
-class checking_repeated_loads {
+class repeated_loads_checker {
 public:
-  constexpr checking_repeated_loads(const mechanism& m, const loads& acting, const contents& held,
-                                    load_check& by)
+  constexpr repeated_loads_checker(const mechanism& m, const loads& acting, const contents& held,
+                                   load_check& by)
       : m_(m), acting_(acting), held_(held), by_(by) {}
 
   constexpr void run();
@@ -27,102 +18,96 @@ public:
 private:
   using kind = contents::kind;
 
+  /// The points that a force acts on, or the frames that a torque acts on.
+  struct ends {
+    int on = none;
+    int against = none;
+    int sign = 1; ///< −1: the load acts opposite to the written one
+
+    constexpr bool is_pair(const ends& other) const {
+      return (on == other.on && against == other.against) || (on == other.against && against == other.on);
+    }
+  };
+  static constexpr ends ends_of(const force& f) { return {f.point, f.against}; }
+  static constexpr ends ends_of(const torque& t) { return {t.frame, t.against}; }
+  static constexpr ends ends_of(const spring_damper& s) { return {s.point, s.other}; }
+  static constexpr ends ends_of(const torsional_damper& d) { return {d.frame, d.against}; }
+
   /// Two loads that contain the same symbols: vectors along axes that turn relative to each other, or
   /// energies.
-  struct doubt {
-    const vector* one = nullptr;
-    const vector* other = nullptr;
-    bool is_opposite = false;
-    expression energy{}, other_energy{};
-    sentence told{};
+  struct candidate {
+    const vector* vectors[2]{};
+    expression energies[2]{};
+    int sign = 1;
+    sentence mistake{};
   };
 
-  static constexpr int place(const force& f) { return f.point; }
-  static constexpr int place(const torque& t) { return t.frame; }
-
-  constexpr bool rests(const force&, int p) const {
+  constexpr bool is_at_rest(const force&, int p) const {
     for (; p != none; p = m_.points[p].parent) {
-      if (m_.points[p].moves_by_declaration()) return false;
+      if (m_.points[p].has_declared_velocity()) return false;
       for (const vector::part& part : m_.points[p].offset.parts)
         if (part.frame != mechanism::inertial || !held_.is_fixed(part.value)) return false;
     }
     return true;
   }
-  constexpr bool rests(const torque&, int f) const { return f == mechanism::inertial; }
+  constexpr bool is_at_rest(const torque&, int f) const { return f == mechanism::inertial; }
 
+  /// The ends of a load except one that is at rest.
   template <class Load>
-  constexpr felt felt_of(const Load& l) const {
-    if (l.against == none || rests(l, l.against)) return {place(l), none, false};
-    if (rests(l, place(l))) return {l.against, none, true};
-    return {place(l), l.against, false};
+  constexpr ends moving_ends_of(const Load& l) const {
+    const auto [on, against, sign] = ends_of(l);
+    if (against == none || is_at_rest(l, against)) return {on, none};
+    if (is_at_rest(l, on)) return {against, none, -1};
+    return {on, against};
   }
 
   template <class Load>
   constexpr void check_pairs(const sequence<Load>& all) {
     for (int i = 1; i < all.size(); ++i)
-      for (int j = 0; j < i && !by_.mistake(); ++j) compare(all[i], all[j]);
+      for (int j = 0; j < i && !by_.mistake(); ++j)
+        if (const int sign = relative_sign(all[i], all[j]); sign != 0) compare(all[i], all[j], sign);
+  }
+
+  /// The sign with which two loads have the same effect if their vectors agree; 0 if they act on different
+  /// ends.
+  template <class Load>
+  constexpr int relative_sign(const Load& one, const Load& other) const {
+    const ends a = moving_ends_of(one), b = moving_ends_of(other);
+    const int sign = a.sign * b.sign;
+    if (a.on == b.on && a.against == b.against) return sign;
+    if (a.against != none && a.is_pair(b)) return -sign;
+    // the torque of a motor between two frames must not be listed as an external load as well
+    const bool is_external = a.against == none;
+    if (is_external == (b.against == none) || symbols_in(one.value, held_, {kind::input}).empty()) return 0;
+    const ends &external = is_external ? a : b, &between = is_external ? b : a;
+    return external.on == between.on ? sign : external.on == between.against ? -sign : 0;
   }
 
   template <class Load>
-  constexpr void compare(const Load& one, const Load& other) {
-    const felt a = felt_of(one), b = felt_of(other);
-    const bool is_same_way = a.on == b.on && a.against == b.against;
-    const bool is_other_way = a.against != none && a.on == b.against && a.against == b.on;
-    if (is_same_way || is_other_way)
-      return compare(one, other, (a.is_turned_round != b.is_turned_round) != is_other_way);
-    // the torque of a motor between two frames must not also be listed as an external load
-    const bool is_outside = a.against == none;
-    if (is_outside == (b.against == none) || !holds_input(one.value)) return;
-    const felt &outside = is_outside ? a : b, &between = is_outside ? b : a;
-    if (outside.on == between.on)
-      compare(one, other, a.is_turned_round != b.is_turned_round);
-    else if (outside.on == between.against)
-      compare(one, other, a.is_turned_round == b.is_turned_round);
-  }
-
-  template <class Load>
-  constexpr void compare(const Load& one, const Load& other, bool is_opposite) {
+  constexpr void compare(const Load& one, const Load& other, int sign) {
     if (one.value.is_zero() || other.value.is_zero()) return;
     vector difference = one.value;
-    is_opposite ? difference.add(other.value) : difference.subtract(other.value);
+    sign < 0 ? difference.add(other.value) : difference.subtract(other.value);
     if (difference.is_zero())
-      by_.fail({told(one, other).view()});
-    else if (is_turned(one.value, other.value) &&
-             hold_the_same(one.value, other.value, {kind::parameter, kind::input, kind::speed}))
-      doubtful_.push({&one.value, &other.value, is_opposite, {}, {}, told(one, other)});
+      by_.fail({sentence_for(one, other).view()});
+    else if (has_other_axes(one.value, other.value) &&
+             contain_same(one.value, other.value, {kind::parameter, kind::input, kind::speed}))
+      candidates_.push({{&one.value, &other.value}, {}, sign, sentence_for(one, other)});
   }
 
-  constexpr bool holds_input(const vector& v) const {
-    for (const vector::part& p : v.parts)
-      for (int i = 0; i < 3; ++i)
-        if (held_.holds(p.value[i], kind::input)) return true;
-    return false;
-  }
-  /// Whether one vector has a component along axes that the other lacks.
-  static constexpr bool is_turned(const vector& a, const vector& b) {
-    for (const vector::part& p : a.parts) {
+  /// Whether a vector has a component along axes that the other one lacks.
+  static constexpr bool has_other_axes(const vector& v, const vector& other) {
+    for (const vector::part& p : v.parts) {
       bool found = p.value.is_zero();
-      for (const vector::part& other : b.parts) found = found || other.frame == p.frame;
+      for (const vector::part& q : other.parts) found = found || q.frame == p.frame;
       if (!found) return true;
     }
     return false;
   }
-  constexpr void collect(expression e, kind k, sequence<int>& nodes) const { held_.collect(e, k, nodes); }
-  constexpr void collect(const vector& v, kind k, sequence<int>& nodes) const {
-    for (const vector::part& p : v.parts)
-      for (int i = 0; i < 3; ++i) held_.collect(p.value[i], k, nodes);
-  }
   template <class Value>
-  constexpr bool hold_the_same(const Value& a, const Value& b, std::initializer_list<kind> kinds) const {
-    for (kind k : kinds) {
-      sequence<int> of_a, of_b;
-      collect(a, k, of_a);
-      collect(b, k, of_b);
-      if (of_a.size() != of_b.size()) return false;
-      for (int node : of_a)
-        if (!of_b.contains(node)) return false;
-    }
-    return true;
+  constexpr bool contain_same(const Value& a, const Value& b, std::initializer_list<kind> kinds) const {
+    const sequence<int> in_a = symbols_in(a, held_, kinds), in_b = symbols_in(b, held_, kinds);
+    return in_a.size() == in_b.size() && are_among(in_a, in_b);
   }
 
   constexpr void check_energies() {
@@ -130,111 +115,91 @@ private:
     for (int i = 0; i < all.size(); ++i)
       for (int j = 0; j < i && !by_.mistake(); ++j) {
         const expression one = all[i].value, other = all[j].value;
-        if (one.is_constant()) continue; // it has no effect, such as a spring without stiffness
-        const sentence told({"potential energy ", counted(i + 1).view(), " repeats potential energy ",
-                             counted(j + 1).view()});
+        if (one.is_constant()) continue; // no effect, such as a spring without stiffness
+        const sentence mistake({"potential energy ", counted(i + 1).view(), " repeats potential energy ",
+                                counted(j + 1).view()});
         if (one == other)
-          by_.fail({told.view()});
-        else if (hold_the_same(one, other, {kind::coordinate, kind::parameter, kind::input}))
-          doubtful_.push({nullptr, nullptr, false, one, other, told});
+          by_.fail({mistake.view()});
+        else if (contain_same(one, other, {kind::coordinate, kind::parameter, kind::input}))
+          candidates_.push({{}, {one, other}, 1, mistake});
       }
   }
 
-  constexpr void check_in_numbers() {
-    if (doubtful_.empty() || by_.mistake()) return;
+  constexpr void check_candidates() {
+    if (candidates_.empty() || by_.mistake()) return;
     sequence<expression> all;
-    for (const doubt& d : doubtful_) {
-      if (d.one == nullptr) all.push(d.energy), all.push(d.other_energy);
-      for (const vector* v : {d.one, d.other})
-        for (int i = 0; v != nullptr && i < 3; ++i)
-          for (const vector::part& p : v->parts) all.push(p.value[i]);
-    }
-    generic_motion motion(m_, held_, all);
-    for (int tries = 0; tries < 6; ++tries) {
-      motion.draw();
-      if (!motion.move(false) && !motion.move_freely()) continue;
-      for (const doubt& d : doubtful_)
-        if (is_same(d, motion)) return by_.fail({d.told.view()});
-      return;
-    }
+    for (const candidate& c : candidates_)
+      for (int i = 0; i < 2; ++i)
+        if (c.vectors[i] == nullptr)
+          all.push(c.energies[i]);
+        else
+          each_entry(*c.vectors[i], [&](expression e) { all.push(e); });
+    at_generic_motion(m_, held_, all, [&](const generic_motion& motion) {
+      for (const candidate& c : candidates_)
+        if (have_same_value(c, motion)) return by_.fail({c.mistake.view()});
+    });
   }
-  /// Whether two energies are equal up to a constant.
-  static constexpr bool is_same(const doubt& d, const generic_motion& motion) {
-    const bool is_energy = d.one == nullptr;
-    if (is_energy ? !motion.is_defined(d.energy) || !motion.is_defined(d.other_energy)
-                  : !motion.is_defined(*d.one) || !motion.is_defined(*d.other))
-      return false;
-    const triple one = is_energy ? triple{motion[d.energy].rate, 0, 0} : motion.vector_of(*d.one);
-    const triple other = is_energy ? triple{motion[d.other_energy].rate, 0, 0} : motion.vector_of(*d.other);
-    return length(one) > 0 && length(d.is_opposite ? one + other : one - other) <= 1e-10 * length(one);
+  static constexpr bool have_same_value(const candidate& c, const generic_motion& motion) {
+    triple values[2];
+    for (int i = 0; i < 2; ++i) {
+      const vector* const v = c.vectors[i];
+      if (v == nullptr ? !motion.is_defined(c.energies[i]) : !motion.is_defined(*v)) return false;
+      // energies are equal if they differ by a constant
+      values[i] = v == nullptr ? triple{motion[c.energies[i]].rate, 0, 0} : motion.vector_of(*v);
+    }
+    const double size = length(values[0]);
+    return size > 0 && length(values[0] - c.sign * values[1]) <= 1e-10 * size;
   }
 
-  constexpr sentence name_of(const force& f) const {
-    return f.against == none ? sentence({"the force at ", by_.point(f.point)})
-                             : sentence({"the force between ", by_.both_points(f.point, f.against).view()});
-  }
-  constexpr sentence name_of(const torque& t) const {
-    return t.against == none ? sentence({"the torque on ", by_.frame(t.frame)})
-                             : sentence({"the torque between ", by_.both_frames(t.frame, t.against).view()});
-  }
+  static constexpr std::string_view noun(const force&) { return "the force "; }
+  static constexpr std::string_view noun(const torque&) { return "the torque "; }
   template <class Load>
-  constexpr sentence told(const Load& one, const Load& other) const {
-    const bool has_one_name = (place(one) == place(other) && one.against == other.against) ||
-                              (place(one) == other.against && one.against == place(other));
-    if (has_one_name) return sentence({name_of(other).view(), " is listed twice"});
-    return sentence({name_of(one).view(), " repeats ", name_of(other).view()});
+  constexpr sentence sentence_for(const Load& one, const Load& other) const {
+    const sentence before = place_of(other, by_);
+    if (ends_of(one).is_pair(ends_of(other)))
+      return sentence({noun(other), before.view(), " is listed twice"});
+    return sentence({noun(one), place_of(one, by_).view(), " repeats ", noun(other), before.view()});
   }
 
-  static constexpr bool is_pair(int a, int b, int c, int d) {
-    return (a == c && b == d) || (a == d && b == c);
-  }
-
-  constexpr void check_springs() {
-    const sequence<spring_damper>& all = acting_.spring_dampers;
-    for (int i = 0; i < all.size(); ++i)
-      for (int j = 0; j < i; ++j) {
-        const spring_damper &one = all[i], &other = all[j];
-        if (!is_pair(one.point, one.other, other.point, other.other)) continue;
-        const sentence names = by_.both_points(other.point, other.other);
-        if (!one.stiffness.is_zero() && one.stiffness == other.stiffness && one.length == other.length)
-          by_.fail({"the spring between ", names.view(), " is listed twice"});
-        if (!one.damping.is_zero() && one.damping == other.damping)
-          by_.fail({"the damper between ", names.view(), " is listed twice"});
-      }
-  }
-
-  constexpr void check_torsional_dampers() {
-    const sequence<torsional_damper>& all = acting_.torsional_dampers;
+  /// Springs or dampers between the same two points or frames.
+  template <class Load, class Same>
+  constexpr void check_same(const sequence<Load>& all, std::string_view what, const Same& is_same) {
     for (int i = 0; i < all.size(); ++i)
       for (int j = 0; j < i; ++j)
-        if (is_pair(all[i].frame, all[i].against, all[j].frame, all[j].against) &&
-            all[i].damping == all[j].damping)
-          by_.fail({"the torsional damper between ", by_.both_frames(all[j].frame, all[j].against).view(),
-                    " is listed twice"});
+        if (ends_of(all[i]).is_pair(ends_of(all[j])) && is_same(all[i], all[j]))
+          by_.fail({"the ", what, names_of(all[j]).view(), " is listed twice"});
   }
+  constexpr sentence names_of(const spring_damper& s) const { return by_.both_points(s.point, s.other); }
+  constexpr sentence names_of(const torsional_damper& d) const { return by_.both_frames(d.frame, d.against); }
 
   const mechanism& m_;
   const loads& acting_;
   const contents& held_;
   load_check& by_;
-  sequence<doubt> doubtful_{};
+  sequence<candidate> candidates_{};
 };
 
 /// Defined after the templates it uses, which clang++ must have parsed already.
-constexpr void checking_repeated_loads::run() {
+constexpr void repeated_loads_checker::run() {
   check_pairs(acting_.forces);
   check_pairs(acting_.torques);
   check_energies();
-  check_in_numbers();
-  check_springs();
-  check_torsional_dampers();
+  check_candidates();
+  using spring = spring_damper;
+  check_same(acting_.spring_dampers, "spring between ", [](const spring& a, const spring& b) {
+    return !a.stiffness.is_zero() && a.stiffness == b.stiffness && a.length == b.length;
+  });
+  check_same(acting_.spring_dampers, "damper between ",
+             [](const spring& a, const spring& b) { return !a.damping.is_zero() && a.damping == b.damping; });
+  check_same(acting_.torsional_dampers, "torsional damper between ",
+             [](const torsional_damper& a, const torsional_damper& b) { return a.damping == b.damping; });
 }
 
 } // namespace detail
 
 constexpr void check_repeated_loads(const mechanism& m, const loads& acting, const contents& held,
                                     load_check& by) {
-  detail::checking_repeated_loads(m, acting, held, by).run();
+  detail::repeated_loads_checker(m, acting, held, by).run();
 }
 
 } // namespace kanexpr::mechanics

@@ -16,9 +16,9 @@ namespace detail {
 /// angle that its orientation omits, both angular velocities are tried. For a point without an offset, there
 /// is no position to compare with. Speeds that appear in no kinematic equation are the rates of coordinates
 /// that the model omits.
-class checking_velocity {
+class velocity_checker {
 public:
-  constexpr checking_velocity(const mechanism& m, const contents& held)
+  constexpr velocity_checker(const mechanism& m, const contents& held)
       : m_(m), held_(held), motion_(m, held, geometry_of(m)) {}
 
   constexpr sentence run() {
@@ -41,7 +41,7 @@ public:
   /// Whether a velocity is declared for a point with index `first` or higher.
   static constexpr bool is_any_declared(const mechanism& m, int first) {
     for (int p = first; p < m.points.size(); ++p)
-      if (m.points[p].moves_by_declaration()) return true;
+      if (m.points[p].has_declared_velocity()) return true;
     return false;
   }
   /// Whether the velocity of a mass may differ from the rate of its position.
@@ -108,7 +108,7 @@ private:
     for (kind k : {kind::coordinate, kind::input, kind::time}) held.collect(e, k, symbols);
   }
 
-  using angular_velocities = triple (generic_motion::*)(int) const;
+  using angular_velocities = generic_motion::angular_velocities;
   static constexpr angular_velocities by_orientation = &generic_motion::by_orientation,
                                       as_used = &generic_motion::angular_velocity;
 
@@ -122,7 +122,7 @@ private:
   }
 
   constexpr bool is_to_agree(const point& p) const {
-    if (!p.moves_by_declaration() || p.moves_apart || p.offset.is_zero()) return false;
+    if (!p.has_declared_velocity() || p.moves_apart || p.offset.is_zero()) return false;
     for (const vector* v : {&p.offset, &p.velocity})
       for (const vector::part& part : v->parts)
         if (!motion_.is_proper(part.frame)) return false;
@@ -138,14 +138,15 @@ private:
 
   constexpr bool agrees(int place) const {
     const point& p = m_.points[place];
-    const triple said = motion_.vector_of(p.velocity);
+    const triple declared = motion_.vector_of(p.velocity);
     for (const angular_velocities w : {by_orientation, as_used}) {
-      const triple rate = rate_of(p.offset, w);
-      if (p.from_parent ? is_same(said + carried(p, w), rate, reach(p))
-                        : is_same(said, velocity(p.parent) + rate, reach_from_origin(place)))
+      const triple rate = motion_.rate_of(p.offset, w);
+      if (p.from_parent ? is_same(declared + carried(p, w), rate, reach(p))
+                        : is_same(declared, velocity(p.parent) + rate, reach_from_origin(place)))
         return true;
     }
-    return !p.from_parent && is_same(said, rate_from_origin(place, by_orientation), reach_from_origin(place));
+    return !p.from_parent &&
+           is_same(declared, rate_from_origin(place, by_orientation), reach_from_origin(place));
   }
 
   /// Returns the first point, on the path to a mass, whose velocity differs from the rate of its position
@@ -167,7 +168,7 @@ private:
     for (const vector::part& part : p.offset.parts)
       if (!motion_.is_proper(part.frame)) return false;
     for (const angular_velocities w : {by_orientation, as_used})
-      if (is_same(in_frame(p), rate_of(p.offset, w), reach(p))) return false;
+      if (is_same(in_frame(p), motion_.rate_of(p.offset, w), reach(p))) return false;
     return true;
   }
 
@@ -209,15 +210,15 @@ private:
     const point& p = m_.points[place];
     difference sum;
     if (p.parent == none) return sum;
-    if (p.moves_by_declaration() && !p.from_parent && p.fixed_in == none) {
+    if (p.has_declared_velocity() && !p.from_parent && p.fixed_in == none) {
       sum.add(motion_.vector_of(p.velocity), rate_from_origin(place, w), reach_from_origin(place));
       return sum;
     }
     sum = velocity_apart(p.parent, w);
     if (p.fixed_in != none)
-      sum.add(in_frame(p), rate_of(p.offset, w), reach(p));
-    else if (p.moves_by_declaration())
-      sum.add(motion_.vector_of(p.velocity) + carried(p, as_used), rate_of(p.offset, w), reach(p));
+      sum.add(in_frame(p), motion_.rate_of(p.offset, w), reach(p));
+    else if (p.has_declared_velocity())
+      sum.add(motion_.vector_of(p.velocity) + carried(p, as_used), motion_.rate_of(p.offset, w), reach(p));
     else
       for (const vector::part& part : p.offset.parts) {
         const triple there = motion_.basis(part.frame) * motion_.value(part.value);
@@ -243,14 +244,6 @@ private:
     return sum;
   }
 
-  constexpr triple rate_of(const vector& v, angular_velocities w) const {
-    triple sum;
-    for (const vector::part& p : v.parts) {
-      const triad& axes = motion_.basis(p.frame);
-      sum = sum + axes * motion_.rate(p.value) + cross((motion_.*w)(p.frame), axes * motion_.value(p.value));
-    }
-    return sum;
-  }
   /// The velocity due to the rotation of the reference.
   constexpr triple carried(const point& p, angular_velocities w) const {
     return cross((motion_.*w)(p.reference), motion_.vector_of(p.offset));
@@ -263,7 +256,8 @@ private:
 
   constexpr triple rate_from_origin(int place, angular_velocities w) const {
     triple sum;
-    for (int p = place; p != none; p = m_.points[p].parent) sum = sum + rate_of(m_.points[p].offset, w);
+    for (int p = place; p != none; p = m_.points[p].parent)
+      sum = sum + motion_.rate_of(m_.points[p].offset, w);
     return sum;
   }
 
@@ -272,9 +266,9 @@ private:
     const point& p = m_.points[place];
     if (p.parent == none) return {};
     if (p.fixed_in != none) return velocity(p.parent) + in_frame(p);
-    if (!p.moves_by_declaration()) return velocity(p.parent) + rate_of(p.offset, as_used);
-    const triple said = motion_.vector_of(p.velocity);
-    return p.from_parent ? velocity(p.parent) + carried(p, as_used) + said : said;
+    if (!p.has_declared_velocity()) return velocity(p.parent) + motion_.rate_of(p.offset, as_used);
+    const triple declared = motion_.vector_of(p.velocity);
+    return p.from_parent ? velocity(p.parent) + carried(p, as_used) + declared : declared;
   }
 
   const mechanism& m_;

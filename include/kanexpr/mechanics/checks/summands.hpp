@@ -7,15 +7,15 @@ namespace kanexpr::mechanics {
 
 /// A summand at a generic state.
 struct summand {
-  symbolic::rated worth{};
+  symbolic::rated value{};
   bool is_of_mass = false; ///< contains one of the wanted symbols
 };
 
 /// Expands products of sums numerically, without creating expressions.
-class summing_up {
+class summand_expansion {
 public:
   /// `wanted` are the nodes of symbols.
-  constexpr summing_up(const generic_motion& motion, const graph& g, const sequence<int>& wanted)
+  constexpr summand_expansion(const generic_motion& motion, const graph& g, const sequence<int>& wanted)
       : motion_(motion), g_(g), wanted_(wanted) {}
 
   constexpr sequence<summand> operator()(expression e) const { return of(e.node()); }
@@ -43,7 +43,7 @@ private:
     sequence<summand> all;
     for (const summand& s : left)
       for (const summand& other : right)
-        all.push({product(s.worth, other.worth), s.is_of_mass || other.is_of_mass});
+        all.push({product(s.value, other.value), s.is_of_mass || other.is_of_mass});
     return all;
   }
 
@@ -56,7 +56,7 @@ private:
                                         : symbolic::rated{elementary::detail::infinity, 0};
   }
   static constexpr sequence<summand> scaled_by(symbolic::rated factor, sequence<summand> all) {
-    for (summand& s : all) s.worth = product(factor, s.worth);
+    for (summand& s : all) s.value = product(factor, s.value);
     return all;
   }
 

@@ -27,6 +27,11 @@ struct constraints {
   sequence<int> repeats{};          ///< the configuration constraints of these rates
 
   constexpr int size() const { return on_velocities.size(); }
+  constexpr sequence<expression> velocity_residual() const {
+    sequence<expression> residual;
+    for (const velocity_constraint& c : on_velocities) residual.push(c.value);
+    return residual;
+  }
 };
 
 namespace detail {

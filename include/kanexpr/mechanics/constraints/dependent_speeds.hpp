@@ -33,6 +33,16 @@ constexpr sequence<int> sums_that_bind(const mechanism& m, const constraints& c)
 
 } // namespace detail
 
+/// Marks the speeds that are the rates of dependent coordinates, which are preferred as dependent speeds.
+constexpr sequence<char> rates_of_dependent(const skeleton& s, const partition& coordinates) {
+  const sequence<expression>& speeds = s.model->speeds;
+  sequence<char> preferred(speeds.size(), 0);
+  for (int j : coordinates.dependent)
+    for (int i = 0; i < speeds.size(); ++i)
+      if (s.coordinate_rates[j] == speeds[i]) preferred[i] = 1;
+  return preferred;
+}
+
 /// Solves the constraints J u + c = 0 and J u̇ + γ = 0, with `bias` = γ, with one factorization for all
 /// right-hand sides.
 constexpr dependent_speeds solve_for_dependent_speeds(const mechanism& m, const constraints& c,

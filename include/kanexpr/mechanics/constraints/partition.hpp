@@ -24,8 +24,8 @@ namespace detail {
 class choice_by_elimination {
 public:
   constexpr choice_by_elimination(const sequence<numbers>& states, const symbolic::matrix& jacobian,
-                                  const sequence<char>& favoured)
-      : jacobian_(jacobian), favoured_(favoured), states_(states), row_done_(jacobian.rows, 0),
+                                  const sequence<char>& preferred)
+      : jacobian_(jacobian), preferred_(preferred), states_(states), row_done_(jacobian.rows, 0),
         is_dependent_(jacobian.columns, 0) {}
 
   constexpr partition run() {
@@ -74,9 +74,9 @@ private:
           const double beside = l > rounding ? magnitude(states_[s](i, j)) / l : 0;
           if (beside < least) least = beside;
         }
-        double worth = least / (in_row[i] + in_column[j]);
-        if (favoured_[j] != 0) worth *= 4;
-        if (worth > most * (1 + 1e-9)) most = worth, found = {i, j};
+        double value = least / (in_row[i] + in_column[j]);
+        if (preferred_[j] != 0) value *= 4;
+        if (value > most * (1 + 1e-9)) most = value, found = {i, j};
       }
     return found;
   }
@@ -90,7 +90,7 @@ private:
   }
 
   const symbolic::matrix& jacobian_;
-  const sequence<char>& favoured_;
+  const sequence<char>& preferred_;
   sequence<numbers> states_;
   sequence<char> row_done_, is_dependent_;
 };
@@ -100,16 +100,16 @@ private:
 /// Chooses dependent unknowns among the columns of a Jacobian, one for each row, by elimination with full
 /// pivoting at several generic states simultaneously, so that the choice is well conditioned at all of them.
 /// Columns and rows with few entries have a larger weight, which makes the solution cheap (Markowitz).
-/// `favoured` columns are preferred if they are nearly as good.
+/// `preferred` columns are preferred if they are nearly as good.
 constexpr partition choose_dependent(const sequence<numbers>& states, const symbolic::matrix& jacobian,
-                                     const sequence<char>& favoured) {
-  return detail::choice_by_elimination(states, jacobian, favoured).run();
+                                     const sequence<char>& preferred) {
+  return detail::choice_by_elimination(states, jacobian, preferred).run();
 }
 
 /// The dependent unknowns chosen by the user, or else by `choose_dependent`.
 constexpr partition partition_of(const sequence<numbers>& states, const symbolic::matrix& jacobian,
-                                 const sequence<int>& chosen, const sequence<char>& favoured) {
-  if (chosen.empty()) return choose_dependent(states, jacobian, favoured);
+                                 const sequence<int>& chosen, const sequence<char>& preferred) {
+  if (chosen.empty()) return choose_dependent(states, jacobian, preferred);
   sequence<char> is_dependent(jacobian.columns, 0);
   for (int j : chosen) is_dependent[j] = 1;
   return partition_by(is_dependent);

@@ -23,18 +23,18 @@ constexpr sentence check_redundant(const given_constraints& all) {
 /// The constraints used in solving.
 constexpr given_constraints without_redundant(const given_constraints& all) {
   if (all.redundant.empty()) return all;
-  given_constraints kept = all;
-  kept.on_configuration.clear(), kept.rates_by_auxiliary.clear();
+  given_constraints solved = all;
+  solved.on_configuration.clear(), solved.rates_by_auxiliary.clear();
   for (int i = 0; i < all.on_configuration.size(); ++i) {
     if (all.redundant.contains(i + 1)) continue;
-    kept.on_configuration.push(all.on_configuration[i]);
-    if (!all.rates_by_auxiliary.empty()) kept.rates_by_auxiliary.push(all.rates_by_auxiliary[i]);
+    solved.on_configuration.push(all.on_configuration[i]);
+    if (!all.rates_by_auxiliary.empty()) solved.rates_by_auxiliary.push(all.rates_by_auxiliary[i]);
   }
-  return kept;
+  return solved;
 }
 
 /// Records the numbers of the constraints used in solving, and the redundant ones.
-constexpr void tell_redundant(const given_constraints& all, constraints& c) {
+constexpr void record_redundant(const given_constraints& all, constraints& c) {
   for (int i = 0; i < all.on_configuration.size(); ++i)
     if (all.redundant.contains(i + 1))
       c.redundant.push(all.on_configuration[i]);
@@ -43,7 +43,7 @@ constexpr void tell_redundant(const given_constraints& all, constraints& c) {
 }
 
 /// The redundant constraints, as constraints on the speeds.
-constexpr constraints redundant_alone(motion& k, const constraints& c) {
+constexpr constraints only_redundant(motion& k, const constraints& c) {
   given_constraints alone;
   alone.on_configuration = c.redundant;
   return form_constraints(k, alone);

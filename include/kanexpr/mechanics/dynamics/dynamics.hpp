@@ -44,7 +44,7 @@ public:
   }
   constexpr sequence<expression> bias_of(const constraints& any) const {
     sequence<expression> bias;
-    motion k = motion_on_rising_ground(s_, loads_);
+    motion k = motion_on_accelerated_ground(s_, loads_);
     for (int i = 0; i < any.size(); ++i) bias.push(rate_of_constraint(k, any, i));
     return bias;
   }
@@ -192,9 +192,9 @@ public:
 
   /// The generalized inertia forces of all speeds in a motion with the symbols u̇, including gravity: F_r* on
   /// accelerated ground for Kane's method, ∂L/∂q − d/dt ∂L/∂q̇ for Lagrange's.
-  constexpr sequence<expression> inertia_in(motion& on_rising_ground) {
+  constexpr sequence<expression> inertia_in(motion& on_accelerated_ground) {
     if (by_lagrange()) return lagrange_.inertia_forces(m_.speed_rates);
-    return mechanics::inertia_forces(s_, on_rising_ground);
+    return mechanics::inertia_forces(s_, on_accelerated_ground);
   }
 
   /// The generalized forces of all speeds that `inertia_in` does not include.

@@ -27,8 +27,8 @@ constexpr sequence<expression> forces_of_gravity(const skeleton& s, const loads&
 
 /// The motion in which an upward acceleration of the ground replaces gravity; without rates of the speeds, it
 /// is evaluated at u̇ = 0.
-constexpr motion motion_on_rising_ground(const skeleton& s, const loads& acting,
-                                         const sequence<expression>& udot = {}) {
+constexpr motion motion_on_accelerated_ground(const skeleton& s, const loads& acting,
+                                              const sequence<expression>& udot = {}) {
   motion k(s, udot);
   if (acting.has_gravity) k.accelerate_ground(-acting.gravity);
   return k;
@@ -61,7 +61,7 @@ constexpr sequence<expression> forcing(const skeleton& s, const loads& acting,
                                        const sequence<expression>& udot = {}) {
   generalized_forces f(s);
   f.add_loads(acting, false);
-  motion k = motion_on_rising_ground(s, acting, udot);
+  motion k = motion_on_accelerated_ground(s, acting, udot);
   f.add_inertia(k);
   f.add_changes_of_mass(k);
   return f.run();

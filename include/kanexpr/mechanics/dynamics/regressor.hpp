@@ -17,7 +17,7 @@ constexpr int reference_point(const skeleton& s, const body& b) {
   const mechanism& m = *s.model;
   symbolic::differentiation along_time = time_derivative(m, s.coordinate_rates);
   const auto is_fixed = [&](const point& p) {
-    if (p.parent == none || p.moves_by_declaration()) return false;
+    if (p.parent == none || p.has_declared_velocity()) return false;
     for (const vector::part& part : p.offset.parts) {
       if (s.rigid_with[part.frame] != s.rigid_with[b.frame]) return false;
       for (int i = 0; i < 3; ++i)

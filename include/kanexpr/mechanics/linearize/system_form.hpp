@@ -17,7 +17,7 @@ public:
                         const symbolic::matrix& by_q, const partition& coordinates, const partition& speeds,
                         dynamics& d)
       : s_(s), m_(*s.model), constraints_(c), by_q_(by_q), coordinates_(coordinates), speeds_(speeds),
-        dynamics_(d), motion_(motion_on_rising_ground(s, acting, m_.speed_rates)) {}
+        dynamics_(d), motion_(motion_on_accelerated_ground(s, acting, m_.speed_rates)) {}
 
   /// The form of the independent speeds, without multipliers.
   constexpr general_form reduced() {

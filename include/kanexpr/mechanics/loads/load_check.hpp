@@ -6,8 +6,8 @@
 
 namespace kanexpr::mechanics {
 
-/// The context for checking a load: the contents of expressions, the names of points and frames, and the
-/// first mistake.
+/// The context for system_checker a load: the contents of expressions, the names of points and frames, and
+/// the first mistake.
 class load_check {
 public:
   constexpr load_check(const mechanism& m, const contents& held) : m_(m), held_(held) {}

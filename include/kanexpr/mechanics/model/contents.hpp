@@ -32,7 +32,7 @@ public:
     return is_fixed(m.row[0]) && is_fixed(m.row[1]) && is_fixed(m.row[2]);
   }
 
-  /// Whether an expression looks linear: false if it contains a product, quotient or function of speeds or
+  /// Whether an expression sampling linear: false if it contains a product, quotient or function of speeds or
   /// rates, even if these terms cancel.
   constexpr bool looks_linear(expression e) const { return (held_[e.node()] & nonlinear) == 0; }
 

@@ -37,7 +37,7 @@ struct frame {
   vector angular_velocity{};
   bool turns_apart = false; ///< declared not to match the orientation
 
-  constexpr bool turns_by_declaration() const { return reference != none; }
+  constexpr bool has_declared_angular_velocity() const { return reference != none; }
 };
 
 } // namespace kanexpr::mechanics

@@ -15,7 +15,7 @@ struct point {
   bool from_parent = false; ///< the declared velocity is relative to the parent, which is fixed in
                             ///< `reference`
 
-  constexpr bool moves_by_declaration() const { return reference != none; }
+  constexpr bool has_declared_velocity() const { return reference != none; }
 };
 
 } // namespace kanexpr::mechanics

@@ -6,7 +6,7 @@
 namespace kanexpr::mechanics {
 
 /// Whether a frame is `other` or is oriented, directly or indirectly, relative to it.
-constexpr bool hangs_on(const mechanism& m, int frame, int other) {
+constexpr bool is_oriented_by(const mechanism& m, int frame, int other) {
   while (frame != other && frame != none) frame = m.frames[frame].parent;
   return frame == other;
 }
@@ -33,7 +33,7 @@ constexpr bool is_along_still_axes(const mechanism& m, const vector& v, int fram
 constexpr vector turned_with(const mechanism& m, const vector& v, int frame) {
   vector out;
   for (const vector::part& p : v.parts)
-    if (!hangs_on(m, p.frame, frame) && stands_still_in(m, p.frame, frame))
+    if (!is_oriented_by(m, p.frame, frame) && stands_still_in(m, p.frame, frame))
       out.add(frame, express(m, p.value, p.frame, frame));
     else
       out.add(p.frame, p.value);

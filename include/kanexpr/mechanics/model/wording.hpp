@@ -34,6 +34,22 @@ constexpr sentence enumerated(const mechanism& m, const sequence<expression>& sy
   return sentence({p.view(), before_entry(named, entries), counted(places.size() - named).view(), " others"});
 }
 
+/// Returns "configuration constraint 3 follows; add redundant<3> to drop it", with the verb that is given in
+/// the singular and the plural.
+constexpr sentence dropping(const sequence<int>& numbers, std::string_view verb,
+                            std::string_view verb_of_many) {
+  const bool is_one = numbers.size() == 1;
+  sentence named, listed; // "3, 4 and 5", and "3, 4, 5"
+  for (int i = 0; i < numbers.size(); ++i) {
+    const name number = counted(numbers[i]);
+    named = sentence({named.view(), before_entry(i, numbers.size()), number.view()});
+    listed = sentence({listed.view(), i == 0 ? "" : ", ", number.view()});
+  }
+  return sentence({"configuration constraint", is_one ? " " : "s ", named.view(),
+                   is_one ? verb : verb_of_many, "; add redundant<", listed.view(), "> to drop ",
+                   is_one ? "it" : "them"});
+}
+
 /// Returns "speed u1"; for Lagrange's method "rate of coordinate q1".
 constexpr sentence speed_called(const mechanism& m, std::string_view speed) {
   if (m.derived_by == method::kane) return sentence({"speed ", speed});

@@ -105,6 +105,16 @@ public:
     for (const vector::part& p : v.parts) sum = sum + basis(p.frame) * value(p.value);
     return sum;
   }
+  using angular_velocities = triple (generic_motion::*)(int) const;
+  /// The rate of a vector in the inertial frame, if the frames rotate with the given angular velocities.
+  constexpr triple rate_of(const vector& v, angular_velocities w) const {
+    triple sum;
+    for (const vector::part& p : v.parts) {
+      const triad& axes = basis(p.frame);
+      sum = sum + axes * rate(p.value) + cross((this->*w)(p.frame), axes * value(p.value));
+    }
+    return sum;
+  }
   constexpr triple value(const components& c) const {
     return {(*this)[c.x].value, (*this)[c.y].value, (*this)[c.z].value};
   }
@@ -269,7 +279,7 @@ private:
     if (p.known) return;
     p.known = true;
     const frame& own = m_.frames[f];
-    if (own.turns_by_declaration()) {
+    if (own.has_declared_angular_velocity()) {
       turn(own.reference);
       p.angular_velocity = frames_[own.reference].angular_velocity + declared(f);
       p.proper = p.proper && frames_[own.reference].proper;

@@ -43,15 +43,15 @@ constexpr sequence<char> parts_of_arguments(const graph& g, const sequence<int>&
   return found;
 }
 
-/// A special value of `beside_typical`: all symbols have magnitude 1, whatever their units.
-inline constexpr double all_one = 0;
+/// A special value of `relative_size`: all symbols have magnitude 1, whatever their units.
+inline constexpr double unit_sizes = 0;
 
 /// Random values of symbols, with magnitudes comparable to those of the terms to which they are added;
 /// quaternions have norm 1.
 class generic_values {
 public:
   constexpr generic_values(const graph& g, const sequence<int>& live, const mechanism* of,
-                           double beside_typical)
+                           double relative_size)
       : g_(g), of_(of) {
     const symbolic::typical_sizes sizes(g);
     for (int id : live)
@@ -59,14 +59,14 @@ public:
     if (of != nullptr)
       for (const frame& f : of->frames) complete(f.quaternion);
     value_.resize(symbols_.size(), 0.0);
-    if (numeric::equal(beside_typical, 1.0)) return;
-    if (numeric::equal(beside_typical, all_one)) {
+    if (numeric::equal(relative_size, 1.0)) return;
+    if (numeric::equal(relative_size, unit_sizes)) {
       for (double& size : size_) size = 1;
       return;
     }
     const sequence<char> is_angle = parts_of_arguments(g, live);
     for (int i = 0; i < symbols_.size(); ++i)
-      if (is_angle[symbols_[i]] == 0) size_[i] *= beside_typical;
+      if (is_angle[symbols_[i]] == 0) size_[i] *= relative_size;
   }
   generic_values(const generic_values&) = delete;
   generic_values& operator=(const generic_values&) = delete;
@@ -112,9 +112,9 @@ private:
 /// Evaluates a matrix of expressions at three generic states, or fewer if functions are undefined at some of
 /// them. Entries that are zero up to rounding, or too small to keep their digits, become zero. If a mechanism
 /// is given, its quaternions have norm 1. The magnitudes of symbols that are not part of an angle are
-/// multiplied by `beside_typical`.
+/// multiplied by `relative_size`.
 constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const mechanism* of = nullptr,
-                                              double beside_typical = 1) {
+                                              double relative_size = 1) {
   sequence<numbers> values;
   if (a.entries.empty()) return values;
   sequence<int> outputs;
@@ -122,7 +122,7 @@ constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const m
   const graph& g = a.entries[0].owner();
   symbolic::evaluation evaluate(g, outputs);
   sequence<bool> is_nothing;
-  detail::generic_values generic(g, evaluate.live(), of, beside_typical);
+  detail::generic_values generic(g, evaluate.live(), of, relative_size);
   for (int attempt = 0; attempt < 12 && values.size() < 3; ++attempt) {
     generic.draw();
     evaluate.at([&](int id) { return generic[id]; });
@@ -159,7 +159,7 @@ public:
       }
     rows_.resize(largest_.rows, 0.0), columns_.resize(largest_.columns, 0.0);
     for (int i = 0; i < largest_.rows; ++i)
-      if (numeric::equal(rows_[i], 0.0)) rows_[i] = 1, hand_on(i);
+      if (numeric::equal(rows_[i], 0.0)) rows_[i] = 1, propagate(i);
     for (int sweeps = 0; sweeps < 2; ++sweeps) {
       for (int j = 0; j < largest_.columns; ++j) {
         double most = 0;
@@ -185,13 +185,13 @@ private:
   constexpr double scaled(int i, int j) const { return largest_(i, j) * rows_[i] * columns_[j]; }
 
   /// Propagates the scale of a row to its columns, and from these to their rows.
-  constexpr void hand_on(int row) {
+  constexpr void propagate(int row) {
     for (int j = 0; j < largest_.columns; ++j) {
       if (!numeric::equal(columns_[j], 0.0) || numeric::equal(largest_(row, j), 0.0)) continue;
       columns_[j] = 1 / (largest_(row, j) * rows_[row]);
       for (int i = 0; i < largest_.rows; ++i)
         if (numeric::equal(rows_[i], 0.0) && !numeric::equal(largest_(i, j), 0.0))
-          rows_[i] = 1 / (largest_(i, j) * columns_[j]), hand_on(i);
+          rows_[i] = 1 / (largest_(i, j) * columns_[j]), propagate(i);
     }
   }
 
@@ -207,28 +207,38 @@ constexpr sequence<numbers> equilibrated(sequence<numbers> states) {
 
 /// Factors on typical magnitudes that are tried before a model is rejected, because the model may specify too
 /// little about the magnitudes of its symbols.
-inline constexpr double other_sizes[]{detail::all_one, 1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9, 1e-12};
+inline constexpr double trial_sizes[]{detail::unit_sizes, 1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9, 1e-12};
 inline constexpr double clearly = 1e-5; ///< tolerance for these, relative to the whole
 
-/// The space spanned by the rows found to be independent, stored as an orthonormal basis.
+/// The space spanned by the rows found independent, stored as an orthonormal basis. A row may be an equation
+/// with a right-hand side.
 class row_space {
 public:
   constexpr explicit row_space(double least = 1e-9) : least_(least) {}
 
   /// Adds a row to the basis; returns false if the row already lies in the space.
-  constexpr bool add(sequence<double> row) {
+  constexpr bool add(sequence<double> row, double right = 0) {
     const double whole = norm(row);
     if (numeric::equal(whole, 0.0)) return false;
     for (int twice = 0; twice < 2; ++twice) // repeated to remove rounding errors
-      for (const sequence<double>& unit : basis_) {
-        const double along = dot(unit, row);
-        for (int j = 0; j < row.size(); ++j) row[j] -= along * unit[j];
+      for (int i = 0; i < basis_.size(); ++i) {
+        const double along = dot(basis_[i], row);
+        for (int j = 0; j < row.size(); ++j) row[j] -= along * basis_[i][j];
+        right -= along * right_[i];
       }
     const double left = norm(row);
     if (left <= least_ * whole) return false;
     for (double& e : row) e /= left;
-    basis_.push(row);
+    basis_.push(row), right_.push(right / left);
     return true;
+  }
+
+  /// The smallest solution of the equations that were added, with `size` unknowns.
+  constexpr sequence<double> solution(int size) const {
+    sequence<double> x(size, 0.0);
+    for (int i = 0; i < basis_.size(); ++i)
+      for (int j = 0; j < size; ++j) x[j] += right_[i] * basis_[i][j];
+    return x;
   }
 
 private:
@@ -241,6 +251,7 @@ private:
 
   double least_; ///< smallest remainder, relative to the row
   sequence<sequence<double>> basis_{};
+  sequence<double> right_{};
 };
 
 /// Returns for each row whether it is independent of the preceding rows in some configuration.
@@ -266,7 +277,7 @@ constexpr sequence<char> independent_rows(const symbolic::matrix& a, const mecha
 /// Whether the rows of a matrix are independent in some configuration, for some magnitudes of the symbols.
 constexpr bool has_independent_rows(const symbolic::matrix& a, const mechanism& of) {
   if (!independent_rows(a, &of).contains(0)) return true;
-  for (const double size : other_sizes)
+  for (const double size : trial_sizes)
     for (const numbers& state : equilibrated(at_generic_states(a, &of, size))) {
       row_space space(clearly);
       bool all = true;

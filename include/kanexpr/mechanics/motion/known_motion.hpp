@@ -14,8 +14,8 @@ class known_motion {
 public:
   constexpr explicit known_motion(const mechanism& m) : skeleton_(skeleton_of(m)) {}
   /// Selects the constructor of an empty object to be restored from stored members.
-  struct set_aside {};
-  constexpr known_motion(const mechanism& m, set_aside) : skeleton_{&m} {}
+  struct for_restore {};
+  constexpr known_motion(const mechanism& m, for_restore) : skeleton_{&m} {}
   constexpr known_motion(known_motion&& other) noexcept
       : skeleton_(std::move(other.skeleton_)), motion_(std::move(other.motion_)),
         has_motion_(other.has_motion_), is_without_auxiliary_(other.is_without_auxiliary_) {

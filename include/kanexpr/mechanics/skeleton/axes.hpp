@@ -55,7 +55,7 @@ constexpr bool planar(const skeleton& s) {
     if (own.kind == orientation::about_basis) {
       if (axis == none) axis = own.axis;
       if (axis != own.axis) return false;
-    } else if (own.turns_by_declaration() || !own.to_parent.is_identity()) {
+    } else if (own.has_declared_angular_velocity() || !own.to_parent.is_identity()) {
       return false;
     }
   }

@@ -16,13 +16,13 @@ constexpr sentence check_orientation_kinematics(const mechanism& m, int place, i
   if (place == reference || path::common_ancestor(m, place, reference) != reference)
     return sentence({"kinematics_of<", called, ", ", in, "> is not available: frame ", called,
                      " is not oriented relative to ", in});
-  const int told = m.frames[place].reference;
-  if (told == none)
+  const int declared = m.frames[place].reference;
+  if (declared == none)
     return sentence({"kinematics_of<", called, ", ", in, "> is not available: frame ", called,
                      " has no declared angular velocity"});
-  if (told != reference)
+  if (declared != reference)
     return sentence({"kinematics_of<", called, ", ", in, "> is not available: the angular velocity of frame ",
-                     called, " is declared relative to ", m.frames[told].called.view()});
+                     called, " is declared relative to ", m.frames[declared].called.view()});
   return {};
 }
 

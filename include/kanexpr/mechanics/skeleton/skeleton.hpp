@@ -92,7 +92,7 @@ struct skeleton {
   /// axis.
   constexpr int joint_axis(int f) const {
     const frame& own = model->frames[f];
-    return own.kind == orientation::about_basis && !own.turns_by_declaration() ? own.axis : none;
+    return own.kind == orientation::about_basis && !own.has_declared_angular_velocity() ? own.axis : none;
   }
 };
 

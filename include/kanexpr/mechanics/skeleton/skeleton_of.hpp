@@ -28,12 +28,12 @@ public:
       const frame& own = m_.frames[f];
       s_.relative_angular_velocity.push(relative_angular_velocity_of(f));
       const bool turns = f != mechanism::inertial &&
-                         (own.turns_by_declaration() || !s_.relative_angular_velocity[f].is_zero());
+                         (own.has_declared_angular_velocity() || !s_.relative_angular_velocity[f].is_zero());
       s_.rigid_with.push(f == mechanism::inertial || turns ? f : s_.rigid_with[own.parent]);
     }
     for (int f = before; f < m_.frames.size(); ++f) {
       const frame& own = m_.frames[f];
-      const int in = own.turns_by_declaration() ? own.reference : own.parent;
+      const int in = own.has_declared_angular_velocity() ? own.reference : own.parent;
       s_.turns_in.push(in == none ? none : s_.rigid_with[in]);
     }
   }
@@ -43,7 +43,7 @@ public:
       const point& at = m_.points[p];
       if (at.parent == none)
         s_.station_of_point.push(ground_station());
-      else if (at.moves_by_declaration())
+      else if (at.has_declared_velocity())
         s_.station_of_point.push(declared_station(at));
       else
         s_.station_of_point.push(offset_stations(at));
@@ -74,7 +74,7 @@ public:
 private:
   constexpr vector relative_angular_velocity_of(int f) {
     const frame& own = m_.frames[f];
-    if (own.turns_by_declaration()) return known_.in(own.angular_velocity);
+    if (own.has_declared_angular_velocity()) return known_.in(own.angular_velocity);
     return relative_angular_velocity(m_, f, along_time_);
   }
 

@@ -309,7 +309,7 @@ KANEXPR_ENGINE void builder::declare(frame_id frame, frame_id reference, const v
   if (!inspect_.present(frame, whose) || !inspect_.present(reference, whose)) return;
   if (frame == inertial_frame())
     inspect_.fail({"the inertial frame ", name_of(frame), " has a declared angular velocity"});
-  else if (m_.frames[place(frame)].turns_by_declaration())
+  else if (m_.frames[place(frame)].has_declared_angular_velocity())
     inspect_.fail({"frame ", name_of(frame), " has two declared angular velocities"});
   else if (inspect_.own(value, name_of(frame)))
     mechanics::declare_angular_velocity(m_, place(frame), place(reference), value, apart);
@@ -325,7 +325,7 @@ KANEXPR_ENGINE bool builder::unsaid_motion(point_id p) {
   if (at.parent == mechanics::none)
     return inspect_.fail(
         {"point ", name_of(p), " is an origin, fixed in the inertial frame, but has a declared motion"});
-  if (at.fixed_in != mechanics::none || at.moves_by_declaration())
+  if (at.fixed_in != mechanics::none || at.has_declared_velocity())
     return inspect_.fail({"point ", name_of(p), " has two declared motions"});
   return true;
 }

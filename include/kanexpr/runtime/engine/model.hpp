@@ -94,7 +94,7 @@ KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const deriving::req
 KANEXPR_ENGINE mechanics::vector model::vector(const describe::phrase& words) {
   return runtime::asked_of(*system_, [&] {
     system_->reader().visit(words.tokens, words.size);
-    system_->reader().take_up();
+    system_->reader().add_late_entities();
     const deriving::value found = system_->reader().evaluate(words, "an expression");
     if (found.kind != describe::shape::vector)
       system_->reader().refuse("the expression requested as a vector is not a vector");

@@ -12,12 +12,12 @@ namespace detail {
 /// A wheel needs no angle if all vectors along its axes are parallel to its spin axis. The check evaluates
 /// them at one generic state. It skips vectors that contain speeds, because they may be velocities, which do
 /// not depend on the axes in which they are written.
-class checking_left_out_angles {
+class omitted_angles_checker {
 public:
-  constexpr checking_left_out_angles(const multibody_system& of, const contents& held,
-                                     const sequence<left_out_angle>& angles)
+  constexpr omitted_angles_checker(const multibody_system& of, const contents& held,
+                                   const sequence<omitted_angle>& angles)
       : m_(of.mechanism), held_(held), angles_(angles) {
-    for (const left_out_angle& l : angles_) {
+    for (const omitted_angle& l : angles_) {
       collect_frames(l);
       collect_points(l, of.loads);
       collect_loads(l, of.loads);
@@ -27,16 +27,16 @@ public:
   }
 
   constexpr sentence run() const {
-    if (doubtful_.empty()) return {};
+    if (candidates_.empty()) return {};
     sequence<expression> wanted;
-    for (const doubt& d : doubtful_)
+    for (const candidate& d : candidates_)
       for (int i = 0; i < 3; ++i) wanted.push(d.value[i]);
     generic_motion motion(m_, held_, wanted);
     for (int states = 0; states < 6; ++states) {
       motion.draw();
       if (!motion.move()) continue;
-      for (const doubt& d : doubtful_)
-        if (depends(motion, d)) return told(d);
+      for (const candidate& d : candidates_)
+        if (depends(motion, d)) return sentence_for(d);
       break;
     }
     return {};
@@ -45,8 +45,8 @@ public:
 private:
   enum class what { axis, angular_velocity, offset, load, direction };
 
-  struct doubt {
-    const left_out_angle* angle = nullptr;
+  struct candidate {
+    const omitted_angle* angle = nullptr;
     int axes = none; ///< the frame along whose axes the vector is given
     components value{};
     what is = what::axis;
@@ -56,44 +56,44 @@ private:
 
   /// Whether a frame turns with another one because it is oriented relative to it.
   constexpr bool turns_with(int f, int other) const {
-    while (f != other && f != mechanism::inertial && !m_.frames[f].turns_by_declaration())
+    while (f != other && f != mechanism::inertial && !m_.frames[f].has_declared_angular_velocity())
       f = m_.frames[f].parent;
     return f == other;
   }
 
-  constexpr void collect(const left_out_angle& l, const vector& v, what is, int of) {
+  constexpr void collect(const omitted_angle& l, const vector& v, what is, int of) {
     for (const vector::part& p : v.parts) {
       bool is_sound = p.value.is_zero() || !turns_with(p.frame, l.frame);
       for (int i = 0; i < 3 && is != what::angular_velocity; ++i)
         is_sound =
             is_sound || held_.holds_any(p.value[i], {contents::kind::speed, contents::kind::coordinate_rate});
-      if (!is_sound) doubtful_.push({&l, p.frame, p.value, is, of, {}, {}});
+      if (!is_sound) candidates_.push({&l, p.frame, p.value, is, of, {}, {}});
     }
   }
 
-  constexpr void collect_frames(const left_out_angle& l) {
+  constexpr void collect_frames(const omitted_angle& l) {
     collect(l, m_.frames[l.frame].angular_velocity, what::angular_velocity, l.frame);
     for (int f = 0; f < m_.frames.size(); ++f) {
       const frame& own = m_.frames[f];
-      if (f == l.frame || own.turns_by_declaration() || !turns_with(f, l.frame)) continue;
+      if (f == l.frame || own.has_declared_angular_velocity() || !turns_with(f, l.frame)) continue;
       if (own.kind == orientation::matrix) {
         for (int axis = 0; axis < 2 && !held_.is_fixed(own.to_parent);
              ++axis) // any axis is parallel to at most one of the two basis vectors
-          doubtful_.push({&l, own.parent, unit(*m_.g, axis), what::axis, f, {}, {}});
+          candidates_.push({&l, own.parent, unit(*m_.g, axis), what::axis, f, {}, {}});
       } else if (!held_.is_fixed(own.angle)) {
-        doubtful_.push({&l,
-                        own.parent,
-                        own.kind == orientation::about_basis ? unit(*m_.g, own.axis) : own.direction,
-                        what::axis,
-                        f,
-                        {},
-                        {}});
+        candidates_.push({&l,
+                          own.parent,
+                          own.kind == orientation::about_basis ? unit(*m_.g, own.axis) : own.direction,
+                          what::axis,
+                          f,
+                          {},
+                          {}});
       }
     }
   }
 
   /// Collects the offsets of points that carry mass or loads.
-  constexpr void collect_points(const left_out_angle& l, const loads& given) {
+  constexpr void collect_points(const omitted_angle& l, const loads& given) {
     sequence<char> carries(m_.points.size(), 0);
     const auto reach = [&](int p) {
       for (; p != none && carries[p] == 0; p = m_.points[p].parent) carries[p] = 1;
@@ -104,18 +104,18 @@ private:
       if (carries[p] != 0) collect(l, m_.points[p].offset, what::offset, p);
   }
 
-  constexpr void collect_loads(const left_out_angle& l, const loads& given) {
+  constexpr void collect_loads(const omitted_angle& l, const loads& given) {
     given.each([&](const auto& load, int) {
       load.each_vector(m_, [&](const vector& v, std::string_view word, std::string_view loaded) {
-        const int before = doubtful_.size();
+        const int before = candidates_.size();
         collect(l, v, what::load, none);
-        for (int i = before; i < doubtful_.size(); ++i)
-          doubtful_[i].load = word, doubtful_[i].loaded = loaded;
+        for (int i = before; i < candidates_.size(); ++i)
+          candidates_[i].load = word, candidates_[i].loaded = loaded;
       });
     });
   }
 
-  constexpr bool depends(const generic_motion& motion, const doubt& d) const {
+  constexpr bool depends(const generic_motion& motion, const candidate& d) const {
     const int f = d.angle->frame;
     if (!motion.is_proper(f) || !motion.is_proper(d.axes)) return false;
     // if the reference is at rest, the angular velocity of a ball does not depend on whether it is given
@@ -126,27 +126,29 @@ private:
     return length(v) > 0 && (d.angle->axes.size() > 1 || !d.angle->axes.holds(v));
   }
 
-  constexpr sentence told(const doubt& d) const {
-    const auto said = [&](std::string_view of, std::string_view whose) {
+  constexpr sentence sentence_for(const candidate& d) const {
+    const auto sentence_about = [&](std::string_view of, std::string_view whose) {
       const std::string_view turns = m_.frames[d.angle->frame].called.view();
       return sentence({of, whose, " is given along the axes of ", m_.frames[d.axes].called.view(),
                        " and depends on the omitted angle of ", turns, "; give ", turns,
                        " this angle, or write angular_velocity_apart_from_orientation<...>"});
     };
     switch (d.is) {
-    case what::axis: return said("the axis of frame ", m_.frames[d.of].called.view());
-    case what::angular_velocity: return said("the angular velocity of frame ", m_.frames[d.of].called.view());
-    case what::offset: return said("the offset of point ", m_.points[d.of].called.view());
-    case what::load: return said(d.load, d.loaded);
-    case what::direction: return said("a direction of velocity constraint ", counted(d.of + 1).view());
+    case what::axis: return sentence_about("the axis of frame ", m_.frames[d.of].called.view());
+    case what::angular_velocity:
+      return sentence_about("the angular velocity of frame ", m_.frames[d.of].called.view());
+    case what::offset: return sentence_about("the offset of point ", m_.points[d.of].called.view());
+    case what::load: return sentence_about(d.load, d.loaded);
+    case what::direction:
+      return sentence_about("a direction of velocity constraint ", counted(d.of + 1).view());
     }
     return {};
   }
 
   const mechanism& m_;
   const contents& held_;
-  const sequence<left_out_angle>& angles_;
-  sequence<doubt> doubtful_{};
+  const sequence<omitted_angle>& angles_;
+  sequence<candidate> candidates_{};
 };
 
 } // namespace detail

@@ -81,34 +81,34 @@ constexpr auto operator%(const Left& x, const Right& y) {
 template <class Left, class Right>
   requires describe::operands_of_a_model<Left, Right>
 constexpr auto operator&(const Left& x, const Right& y) {
-  return describe::misused<scalar>(x, y, describe::misuse::bits);
+  return describe::misused<scalar>(x, y, describe::misuse::unsupported_operator);
 }
 template <class Left, class Right>
   requires describe::operands_of_a_model<Left, Right>
 constexpr auto operator|(const Left& x, const Right& y) {
-  return describe::misused<scalar>(x, y, describe::misuse::bits);
+  return describe::misused<scalar>(x, y, describe::misuse::unsupported_operator);
 }
 template <class Left, class Right>
   requires describe::operands_of_a_model<Left, Right>
 constexpr auto operator<<(const Left& x, const Right& y) {
-  return describe::misused<scalar>(x, y, describe::misuse::bits);
+  return describe::misused<scalar>(x, y, describe::misuse::unsupported_operator);
 }
 template <class Left, class Right>
   requires describe::operands_of_a_model<Left, Right>
 constexpr auto operator>>(const Left& x, const Right& y) {
-  return describe::misused<scalar>(x, y, describe::misuse::bits);
+  return describe::misused<scalar>(x, y, describe::misuse::unsupported_operator);
 }
 template <describe::expression_of_a_model Operand>
 constexpr auto operator!(const Operand& x) {
-  return describe::misused<equation>(x, describe::misuse::denial);
+  return describe::misused<equation>(x, describe::misuse::negation);
 }
 template <describe::expression_of_a_model Operand>
 constexpr auto operator~(const Operand& x) {
-  return describe::misused<scalar>(x, describe::misuse::bits);
+  return describe::misused<scalar>(x, describe::misuse::unsupported_operator);
 }
 template <describe::expression_of_a_model Operand>
 constexpr auto operator*(const Operand& x) {
-  return describe::misused<scalar>(x, describe::misuse::bits);
+  return describe::misused<scalar>(x, describe::misuse::unsupported_operator);
 }
 template <class Left, class Right>
   requires describe::operands_of_a_model<Left, Right>
@@ -137,12 +137,12 @@ constexpr auto operator/=(const Left& x, const Right& y) {
 template <class Left, class Right>
   requires describe::operands_of_a_model<Left, Right>
 constexpr auto operator&&(const Left& x, const Right& y) {
-  return describe::misused<equation>(x, y, describe::misuse::junction);
+  return describe::misused<equation>(x, y, describe::misuse::logical_operator);
 }
 template <class Left, class Right>
   requires describe::operands_of_a_model<Left, Right>
 constexpr auto operator||(const Left& x, const Right& y) {
-  return describe::misused<equation>(x, y, describe::misuse::junction);
+  return describe::misused<equation>(x, y, describe::misuse::logical_operator);
 }
 template <describe::expression_of_a_model Operand>
 constexpr auto operator++(const Operand& x) {

@@ -11,28 +11,28 @@ enum class misuse : unsigned char {
   change,
   caret,
   remainder,
-  denial,
-  junction,
+  negation,
+  logical_operator,
   comparison,
-  bits,
-  truth,
-  letter,
+  unsupported_operator,
+  boolean,
+  character,
   inner_equation,
   rate,
-  unseen_derivative,
-  seen_scalar,
+  derivative_without_frame,
+  scalar_derivative_in_frame,
   axes,
   partial,
   function,
   points,
-  seen_motion,
+  motion_in_frame,
   zero_factor,
   zero_power,
   index,
   arguments,
   operands,
   coupling,
-  own_coupling,
+  self_coupling,
   parallel,
   negative_length,
   zero,
@@ -50,7 +50,7 @@ enum class misuse : unsigned char {
   touch_arguments,
 };
 
-inline constexpr mechanics::sentence which_functions_there_are = [] {
+inline constexpr mechanics::sentence unknown_function_message = [] {
   mechanics::sentence
       p; // appended letter by letter to save compile time: every file that includes this header evaluates it
   const auto append = [&](std::string_view text) {
@@ -65,14 +65,14 @@ inline constexpr mechanics::sentence which_functions_there_are = [] {
 }();
 
 /// The end of a sentence whose subject is the part of the model that contains the misuse.
-constexpr std::string_view what_is_wrong(misuse what) {
+constexpr std::string_view misuse_message(misuse what) {
   switch (what) {
   case misuse::assignment: return " uses =; write equations with ==";
   case misuse::change: return " uses an operator that modifies a symbol, such as +=";
   case misuse::caret: return " uses ^; write pow(x, n) for a power";
   case misuse::remainder: return " uses %; models have no remainder operator";
-  case misuse::denial: return " uses !; a model contains numbers and vectors, not truth values";
-  case misuse::junction: return " uses && or ||; list equations separately, with commas between them";
+  case misuse::negation: return " uses !; a model contains numbers and vectors, not truth values";
+  case misuse::logical_operator: return " uses && or ||; list equations separately, with commas between them";
   case misuse::comparison: return " uses !=, <, >, <= or >=; models have only equations, written with ==";
   case misuse::index: return " uses [ ]; the quantities of a model have no entries";
   case misuse::arguments:
@@ -80,7 +80,7 @@ constexpr std::string_view what_is_wrong(misuse what) {
   case misuse::operands: return " calls dot or cross with more than two arguments";
   case misuse::coupling:
     return " couples something other than two joints that each turn about one axis or slide along one";
-  case misuse::own_coupling: return " couples a joint with itself";
+  case misuse::self_coupling: return " couples a joint with itself";
   case misuse::parallel:
     return " keeps a direction parallel to something other than an axis of a frame; write parallel<A::z, "
            "B::z>";
@@ -106,23 +106,24 @@ constexpr std::string_view what_is_wrong(misuse what) {
     return " has too few or too many arguments; write rolls_on<Wheel, Ground, axis, radius>";
   case misuse::touch_arguments:
     return " has too few or too many arguments; write touches<Wheel, Ground, axis, radius>";
-  case misuse::bits: return " uses an operator that models do not have";
-  case misuse::truth: return " contains true or false, which is not a number";
-  case misuse::letter: return " contains a quoted character, which is not a number";
+  case misuse::unsupported_operator: return " uses an operator that models do not have";
+  case misuse::boolean: return " contains true or false, which is not a number";
+  case misuse::character: return " contains a quoted character, which is not a number";
   case misuse::inner_equation:
     return " contains == inside an expression; use it only once, at the outermost level";
   case misuse::rate:
     return " applies dot to something that is not a coordinate, speed or prescribed quantity";
-  case misuse::unseen_derivative:
+  case misuse::derivative_without_frame:
     return " takes the derivative of a vector without a frame; write derivative_in<frame>(vector)";
-  case misuse::seen_scalar: return " takes the derivative of a scalar in a frame; write derivative(scalar)";
+  case misuse::scalar_derivative_in_frame:
+    return " takes the derivative of a scalar in a frame; write derivative(scalar)";
   case misuse::axes:
     return " uses in_axes_of with something other than a vector and a frame; write in_axes_of<frame>(vector)";
   case misuse::partial: return " takes a partial derivative with respect to something that is not a symbol";
-  case misuse::function: return which_functions_there_are.view();
+  case misuse::function: return unknown_function_message.view();
   case misuse::points:
     return " uses position_of with something other than two points; write position_of<point, from>";
-  case misuse::seen_motion:
+  case misuse::motion_in_frame:
     return " names an extra frame or point; motions are relative to the inertial frame: velocity_of<point>";
   case misuse::zero_factor:
     return " contains the factor 0, which is also the value of 1/2 in C++; write q/2 or rational<1, 2>*q, or "
