@@ -3,7 +3,7 @@
 #include "simulate/falling_ball.hpp"
 
 #include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/simulate/csv.hpp>
+#include <kanexpr/simulate/tables/csv.hpp>
 #include <kanexpr/simulate/model.hpp>
 #include <kanexpr/simulate/prescribe.hpp>
 

@@ -5,7 +5,7 @@
 #include <kanexpr/ensemble/layout.hpp>
 #include <kanexpr/ensemble/maximum_along.hpp>
 #include <kanexpr/ensemble/run_values.hpp>
-#include <kanexpr/simulate/input_source.hpp>
+#include <kanexpr/simulate/inputs/input_source.hpp>
 #include <kanexpr/simulate/simulation.hpp>
 
 #include <concepts>

@@ -3,8 +3,8 @@
 #include <kanexpr/batch/moving_batch.hpp>
 #include <kanexpr/ensemble/study_runs.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/simulate/contradiction.hpp>
-#include <kanexpr/simulate/prescribed_rates.hpp>
+#include <kanexpr/simulate/constraints/contradiction.hpp>
+#include <kanexpr/simulate/inputs/prescribed_rates.hpp>
 #include <kanexpr/steps/assemble.hpp>
 
 #include <algorithm>

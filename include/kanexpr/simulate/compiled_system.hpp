@@ -4,7 +4,7 @@
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/table_interpreter.hpp>
 #include <kanexpr/simulate/integrator.hpp>
-#include <kanexpr/simulate/prescribed_rates.hpp>
+#include <kanexpr/simulate/inputs/prescribed_rates.hpp>
 #include <kanexpr/simulate/simulation_options.hpp>
 #include <kanexpr/simulate/system.hpp>
 

@@ -4,13 +4,13 @@
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/check_options.hpp>
-#include <kanexpr/simulate/contradiction.hpp>
-#include <kanexpr/simulate/departures.hpp>
-#include <kanexpr/simulate/moving_system.hpp>
-#include <kanexpr/simulate/prescribed_rates.hpp>
+#include <kanexpr/simulate/constraints/contradiction.hpp>
+#include <kanexpr/simulate/events/events_at_start.hpp>
+#include <kanexpr/simulate/motions/moving_system.hpp>
+#include <kanexpr/simulate/inputs/prescribed_rates.hpp>
 #include <kanexpr/simulate/run.hpp>
 #include <kanexpr/simulate/sampling.hpp>
-#include <kanexpr/simulate/state_sizes.hpp>
+#include <kanexpr/simulate/motions/state_sizes.hpp>
 #include <kanexpr/steps/assemble.hpp>
 
 #include <algorithm>

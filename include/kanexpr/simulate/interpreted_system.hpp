@@ -3,8 +3,8 @@
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/values.hpp>
 #include <kanexpr/simulate/integrator.hpp>
-#include <kanexpr/simulate/misnamed.hpp>
-#include <kanexpr/simulate/model_trajectory.hpp>
+#include <kanexpr/simulate/motions/unknown_name_error.hpp>
+#include <kanexpr/simulate/trajectory/model_trajectory.hpp>
 #include <kanexpr/simulate/simulation_options.hpp>
 #include <kanexpr/simulate/system.hpp>
 

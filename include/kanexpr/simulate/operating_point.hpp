@@ -5,13 +5,13 @@
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
-#include <kanexpr/simulate/trim.hpp>
+#include <kanexpr/simulate/trim/trim.hpp>
 
 #include <algorithm>
 #include <string>
 
 #ifndef KANEXPR_COMPILED_SIMULATIONS
-#include <kanexpr/simulate/trim_search.hpp>
+#include <kanexpr/simulate/trim/search.hpp>
 #endif
 
 namespace kanexpr {

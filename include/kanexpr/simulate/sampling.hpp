@@ -2,11 +2,11 @@
 
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
-#include <kanexpr/simulate/manifold.hpp>
+#include <kanexpr/simulate/constraints/manifold.hpp>
 #include <kanexpr/simulate/output_schedule.hpp>
 #include <kanexpr/simulate/sundials/stepper.hpp>
-#include <kanexpr/simulate/surroundings.hpp>
-#include <kanexpr/simulate/tolerances.hpp>
+#include <kanexpr/simulate/motions/simulation_context.hpp>
+#include <kanexpr/simulate/motions/tolerances.hpp>
 
 #include <algorithm>
 #include <new>

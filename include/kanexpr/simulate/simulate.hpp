@@ -5,7 +5,7 @@
 #include <kanexpr/simulate/simulation.hpp>
 
 #ifndef KANEXPR_COMPILED_SIMULATIONS
-#include <kanexpr/simulate/constraint_manifold.hpp>
+#include <kanexpr/simulate/constraints/constraint_manifold.hpp>
 #include <kanexpr/simulate/integration.hpp>
 #endif
 

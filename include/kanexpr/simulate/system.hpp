@@ -4,7 +4,7 @@
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/derive/survey.hpp>
 #include <kanexpr/describe/system.hpp>
-#include <kanexpr/simulate/dense_output.hpp>
+#include <kanexpr/simulate/trajectory/dense_output.hpp>
 
 #include <complex>
 #include <cstddef>

@@ -4,7 +4,7 @@
 #include <kanexpr/ensemble/content_hash.hpp>
 #include <kanexpr/ensemble/csv_file.hpp>
 #include <kanexpr/ensemble/exclusive_file.hpp>
-#include <kanexpr/simulate/csv.hpp>
+#include <kanexpr/simulate/tables/csv.hpp>
 
 #include <algorithm>
 #include <cstdint>

@@ -1,5 +1,10 @@
-#include <kanexpr/simulate/constraint_manifold.hpp>
+#include <kanexpr/simulate/constraints/constraint_manifold.hpp>
 #include <kanexpr/simulate/integration.hpp>
+#include <kanexpr/simulate/progress.ipp>
+#include <kanexpr/simulate/tables/csv.ipp>
+#include <kanexpr/simulate/tables/table.ipp>
+#include <kanexpr/simulate/trajectory/dense_output.ipp>
+#include <kanexpr/simulate/trim/search.hpp>
 
 namespace kanexpr::simulated {
 

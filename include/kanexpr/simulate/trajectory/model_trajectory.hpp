@@ -2,8 +2,8 @@
 
 #include <kanexpr/runtime/assemble.hpp>
 #include <kanexpr/runtime/values.hpp>
-#include <kanexpr/simulate/samples.hpp>
-#include <kanexpr/simulate/trajectory.hpp>
+#include <kanexpr/simulate/trajectory/samples.hpp>
+#include <kanexpr/simulate/trajectory/trajectory.hpp>
 
 #include <algorithm>
 #include <optional>

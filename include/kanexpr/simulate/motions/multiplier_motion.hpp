@@ -1,9 +1,9 @@
 #pragma once
 
 #include <kanexpr/numeric/all_finite.hpp>
-#include <kanexpr/simulate/input_sensitivity.hpp>
-#include <kanexpr/simulate/manifold.hpp>
-#include <kanexpr/simulate/surroundings.hpp>
+#include <kanexpr/simulate/motions/input_sensitivity.hpp>
+#include <kanexpr/simulate/constraints/manifold.hpp>
+#include <kanexpr/simulate/motions/simulation_context.hpp>
 
 #include <complex>
 

@@ -3,8 +3,8 @@
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/constrained_motion.hpp>
 #include <kanexpr/numeric/factorized.hpp>
-#include <kanexpr/simulate/constraints_of.hpp>
-#include <kanexpr/simulate/manifold.hpp>
+#include <kanexpr/simulate/constraints/constraints_of.hpp>
+#include <kanexpr/simulate/constraints/manifold.hpp>
 
 #include <cmath>
 #include <limits>

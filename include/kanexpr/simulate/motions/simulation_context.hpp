@@ -1,12 +1,12 @@
 #pragma once
 
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/simulate/manifold.hpp>
-#include <kanexpr/simulate/misnamed.hpp>
+#include <kanexpr/simulate/constraints/manifold.hpp>
+#include <kanexpr/simulate/motions/unknown_name_error.hpp>
 #include <kanexpr/simulate/settings.hpp>
 #include <kanexpr/simulate/sundials/initial_value_problem.hpp>
 #include <kanexpr/simulate/system.hpp>
-#include <kanexpr/simulate/vectors.hpp>
+#include <kanexpr/simulate/motions/vectors.hpp>
 
 #include <algorithm>
 #include <exception>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/simulate/csv.hpp>
-#include <kanexpr/simulate/engine/csv_number.hpp>
+#include <kanexpr/simulate/tables/csv.hpp>
+#include <kanexpr/simulate/tables/csv_number.hpp>
 
 #include <charconv>
 #include <ostream>

@@ -2,7 +2,7 @@
 
 #include <kanexpr/numeric/assembly.hpp>
 #include <kanexpr/simulate/system.hpp>
-#include <kanexpr/simulate/unit_norms.hpp>
+#include <kanexpr/simulate/constraints/unit_norms.hpp>
 
 #include <vector>
 

@@ -4,9 +4,9 @@
 #include <kanexpr/numeric/angle.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/sundials/kinsol.hpp>
-#include <kanexpr/simulate/trim_conditions.hpp>
-#include <kanexpr/simulate/trim_sizes.hpp>
-#include <kanexpr/simulate/trim_values.hpp>
+#include <kanexpr/simulate/trim/conditions.hpp>
+#include <kanexpr/simulate/trim/sizes.hpp>
+#include <kanexpr/simulate/trim/values.hpp>
 
 #include <algorithm>
 #include <cmath>

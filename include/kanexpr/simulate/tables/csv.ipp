@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/simulate/engine/csv_reader.hpp>
-#include <kanexpr/simulate/engine/csv_writer.hpp>
+#include <kanexpr/simulate/tables/csv_reader.hpp>
+#include <kanexpr/simulate/tables/csv_writer.hpp>
 
 #include <cerrno>
 #include <fstream>

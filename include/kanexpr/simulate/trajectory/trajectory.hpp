@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/simulate/samples.hpp>
+#include <kanexpr/simulate/trajectory/samples.hpp>
 #include <kanexpr/steps/assemble.hpp>
 
 #include <concepts>

@@ -5,8 +5,8 @@
 /// are numbers. The format does not depend on the locale.
 
 #include <kanexpr/simulate/compiled_simulations.hpp>
-#include <kanexpr/simulate/file_path.hpp>
-#include <kanexpr/simulate/table.hpp>
+#include <kanexpr/simulate/tables/file_path.hpp>
+#include <kanexpr/simulate/tables/table.hpp>
 
 #include <initializer_list>
 #include <iosfwd>
@@ -72,5 +72,5 @@ KANEXPR_SIMULATIONS table read_csv(const file_path& path);
 } // namespace kanexpr
 
 #ifndef KANEXPR_COMPILED_SIMULATIONS
-#include <kanexpr/simulate/engine/csv.hpp>
+#include <kanexpr/simulate/tables/csv.ipp>
 #endif

@@ -2,9 +2,9 @@
 
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/simulate/input_sensitivity.hpp>
-#include <kanexpr/simulate/manifold.hpp>
-#include <kanexpr/simulate/surroundings.hpp>
+#include <kanexpr/simulate/motions/input_sensitivity.hpp>
+#include <kanexpr/simulate/constraints/manifold.hpp>
+#include <kanexpr/simulate/motions/simulation_context.hpp>
 
 namespace kanexpr::simulated {
 

@@ -2,8 +2,8 @@
 
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/table_interpreter.hpp>
-#include <kanexpr/simulate/trim.hpp>
-#include <kanexpr/simulate/unit_norms.hpp>
+#include <kanexpr/simulate/trim/trim.hpp>
+#include <kanexpr/simulate/constraints/unit_norms.hpp>
 
 #include <optional>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/simulate/table.hpp>
+#include <kanexpr/simulate/tables/table.hpp>
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <kanexpr/base/statistics.hpp>
-#include <kanexpr/simulate/explicit_motion.hpp>
+#include <kanexpr/simulate/motions/explicit_motion.hpp>
 #include <kanexpr/simulate/integrator.hpp>
-#include <kanexpr/simulate/multiplier_motion.hpp>
+#include <kanexpr/simulate/motions/multiplier_motion.hpp>
 #include <kanexpr/simulate/sundials/arkode.hpp>
 #include <kanexpr/simulate/sundials/cvode.hpp>
 #include <kanexpr/simulate/sundials/ida.hpp>

@@ -36,5 +36,5 @@ KANEXPR_SIMULATIONS void cubic(double part, double length, std::span<const doubl
 } // namespace kanexpr::simulated
 
 #ifndef KANEXPR_COMPILED_SIMULATIONS
-#include <kanexpr/simulate/engine/dense_output.hpp>
+#include <kanexpr/simulate/trajectory/dense_output.ipp>
 #endif

@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/simulate/trim_equations.hpp>
+#include <kanexpr/simulate/trim/equations.hpp>
 
 #include <cstdio>
 #include <limits>

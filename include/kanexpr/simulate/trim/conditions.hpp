@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/simulate/trim.hpp>
+#include <kanexpr/simulate/trim/trim.hpp>
 
 #include <string>
 #include <vector>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/simulate/dense_output.hpp>
+#include <kanexpr/simulate/trajectory/dense_output.hpp>
 
 #include <algorithm>
 #include <iterator>

@@ -59,5 +59,5 @@ private:
 } // namespace kanexpr
 
 #ifndef KANEXPR_COMPILED_SIMULATIONS
-#include <kanexpr/simulate/engine/table.hpp>
+#include <kanexpr/simulate/tables/table.ipp>
 #endif

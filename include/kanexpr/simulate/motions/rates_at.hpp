@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/numeric/all_finite.hpp>
-#include <kanexpr/simulate/surroundings.hpp>
+#include <kanexpr/simulate/motions/simulation_context.hpp>
 
 namespace kanexpr::simulated {
 

@@ -2,7 +2,7 @@
 
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/simulate/rates_at.hpp>
+#include <kanexpr/simulate/motions/rates_at.hpp>
 
 #include <algorithm>
 #include <cmath>

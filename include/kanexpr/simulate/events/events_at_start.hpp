@@ -2,8 +2,8 @@
 
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/simulate/rates_at.hpp>
-#include <kanexpr/simulate/tolerances.hpp>
+#include <kanexpr/simulate/motions/rates_at.hpp>
+#include <kanexpr/simulate/motions/tolerances.hpp>
 
 #include <algorithm>
 #include <cmath>

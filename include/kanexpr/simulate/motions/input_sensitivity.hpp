@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/simulate/surroundings.hpp>
+#include <kanexpr/simulate/motions/simulation_context.hpp>
 
 #include <algorithm>
 #include <cmath>

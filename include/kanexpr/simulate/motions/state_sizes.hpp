@@ -2,8 +2,8 @@
 
 #include <kanexpr/numeric/angle.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/simulate/manifold.hpp>
-#include <kanexpr/simulate/trial_steps.hpp>
+#include <kanexpr/simulate/constraints/manifold.hpp>
+#include <kanexpr/simulate/motions/trial_steps.hpp>
 #include <kanexpr/steps/assemble.hpp>
 
 #include <algorithm>
