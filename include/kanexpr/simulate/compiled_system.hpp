@@ -3,10 +3,10 @@
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/table_interpreter.hpp>
-#include <kanexpr/simulate/integrator.hpp>
 #include <kanexpr/simulate/inputs/prescribed_rates.hpp>
+#include <kanexpr/simulate/integrator.hpp>
 #include <kanexpr/simulate/simulation_options.hpp>
-#include <kanexpr/simulate/system.hpp>
+#include <kanexpr/simulate/system_interface.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace kanexpr::simulated {
 /// A compile-time system with the parameters and options of a simulation. Only the functions that the method
 /// needs are derived.
 template <class System, integrator by>
-class compiled_system final : public system {
+class compiled_system final : public system_interface {
   using quantity = mechanics::quantity;
   static constexpr const deriving::survey& of = compiled::survey_of<System>;
   static constexpr int n = of.coordinates, o = of.speeds;
@@ -31,8 +31,8 @@ class compiled_system final : public system {
 public:
   compiled_system(const parameter_values<System>& p, const simulation_options<System>& options,
                   trajectory<System>& kept)
-      : system(of, System::record, type_name<System>(), maker_of_manifold()), p_(p), options_(options),
-        kept_(kept) {}
+      : system_interface(of, System::record, type_name<System>(), factory_of_manifold()), p_(p),
+        options_(options), kept_(kept) {}
 
   /// Returns a hash by which the system and its equations of motion are identified.
   static std::uint64_t digest() {
@@ -41,7 +41,7 @@ public:
   }
 
   status rates(double t, const double* x, const double* r, double* xdot) const override {
-    return told(call<quantity::rhs>(t, x, r), xdot);
+    return store(call<quantity::rhs>(t, x, r), xdot);
   }
   status jacobian(double t, const double* x, const double* r, double* by_state,
                   double* by_inputs) const override {
@@ -50,32 +50,32 @@ public:
           out_of_line<finite_function<System, quantity::state_jacobian, quantity::input_jacobian>>{}(
               t, vector_of<n + o>(x), p_, vector_of<of.inputs>(r));
       std::copy_n(input_columns.data(), input_columns.size(), by_inputs);
-      return told(state_columns, by_state);
+      return store(state_columns, by_state);
     }
     return {};
   }
   void configuration(double t, const double* x, const double* r, double* left,
                      double* by_coordinates) const override {
     if constexpr (l != 0)
-      tell(call<quantity::configuration_residual, quantity::configuration_jacobian_by_all>(t, x, r), left,
-           by_coordinates);
+      store_pair(call<quantity::configuration_residual, quantity::configuration_jacobian_by_all>(t, x, r),
+                 left, by_coordinates);
   }
   void velocities(double t, const double* x, const double* r, double* left,
                   double* by_speeds) const override {
     if constexpr (m != 0)
-      tell(call<quantity::velocity_residual, quantity::constraint_jacobian>(t, x, r), left, by_speeds);
+      store_pair(call<quantity::velocity_residual, quantity::constraint_jacobian>(t, x, r), left, by_speeds);
   }
   void redundant(double t, const double* x, const double* r, double* left, double* terms, double* rate,
                  double* rate_terms) const override {
     if constexpr (of.redundant_constraints != 0) {
-      told(call<quantity::redundant_residual>(t, x, r), left);
-      told(call<quantity::redundant_terms>(t, x, r), terms);
-      told(call<quantity::redundant_rate>(t, x, r), rate);
-      told(call<quantity::redundant_rate_terms>(t, x, r), rate_terms);
+      store(call<quantity::redundant_residual>(t, x, r), left);
+      store(call<quantity::redundant_terms>(t, x, r), terms);
+      store(call<quantity::redundant_rate>(t, x, r), rate);
+      store(call<quantity::redundant_rate_terms>(t, x, r), rate_terms);
     }
   }
   status dependent_speeds(double t, const double* x, const double* r, double* u) const override {
-    if constexpr (m != 0) return told(call<quantity::dependent_speeds>(t, x, r), u);
+    if constexpr (m != 0) return store(call<quantity::dependent_speeds>(t, x, r), u);
     return {};
   }
 
@@ -87,8 +87,8 @@ public:
       const auto [rates, masses, forces, biases] =
           call<quantity::qdot, quantity::unreduced_mass_matrix, quantity::unreduced_forcing,
                quantity::constraint_bias>(t, x, r);
-      told(rates, qdot), told(masses, mass), told(forces, force);
-      return told(biases, bias);
+      store(rates, qdot), store(masses, mass), store(forces, force);
+      return store(biases, bias);
     } else {
       double all[static_cast<std::size_t>(n + o * o + o + m)];
       const status s = unreduced_.evaluate(t, x, p_.data(), r, all);
@@ -100,7 +100,7 @@ public:
   }
 
   void multipliers(double t, const double* x, const double* r, double* lambda) const override {
-    if constexpr (is_implicit && m != 0) told(call<quantity::multipliers>(t, x, r), lambda);
+    if constexpr (is_implicit && m != 0) store(call<quantity::multipliers>(t, x, r), lambda);
   }
   status implicit(double t, const double* y, const double* ydot, const double* r,
                   double* left) const override {
@@ -111,7 +111,7 @@ public:
     return residual(t, y, ydot, r, left);
   }
 
-  void give_inputs(double t, const double* x, double* r) const override {
+  void evaluate_inputs(double t, const double* x, double* r) const override {
     inputs given;
     options_.inputs.give(t, state(x), given);
     std::copy_n(given.data(), given.size(), r);
@@ -136,17 +136,17 @@ public:
     std::copy_n(at.data(), at.size(), x);
     return what;
   }
-  void show(double t, const double* x, const double* r) const override {
+  void pass_sample(double t, const double* x, const double* r) const override {
     options_.each_sample(sample<System>{t, state(x), inputs(r)});
   }
-  void keep(double t, const double* x, const double* r) override {
+  void store_sample(double t, const double* x, const double* r) override {
     kept_.add(sample<System>{t, state(x), inputs(r)});
   }
-  void keep(piece p) override { kept_.add(std::move(p)); }
+  void store_polynomial(piece p) override { kept_.add(std::move(p)); }
 
 private:
-  static constexpr manifold_maker maker_of_manifold() {
-    if constexpr (m + l + of.quaternions != 0) return manifold_of<system>;
+  static constexpr manifold_factory factory_of_manifold() {
+    if constexpr (m + l + of.quaternions != 0) return manifold_of<system_interface>;
     return nullptr;
   }
 
@@ -162,14 +162,14 @@ private:
     return out_of_line<function<System, wanted...>>{}(t, vector_of<n + o>(x), p_, vector_of<of.inputs>(r));
   }
   template <class Found>
-  static status told(const Found& found, double* out) {
+  static status store(const Found& found, double* out) {
     std::copy_n(found.data(), found.size(), out);
     return status_of(found);
   }
   template <class Found>
-  static void tell(const Found& found, double* first, double* second) {
-    told(std::get<0>(found), first);
-    told(std::get<1>(found), second);
+  static void store_pair(const Found& found, double* first, double* second) {
+    store(std::get<0>(found), first);
+    store(std::get<1>(found), second);
   }
 
   template <class Number>

@@ -4,9 +4,9 @@
 #include <kanexpr/runtime/values.hpp>
 #include <kanexpr/simulate/integrator.hpp>
 #include <kanexpr/simulate/motions/unknown_name_error.hpp>
-#include <kanexpr/simulate/trajectory/model_trajectory.hpp>
 #include <kanexpr/simulate/simulation_options.hpp>
-#include <kanexpr/simulate/system.hpp>
+#include <kanexpr/simulate/system_interface.hpp>
+#include <kanexpr/simulate/trajectory/model_trajectory.hpp>
 
 #include <algorithm>
 #include <complex>
@@ -43,7 +43,7 @@ public:
     return function_.status();
   }
   /// Writes one of the results in column-major order.
-  void tell(std::size_t which, Number* out) const {
+  void write(std::size_t which, Number* out) const {
     const part& p = parts_[which];
     for (int j = 0; j < p.columns; ++j)
       for (int i = 0; i < p.rows; ++i) *out++ = found_[p.first + i * p.columns + j];
@@ -73,7 +73,7 @@ private:
 
 /// A run-time model with the parameters and options of a simulation. Only the results that the method needs
 /// are derived.
-class interpreted_system final : public system {
+class interpreted_system final : public system_interface {
   using quantity = mechanics::quantity;
   template <class Number>
   using vector = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
@@ -84,8 +84,9 @@ public:
   interpreted_system(model& m, const deriving::survey& of, integrator by, const parameter_values<model>& p,
                      const input_source<model>& inputs, const simulation_options<model>& options,
                      trajectory<model>& kept)
-      : system(of, nothing_bound(), runtime::name_of_models, maker_of_manifold(of)), p_(p), inputs_(inputs),
-        options_(options), kept_(kept), x_(m), r_(m), no_inputs_(m), rhs_(m, {quantity::rhs}) {
+      : system_interface(of, nothing_bound(), runtime::name_of_models, factory_of_manifold(of)), p_(p),
+        inputs_(inputs), options_(options), kept_(kept), x_(m), r_(m), no_inputs_(m),
+        rhs_(m, {quantity::rhs}) {
     if (of.configuration_constraints != 0) configuration_.emplace(m, configuration_and_derivatives);
     if (of.redundant_constraints != 0)
       redundant_.emplace(
@@ -111,32 +112,32 @@ public:
 
   status rates(double t, const double* x, const double* r, double* xdot) const override {
     const status s = call(rhs_, t, x, r);
-    rhs_.tell(0, xdot);
+    rhs_.write(0, xdot);
     return s;
   }
   status jacobian(double t, const double* x, const double* r, double* by_state,
                   double* by_inputs) const override {
     if (!jacobian_) return {};
     const status s = call(*jacobian_, t, x, r);
-    jacobian_->tell(0, by_state), jacobian_->tell(1, by_inputs);
+    jacobian_->write(0, by_state), jacobian_->write(1, by_inputs);
     return s;
   }
   void configuration(double t, const double* x, const double* r, double* left,
                      double* by_coordinates) const override {
-    tell(configuration_, t, x, r, left, by_coordinates);
+    evaluate_into(configuration_, t, x, r, left, by_coordinates);
   }
   void velocities(double t, const double* x, const double* r, double* left,
                   double* by_speeds) const override {
-    tell(velocities_, t, x, r, left, by_speeds);
+    evaluate_into(velocities_, t, x, r, left, by_speeds);
   }
   void redundant(double t, const double* x, const double* r, double* left, double* terms, double* rate,
                  double* rate_terms) const override {
-    tell(redundant_, t, x, r, left, terms, rate, rate_terms);
+    evaluate_into(redundant_, t, x, r, left, terms, rate, rate_terms);
   }
   status dependent_speeds(double t, const double* x, const double* r, double* u) const override {
     if (!dependent_speeds_) return {};
     const status s = call(*dependent_speeds_, t, x, r);
-    dependent_speeds_->tell(0, u);
+    dependent_speeds_->write(0, u);
     return s;
   }
 
@@ -144,15 +145,15 @@ public:
                    double* bias) const override {
     if (!unreduced_) return {};
     const status s = call(*unreduced_, t, x, r);
-    unreduced_->tell(0, qdot), unreduced_->tell(1, mass);
-    unreduced_->tell(2, force), unreduced_->tell(3, bias);
+    unreduced_->write(0, qdot), unreduced_->write(1, mass);
+    unreduced_->write(2, force), unreduced_->write(3, bias);
     return s;
   }
 
   void multipliers(double t, const double* x, const double* r, double* lambda) const override {
     if (!multipliers_) return;
     call(*multipliers_, t, x, r);
-    multipliers_->tell(0, lambda);
+    multipliers_->write(0, lambda);
   }
   status implicit(double t, const double* y, const double* ydot, const double* r,
                   double* left) const override {
@@ -163,7 +164,7 @@ public:
     return complex_ ? complex_->residual(known, t, y, ydot, r, left) : status();
   }
 
-  void give_inputs(double t, const double* x, double* r) const override {
+  void evaluate_inputs(double t, const double* x, double* r) const override {
     std::copy_n(x, x_.size(), x_.data());
     input_values<model> given = no_inputs_;
     inputs_.give(t, x_, given);
@@ -175,7 +176,7 @@ public:
       std::copy_n(x, at.size(), at.data());
       input_values<model> given = none;
       source.give(t, at, given);
-      if (given.mistake() || given.size() != none.size()) throw misnamed(given.mistake());
+      if (given.mistake() || given.size() != none.size()) throw unknown_name_error(given.mistake());
       std::copy(given.begin(), given.end(), r);
     };
   }
@@ -194,20 +195,20 @@ public:
     std::copy(at.begin(), at.end(), x);
     return what;
   }
-  void show(double t, const double* x, const double* r) const override {
+  void pass_sample(double t, const double* x, const double* r) const override {
     take(x, r);
     options_.each_sample(sample<model>{t, x_, r_});
   }
-  void keep(double t, const double* x, const double* r) override {
+  void store_sample(double t, const double* x, const double* r) override {
     take(x, r);
     kept_.add(sample<model>{t, x_, r_});
   }
-  void keep(piece p) override { kept_.add(std::move(p)); }
+  void store_polynomial(piece p) override { kept_.add(std::move(p)); }
 
 private:
-  static manifold_maker maker_of_manifold(const deriving::survey& of) {
+  static manifold_factory factory_of_manifold(const deriving::survey& of) {
     const bool has_one = of.constraints + of.configuration_constraints + of.quaternions != 0;
-    return has_one ? manifold_of<system> : nullptr;
+    return has_one ? manifold_of<system_interface> : nullptr;
   }
   static const describe::system_record& nothing_bound() {
     static constexpr describe::system_record none{};
@@ -235,21 +236,21 @@ private:
       const Number t = lower::scalar_math<Number>::from(time);
       const argument<Number> x(y, n + o), udot(ydot + n, o), r(inputs_at, of.inputs);
       const status s = qdot_.evaluate(t, x, p_, r);
-      qdot_.tell(0, out);
+      qdot_.write(0, out);
       Eigen::Map<vector<Number>> left(out, n + o + m + l);
       left.head(n) = argument<Number>(ydot, n) - left.head(n);
       forces_.evaluate(t, x, p_, r, udot);
-      forces_.tell(0, out + n);
+      forces_.write(0, out + n);
       if (m != 0) {
         Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> by_speeds(m, o);
         velocities_->evaluate(t, x, p_, r);
-        velocities_->tell(0, out + n + o), velocities_->tell(1, by_speeds.data());
+        velocities_->write(0, out + n + o), velocities_->write(1, by_speeds.data());
         left.segment(n, o) += by_speeds.transpose().lazyProduct(argument<Number>(y + n + o, m));
       }
       if (l != 0) {
         Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> by_coordinates(l, n);
         configuration_->evaluate(t, x, p_, r);
-        configuration_->tell(0, out + n + o + m), configuration_->tell(1, by_coordinates.data());
+        configuration_->write(0, out + n + o + m), configuration_->write(1, by_coordinates.data());
         left.head(n) -= by_coordinates.transpose().lazyProduct(argument<Number>(y + n + o + m, l));
       }
       return s;
@@ -265,12 +266,12 @@ private:
     return f.evaluate(t, argument<double>(x, states()), p_, argument<double>(r, known.inputs));
   }
   template <class... Outputs>
-  void tell(std::optional<interpreted_results<double>>& f, double t, const double* x, const double* r,
-            Outputs*... into) const {
+  void evaluate_into(std::optional<interpreted_results<double>>& f, double t, const double* x,
+                     const double* r, Outputs*... into) const {
     if (!f) return;
     call(*f, t, x, r);
     std::size_t which = 0;
-    (f->tell(which++, into), ...);
+    (f->write(which++, into), ...);
   }
 
   void take(const double* x, const double* r) const {
@@ -281,11 +282,11 @@ private:
   void check_vector(const runtime::value_vector& left, compiled::symbols_of which) const {
     const runtime::value_vector* const all[]{&left, &x_, &p_, &r_};
     for (const runtime::value_vector* each : all)
-      if (const mechanics::sentence found = each->mistake()) throw misnamed(found);
+      if (const mechanics::sentence found = each->mistake()) throw unknown_name_error(found);
     const compiled::symbol_range range = compiled::range_of(which, known);
     if (const mechanics::sentence found =
             compiled::check_size(range.vector, "the model", static_cast<int>(left.size()), range.size))
-      throw misnamed(found);
+      throw unknown_name_error(found);
   }
 
   const parameter_values<model> p_;

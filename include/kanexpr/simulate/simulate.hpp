@@ -43,8 +43,8 @@ settings settings_of(const simulation_options<System>& o) {
 
 /// Runs from the state in the result, and stores the outcome there.
 template <integrator by, class System>
-void run_into(simulation<System>& result, system& moved, time_span span, const settings& options) {
-  ending end = run<by>(moved, result.state.data(), span, options);
+void run_into(simulation<System>& result, system_interface& moved, time_span span, const settings& options) {
+  run_outcome end = run<by>(moved, result.state.data(), span, options);
   result.time = end.time;
   std::copy_n(end.state.data(), end.state.size(), result.state.data());
   result.events = std::move(end.events);

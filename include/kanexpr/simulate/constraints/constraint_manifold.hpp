@@ -34,23 +34,24 @@ public:
         failed.failure = mechanics::sentence({s.view()});
         return failed;
       }
-    const auto motion = [&](const vector& at) -> unreduced_motion& { return look(t, at, r); };
+    const auto motion = [&](const vector& at) -> unreduced_motion& { return motion_at(t, at, r); };
     constraints_of<System, decltype(motion)> constraints(of_, norms_, t, r, motion);
     return numeric::assemble(constraints, x, {});
   }
   vector configuration_residual(double t, const vector& x, const vector& r) override {
-    const auto motion = [&](const vector& at) -> unreduced_motion& { return look(t, at, r); };
+    const auto motion = [&](const vector& at) -> unreduced_motion& { return motion_at(t, at, r); };
     return constraints_of<System, decltype(motion)>(of_, norms_, t, r, motion).configuration_residual(x);
   }
-  mechanics::sentence redundant_off(double t, const vector& x, const vector& r, double tolerance) override {
-    const auto motion = [&](const vector& at) -> unreduced_motion& { return look(t, at, r); };
+  mechanics::sentence redundant_violation(double t, const vector& x, const vector& r,
+                                          double tolerance) override {
+    const auto motion = [&](const vector& at) -> unreduced_motion& { return motion_at(t, at, r); };
     const constraints_of<System, decltype(motion)> constraints(of_, norms_, t, r, motion);
     const vector left = constraints.redundant_residual(x);
-    vector terms = constraints.redundant_terms(x), beside = x;
+    vector terms = constraints.redundant_terms(x), nearby = x;
     if ((left.cwiseAbs().array() <= tolerance * terms.array()).all()) return {};
     for (int looks = 1; looks <= 3; ++looks) { // terms that vanish here may be larger nearby
-      for (int i = 0; i < n_; ++i) beside(i) = x(i) + std::sin(looks + 2.4 * i) * sizes_(i);
-      terms = terms.cwiseMax(constraints.redundant_terms(beside)).eval();
+      for (int i = 0; i < n_; ++i) nearby(i) = x(i) + std::sin(looks + 2.4 * i) * sizes_(i);
+      terms = terms.cwiseMax(constraints.redundant_terms(nearby)).eval();
     }
     for (Eigen::Index i = 0; i < left.size(); ++i)
       if (!(std::abs(left(i)) <= tolerance * terms(i)))
@@ -66,16 +67,16 @@ public:
     sizes_ = sizes;
     unreduced_.reset();
     is_near_ = false;
-    look(t, x, r);
+    motion_at(t, x, r);
   }
-  void come_to(double t, const vector& x, const vector& r, double least) override {
-    const double distinctness = look(t, x, r).distinctness(x);
+  void update_singularity(double t, const vector& x, const vector& r, double least) override {
+    const double distinctness = motion_at(t, x, r).distinctness(x);
     if (!is_near_) clear_ = 2 * least; // so that it does not switch at every step
     is_near_ = distinctness < (is_near_ ? clear_ : least);
   }
   bool is_near_singular() const override { return is_near_; }
   status rates(double t, const vector& x, const vector& r, double* xdot) override {
-    const status s = look(t, x, r).find(x, found_);
+    const status s = motion_at(t, x, r).find(x, found_);
     if (s) std::copy_n(found_.rates.data(), x.size(), xdot);
     return s;
   }
@@ -85,7 +86,7 @@ public:
     correction_.setZero();
     is_by_rows_ = !is_near_ && project_coordinates(t, x, r, weights) && project_speeds(t, x, r);
     if (is_by_rows_) return true;
-    if (by_u_.rows() == 0 || !look(t, x, r).find(x, found_)) return false;
+    if (by_u_.rows() == 0 || !motion_at(t, x, r).find(x, found_)) return false;
     correction_ = found_.x - x;
     return true;
   }
@@ -95,14 +96,14 @@ public:
   void project_error(double* error) const override {
     if (!is_by_rows_) return;
     Eigen::Map<vector> of_q(error, n_), of_u(error + n_, o_);
-    if (by_q_.rows() != 0) of_q += along(by_q_, 0, -by_q_.lazyProduct(of_q));
-    if (by_u_.rows() != 0) of_u += along(by_u_, n_, -by_u_.lazyProduct(of_u));
+    if (by_q_.rows() != 0) of_q += minimum_norm_solution(by_q_, 0, -by_q_.lazyProduct(of_q));
+    if (by_u_.rows() != 0) of_u += minimum_norm_solution(by_u_, n_, -by_u_.lazyProduct(of_u));
   }
 
 private:
   /// Returns D Jᵀ (J D Jᵀ)⁻¹ b, the smallest vector that J maps to b, for the entries of the state from
   /// `first` on.
-  vector along(const matrix& j, int first, vector b) const {
+  vector minimum_norm_solution(const matrix& j, int first, vector b) const {
     matrix spread = j.transpose();
     for (Eigen::Index k = 0; k < spread.rows(); ++k) spread.row(k) *= units_(first + k);
     const numeric::factorized<vector> factors(matrix(j.lazyProduct(spread)));
@@ -124,7 +125,7 @@ private:
     Eigen::Index rows_of_coordinates() const { return of.by_q_.rows(); }
     Eigen::Index rows_of_speeds() const { return of.by_u_.rows(); }
     void configuration(const vector& x, vector& left, matrix& by_coordinates) const {
-      left = of.kept_by_coordinates(t, x, r);
+      left = of.configuration_residual_with_norms(t, x, r);
       by_coordinates = of.by_q_;
     }
     void velocities(const vector& x, vector& left, matrix& by_speeds) const {
@@ -137,7 +138,7 @@ private:
   using unreduced_motion = numeric::constrained_motion<all_speeds>;
 
   /// Returns the motion from the equations of all speeds, at a time with its inputs.
-  unreduced_motion& look(double t, const vector& x, const vector& r) {
+  unreduced_motion& motion_at(double t, const vector& x, const vector& r) {
     equations_.t = t, equations_.r = r;
     if (!unreduced_) unreduced_.emplace(equations_, sizes_, x);
     return *unreduced_;
@@ -145,7 +146,7 @@ private:
 
   /// Returns the residuals of the configuration constraints followed by those of the quaternion norms, and
   /// evaluates their derivatives with respect to all coordinates.
-  vector kept_by_coordinates(double t, const vector& x, const vector& r) {
+  vector configuration_residual_with_norms(double t, const vector& x, const vector& r) {
     const int constraints = of_.known.configuration_constraints;
     vector left(by_q_.rows());
     by_q_.setZero();
@@ -165,8 +166,8 @@ private:
     if (by_q_.rows() == 0) return true;
     double last = std::numeric_limits<double>::infinity();
     for (int steps = 0; steps < most_steps; ++steps) {
-      const vector left = kept_by_coordinates(t, y + correction_, r);
-      const vector step = along(by_q_, 0, -left);
+      const vector left = configuration_residual_with_norms(t, y + correction_, r);
+      const vector step = minimum_norm_solution(by_q_, 0, -left);
       if (!numeric::all_finite(step)) return false;
       correction_.head(n_) += step;
       const double size = step.cwiseProduct(weights.head(n_)).cwiseAbs().maxCoeff();
@@ -182,7 +183,7 @@ private:
       const vector x = y + correction_;
       vector left(by_u_.rows());
       of_.velocities(t, x.data(), r.data(), left.data(), by_u_.data());
-      correction_.tail(o_) = along(by_u_, n_, -left);
+      correction_.tail(o_) = minimum_norm_solution(by_u_, n_, -left);
     }
     return numeric::all_finite(correction_);
   }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kanexpr/numeric/assembly.hpp>
-#include <kanexpr/simulate/system.hpp>
 #include <kanexpr/simulate/constraints/unit_norms.hpp>
+#include <kanexpr/simulate/system_interface.hpp>
 
 #include <vector>
 
@@ -18,8 +18,8 @@ public:
 
   /// `look` returns the motion from the equations of all speeds, which provides the magnitudes of the
   /// constraints.
-  constraints_of(const System& of, const unit_norms& norms, double t, const vector& r, Motion& look)
-      : of_(of), norms_(norms), t_(t), r_(r), look_(look), left_(coordinates()),
+  constraints_of(const System& of, const unit_norms& norms, double t, const vector& r, Motion& motion)
+      : of_(of), norms_(norms), t_(t), r_(r), motion_(motion), left_(coordinates()),
         by_all_(coordinates(), of.known.coordinates) {
     for (int i = 0; i < of.states(); ++i)
       if (of.known.dependent[i]) places_.push_back(i);
@@ -49,8 +49,8 @@ public:
   vector redundant_terms(const vector& x) const { return redundant(x).col(1); }
   vector redundant_rate(const vector& x) const { return redundant(x).col(2); }
   vector redundant_rate_terms(const vector& x) const { return redundant(x).col(3); }
-  bool configuration_holds(const vector& x) const { return look_(x).configuration_holds(x); }
-  bool velocities_hold(const vector& x) const { return look_(x).velocities_hold(x); }
+  bool configuration_holds(const vector& x) const { return motion_(x).configuration_holds(x); }
+  bool velocities_hold(const vector& x) const { return motion_(x).velocities_hold(x); }
   status normalize_quaternions(vector& x) const { return norms_.normalize(x, lower::norm_range{}); }
 
   /// Sets the dependent speeds of the state, if they can be solved for.
@@ -83,7 +83,7 @@ private:
   const unit_norms& norms_;
   double t_;
   const vector& r_;
-  Motion& look_;
+  Motion& motion_;
   vector left_;
   Eigen::MatrixXd by_all_;
   std::vector<int> places_{};

@@ -3,7 +3,7 @@
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/lower/unit_quaternion.hpp>
 #include <kanexpr/numeric/assembly.hpp>
-#include <kanexpr/simulate/system.hpp>
+#include <kanexpr/simulate/system_interface.hpp>
 
 #include <Eigen/Core>
 
@@ -24,14 +24,15 @@ public:
   virtual vector configuration_residual(double t, const vector& x, const vector& r) = 0;
   /// Returns a sentence about a redundant constraint that does not hold within a tolerance of its terms, with
   /// its residual; empty if all hold.
-  virtual mechanics::sentence redundant_off(double t, const vector& x, const vector& r, double tolerance) = 0;
+  virtual mechanics::sentence redundant_violation(double t, const vector& x, const vector& r,
+                                                  double tolerance) = 0;
 
   /// Sets the magnitudes of the entries of a state; the constraints are examined around the given state.
   virtual void set_sizes(double t, const vector& x, const vector& r, const vector& sizes) = 0;
   /// Determines whether a state is near a position in which velocity constraints follow from others, or
   /// whether some always do. Later calls are answered accordingly. `least` is the distinctness below which a
   /// position counts as such.
-  virtual void come_to(double t, const vector& x, const vector& r, double least) = 0;
+  virtual void update_singularity(double t, const vector& x, const vector& r, double least) = 0;
   virtual bool is_near_singular() const = 0;
   /// Evaluates ẋ at the nearest state on the manifold, from the equations of all speeds, for any choice of
   /// dependent speeds.
@@ -47,8 +48,8 @@ public:
 };
 
 /// Returns the manifold of a system; null if it has no constraints and no quaternions.
-inline std::unique_ptr<manifold> own_manifold(const system& of) {
-  return of.make_manifold == nullptr ? nullptr : of.make_manifold(of);
+inline std::unique_ptr<manifold> manifold_for(const system_interface& of) {
+  return of.create_manifold == nullptr ? nullptr : of.create_manifold(of);
 }
 
 } // namespace kanexpr::simulated

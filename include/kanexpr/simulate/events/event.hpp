@@ -2,7 +2,7 @@
 
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/simulate/settings.hpp>
-#include <kanexpr/simulate/system.hpp>
+#include <kanexpr/simulate/system_interface.hpp>
 
 #include <concepts>
 #include <functional>

@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/simulate/motions/rates_at.hpp>
+#include <kanexpr/simulate/motions/runge_kutta_step.hpp>
 #include <kanexpr/simulate/motions/tolerances.hpp>
 
 #include <algorithm>
@@ -14,11 +14,11 @@ namespace kanexpr::simulated {
 
 /// Watched functions that are zero where an integration begins, at the start or after a handler. Integrators
 /// detect only changes of sign, so they miss these.
-class departures {
+class events_at_start {
 public:
   using state = Eigen::VectorXd;
 
-  explicit departures(surroundings& around) : around_(around) {}
+  explicit events_at_start(simulation_context& context) : context_(context) {}
 
   void set(const tolerances& of_entries) { tolerances_ = of_entries; }
 
@@ -35,8 +35,8 @@ public:
     for (std::size_t i = 0; i < count(); ++i)
       if (waiting_[i] != 0 && std::abs(here_[i]) > margins_[i]) waiting_[i] = 0;
     const double farthest = span > 0 ? 1e-3 * span : (std::numeric_limits<double>::max)();
-    if (!none(waiting_)) look_ahead(t, x, farthest, passed);
-    around_.forget();
+    if (!none(waiting_)) extrapolate(t, x, farthest, passed);
+    context_.clear_error();
     return true;
   }
 
@@ -63,7 +63,7 @@ public:
   }
 
   /// Sets how far ahead the rates of the functions are evaluated: a small fraction of a step.
-  void look_ahead_by(double step) { least_ahead_ = 1e-3 * step; }
+  void set_look_ahead(double step) { least_ahead_ = 1e-3 * step; }
 
   /// Whether a function passes zero against the sign of its rate.
   bool contradict(double t, const state& x, const std::vector<int>& passed) {
@@ -75,7 +75,7 @@ public:
 
   /// Returns the index of a function that was found to pass zero but stays there, since small changes of its
   /// arguments do not change it; −1 if there is none.
-  int resting(double t, const state& x, const std::vector<int>& passed) {
+  int stationary_event(double t, const state& x, const std::vector<int>& passed) {
     if (!evaluate(t, x, here_)) return -1;
     for (std::size_t i = 0; i < passed.size(); ++i) {
       if (passed[i] == 0 || !numeric::equal(here_[i], 0.0)) continue;
@@ -95,13 +95,13 @@ public:
   /// Records the functions that have just passed zero, after handlers that left the state `x`: a function
   /// that they reversed or brought to rest is expected to return; one that continues may not have reached
   /// zero yet.
-  void note(double t, const state& before, const state& x, const std::vector<int>& passed) {
+  void record_passed(double t, const state& before, const state& x, const std::vector<int>& passed) {
     const std::vector<double> slopes_before = slopes_at(t, before), slopes = slopes_at(t, x);
     returning_.assign(count(), 0), completing_.assign(count(), 0);
     for (std::size_t i = 0; i < count(); ++i) {
       if (passed[i] == 0) continue;
       const bool goes_back = slopes[i] * passed[i] <= 1e-6 * std::abs(slopes_before[i]);
-      if (goes_back && around_.events()[i].has_handler) returning_[i] = -passed[i];
+      if (goes_back && context_.events()[i].has_handler) returning_[i] = -passed[i];
       if (!goes_back && here_[i] * passed[i] <= 0) completing_[i] = passed[i];
     }
     if (none(returning_) && none(completing_) && none(waiting_)) return;
@@ -112,7 +112,7 @@ public:
 
   /// After a step: removes from `passed` the functions whose passage was already handled, and returns whether
   /// a function that was expected to return is beyond zero without having been seen to pass it.
-  bool missed(double t, const state& x, std::vector<int>& passed) {
+  bool has_missed_return(double t, const state& x, std::vector<int>& passed) {
     if (none(returning_) && none(completing_)) return false;
     if (!evaluate(t, x, later_)) return false;
     for (std::size_t i = 0; i < count(); ++i) {
@@ -129,15 +129,15 @@ public:
   }
 
 private:
-  std::size_t count() const { return around_.events().size(); }
-  int direction(std::size_t i) const { return around_.direction(static_cast<int>(i)); }
+  std::size_t count() const { return context_.events().size(); }
+  int direction(std::size_t i) const { return context_.direction(static_cast<int>(i)); }
   static bool none(const std::vector<int>& of) {
     return std::ranges::all_of(of, [](int each) { return each == 0; });
   }
 
   bool evaluate(double t, const state& x, std::vector<double>& values) {
     values.resize(count());
-    return around_.watch(t, x.data(), values.data()) == answer::given;
+    return context_.evaluate_events(t, x.data(), values.data()) == answer::success;
   }
 
   /// Finds by how much each function changes when the entries of the state change by their tolerances, and
@@ -145,29 +145,27 @@ private:
   void find_margins(double t, const state& x) {
     margins_.assign(count(), 0);
     const state units = tolerances_.at(x);
-    const auto add = [&](double at, const state& beside) {
-      if (evaluate(at, beside, later_))
+    const auto add = [&](double at, const state& nearby) {
+      if (evaluate(at, nearby, later_))
         for (std::size_t i = 0; i < count(); ++i) margins_[i] += std::abs(later_[i] - here_[i]);
     };
     for (Eigen::Index j = 0; j < x.size(); ++j) {
-      state beside = x;
-      beside(j) += units(j);
-      add(t, beside);
+      state nearby = x;
+      nearby(j) += units(j);
+      add(t, nearby);
     }
     add(t * (1 + 4 * std::numeric_limits<double>::epsilon()), x);
-    around_.forget();
+    context_.clear_error();
   }
   bool is_clear(std::size_t i, double moved) const { return std::abs(moved) > 1e-3 * margins_[i]; }
 
-  bool rates(double t, const state& x, state& out) { return rates_at(around_, t, x, out); }
-
   /// Extrapolates farther and farther until it is clear to which side each function at zero moves.
-  void look_ahead(double t, const state& x, double farthest, std::vector<int>& passed) {
+  void extrapolate(double t, const state& x, double farthest, std::vector<int>& passed) {
     const state units = tolerances_.at(x);
     state slope, rough, fine;
-    if (!rates(t, x, slope)) return;
+    if (!context_.find_rates(t, x, slope)) return;
     for (double ahead = 1e-3 / fastest(x, slope); ahead <= farthest && !none(waiting_); ahead *= 2) {
-      if (!advance(t, x, ahead, rough, fine)) return;
+      if (!runge_kutta_step(context_, t, x, slope, ahead, rough, fine)) return;
       if (largest(moved(fine, -1, x), units) > 1e6) return;
       if (!evaluate(t + ahead, rough, later_)) return;
       const std::vector<double> roughly = later_;
@@ -181,36 +179,25 @@ private:
     }
   }
 
-  /// Takes a step with the midpoint rule and one with the classic Runge-Kutta method.
-  bool advance(double t, const state& x, double h, state& rough, state& fine) {
-    state k1, k2, k3, k4;
-    if (!rates(t, x, k1) || !rates(t + h / 2, moved(x, h / 2, k1), k2) ||
-        !rates(t + h / 2, moved(x, h / 2, k2), k3) || !rates(t + h, moved(x, h, k3), k4))
-      return false;
-    rough = moved(x, h, k2);
-    fine = moved(x, h, k1, k2, k3, k4);
-    return true;
-  }
-
   /// Returns the rate of each function; NaN if it cannot be evaluated.
   std::vector<double> slopes_at(double t, const state& x) {
     std::vector<double> slopes(count(), std::numeric_limits<double>::quiet_NaN());
     state now;
-    if (evaluate(t, x, here_) && rates(t, x, now)) {
+    if (evaluate(t, x, here_) && context_.find_rates(t, x, now)) {
       const double seen =
           16 * std::numeric_limits<double>::epsilon() * std::abs(t); // the rounding of the time itself
       const double ahead = (std::max)({least_ahead_, 1 / fastest(x, now), seen});
       if (numeric::is_finite(ahead) && evaluate(t + ahead, moved(x, ahead, now), later_))
         for (std::size_t i = 0; i < count(); ++i) slopes[i] = (later_[i] - here_[i]) / ahead;
     }
-    around_.forget();
+    context_.clear_error();
     return slopes;
   }
 
   /// Returns the largest rate in units of the tolerances.
   double fastest(const state& x, const state& rates) const { return largest(rates, tolerances_.at(x)); }
 
-  surroundings& around_;
+  simulation_context& context_;
   tolerances tolerances_{};
   double least_ahead_ = 0;
   std::vector<int> waiting_{};                  ///< the direction in which each must leave zero

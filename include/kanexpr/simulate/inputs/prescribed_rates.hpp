@@ -29,13 +29,13 @@ constexpr bool has_prescribed_rates(const deriving::survey& known) {
 }
 
 /// The indices of a prescribed quantity and of its rate among the inputs.
-struct quantity_and_rate {
+struct rate_pair {
   int value, rate;
   std::string name; ///< of the value: "theta", or "dot(theta)"
 };
 
-inline std::vector<quantity_and_rate> prescribed_rates(const deriving::survey& known) {
-  std::vector<quantity_and_rate> all;
+inline std::vector<rate_pair> prescribed_rates(const deriving::survey& known) {
+  std::vector<rate_pair> all;
   const auto* const names = known.names + known.first_of(symbolic::symbol_kind::input);
   for (int i = 0; i < known.inputs; ++i) {
     symbolic::name of_rate = names[i];
@@ -55,7 +55,7 @@ inline std::vector<quantity_and_rate> prescribed_rates(const deriving::survey& k
 /// Returns a sentence about a nonzero rate if the inputs are constant.
 inline std::string contradiction_in_constants(const deriving::survey& known, const double* r) {
   if (!has_prescribed_rates(known)) return {};
-  for (const quantity_and_rate& each : prescribed_rates(known))
+  for (const rate_pair& each : prescribed_rates(known))
     if (std::abs(r[each.rate]) > 0)
       return "prescribed quantity " + each.name + " is constant, but its rate is given as " +
              digits(r[each.rate]);
@@ -65,9 +65,9 @@ inline std::string contradiction_in_constants(const deriving::survey& known, con
 /// Compares the rates that a function gives with differences of the quantities: near the start, within the
 /// span and near its end. Values that jump, are piecewise constant or noisy have no such differences, and at
 /// a corner the rate is that of either side.
-class rates_and_differences {
+class rate_checker {
 public:
-  rates_and_differences(const deriving::survey& known, const time_span& span, inputs_at_times give)
+  rate_checker(const deriving::survey& known, const time_span& span, inputs_at_times give)
       : known_(known), span_(span), give_(std::move(give)), length_(span.to - span.from) {}
 
   /// Returns a contradiction, as a sentence; `depends` returns whether one of two inputs changes with the
@@ -82,7 +82,7 @@ public:
     std::vector<look> looks;
     for (const double part : {0.001, 0.4, 0.999})
       if (look one{span_.from + part * length_, h, {}}; take(one)) looks.push_back(std::move(one));
-    for (const quantity_and_rate& each : prescribed_rates(known_)) {
+    for (const rate_pair& each : prescribed_rates(known_)) {
       double scale = 0;
       for (const look& one : looks)
         scale =
@@ -120,7 +120,7 @@ private:
     return give_(t, r.data()) && std::ranges::all_of(r, [](double each) { return numeric::is_finite(each); });
   }
 
-  static bool contradicts(const look& one, const quantity_and_rate& of, double scale,
+  static bool contradicts(const look& one, const rate_pair& of, double scale,
                           const std::vector<look>& looks) {
     double largest = 0;
     bool stands = true, stands_everywhere = true;
@@ -142,7 +142,7 @@ private:
 
   /// Whether values and rates agree over a longer interval: in a table, each is interpolated separately, and
   /// they agree only over several rows.
-  bool agrees_on_the_whole(double t, const quantity_and_rate& of, double scale) const {
+  bool agrees_on_the_whole(double t, const rate_pair& of, double scale) const {
     constexpr int parts = 64;
     constexpr double tolerance = 0.05;
     const double from = (std::max)(span_.from, t - 0.05 * length_),
@@ -178,15 +178,14 @@ std::string contradiction_in_function(const deriving::survey& known, const time_
       return false;
     }
   };
-  const auto depends = [&](double t, const quantity_and_rate& of) {
+  const auto depends = [&](double t, const rate_pair& of) {
     std::vector<double> other = first, r(static_cast<std::size_t>(known.inputs)), changed = r;
     for (double& each : other) each += 1e-3 * (1 + std::abs(each));
     if (!given(t, first, r.data()) || !given(t, other, changed.data())) return true;
     const auto value = static_cast<std::size_t>(of.value), rate = static_cast<std::size_t>(of.rate);
     return std::abs(r[value] - changed[value]) > 0 || std::abs(r[rate] - changed[rate]) > 0;
   };
-  return rates_and_differences(known, span, [&](double t, double* r) { return given(t, first, r); })
-      .find(depends);
+  return rate_checker(known, span, [&](double t, double* r) { return given(t, first, r); }).find(depends);
 }
 
 } // namespace kanexpr::simulated

@@ -13,24 +13,24 @@ class input_sensitivity {
 public:
   using vector = Eigen::VectorXd;
 
-  explicit input_sensitivity(const surroundings& around)
-      : by_state_(Eigen::MatrixXd::Zero(around.known().inputs, around.system().states())) {}
+  explicit input_sensitivity(const simulation_context& context)
+      : by_state_(Eigen::MatrixXd::Zero(context.known().inputs, context.system().states())) {}
 
-  /// Evaluates the derivatives at the current state of the surroundings.
-  answer find(double t, surroundings& around) {
-    if (!around.inputs_depend_on_state()) return answer::given;
-    const vector x = around.x();
+  /// Evaluates the derivatives at the current state of the context.
+  answer find(double t, simulation_context& context) {
+    if (!context.inputs_depend_on_state()) return answer::success;
+    const vector x = context.x();
     for (int j = 0; j < x.size(); ++j) {
-      const double step = relative_step * (std::max)(around.sizes()(j), std::abs(x(j)));
+      const double step = relative_step * (std::max)(context.sizes()(j), std::abs(x(j)));
       for (const double side : {1.0, -1.0}) {
-        vector beside = x;
-        beside(j) += side * step;
-        if (const answer a = around.take(t, beside); a != answer::given) return a;
-        for (int i = 0; i < around.known().inputs; ++i)
-          by_state_(i, j) = side > 0 ? around.r()(i) : (by_state_(i, j) - around.r()(i)) / (2 * step);
+        vector nearby = x;
+        nearby(j) += side * step;
+        if (const answer a = context.set_state(t, nearby); a != answer::success) return a;
+        for (int i = 0; i < context.known().inputs; ++i)
+          by_state_(i, j) = side > 0 ? context.r()(i) : (by_state_(i, j) - context.r()(i)) / (2 * step);
       }
     }
-    return around.take(t, x);
+    return context.set_state(t, x);
   }
   const Eigen::MatrixXd& by_state() const { return by_state_; }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kanexpr/base/statistics.hpp>
-#include <kanexpr/simulate/motions/explicit_motion.hpp>
 #include <kanexpr/simulate/integrator.hpp>
+#include <kanexpr/simulate/motions/explicit_motion.hpp>
 #include <kanexpr/simulate/motions/multiplier_motion.hpp>
 #include <kanexpr/simulate/sundials/arkode.hpp>
 #include <kanexpr/simulate/sundials/cvode.hpp>
@@ -20,13 +20,13 @@ public:
   /// The distinctness of the constraints below which the equations of all speeds are used.
   static constexpr double least_distinctness = 0.05;
 
-  explicit moving_system(surroundings& around) : motion_(around) {}
+  explicit moving_system(simulation_context& context) : motion_(context) {}
 
-  /// Sets up the integrator at the start of the span; on failure the stepper or the surroundings hold the
+  /// Sets up the integrator at the start of the span; on failure the stepper or the context holds the
   /// cause.
   answer start(const Eigen::VectorXd& x, const solvers::stepper_options& options) {
     integrating_.emplace(formulas, motion_, 0, std::vector<double>(x.begin(), x.end()), options);
-    return answer::given;
+    return answer::success;
   }
 
   solvers::stepper& stepper() { return *integrating_; }
@@ -78,7 +78,8 @@ class moving_system<integrator::differential_algebraic> {
 public:
   static constexpr double least_distinctness = 0.2; ///< multipliers lose digits sooner
 
-  explicit moving_system(surroundings& around) : around_(around), motion_(around), passing_motion_(around) {}
+  explicit moving_system(simulation_context& context)
+      : context_(context), motion_(context), passing_motion_(context) {}
 
   answer start(const Eigen::VectorXd& x, const solvers::stepper_options& options) {
     options_ = options;
@@ -90,18 +91,18 @@ public:
   }
 
   bool restart(double elapsed, const Eigen::VectorXd& x) {
-    const bool has_one = around_.is_near_singular() ? passing_.has_value() : integrating_.has_value();
-    if (!has_one) return begin(elapsed, x) == answer::given && !stepper().failed();
-    is_passing_ = around_.is_near_singular();
+    const bool has_one = context_.is_near_singular() ? passing_.has_value() : integrating_.has_value();
+    if (!has_one) return begin(elapsed, x) == answer::success && !stepper().failed();
+    is_passing_ = context_.is_near_singular();
     solvers::stepper& s = stepper();
     s.go_back_to(elapsed);
     if (is_passing_)
       std::ranges::copy(x, s.state());
-    else if (motion_.start(elapsed, x, s.state(), s.rates()) != answer::given)
+    else if (motion_.start(elapsed, x, s.state(), s.rates()) != answer::success)
       return false;
     return s.restart();
   }
-  bool has_to_change() const { return is_passing_ != around_.is_near_singular(); }
+  bool has_to_change() const { return is_passing_ != context_.is_near_singular(); }
 
   void set_tolerances(double relative, const std::vector<double>& absolute) {
     options_.relative_tolerance = relative;
@@ -132,23 +133,23 @@ public:
 private:
   /// Creates the integrator that the current position requires.
   answer begin(double elapsed, const Eigen::VectorXd& x) {
-    is_passing_ = around_.is_near_singular();
+    is_passing_ = context_.is_near_singular();
     if (is_passing_) {
       passing_.emplace(solvers::cvode::formulas::backward_differences, passing_motion_, elapsed,
                        std::vector<double>(x.begin(), x.end()), options_);
-      return answer::given;
+      return answer::success;
     }
     std::vector<double> y(static_cast<std::size_t>(motion_.size())), ydot(y.size());
-    if (const answer a = motion_.start(elapsed, x, y.data(), ydot.data()); a != answer::given) return a;
+    if (const answer a = motion_.start(elapsed, x, y.data(), ydot.data()); a != answer::success) return a;
     solvers::stepper_options all = options_;
     constexpr double any = 1e100; // for multipliers, which no error test checks
     all.absolute_tolerances.resize(y.size(), any);
     integrating_.emplace(motion_, elapsed, y, ydot, all);
-    return answer::given;
+    return answer::success;
   }
 
-  surroundings& around_;
-  multiplier_motion<surroundings> motion_;
+  simulation_context& context_;
+  multiplier_motion motion_;
   explicit_motion<true> passing_motion_;
   solvers::stepper_options options_{};
   std::optional<solvers::ida> integrating_{};

@@ -22,49 +22,49 @@ class state_sizes {
 public:
   using state = Eigen::VectorXd;
 
-  state_sizes(surroundings& around, double t, const state& x, double span)
-      : state_sizes(around, t, x, trial_steps(around, t, x, span)) {}
+  state_sizes(simulation_context& context, double t, const state& x, double span)
+      : state_sizes(context, t, x, trial_steps(context, t, x, span)) {}
   state_sizes(const state_sizes&) = delete;
   state_sizes& operator=(const state_sizes&) = delete;
 
   const state& sizes() const { return sizes_; }
 
 private:
-  state_sizes(surroundings& around, double t, const state& x, const trial_steps& ahead)
-      : manifold_(around.constraints()), coordinates(around.known().coordinates),
-        speeds(around.known().speeds), sizes_(ahead.sizes()), time_(ahead.time()),
+  state_sizes(simulation_context& context, double t, const state& x, const trial_steps& ahead)
+      : manifold_(context.constraints()), coordinates(context.known().coordinates),
+        speeds(context.known().speeds), sizes_(ahead.sizes()), time_(ahead.time()),
         least_share_(ahead.has_own_time() ? 0.1 : 1e-4) {
-    fill_coordinates(around, t, x);
-    fill_speeds(around, t, x);
-    around.forget();
+    fill_coordinates(context, t, x);
+    fill_speeds(context, t, x);
+    context.clear_error();
   }
 
   static constexpr double nothing = 1e-12; ///< relative to a magnitude
 
   /// Returns the rates with the inputs at the first instant, as far as they can be evaluated, and the
   /// residuals of the configuration constraints.
-  Eigen::VectorXd functions(const surroundings& around, double t, const state& x) const {
-    const deriving::survey& known = around.known();
+  Eigen::VectorXd functions(const simulation_context& context, double t, const state& x) const {
+    const deriving::survey& known = context.known();
     Eigen::VectorXd all(x.size() + known.configuration_constraints);
-    around.rates(t, x, all.data());
+    context.rates(t, x, all.data());
     if (known.configuration_constraints != 0)
-      std::ranges::copy(manifold_->configuration_residual(t, x, around.r()), all.data() + x.size());
+      std::ranges::copy(manifold_->configuration_residual(t, x, context.r()), all.data() + x.size());
     return all;
   }
 
-  void fill_coordinates(const surroundings& around, double t, const state& x) {
+  void fill_coordinates(const simulation_context& context, double t, const state& x) {
     std::vector<bool> angles;
     double longest = 0;
     for (int j = 0; j < coordinates; ++j) {
-      const auto beside = [&](double by) {
+      const auto nearby = [&](double by) {
         state moved = x;
         moved(j) += by;
-        return functions(around, t, moved);
+        return functions(context, t, moved);
       };
-      angles.push_back(around.known().quaternion_of[j] != 0 || numeric::is_angle(beside));
+      angles.push_back(context.known().quaternion_of[j] != 0 || numeric::is_angle(nearby));
       if (!angles.back()) longest = (std::max)(longest, sizes_(j));
     }
-    const double way = longest_way(around, t, x, angles);
+    const double way = longest_way(context, t, x, angles);
     if (!(longest > nothing * way)) longest = way;
     for (int j = 0; j < coordinates; ++j) {
       const bool is_angle = angles[static_cast<std::size_t>(j)];
@@ -74,14 +74,14 @@ private:
   }
 
   /// Returns how far coordinates that are not angles would move if the angles were different.
-  double longest_way(const surroundings& around, double t, const state& x,
+  double longest_way(const simulation_context& context, double t, const state& x,
                      const std::vector<bool>& angles) const {
     state turned = x, moving = x;
     for (int j = 0; j < coordinates; ++j)
       if (angles[static_cast<std::size_t>(j)]) turned(j) += 1;
-    const Eigen::VectorXd pushed = functions(around, t, turned);
+    const Eigen::VectorXd pushed = functions(context, t, turned);
     for (int k = coordinates; k < coordinates + speeds; ++k) moving(k) = pushed(k) * time_ / 2;
-    const Eigen::VectorXd rates = functions(around, t, moving);
+    const Eigen::VectorXd rates = functions(context, t, moving);
     double longest = 0;
     for (int j = 0; j < coordinates; ++j)
       if (!angles[static_cast<std::size_t>(j)] && numeric::is_finite(rates(j)))
@@ -91,13 +91,13 @@ private:
 
   /// The rates of coordinates are linear in the speeds. Errors of a speed that move each coordinate by less
   /// than its own error do not matter.
-  void fill_speeds(const surroundings& around, double t, const state& x) {
+  void fill_speeds(const simulation_context& context, double t, const state& x) {
     state alone = x;
     std::fill_n(alone.data() + coordinates, speeds, 0.0);
-    const Eigen::VectorXd at_rest = functions(around, t, alone);
+    const Eigen::VectorXd at_rest = functions(context, t, alone);
     for (int k = coordinates; k < coordinates + speeds; ++k) {
       alone(k) = 1;
-      const Eigen::VectorXd change = moved(functions(around, t, alone), -1, at_rest);
+      const Eigen::VectorXd change = moved(functions(context, t, alone), -1, at_rest);
       alone(k) = 0;
       double usual = 0;
       for (int j = 0; j < coordinates; ++j) {

@@ -2,7 +2,7 @@
 
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/simulate/motions/rates_at.hpp>
+#include <kanexpr/simulate/motions/runge_kutta_step.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -17,24 +17,24 @@ class trial_steps {
 public:
   using state = Eigen::VectorXd;
 
-  trial_steps(surroundings& around, double t, const state& x, double span)
-      : around_(around), t_(t), start_(x), span_(span) {
-    if (span > 0 && rates_at(around_, t, x, rates_)) look_ahead();
+  trial_steps(simulation_context& context, double t, const state& x, double span)
+      : context_(context), t_(t), start_(x), span_(span) {
+    if (span > 0 && context_.find_rates(t, x, rates_)) look_ahead();
   }
 
   /// Whether the motion has its own time scale: a time within the span after which one step no longer
   /// predicts most entries.
-  bool has_own_time() const { return has_own_time_ && !seen_.empty(); }
+  bool has_own_time() const { return has_own_time_ && !trials_.empty(); }
 
   /// Returns that time, or the span.
-  double time() const { return has_own_time() ? seen_.back().ahead : span_; }
+  double time() const { return has_own_time() ? trials_.back().ahead : span_; }
 
   /// Returns how large the entries become until the motion has changed.
   state sizes() const {
     state found = start_;
     for (double& size : found) size = std::abs(size);
     const double time = time_of_change();
-    for (const outlook& o : seen_)
+    for (const trial_step& o : trials_)
       for (Eigen::Index i = 0; i < found.size(); ++i)
         if (o.ahead <= time && numeric::is_finite(o.change(i)))
           found(i) = (std::max)({found(i), std::abs(o.change(i)), std::abs(start_(i) + o.change(i))});
@@ -43,7 +43,7 @@ public:
 
 private:
   /// The change over a step from the start; NaN where it is unknown.
-  struct outlook {
+  struct trial_step {
     double ahead;
     state change;
   };
@@ -55,35 +55,31 @@ private:
     for (double ahead = 0x1p-30 * span_; ahead <= span_; ahead *= 4) {
       if (!step(t_, start_, rates_, ahead, rough) || !step(t_, start_, rates_, ahead / 2, half)) return;
       state there;
-      if (!rates_at(around_, t_ + ahead / 2, half, there)) return;
+      if (!context_.find_rates(t_ + ahead / 2, half, there)) return;
       if (!step(t_ + ahead / 2, half, there, ahead / 2, fine)) return;
-      outlook one{ahead, moved(fine, -1, start_)};
+      trial_step one{ahead, moved(fine, -1, start_)};
       long told = 0;
       for (Eigen::Index i = 0; i < start_.size(); ++i)
-        if (is_told(i, one.change(i), fine(i) - rough(i)))
+        if (is_predicted(i, one.change(i), fine(i) - rough(i)))
           ++told;
         else
           one.change(i) = std::numeric_limits<double>::quiet_NaN();
       most = (std::max)(most, told);
       has_own_time_ = 2 * told < most;
       if (has_own_time_) return;
-      seen_.push_back(one);
+      trials_.push_back(one);
     }
   }
 
   /// Whether a change exceeds rounding and the error of a step.
-  bool is_told(Eigen::Index i, double change, double error) const {
+  bool is_predicted(Eigen::Index i, double change, double error) const {
     const double rounding = 1e3 * std::numeric_limits<double>::epsilon() * std::abs(start_(i));
     return std::abs(change) > rounding && std::abs(error) <= 0.1 * std::abs(change);
   }
 
   bool step(double t, const state& x, const state& k1, double h, state& end) {
-    state k2, k3, k4;
-    if (!rates_at(around_, t + h / 2, moved(x, h / 2, k1), k2) ||
-        !rates_at(around_, t + h / 2, moved(x, h / 2, k2), k3) ||
-        !rates_at(around_, t + h, moved(x, h, k3), k4))
-      return false;
-    end = moved(x, h, k1, k2, k3, k4);
+    state midpoint;
+    if (!runge_kutta_step(context_, t, x, k1, h, midpoint, end)) return false;
     return numeric::all_finite(end);
   }
 
@@ -95,13 +91,13 @@ private:
     std::vector<double> times;
     for (Eigen::Index i = 0; i < start_.size(); ++i) {
       double farthest = 0;
-      for (const outlook& o : seen_)
+      for (const trial_step& o : trials_)
         if (std::abs(o.change(i)) > farthest) farthest = std::abs(o.change(i));
       if (std::abs(start_(i)) <= std::numeric_limits<double>::epsilon() * farthest)
         continue; // effectively zero
       const auto changed = std::ranges::find_if(
-          seen_, [&](const outlook& o) { return std::abs(o.change(i)) >= std::abs(start_(i)); });
-      times.push_back(changed != seen_.end() ? changed->ahead : all);
+          trials_, [&](const trial_step& o) { return std::abs(o.change(i)) >= std::abs(start_(i)); });
+      times.push_back(changed != trials_.end() ? changed->ahead : all);
     }
     if (times.empty()) return all;
     const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
@@ -109,11 +105,11 @@ private:
     return *middle;
   }
 
-  surroundings& around_;
+  simulation_context& context_;
   double t_;
   state start_, rates_{};
   double span_;
-  std::vector<outlook> seen_{};
+  std::vector<trial_step> trials_{};
   bool has_own_time_ = false;
 };
 

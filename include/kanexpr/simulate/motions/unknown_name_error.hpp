@@ -8,9 +8,9 @@ namespace kanexpr::simulated {
 
 /// Thrown when a user function uses a name that the model does not have. It ends the simulation, not the
 /// program.
-class misnamed : public std::exception {
+class unknown_name_error : public std::exception {
 public:
-  explicit misnamed(const mechanics::sentence& why) : why_(why) {}
+  explicit unknown_name_error(const mechanics::sentence& why) : why_(why) {}
   const char* what() const noexcept override { return why_.letters; }
 
 private:

@@ -4,8 +4,8 @@
 #include <kanexpr/base/name_of_time.hpp>
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/simulate/trajectory/dense_output.hpp>
 #include <kanexpr/simulate/tables/table.hpp>
+#include <kanexpr/simulate/trajectory/dense_output.hpp>
 
 #include <algorithm>
 #include <optional>

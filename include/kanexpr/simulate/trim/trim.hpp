@@ -14,7 +14,7 @@
 namespace kanexpr::trim {
 
 /// The requirements on an operating point.
-struct wishes {
+struct requirements {
   const std::vector<symbol_name>&held, &freed, &changing;
   const std::vector<named_value>& rates;
   double t = 0;
@@ -24,11 +24,11 @@ struct wishes {
 
 /// The interface of a system in the search: [constraints; ẋ] at the time t and [x; p; r], as tables or as a
 /// compiled function in a library. The function returns what could not be solved, as a sentence.
-struct subject {
+struct system_functions {
   using library = std::string_view (*)(double t, const std::complex<double>* at, std::complex<double>* all);
 
   const deriving::survey& known;
-  const describe::system_record& told;
+  const describe::system_record& record;
   std::string_view name;
   const compiled::code_table *constraints, *rates; ///< null if there are none, or if a library contains them
   library compiled;
@@ -41,7 +41,7 @@ struct residual {
 };
 
 /// The result of a search.
-struct finding {
+struct search_result {
   Eigen::VectorXd values{}; ///< [x; p; r]
   Eigen::VectorXd left{};   ///< the residual of each equation
   int iterations = 0;
@@ -51,6 +51,7 @@ struct finding {
 };
 
 /// Searches for an operating point from a guess of [x; p; r].
-KANEXPR_SIMULATIONS finding find(const subject& system, const wishes& asked, const Eigen::VectorXd& guess);
+KANEXPR_SIMULATIONS search_result find(const system_functions& system, const requirements& asked,
+                                       const Eigen::VectorXd& guess);
 
 } // namespace kanexpr::trim

@@ -17,9 +17,9 @@ namespace kanexpr {
 namespace simulated {
 
 class manifold;
-class system;
+class system_interface;
 
-using manifold_maker = std::unique_ptr<manifold> (*)(const system&);
+using manifold_factory = std::unique_ptr<manifold> (*)(const system_interface&);
 /// Returns the manifold of a system with constraints or quaternions.
 template <class System>
 std::unique_ptr<manifold> manifold_of(const System& of);
@@ -27,17 +27,17 @@ std::unique_ptr<manifold> manifold_of(const System& of);
 /// The interface of a system in a simulation: its survey, and functions over plain arrays in the order of its
 /// vectors. Implementations add its parameters and options. Code that uses only this interface does not
 /// depend on the model and is compiled without it.
-class system {
+class system_interface {
 public:
-  system(const deriving::survey& of, const describe::system_record& record, std::string_view called,
-         manifold_maker maker)
-      : known(of), told(record), name(called), make_manifold(maker) {}
-  virtual ~system() = default;
+  system_interface(const deriving::survey& of, const describe::system_record& of_record,
+                   std::string_view called, manifold_factory maker)
+      : known(of), record(of_record), name(called), create_manifold(maker) {}
+  virtual ~system_interface() = default;
 
   const deriving::survey& known;
-  const describe::system_record& told;
+  const describe::system_record& record;
   std::string_view name;
-  manifold_maker make_manifold; ///< null if there are no constraints and no quaternions
+  manifold_factory create_manifold; ///< null if there are no constraints and no quaternions
 
   int states() const { return known.coordinates + known.speeds; }
 
@@ -72,16 +72,16 @@ public:
                           const std::complex<double>* r, std::complex<double>* left) const = 0;
 
   /// The user's functions, which may throw.
-  virtual void give_inputs(double t, const double* x, double* r) const = 0;
+  virtual void evaluate_inputs(double t, const double* x, double* r) const = 0;
   /// Returns an independent copy of the input function if rates of prescribed quantities are among the
   /// inputs. The copy has its own state between calls.
   virtual std::function<void(double t, const double* x, double* r)> copy_of_inputs() const = 0;
   virtual double event(std::size_t which, double t, const double* x, const double* r) const = 0;
   virtual after_event handle(std::size_t which, double t, double* x, const double* r) const = 0;
-  virtual void show(double t, const double* x, const double* r) const = 0;
+  virtual void pass_sample(double t, const double* x, const double* r) const = 0;
   /// Store a sample and a polynomial.
-  virtual void keep(double t, const double* x, const double* r) = 0;
-  virtual void keep(piece p) = 0;
+  virtual void store_sample(double t, const double* x, const double* r) = 0;
+  virtual void store_polynomial(piece p) = 0;
 };
 
 } // namespace simulated

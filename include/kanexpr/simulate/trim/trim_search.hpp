@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/simulate/trim/equations.hpp>
+#include <kanexpr/simulate/trim/trim_equations.hpp>
 
 #include <cstdio>
 #include <limits>
@@ -16,19 +16,19 @@ public:
       : asked_(asked), equations_(equations), tolerance_(tolerance), most_iterations_(most_iterations),
         z_(equations.start()) {}
 
-  finding find() {
-    if (const std::string mistake = look_at_start(); !mistake.empty()) {
+  search_result find() {
+    if (const std::string mistake = check_start(); !mistake.empty()) {
       found_.failure = mistake;
     } else {
-      if (z_.size() != 0) go();
-      judge();
+      if (z_.size() != 0) run();
+      check_solution();
     }
     found_.values = equations_.values(z_);
     return found_;
   }
 
 private:
-  std::string look_at_start() {
+  std::string check_start() {
     if (equations_.residual(z_, found_.left))
       return equations_.jacobian(z_, slope_) ? ""
                                              : "the derivatives of the equations are not finite at the guess";
@@ -38,21 +38,21 @@ private:
     return name_of(i) + " is not finite at the guess";
   }
 
-  void go() {
+  void run() {
     solvers::kinsol newton(equations_, equations_.magnitudes_at(z_), tolerance_, most_iterations_);
     const solvers::search_end end = newton.solve(z_);
     found_.iterations = end.iterations;
     failure_ = end.failure;
     if (!equations_.residual(z_, found_.left) || !equations_.jacobian(z_, slope_)) return;
     const solvers::magnitudes sizes = equations_.magnitudes_at(z_);
-    while (found_.iterations < most_iterations_ && improve(sizes)) ++found_.iterations;
+    while (found_.iterations < most_iterations_ && refine(sizes)) ++found_.iterations;
   }
 
   /// Takes a Newton step; returns false if it does not reduce the residual or does not need to.
-  bool improve(const solvers::magnitudes& sizes) {
+  bool refine(const solvers::magnitudes& sizes) {
     const auto size = [&](const Eigen::VectorXd& f) { return f.cwiseQuotient(sizes.equations).norm(); };
     if (size(found_.left) < 1e-3 * std::numeric_limits<double>::epsilon()) return false;
-    solvers::least_squares_step step(sizes, equations_.stiff_unknowns());
+    solvers::least_squares_step step(sizes, equations_.unknowns_kept_close());
     step.prepare(slope_, equations_.limits(z_));
     const Eigen::VectorXd tried = z_ + step(-found_.left);
     Eigen::VectorXd left;
@@ -62,7 +62,7 @@ private:
     return equations_.jacobian(z_, slope_);
   }
 
-  void judge() {
+  void check_solution() {
     if (!equations_.residual(z_, found_.left) || !equations_.jacobian(z_, slope_)) {
       found_.failure = "no operating point: where the search ended, " +
                        (equations_.unsolved().empty() ? "the equations are not finite"
@@ -112,12 +112,13 @@ private:
   Eigen::VectorXd z_;
   Eigen::MatrixXd slope_{};
   std::string failure_{};
-  finding found_{};
+  search_result found_{};
 };
 
-KANEXPR_SIMULATIONS finding find(const subject& system, const wishes& asked, const Eigen::VectorXd& guess) {
-  const conditions of(system.known, system.told, system.name, asked);
-  finding found;
+KANEXPR_SIMULATIONS search_result find(const system_functions& system, const requirements& asked,
+                                       const Eigen::VectorXd& guess) {
+  const conditions of(system.known, system.record, system.name, asked);
+  search_result found;
   if (of.mistake()) {
     found.values = guess;
     found.failure = of.mistake().view();

@@ -19,9 +19,9 @@ struct condition {
 /// survey: [x; p; r].
 class conditions {
 public:
-  conditions(const deriving::survey& known, const describe::system_record& told, std::string_view system,
-             const wishes& asked)
-      : known_(known), told_(told), system_(system), states_(known.coordinates + known.speeds),
+  conditions(const deriving::survey& known, const describe::system_record& record, std::string_view system,
+             const requirements& asked)
+      : known_(known), record_(record), system_(system), states_(known.coordinates + known.speeds),
         residuals_(known.quaternions + known.configuration_constraints + known.constraints) {
     const std::vector<bool> held = read(asked.held, "held"), freed = read(asked.freed, "freed"),
                             changing = read(asked.changing, "changing");
@@ -105,8 +105,8 @@ private:
   /// Whether an input is prescribed as a function of time: according to the list of inputs or, if there is no
   /// list, to the presence of its derivatives.
   bool is_prescribed(int input) const {
-    if (input < told_.inputs.size)
-      return told_.inputs[input].tokens[0].symbol->order != describe::unprescribed;
+    if (input < record_.inputs.size)
+      return record_.inputs[input].tokens[0].symbol->order != describe::unprescribed;
     const std::string name(known_.names[known_.first_of(symbolic::symbol_kind::input) + input].view());
     return name.ends_with('\'') || place_of(name + "'") >= 0;
   }
@@ -129,7 +129,7 @@ private:
   }
 
   const deriving::survey& known_;
-  const describe::system_record& told_;
+  const describe::system_record& record_;
   std::string_view system_;
   int states_, residuals_;
   std::vector<int> unknowns_{};

@@ -2,8 +2,8 @@
 
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/table_interpreter.hpp>
-#include <kanexpr/simulate/trim/trim.hpp>
 #include <kanexpr/simulate/constraints/unit_norms.hpp>
+#include <kanexpr/simulate/trim/trim.hpp>
 
 #include <optional>
 
@@ -14,7 +14,7 @@ class values_of_equations {
 public:
   using number = std::complex<double>;
 
-  explicit values_of_equations(const subject& system) : of_(system), norms_(system.known) {
+  explicit values_of_equations(const system_functions& system) : of_(system), norms_(system.known) {
     if (of_.constraints != nullptr) constraints_.emplace(*of_.constraints, of_.known);
     if (of_.rates != nullptr) rates_.emplace(*of_.rates, of_.known);
   }
@@ -33,7 +33,7 @@ public:
   }
 
 private:
-  const subject& of_;
+  const system_functions& of_;
   simulated::unit_norms norms_;
   std::optional<runtime::table_interpreter<number>> constraints_{}, rates_{};
 };

@@ -4,9 +4,9 @@
 #include <kanexpr/numeric/angle.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/sundials/kinsol.hpp>
-#include <kanexpr/simulate/trim/conditions.hpp>
-#include <kanexpr/simulate/trim/sizes.hpp>
-#include <kanexpr/simulate/trim/values.hpp>
+#include <kanexpr/simulate/trim/trim_conditions.hpp>
+#include <kanexpr/simulate/trim/trim_sizes.hpp>
+#include <kanexpr/simulate/trim/trim_values.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,11 +20,12 @@ using complex_vector = Eigen::VectorXcd;
 /// The equations of an operating point as functions of its unknowns, with exact derivatives by complex steps.
 class trim_equations final : public solvers::nonlinear_equations {
 public:
-  trim_equations(const conditions& asked, const subject& system, double t, const Eigen::VectorXd& guess)
+  trim_equations(const conditions& asked, const system_functions& system, double t,
+                 const Eigen::VectorXd& guess)
       : asked_(asked), evaluate_(system), t_(t), at_(guess), all_(asked.residuals() + asked.states()) {}
 
   int equations() const override { return static_cast<int>(asked_.equations().size()); }
-  int stiff_unknowns() const override {
+  int unknowns_kept_close() const override {
     const auto is_state = [&](int place) { return place < asked_.states(); };
     return static_cast<int>(std::count_if(asked_.unknowns().begin(), asked_.unknowns().end(), is_state));
   }
@@ -62,13 +63,13 @@ public:
   /// Limits the change of a state in one step to its own magnitude or its scale, which for an angle is 1.
   Eigen::VectorXd limits(const Eigen::VectorXd& z) const override {
     Eigen::VectorXd most = Eigen::VectorXd::Constant(unknowns(), std::numeric_limits<double>::infinity());
-    for (Eigen::Index i = 0; i < stiff_unknowns(); ++i) most(i) = (std::max)(sizes_(i), std::abs(z(i)));
+    for (Eigen::Index i = 0; i < unknowns_kept_close(); ++i) most(i) = (std::max)(sizes_(i), std::abs(z(i)));
     return most;
   }
 
   /// Returns the magnitudes of unknowns and equations near z.
   solvers::magnitudes magnitudes_at(const Eigen::VectorXd& z) {
-    if (kinds_.unknowns.empty()) look_at_kinds();
+    if (kinds_.unknowns.empty()) find_kinds();
     place(z);
     Eigen::MatrixXd slope(all_.size(), at_.size());
     for (int symbol = 0; symbol < at_.size(); ++symbol) {
@@ -110,7 +111,7 @@ private:
   double derivative_of(int function) const { return all_(function).imag() / step; }
 
   /// Determines which coordinates are angles, and the magnitude of the others, at the guess.
-  void look_at_kinds() {
+  void find_kinds() {
     const deriving::survey& known = asked_.known();
     kinds_.coordinates = known.coordinates;
     kinds_.speeds = known.speeds;
@@ -119,12 +120,12 @@ private:
     for (const int unknown : asked_.unknowns()) kinds_.unknowns[static_cast<std::size_t>(unknown)] = true;
     for (int j = 0; j < known.coordinates; ++j) {
       const double here = at_(j).real();
-      const auto beside = [&](double by) -> Eigen::VectorXd {
+      const auto nearby = [&](double by) -> Eigen::VectorXd {
         at_(j) = here + by;
         evaluate_(t_, at_.data(), all_.data());
         return all_.real();
       };
-      kinds_.angles.push_back(known.quaternion_of[j] != 0 || numeric::is_angle(beside));
+      kinds_.angles.push_back(known.quaternion_of[j] != 0 || numeric::is_angle(nearby));
       at_(j) = here;
     }
     usual_length_ = sizes::longest(kinds_, at_.real());
