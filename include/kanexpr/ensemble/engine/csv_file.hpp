@@ -51,7 +51,7 @@ public:
     if (::truncate(path_.c_str(), static_cast<::off_t>(size)) != 0) return file_.failure("cannot be opened");
     out_ = std::ofstream(path_, std::ios::binary | std::ios::app | std::ios::ate);
     if (!out_) return file_.failure("cannot be opened");
-    writer_.emplace(csv_writer::behind(out_, rows_, layout.columns.size(), path_));
+    writer_.emplace(csv_writer::resume(out_, rows_, layout.columns.size(), path_));
     return {};
   }
 

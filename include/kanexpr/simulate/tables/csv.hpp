@@ -8,6 +8,7 @@
 #include <kanexpr/simulate/tables/file_path.hpp>
 #include <kanexpr/simulate/tables/table.hpp>
 
+#include <functional>
 #include <initializer_list>
 #include <iosfwd>
 
@@ -27,14 +28,8 @@ public:
   csv_writer(std::ostream& out, std::initializer_list<std::string> names, std::string called = "the stream")
       : csv_writer(out, std::span(names.begin(), names.size()), std::move(called)) {}
   /// Returns a writer that continues after a header and `rows` rows.
-  static csv_writer behind(std::ostream& out, std::size_t rows, std::size_t columns,
+  static csv_writer resume(std::ostream& out, std::size_t rows, std::size_t columns,
                            std::string called = "the stream");
-
-  csv_writer(const csv_writer&) = default;
-  csv_writer(csv_writer&&) = default;
-  csv_writer& operator=(const csv_writer&) = default;
-  csv_writer& operator=(csv_writer&&) = default;
-  ~csv_writer() = default;
 
   /// Writes a row; returns whether that succeeded.
   bool row(std::span<const double> numbers);
@@ -51,7 +46,7 @@ private:
   bool write();
   void fail(const std::string& where);
 
-  std::ostream* out_; // a pointer, so that writers can be assigned
+  std::reference_wrapper<std::ostream> out_;
   std::string called_;
   std::size_t columns_;
   std::size_t rows_ = 0;
