@@ -9,6 +9,7 @@
 #include <kanexpr/simulate/trajectory/model_trajectory.hpp>
 
 #include <algorithm>
+#include <array>
 #include <complex>
 #include <memory>
 #include <optional>
@@ -34,7 +35,7 @@ inline std::string check_model(model& m) {
 template <class Number>
 class interpreted_results {
 public:
-  interpreted_results(model& m, std::initializer_list<mechanics::quantity> wanted)
+  interpreted_results(model& m, const result_list& wanted)
       : function_(m.function<Number>(entries(m, wanted, parts_))) {}
 
   template <class... Arguments>
@@ -54,11 +55,10 @@ private:
     int first, rows, columns;
   };
 
-  static symbolic::matrix entries(model& m, std::initializer_list<mechanics::quantity> wanted,
-                                  std::vector<part>& parts) {
+  static symbolic::matrix entries(model& m, const result_list& wanted, std::vector<part>& parts) {
     symbolic::matrix all(m.graph(), 0, 1);
-    for (const mechanics::quantity each : wanted) {
-      const symbolic::matrix result = m.get(each);
+    for (std::size_t i = 0; i < wanted.size; ++i) {
+      const symbolic::matrix result = m.get(wanted.quantities[i]);
       parts.push_back({all.entries.size(), result.rows, result.columns});
       for (const symbolic::expression& e : result.entries) all.entries.push(e);
     }
@@ -85,75 +85,21 @@ public:
                      const input_source<model>& inputs, const simulation_options<model>& options,
                      trajectory<model>& kept)
       : system_interface(of, nothing_bound(), runtime::name_of_models, factory_of_manifold(of)), p_(p),
-        inputs_(inputs), options_(options), kept_(kept), x_(m), r_(m), no_inputs_(m),
-        rhs_(m, {quantity::rhs}) {
-    if (of.configuration_constraints != 0) configuration_.emplace(m, configuration_and_derivatives);
-    if (of.redundant_constraints != 0)
-      redundant_.emplace(
-          m, std::initializer_list<quantity>{quantity::redundant_residual, quantity::redundant_terms,
-                                             quantity::redundant_rate, quantity::redundant_rate_terms});
-    if (of.constraints != 0) {
-      velocities_.emplace(m, velocities_and_derivatives);
-      dependent_speeds_.emplace(m, std::initializer_list<quantity>{quantity::dependent_speeds});
-      unreduced_.emplace(m, std::initializer_list<quantity>{quantity::qdot, quantity::unreduced_mass_matrix,
-                                                            quantity::unreduced_forcing,
-                                                            quantity::constraint_bias});
-    }
-    if (by == integrator::bdf || by == integrator::implicit_runge_kutta)
-      jacobian_.emplace(m,
-                        std::initializer_list<quantity>{quantity::state_jacobian, quantity::input_jacobian});
+        inputs_(inputs), options_(options), kept_(kept), x_(m), r_(m), no_inputs_(m) {
+    for (std::size_t i = 0; i < results_.size(); ++i)
+      if (is_needed(static_cast<results>(i), of, by)) results_[i].emplace(m, lists_of_results[i]);
     if (by == integrator::differential_algebraic) {
-      if (of.constraints != 0)
-        multipliers_.emplace(m, std::initializer_list<quantity>{quantity::multipliers});
       real_.emplace(m, of, p);
       complex_.emplace(m, of, p);
     }
   }
 
-  status rates(double t, const double* x, const double* r, double* xdot) const override {
-    const status s = call(rhs_, t, x, r);
-    rhs_.write(0, xdot);
+  status evaluate(results wanted, double t, const double* x, const double* r, outputs into) const override {
+    std::optional<interpreted_results<double>>& found = results_[static_cast<std::size_t>(wanted)];
+    if (!found) return {};
+    const status s = found->evaluate(t, argument<double>(x, states()), p_, argument<double>(r, known.inputs));
+    for (std::size_t i = 0; double* each : into) found->write(i++, each);
     return s;
-  }
-  status jacobian(double t, const double* x, const double* r, double* by_state,
-                  double* by_inputs) const override {
-    if (!jacobian_) return {};
-    const status s = call(*jacobian_, t, x, r);
-    jacobian_->write(0, by_state), jacobian_->write(1, by_inputs);
-    return s;
-  }
-  void configuration(double t, const double* x, const double* r, double* left,
-                     double* by_coordinates) const override {
-    evaluate_into(configuration_, t, x, r, left, by_coordinates);
-  }
-  void velocities(double t, const double* x, const double* r, double* left,
-                  double* by_speeds) const override {
-    evaluate_into(velocities_, t, x, r, left, by_speeds);
-  }
-  void redundant(double t, const double* x, const double* r, double* left, double* terms, double* rate,
-                 double* rate_terms) const override {
-    evaluate_into(redundant_, t, x, r, left, terms, rate, rate_terms);
-  }
-  status dependent_speeds(double t, const double* x, const double* r, double* u) const override {
-    if (!dependent_speeds_) return {};
-    const status s = call(*dependent_speeds_, t, x, r);
-    dependent_speeds_->write(0, u);
-    return s;
-  }
-
-  status unreduced(double t, const double* x, const double* r, double* qdot, double* mass, double* force,
-                   double* bias) const override {
-    if (!unreduced_) return {};
-    const status s = call(*unreduced_, t, x, r);
-    unreduced_->write(0, qdot), unreduced_->write(1, mass);
-    unreduced_->write(2, force), unreduced_->write(3, bias);
-    return s;
-  }
-
-  void multipliers(double t, const double* x, const double* r, double* lambda) const override {
-    if (!multipliers_) return;
-    call(*multipliers_, t, x, r);
-    multipliers_->write(0, lambda);
   }
   status implicit(double t, const double* y, const double* ydot, const double* r,
                   double* left) const override {
@@ -214,20 +160,15 @@ private:
     static constexpr describe::system_record none{};
     return none;
   }
-  static constexpr std::initializer_list<quantity> configuration_and_derivatives{
-      quantity::configuration_residual, quantity::configuration_jacobian_by_all};
-  static constexpr std::initializer_list<quantity> velocities_and_derivatives{quantity::velocity_residual,
-                                                                              quantity::constraint_jacobian};
-
   /// F of the method with multipliers, for real or complex numbers.
   template <class Number>
   class multiplier_equations {
   public:
     multiplier_equations(model& m, const deriving::survey& of, const parameter_values<model>& p)
-        : p_(p.template cast<Number>()), qdot_(m, {quantity::qdot}),
-          forces_(m, {quantity::unreduced_forces}) {
-      if (of.constraints != 0) velocities_.emplace(m, velocities_and_derivatives);
-      if (of.configuration_constraints != 0) configuration_.emplace(m, configuration_and_derivatives);
+        : p_(p.template cast<Number>()), qdot_(m, {1, {quantity::qdot}}),
+          forces_(m, {1, {quantity::unreduced_forces}}) {
+      if (of.constraints != 0) velocities_.emplace(m, list_of(results::velocities));
+      if (of.configuration_constraints != 0) configuration_.emplace(m, list_of(results::configuration));
     }
 
     status residual(const deriving::survey& of, double time, const Number* y, const Number* ydot,
@@ -262,18 +203,6 @@ private:
     std::optional<interpreted_results<Number>> velocities_{}, configuration_{};
   };
 
-  status call(interpreted_results<double>& f, double t, const double* x, const double* r) const {
-    return f.evaluate(t, argument<double>(x, states()), p_, argument<double>(r, known.inputs));
-  }
-  template <class... Outputs>
-  void evaluate_into(std::optional<interpreted_results<double>>& f, double t, const double* x,
-                     const double* r, Outputs*... into) const {
-    if (!f) return;
-    call(*f, t, x, r);
-    std::size_t which = 0;
-    (f->write(which++, into), ...);
-  }
-
   void take(const double* x, const double* r) const {
     std::copy_n(x, x_.size(), x_.data());
     std::copy_n(r, r_.size(), r_.data());
@@ -297,9 +226,7 @@ private:
   mutable state<model> x_;
   mutable input_values<model> r_;
   const input_values<model> no_inputs_;
-  mutable interpreted_results<double> rhs_;
-  mutable std::optional<interpreted_results<double>> jacobian_{}, configuration_{}, redundant_{},
-      velocities_{}, dependent_speeds_{}, unreduced_{}, multipliers_{};
+  mutable std::array<std::optional<interpreted_results<double>>, std::size(lists_of_results)> results_{};
   mutable std::optional<multiplier_equations<double>> real_{};
   mutable std::optional<multiplier_equations<std::complex<double>>> complex_{};
 };

@@ -129,10 +129,11 @@ private:
       by_coordinates = of.by_q_;
     }
     void velocities(const vector& x, vector& left, matrix& by_speeds) const {
-      of.of_.velocities(t, x.data(), r.data(), left.data(), by_speeds.data());
+      of.of_.evaluate(results::velocities, t, x.data(), r.data(), {left.data(), by_speeds.data()});
     }
     status motion(const vector& x, vector& qdot, matrix& mass, vector& force, vector& bias) const {
-      return of.of_.unreduced(t, x.data(), r.data(), qdot.data(), mass.data(), force.data(), bias.data());
+      return of.of_.evaluate(results::unreduced, t, x.data(), r.data(),
+                             {qdot.data(), mass.data(), force.data(), bias.data()});
     }
   };
   using unreduced_motion = numeric::constrained_motion<all_speeds>;
@@ -152,7 +153,7 @@ private:
     by_q_.setZero();
     if (constraints != 0) {
       matrix by_coordinates(constraints, n_);
-      of_.configuration(t, x.data(), r.data(), left.data(), by_coordinates.data());
+      of_.evaluate(results::configuration, t, x.data(), r.data(), {left.data(), by_coordinates.data()});
       by_q_.topRows(constraints) = by_coordinates;
     }
     for (int k = 0; k < norms_.count(); ++k) {
@@ -182,7 +183,7 @@ private:
     if (by_u_.rows() != 0) {
       const vector x = y + correction_;
       vector left(by_u_.rows());
-      of_.velocities(t, x.data(), r.data(), left.data(), by_u_.data());
+      of_.evaluate(results::velocities, t, x.data(), r.data(), {left.data(), by_u_.data()});
       correction_.tail(o_) = minimum_norm_solution(by_u_, n_, -left);
     }
     return numeric::all_finite(correction_);

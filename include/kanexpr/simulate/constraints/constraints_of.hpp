@@ -42,7 +42,8 @@ public:
   vector velocity_residual(const vector& x) const {
     vector left(of_.known.constraints);
     Eigen::MatrixXd by_speeds(left.size(), of_.known.speeds);
-    if (left.size() != 0) of_.velocities(t_, x.data(), r_.data(), left.data(), by_speeds.data());
+    if (left.size() != 0)
+      of_.evaluate(results::velocities, t_, x.data(), r_.data(), {left.data(), by_speeds.data()});
     return left;
   }
   vector redundant_residual(const vector& x) const { return redundant(x).col(0); }
@@ -57,7 +58,7 @@ public:
   status solve_speeds(vector& x) const {
     vector u(of_.known.constraints);
     if (u.size() == 0) return {};
-    const status s = of_.dependent_speeds(t_, x.data(), r_.data(), u.data());
+    const status s = of_.evaluate(results::dependent_speeds, t_, x.data(), r_.data(), {u.data()});
     if (s)
       for (int i = 0; i < u.size(); ++i) x(place_of_coordinate(coordinates() + i)) = u(i);
     return s;
@@ -68,14 +69,14 @@ private:
     const Eigen::Index rows = of_.known.redundant_constraints;
     Eigen::MatrixXd all(rows, 4);
     if (rows != 0)
-      of_.redundant(t_, x.data(), r_.data(), all.data(), all.data() + rows, all.data() + 2 * rows,
-                    all.data() + 3 * rows);
+      of_.evaluate(results::redundant, t_, x.data(), r_.data(),
+                   {all.data(), all.data() + rows, all.data() + 2 * rows, all.data() + 3 * rows});
     return all;
   }
   void evaluate(const vector& x) {
     vector at = x;
     if (norms_.are_bound()) norms_.normalize(at, lower::norm_range{});
-    of_.configuration(t_, at.data(), r_.data(), left_.data(), by_all_.data());
+    of_.evaluate(results::configuration, t_, at.data(), r_.data(), {left_.data(), by_all_.data()});
     if (norms_.are_bound()) norms_.leave_out(by_all_, at);
   }
 

@@ -35,8 +35,8 @@ private:
     if (context_.is_near_singular()) return differences_at(t, y, columns);
     if (const answer a = context_.set_state(t, y); a != answer::success) return a;
     Eigen::MatrixXd by_inputs(size(), context_.known().inputs);
-    const status s =
-        context_.system().jacobian(t, context_.x().data(), context_.r().data(), columns, by_inputs.data());
+    const status s = context_.system().evaluate(results::jacobian, t, context_.x().data(),
+                                                context_.r().data(), {columns, by_inputs.data()});
     if (!s) return context_.fail(s);
     Eigen::Map<Eigen::MatrixXd> out(columns, size(), size());
     if (by_inputs.cols() != 0) {

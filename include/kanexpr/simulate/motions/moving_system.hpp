@@ -16,7 +16,6 @@ namespace kanexpr::simulated {
 template <integrator by>
 class moving_system {
 public:
-  static constexpr bool has_newton = by == integrator::bdf || by == integrator::implicit_runge_kutta;
   /// The distinctness of the constraints below which the equations of all speeds are used.
   static constexpr double least_distinctness = 0.05;
 
@@ -67,7 +66,7 @@ private:
   using stepper_type =
       std::conditional_t<by == integrator::adams || by == integrator::bdf, solvers::cvode, solvers::arkode>;
 
-  explicit_motion<has_newton> motion_;
+  explicit_motion<has_newton(by)> motion_;
   std::optional<stepper_type> integrating_{};
 };
 

@@ -33,7 +33,7 @@ public:
     values.head(states_) = x;
     if (const status s = context_.rates(t, ydot); !s) return context_.fail(s);
     if (context_.known().constraints != 0)
-      context_.system().multipliers(t, x.data(), context_.r().data(), y + states_);
+      context_.system().evaluate(results::multipliers, t, x.data(), context_.r().data(), {y + states_});
     constexpr const char* not_finite = "the rates at this state are not finite";
     const answer a = context_.check_finite(values, not_finite);
     return a == answer::success ? context_.check_finite(rates, not_finite) : a;

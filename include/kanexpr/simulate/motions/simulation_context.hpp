@@ -77,7 +77,7 @@ public:
   /// Evaluates ẋ at a different state with the current inputs.
   status rates(double t, const vector& x, double* xdot) const {
     if (is_near_singular()) return constraints_->rates(t, x, r_, xdot);
-    const status s = of_.rates(t, x.data(), r_.data(), xdot);
+    const status s = of_.evaluate(results::rates, t, x.data(), r_.data(), {xdot});
     return s || !binds_speeds() || !constraints_->rates(t, x, r_, xdot) ? s : status();
   }
 
