@@ -36,7 +36,7 @@ constexpr bool takes_batches() {
 
 /// Whether an argument can serve as inputs: those of one system or of many, none, or a function (t, x).
 template <class Given, class State, class Batch>
-inline constexpr bool serves_as_inputs = [] {
+inline constexpr bool is_input_argument = [] {
   if constexpr (requires { Given::SizeAtCompileTime; } || is_many<Given> ||
                 std::is_same_v<Given, compiled::not_given>)
     return true;

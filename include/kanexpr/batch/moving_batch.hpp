@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/batch/inputs_by_law.hpp>
-#include <kanexpr/batch/side_by_side.hpp>
+#include <kanexpr/batch/row_arguments.hpp>
 #include <kanexpr/compiled/fitting.hpp>
 
 #include <algorithm>
@@ -12,9 +12,9 @@ namespace kanexpr::batches {
 
 /// An argument of a batch of systems: one value for all of them, or one for each, side by side.
 template <class Batch, class Given>
-class given_to_batch {
+class batch_argument {
 public:
-  given_to_batch(const Given& given, Eigen::Index, Eigen::Index) : given_(given) {}
+  batch_argument(const Given& given, Eigen::Index, Eigen::Index) : given_(given) {}
 
   const Given& get() const { return given_; }
   void copy_lane(std::size_t, std::size_t) {}
@@ -23,10 +23,10 @@ private:
   const Given& given_;
 };
 template <class Batch, class Vector>
-class given_to_batch<Batch, many<Vector>> {
+class batch_argument<Batch, many<Vector>> {
 public:
   /// Lanes after the last system repeat its values.
-  given_to_batch(const many<Vector>& all, Eigen::Index first, Eigen::Index last) {
+  batch_argument(const many<Vector>& all, Eigen::Index first, Eigen::Index last) {
     for (std::size_t lane = 0; lane < Batch::lanes; ++lane)
       Batch::set(values_, lane, all.get((std::min)(first + static_cast<Eigen::Index>(lane), last)));
   }
@@ -50,30 +50,30 @@ public:
                const GivenInputs& r, double t)
       : t_(t), x_(x, first, first + count - 1), p_(p, first, first + count - 1),
         r_(r, first, first + count - 1) {
-    std::fill_n(lives_.begin(), count, true);
+    std::fill_n(is_active_.begin(), count, true);
   }
 
-  bool lives(std::size_t lane) const { return lives_[lane]; }
-  Eigen::Index living() const { return std::count(lives_.begin(), lives_.end(), true); }
+  bool is_active(std::size_t lane) const { return is_active_[lane]; }
+  Eigen::Index living() const { return std::count(is_active_.begin(), is_active_.end(), true); }
   auto state_in(std::size_t lane) { return Batch::get(x_.get(), lane); }
 
   /// Advances all systems by one step. Returns false if some of them failed: leave(lane, why) has been called
   /// for these, and the others have not yet made the step.
   template <class Leave>
   bool step(double h, const Leave& leave) {
-    const status all = made(t_, x_.get(), h, p_.get(), r_.get());
+    const status all = advance(t_, x_.get(), h, p_.get(), r_.get());
     if (all) return true;
     const Eigen::Index before = living();
     for (std::size_t lane = 0; lane < lanes; ++lane)
-      if (lives(lane))
-        if (const status own = try_alone(lane, h); !own) remove(lane, own, leave);
+      if (is_active(lane))
+        if (const status own = try_single(lane, h); !own) remove(lane, own, leave);
     if (living() == before) // the inputs differ from call to call
       for (std::size_t lane = 0; lane < lanes; ++lane)
-        if (lives(lane)) remove(lane, all, leave);
-    const auto other = std::find(lives_.begin(), lives_.end(), true);
-    if (other == lives_.end()) return false;
+        if (is_active(lane)) remove(lane, all, leave);
+    const auto other = std::find(is_active_.begin(), is_active_.end(), true);
+    if (other == is_active_.end()) return false;
     for (std::size_t lane = 0; lane < lanes; ++lane)
-      if (!lives(lane)) copy_lane(static_cast<std::size_t>(other - lives_.begin()), lane);
+      if (!is_active(lane)) copy_lane(static_cast<std::size_t>(other - is_active_.begin()), lane);
     return false;
   }
 
@@ -87,19 +87,20 @@ public:
   /// Stores the states of the systems still in the batch, and NaN for the others. Lanes from `count` on hold
   /// no systems.
   template <class State>
-  void put_into(many<State>& all, Eigen::Index first, Eigen::Index count) {
+  void store_into(many<State>& all, Eigen::Index first, Eigen::Index count) {
     for (Eigen::Index i = 0; i < count; ++i) {
       const auto lane = static_cast<std::size_t>(i);
-      if (lives(lane))
+      if (is_active(lane))
         all.set(first + i, state_in(lane));
       else
-        all.leave_no_numbers(first + i, first + i + 1);
+        all.set_to_nan(first + i, first + i + 1);
     }
   }
 
 private:
   template <class States, class Parameters, class Inputs>
-  [[gnu::noinline]] static status made(double& t, States& x, double h, const Parameters& p, const Inputs& r) {
+  [[gnu::noinline]] static status advance(double& t, States& x, double h, const Parameters& p,
+                                          const Inputs& r) {
     if constexpr (requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, compiled::not_given> ||
                   takes_batches<Inputs, States>())
       return Step{}(t, x, h, p, r);
@@ -108,17 +109,17 @@ private:
   }
 
   /// Tries the step of one system, copied to all lanes; only its status is kept.
-  status try_alone(std::size_t lane, double h) const {
-    moving_batch alone = *this;
+  status try_single(std::size_t lane, double h) const {
+    moving_batch single = *this;
     for (std::size_t other = 0; other < lanes; ++other)
-      if (other != lane) alone.copy_lane(lane, other);
-    return made(alone.t_, alone.x_.get(), h, alone.p_.get(), alone.r_.get());
+      if (other != lane) single.copy_lane(lane, other);
+    return advance(single.t_, single.x_.get(), h, single.p_.get(), single.r_.get());
   }
 
   template <class Leave>
   void remove(std::size_t lane, const status& why, const Leave& leave) {
     leave(lane, why);
-    lives_[lane] = false;
+    is_active_[lane] = false;
   }
 
   void copy_lane(std::size_t from, std::size_t to) {
@@ -128,10 +129,10 @@ private:
   using state = with_scalar<typename Step::eom::state, typename Batch::element>;
 
   double t_;
-  given_to_batch<Batch, many<state>> x_;
-  given_to_batch<Batch, GivenParameters> p_;
-  given_to_batch<Batch, GivenInputs> r_;
-  std::array<bool, lanes> lives_{};
+  batch_argument<Batch, many<state>> x_;
+  batch_argument<Batch, GivenParameters> p_;
+  batch_argument<Batch, GivenInputs> r_;
+  std::array<bool, lanes> is_active_{};
 };
 
 } // namespace kanexpr::batches

@@ -22,7 +22,7 @@ template <class Pack, class Number>
 /// The vectors of adjacent systems, one in each lane, read directly from the rows: an argument of a compiled
 /// function.
 template <class Vector, class Pack>
-struct side_by_side {
+struct row_argument {
   using Scalar = Pack;
   static constexpr int SizeAtCompileTime = Vector::SizeAtCompileTime;
   using number = typename Vector::Scalar;
@@ -35,18 +35,18 @@ struct side_by_side {
 
 using compiled::belonging_of;
 template <class Vector, class Pack>
-decltype(belonging_of(static_cast<const Vector*>(nullptr))) belonging_of(const side_by_side<Vector, Pack>*);
+decltype(belonging_of(static_cast<const Vector*>(nullptr))) belonging_of(const row_argument<Vector, Pack>*);
 
 /// One argument of a batch in separate memory; some lanes may be copies of others.
 template <class Vector, class Pack>
-struct gathered {
+struct copied_argument {
   using number = typename Vector::Scalar;
   static constexpr std::size_t lanes = sizeof(Pack) / sizeof(number);
   static constexpr std::size_t entries = static_cast<std::size_t>(many<Vector>::entries);
   alignas(Pack) number numbers[entries > 0 ? entries : 1][lanes];
 
   /// Lane i receives system first + i, but at most `last`.
-  gathered(const many<Vector>& all, Eigen::Index first, Eigen::Index last) {
+  copied_argument(const many<Vector>& all, Eigen::Index first, Eigen::Index last) {
     for (std::size_t i = 0; i < entries; ++i)
       for (std::size_t lane = 0; lane < lanes; ++lane)
         numbers[i][lane] = all.data()[static_cast<Eigen::Index>(i) * all.stride() +
@@ -56,39 +56,39 @@ struct gathered {
 
 /// Returns an argument of a compiled function for the systems from `first` on.
 template <class Pack, class Vector>
-side_by_side<Vector, Pack> from_rows(const many<Vector>& all, Eigen::Index first) {
+row_argument<Vector, Pack> argument_from_rows(const many<Vector>& all, Eigen::Index first) {
   return {all.data() + first, all.stride()};
 }
 template <class Pack, class Given>
-const Given& from_rows(const Given& given, Eigen::Index) {
+const Given& argument_from_rows(const Given& given, Eigen::Index) {
   return given;
 }
 
 /// The same with copies of the systems.
 template <class Pack, class Vector>
-gathered<Vector, Pack> gather(const many<Vector>& all, Eigen::Index first, Eigen::Index last) {
+copied_argument<Vector, Pack> copy_argument(const many<Vector>& all, Eigen::Index first, Eigen::Index last) {
   return {all, first, last};
 }
 template <class Pack, class Given>
-const Given& gather(const Given& given, Eigen::Index, Eigen::Index) {
+const Given& copy_argument(const Given& given, Eigen::Index, Eigen::Index) {
   return given;
 }
 template <class Vector, class Pack>
-side_by_side<Vector, Pack> from_copies(const gathered<Vector, Pack>& copies) {
+row_argument<Vector, Pack> argument_from_copies(const copied_argument<Vector, Pack>& copies) {
   return {copies.numbers[0], static_cast<Eigen::Index>(copies.lanes)};
 }
 template <class Given>
-const Given& from_copies(const Given& given) {
+const Given& argument_from_copies(const Given& given) {
   return given;
 }
 
 /// Whether an argument has one vector for each of `systems` systems.
 template <class Given>
-bool is_for(const Given&, Eigen::Index) {
+bool has_size(const Given&, Eigen::Index) {
   return true;
 }
 template <class Vector>
-bool is_for(const many<Vector>& all, Eigen::Index systems) {
+bool has_size(const many<Vector>& all, Eigen::Index systems) {
   return all.size() == systems;
 }
 
