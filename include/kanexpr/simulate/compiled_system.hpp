@@ -3,10 +3,8 @@
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/table_interpreter.hpp>
-#include <kanexpr/simulate/inputs/prescribed_rates.hpp>
 #include <kanexpr/simulate/integrator.hpp>
-#include <kanexpr/simulate/simulation_options.hpp>
-#include <kanexpr/simulate/system_interface.hpp>
+#include <kanexpr/simulate/simulated_system.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -18,22 +16,21 @@ namespace kanexpr::simulated {
 /// A compile-time system with the parameters and options of a simulation. Only the functions that the method
 /// needs are derived.
 template <class System, integrator by>
-class compiled_system final : public system_interface {
+class compiled_system final : public simulated_system<System> {
   using quantity = mechanics::quantity;
   static constexpr const deriving::survey& of = compiled::survey_of<System>;
   static constexpr int n = of.coordinates, o = of.speeds;
   static constexpr int m = of.constraints, l = of.configuration_constraints;
   static constexpr bool is_implicit = by == integrator::differential_algebraic;
-  using state = kanexpr::state<System>;
-  using inputs = input_values<System>;
+  using simulated_system<System>::p_;
   template <class Number, int size>
   using vector = Eigen::Matrix<Number, size, 1>;
 
 public:
   compiled_system(const parameter_values<System>& p, const simulation_options<System>& options,
                   trajectory<System>& kept)
-      : system_interface(of, System::record, type_name<System>(), factory_of_manifold()), p_(p),
-        options_(options), kept_(kept) {}
+      : simulated_system<System>({of, System::record, type_name<System>(), factory_of_manifold()}, p,
+                                 options.inputs, options, kept) {}
 
   /// Returns a hash by which the system and its equations of motion are identified.
   static std::uint64_t digest() {
@@ -62,39 +59,6 @@ public:
                   const std::complex<double>* r, std::complex<double>* left) const override {
     return residual(t, y, ydot, r, left);
   }
-
-  void evaluate_inputs(double t, const double* x, double* r) const override {
-    inputs given;
-    options_.inputs.give(t, state(x), given);
-    std::copy_n(given.data(), given.size(), r);
-  }
-  std::function<void(double, const double*, double*)> copy_of_inputs() const override {
-    if constexpr (has_prescribed_rates(of))
-      return [source = options_.inputs](double t, const double* x, double* r) {
-        inputs given;
-        source.give(t, state(x), given);
-        std::copy_n(given.data(), given.size(), r);
-      };
-    return {};
-  }
-  double event(std::size_t which, double t, const double* x, const double* r) const override {
-    return options_.events[which].value(t, state(x), p_, inputs(r));
-  }
-  after_event handle(std::size_t which, double t, double* x, const double* r) const override {
-    state at(x);
-    const inputs given(r);
-    moment<System> now{t, at, p_, given};
-    const after_event what = options_.events[which].handler(now);
-    std::copy_n(at.data(), at.size(), x);
-    return what;
-  }
-  void pass_sample(double t, const double* x, const double* r) const override {
-    options_.each_sample(sample<System>{t, state(x), inputs(r)});
-  }
-  void store_sample(double t, const double* x, const double* r) override {
-    kept_.add(sample<System>{t, state(x), inputs(r)});
-  }
-  void store_polynomial(piece p) override { kept_.add(std::move(p)); }
 
 private:
   static constexpr manifold_factory factory_of_manifold() {
@@ -194,17 +158,14 @@ private:
   static auto unreduced_equations() {
     if constexpr (m != 0 && !compiled::is_linked<System>)
       return runtime::table_interpreter<double>(
-          compiled::table_for<System, double, state, parameter_values<System>, inputs, quantity::qdot,
-                              quantity::unreduced_mass_matrix, quantity::unreduced_forcing,
+          compiled::table_for<System, double, state<System>, parameter_values<System>, input_values<System>,
+                              quantity::qdot, quantity::unreduced_mass_matrix, quantity::unreduced_forcing,
                               quantity::constraint_bias>(),
           of);
     else
       return 0;
   }
 
-  const parameter_values<System> p_;
-  const simulation_options<System>& options_;
-  trajectory<System>& kept_;
   mutable decltype(unreduced_equations()) unreduced_ = unreduced_equations();
 };
 

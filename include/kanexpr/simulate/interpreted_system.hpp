@@ -4,8 +4,7 @@
 #include <kanexpr/runtime/values.hpp>
 #include <kanexpr/simulate/integrator.hpp>
 #include <kanexpr/simulate/motions/unknown_name_error.hpp>
-#include <kanexpr/simulate/simulation_options.hpp>
-#include <kanexpr/simulate/system_interface.hpp>
+#include <kanexpr/simulate/simulated_system.hpp>
 #include <kanexpr/simulate/trajectory/model_trajectory.hpp>
 
 #include <algorithm>
@@ -73,7 +72,7 @@ private:
 
 /// A run-time model with the parameters and options of a simulation. Only the results that the method needs
 /// are derived.
-class interpreted_system final : public system_interface {
+class interpreted_system final : public simulated_system<model> {
   using quantity = mechanics::quantity;
   template <class Number>
   using vector = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
@@ -82,10 +81,10 @@ class interpreted_system final : public system_interface {
 
 public:
   interpreted_system(model& m, const deriving::survey& of, integrator by, const parameter_values<model>& p,
-                     const input_source<model>& inputs, const simulation_options<model>& options,
+                     const input_source<model>& source, const simulation_options<model>& options,
                      trajectory<model>& kept)
-      : system_interface(of, nothing_bound(), runtime::name_of_models, factory_of_manifold(of)), p_(p),
-        inputs_(inputs), options_(options), kept_(kept), x_(m), r_(m), no_inputs_(m) {
+      : simulated_system({of, nothing_bound(), runtime::name_of_models, factory_of_manifold(of)}, p, source,
+                         options, kept, state(m), inputs(m)) {
     for (std::size_t i = 0; i < results_.size(); ++i)
       if (is_needed(static_cast<results>(i), of, by)) results_[i].emplace(m, lists_of_results[i]);
     if (by == integrator::differential_algebraic) {
@@ -109,47 +108,6 @@ public:
                   const std::complex<double>* r, std::complex<double>* left) const override {
     return complex_ ? complex_->residual(known, t, y, ydot, r, left) : status();
   }
-
-  void evaluate_inputs(double t, const double* x, double* r) const override {
-    std::copy_n(x, x_.size(), x_.data());
-    input_values<model> given = no_inputs_;
-    inputs_.give(t, x_, given);
-    check_vector(given, compiled::symbols_of::inputs);
-    std::copy(given.begin(), given.end(), r);
-  }
-  std::function<void(double, const double*, double*)> copy_of_inputs() const override {
-    return [source = inputs_, at = x_, none = no_inputs_](double t, const double* x, double* r) mutable {
-      std::copy_n(x, at.size(), at.data());
-      input_values<model> given = none;
-      source.give(t, at, given);
-      if (given.mistake() || given.size() != none.size()) throw unknown_name_error(given.mistake());
-      std::copy(given.begin(), given.end(), r);
-    };
-  }
-  double event(std::size_t which, double t, const double* x, const double* r) const override {
-    take(x, r);
-    const double value = options_.events[which].value(t, x_, p_, r_);
-    check_vector(x_, compiled::symbols_of::state);
-    return value;
-  }
-  after_event handle(std::size_t which, double t, double* x, const double* r) const override {
-    take(x, r);
-    state<model> at = x_;
-    moment<model> now{t, at, p_, r_};
-    const after_event what = options_.events[which].handler(now);
-    check_vector(at, compiled::symbols_of::state);
-    std::copy(at.begin(), at.end(), x);
-    return what;
-  }
-  void pass_sample(double t, const double* x, const double* r) const override {
-    take(x, r);
-    options_.each_sample(sample<model>{t, x_, r_});
-  }
-  void store_sample(double t, const double* x, const double* r) override {
-    take(x, r);
-    kept_.add(sample<model>{t, x_, r_});
-  }
-  void store_polynomial(piece p) override { kept_.add(std::move(p)); }
 
 private:
   static manifold_factory factory_of_manifold(const deriving::survey& of) {
@@ -203,29 +161,19 @@ private:
     std::optional<interpreted_results<Number>> velocities_{}, configuration_{};
   };
 
-  void take(const double* x, const double* r) const {
-    std::copy_n(x, x_.size(), x_.data());
-    std::copy_n(r, r_.size(), r_.data());
-  }
-  /// Checks the names that a user function looked up in the vectors, and the size of the vector that it left.
-  void check_vector(const runtime::value_vector& left, compiled::symbols_of which) const {
-    const runtime::value_vector* const all[]{&left, &x_, &p_, &r_};
+  void check(const state& at, const inputs& given, compiled::symbols_of which) const override {
+    const bool is_state = which == compiled::symbols_of::state;
+    const runtime::value_vector* const left =
+        is_state ? static_cast<const runtime::value_vector*>(&at) : &given;
+    const runtime::value_vector* const all[]{left, &at, &p_, &given};
     for (const runtime::value_vector* each : all)
       if (const mechanics::sentence found = each->mistake()) throw unknown_name_error(found);
     const compiled::symbol_range range = compiled::range_of(which, known);
     if (const mechanics::sentence found =
-            compiled::check_size(range.vector, "the model", static_cast<int>(left.size()), range.size))
+            compiled::check_size(range.vector, "the model", static_cast<int>(left->size()), range.size))
       throw unknown_name_error(found);
   }
 
-  const parameter_values<model> p_;
-  const input_source<model>& inputs_;
-  const simulation_options<model>& options_;
-  trajectory<model>& kept_;
-  // filled at each call
-  mutable state<model> x_;
-  mutable input_values<model> r_;
-  const input_values<model> no_inputs_;
   mutable std::array<std::optional<interpreted_results<double>>, std::size(lists_of_results)> results_{};
   mutable std::optional<multiplier_equations<double>> real_{};
   mutable std::optional<multiplier_equations<std::complex<double>>> complex_{};

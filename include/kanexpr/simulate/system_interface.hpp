@@ -78,20 +78,21 @@ constexpr bool is_needed(results wanted, const deriving::survey& known, integrat
 
 using outputs = std::initializer_list<double*>;
 
-/// The interface of a system in a simulation: its survey, and functions over plain arrays in the order of its
-/// vectors. Implementations add its parameters and options. Code that uses only this interface does not
-/// depend on the model and is compiled without it.
-class system_interface {
-public:
-  system_interface(const deriving::survey& of, const describe::system_record& of_record,
-                   std::string_view called, manifold_factory maker)
-      : known(of), record(of_record), name(called), create_manifold(maker) {}
-  virtual ~system_interface() = default;
-
+/// The part of a system that does not change.
+struct system_description {
   const deriving::survey& known;
   const describe::system_record& record;
   std::string_view name;
   manifold_factory create_manifold; ///< null if there are no constraints and no quaternions
+};
+
+/// The interface of a system in a simulation: its survey, and functions over plain arrays in the order of its
+/// vectors. Implementations add its parameters and options. Code that uses only this interface does not
+/// depend on the model and is compiled without it.
+class system_interface : public system_description {
+public:
+  explicit system_interface(const system_description& of) : system_description(of) {}
+  virtual ~system_interface() = default;
 
   int states() const { return known.coordinates + known.speeds; }
 
