@@ -9,7 +9,6 @@
 #include <kanexpr/simulate/inputs/prescribed_rates.hpp>
 #include <kanexpr/simulate/motions/moving_system.hpp>
 #include <kanexpr/simulate/motions/state_sizes.hpp>
-#include <kanexpr/simulate/run.hpp>
 #include <kanexpr/simulate/sampling.hpp>
 #include <kanexpr/steps/assemble.hpp>
 

@@ -31,12 +31,12 @@ KANEXPR_SIMULATIONS progress_bar::progress_bar(std::FILE* out)
 
 KANEXPR_SIMULATIONS void progress_bar::operator()(double t, double from, double to) {
   if (!is_shown_) return;
-  constexpr std::int64_t between = 100'000'000;
+  constexpr std::int64_t interval = 100'000'000;
   const std::int64_t now = simulated::nanoseconds_now();
-  if (!has_begun_) begin_ = now, drawn_ = now - between;
+  if (!has_begun_) begin_ = now, drawn_ = now - interval;
   has_begun_ = true;
   const double part = simulated::part_of(t, from, to);
-  if (part < 1 && now - drawn_ < between) return;
+  if (part < 1 && now - drawn_ < interval) return;
   draw(part, 1e-9 * static_cast<double>(now - begin_));
   drawn_ = now;
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kanexpr/simulate/compiled_system.hpp>
-#include <kanexpr/simulate/run.hpp>
 #include <kanexpr/simulate/simulation.hpp>
 
 #ifndef KANEXPR_COMPILED_SIMULATIONS
@@ -12,6 +11,10 @@
 namespace kanexpr {
 
 namespace simulated {
+
+/// Simulates a system from a state over a time span.
+template <integrator by>
+run_outcome run(system_interface& moved, const double* from, const time_span& span, const settings& options);
 
 template <class System>
 settings settings_of(const simulation_options<System>& o) {

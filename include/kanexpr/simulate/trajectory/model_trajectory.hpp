@@ -83,7 +83,8 @@ public:
     if (!of_) return std::nullopt;
     model m = *of_;
     auto rhs = m.function(m.rhs());
-    return between(t, [&](const sample& s) -> Eigen::VectorXd { return rhs(s.t, s.x, parameters(), s.r); });
+    return interpolate(t,
+                       [&](const sample& s) -> Eigen::VectorXd { return rhs(s.t, s.x, parameters(), s.r); });
   }
 
   /// Returns the time, the state and the inputs as named columns; the time is "t", or "time" if the model has

@@ -71,7 +71,7 @@ protected:
 
   /// Returns the sample at a time between the samples; `rates` returns ẋ at a sample.
   template <class Rates>
-  std::optional<sample> between(double t, const Rates& rates) const {
+  std::optional<sample> interpolate(double t, const Rates& rates) const {
     if (empty() || !(numeric::is_finite(t) && t >= front().t && t <= back().t)) return std::nullopt;
     const auto after = std::upper_bound(samples_.begin(), samples_.end(), t,
                                         [](double time, const sample& s) { return time < s.t; });

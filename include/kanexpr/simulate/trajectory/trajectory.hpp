@@ -79,7 +79,7 @@ public:
   /// inaccurate across an event; inputs are interpolated linearly. Returns nothing outside the trajectory's
   /// span. At the time of an event, it returns the sample after the event.
   std::optional<sample> at(double t) const {
-    return base::between(t, [&](const sample& s) {
+    return base::interpolate(t, [&](const sample& s) {
       return out_of_line<function<System, mechanics::quantity::rhs>>{}(s.t, s.x, parameters(), s.r);
     });
   }
