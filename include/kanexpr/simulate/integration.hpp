@@ -58,22 +58,21 @@ private:
     return fail(where + ": " + why + (because.empty() || why.empty() ? "" : ": ") + because);
   }
 
+  /// Fails with a mistake; returns whether there is none.
+  bool passes(std::string mistake) { return mistake.empty() || fail(std::move(mistake)); }
+
   bool begin() {
     solvers::stepper_options o = stepper_options();
-    if (std::string mistake = check_options(options_, span_); !mistake.empty())
-      return fail(std::move(mistake));
     state first = state_;
-    if (!assemble_at(span_.from, first)) return false;
-    if (std::string mistake = contradiction_at_start(first); !mistake.empty())
-      return fail(std::move(mistake));
+    if (!passes(check_options(options_, span_)) || !assemble_at(span_.from, first) ||
+        !passes(contradiction_at_start(first)))
+      return false;
     state_ = first;
-    if (std::string mistake = contradiction_in_rates(); !mistake.empty()) return fail(std::move(mistake));
+    if (!passes(contradiction_in_rates())) return false;
     const state_sizes found(context_, span_.from, first, context_.length());
     context_.set_sizes(span_.from, first, found.sizes());
-    if (std::string mistake =
-            read_tolerances(context_.system(), options_, found.sizes(), o.absolute_tolerances);
-        !mistake.empty())
-      return fail(std::move(mistake));
+    if (!passes(read_tolerances(context_.system(), options_, found.sizes(), o.absolute_tolerances)))
+      return false;
     const tolerances of_entries = tolerances_of(o);
     events_at_start_.set(of_entries), sampling_.set(of_entries);
     absolute_tolerances_ = o.absolute_tolerances;
@@ -134,14 +133,12 @@ private:
   }
 
   solvers::stepper_options stepper_options() const {
-    solvers::stepper_options o;
-    o.end = context_.length();
-    o.relative_tolerance = options_.relative_tolerance;
-    o.first_step = options_.first_step;
-    o.least_step = (std::max)(options_.least_step, shortest_step(span_));
-    o.greatest_step = options_.greatest_step;
-    o.analytic_jacobian = options_.analytic_jacobian;
-    return o;
+    return {.end = context_.length(),
+            .relative_tolerance = options_.relative_tolerance,
+            .first_step = options_.first_step,
+            .least_step = (std::max)(options_.least_step, shortest_step(span_)),
+            .greatest_step = options_.greatest_step,
+            .analytic_jacobian = options_.analytic_jacobian};
   }
 
   /// Solves for the dependent coordinates and speeds.
