@@ -19,7 +19,7 @@ namespace kanexpr {
 /// evaluated in batches; a batch in which a system fails is evaluated again, system by system. So the other
 /// systems keep their results, those of a failed system are NaN, and neither depends on adjacent systems or
 /// on the threads.
-template <class Function, class Number = double, std::size_t lanes = batches::widest<Number>>
+template <class Function, class Number = double, std::size_t lanes = batches::default_lanes<Number>>
 class many_results {
   using described = batches::evaluated<Function>;
   using matrices = typename described::template matrices<Number>;

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kanexpr/batch/batch_stepper.hpp>
 #include <kanexpr/batch/chunks.hpp>
-#include <kanexpr/batch/moving_batch.hpp>
 #include <kanexpr/batch/system_statuses.hpp>
 #include <kanexpr/steps/fixed_step.hpp>
 
@@ -27,7 +27,7 @@ struct rollout_options {
 /// allocated on construction; a run allocates none and throws nothing. A system whose step fails stays at its
 /// last valid state, its status holds the cause, and its states stored later are NaN; the other systems
 /// continue.
-template <class Step, class Number = double, std::size_t lanes = batches::widest<Number>>
+template <class Step, class Number = double, std::size_t lanes = batches::default_lanes<Number>>
 class rollout {
   using batch_type = batch<lanes, Number>;
   static constexpr Eigen::Index width = static_cast<Eigen::Index>(lanes);
@@ -133,7 +133,7 @@ private:
   template <class Parameters, class Inputs>
   Eigen::Index move(many<state>& x, Eigen::Index first, Eigen::Index count, const Parameters& p,
                     const Inputs& r) {
-    batches::moving_batch<Step, batch_type, Parameters, Inputs> all(x, first, count, p, r, how_.start);
+    batches::batch_stepper<Step, batch_type, Parameters, Inputs> all(x, first, count, p, r, how_.start);
     int steps_made = 0;
     const auto leave = [&](std::size_t lane, const status& why) {
       const Eigen::Index system = first + static_cast<Eigen::Index>(lane);
@@ -142,7 +142,7 @@ private:
       x.set(system, all.state_in(lane));
     };
     auto store = stored_.begin();
-    while (steps_made < how_.steps && all.living() > 0) {
+    while (steps_made < how_.steps && all.active_count() > 0) {
       if (!all.step(how_.step, leave)) continue;
       ++steps_made;
       if (store != stored_.end() && steps_made % how_.store_every == 0)
@@ -151,7 +151,7 @@ private:
     while (store != stored_.end()) all.store_into(*store++, first, count); // no system is left
     for (std::size_t lane = 0; lane < lanes; ++lane)
       if (all.is_active(lane)) leave(lane, {});
-    return count - all.living();
+    return count - all.active_count();
   }
 
   std::vector<many<state>> stored_;

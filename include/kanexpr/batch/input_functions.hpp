@@ -27,7 +27,7 @@ constexpr bool takes(...) {
 /// Whether an input function (t, x) takes the states of a batch. A function that specifies the type of x
 /// takes only that type; a generic one takes any.
 template <class Law, class State>
-constexpr bool takes_batches() {
+constexpr bool accepts_batch() {
   if constexpr (requires { &Law::operator(); })
     return detail::takes<State>(&Law::operator());
   else
@@ -40,7 +40,7 @@ inline constexpr bool is_input_argument = [] {
   if constexpr (requires { Given::SizeAtCompileTime; } || is_many<Given> ||
                 std::is_same_v<Given, compiled::not_given>)
     return true;
-  else if constexpr (takes_batches<Given, with_scalar<State, typename Batch::number>>())
+  else if constexpr (accepts_batch<Given, with_scalar<State, typename Batch::number>>())
     return std::is_invocable_v<const Given&, double, const with_scalar<State, typename Batch::number>&>;
   else
     return std::is_invocable_v<const Given&, double, const State&>;
@@ -48,7 +48,7 @@ inline constexpr bool is_input_argument = [] {
 
 /// Calls a function of one state for each lane.
 template <class Batch, class Inputs, class Law>
-struct lane_by_lane {
+struct per_lane_inputs {
   const Law& law;
 
   template <class Time, class State>

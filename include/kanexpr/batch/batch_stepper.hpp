@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/status.hpp>
-#include <kanexpr/batch/inputs_by_law.hpp>
+#include <kanexpr/batch/input_functions.hpp>
 #include <kanexpr/batch/row_arguments.hpp>
 #include <kanexpr/compiled/fitting.hpp>
 
@@ -41,20 +41,20 @@ private:
 /// A batch of systems that advances by steps of a fixed length. A system whose step fails leaves the batch,
 /// and its lane continues as a copy of another.
 template <class Step, class Batch, class GivenParameters, class GivenInputs>
-class moving_batch {
+class batch_stepper {
   static constexpr std::size_t lanes = Batch::lanes;
 
 public:
   template <class State>
-  moving_batch(const many<State>& x, Eigen::Index first, Eigen::Index count, const GivenParameters& p,
-               const GivenInputs& r, double t)
+  batch_stepper(const many<State>& x, Eigen::Index first, Eigen::Index count, const GivenParameters& p,
+                const GivenInputs& r, double t)
       : t_(t), x_(x, first, first + count - 1), p_(p, first, first + count - 1),
         r_(r, first, first + count - 1) {
     std::fill_n(is_active_.begin(), count, true);
   }
 
   bool is_active(std::size_t lane) const { return is_active_[lane]; }
-  Eigen::Index living() const { return std::count(is_active_.begin(), is_active_.end(), true); }
+  Eigen::Index active_count() const { return std::count(is_active_.begin(), is_active_.end(), true); }
   auto state_in(std::size_t lane) { return Batch::get(x_.get(), lane); }
 
   /// Advances all systems by one step. Returns false if some of them failed: leave(lane, why) has been called
@@ -63,11 +63,11 @@ public:
   bool step(double h, const Leave& leave) {
     const status all = advance(t_, x_.get(), h, p_.get(), r_.get());
     if (all) return true;
-    const Eigen::Index before = living();
+    const Eigen::Index before = active_count();
     for (std::size_t lane = 0; lane < lanes; ++lane)
       if (is_active(lane))
         if (const status own = try_single(lane, h); !own) remove(lane, own, leave);
-    if (living() == before) // the inputs differ from call to call
+    if (active_count() == before) // the inputs differ from call to call
       for (std::size_t lane = 0; lane < lanes; ++lane)
         if (is_active(lane)) remove(lane, all, leave);
     const auto other = std::find(is_active_.begin(), is_active_.end(), true);
@@ -80,7 +80,7 @@ public:
   /// Returns the current value of a function of t, x, p and r in all lanes; r is the inputs or the input
   /// function.
   template <class Function>
-  auto at_present(const Function& of) {
+  auto evaluate_now(const Function& of) {
     return of(t_, x_.get(), p_.get(), r_.get());
   }
 
@@ -102,15 +102,15 @@ private:
   [[gnu::noinline]] static status advance(double& t, States& x, double h, const Parameters& p,
                                           const Inputs& r) {
     if constexpr (requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, compiled::not_given> ||
-                  takes_batches<Inputs, States>())
+                  accepts_batch<Inputs, States>())
       return Step{}(t, x, h, p, r);
     else
-      return Step{}(t, x, h, p, lane_by_lane<Batch, typename Step::eom::inputs, Inputs>{r});
+      return Step{}(t, x, h, p, per_lane_inputs<Batch, typename Step::eom::inputs, Inputs>{r});
   }
 
   /// Tries the step of one system, copied to all lanes; only its status is kept.
   status try_single(std::size_t lane, double h) const {
-    moving_batch single = *this;
+    batch_stepper single = *this;
     for (std::size_t other = 0; other < lanes; ++other)
       if (other != lane) single.copy_lane(lane, other);
     return advance(single.t_, single.x_.get(), h, single.p_.get(), single.r_.get());
