@@ -1,6 +1,6 @@
 #pragma once
 
-/// The tools of a control loop in addition to the equations: discretization of linear systems,
+/// The tools that a control loop needs in addition to the equations: discretization of linear systems,
 /// linear-quadratic regulators, also at compile time, the extended Kalman filter, and steps with their
 /// derivatives. No heap is used.
 

@@ -1,7 +1,7 @@
 #pragma once
 
 /// Only the description types of a model, for headers of models that are compiled elsewhere (see
-/// `kanexpr_add_model`). Nothing is derived with this header.
+/// `kanexpr_add_model`). This header does not derive anything.
 
 #include <kanexpr/compiler.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Joints for the description of mechanisms, each kind in a separate file. Nothing is derived with this
-/// header; include `kanexpr.hpp` in addition and, for joint loads, `reactions.hpp`.
+/// Joints for the description of mechanisms, each kind in a separate file. This header does not derive
+/// anything; also include `kanexpr.hpp` and, for joint loads, `reactions.hpp`.
 
 #include <kanexpr/describe.hpp>
 

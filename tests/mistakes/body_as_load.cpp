@@ -1,4 +1,4 @@
-// expect: loads<...> lists Bob, which is a body; write bodies<...> around it
+// expect: loads<...> lists Bob, which is a body; list it in bodies<...>
 #include "pendulum.hpp"
 
 struct System

@@ -1,4 +1,4 @@
-// expect: the Coriolis matrix requires speeds that are coordinate rates; speed u is not
+// expect: the Coriolis matrix requires every speed to be a coordinate rate; speed u is not one
 #include "pendulum.hpp"
 
 struct System

@@ -1,4 +1,4 @@
-// expect: the damper between P and O is among the words of System; write loads<...> around it
+// expect: the damper between P and O is among the words of System; list it in loads<...>
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -1,4 +1,4 @@
-// expect: the force at P is among the words of System; write loads<...> around it
+// expect: the force at P is among the words of System; list it in loads<...>
 #include "pendulum.hpp"
 
 struct System

@@ -118,7 +118,7 @@ struct System : jointed<joints<Arm>, configuration_constraints<gear<Arm, Arm, 2>
 void f() { use<System>(); }
 } // namespace n17
 
-// expect: a configuration constraint contains the velocity of Wheel; write it in velocity_constraints<...>
+// expect: a configuration constraint contains the velocity of Wheel; move it to velocity_constraints<...>
 namespace n18 {
 struct Wheel : floating<Wheel, Ground, mass> {};
 struct System : jointed<joints<Wheel>, configuration_constraints<rolls_on<Wheel, Ground, Wheel::y, l>>> {};

@@ -240,7 +240,7 @@ struct System : jointed<joints<Arm, Arm>> {};
 void f() { use<System>(); }
 } // namespace n33
 
-// expect: joints<...> lists Bob, which is a body; write bodies<...> around it
+// expect: joints<...> lists Bob, which is a body; list it in bodies<...>
 namespace n34 {
 struct P : offset<P, Ground, l * Ground::x> {};
 struct Bob : particle<Bob, P, m> {};
@@ -261,7 +261,7 @@ struct System : jointed<joints<Arm>, Arm> {};
 void f() { use<System>(); }
 } // namespace n36
 
-// expect: bodies<...> lists Arm, which is a joint; write joints<...> around it
+// expect: bodies<...> lists Arm, which is a joint; list it in joints<...>
 namespace n37 {
 struct System : jointed<joints<Arm>, bodies<Arm>> {};
 void f() { use<System>(); }
@@ -418,7 +418,7 @@ struct System : jointed<joints<Link, Other>> {};
 void f() { use<System>(); }
 } // namespace n57
 
-// expect: bodies<...> lists Arm, which is a joint; write joints<...> around it
+// expect: bodies<...> lists Arm, which is a joint; list it in joints<...>
 namespace n58 {
 struct System : jointed<bodies<Arm>> {};
 void f() { use<System>(); }

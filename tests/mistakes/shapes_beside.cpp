@@ -1,47 +1,47 @@
 // Words of the library that stand as bases of what they do not belong to.
 #include "shapes.hpp"
 
-// expect: a load is a separate base class of System; write it in loads<...>, among the words of the system
+// expect: a load is a separate base class of System; list it in the system's loads<...>
 namespace n1 {
 struct System : pendulum_with<Bob>, gravity<-g * N::y> {};
 void f() { use<System>(); }
 } // namespace n1
 
-// expect: a load is a separate base class of Swing; write it in loads<...>, among the words of the system
+// expect: a load is a separate base class of Swing; list it in the system's loads<...>
 namespace n2 {
 struct Swing : pendulum_with<Bob>, spring<P, Q, k>, damper<P, Q, c> {};
 void f() { use<Swing>(); }
 } // namespace n2
 
-// expect: a load is a base class of Bead; write it in loads<...> of the system
+// expect: a load is a base class of Bead; list it in the system's loads<...>
 namespace n3 {
 struct Bead : particle<Bead, P, m>, gravity<-g * N::y> {};
 struct System : pendulum_with<Bead> {};
 void f() { use<System>(); }
 } // namespace n3
 
-// expect: a load is a base class of Tip; write it in loads<...> of the system
+// expect: a load is a base class of Tip; list it in the system's loads<...>
 namespace n4 {
 struct Tip : offset<Tip, P, l * A::x>, force<Tip, F * N::y> {};
 struct System : loaded<force<Tip, F * N::x>> {};
 void f() { use<System>(); }
 } // namespace n4
 
-// expect: a load is a base class of B; write it in loads<...> of the system
+// expect: a load is a base class of B; list it in the system's loads<...>
 namespace n5 {
 struct B : rotated<B, N, q, N::z>, torsional_spring<q, k> {};
 struct System : loaded<torque<B, T * N::z>> {};
 void f() { use<System>(); }
 } // namespace n5
 
-// expect: a word of the system is a base class of B; write it among the words of the system
+// expect: a word of the system is a base class of B; list it among the words of the system
 namespace n6 {
 struct B : rotated<B, N, q, N::z>, values<m == 2> {};
 struct System : loaded<torque<B, T * N::z>> {};
 void f() { use<System>(); }
 } // namespace n6
 
-// expect: a word of the system is a base class of Bead; write it among the words of the system
+// expect: a word of the system is a base class of Bead; list it among the words of the system
 namespace n7 {
 struct Bead : particle<Bead, P, m>, velocity_constraints<u == 0> {};
 struct System : pendulum_with<Bead> {};
@@ -84,7 +84,7 @@ struct System : loaded<Weight> {};
 void f() { use<System>(); }
 } // namespace n12
 
-// expect: a load is a base class of Weight; write it in loads<...> of the system
+// expect: a load is a base class of Weight; list it in the system's loads<...>
 namespace n13 {
 struct Weight : gravity<-g * N::y>, particle<Weight, P, m> {};
 struct System : loaded<Weight> {};
@@ -98,7 +98,7 @@ struct System : loaded<Weight> {};
 void f() { use<System>(); }
 } // namespace n14
 
-// expect: a load is a separate base class of Loads; write it in loads<...>, among the words of the system
+// expect: a load is a separate base class of Loads; list it in the system's loads<...>
 namespace n15 {
 struct Loads : loads<weight>, gravity<-g * N::y> {};
 struct System : told<Loads> {};

@@ -118,13 +118,13 @@ struct System : loaded<potential_energy<k, q>> {};
 void f() { use<System>(); }
 } // namespace n19
 
-// expect: loads<...> lists Bob, which is a body; write bodies<...> around it
+// expect: loads<...> lists Bob, which is a body; list it in bodies<...>
 namespace n20 {
 struct System : loaded<weight, Bob> {};
 void f() { use<System>(); }
 } // namespace n20
 
-// expect: loads<...> lists particle<...>, which is a body; write bodies<...> around it
+// expect: loads<...> lists particle<...>, which is a body; list it in bodies<...>
 namespace n21 {
 struct System : loaded<particle<Bob, P, m>> {};
 void f() { use<System>(); }

@@ -25,7 +25,7 @@ struct System : told<loads<torque<A, T * N::z>>, input<T>> {};
 void f() { use<System>(); }
 } // namespace n4
 
-// expect: the force at P is among the words of System; write loads<...> around it
+// expect: the force at P is among the words of System; list it in loads<...>
 namespace n5 {
 struct System : told<weight> {};
 void f() { use<System>(); }
@@ -112,7 +112,7 @@ struct System : told<parameters<m == 2>> {};
 void f() { use<System>(); }
 } // namespace n18
 
-// expect: bodies<...> lists force<...>, which is a load; write loads<...> around it
+// expect: bodies<...> lists force<...>, which is a load; list it in loads<...>
 namespace n19 {
 struct System : pendulum_with<Bob, weight> {};
 void f() { use<System>(); }

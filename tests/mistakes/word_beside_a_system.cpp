@@ -1,5 +1,5 @@
-// expect: loads<...> is a separate base class of System; write it among the words, between the < > of the
-// expect: system
+// expect: loads<...> is a separate base class of System; list it among the words of the system, between
+// expect: its < >
 #include "pendulum.hpp"
 
 struct System : pendulum_with<Bob>, loads<weight> {};

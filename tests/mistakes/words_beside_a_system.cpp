@@ -1,4 +1,4 @@
-// expect: a word is a separate base class of System; write it among the words, between the < > of the system
+// expect: a word is a separate base class of System; list it among the words of the system, between its < >
 #include "pendulum.hpp"
 
 struct System : pendulum_with<Bob>, loads<weight>, values<m == 2> {};

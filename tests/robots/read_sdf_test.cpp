@@ -313,9 +313,8 @@ TEST(read_sdf, says_what_is_wrong) {
           .cause(),
       HasSubstr("libsdformat reports: A link named a has invalid inertia"));
   const read_robot light = in_model("<link name='a'/>");
-  EXPECT_THAT(
-      light.notes,
-      ElementsAre("line 2: link a has no inertial; the default of SDF is 1 kg and 1 kg m^2 about each axis"));
+  EXPECT_THAT(light.notes, ElementsAre("line 2: link a has no <inertial> element; the default of SDF is 1 kg "
+                                       "and 1 kg m^2 about each axis"));
 }
 
 // Each is read, or refused with a sentence.

@@ -135,7 +135,8 @@ TEST(read_urdf, says_what_is_wrong_with_numbers) {
 
 TEST(read_urdf, says_what_is_wrong_with_masses) {
   EXPECT_EQ(cause_of(inertial("-1", "")), "line 2: the mass of link a is negative");
-  EXPECT_EQ(cause_of("<link name='a'><inertial/></link>"), "line 2: link a has an inertial without a mass");
+  EXPECT_EQ(cause_of("<link name='a'><inertial/></link>"),
+            "line 2: link a has an <inertial> element without a mass");
   EXPECT_EQ(cause_of(inertial("1", "ixx='1' iyy='-1' izz='1'")),
             "line 2: a moment of inertia of link a is negative");
 }

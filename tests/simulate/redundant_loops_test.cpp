@@ -282,11 +282,11 @@ TEST(redundant_constraints, that_bind_are_refused) {
   across.configuration_constraint(across.x - across.y);
   across.configuration_constraint(across.x + across.y - 2);
   across.redundant(1);
-  EXPECT_EQ(derive(across).mistake(),
-            "configuration constraint 1 does not follow from the others; redundant<1> must not drop it");
+  EXPECT_EQ(derive(across).mistake(), "configuration constraint 1 does not follow from the others, so it is "
+                                      "not redundant; remove redundant<1>");
   // The bead of a bowl that is bent in one direction, on a cylinder.
-  EXPECT_EQ(derive(bead_in_a_bowl(false)).mistake(),
-            "configuration constraint 2 does not follow from the others; redundant<2> must not drop it");
+  EXPECT_EQ(derive(bead_in_a_bowl(false)).mistake(), "configuration constraint 2 does not follow from the "
+                                                     "others, so it is not redundant; remove redundant<2>");
 }
 
 // Where values of parameters decide, as of bars that have one length, when states are there.

@@ -52,7 +52,7 @@ private:
     std::copy_n(from.data(), from.size(), to);
   }
 
-  /// The numbers are interpreted, which is fast enough for the few hundred samples of a page.
+  /// The code is interpreted, which is fast enough for the few hundred samples of a page.
   static const compiled::code_table& code() {
     using sample = std::remove_cvref_t<decltype(*std::declval<const Trajectory&>().begin())>;
     using parameters = std::remove_cvref_t<decltype(std::declval<const Trajectory&>().parameters())>;
@@ -65,8 +65,8 @@ private:
 
 } // namespace animate
 
-/// Returns the shapes of a picture along a trajectory, which is any range of samples with a time `t`, a state
-/// `x` and inputs `r` that also has the `parameters()` of the system.
+/// Returns the shapes of a picture along a trajectory. A trajectory is any range of samples with a time `t`,
+/// a state `x` and inputs `r` that also provides the `parameters()` of the system.
 template <class Picture, class Trajectory>
 animation animated(const Trajectory& trajectory) {
   if constexpr (animate::sound_picture<Picture>::value)

@@ -11,9 +11,9 @@ namespace kanexpr {
 /// The shapes of a picture along a trajectory, or the reason why there are none.
 struct animation {
   struct shape {
-    std::string name{}, kind{}; ///< the kind as in the picture: "sphere", "trace"
+    std::string name{}, kind{}; ///< the name and the word of the picture, such as "sphere" or "trace"
     std::string colour{};       ///< "#rrggbb"; empty: the page chooses
-    std::string file{};         ///< of a mesh, as specified in the picture
+    std::string file{};         ///< the file of a mesh, as specified in the picture
     double opacity = 1;
     std::vector<double> sizes{};
     animate::placing placed_by = animate::placing::place;
@@ -36,7 +36,7 @@ struct animation {
   std::string failure{};
 
   explicit operator bool() const { return failure.empty(); }
-  /// Why there is no animation, as a sentence; empty if there is one.
+  /// The reason why there is no animation, as a sentence; empty if there is one.
   std::string cause() const { return failure; }
 
   const shape* find(std::string_view name) const {

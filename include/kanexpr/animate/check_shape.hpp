@@ -17,7 +17,7 @@ concept picture_word = requires { Word::word; };
 template <class Word>
 concept shown_word = picture_word<Word> && requires { typename Word::attachment; };
 
-/// "sphere at P" or "rod from O to P".
+/// The title of a shape, such as "sphere at P" or "rod from O to P".
 struct title {
   symbolic::name letters{};
   constexpr std::string_view view() const { return letters.view(); }
@@ -91,7 +91,7 @@ constexpr sentence check_look(const look& l, std::string_view whom) {
   return {};
 }
 
-/// Checks only the name of the file, which is read when a page is written.
+/// Checks only the name of the file; the file is read when a page is written.
 constexpr sentence check_file(std::string_view file, std::string_view whom) {
   if (file.empty()) return sentence({"the ", whom, " has no file name"});
   if (mesh_kind_of(file).empty())
@@ -115,7 +115,7 @@ constexpr sentence check_sizes(const phrases<size>& sizes, const std::string_vie
   return found;
 }
 
-/// The name of a type without its template arguments.
+/// Returns the name of a type without its template arguments.
 template <class Type>
 constexpr std::string_view name_of() {
   return type_name<Type>().substr(0, type_name<Type>().find('<'));

@@ -35,7 +35,7 @@ constexpr void put_spin(phrases<size>& found, std::size_t& next) {
   if constexpr (requires { Option::spin; }) found[next++] = Option::spin;
 }
 
-/// The spin among the options, if any.
+/// Returns the `spinning` option, if there is one.
 template <class... Options>
 constexpr auto spin_of() {
   phrases<(std::size_t{0} + ... + (requires { Options::spin; } ? 1 : 0))> found{};
@@ -46,7 +46,7 @@ constexpr auto spin_of() {
 
 } // namespace animate
 
-/// `show<sphere<P, 0.1>, colour<"#c0392b">>`
+/// The color of a shape: `show<sphere<P, 0.1>, colour<"#c0392b">>`.
 template <text hexadecimal>
 struct colour {
   static constexpr void tell(animate::look& l) { l.colour = hexadecimal.view(); }
@@ -58,7 +58,7 @@ struct opacity {
   static constexpr void tell(animate::look& l) { l.opacity = static_cast<double>(part); }
 };
 
-/// The name of a shape on the page, instead of "sphere at P".
+/// The name of a shape on the page, in place of the default such as "sphere at P".
 template <text words>
 struct named {
   static constexpr void tell(animate::look& l) { l.name = words.view(); }

@@ -33,7 +33,8 @@ struct mesh_file {
   std::string data{}; ///< in base64
 };
 
-/// The files of all meshes of an animation, each once, or the reason why one cannot be embedded in a page.
+/// The files of all meshes in an animation, each of them once, or the reason why one of them cannot be
+/// embedded in a page.
 class mesh_files : public outcome {
 public:
   explicit mesh_files(std::string cause) : outcome(std::move(cause)) {}
@@ -45,7 +46,7 @@ private:
   std::vector<mesh_file> all_{};
 };
 
-/// Browsers reject texts that are much longer.
+/// Browsers reject much longer texts.
 inline constexpr std::uintmax_t most_bytes_of_meshes = 256'000'000;
 
 inline bool holds(const std::vector<mesh_file>& files, const std::string& name) {

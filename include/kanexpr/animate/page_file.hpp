@@ -23,8 +23,8 @@ inline std::string without_markup(const std::string& text) {
   return plain;
 }
 
-/// Fills the placeholders of an empty page. Both are located first, so that the inserted text is not searched
-/// for placeholders.
+/// Fills the placeholders of an empty page. All placeholders are located first, so that the inserted text is
+/// not searched for them.
 inline outcome fill(std::string& page, const std::string& title, const std::string& motion,
                     const std::string& from) {
   const std::size_t title_at = page.find(place_of_title), motion_at = page.find(place_of_motion);

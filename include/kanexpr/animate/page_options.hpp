@@ -4,7 +4,7 @@
 #include <kanexpr/animate/compiled_pages.hpp>
 #include <kanexpr/base/outcome.hpp>
 
-#ifndef KANEXPR_PAGE // path of the page without a motion, set by the target kanexpr::animate
+#ifndef KANEXPR_PAGE // path of the empty page, set by the target kanexpr::animate
 #define KANEXPR_PAGE ""
 #endif
 
@@ -13,8 +13,8 @@ namespace kanexpr {
 struct page_options {
   std::string title{};                  ///< default: the name of the system
   std::string text{};                   ///< a sentence under the title
-  std::string empty_page{KANEXPR_PAGE}; ///< path of the page without a motion
-  std::string folder{};                 ///< folder of files with relative names; empty: that of the picture
+  std::string empty_page{KANEXPR_PAGE}; ///< path of the empty page, without a motion
+  std::string folder{}; ///< folder of files with relative names; empty: the folder that the picture specifies
 };
 
 namespace animate {

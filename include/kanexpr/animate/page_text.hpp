@@ -12,7 +12,7 @@
 /// Converts an animation to the text that the page reads.
 namespace kanexpr::animate {
 
-/// Rounds to seven digits, which is finer than can be seen.
+/// Rounds to seven digits; the difference is not visible.
 inline double rounded(double value) {
   char digits[32];
   const char* end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 7).ptr;
@@ -31,8 +31,8 @@ inline nlohmann::json list_of(const Eigen::Vector3d& v) {
   return list_of(std::vector<double>(v.begin(), v.end()));
 }
 
-/// The placements row by row: 3 numbers for a place, 6 for two ends, 7 for a pose, the last four of which are
-/// the quaternion x, y, z, w.
+/// Returns the placements, row by row: 3 numbers for a place, 6 for two ends, and 7 for a pose, whose last
+/// four are the quaternion x, y, z, w.
 inline std::vector<double> rows_of(const animation::shape& s) {
   std::vector<double> all;
   for (const placement& here : s.placements) {

@@ -9,8 +9,8 @@
 /// Converts the numbers of an attachment to a placement.
 namespace kanexpr::animate {
 
-/// The orientation with z along `axis` and x as close as possible to the axis `x` of the frame, or to `y` if
-/// `axis` is within 30 degrees of `x`.
+/// Returns the orientation with z along `axis` and x as close as possible to the frame's axis `x`, or to `y`
+/// if `axis` is within 30 degrees of `x`.
 inline Eigen::Matrix3d about_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& x,
                                   const Eigen::Vector3d& y) {
   const Eigen::Vector3d z = axis.normalized();

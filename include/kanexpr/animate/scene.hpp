@@ -9,7 +9,7 @@
 
 namespace kanexpr::animate {
 
-/// The interface to a motion and the numbers of its picture that does not depend on the system type.
+/// An interface, independent of the system type, to a motion and to the numbers of its picture.
 class scene {
 public:
   virtual ~scene() = default;

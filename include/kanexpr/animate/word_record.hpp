@@ -12,8 +12,8 @@ struct word_record {
   std::string_view file{};  ///< file of a mesh, or folder of files_in
   look looks{};
   placing placed_by = placing::place;
-  bool has_axis = false; ///< its axis precedes those of the frame
-  int first_moving = 0;  ///< index of its first number among all
+  bool has_axis = false; ///< if true, its axis precedes those of the frame
+  int first_moving = 0;  ///< index of its first number among all numbers
   int first_still = 0;
   int still = 0;
   int first_rate = 0; ///< index among the rates

@@ -63,13 +63,14 @@ struct ground {
   static constexpr animate::phrases<0> rates{};
 };
 
-/// Makes the model travel over the ground: its origin moves perpendicular to `up` so that `Point` moves with
-/// its velocity.
+/// Makes the model travel over the ground: its origin moves perpendicular to `up` such that `Point` moves
+/// with the velocity that the model gives it.
 ///
-/// A rolling model may use the contact point as its origin, because that point of the wheel has zero
-/// velocity, although the contact travels. With r the position of `Point` from the origin and v its velocity,
-/// the displacement of the origin is ∫ v dt − (r − r(0)). The integral is evaluated by Simpson's rule if the
-/// trajectory provides the state midway between two samples, else by the trapezoidal rule on the samples.
+/// A rolling model may use the contact point as its origin, because the point of the wheel at the contact has
+/// zero velocity, although the contact travels. With r the position of `Point` from the origin and v its
+/// velocity, the displacement of the origin is ∫ v dt − (r − r(0)). The integral is evaluated by Simpson's
+/// rule if the trajectory provides the state midway between two samples, else by the trapezoidal rule on the
+/// samples.
 template <class Point>
 struct carried {
   static constexpr std::string_view word = "carried";

@@ -5,7 +5,7 @@
 
 namespace kanexpr::simulated {
 
-/// Formats a number for a sentence; zero has no sign.
+/// Formats a number for a sentence; a zero is written without a sign.
 inline std::string digits(double number) {
   char text[32];
   std::snprintf(text, sizeof text, "%.9g", number + 0.0);

@@ -4,7 +4,7 @@
 
 namespace kanexpr::numeric {
 
-/// Exact equality, on purpose: compilers can warn about every `==` between floating-point numbers.
+/// Compares exactly, on purpose; compilers can warn about every `==` between floating-point numbers.
 template <class Value>
 constexpr bool equal(const Value& x, const Value& y) {
   return std::equal_to<Value>{}(x, y);

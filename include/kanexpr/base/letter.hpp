@@ -4,7 +4,7 @@
 
 namespace kanexpr::numeric {
 
-/// Character types, which C++ converts to numbers silently: '2' is 50.
+/// A character type. C++ silently converts characters to numbers: '2' becomes 50.
 template <class Value>
 concept letter = std::same_as<Value, char> || std::same_as<Value, wchar_t> || std::same_as<Value, char8_t> ||
                  std::same_as<Value, char16_t> || std::same_as<Value, char32_t>;

@@ -31,7 +31,7 @@ fpclassify isgreater isgreaterequal isless islessequal islessgreater isunordered
 issignaling issubnormal iszero double_t float_t lgamma_r lgammaf_r lgammal_r
 )";
 
-/// Value macros of the other C headers, which are replaced wherever they appear.
+/// Macros in the other C headers that expand to values; they are replaced wherever they appear.
 inline constexpr std::string_view macros_of_the_library = R"(
 errno stdin stdout stderr EOF WEOF NULL BUFSIZ FILENAME_MAX FOPEN_MAX L_tmpnam TMP_MAX SEEK_CUR SEEK_END
 SEEK_SET EXIT_FAILURE EXIT_SUCCESS RAND_MAX MB_CUR_MAX MB_LEN_MAX CLOCKS_PER_SEC TIME_UTC CHAR_BIT CHAR_MAX
@@ -43,8 +43,8 @@ LDBL_DIG DECIMAL_DIG FLT_EVAL_METHOD EDOM ERANGE EILSEQ LC_ALL LC_COLLATE LC_CTY
 LC_TIME SIGABRT SIGFPE SIGILL SIGINT SIGSEGV SIGTERM SIG_DFL SIG_ERR SIG_IGN
 )";
 
-/// The other names in the C and POSIX libraries. A function with such a name may be mistaken for the library
-/// function by the compiler, or may replace it in the program.
+/// The other names in the C and POSIX libraries. The compiler may mistake a function with such a name for the
+/// library function, or the function may replace the library function in the program.
 inline constexpr std::string_view words_of_the_library = R"(
 EOF FILE I a64l abort abs accept access alarm aligned_alloc alloca alphasort asctime assert at_quick_exit
 atexit atof atoi atol atoll basename bcmp bcopy bind bsearch btowc bzero cabs cabsf cabsl cacos cacosf
@@ -108,7 +108,7 @@ wmemcpy wmemmove wmemset wordexp wordfree wprintf write writev wscanf
 inline constexpr std::string_view ends_of_functions[]{"",     "f",   "l",    "f16", "f32",
                                                       "f32x", "f64", "f64x", "f128"};
 
-/// Removes and returns the next word of a list; empty at the end of the list.
+/// Removes and returns the next word of a list; returns an empty word at the end of the list.
 constexpr std::string_view next_of(std::string_view& words) {
   constexpr std::string_view spaces = " \n";
   const std::size_t begin = words.find_first_not_of(spaces);

@@ -2,12 +2,12 @@
 
 #include <type_traits>
 
-/// Iterates over the members of an aggregate, so that uniform operations need not name them.
+/// Iterates over the members of an aggregate, so that an operation on all members need not name them.
 namespace kanexpr {
 
 namespace detail {
 
-/// Converts to a member of any type.
+/// An initializer that converts to a member of any type.
 struct any_member {
   template <class Member>
   constexpr operator Member() const;

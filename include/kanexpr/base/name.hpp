@@ -5,8 +5,9 @@
 
 namespace kanexpr::symbolic {
 
-/// A short name that is a plain value, so that a graph of names can leave a constant evaluation. A longer
-/// text, such as the name of a type, is shortened in the middle: names that differ at one end stay different.
+/// A short name stored as a plain value, so that a graph that contains names can outlive constant evaluation.
+/// Longer text, such as the name of a type, is shortened in the middle, so that names that differ near either
+/// end stay different.
 struct name {
   static constexpr int capacity = 63;
   char letters[capacity + 1]{};
@@ -29,7 +30,7 @@ struct name {
   constexpr std::string_view view() const { return {letters, static_cast<std::size_t>(length)}; }
   constexpr bool operator==(const name& other) const {
     if (length != other.length) return false;
-    for (int i = length - 1; i >= 0; --i) // names differ at their ends
+    for (int i = length - 1; i >= 0; --i) // names often differ only at the end
       if (letters[i] != other.letters[i]) return false;
     return true;
   }

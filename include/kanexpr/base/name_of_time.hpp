@@ -4,8 +4,8 @@
 
 namespace kanexpr::simulated {
 
-/// The name of the time column in a table: "t", or if the model uses that name, "time", then "time_" and so
-/// on until the name is free.
+/// Returns the name of the time column in a table: "t", or, if the model uses that name, the first unused
+/// name of "time", "time_" and so on.
 template <class IsTaken>
 std::string name_of_time(const IsTaken& is_taken) {
   std::string name = "t";

@@ -7,7 +7,7 @@
 
 namespace kanexpr {
 
-/// Indicates whether everything an evaluation had to solve could be solved at its state. If not, the
+/// Indicates whether all equations that an evaluation had to solve could be solved at its state. If not, the
 /// accompanying results are meaningless.
 class status {
 public:
@@ -18,9 +18,9 @@ public:
   /// True if the results can be used.
   constexpr explicit operator bool() const { return cause_.empty(); }
 
-  /// What could not be solved, as a sentence; empty if everything was solved.
+  /// The cause of the failure, as a sentence; empty on success.
   constexpr std::string cause() const { return std::string(cause_); }
-  /// The same without using the heap.
+  /// The same as `cause()`, without using the heap.
   constexpr std::string_view view() const { return cause_; }
 
 private:
@@ -38,8 +38,8 @@ namespace mechanics {
 /// A remainder this small, relative to the terms that it is computed from, is dominated by rounding.
 inline constexpr double vanishing_measure = 4096.0 * std::numeric_limits<double>::epsilon();
 
-/// The smallest measure that is not treated as singular. The relative error of a solution is the rounding
-/// error of its matrix divided by this bound: one in a million in double precision; in single precision four
+/// The smallest measure that is not treated as singular. The relative error of a solution is at most the
+/// rounding error of its matrix divided by this bound: 1e-6 in double precision; in single precision, four
 /// digits remain. For a compiler vector type, that of its elements.
 template <class Scalar>
 constexpr double least_singularity_measure() {

@@ -15,7 +15,8 @@ struct text {
   constexpr text(const char (&literal)[size]) {
     for (std::size_t i = 0; i < size; ++i) letters[i] = literal[i];
   }
-  /// From something that is not a string literal: empty, which the reader of the name rejects.
+  /// Converts an argument that is not a string literal to an empty text; the code that reads the name rejects
+  /// it.
   template <class Type>
     requires(!std::is_convertible_v<const Type&, std::string_view>)
   constexpr text(const Type&) {}
@@ -48,8 +49,8 @@ constexpr whole_name whole_name_of() {
   return {whole.substr(0, end), start};
 }
 
-/// Whether the name of a type denotes the same type in every source file: not in an unnamed namespace, which
-/// compilers print with brackets, and not in a function.
+/// True if the name of a type denotes the same type in every source file: the type is neither in an unnamed
+/// namespace, which compilers print in brackets, nor in a function.
 template <class Type>
 inline constexpr bool is_known_to_all_files =
     whole_name_of<Type>().whole.find_first_of("({") == std::string_view::npos;

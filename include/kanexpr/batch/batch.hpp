@@ -12,7 +12,7 @@ namespace kanexpr {
 
 namespace batches {
 
-/// The number of scalars in one vector of the processor.
+/// The number of scalars in one vector register.
 template <class Number>
 inline constexpr std::size_t default_lanes =
     (std::max)(numeric::widest_vector / sizeof(Number), std::size_t{1});
@@ -37,9 +37,9 @@ void set_lane(Pack& pack, [[maybe_unused]] std::size_t lane, const Number& numbe
 
 /// Several systems side by side: the arguments and results of a compiled function hold `width` numbers per
 /// entry, so `x[q1]` of a `batch<4>::state<System>` is the coordinate of four systems. Each lane has the same
-/// bits as a separate evaluation. A status covers all lanes: it is good if each of them is.
+/// bits as a separate evaluation. A status covers all lanes: it is good only if every lane is.
 ///
-/// The default width fills one vector of the processor for which the file is compiled.
+/// The default width fills one vector register of the processor for which the file is compiled.
 template <std::size_t width = batches::default_lanes<double>, class Number = double>
 struct batch {
   static_assert(std::has_single_bit(width), "the number of lanes of a batch must be a power of two");
@@ -65,7 +65,7 @@ struct batch {
     for (Eigen::Index i = 0; i < all.size(); ++i) one.data()[i] = batches::lane_of(all.data()[i], lane);
     return one;
   }
-  /// Stores those of one system in a lane.
+  /// Stores the state, parameters, inputs or result of one system in a lane.
   template <class Vector>
   static void set(Vector& all, std::size_t lane, const batches::with_scalar<Vector, Number>& one) {
     for (Eigen::Index i = 0; i < all.size(); ++i) batches::set_lane(all.data()[i], lane, one.data()[i]);

@@ -57,8 +57,8 @@ public:
   Eigen::Index active_count() const { return std::count(is_active_.begin(), is_active_.end(), true); }
   auto state_in(std::size_t lane) { return Batch::get(x_.get(), lane); }
 
-  /// Advances all systems by one step. Returns false if some of them failed: leave(lane, why) has been called
-  /// for these, and the others have not yet made the step.
+  /// Advances all systems by one step. Returns false if any of them failed: then leave(lane, why) has been
+  /// called for each of these, and the others have not yet taken the step.
   template <class Leave>
   bool step(double h, const Leave& leave) {
     const status all = advance(t_, x_.get(), h, p_.get(), r_.get());

@@ -18,7 +18,7 @@ struct sequential {};
 struct chunks {
   static constexpr int most = 256;
   int count = 0;
-  Eigen::Index length = 0; ///< of each chunk except the last
+  Eigen::Index length = 0; ///< length of each chunk except the last
 
   /// Divides `systems` into chunks of at least `least` systems each, except the last. Chunks are whole cache
   /// lines and whole batches of `width`.
@@ -39,7 +39,7 @@ inline constexpr auto chunk_numbers = [] {
 }();
 
 /// Calls work(i) for i = 0 … count − 1: on this thread, through a callable, or through an execution policy of
-/// the standard library, whose header the caller includes.
+/// the standard library, whose header the caller must include.
 template <class Executor, class Work>
 void run_chunks([[maybe_unused]] Executor&& by, int count, const Work& work) {
   if constexpr (std::same_as<std::remove_cvref_t<Executor>, sequential>)

@@ -61,7 +61,7 @@ struct evaluated<finite_function<System, wanted...>> : evaluated<function<System
   static constexpr bool must_be_finite = true;
 };
 
-/// For the type that `decltype` yields for a constant function.
+/// `decltype` of a constant function is const-qualified.
 template <class Function>
 struct evaluated<const Function> : evaluated<Function> {};
 
@@ -120,7 +120,7 @@ template <class Function, class Pack, class Number, class... Arguments>
   return first;
 }
 
-/// Returns the cause of a failure as the function of one system would report it.
+/// Returns the cause of a failure as the function for a single system reports it.
 template <class Function, class State, class Parameters = compiled::not_given,
           class Inputs = compiled::not_given, class... Rates>
 status cause_of(const status& failure, const State& x, const Parameters& p = {}, const Inputs& r = {},

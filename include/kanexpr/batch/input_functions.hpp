@@ -34,7 +34,8 @@ constexpr bool accepts_batch() {
     return std::is_class_v<Law>;
 }
 
-/// Whether an argument can serve as inputs: those of one system or of many, none, or a function (t, x).
+/// Whether an argument can serve as inputs: the inputs of one system or of many, no inputs, or a function (t,
+/// x).
 template <class Given, class State, class Batch>
 inline constexpr bool is_input_argument = [] {
   if constexpr (requires { Given::SizeAtCompileTime; } || is_many<Given> ||

@@ -36,7 +36,7 @@ inline void set_to_nan(float* to) {
 } // namespace batches
 
 /// The states, parameters, inputs or results of many systems as a structure of arrays: the values of an entry
-/// in all systems are contiguous in memory, as a row, `x[q1]`.
+/// in all systems form a contiguous row, `x[q1]`.
 ///
 ///     many<eom::state> x(1000);
 ///     x[q1] = 0.3;              // in all systems
@@ -59,7 +59,7 @@ public:
   using const_row = Eigen::Map<const Eigen::Array<number, 1, Eigen::Dynamic>>;
 
   /// Constructs `count` equal systems: states are zero, parameters and inputs are NaN until they are set. A
-  /// negative count gives no systems.
+  /// negative count is treated as 0.
   explicit many(Eigen::Index count) : many(count, at_first()) {}
   many(Eigen::Index count, const Vector& each)
       : size_((std::max)(count, Eigen::Index{0})), lines_in_row_(lines_for(size_)),

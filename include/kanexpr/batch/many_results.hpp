@@ -15,10 +15,10 @@ namespace kanexpr {
 ///     rates(2);                            // the third entry of all systems, as a row
 ///     if (!rates.status_of(17)) …
 ///
-/// Memory is allocated on construction; an evaluation allocates none and throws nothing. Systems are
-/// evaluated in batches; a batch in which a system fails is evaluated again, system by system. So the other
-/// systems keep their results, those of a failed system are NaN, and neither depends on adjacent systems or
-/// on the threads.
+/// Memory is allocated on construction; an evaluation neither allocates memory nor throws. Systems are
+/// evaluated in batches; a batch in which a system fails is evaluated again, system by system. Therefore the
+/// other systems keep their results, the results of a failed system are NaN, and no result depends on
+/// adjacent systems or on the threads.
 template <class Function, class Number = double, std::size_t lanes = batches::default_lanes<Number>>
 class many_results {
   using described = batches::evaluated<Function>;
@@ -33,9 +33,9 @@ public:
 
   Eigen::Index size() const { return statuses_.size(); }
 
-  /// Evaluates the function for all systems: evaluate(x), (x, p), (x, p, r) or (x, p, r, a), with the time in
-  /// front if the function needs it. The states are `many`; parameters, inputs and rates are `many` or one
-  /// for all. Returns the status of the first system that failed.
+  /// Evaluates the function for all systems: evaluate(x), (x, p), (x, p, r) or (x, p, r, a), preceded by the
+  /// time if the function needs it. The states are `many`; parameters, inputs and rates are `many` or one
+  /// vector for all systems. Returns the status of the first system that failed.
   ///
   /// An optional first argument distributes the work among threads: an execution policy of the standard
   /// library, such as `std::execution::par`, or a callable `by(count, chunk)` that calls chunk(i) for i = 0 …
@@ -129,7 +129,7 @@ private:
     return failed;
   }
 
-  /// Evaluates `count` systems from `first` on; surplus lanes repeat the last.
+  /// Evaluates `count` systems from `first` on; surplus lanes repeat the system `last`.
   template <class... Arguments>
   status evaluate_copies(Eigen::Index first, Eigen::Index count, Eigen::Index last,
                          const Arguments&... arguments) noexcept {

@@ -11,21 +11,21 @@ namespace kanexpr {
 
 /// Options of a rollout.
 struct rollout_options {
-  double step = 0; ///< in seconds, the model's unit of time
+  double step = 0; ///< in the model's unit of time, seconds
   int steps = 0;
-  int store_every = 0; ///< steps between two stored states; 0: only the last state is kept
+  int store_every = 0; ///< steps between two stored states; 0 keeps only the last state
   double start = 0;    ///< the start time
 };
 
 /// Advances many systems by steps of a fixed length, one batch at a time:
 ///
 ///     rollout<runge_kutta_4<System>> ahead(1000, {.step = 1e-3, .steps = 500, .store_every = 50});
-///     ahead.run(x, p, r);                  // many<eom::state> x(1000) are 500 steps further
+///     ahead.run(x, p, r);                  // x, a many<eom::state>, advances by 500 steps
 ///     ahead.stored(0)[q1];                 // after 50 steps, of all systems
 ///
 /// Every system passes through the same states as with single steps `step(t, x, h, p, r)`. Memory is
-/// allocated on construction; a run allocates none and throws nothing. A system whose step fails stays at its
-/// last valid state, its status holds the cause, and its states stored later are NaN; the other systems
+/// allocated on construction; a run neither allocates memory nor throws. A system whose step fails stays at
+/// its last valid state, its status holds the cause, and states stored later are NaN; the other systems
 /// continue.
 template <class Step, class Number = double, std::size_t lanes = batches::default_lanes<Number>>
 class rollout {
@@ -44,11 +44,12 @@ public:
 
   Eigen::Index size() const { return statuses_.size(); }
 
-  /// Advances the states x: run(x), (x, p) or (x, p, r). Parameters are `many` or one for all. Inputs are
-  /// `many` or one for all, constant over the run, or a function (t, x). The function is called with a batch
-  /// of states if x may have any type, `[](double t, const auto& x) { … }`, otherwise with one state after
-  /// another. An optional first argument distributes the work among threads, as in `many_results::evaluate`.
-  /// Returns the status of the first system that failed.
+  /// Advances the states x: run(x), (x, p) or (x, p, r). Parameters are `many` or one vector for all systems.
+  /// Inputs are either constant over the run, as `many` or as one vector for all systems, or a function (t,
+  /// x). The function is called with a batch of states if the type of x is generic, as in `[](double t, const
+  /// auto& x) { … }`; otherwise it is called with one state after another. An optional first argument
+  /// distributes the work among threads, as in `many_results::evaluate`. Returns the status of the first
+  /// system that failed.
   template <class First, class... More>
   status run(First&& first, More&&... more) {
     using given = std::remove_reference_t<First>;
@@ -65,7 +66,7 @@ public:
       return run_by(std::forward<First>(first), more...);
   }
 
-  /// The number of times at which states were stored, and the states and time of the k-th.
+  /// Returns the number of times at which states were stored, and the states and the time of the k-th.
   int stored() const { return static_cast<int>(stored_.size()); }
   const many<state>& stored(int k) const { return stored_[static_cast<std::size_t>(k)]; }
   double time(int k) const { return times_[static_cast<std::size_t>(k)]; }
@@ -74,7 +75,7 @@ public:
   const status& status_of(Eigen::Index system) const { return statuses_.of(system); }
   /// Returns the number of systems that stopped early.
   Eigen::Index failures() const { return statuses_.failures(); }
-  /// Returns the number of steps that a system has made.
+  /// Returns the number of steps that a system has taken.
   int steps_of(Eigen::Index system) const { return steps_[static_cast<std::size_t>(system)]; }
 
 private:

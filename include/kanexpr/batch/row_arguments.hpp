@@ -37,7 +37,7 @@ using compiled::belonging_of;
 template <class Vector, class Pack>
 decltype(belonging_of(static_cast<const Vector*>(nullptr))) belonging_of(const row_argument<Vector, Pack>*);
 
-/// One argument of a batch in separate memory; some lanes may be copies of others.
+/// One argument of a batch, copied into its own memory; some lanes may duplicate others.
 template <class Vector, class Pack>
 struct copied_argument {
   using number = typename Vector::Scalar;
@@ -45,7 +45,7 @@ struct copied_argument {
   static constexpr std::size_t entries = static_cast<std::size_t>(many<Vector>::entries);
   alignas(Pack) number numbers[entries > 0 ? entries : 1][lanes];
 
-  /// Lane i receives system first + i, but at most `last`.
+  /// Lane i receives system first + i, or `last` if that is smaller.
   copied_argument(const many<Vector>& all, Eigen::Index first, Eigen::Index last) {
     for (std::size_t i = 0; i < entries; ++i)
       for (std::size_t lane = 0; lane < lanes; ++lane)
@@ -64,7 +64,7 @@ const Given& argument_from_rows(const Given& given, Eigen::Index) {
   return given;
 }
 
-/// The same with copies of the systems.
+/// Returns the argument as a copy in separate memory.
 template <class Pack, class Vector>
 copied_argument<Vector, Pack> copy_argument(const many<Vector>& all, Eigen::Index first, Eigen::Index last) {
   return {all, first, last};

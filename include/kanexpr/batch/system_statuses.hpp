@@ -28,9 +28,10 @@ public:
     return {};
   }
 
-  /// Calls work(begin, end), which returns how many systems failed, for all systems, in chunks of at least
-  /// `least` systems and of whole batches of `width`. For each chunk that does not run to completion, for
-  /// example because something threw, it calls left_out(begin, end); a chunk that is run again does nothing.
+  /// Divides all systems into chunks of at least `least` systems, in whole batches of `width`, and calls
+  /// work(begin, end) for each; `work` returns the number of systems that failed. For each chunk that does
+  /// not run to completion, for example because of an exception, calls on_unfinished(begin, end). Running a
+  /// chunk again has no effect.
   template <class Executor, class Work, class OnUnfinished>
   void run(Executor&& by, Eigen::Index least, Eigen::Index width, const Work& work,
            const OnUnfinished& on_unfinished) {

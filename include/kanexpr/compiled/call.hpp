@@ -47,8 +47,8 @@ constexpr bool loads_time() {
   return false;
 }
 
-/// Whether the user-supplied functions that some code calls accept a scalar type, when compiled or when
-/// interpreted.
+/// Whether the user-supplied functions that `Code` calls accept a scalar type, in compiled code or in an
+/// interpreter.
 template <class Code, class Number, bool is_interpreted, auto wanted>
 struct external_calls {
   template <int index>
@@ -81,7 +81,7 @@ constexpr bool can_call_externals() {
     return true;
 }
 
-/// Checks that an argument is the required vector of the same system.
+/// Checks that an argument is the vector required there and belongs to the same system.
 template <class System, symbols_of wanted, class Argument, class Keep>
 constexpr void check_belonging(std::string_view result, const Keep& keep) {
   using given = decltype(belonging_of(static_cast<const Argument*>(nullptr)));
@@ -130,8 +130,8 @@ struct call {
   static constexpr bool possible = sound && !static_cast<bool>(mistake);
 };
 
-/// The arguments that follow the inputs in a call of a function of weights or of a direction. `Weights` and
-/// `Direction` are `not_given` if the function does not take them.
+/// The arguments that follow the inputs in a call of a function that takes weights or a direction. `Weights`
+/// and `Direction` are `not_given` if the function does not take them.
 template <class System, class Code, class Weights, class Direction, deriving::given_behind given, auto first,
           auto... more>
 struct weighted_call {
@@ -162,7 +162,7 @@ struct weighted_call {
   static constexpr bool possible = !static_cast<bool>(mistake);
 };
 
-/// The result of an invalid call: it can be used like any result, a vector, matrix or number with a status,
+/// The result of an invalid call. It can be used like any result (a vector, matrix or number with a status),
 /// so that the mistake remains the only error.
 template <class Number>
 struct no_result : Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> {

@@ -10,7 +10,7 @@ namespace kanexpr::compiled {
 template <class First = not_given, class...>
 inline constexpr bool lacks_first = std::is_same_v<First, not_given>;
 
-/// The call operators of `Function::called`: `{}` in place of an argument omits it.
+/// The call operators that call `Function::called`; passing `{}` omits an argument.
 template <class Function>
 struct callable {
   template <class First>

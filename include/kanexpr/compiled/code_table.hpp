@@ -6,8 +6,8 @@
 
 namespace kanexpr::compiled {
 
-/// The code of a function as a table for interpreters. It takes no compile time, and a tenth of the memory of
-/// compiled code.
+/// The code of a function as a table for interpreters. It adds no compile time and needs a tenth of the
+/// memory of compiled code.
 struct code_table {
   lower::tape_view tape;
   int causes; ///< the number of causes for which results may be invalid
@@ -21,7 +21,7 @@ inline constexpr code_table table_of{
     [](int i) -> std::string_view { return code<System, wanted...>::causes[i]; },
     code<System, wanted...>::tells_finiteness};
 
-/// The table for arguments of given types, which are checked like those of a call.
+/// Returns the table for arguments of the given types, which are checked like those of a call.
 template <class System, class Time, class State, class Parameters, class Inputs, auto... wanted>
 const code_table& table_for() {
   using code = compiled::code<System, wanted...>;

@@ -10,9 +10,9 @@ namespace kanexpr {
 
 namespace compiled {
 
-/// A vector of a system by name, for constant expressions. Dependent symbols may be omitted and are zero.
-/// Other entries without a value, or with two values, are NaN, and so are all entries if a name does not
-/// belong to the system: clang++ rejects any further use.
+/// Returns a vector of a system from values given by name, for constant expressions. Dependent symbols may be
+/// omitted and are zero. Other entries without a value, or with two values, are NaN; if a name does not
+/// belong to the system, all entries are. clang++ rejects any further use of them.
 template <class System, symbols_of which>
 constexpr auto constant_values(std::initializer_list<entry<System, which, double>> named) {
   constexpr symbol_range range = range_of(which, survey_of<System>);
@@ -36,8 +36,9 @@ constexpr auto constant_values(std::initializer_list<entry<System, which, double
 
 } // namespace compiled
 
-/// The state, the parameters and the inputs of a system by name, for constant expressions:
-/// `eom::udot.constant(constant_state<System>({{q1, 0.1}, {u1, 0}}), constant_parameters<System>({{m, 2}}))`.
+/// Return the state, the parameters or the inputs of a system from values given by name, for constant
+/// expressions: `eom::udot.constant(constant_state<System>({{q1, 0.1}, {u1, 0}}),
+/// constant_parameters<System>({{m, 2}}))`.
 template <class System>
 constexpr auto
 constant_state(std::initializer_list<compiled::entry<System, compiled::symbols_of::state, double>> named) {

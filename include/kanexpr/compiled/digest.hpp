@@ -11,7 +11,8 @@ template <class System>
 inline constexpr std::uint64_t digest_of_model =
     deriving::digest_of(deriving::stages_of<System>::constrained.aside);
 
-/// Identifies a function of the system with the code that this version of the library derives for it.
+/// Identifies a function of the system together with the code that this version of the library derives for
+/// it.
 template <class Function>
 inline constexpr std::uint64_t digest_of_function = [] {
   symbolic::digest all;

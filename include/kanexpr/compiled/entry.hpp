@@ -8,11 +8,11 @@
 
 namespace kanexpr::compiled {
 
-/// A symbol, or its name, with a number for an entry of a vector of a system: `{q1, 0.1}`, `{"m", 2.5}`. A
+/// The value of an entry in a vector of a system, with the symbol or its name: `{q1, 0.1}`, `{"m", 2.5}`. A
 /// symbol is looked up at compile time, a name at run time.
 template <class System, symbols_of which, class Scalar>
 struct entry {
-  int place; ///< the index in the vector; negative if no symbol of it has the name
+  int place; ///< the index in the vector; negative if none of its symbols has the name
   Scalar value;
   std::string_view name{}; ///< set if the entry was specified by name
 

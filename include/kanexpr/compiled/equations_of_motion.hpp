@@ -38,14 +38,14 @@ struct equations_of_motion : compiled::named_results<function, System> {
   }
 
   using with_respect_to = deriving::with_respect_to;
-  /// The derivatives of a result, entry by entry in row order, with respect to all entries of the state as if
-  /// they were unconstrained: `eom::derivatives<eom::quantity::inverse_dynamics>(x, p, r, a)`; or with
-  /// respect to the inputs, or to the rates of the speeds passed to the result: `eom::derivatives<…,
-  /// eom::with_respect_to::rates>`.
+  /// The derivatives of a result, with its entries in row-major order, with respect to all entries of the
+  /// state as if they were unconstrained: `eom::derivatives<eom::quantity::inverse_dynamics>(x, p, r, a)`.
+  /// The second template argument selects the inputs, or the rates of the speeds passed to the result, in
+  /// place of the state: `eom::derivatives<…, eom::with_respect_to::rates>`.
   template <mechanics::quantity of, with_respect_to symbols = with_respect_to::state>
   static constexpr function<System, deriving::derivatives_of_result{of, symbols}> derivatives{};
 
-  /// Evaluates several results in one call, which shares their common work: `auto [M, f] =
+  /// Evaluates several results in one call, which computes common subexpressions only once: `auto [M, f] =
   /// together(mass_matrix, forcing)(x, p);`
   template <auto... first, auto... second, class... More>
   static constexpr auto together(function<System, first...>, function<System, second...>, More... more) {

@@ -5,8 +5,8 @@
 
 namespace kanexpr {
 
-/// A function of several results, each with a status, even if nothing had to be solved. If a result is not
-/// finite, its status reports it and names the argument that was not finite.
+/// A function with several results, each with a status, even if no equations had to be solved. If a result is
+/// not finite, its status reports this and names the argument that was not finite.
 template <class System, auto... wanted>
 struct finite_function : function<System, wanted...>, compiled::callable<finite_function<System, wanted...>> {
   using compiled::callable<finite_function>::operator();
@@ -15,7 +15,7 @@ struct finite_function : function<System, wanted...>, compiled::callable<finite_
   [[gnu::always_inline]] static auto called(const First& first, const More&... more) noexcept {
     auto found = function<System, wanted...>::template evaluate_at<true>(first, more...);
     constexpr auto each = std::index_sequence_for<decltype(wanted)...>{};
-    if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
+    if constexpr (requires { First::SizeAtCompileTime; }) // the first argument is a vector, not the time
       look_at(each, found, first, more...);
     else
       look_at(each, found, more...);
@@ -45,7 +45,7 @@ private:
   static void look_at_one(const Result&, const State&, const Parameters&, const Inputs&) {
   } // results of an invalid call
 
-  /// Checks every entry, so that all states take the same time.
+  /// Always checks every entry, so that the time does not depend on the state.
   template <class Matrix>
   [[gnu::always_inline]] static bool is_finite(const Matrix& m) {
     bool all = true;

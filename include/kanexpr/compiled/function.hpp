@@ -17,7 +17,7 @@ namespace kanexpr {
 
 namespace compiled {
 
-/// The derived code for a set of results of a system, derived once for each set.
+/// The code for a set of results of a system, derived once for each set.
 template <class System, auto... wanted>
 struct cut_for {
   static constexpr mechanics::sentence mistake() { return cut.mistake; }
@@ -43,7 +43,7 @@ public:
   static_assert(deriving::tell<code>());
 };
 
-/// Returns the arguments of a call that the code loads.
+/// Selects the arguments of a call that the code loads.
 template <class System, class Number, class State, class Parameters, class Inputs, class Accelerations>
 struct arguments {
   const Number& t;
@@ -70,7 +70,7 @@ struct arguments {
   }
 };
 
-/// The arguments of a function of weights or of a direction.
+/// The arguments of a function that takes weights or a direction.
 template <class System, class Number, class State, class Parameters, class Inputs, class Weights,
           class Direction>
 struct weighted_arguments : arguments<System, Number, State, Parameters, Inputs, not_given> {
@@ -89,8 +89,8 @@ struct weighted_arguments : arguments<System, Number, State, Parameters, Inputs,
   }
 };
 
-/// The placeholder for a result that cannot be formed; a scalar or vector of any system remains a scalar or
-/// vector.
+/// Returns a placeholder for a result that cannot be computed; a result that is a scalar or vector for every
+/// system remains one.
 template <class Number, auto wanted>
 auto no_result_of() {
   constexpr deriving::extent size =
@@ -171,7 +171,7 @@ struct function : compiled::callable<function<System, wanted...>> {
       case symbol_kind::input: return r[i];
       case symbol_kind::speed_rate: return a[i];
       case symbol_kind::time: return t;
-      case symbol_kind::coordinate_rate: // are not arguments of a call
+      case symbol_kind::coordinate_rate: // not arguments of a call
       case symbol_kind::auxiliary_speed:
       case symbol_kind::multiplier:
       case symbol_kind::weight:
@@ -291,7 +291,7 @@ private:
     }
   }
 
-  /// Returns a result that requires no solve without a status, unless a status is requested.
+  /// Returns a result without a status if it requires no solve and no status is requested.
   template <bool with_statuses, class Number, class Result>
   [[gnu::always_inline]] static auto with_status_of(const lower::unrolled_tape<code, Number>& done,
                                                     const Result& result) noexcept {
@@ -380,10 +380,10 @@ private:
   }
 
 protected:
-  /// Returns the results, each with a status if requested, even if nothing had to be solved.
+  /// Returns the results, each with a status if requested, even if no equations had to be solved.
   template <bool with_statuses, class First, class... More>
   [[gnu::always_inline]] static auto evaluate_at(const First& first, const More&... more) noexcept {
-    if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
+    if constexpr (requires { First::SizeAtCompileTime; }) // the first argument is a vector, not the time
       return evaluate<with_statuses>(compiled::not_given{}, first, more...);
     else if constexpr (compiled::lacks_first<More...>)
       static_assert(sizeof(First) == 0, "a result requires a state; call it as f(t, x, p, r)");

@@ -10,7 +10,7 @@
 namespace kanexpr::compiled {
 
 /// The reason why an entry of a vector of values is not finite. An entry that was never set, or set by a
-/// wrong name, is a NaN with the reason in its highest bits, which conversions to float preserve.
+/// wrong name, is a NaN that stores the reason in its highest bits; conversions to float preserve them.
 enum class gap : unsigned char { none, not_a_number, infinite, never_set, set_twice, beside_unknown };
 
 constexpr double number_for(gap why) {
@@ -18,8 +18,8 @@ constexpr double number_for(gap why) {
   return std::bit_cast<double>(quiet | static_cast<std::uint64_t>(why) << 48);
 }
 
-/// A vector holds only its numbers, so a name in a list that the system does not have is stored in the lower
-/// bits of a NaN: six letters, or the first five and a mark that more follow.
+/// A vector holds only numbers, so if a list contains a name that the system does not have, the name is
+/// stored in the lower bits of a NaN: six letters, or the first five and a mark that more follow.
 inline constexpr std::size_t letters_kept = 6;
 inline constexpr char more_letters = 1;
 
@@ -56,7 +56,7 @@ constexpr gap gap_in(const std::complex<Real>& value) {
   return real != gap::none ? real : gap_in(value.imag());
 }
 
-/// Returns "System has no parameter ll", from the stored part of the name.
+/// Returns, for example, "System has no parameter ll", from the stored part of the name.
 constexpr mechanics::sentence unknown_told_of(double value, const symbol_range& range,
                                               std::string_view system) {
   std::uint64_t letters = std::bit_cast<std::uint64_t>(value) << 16;
@@ -85,7 +85,8 @@ constexpr mechanics::sentence told_of(gap found, const deriving::survey& known, 
   return {};
 }
 
-/// Returns the first entry of a vector of values that is not finite, as a sentence; empty if all are finite.
+/// Returns a sentence that names the first entry of a vector of values that is not finite; empty if all are
+/// finite.
 template <class Vector>
 mechanics::sentence first_gap(const Vector& values, const deriving::survey& known, const symbol_range& range,
                               std::string_view system) {

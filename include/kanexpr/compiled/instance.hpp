@@ -67,8 +67,8 @@ struct vectors {
   using rates = Eigen::Matrix<Number, survey_of<System>.speeds, 1>;
 };
 
-/// The code of a function for one scalar type, compiled once per program. `extern template` leaves it to the
-/// file that instantiates it.
+/// The code of a function for one scalar type, compiled once per program, in the file that instantiates it
+/// explicitly; other files declare it by `extern template`.
 ///
 /// Eigen aligns vectors according to the vector instructions enabled in a file. The alignment is part of the
 /// name, so that files with different vector layouts do not link.
@@ -80,7 +80,7 @@ struct instance {
   [[gnu::noinline]] static results evaluate(const Number& t, const typename vectors::state& x,
                                             const typename vectors::parameters& p,
                                             const typename vectors::inputs& r) noexcept;
-  /// Identifies the code, as compiled into the library that contains it.
+  /// Returns the digest of the code that is compiled into the library.
   [[gnu::noinline]] static std::uint64_t digest() noexcept;
 };
 
@@ -96,8 +96,8 @@ struct instance_at_rates {
                                             const typename vectors::rates& a) noexcept;
 };
 
-/// Returns a vector as it is passed out of line: the argument itself if it has that type, otherwise a copy;
-/// uninitialized if omitted.
+/// Returns a vector in the form in which it is passed out of line: the argument itself if it has that type,
+/// otherwise a copy; uninitialized if omitted.
 template <class Vector, class Given>
 decltype(auto) passed(const Given& given) {
   if constexpr (std::is_same_v<Given, not_given>) {

@@ -28,7 +28,7 @@ struct linearization {
   static constexpr finite_function<System, quantity::state_matrix, quantity::input_matrix> explicit_form{};
 
   /// M, A and B in M δ[q̇; u̇; λ] = A δx_i + B δr. The rows are the kinematic differential equations, the
-  /// rates of the constraints, and the dynamics: by Kane's method those of the independent speeds, by
+  /// rates of the constraints, and the dynamics: with Kane's method those of the independent speeds, with
   /// Lagrange's method those of all speeds with the multipliers λ.
   static constexpr finite_function<System, quantity::implicit_mass_matrix, quantity::implicit_state_matrix,
                                    quantity::implicit_input_matrix>
@@ -46,8 +46,9 @@ struct linearization {
   /// The derivatives of ẋ = [q̇; u̇], as returned by `equations_of_motion<System>::rhs`, with respect to the
   /// whole state [q; u] and to the inputs: `const auto [by_state, by_inputs] =
   /// linearization<System>::jacobian(x, p, r);`. The state need not satisfy the constraints, and the
-  /// derivatives do not follow them, as an integrator of the whole state requires. Quaternions must have norm
-  /// 1; in the direction of the norm, which no motion changes, the derivatives of u̇ are meaningless.
+  /// derivatives treat its entries as unconstrained, as an integrator of the whole state requires.
+  /// Quaternions must have norm 1; in the direction that changes the norm, the derivatives of u̇ are
+  /// meaningless.
   static constexpr finite_function<System, quantity::state_jacobian, quantity::input_jacobian> jacobian{};
 
   /// C and D in δy = C δx_i + D δr of measured quantities, which are expressions of the model and may contain

@@ -9,11 +9,11 @@
 #include <limits>
 #include <tuple>
 
-/// The code behind the header of a linked model, for the single file that compiles it: `template struct
+/// The code of a linked model, for the single file that compiles it: `template struct
 /// kanexpr::compiled::library_of<System>;`
 namespace kanexpr::compiled {
 
-/// Sets the status of a result that is not finite: an omitted argument is NaN, and so is every result that
+/// Sets the status of a result that is not finite. An omitted argument is NaN, and so is every result that
 /// depends on it.
 template <class Number>
 void tell_if_not_finite(with_status<Number>& result) {
@@ -34,13 +34,12 @@ void tell_if_not_finite(std::tuple<Number...>& results) {
 template <class Number, class Results>
 Results told(Results results) {
   if constexpr (std::is_same_v<Number, double>)
-    tell_if_not_finite(results); // other scalar types are used
-                                 // for differences
+    tell_if_not_finite(results); // other scalar types are used for numerical derivatives
   return results;
 }
 
-/// The reason why a sound system does not have a result, such as the energies if it specifies only its
-/// Lagrangian.
+/// The reason why a valid system does not have a result; for example, a system that specifies only its
+/// Lagrangian has no energies.
 template <class Function>
 struct lacking {
   static constexpr mechanics::sentence why{};
@@ -150,7 +149,7 @@ class library_of {
   using table = decltype(all_code_of<System>());
 
 public:
-  /// References every function, so that none is omitted.
+  /// References every function, so that none is left out of the library.
   static const table functions;
 };
 template <class System>

@@ -20,7 +20,7 @@ struct linearization;
 
 namespace compiled {
 
-/// Whether the functions of a system are in a library. Its `surveyed` is then generated.
+/// Whether the functions of a system are in a library; if they are, its `surveyed` is generated.
 template <class System>
 inline constexpr bool is_linked = requires { surveyed<System>::is_linked; };
 
@@ -132,7 +132,7 @@ struct linked : callable<linked<Function>> {
 
   template <class First, class... More>
   static auto called(const First& first, const More&... more) noexcept {
-    if constexpr (requires { First::SizeAtCompileTime; }) // a vector, not the time
+    if constexpr (requires { First::SizeAtCompileTime; }) // the first argument is a vector, not the time
       return at<typename First::Scalar>(0.0, first, more...);
     else
       return at_time(first, more...);
@@ -219,7 +219,7 @@ struct linked_equations : named_results<linked_result, System> {
   }
 };
 
-/// A function that must be derived, in a file that does not derive.
+/// A function that would have to be derived, in a file that cannot derive functions.
 struct not_derived_here {
   template <class... Arguments>
   void operator()(const Arguments&...) const {

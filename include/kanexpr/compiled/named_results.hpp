@@ -4,8 +4,8 @@
 
 namespace kanexpr::compiled {
 
-/// The results of a system by name, for every type that offers them as functions: `Function<System,
-/// quantity>` is the function of one result.
+/// The results of a system by name, for every type that provides them as functions: `Function<System,
+/// quantity>` is the function that returns one result.
 template <template <class, auto...> class Function, class System>
 struct named_results {
   using quantity = mechanics::quantity;
@@ -40,8 +40,8 @@ struct named_results {
   /// The generalized forces of the independent speeds that must act in addition to the loads of the model to
   /// produce given rates of the speeds: M u̇ − f, by f(x, p, r, a).
   static constexpr of<quantity::inverse_dynamics> inverse_dynamics{};
-  /// The inputs that produce given rates of the speeds, if there are as many inputs as independent speeds and
-  /// the forces are linear in them: f(x, p, r, a), independent of r.
+  /// The inputs that produce given rates of the speeds: f(x, p, r, a), independent of r. Requires as many
+  /// inputs as independent speeds, and forces that are linear in the inputs.
   static constexpr of<quantity::required_inputs> required_inputs{};
   /// The generalized forces of the independent speeds that balance gravity at any state, −F_r of the weights.
   static constexpr of<quantity::gravity_compensation> gravity_compensation{};
@@ -53,18 +53,18 @@ struct named_results {
   static constexpr of<quantity::linear_momentum> linear_momentum{};
   static constexpr of<quantity::angular_momentum> angular_momentum{};
   static constexpr of<quantity::center_of_mass> center_of_mass{};
-  /// ∂T/∂u_r of all speeds as if they were unconstrained: M u and the terms that prescribed motions add; by
-  /// Lagrange's method ∂L/∂q̇_r.
+  /// ∂T/∂u_r of all speeds as if they were unconstrained, M u plus the terms that prescribed motions add;
+  /// with Lagrange's method, ∂L/∂q̇_r.
   static constexpr of<quantity::generalized_momenta> generalized_momenta{};
 
-  /// The residuals of the configuration constraints, zero if these hold.
+  /// The residuals of the configuration constraints; zero if the constraints hold.
   static constexpr of<quantity::configuration_residual> configuration_residual{};
   /// The magnitudes of the terms that each residual sums.
   static constexpr of<quantity::configuration_terms> configuration_terms{};
   /// The residuals of the redundant configuration constraints.
   static constexpr of<quantity::redundant_residual> redundant_residual{};
   static constexpr of<quantity::redundant_terms> redundant_terms{};
-  /// J and γ of their rates, in J u̇ + γ = 0.
+  /// J and γ in J u̇ + γ = 0, the rates of the redundant constraints.
   static constexpr of<quantity::redundant_jacobian> redundant_jacobian{};
   static constexpr of<quantity::redundant_bias> redundant_bias{};
   static constexpr of<quantity::redundant_rate> redundant_rate{};
@@ -78,7 +78,7 @@ struct named_results {
   /// The residuals of the velocity constraints and of the rates of the configuration constraints.
   static constexpr of<quantity::velocity_residual> velocity_residual{};
   static constexpr of<quantity::velocity_terms> velocity_terms{};
-  /// Both residuals, those of the configuration constraints first.
+  /// The residuals of the configuration constraints, followed by `velocity_residual`.
   static constexpr of<quantity::constraint_residual> constraint_residual{};
   /// J in J u + c = 0.
   static constexpr of<quantity::constraint_jacobian> constraint_jacobian{};
@@ -88,10 +88,10 @@ struct named_results {
   static constexpr of<quantity::dependency> dependency{};
   /// b in u̇_d = A u̇_i + b.
   static constexpr of<quantity::acceleration_bias> acceleration_bias{};
-  /// For each dependent speed, the determinant of the equations from which it is solved together with others:
-  /// zero if they are singular, with a change of sign across the singularity.
+  /// For each dependent speed, the determinant of the system of equations that is solved for it. The
+  /// determinant vanishes where these equations are singular, and it changes sign there.
   static constexpr of<quantity::constraint_pivots> constraint_pivots{};
-  /// The constraint forces, each in the direction in which its constraint keeps a velocity zero.
+  /// The constraint forces, each along the velocity that its constraint keeps at zero.
   static constexpr of<quantity::multipliers> multipliers{};
   /// The forces that keep the auxiliary speeds at zero.
   static constexpr of<quantity::noncontributing_forces> noncontributing_forces{};

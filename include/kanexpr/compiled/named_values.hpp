@@ -11,7 +11,7 @@
 
 namespace kanexpr {
 
-/// A symbol, or its name, with a number: `{q1, 0.1}`, `{"m", 2.5}`.
+/// A symbol or its name, with a value: `{q1, 0.1}`, `{"m", 2.5}`.
 struct named_value {
   symbol_name what;
   double value;
@@ -19,7 +19,8 @@ struct named_value {
 
 namespace compiled {
 
-/// An entry of a list such as `std::vector<named_value>`, or of a `std::map` from names to numbers.
+/// The type of an entry in a list such as `std::vector<named_value>` or in a `std::map` from names to
+/// numbers.
 template <class Entry>
 concept names_a_number = std::convertible_to<const Entry&, named_value> || requires(const Entry& entry) {
   { entry.first } -> std::convertible_to<symbol_name>;
@@ -106,7 +107,7 @@ struct given_state
                                false>::given_values;
 };
 
-/// Parameters specified by name, `{{m, 2}, {"l", 0.5}}`, or as an Eigen vector.
+/// Parameters specified by name, as in `{{m, 2}, {"l", 0.5}}`, or as an Eigen vector.
 template <class System>
 struct given_parameters
     : compiled::given_values<System, compiled::symbols_of::parameters, parameter_values<System>, false> {
@@ -114,7 +115,7 @@ struct given_parameters
                                false>::given_values;
 };
 
-/// Inputs specified by name, `{{T, 2}, {dot(theta), 1}}`, or as an Eigen vector.
+/// Inputs specified by name, as in `{{T, 2}, {dot(theta), 1}}`, or as an Eigen vector.
 template <class System>
 struct given_inputs
     : compiled::given_values<System, compiled::symbols_of::inputs, input_values<System>, false> {
@@ -122,7 +123,7 @@ struct given_inputs
                                false>::given_values;
 };
 
-/// The initial guess of a search for a state or for inputs: omitted entries start at zero.
+/// The initial guess for a state or for inputs that are searched for; omitted entries start at zero.
 template <class System>
 struct guessed_state
     : compiled::given_values<System, compiled::symbols_of::state, kanexpr::state<System>, true> {

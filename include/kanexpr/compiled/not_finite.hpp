@@ -7,8 +7,8 @@
 /// Finds the reason why a result is not finite: a parameter, an input or an entry of the state that is not.
 namespace kanexpr::compiled {
 
-/// Returns the first entry of the parameters or inputs that is not finite, as a sentence; empty if all are
-/// finite.
+/// Returns a sentence that names the first entry of the parameters or inputs that is not finite; empty if all
+/// are finite.
 template <class System, symbols_of which, class Vector>
 mechanics::sentence gap_among(const Vector& values) {
   if constexpr (requires { Vector::SizeAtCompileTime; })
@@ -22,7 +22,7 @@ mechanics::sentence gap_among(const Parameters& p, const Inputs& r) {
   return found ? found : gap_among<System, symbols_of::inputs>(r);
 }
 
-/// Returns "m has no finite value" for every symbol of a system, with capacity for any sentence.
+/// Returns a sentence such as "m has no finite value" for every symbol of a system.
 template <class System>
 constexpr auto causes_of_gaps() {
   constexpr const deriving::survey& known = survey_of<System>;
@@ -34,12 +34,12 @@ constexpr auto causes_of_gaps() {
   return all;
 }
 
-/// The same causes for statuses, which do not own their sentences.
+/// The same causes, stored permanently because statuses do not own their sentences.
 template <class System>
 struct not_finite {
   static constexpr auto causes = deriving::trimmed<causes_of_gaps<System>().sizes>(causes_of_gaps<System>());
 
-  /// Returns the cause of a failure: an argument that is not finite, otherwise the given failure.
+  /// Returns the cause of a failure: an argument that is not finite, or, if there is none, the given failure.
   template <class State, class Parameters, class Inputs>
   [[gnu::cold, gnu::noinline, gnu::pure]] static status
   cause_of(status failure, const State& x, const Parameters& p, const Inputs& r) noexcept {

@@ -12,10 +12,11 @@ inline constexpr std::uint64_t digest_of_name = [] {
   return all.value();
 }();
 
-/// Two files that use one name for two different systems violate the one-definition rule of C++: one file
-/// would run the code of the other. Wherever code of a system is generated, it therefore defines a linker
+/// Two files that use the same name for two different systems violate the one-definition rule of C++: one
+/// file would run the code of the other. Every file that contains code of a system therefore defines a linker
 /// symbol, named after the system, whose address is the digest of its model. Linkers merge equal symbols and
-/// reject different ones. The symbol takes no space in the program; link-time optimization does not check it.
+/// reject different ones. The symbol takes no space in the program. With link-time optimization, it is not
+/// checked.
 template <class System>
 [[gnu::always_inline]] inline void link_as_one_system() noexcept {
 #ifdef __ELF__

@@ -61,8 +61,8 @@ instance_at_rates<Number, Function, alignment>::evaluate(const Number& t, const 
   return results_of<results, Function>(t, x, p, r, a);
 }
 
-/// Whether a vector can be passed. A call with a different type is forwarded to the function itself, which
-/// reports the mistake.
+/// Whether a vector can be passed out of line. A call with any other type is forwarded to the function
+/// itself, which reports the mistake.
 template <class System, symbols_of which, class Given>
 constexpr bool can_be_passed() {
   if constexpr (std::is_same_v<Given, not_given>)
@@ -78,8 +78,8 @@ constexpr bool can_be_passed() {
 /// A function whose code is compiled once per program and scalar type and then called, with bitwise identical
 /// results. Each result has a status.
 ///
-/// `function<System, …>` itself is expanded at every call, as a control loop requires. This one is compiled
-/// once, however many calls there are.
+/// `function<System, …>` itself is expanded at every call, as a control loop requires. `out_of_line` compiles
+/// it only once, regardless of the number of calls.
 template <class Function>
 struct out_of_line {
   template <class Time, class State, class Parameters, class Inputs>
@@ -109,8 +109,8 @@ struct out_of_line {
         compiled::passed<typename vectors::rates>(a));
   }
 
-  /// Identifies the function: its system, its code and the version of the library, regardless of which file
-  /// contains its code for `double`.
+  /// Identifies the function by its system, its code and the version of the library, regardless of which file
+  /// contains the code for `double`.
   static std::uint64_t digest() noexcept {
     return code<typename compiled::stated<Function>::System, double>::digest();
   }

@@ -48,7 +48,8 @@ inline constexpr text vector_name<symbols_of::parameters> = "parameter vector";
 template <>
 inline constexpr text vector_name<symbols_of::inputs> = "input vector";
 
-/// The index of a symbol in a vector of a system; a symbol that it does not contain is a compile-time error.
+/// The index of a symbol in a vector of a system. A symbol that the vector does not contain causes a
+/// compile-time error.
 template <class System, symbols_of which, class Symbol>
 struct place_in : misplaced<System, Symbol, vector_name<which>> {};
 
@@ -62,7 +63,7 @@ struct place_in<System, symbols_of::state, speed<called, index>> {
       survey_of<System>.coordinates + placed<System, symbolic::symbol_kind::speed, called, index>::place;
 };
 
-/// By Lagrange's method, the rates of the coordinates are in the state: `x[dot(q1)]`.
+/// With Lagrange's method, the rates of the coordinates are in the state: `x[dot(q1)]`.
 template <class System, text called, int index>
 struct place_in<System, symbols_of::state, coordinate_rate<called, index>> {
   static constexpr int place = survey_of<System>.coordinates +

@@ -25,7 +25,7 @@ struct reacting : extended<System, reactions<Joint>> {};
 
 template <class System, class Joint>
 struct reactions_function : callable<reactions_function<System, Joint>> {
-  /// Called like the results of the system, with the time first if they depend on it.
+  /// Called like the other results of the system, with the time first if the reactions depend on it.
   template <class... Arguments>
   static auto called(const Arguments&... arguments) noexcept {
     const auto all =
@@ -41,7 +41,7 @@ struct reactions_function : callable<reactions_function<System, Joint>> {
   }
 
 private:
-  /// Removes the name of the system that an argument belongs to.
+  /// Converts an argument to a plain Eigen vector, which does not belong to a system.
   template <class Argument>
   static decltype(auto) plain(const Argument& argument) noexcept {
     if constexpr (requires { argument.RowsAtCompileTime; })
@@ -53,7 +53,8 @@ private:
 
 } // namespace compiled
 
-/// The force and the torque that a joint of a system transmits: `reactions_of<System, Link2>(x, p, r)`.
+/// Returns the force and the torque that a joint of a system transmits: `reactions_of<System, Link2>(x, p,
+/// r)`.
 template <class System, class Joint>
 inline constexpr compiled::reactions_function<System, Joint> reactions_of{};
 

@@ -19,8 +19,8 @@ namespace kanexpr {
 ///
 /// π contains a mass for each particle and ten numbers for each rigid body, in SI units kg, kg m and kg m²:
 /// m, the first moments m*x, m*y and m*z, and ixx, iyy, izz, ixy, iyz and izx with the sign of I = Σ m (r·r E
-/// − r r). They refer to the axes of the body's frame and to its joint: the point that is reached from the
-/// mass center down the chain of points as long as these are fixed in the body.
+/// − r r). They refer to the axes of the body's frame and to its joint, that is, to the last point fixed in
+/// the body on the way from the mass center back to the origin.
 template <class System>
 struct regressor {
   using quantity = mechanics::quantity;
@@ -39,7 +39,7 @@ struct regressor {
   /// π as specified by the model: f(x, p).
   static constexpr function<System, quantity::inertial_parameters> parameters{};
 
-  /// "m of Link", "m*x of Link", … "izx of Link", body by body.
+  /// The names of the entries of π, body by body: "m of Link", "m*x of Link", … "izx of Link".
   static constexpr std::array<symbolic::name, static_cast<std::size_t>(size)> names = [] {
     std::array<symbolic::name, static_cast<std::size_t>(size)> all{};
     if constexpr (size > 0) {

@@ -7,10 +7,10 @@ namespace kanexpr {
 
 /// Second-order derivatives of a weighted sum of the rates, λᵀẋ with ẋ = [q̇; u̇], as compiled functions for
 /// optimal control. They are taken with respect to z = [q; u; r], the whole state and the inputs, as if the
-/// state were unconstrained. λ, here w, contains a weight for each rate: zeros for q̇ leave λᵀu̇. A direction
-/// v is a change of z. No inverse is differentiated, and all derivatives are exact.
+/// state were unconstrained. λ, the argument w, contains a weight for each rate; with zeros for q̇, the sum
+/// is λᵀu̇. A direction v is a change of z. No inverse is differentiated, and all derivatives are exact.
 ///
-/// Quaternions must have norm 1, and derivatives along the norm are meaningless.
+/// Quaternions must have norm 1; derivatives in the direction that changes the norm are meaningless.
 template <class System>
 struct second_order {
   using quantity = mechanics::quantity;
@@ -43,8 +43,8 @@ struct second_order {
   }
 };
 
-/// The derivatives of the rates ẋ = [q̇; u̇] with respect to parameters of the system, a column for each:
-/// `sensitivity<System, m, l>(x, p, r)`. The rows of u̇ come last.
+/// The derivatives of the rates ẋ = [q̇; u̇] with respect to parameters of the system, one column per
+/// parameter: `sensitivity<System, m, l>(x, p, r)`. The rows of u̇ come last.
 template <class System, auto... parameters>
 inline constexpr function<System, deriving::sensitivity_to<parameters...>{}> sensitivity{};
 

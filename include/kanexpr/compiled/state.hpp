@@ -4,8 +4,8 @@
 
 namespace kanexpr {
 
-/// The state [q; u] of a system, or [q; dq/dt] by Lagrange's method: a fixed-size Eigen vector with access by
-/// name, `x[q1]`, and by Lagrange's method also `x[dot(q1)]`. It is initialized to zero.
+/// The state [q; u] of a system, or [q; dq/dt] with Lagrange's method: a fixed-size Eigen vector with access
+/// by name, `x[q1]`, and with Lagrange's method also `x[dot(q1)]`. It is initialized to zero.
 template <class System, class Scalar = double>
 class state : public compiled::value_vector<System, compiled::symbols_of::state, Scalar> {
   using vector = compiled::value_vector<System, compiled::symbols_of::state, Scalar>;
@@ -32,7 +32,7 @@ public:
 };
 
 /// The inputs of a system, with access by name, `r[T1]`; for prescribed quantities, `r[theta]` and
-/// `r[dot(theta)]`. Unset inputs are NaN; `r.setZero()` sets all.
+/// `r[dot(theta)]`. Unset inputs are NaN; `r.setZero()` sets all of them.
 template <class System, class Scalar = double>
 class input_values : public compiled::value_vector<System, compiled::symbols_of::inputs, Scalar> {
   using vector = compiled::value_vector<System, compiled::symbols_of::inputs, Scalar>;

@@ -23,7 +23,7 @@ struct with_status<Result> {
   operator Result() const { return value; }
 };
 
-/// Returns the status of any result; success if it has none because its evaluation cannot fail.
+/// Returns the status of any result; success if the result has no status because its evaluation cannot fail.
 template <class Result>
 constexpr status status_of(const Result& result) {
   if constexpr (requires { status(result.status); })

@@ -4,8 +4,8 @@
 
 namespace kanexpr::compiled {
 
-/// Contains the survey of a system. That of a linked model is generated (see `linked_model.hpp`), all others
-/// are derived (see `surveyed.hpp`).
+/// Contains the survey of a system. The survey of a linked model is generated (see `linked_model.hpp`); all
+/// others are derived (see `surveyed.hpp`).
 template <class System>
 struct surveyed;
 

@@ -6,7 +6,7 @@
 
 namespace kanexpr::compiled {
 
-/// The survey of a system, derived once; a mistake in the system is a compile-time error.
+/// The survey of a system, derived once. A mistake in the system causes a compile-time error.
 template <class System>
 struct surveyed {
   using system = System;

@@ -27,8 +27,8 @@ constexpr symbol_range range_of(symbols_of which, const deriving::survey& s) {
           s.takes_rates_as_speeds ? "coordinate or rate" : "coordinate or speed"};
 }
 
-/// Returns "coordinate q1", "speed u1", by Lagrange's method "the rate of coordinate q1", "parameter m" or
-/// "input T", for an index in a survey.
+/// Returns the name of the symbol at an index of a survey, such as "coordinate q1", "speed u1" (with
+/// Lagrange's method "the rate of coordinate q1"), "parameter m" or "input T".
 constexpr mechanics::sentence symbol_called(const deriving::survey& known, int place) {
   using symbolic::symbol_kind;
   const std::string_view name = known.names[place].view();

@@ -11,12 +11,12 @@
 namespace kanexpr::compiled {
 
 /// The common part of the vectors of a system: fixed-size Eigen vectors with access by name, `x[q1]`,
-/// constructed from numbers, from any Eigen vector, or by name, `{{q1, 0.1}, {u1, 2}}`. Assignments convert
-/// to this type first, because with Eigen's assignments in addition `x = {0.1, 2}` would be ambiguous.
+/// constructed from numbers, from any Eigen vector, or by name, `{{q1, 0.1}, {u1, 2}}`. Assignments first
+/// convert to this type; with Eigen's own assignments available, too, `x = {0.1, 2}` would be ambiguous.
 ///
-/// In a list of names, every symbol must have a value, except the dependent ones, which the constraints
-/// determine and which are zero here. An entry without a value, or with two values, is NaN, and `mistake()`
-/// reports the cause.
+/// A list of names must contain a value for every symbol except the dependent ones, which the constraints
+/// determine; they are set to zero here. An entry without a value, or with two values, is NaN, and
+/// `mistake()` reports the cause.
 template <class System, symbols_of which, class Scalar>
 class value_vector : public Eigen::Matrix<Scalar, range_of(which, survey_of<System>).size, 1> {
 public:
@@ -43,7 +43,7 @@ public:
     static_cast<void>(exchanged<System, which, Other, given>::possible);
   }
 
-  /// All numbers in order.
+  /// Constructs the vector from all its numbers, in order.
   template <class First, class... More>
     requires(std::convertible_to<First, Scalar> && (std::convertible_to<More, Scalar> && ...))
   explicit(sizeof...(More) == 0) value_vector(const First& first, const More&... more) {
@@ -53,7 +53,7 @@ public:
       (((*this)(++i) = static_cast<Scalar>(more)), ...);
     }
   }
-  /// The column syntax of Eigen, `{{1, 2, 3}}`.
+  /// Constructs the vector from Eigen's column syntax, `{{1, 2, 3}}`.
   template <std::size_t given>
   value_vector(const Scalar (&column)[given]) {
     if constexpr (fitting<System, which, static_cast<int>(given)>::possible)
@@ -70,7 +70,7 @@ public:
     return (*this)(place_in<System, which, Symbol>::place);
   }
 
-  /// Returns the first entry without a finite value, as a sentence; empty if there is none.
+  /// Returns a sentence that names the first entry without a finite value; empty if there is none.
   mechanics::sentence mistake() const {
     return first_gap(*this, survey_of<System>, range, type_name<System>());
   }
@@ -118,7 +118,8 @@ private:
   }
 };
 
-/// Identifies the kind of vector and the system of an argument; any other Eigen vector has neither.
+/// Identifies the system of an argument and which of its vectors it is; any other Eigen vector belongs to no
+/// system.
 template <class Of, symbols_of vector>
 struct belonging {
   template <class System, symbols_of wanted>

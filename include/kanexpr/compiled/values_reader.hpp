@@ -12,12 +12,12 @@
 
 namespace kanexpr::compiled {
 
-/// Checks the parameters of a system for negative masses and impossible inertias and returns the first as a
-/// sentence. Parameters that are NaN are treated as unknown.
+/// Checks the parameters of a system for negative masses and impossible inertias. Returns a sentence that
+/// names the first one; empty if there is none. Parameters that are NaN are treated as unknown.
 mechanics::sentence check_masses(const deriving::survey& known, const double* parameters);
 
 /// Stores values specified by name at their indices and keeps the first mistake. A model derived at run time
-/// has no name: "the model has no parameter ll".
+/// has no name, so its sentences read "the model has no parameter ll".
 class values_reader {
 public:
   values_reader(const deriving::survey& known, const describe::system_record& told, std::string_view system,
@@ -25,7 +25,7 @@ public:
       : known_(known), told_(told), system_(system), range_(range), values_(values) {}
 
   void read(const symbol_name& what, double value);
-  /// Every symbol must have a value except the dependent ones, which the constraints determine.
+  /// Checks that every symbol has a value, except the dependent ones, which the constraints determine.
   void look_for_missing();
   void look_for_infinite();
   /// Checks masses and inertias.

@@ -18,13 +18,13 @@ public:
          << model << "\"\n";
   }
 
-  /// `spelled` is the fully qualified name of the system, "pendulum::System".
+  /// `spelled` is the fully qualified name of the system, such as "pendulum::System".
   template <class System>
   void add(std::string_view spelled) {
     add(survey_of<System>, spelled);
   }
 
-  /// Whether everything was written.
+  /// Returns true if everything was written.
   bool close() {
     out_.close();
     return static_cast<bool>(out_);

@@ -71,8 +71,8 @@ constexpr bool is_positive_definite(const fixed_matrix<Number, order, order>& m)
          static_cast<bool>(numeric::positive_factors<Number, order>(normalized));
 }
 
-/// The exponents of the quantities that grow with a unit, linearly and quadratically, and of those that
-/// shrink with it.
+/// The exponents of the quantities that grow with a unit, linearly or quadratically, and of those that
+/// shrink.
 struct balance {
   int grows = numeric::exponent_of_zero, grows_twice = grows, shrinks = grows, shrinks_twice = grows;
 

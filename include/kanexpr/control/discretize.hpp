@@ -67,7 +67,7 @@ struct exponential {
 
 /// Evaluates (exp(X) − 1)/X by its Taylor series with few matrix products (Paterson & Stockmeyer, On the
 /// number of nonscalar multiplications necessary to evaluate polynomials, SIAM J. Comput. 2, 1973): each
-/// group of four, or three, consecutive powers of X forms one factor of a higher power.
+/// group of four (or three) consecutive powers of X is multiplied by a common higher power.
 template <class Number, int states>
 constexpr fixed_matrix<Number, states, states> mean_motion(const fixed_matrix<Number, states, states>& x) {
   constexpr bool is_short = std::numeric_limits<Number>::digits <= 24;
@@ -90,11 +90,11 @@ constexpr fixed_matrix<Number, states, states> mean_motion(const fixed_matrix<Nu
   return sum;
 }
 
-/// Evaluates both by the Taylor series of a short step that is doubled until it reaches the requested length
-/// (Van Loan, Computing integrals involving the matrix exponential, IEEE Trans. Autom. Control 23, 1978): the
-/// integral over two steps is the integral over one plus its image under the motion of one step. Slow motions
-/// next to fast ones lose no accuracy because exp(A h) − 1 is doubled, not exp(A h). Returns false on
-/// overflow.
+/// Evaluates exp(A h) − 1 and the integral by the Taylor series for a short step, which is doubled until it
+/// reaches the requested length (Van Loan, Computing integrals involving the matrix exponential, IEEE Trans.
+/// Autom. Control 23, 1978): the integral over two steps is the integral over one plus its image under the
+/// motion of one step. Because exp(A h) − 1 is doubled, not exp(A h), slow motions next to fast ones do not
+/// lose accuracy. Returns false on overflow.
 template <class Number, int states>
 constexpr bool find_exponential(const fixed_matrix<Number, states, states>& a, Number h, int doublings,
                                 exponential<Number, states>& e) {
@@ -157,7 +157,7 @@ discretized(const fixed_matrix<Number, states, states>& a, const fixed_matrix<Nu
   return found;
 }
 
-/// Discretizes matrices of any type, each of which may carry a status.
+/// Discretizes matrices of any supported type, each of which may carry a status.
 template <class StateMatrix, class InputMatrix, class Offset>
 constexpr auto discretized_as_given(const StateMatrix& a, const InputMatrix& b, const Offset& c,
                                     typename shape<StateMatrix>::scalar h) {

@@ -6,7 +6,7 @@ namespace kanexpr::control {
 
 using numeric::fixed_matrix;
 
-/// Whether A and B denote ẋ = A x + B r or x⁺ = A x + B r.
+/// Whether A and B are those of ẋ = A x + B r or of x⁺ = A x + B r.
 enum class time_domain : unsigned char { continuous, discrete };
 
 /// The Riccati equation Aᵀ X + X A − X G X + Q = 0, or X = Aᵀ X (1 + G X)⁻¹ A + Q, with G = B R⁻¹ Bᵀ.
@@ -33,7 +33,7 @@ struct riccati_solution {
   constexpr bool found() const { return comes_to == doubling::solves; }
 };
 
-/// The bound up to which all required products are finite, as a constant expression requires.
+/// Up to this bound, all required products are finite; a constant expression must not overflow.
 template <class Number>
 inline constexpr Number most_of_solution =
     numeric::power_of_two<Number>(std::numeric_limits<Number>::max_exponent * 3 / 8);
@@ -53,12 +53,12 @@ constexpr Number power_of_two_near_root(Number x) {
 
 /// Computes the stabilizing solution by structured doubling (Chu, Fan, Lin & Wang, Structure-preserving
 /// algorithms for periodic discrete-time algebraic Riccati equations, Int. J. Control 77, 2004): A_k becomes
-/// the motion of the closed loop over 2ᵏ steps. The iteration fails if that motion grows so far that only
-/// rounding can reach it, does not vanish, or halves from step to step, as it does when the closed loop has
-/// an eigenvalue on the unit circle (Chiang et al., Convergence analysis of the doubling algorithm, SIAM J.
-/// Matrix Anal. Appl. 31, 2009). Rounding makes a loop closer to the unit circle than √ε indistinguishable
-/// from one on it; the additional steps serve motions that are slow compared with others and that rounding
-/// resolves better.
+/// the motion of the closed loop over 2ᵏ steps. The iteration fails if this motion grows so much that the
+/// inputs reach it only through rounding, if it does not vanish, or if it only halves with each doubling; the
+/// last happens when the closed loop has an eigenvalue on the unit circle (Chiang et al., Convergence
+/// analysis of the doubling algorithm, SIAM J. Matrix Anal. Appl. 31, 2009). A closed loop with an eigenvalue
+/// closer to the unit circle than √ε cannot be distinguished from one with an eigenvalue on it; the
+/// additional steps are for motions that are slow compared with others and less affected by rounding.
 template <class Number, int states>
 constexpr riccati_solution<Number, states> doubled(riccati_equation<Number, states> e) {
   using limits = std::numeric_limits<Number>;
@@ -70,7 +70,7 @@ constexpr riccati_solution<Number, states> doubled(riccati_equation<Number, stat
   int slow_steps = 0;
   Number size = numeric::largest_entry(e.a);
   if (!(size < most_at_first)) return {e.q, doubling::stops};
-  // Before the inputs act, doubling at most squares a single large step.
+  // Before the inputs take effect, a doubling at most squares the motion of one large step.
   const Number large = most * (1 + size * size), growth = large < most_of_any ? large : most_of_any;
   for (int k = 0; k < most_steps; ++k) {
     if (!(size < growth)) return {e.q, doubling::does_not};
@@ -143,7 +143,7 @@ constexpr Number mean_rate(const numeric::eliminated<Number, states>& m) {
   if (m.is_singular()) return 0;
   constexpr int most = 2 * std::numeric_limits<Number>::max_exponent;
   int exponent = 0;
-  Number product = 1; // of the reciprocals of the pivots
+  Number product = 1; // the product of the reciprocals of the pivots
   for (int k = 0; k < states; ++k) {
     product *= numeric::constant_elimination_math::magnitude(m.reciprocal(k));
     for (int i = 0; i < most && product >= 2; ++i) product /= 2, --exponent;
@@ -163,7 +163,8 @@ constexpr riccati_solution<Number, states> stabilizing(const riccati_equation<Nu
   if constexpr (domain == time_domain::discrete) {
     return doubled(e);
   } else {
-    // A shift at an eigenvalue of A may leave S nearly singular, but not all three shifts can.
+    // If the shift is an eigenvalue of A, S may be nearly singular, but this cannot happen for all three
+    // shifts.
     const Number mean =
         mean_rate(numeric::eliminated<Number, 2 * states>(cayley<Number, states>::hamiltonian(e, 0)));
     if (!(mean > 0)) return {{}, doubling::halves}; // an eigenvalue is zero

@@ -15,7 +15,7 @@ namespace kanexpr {
 
 namespace control {
 
-/// Whether a filter supports the measurement: an expression that is a scalar or a vector.
+/// Whether a filter supports the measurement, that is, whether it is a scalar or vector expression.
 template <auto measured>
 constexpr bool is_measurable() {
   if constexpr (requires { describe::shape_of(measured); })
@@ -49,9 +49,9 @@ inline constexpr bool is_of_filter =
 ///
 /// P may be set at any time, so each call factorizes it, P = L D Lᵀ, and rejects P, Q or R if it is not a
 /// covariance. The updates of P are sums of squares: A L D (A L)ᵀ + Q, and in Joseph form V D Vᵀ + U E Uᵀ
-/// with V = L − K C L, R = M E Mᵀ and U = K M. D and E are nonnegative, so rounding makes no variance
-/// negative and the covariance never indefinite relative to its variances, whatever cancellation occurs in
-/// between.
+/// with V = L − K C L, R = M E Mᵀ and U = K M. D and E are nonnegative, so rounding can neither make a
+/// variance negative nor make the covariance indefinite relative to its variances, whatever cancellation
+/// occurs in between.
 template <class System, class Number, auto... measured>
 class basic_ekf {
   using lin = linearization<System>;
@@ -74,7 +74,7 @@ public:
       : x(start), P(uncertainty), t(at) {}
 
   /// Predicts the state over a step of length h from t. The inputs r are constant or a function of (t, x);
-  /// the disturbance is the covariance of the process noise over one step. The state advances by a
+  /// the disturbance is the covariance of the process noise over one step. The state is advanced by a
   /// fixed-length step, the covariance by the linearized equations.
   template <class Parameters, class Inputs, class Noise, class Step = runge_kutta_4<System>>
   status predict(Number from, Number h, const Parameters& p, const Inputs& r,
@@ -113,7 +113,7 @@ public:
   const measurement_covariance& innovation_covariance() const { return innovation_covariance_; }
 
 private:
-  static constexpr int newton_steps = 2; ///< an update may move farther from the constraints than a step
+  static constexpr int newton_steps = 2; ///< an update may violate the constraints more than a step does
 
   using square = numeric::fixed_matrix<Number, states, states>;
   using measured_square = numeric::fixed_matrix<Number, measurements, measurements>;
@@ -224,7 +224,8 @@ private:
   template <int order>
   static constexpr Number rounding = 8 * Number(order) * std::numeric_limits<Number>::epsilon();
 
-  /// The covariance of the state may have lost more digits, for example by being written and read.
+  /// The covariance of the state may be less accurate, for example because it was written to and read from a
+  /// file.
   static factors<states> factors_of_state(const square& m) {
     constexpr Number of_half = numeric::power_of_two<Number>(-std::numeric_limits<Number>::digits / 2);
     const factors<states> found(m, rounding<states> / 8, rounding<states>);
@@ -261,7 +262,7 @@ private:
   measurement innovation_ = measurement::Zero();
   measurement_covariance innovation_covariance_ = measurement_covariance::Zero();
 
-  // Placed last because clang++ instantiates no member that follows a failed assertion.
+  // Placed last because clang++ does not instantiate the members that follow a failed assertion.
   static_assert(are_measurable, "a filter can measure only scalar and vector expressions of the model");
 };
 

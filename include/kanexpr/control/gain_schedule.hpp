@@ -19,13 +19,13 @@ struct scheduled_gains {
   /// Whether all gains were found.
   constexpr explicit operator bool() const { return static_cast<bool>(status); }
 
-  /// Returns the gain at a value of the parameter, without a branch; beyond an end, the gain at that end.
-  /// Returns NaN if the value is NaN, even with -ffast-math.
+  /// Returns the gain at a value of the parameter, without a branch; outside the table, the gain at the
+  /// nearer end. Returns NaN if the value is NaN, even with -ffast-math.
   constexpr Gain operator()(Number value) const {
     constexpr Number last = Number(points - 1), last_but_one = Number(points - 2);
     const Number given = (value - from) * (last / (to - from));
     const int is_none = numeric::is_nan(given) ? 1 : 0;
-    // Selected by an index because compilers would turn conditions into branches.
+    // Selects by an index because compilers would turn conditions into branches.
     const Number places[]{given, Number(0)}, place = places[is_none];
     const Number within[]{place, Number(0), last}, below[]{place, Number(0), last_but_one};
     const int i = static_cast<int>(below[(place < 0 ? 1 : 0) + (place > last_but_one ? 2 : 0)]);

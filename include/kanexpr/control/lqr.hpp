@@ -77,10 +77,10 @@ using weights_of_inputs = weights<typename shape<StateMatrix>::scalar, shape<Inp
 } // namespace control
 
 /// Returns the feedback r = −K x of ẋ = A x + B r that minimizes ∫ xᵀ Q x + rᵀ R r. It uses structured
-/// doubling in a bounded number of steps, without heap allocation, on a microcontroller as well as in a
-/// constant expression. A and B are fixed-size Eigen matrices, such as those of a linearization, or
+/// doubling in a bounded number of steps, without heap allocation, and runs on a microcontroller as well as
+/// in a constant expression. A and B are fixed-size Eigen matrices, such as those of a linearization, or
 /// `numeric::fixed_matrix`. Q and R are the weights of the states and of the inputs: `lqr(A, B, {10, 1},
-/// {0.1})`. If no such feedback exists, the status reports it, and K and P are NaN.
+/// {0.1})`. If no such feedback exists, the status reports this, and K and P are NaN.
 template <control::matrix StateMatrix, control::matrix InputMatrix>
 constexpr auto lqr(const StateMatrix& a, const InputMatrix& b,
                    const control::weights_of_states<StateMatrix>& q,
@@ -97,8 +97,8 @@ constexpr auto lqr(const std::tuple<StateMatrix, InputMatrix>& both,
   return lqr(std::get<0>(both), std::get<1>(both), q, r);
 }
 
-/// Solves the same problem for x⁺ = A x + B r and the sum of xᵀ Q x + rᵀ R r over all steps: `dlqr(A, B, {10,
-/// 1}, {0.1})`.
+/// Solves the corresponding problem for x⁺ = A x + B r and the sum of xᵀ Q x + rᵀ R r over all steps:
+/// `dlqr(A, B, {10, 1}, {0.1})`.
 template <control::matrix StateMatrix, control::matrix InputMatrix>
 constexpr auto dlqr(const StateMatrix& a, const InputMatrix& b,
                     const control::weights_of_states<StateMatrix>& q,

@@ -7,7 +7,7 @@
 #include <type_traits>
 
 /// The functions in this folder accept Eigen matrices at run time and `numeric::fixed_matrix` in constant
-/// expressions, and return the type that they accept.
+/// expressions; they return matrices of the type that they are given.
 namespace kanexpr::control {
 
 using numeric::fixed_matrix;

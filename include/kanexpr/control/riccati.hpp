@@ -33,8 +33,8 @@ constexpr riccati_equation<Number, states> defect(const riccati_equation<Number,
   }
 }
 
-/// Solves two linear equations of a closed loop that decays, Aᵀ X + X A + W = 0 or X = Aᵀ X A + W, by
-/// squaring (Smith, Matrix equation XA + BX = C, SIAM J. Appl. Math. 16, 1968).
+/// Solves Aᵀ X + X A + W = 0 or X = Aᵀ X A + W for two matrices W, where A is that of a closed loop that
+/// decays, by squaring (Smith, Matrix equation XA + BX = C, SIAM J. Appl. Math. 16, 1968).
 template <time_domain domain, class Number, int states>
 constexpr bool solve_linear(fixed_matrix<Number, states, states> a,
                             fixed_matrix<Number, states, states>& first,
@@ -74,8 +74,9 @@ constexpr fixed_matrix<Number, states, states> magnitudes(fixed_matrix<Number, s
 
 /// Refines a solution by Newton's method (Kleinman, On an iterative technique for Riccati equation
 /// computations, IEEE Trans. Autom. Control 13, 1968) until only rounding changes it. Returns false if that
-/// change is large, or if rounding could keep the closed loop from decaying. In the latter case, the inputs
-/// reach only through rounding a motion that grows, or one that decays so slowly that rounding hides it.
+/// change is large, or if rounding could keep the closed loop from decaying. In the second case, there is a
+/// motion that grows, or decays so slowly that rounding hides the decay, and the inputs reach it only through
+/// rounding.
 template <time_domain domain, class Number, int states>
 constexpr bool refine(const riccati_equation<Number, states>& e, fixed_matrix<Number, states, states>& x) {
   using limits = std::numeric_limits<Number>;
@@ -148,7 +149,7 @@ private:
   bool is_reached[static_cast<std::size_t>(states > 0 ? states : 1)]{};
 };
 
-/// Whether scaling left all nonzero entries representable.
+/// Whether all nonzero entries are still nonzero after scaling.
 template <class Number, int rows, int columns>
 constexpr bool has_same_zeros(const fixed_matrix<Number, rows, columns>& a,
                               const fixed_matrix<Number, rows, columns>& b) {
@@ -171,7 +172,7 @@ constexpr bool is_graded(const fixed_matrix<Number, states, states>& m) {
 }
 
 /// Solves a balanced equation with Q positive semidefinite. It reports a property of the system as the cause
-/// only if rounding does not decide it.
+/// only if this finding cannot be due to rounding.
 template <time_domain domain, class Number, int states>
 constexpr status solve_balanced(const riccati_equation<Number, states>& e,
                                 fixed_matrix<Number, states, states>& x) {
@@ -191,7 +192,8 @@ constexpr status solve_balanced(const riccati_equation<Number, states>& e,
   if (!nearby.found() || !refine<domain>(weighted, x)) {
     if (is_graded(weighted.a) || !has_same_zeros(weighted.a, e.a)) return not_converged;
     if (nearby.comes_to == doubling::does_not || nearby.comes_to == doubling::halves) return not_stabilizable;
-    // If only rounding reaches a motion, its cost exceeds the cost that widely spread rates can explain.
+    // If the inputs reach a motion only through rounding, its cost exceeds any cost that widely spread rates
+    // can explain.
     const Number size = numeric::largest_entry(weighted.a),
                  large = (1 + size * size) / (1024 * std::numeric_limits<Number>::epsilon());
     const bool is_large = !numeric::is_finite(nearby.x) || numeric::largest_entry(nearby.x) > large;
@@ -256,7 +258,7 @@ public:
                            2 * numeric::exponent_of(entry) > std::numeric_limits<Number>::min_exponent + 4);
   }
 
-  /// Computes K and P if they exist.
+  /// Computes the gain K and the cost matrix P if they exist.
   constexpr status solve(fixed_matrix<Number, others, states>& gain,
                          fixed_matrix<Number, states, states>& cost) const {
     constexpr auto is_small = [](const auto& each) {
@@ -287,9 +289,9 @@ public:
   }
 
 private:
-  /// Returns an additional unit common to all states. If the weights or the inputs are missing, the other
-  /// matrix is scaled to the magnitude of A; if both are small compared with A, the inputs are scaled down
-  /// further, to keep the cost of a growing motion small.
+  /// Returns an additional unit common to all states. If Q or G is zero, the other one is scaled to the
+  /// magnitude of A; if both are small compared with A, G is scaled down further, to keep the cost of a
+  /// growing motion small.
   static constexpr int common_unit(int of_a, int of_g, int of_q) {
     using limits = std::numeric_limits<Number>;
     constexpr int medium = limits::digits, least = limits::min_exponent + 2 * limits::digits;
@@ -305,7 +307,7 @@ private:
   units<others> inputs_;
   units<states> states_;
   bool is_complete_ = true; ///< no entry underflows
-  int half_rate_ = 0;       ///< the rates are divided by the square of this unit of time
+  int half_rate_ = 0;       ///< the rates are divided by the square of this power of two
   fixed_matrix<Number, states, states> matrix_, state_weights_;
   fixed_matrix<Number, states, others> by_inputs_;
   fixed_matrix<Number, others, others> input_weights_;

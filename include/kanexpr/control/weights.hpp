@@ -9,8 +9,8 @@ namespace kanexpr::control {
 
 using numeric::fixed_matrix;
 
-/// The weights of n states or inputs in a quadratic cost: a diagonal, `{1, 1, 0.1, 0.1}`, a square matrix, or
-/// an Eigen vector that holds the diagonal.
+/// The weights of n states or inputs in a quadratic cost: given by the diagonal as a list `{1, 1, 0.1, 0.1}`
+/// or as an Eigen vector, or by a square matrix.
 template <class Entry, int order>
 struct weights {
   fixed_matrix<Entry, order, order> matrix{};
@@ -37,7 +37,7 @@ struct weights {
   }
 
 private:
-  /// Whether a matrix can hold weights; a static assertion fails if it cannot.
+  /// Whether a matrix can contain weights; a static assertion fails if it cannot.
   template <class Other, int rows, int columns>
   static constexpr bool are_fitting() {
     constexpr bool is_known = rows >= 0 && columns >= 0,
@@ -99,7 +99,8 @@ constexpr bool is_positive_semidefinite(fixed_matrix<Entry, order, order> m) {
     const Entry pivot = m(next, next);
     done[next] = true;
     if (!(pivot > rounding * given(next, next))) {
-      // The remaining diagonal is rounding, so the remaining off-diagonal entries must be, too.
+      // The remaining diagonal entries are rounding errors, so the remaining off-diagonal entries must be,
+      // too.
       for (int i = 0; i < order; ++i) {
         if (done[i] || m(i, next) == 0) continue;
         if (given(i, i) == 0 || given(next, next) == 0) return false;

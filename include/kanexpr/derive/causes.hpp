@@ -17,7 +17,7 @@ struct cause_sizes {
 template <cause_sizes room>
 struct cause_list {
   cause_sizes sizes{};
-  /// as small as possible, for controllers
+  /// uses a small type to save memory on controllers
   std::conditional_t<(room.letters < 1 << 16), std::uint16_t, int>
       end[room.count > 0 ? static_cast<std::size_t>(room.count) : 1]{};
   char letters[room.letters > 0 ? static_cast<std::size_t>(room.letters) : 1]{};
@@ -50,7 +50,7 @@ constexpr cause_list<sizes> trimmed(const cause_list<room>& from) {
   return out;
 }
 
-/// A list with the single sentence that a captureless function returns.
+/// Returns a list with the single sentence that the captureless function `make` returns.
 template <class Make>
 constexpr auto only_cause(Make make) {
   constexpr mechanics::sentence p = make();

@@ -6,7 +6,7 @@
 /// Checks that a system has all required words and no others.
 namespace kanexpr::deriving {
 
-/// `speed<u>` instead of `speeds<u>`.
+/// Reports a symbol in place of a list, such as `speed<u>` instead of `speeds<u>`.
 constexpr sentence check_symbol_among_words(const describe::token& t, std::string_view system) {
   using symbolic::symbol_kind;
   const symbol_kind kind = t.symbol != nullptr ? t.symbol->kind : symbol_kind::time;
@@ -26,8 +26,8 @@ template <class Told>
 constexpr sentence word_beside() {
   constexpr bool is_system = __is_base_of(describe::whole_systems, Told);
   if constexpr (__is_base_of(describe::load_words, Told)) {
-    return sentence({"a load is a separate base class of ", type_name<Told>(),
-                     "; write it in loads<...>, among the words of the system"});
+    return sentence(
+        {"a load is a separate base class of ", type_name<Told>(), "; list it in the system's loads<...>"});
   } else if constexpr (describe::has_word_beside<Told>()) {
     return sentence(
         {type_name<Told>(), " is described as a system and as part of a system; give each its own name"});
@@ -35,7 +35,7 @@ constexpr sentence word_beside() {
     std::string_view word = "a word";
     if constexpr (requires { Told::word; }) word = Told::word;
     return sentence({word, word == "a word" ? "" : "<...>", " is a separate base class of ",
-                     type_name<Told>(), "; write it among the words, between the < > of the system"});
+                     type_name<Told>(), "; list it among the words of the system, between its < >"});
   } else {
     return {};
   }
@@ -62,7 +62,7 @@ constexpr sentence check_word(std::string_view system) {
                      type_name<Told>(), ">"});
   else if constexpr (requires { Told::load.what; })
     return sentence(
-        {name_of(Told::load).view(), " is among the words of ", system, "; write loads<...> around it"});
+        {name_of(Told::load).view(), " is among the words of ", system, "; list it in loads<...>"});
   else if constexpr (requires { Told::place(); })
     return sentence(
         {"point ", type_name<Told>(), " is among the words of ", system, "; points need not be listed"});
@@ -81,7 +81,7 @@ constexpr sentence check_each_word(std::string_view system, const describe::syst
 constexpr bool brings_body(const describe::listing<describe::joint_record>& joints) {
   for (int i = 0; i < joints.size; ++i)
     if (joints[i].body != nullptr || joints[i].calls_itself.empty() || !joints[i].mistake.empty())
-      return true; // mistakes in them are reported later
+      return true; // mistakes in loads are reported later
   return false;
 }
 
@@ -156,8 +156,8 @@ constexpr sentence check_words() {
   }
 }
 
-/// The words of a system, as used both in the compiler and at run time. If one of them is a mistake, the
-/// record is empty.
+/// The words of a system, used both at compile time and at run time. If one of them is a mistake, the record
+/// is empty.
 struct checked_words {
   sentence mistake{};
   describe::system_record record{};

@@ -6,7 +6,8 @@
 
 namespace kanexpr::deriving {
 
-/// The same value as `function<System, wanted…>::cost()`, obtained by the same derivation at run time.
+/// Returns the same value as `function<System, wanted…>::cost()`, obtained by the same derivation at run
+/// time.
 template <class System>
 symbolic::cost cost_of(std::initializer_list<quantity> wanted) {
   std::vector<request> all;

@@ -7,7 +7,7 @@
 
 namespace kanexpr::deriving {
 
-/// The straight-line code for some results. The measures and scales of potential singularities follow all
+/// The straight-line code for a set of results. The measures and scales of potential singularities follow all
 /// other results of the tape, one pair per cause. The arrays have room for any model, so programs must not
 /// store one.
 struct cut_code {
@@ -15,7 +15,7 @@ struct cut_code {
   roomy_causes causes{};
   lower::roomy_tape tape{};
   bool follows_from_unparsed = false; ///< the mistake comes from a type that did not parse
-  bool tells_finiteness = false;      ///< the last pair checks finiteness
+  bool tells_finiteness = false;      ///< the last pair checks whether the results are finite
 
   constexpr cut_code() = default;
   constexpr explicit cut_code(const sentence& because) : mistake(because) {}
@@ -59,7 +59,7 @@ constexpr cut_nodes nodes_for(derived_system& system, std::span<const request> a
   return found;
 }
 
-/// Reports a symbol that an expression adds to those of the system: no argument has an entry for it.
+/// Reports a symbol that an expression adds to those of the system, because no argument has an entry for it.
 constexpr sentence check_symbols(std::string_view system, const survey& known, const mechanism& m) {
   struct list {
     std::string_view kind;
@@ -76,7 +76,7 @@ constexpr sentence check_symbols(std::string_view system, const survey& known, c
   return {};
 }
 
-/// Cuts the code for some results out of a derivation.
+/// Extracts the code for the requested results from a derivation.
 constexpr cut_code cut(derived_system& system, std::string_view called, const survey& of_system,
                        std::span<const request> all) {
   const cut_nodes found = nodes_for(system, all);
@@ -101,7 +101,7 @@ constexpr stage stage_for(std::span<const request> all) {
   return furthest;
 }
 
-/// The same, starting from a stored stage.
+/// Extracts the code from a stored stage of the derivation.
 template <std::same_as<image> Image>
 constexpr cut_code cut(const system_record& from, const Image& aside, std::string_view called,
                        const survey& of_system, std::span<const request> all) {
@@ -112,7 +112,7 @@ constexpr cut_code cut(const system_record& from, const Image& aside, std::strin
   return code;
 }
 
-/// The code for the results that the template arguments request.
+/// Returns the code for the results that the template arguments request.
 template <class System, auto... wanted>
 constexpr cut_code code_for() {
   constexpr request all[]{requested<wanted>::value...};

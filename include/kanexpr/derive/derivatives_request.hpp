@@ -5,7 +5,7 @@
 namespace kanexpr::deriving {
 
 /// The derivatives of a result, row by row in the order of its entries, with respect to the state [q; u], the
-/// inputs, or the rates of the speeds if it contains them.
+/// inputs, or the rates of the speeds if the result contains them.
 struct derivatives_of_result {
   quantity of;
   with_respect_to symbols;

@@ -11,11 +11,11 @@
 
 namespace kanexpr::deriving {
 
-/// A system between the types of a model and the equations that provide results. It cannot be moved. The
-/// first mistake stops the derivation.
+/// Reads a system from the types of a model and derives the equations that provide its results. It cannot be
+/// moved. The first mistake stops the derivation.
 class derived_system {
-  // before its callers: clang++ does not instantiate a template for a constant expression if it is declared
-  // later in the class
+  // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
+  // declared later in the class
   template <class Self, class Visit>
   static constexpr void each_part(Self& self, Visit& visit) {
     visit(self.system_);
@@ -27,8 +27,8 @@ public:
   constexpr explicit derived_system(const system_record& from) : system_(graph_), reader_(from, system_) {
     reader_.read();
   }
-  /// Resumes a stored derivation of the same record. A template, like `write`, so that files which derive
-  /// nothing do not instantiate what it needs.
+  /// Resumes a stored derivation of the same record. It is a template, like `write`, so that files that do
+  /// not derive anything do not instantiate the code it needs.
   template <std::same_as<image> Image>
   constexpr derived_system(const system_record& from, const Image& aside)
       : system_(graph_), reader_(from, system_) {
@@ -40,7 +40,7 @@ public:
   derived_system(const derived_system&) = delete;
   derived_system& operator=(const derived_system&) = delete;
 
-  /// Checks what was read for mistakes.
+  /// Checks the system for mistakes after it was read.
   constexpr void check_model() {
     if (!mistake()) mistake_ = mechanics::check_system(system_);
     if (!mistake()) reader_.check_listed_are_used();

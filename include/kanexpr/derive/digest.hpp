@@ -9,13 +9,15 @@
 /// Hashes that identify models and code across runs and builds of a program.
 namespace kanexpr::deriving {
 
-/// User functions are identified only by their names, and entities by their effect on the derivation.
+/// Adds the user functions to a digest. They are identified only by their names, entities by their effect on
+/// the derivation.
 template <class Holder>
 constexpr void take_externals(symbolic::digest& all, const Holder& externals, int count) {
   for (int i = 0; i < count; ++i) all.take(externals[i]->called.view());
 }
 
-/// A template, so that files which derive nothing do not instantiate what it needs.
+/// Returns the digest of a stored derivation. It is a template, so that files that do not derive anything do
+/// not instantiate the code it needs.
 template <std::same_as<image> Image>
 constexpr std::uint64_t digest_of(const Image& of) {
   symbolic::digest all;

@@ -13,9 +13,9 @@
 
 namespace kanexpr::deriving {
 
-/// One hash per entity of a system, covering everything that describes it. Two source files may have
-/// different entities of the same name, of which the linker keeps one; a program that derives a system at run
-/// time detects this by comparing with the hashes that the compiler computed in the intended file.
+/// One hash per entity of a system; each covers everything that describes the entity. Two source files may
+/// have different entities of the same name, of which the linker keeps one; a program that derives a system
+/// at run time detects this by comparing with the hashes that the compiler computed in the intended file.
 class entity_digests {
   using frame_record = describe::frame_record;
   using point_record = describe::point_record;
@@ -26,9 +26,9 @@ class entity_digests {
   using sequence = symbolic::sequence<Content>;
 
 public:
-  /// The order is the system, bodies, joints and loads, followed by the entities that they mention in order
-  /// of first mention. So the first difference between two descriptions identifies an entity that is itself
-  /// described differently.
+  /// The order is: the system, bodies, joints and loads, then the entities that these mention, in order of
+  /// first mention. Therefore the first difference between two descriptions identifies an entity that is
+  /// itself described differently.
   constexpr explicit entity_digests(const describe::system_record& of) {
     take_system(of);
     for (int i = 0; i < of.bodies.size; ++i) take(of.bodies[i]);
@@ -43,7 +43,8 @@ public:
   constexpr int size() const { return contents_.size(); }
   constexpr std::uint64_t operator[](int i) const { return contents_[i]; }
 
-  /// The first entity that the intended file describes differently, as a sentence; empty if there is none.
+  /// Returns a sentence that names the first entity that the intended file describes differently; empty if
+  /// there is none.
   constexpr sentence unlike(std::span<const std::uint64_t> meant) const {
     for (int i = 0; i < size() && static_cast<std::size_t>(i) < meant.size(); ++i)
       if (contents_[i] != meant[static_cast<std::size_t>(i)])
@@ -167,12 +168,12 @@ constexpr auto digests_in_this_file() {
   }
 }
 
-/// For use at compile time, where no other file is known.
+/// The hashes for use at compile time, when no other file is known.
 template <class System>
 inline constexpr auto digests_as_read = digests_in_this_file<System>();
 
-/// For use at run time. The combined hash is a part of the name, so that the linker does not substitute that
-/// of another file.
+/// The hashes for use at run time. The combined hash is part of the name, so that the linker does not
+/// substitute the hashes of another file.
 template <class System, std::uint64_t of_all>
 inline constexpr auto digests_as_meant = digests_as_read<System>;
 

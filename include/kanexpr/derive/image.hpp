@@ -7,11 +7,12 @@
 
 namespace kanexpr::deriving {
 
-/// A stored derivation, as plain arrays that can leave a constant evaluation: the graph node by node, and
-/// everything else known at that stage as a row of integers.
+/// A stored derivation, as plain arrays that can outlive constant evaluation: the graph node by node, and
+/// everything else known at that stage as a sequence of integers.
 ///
-/// It has room for any model that a compiler can reasonably derive; entries beyond the counts are unused. So
-/// it must appear only in constant evaluations: any other reference would put it into the program.
+/// It has room for any model that a compiler can derive in reasonable time; entries beyond the counts are
+/// unused. It must be used only in constant evaluation, because any other reference would put it into the
+/// program.
 struct image {
   static constexpr int most_nodes = 1 << 17;
   static constexpr int most_integers = 1 << 18;
@@ -40,7 +41,7 @@ struct image {
   int externals = 0;
   const symbolic::external_function* external[most_externals]{};
 
-  /// Whether something was omitted for lack of room.
+  /// Whether a part was omitted for lack of room.
   bool is_full = false;
 };
 

@@ -7,13 +7,13 @@
 
 namespace kanexpr::deriving {
 
-/// Masses and inertias that are expressions of parameters, such as m - 2*k, or whose validity only numbers
-/// can decide, as a sequence of operations on numbers. Programs use it to check the parameters that they are
-/// given. It covers as many bodies as there is room for.
+/// Masses and inertias that are expressions of parameters, such as m - 2*k, or whose validity depends on
+/// numeric values, stored as a sequence of operations on numbers. Programs use it to check the parameters
+/// that they are given. It covers as many bodies as it has room for.
 struct inertial_values {
   static constexpr int room = 256, room_for_bodies = 32, room_for_names = 40;
 
-  /// Each integer is the index of a step plus 1; 0 means unknown, or that no check is needed.
+  /// Each integer is the index of a step plus 1; 0 means that the value is unknown or needs no check.
   struct of_body {
     int called = 0, about = 0; ///< indices of names
     int mass = 0;
@@ -23,16 +23,16 @@ struct inertial_values {
 
   int steps = 0;
   symbolic::operation operation[room]{};
-  int a[room]{}; ///< of a symbol: the index of the parameter
+  int a[room]{}; ///< for a symbol, the index of the parameter
   int b[room]{};
   double number[room]{};
   int count = 0;
   of_body bodies[room_for_bodies]{};
   int named = 0;
-  symbolic::name names[room_for_names]{}; ///< of bodies and of reference points of inertias
+  symbolic::name names[room_for_names]{}; ///< names of bodies and of reference points of inertias
 
-  /// The first mistake for given parameters: a value that is negative beyond rounding, or an inertia that no
-  /// body can have. Values that depend on a NaN parameter are skipped.
+  /// Returns the first mistake for the given parameters: a value that is negative by more than rounding, or
+  /// an inertia that no body can have. Values that depend on a NaN parameter are skipped.
   constexpr mechanics::sentence mistake(const double* parameters) const {
     double value[room]{}, size[room]{}; // size: the magnitude of the terms that add up to a value
     for (int i = 0; i < steps; ++i) {
@@ -100,7 +100,7 @@ private:
   }
 };
 
-/// Collects these values from a mechanism.
+/// Collects the inertial values of a mechanism.
 class inertial_values_reader {
 public:
   constexpr inertial_values_reader(const mechanics::mechanism& m, inertial_values& into)
@@ -128,7 +128,8 @@ private:
     }
     if (b.about != mechanics::none && b.about != b.center) add_way(b, made);
   }
-  /// A purely numeric inertia was checked when the model was read, and an effective inertia is not checked.
+  /// Whether a body has an inertia to check: a purely numeric inertia was already checked when the model was
+  /// read, and an effective inertia is never checked.
   static constexpr bool has_inertia_to_ask(const mechanics::body& b) {
     if (b.inertia.parts.size() != 1 || b.effective) return false;
     const mechanics::dyadic::part& only = b.inertia.parts[0];
@@ -152,7 +153,7 @@ private:
     for (int i = 0; i < 3; ++i) made.way[i] = places[i];
   }
 
-  /// For the names of a body and of a point.
+  /// Whether there is room for the names of a body and a point.
   constexpr bool has_room_for_names() const { return into_.named + 2 <= inertial_values::room_for_names; }
   constexpr int place_of(const symbolic::name& called) {
     into_.names[into_.named] = called;

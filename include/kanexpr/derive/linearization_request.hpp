@@ -2,14 +2,14 @@
 
 #include <kanexpr/derive/request.hpp>
 
-/// Requests for a linearization in addition to its quantities.
+/// Requests for linearized results that are not quantities.
 namespace kanexpr::deriving {
 
-/// A quantity evaluated at rates of the speeds that the caller passes.
+/// A quantity evaluated at rates of the speeds that are passed by the caller.
 struct at_given_rates {
   quantity wanted;
 
-  /// The function that returns it.
+  /// The name of the function that returns it.
   constexpr std::string_view result_name() const {
     const bool in_states = wanted == quantity::state_matrix || wanted == quantity::input_matrix;
     return in_states ? "explicit_form_at" : "implicit_form_at";

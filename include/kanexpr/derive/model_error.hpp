@@ -5,12 +5,12 @@
 
 #include <utility>
 
-/// Reports a mistake in a model to its author: as the only error of the compilation, with a sentence.
+/// Reports a mistake in a model to its author, as a sentence and as the only error of the compilation.
 namespace kanexpr {
 
 namespace deriving {
 
-/// Whether there is a sentence to report, `Told::mistake`, that is not left to `tell_in_code`.
+/// Whether there is a sentence to report, `Told::mistake`, that is not reported by `tell_in_code`.
 template <class Told>
 constexpr bool is_told() {
   if constexpr (requires { Told::follows_from_unparsed; })
@@ -19,7 +19,7 @@ constexpr bool is_told() {
     return static_cast<bool>(Told::mistake);
 }
 
-/// The characters `begin` to `end` of a sentence as a template argument.
+/// Returns the characters `begin` to `end` of a sentence as a template argument.
 template <class Told, int begin, int end>
 constexpr auto text_of() {
   text<static_cast<std::size_t>(end - begin + 1)> t;
@@ -32,7 +32,7 @@ constexpr auto text_of() {
 
 #if __cpp_static_assert >= 202306L && __cplusplus > 202302L // C++26: the message may be computed
 
-/// The sentence is the message of the assertion.
+/// Reports the sentence as the message of the assertion.
 template <text sentence>
 struct model_error {
   static_assert(sentence.view().empty(), sentence.view());
@@ -54,13 +54,13 @@ constexpr bool tell() {
 
 #else
 
-/// Never defined: its arguments are the sentence that the compiler prints.
+/// Never defined. Its template arguments are the sentence that the compiler prints.
 template <text... sentence>
 struct model_error;
 
 namespace deriving {
 
-// g++ prints character arrays in full; clang truncates them after some thirty characters, so there the
+// g++ prints character arrays in full. clang truncates them after about thirty characters, so for clang the
 // sentence is split into pieces.
 #ifdef __clang__
 inline constexpr int longest_piece = 30;
@@ -68,8 +68,8 @@ inline constexpr int longest_piece = 30;
 inline constexpr int longest_piece = mechanics::sentence::capacity;
 #endif
 
-/// The end of the piece of a sentence that starts at `begin`: at a space if possible, otherwise within a
-/// word.
+/// Returns the end of the piece of a sentence that starts at `begin`: at a space if possible, otherwise
+/// within a word.
 constexpr int piece_end(const mechanics::sentence& p, int begin) {
   const int most = begin + longest_piece;
   if (most >= p.length) return p.length;
@@ -78,7 +78,8 @@ constexpr int piece_end(const mechanics::sentence& p, int begin) {
   return end > begin ? end : most;
 }
 
-/// The start of piece number `piece` of a sentence; the length of the sentence for pieces beyond its end.
+/// Returns the start of piece number `piece` of a sentence, or the length of the sentence if there is no such
+/// piece.
 constexpr int piece_begin(const mechanics::sentence& p, int piece) {
   int begin = 0;
   for (; piece > 0 && begin < p.length; --piece) {
@@ -107,7 +108,7 @@ constexpr bool shown(const void*) { return true; }
 template <text... sentence>
 struct told : model_error<sentence...> {};
 
-/// For a whole system: an initialization of the system from a sentence, which is invalid, so that the
+/// For a whole system, the error is an invalid initialization of the system from a sentence, so that the
 /// compiler shows where the system is defined.
 template <class System, text... sentence>
 struct told_of {
@@ -118,8 +119,8 @@ struct told_of {
 #endif
 };
 
-/// Stops the compilation with the sentence `Told::mistake`, if there is one. It concerns `Told::system`, if
-/// that exists.
+/// Stops the compilation with the sentence `Told::mistake`, if there is one. The sentence concerns
+/// `Told::system`, if that exists.
 template <class Told>
 constexpr bool tell() {
   if constexpr (is_told<Told>())
@@ -143,7 +144,7 @@ namespace deriving {
 template <class System>
 [[gnu::error("this system, or an entity in it, has no base class")]] void derived_from_nothing() noexcept;
 
-// A single call, so that there is a single error.
+// The only call of this function, so that there is only one error.
 template <class System>
 [[gnu::noinline]] void refuse_code() noexcept {
   derived_from_nothing<System>();

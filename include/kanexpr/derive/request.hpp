@@ -13,7 +13,7 @@ namespace kanexpr::deriving {
 
 using mechanics::quantity;
 
-/// Rows and columns of a result. A scalar is not a matrix, though a matrix may be 1×1.
+/// The rows and columns of a result. A scalar is distinguished from a 1×1 matrix.
 struct extent {
   int rows = 1;
   int columns = 1;
@@ -25,28 +25,29 @@ struct extent {
 /// The symbols with respect to which results are differentiated.
 enum class with_respect_to : unsigned char { state, inputs, rates };
 
-/// A result requested from a system, as a value that is handled alike at compile time and at run time.
+/// A result requested from a system, as a value that is treated in the same way at compile time and at run
+/// time.
 struct request {
   enum class kind : unsigned char {
     foreign,     ///< not a valid request
     result,      ///< a quantity of the system
-    expressions, ///< phrases of the model one below another; vectors by their components
+    expressions, ///< phrases of the model, one below the other; vectors as their components
     jacobian,    ///< the derivatives of a phrase with respect to symbols
-    derivatives, ///< of a quantity of the system with respect to symbols of the system
+    derivatives, ///< the derivatives of a quantity of the system with respect to symbols of the system
     sensitivity, ///< the sensitivity of phrases to the state or the inputs
     parameters,  ///< the sensitivity of the rates of the state to parameters, given as phrases
   };
 
   kind what = kind::foreign;
   quantity wanted{};                       ///< the result, or the quantity to be differentiated
-  with_respect_to symbols{};               ///< for derivatives
-  bool is_at_given_rates = false;          ///< with the symbols u̇
-  std::span<const phrase> phrases{};       ///< for the other kinds
+  with_respect_to symbols{};               ///< the symbols of derivatives
+  bool is_at_given_rates = false;          ///< whether the result contains the symbols u̇
+  std::span<const phrase> phrases{};       ///< the phrases of the other kinds
   std::string_view whom = "an expression"; ///< contains the phrases
-  std::span<const describe::token> by{};   ///< for a Jacobian: the symbols
-  bool is_to_inputs = false;               ///< for a sensitivity
+  std::span<const describe::token> by{};   ///< the symbols of a Jacobian
+  bool is_to_inputs = false;               ///< whether a sensitivity is to the inputs, not to the state
 
-  /// Whether a function takes weights or a direction for it.
+  /// Whether a function that returns it takes weights or a direction.
   constexpr bool is_weighted() const {
     return (what == kind::result || what == kind::derivatives) && mechanics::is_to_second_order(wanted);
   }
@@ -122,8 +123,8 @@ constexpr void visit(std::span<const request> all, reader& r) {
 
 namespace detail {
 
-/// The values of phrases one below another, with the symbols q̇ and u̇. A vector contributes its components
-/// in inertial axes, or in the axes selected by in_axes_of.
+/// Returns the values of phrases, one below the other, with the symbols q̇ and u̇. A vector contributes its
+/// components in inertial axes, or in the axes selected by in_axes_of.
 constexpr symbolic::matrix values_of(const request& wanted, reader& r, const mechanism& m) {
   symbolic::matrix column(*m.g, 0, 1);
   for (const phrase& p : wanted.phrases) {

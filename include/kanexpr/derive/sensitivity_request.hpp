@@ -4,13 +4,13 @@
 
 namespace kanexpr::deriving {
 
-/// The sensitivity of the rates of the state to some parameters.
+/// The sensitivity of the rates of the state to the given parameters.
 template <auto... parameters>
 struct sensitivity_to {
   constexpr std::string_view result_name() const { return "sensitivity"; }
 };
 
-/// The phrase of an expression, or an empty phrase, which is rejected.
+/// Returns the phrase of an expression, or an empty phrase, which is rejected later.
 template <auto wanted>
 constexpr phrase phrase_or_none() {
   if constexpr (requires { describe::shape_of(wanted); })

@@ -9,7 +9,7 @@ namespace kanexpr::deriving {
 
 using mechanics::stage;
 
-/// Advances the equations, which have completed the previous stage, to a stage.
+/// Advances the equations to stage `to`; they must have completed the previous one.
 constexpr void go_on(mechanics::equations& e, stage to) {
   switch (to) {
   case stage::constrained: e.constrain(); break;
@@ -18,18 +18,19 @@ constexpr void go_on(mechanics::equations& e, stage to) {
   }
 }
 
-/// The same for a system, whose first stage starts from what was read.
+/// Advances a system to stage `to`; its first stage starts from the model that was read.
 constexpr void go_on(derived_system& system, stage to) {
   if (to != stage::constrained) return go_on(system.equations(), to);
   system.check_model();
   system.derive();
 }
 
-/// The end of a stage: a mistake, or the stored derivation. The arrays have room for any model, so programs
-/// must not store one.
+/// The result of a stage: a mistake, or the stored derivation. The arrays have room for any model, so
+/// programs must not store one.
 struct staged {
   sentence mistake{};
-  bool follows_from_unparsed = false; ///< the compiler has already reported an error about it
+  bool follows_from_unparsed =
+      false; ///< the compiler has already reported an error about the type that contains the mistake
   image aside{};
 
   template <std::same_as<derived_system> System>
@@ -41,8 +42,8 @@ struct staged {
   }
 };
 
-/// The first stage and the survey of a system. If there is a mistake, the survey contains what was known
-/// before it occurred.
+/// The first stage and the survey of a system. If there is a mistake, the survey contains the properties that
+/// were known before it occurred.
 struct surveyed_stage : staged {
   survey known{};
 };
@@ -63,7 +64,7 @@ constexpr surveyed_stage first_stage() {
       if (!s.mistake)
         s.mistake = sentence(
             {type_name<System>(), " has more than ", mechanics::counted(survey::room).view(), " symbols"});
-      s.known = {}; // without names for them
+      s.known = {}; // the names do not fit
     }
   }
   s.known.mistake = s.mistake;

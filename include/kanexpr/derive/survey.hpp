@@ -25,14 +25,14 @@ struct survey {
   int parameters = 0;
   int inputs = 0;
   int auxiliary_speeds = 0;
-  int constraints = 0; ///< on the speeds, including the rates of configuration constraints
+  int constraints = 0; ///< constraints on the speeds, including the rates of configuration constraints
   int configuration_constraints = 0;
   int redundant_constraints = 0;
   int inertial_parameters = 0;
   symbolic::name names[room]{}; ///< coordinates, speeds, parameters, inputs
   bool dependent[room]{};       ///< in the same order
-  bool is_mass[room]{};         ///< is the mass of a body
-  bool is_moment[room]{};       ///< is a moment of inertia
+  bool is_mass[room]{};         ///< whether the symbol is the mass of a body
+  bool is_moment[room]{};       ///< whether the symbol is a moment of inertia
   inertial_values inertial{};   ///< masses and moments that are longer expressions
   int quaternions = 0;          ///< unit quaternions, whose norm the motion preserves
   int quaternion_of[room]{};    ///< for each coordinate: the number of its quaternion, counted from 1; 0 if
@@ -70,7 +70,8 @@ struct survey {
   }
 
   constexpr void take(derived_system& system);
-  /// From a mechanism and its equations; the latter are null if a mistake occurred before they were formed.
+  /// Takes the properties from a mechanism and its equations; `derived` is null if a mistake occurred before
+  /// the equations were formed.
   constexpr void take(const mechanics::mechanism& m, bool is_sound, const mechanics::equations* derived);
 
   constexpr int first_of(symbolic::symbol_kind kind) const {

@@ -5,7 +5,7 @@
 
 namespace kanexpr::describe {
 
-/// Whether a word has the right number of arguments, and the form that an error sentence suggests.
+/// The result of checking the number of arguments of a word, and the form that an error sentence suggests.
 struct arguments {
   int missing = 0;       ///< -1: too many
   std::string_view form; ///< how to write the word: "offset<Self, From, vector>"

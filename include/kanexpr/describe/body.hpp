@@ -6,7 +6,7 @@ namespace kanexpr {
 
 namespace describe {
 
-/// Records the argument in the place of an inertia, whether or not it is one.
+/// Records the argument that is passed as an inertia, whether or not it is an inertia.
 template <class Inertia>
 constexpr void give_inertia(body_record& r) {
   if constexpr (requires { Inertia::give_to(r); })
@@ -17,7 +17,7 @@ constexpr void give_inertia(body_record& r) {
 
 } // namespace describe
 
-/// Inertia about the mass center by its scalars in the axes of `Frame`: I = Σ m (r·r E − r r).
+/// Inertia about the mass center, specified by its entries in the axes of `Frame`: I = Σ m (r·r E − r r).
 ///
 /// Ixx, Iyy, Izz, followed by Ixy, Iyz, Izx if they are not zero.
 template <class Frame, auto... scalars>
@@ -52,8 +52,8 @@ struct inertia_about : describe::inertia_words {
   }
 };
 
-/// An inertia that intentionally changes as seen from the body: given in axes that turn in the body, or about
-/// a point that moves in it.
+/// An inertia that intentionally changes as seen from the body, because it is given in axes that turn in the
+/// body or about a point that moves in it.
 template <class... Inertia>
 struct changing_inertia : describe::inertia_words {
   static constexpr void give_to(describe::body_record& r) {
@@ -63,8 +63,8 @@ struct changing_inertia : describe::inertia_words {
   }
 };
 
-/// An inertia that intentionally corresponds to no mass distribution: identified from motions, or increased
-/// by a gear about one axis: `effective_inertia<inertia<A, 0.1, 0.1, 0.35>>`.
+/// An inertia that intentionally does not correspond to any mass distribution, because it was identified from
+/// motions or is increased by a gear about one axis: `effective_inertia<inertia<A, 0.1, 0.1, 0.35>>`.
 template <class... Inertia>
 struct effective_inertia : describe::inertia_words {
   static constexpr void give_to(describe::body_record& r) {

@@ -5,7 +5,7 @@
 #include <kanexpr/symbolic/graph/composition.hpp>
 
 /// Functions of several expressions that are defined in terms of other functions. The reader of the model
-/// checks the number of arguments and that they are scalars.
+/// checks that the number of arguments is right and that they are scalars.
 namespace kanexpr {
 
 namespace describe {
@@ -104,7 +104,7 @@ template <class... Operands>
 constexpr auto softplus(const Operands&... x) {
   return describe::composed(symbolic::composition::softplus, x...);
 }
-/// `smooth_step(x, from, to)`: from 0 to 1 with continuous second derivatives
+/// `smooth_step(x, from, to)`: rises from 0 to 1 with continuous second derivatives
 template <class... Operands>
   requires describe::some_of_a_model<Operands...>
 constexpr auto smooth_step(const Operands&... x) {
@@ -115,7 +115,7 @@ constexpr auto smooth_step(const Operands&... x) {
 template <auto... points>
 inline constexpr describe::table_word<symbolic::composition::tabulated, points...> tabulated{};
 
-/// The same for a periodic curve, whose last value equals the first.
+/// The same for a periodic curve, whose last value must equal the first.
 template <auto... points>
 inline constexpr describe::table_word<symbolic::composition::periodic, points...> periodic{};
 

@@ -7,7 +7,7 @@ namespace kanexpr {
 
 namespace describe {
 
-/// A vector followed by the directions along which it is zero, in postfix order.
+/// A vector followed by the directions along which its components are zero, in postfix order.
 template <int size>
 struct vanishing {
   token tokens[static_cast<std::size_t>(size)];
@@ -18,7 +18,7 @@ constexpr shape shape_of(const vanishing<size>&) {
   return shape::vanishing;
 }
 
-/// Replaces a list that contains something that is not an expression.
+/// Takes the place of a list that contains something that is not an expression.
 struct foreign {};
 
 template <auto... expressions>
@@ -38,12 +38,14 @@ constexpr auto one_after_another() {
 
 } // namespace describe
 
-/// A constraint requiring a vector to vanish along directions: `zero_along<velocity_of<C>, N::x, N::y>`.
+/// A constraint that requires the components of a vector along the given directions to vanish:
+/// `zero_along<velocity_of<C>, N::x, N::y>`.
 template <auto... vector_and_directions>
 inline constexpr auto zero_along = describe::one_after_another<vector_and_directions...>();
 
-/// Conditions that the coordinates satisfy at all times, such as closed loops: scalar equations, and vectors
-/// that vanish along directions: `configuration_constraints<zero_along<position_of<P, Q>, N::x, N::y>>`.
+/// Conditions that the coordinates satisfy at all times, such as closed loops: scalar equations, or vectors
+/// whose components along given directions vanish, `configuration_constraints<zero_along<position_of<P, Q>,
+/// N::x, N::y>>`.
 template <auto... constraints>
 struct configuration_constraints : describe::system_words {
   static constexpr std::string_view word = "configuration_constraints";
@@ -53,8 +55,8 @@ struct configuration_constraints : describe::system_words {
   }
 };
 
-/// Conditions that the speeds satisfy at all times, such as rolling; linear in speeds or coordinate rates.
-/// The rates of the configuration constraints need not be repeated.
+/// Conditions that the speeds satisfy at all times, such as rolling. They are linear in the speeds or the
+/// coordinate rates. The rates of the configuration constraints need not be repeated.
 template <auto... constraints>
 struct velocity_constraints : describe::system_words {
   static constexpr std::string_view word = "velocity_constraints";
@@ -63,8 +65,8 @@ struct velocity_constraints : describe::system_words {
   }
 };
 
-/// Conditions on the rates of the speeds that replace the derivatives of the velocity constraints; linear in
-/// these rates.
+/// Conditions on the rates of the speeds that replace the derivatives of the velocity constraints. They are
+/// linear in these rates.
 template <auto... constraints>
 struct acceleration_constraints : describe::system_words {
   static constexpr std::string_view word = "acceleration_constraints";
@@ -88,9 +90,8 @@ template <int number>
 inline constexpr int number_of_constraint = number;
 }
 
-/// Configuration constraints that follow from the others wherever all of them are satisfied, by their
-/// numbers, counted from 1: `redundant<6>`. They are not used to solve for anything, but states are checked
-/// against them.
+/// The numbers, counted from 1, of configuration constraints that follow from the others wherever all of them
+/// are satisfied: `redundant<6>`. They are not used in solving, but states are checked against them.
 template <int... numbers>
 struct redundant : describe::system_words {
   static constexpr std::string_view word = "redundant";
@@ -99,7 +100,7 @@ struct redundant : describe::system_words {
   }
 };
 
-/// Speeds that are identically zero and appear in no list of speeds. They bring noncontributing forces into
+/// Speeds that are identically zero and not listed among the speeds. They bring noncontributing forces into
 /// evidence if they appear in the velocity of a point or the angular velocity of a frame.
 template <auto... symbols>
 struct auxiliary : describe::system_words {

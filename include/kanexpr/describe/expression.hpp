@@ -12,10 +12,10 @@ namespace kanexpr {
 
 namespace describe {
 
-/// The result of `dot(q) = u`, a mistake.
+/// Returns the result of `dot(q) = u`, which is a mistake.
 template <class Left, class Right>
 constexpr auto assigned(const Left& x, const Right& y);
-/// The same for `q[0]` and `q(t)`.
+/// Returns the result of `q[0]` or `q(t)`, which are mistakes, too.
 template <class Operand>
 constexpr auto with_index(const Operand& x);
 template <class Operand>
@@ -104,7 +104,7 @@ constexpr token misused(misuse what) {
   return t;
 }
 
-/// In C++ 1/2 is the integer 0, which is hardly ever written on purpose in a model.
+/// Whether a value is the integer 0, such as 1/2 in C++; it is hardly ever written on purpose in a model.
 template <class Written>
 constexpr bool is_whole_zero(Written value) {
   if constexpr (plain_number<Written> && std::integral<Written>)
@@ -113,14 +113,15 @@ constexpr bool is_whole_zero(Written value) {
     return false;
 }
 
-/// A number used as an expression.
+/// Converts a number to an expression.
 template <plain_number Number>
 constexpr scalar<1> number(Number value) {
   if (is_whole_zero(value)) return {{misused(misuse::zero)}};
   return constant(value);
 }
 
-/// The side of an equation, where 0 is allowed; a value bound to 0 is rejected by its reader.
+/// Converts a number to a side of an equation, where 0 is allowed; the value reader rejects a parameter bound
+/// to 0.
 template <plain_number Number>
 constexpr scalar<1> side(Number value) {
   scalar<1> x = constant(value);
@@ -128,7 +129,7 @@ constexpr scalar<1> side(Number value) {
   return x;
 }
 
-/// The operation applied to a number, or a mistake if the number is the integer 0.
+/// Returns the operation applied to a number, or a mistake if the number is the integer 0.
 template <plain_number Number, class Step>
 constexpr token done_with(Number value, Step what, misuse of_nothing) {
   return is_whole_zero(value) ? misused(of_nothing) : with(what);

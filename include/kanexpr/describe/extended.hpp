@@ -15,8 +15,8 @@ struct added_inputs : system_words {
   }
 };
 
-/// A word that the system does not have yet. A new list of inputs would have to include the inputs that the
-/// system mentions; added inputs do not.
+/// A word that the system does not have yet. Inputs are added by a separate word, because a new list of
+/// inputs would have to include those that the system mentions.
 template <class Word>
 struct added_word {
   using type = Word;
@@ -47,7 +47,7 @@ struct joined<added_inputs<told...>, inputs<added...>> {
   using type = added_inputs<told..., added...>;
 };
 
-/// Adds words to a system. `Before` holds the words of different kinds that were already compared.
+/// Adds words to a system. `Before` contains the words that were already compared and are of different kinds.
 template <method by, class Before, class After, class... Added>
 struct extended_words;
 template <class... Words>
@@ -87,9 +87,9 @@ struct extension {
 
 } // namespace describe
 
-/// A system with additional loads, inputs or other words, which follow the existing ones, whether the system
-/// lists its inputs or only mentions them: `struct Pushed : extended<System, inputs<F>, loads<force<P, F *
-/// N::x>>> {};`
+/// A system with additional loads, inputs or other words, which follow the existing ones. The system may list
+/// its inputs or only mention them: `struct Pushed : extended<System, inputs<F>, loads<force<P, F * N::x>>>
+/// {};`
 template <class System, class... Words>
 struct extended : describe::extension<System, Words...>::type {};
 

@@ -12,11 +12,11 @@
 #include <type_traits>
 #include <utility>
 
-/// User functions in models: functions of scalars, whose derivatives the program provides too.
+/// User functions in models: functions of scalars for which the program also provides derivatives.
 namespace kanexpr {
 
 namespace symbolic {
-class expression; // of builders, which models do not need
+class expression; // the expressions of builders, which models do not need
 }
 
 namespace describe {
@@ -31,7 +31,7 @@ struct external_record {
   const symbolic::external_function* function = nullptr; ///< null if there is a mistake
   std::string_view called{};
   external_mistake mistake{};
-  int operands = 0; ///< the number that it takes, if it is called with a different one
+  int operands = 0; ///< the number of operands that it takes if it is called with a different number
 };
 
 /// A derivative of a function: the operands with respect to which it is taken, in ascending order, so that
@@ -62,8 +62,8 @@ concept counts_as_number =
     std::convertible_to<Operand, double> && !std::same_as<std::remove_cvref_t<Operand>, bool> &&
     !std::is_pointer_v<std::remove_cvref_t<Operand>>;
 
-/// Describes a numeric type that cannot represent every double: a value would be truncated or rounded
-/// silently.
+/// Describes a numeric type that cannot represent every double, so that values would be truncated or rounded
+/// silently; empty for all other types.
 template <class Given>
 constexpr std::string_view lesser_than_double() {
   using number = std::remove_cvref_t<Given>;
@@ -76,7 +76,7 @@ constexpr std::string_view lesser_than_double() {
     return "";
 }
 
-/// The same for the first such argument of a function whose argument types are fixed.
+/// Describes the first such argument of a function whose argument types are fixed.
 template <class Call>
 inline constexpr std::string_view lesser_argument{};
 template <class Function, class Result, class... Arguments, bool never_throws>
@@ -90,8 +90,8 @@ template <class Function, class Result, class... Arguments, bool never_throws>
 inline constexpr std::string_view lesser_argument<Result (Function::*)(Arguments...) noexcept(never_throws)> =
     lesser_argument<Result (Function::*)(Arguments...) const>;
 
-/// A function and its derivatives, each a class that is called with scalars. For several operands, or order
-/// two and higher, a derivative returns numbers accessed by [i] or [i][j].
+/// A function and its derivatives, each of them a class whose objects are called with scalars. For several
+/// operands, or order two and higher, a derivative returns numbers accessed by [i] or [i][j].
 template <text called, int operands, class Function, class... Derivatives>
 struct external_family {
   static constexpr std::string_view name = called.view();
@@ -121,7 +121,7 @@ struct external_family {
       return true;
   }
 
-  /// An entry of a derivative; for a single operand the derivative may be the number itself.
+  /// Returns an entry of a derivative; for a single operand, the derivative may be the number itself.
   template <int digits, int level, class Given>
   static constexpr decltype(auto) entry(const Given& given) {
     constexpr derivative_of path(digits);
@@ -216,7 +216,7 @@ struct external_member {
   static constexpr bool is_given = path.order <= Family::derivatives,
                         has_slopes = path.order < Family::derivatives;
 
-  /// Whether it can be called with such scalars.
+  /// Whether the function can be called with scalars of this type.
   template <class Number>
   static constexpr bool accepts() {
     return Family::template accepts<digits, Number>();
@@ -278,7 +278,7 @@ inline constexpr external_record external_of = [] {
 
 /// A user function, which models call like built-in ones: `constexpr external<"tyre", F, dF> tyre;` and
 /// `tyre(slip, load)`. F is a class whose objects take scalars of a type T and return a T; dF returns the
-/// derivatives with respect to each operand: a number for one operand, otherwise an object indexed by [i]. A
+/// derivatives with respect to the operands: a number for one operand, otherwise an object indexed by [i]. A
 /// second derivative, which linearizations of an expression with a first derivative need, is indexed by
 /// [i][j], and a third one by [i][j][k]. Derivatives that are never needed may be omitted.
 template <text called, class Function, class... Derivatives>
@@ -298,7 +298,7 @@ struct external {
     return all;
   }
 
-  /// The same for the expressions of a builder.
+  /// Calls the function with expressions of a builder.
   template <std::same_as<symbolic::expression>... Operands>
     requires(sizeof...(Operands) > 0)
   constexpr auto operator()(Operands... x) const {

@@ -54,7 +54,7 @@ constexpr vector<1> basis(const frame_record* frame, int axis, bool is_of_one_fi
   return {{t}};
 }
 
-/// Replaces the frame if a different frame uses its name.
+/// Takes the place of the frame if a different frame uses its name.
 template <class Other>
 inline constexpr frame_record frame_under_another_name = [] {
   frame_record r;
@@ -63,8 +63,8 @@ inline constexpr frame_record frame_under_another_name = [] {
   return r;
 }();
 
-/// Gives a frame its basis vectors `Frame::x`, `Frame::y`, `Frame::z`. If `Frame` is complete before its base
-/// class is, it is a different frame, to which the axes would belong.
+/// Gives a frame its basis vectors `Frame::x`, `Frame::y`, `Frame::z`. If `Frame` is a complete type before
+/// this base class is, it is not the frame being defined, and the axes would belong to the wrong frame.
 template <class Frame, bool is_another = requires { sizeof(Frame); }>
 struct axes : orientation_words {
   static constexpr bool are_of_another = is_another;
@@ -195,9 +195,9 @@ struct direction_cosines : describe::axes<Self> {
   }
 };
 
-/// Declares a frame's angular velocity in `Reference`, which always replaces the derived one. It must be the
-/// one that follows from the orientation, possibly plus the spin about an axis by an angle that the
-/// orientation omits.
+/// Declares a frame's angular velocity in `Reference`, which always replaces the derived one. It must equal
+/// the one that follows from the orientation, except for a spin about an axis whose angle the orientation
+/// omits.
 template <class Reference, auto... value>
 struct angular_velocity : describe::angular_velocity_words {
   static constexpr const describe::frame_record* turns_in = &describe::frame_of<Reference>;

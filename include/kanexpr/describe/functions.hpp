@@ -186,7 +186,7 @@ constexpr auto pow(const Left& x, const Right& y) {
   return describe::meaningless<scalar>(x, y, describe::with(symbolic::operation::power));
 }
 
-// Functions that C++ has but models do not; they exist for the error sentence.
+// Functions that C++ has but models do not; they are declared so that an error sentence can report their use.
 
 template <describe::expression_of_a_model Operand>
 constexpr auto asinh(const Operand& x) {

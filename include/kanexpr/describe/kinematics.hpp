@@ -6,7 +6,7 @@ namespace kanexpr {
 
 namespace describe {
 
-/// A frame and the one relative to which its orientation and its declared angular velocity are given.
+/// A frame, and the frame relative to which its orientation and its declared angular velocity are given.
 struct kinematics_of_frame {
   token tokens[2];
 };
@@ -31,14 +31,14 @@ constexpr shape shape_of(const simple_kinematics&) { return shape::simple; }
 
 } // namespace describe
 
-/// The kinematic differential equations q̇ = u of all coordinates whose rate appears in no other equation:
-/// the first of them is paired with the first speed that appears in no other equation, and so on:
-/// `kinematics<simple>`.
+/// `kinematics<simple>` adds the kinematic differential equations q̇ = u of all coordinates whose rates
+/// appear in no other equation. The first of these coordinates is paired with the first speed that appears in
+/// no other equation, and so on.
 inline constexpr describe::simple_kinematics simple{{describe::with(describe::token_kind::number)}};
 
 /// The kinematic differential equations of a frame whose angular velocity is declared: the angular velocity
-/// that follows from its orientation in `Reference` equals the one in `angular_velocity<Reference, …>`. Three
-/// equations, or four for a quaternion: `kinematics<kinematics_of<B, N>, dot(q4) == u4>`.
+/// that follows from its orientation in `Reference` equals the one in `angular_velocity<Reference, …>`. These
+/// are three equations, or four for a quaternion: `kinematics<kinematics_of<B, N>, dot(q4) == u4>`.
 template <class Frame, class... Reference>
 inline constexpr describe::kinematics_of_frame kinematics_of =
     describe::kinematics_between(&describe::frame_of<Frame>, nullptr, !is_known_to_all_files<Frame>);

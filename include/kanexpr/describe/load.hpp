@@ -108,7 +108,8 @@ struct potential_energy : describe::load_words {
 };
 
 /// A straight massless spring that pulls two points together with stiffness·(distance − natural length):
-/// `spring<P, Q, k, l0>`. With a natural length the force has no direction at zero distance, where it is NaN.
+/// `spring<P, Q, k, l0>`. With a natural length, the force has no direction at zero distance and is NaN
+/// there.
 template <class Point, class Other, auto... stiffness_and_length>
 struct spring : describe::load_words {
   static constexpr describe::load_record load{
@@ -151,8 +152,8 @@ struct torsional_spring : describe::load_words {
       .once = true};
 };
 
-/// A torque −damping·ω on everything that is fixed in a frame, where ω is its angular velocity in another
-/// frame, and the opposite torque on that frame: `torsional_damper<B, A, c>`.
+/// A torque −damping·ω on everything that is fixed in one frame and the opposite torque on another frame,
+/// where ω is the angular velocity of the first relative to the second: `torsional_damper<B, A, c>`.
 template <class Frame, class Other, auto... damping>
 struct torsional_damper : describe::load_words {
   static constexpr describe::load_record load{

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Detects words that an entity has twice, or that belong to entities of another kind. A second word of the
-/// same kind makes lookup ambiguous, so both would be ignored silently.
+/// Detects words that an entity has twice or that belong to entities of a different kind. A second word of
+/// the same kind makes name lookup ambiguous, so both would be ignored silently.
 namespace kanexpr::describe {
 
 // Base classes of the library's words, by which they are counted.
@@ -50,7 +50,7 @@ constexpr bool hides(Entity* e) {
   return requires { words(e); }; // a cast that ignores access control
 }
 
-/// For a joint, which is both a frame and a point.
+/// Finds the misfit of a joint, which is both a frame and a point.
 template <class Joint>
 constexpr misfit find_misfit_of_joint() {
   constexpr Joint* j = nullptr;
@@ -69,8 +69,8 @@ constexpr misfit find_misfit_of_joint() {
   return misfit::none;
 }
 
-/// For an entity or load. It runs for every entity, so it avoids templates, which the compiler would have to
-/// store.
+/// Finds the misfit of an entity or a load. It is evaluated for every entity, so it avoids templates, which
+/// the compiler would have to store.
 template <class Entity>
 constexpr misfit find_misfit() {
   constexpr bool is_frame = __is_base_of(orientation_words, Entity);
@@ -111,7 +111,8 @@ constexpr misfit find_misfit() {
   return misfit::none;
 }
 
-/// Whether a system, or a word of a system, has another base class that should be one of the system's words.
+/// Whether a system, or a word of a system, has an additional base class that should be one of the system's
+/// words.
 template <class Told>
 constexpr bool has_word_beside() {
   return __is_base_of(orientation_words, Told) || __is_base_of(place_words, Told) ||

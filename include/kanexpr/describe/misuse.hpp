@@ -52,7 +52,7 @@ enum class misuse : unsigned char {
 
 inline constexpr mechanics::sentence which_functions_there_are = [] {
   mechanics::sentence
-      p; // appended letter by letter, because every file that includes this header evaluates it
+      p; // appended letter by letter to save compile time: every file that includes this header evaluates it
   const auto append = [&](std::string_view text) {
     for (char letter : text) p.letters[p.length++] = letter;
   };

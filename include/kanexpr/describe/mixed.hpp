@@ -2,7 +2,7 @@
 
 #include <kanexpr/describe/operand.hpp>
 
-/// Expressions whose operand kinds do not fit together, such as `u1 + N::x`. They are stored as written, so
+/// Expressions whose operands are of incompatible kinds, such as `u1 + N::x`. They are stored as written, so
 /// that the reader of the model can report them with the point or frame to which they belong.
 namespace kanexpr {
 
@@ -24,7 +24,7 @@ concept no_product =
     written<Left> && written<Right> && (strange<Left, Right> || (no_scalar<Left> && no_scalar<Right>));
 template <class Left, class Right>
 concept no_quotient = written<Left> && written<Right> && (strange<Left, Right> || no_scalar<Right>);
-/// Excludes pairs of scalars; an equation is treated alike.
+/// Excludes pairs of scalars; equations are treated in the same way.
 template <class Left, class Right>
 concept no_function =
     written<Left> && written<Right> && (strange<Left, Right> || no_scalar<Left> || no_scalar<Right>);
@@ -36,7 +36,8 @@ concept no_dot_product = written<Left> && written<Right> &&
 template <class Left, class Right>
 concept no_vectors = written<Left> && written<Right> && (no_vector<Left> || no_vector<Right>);
 
-/// An equation has lost its ==, so it gets its own mistake; the reader describes operands of other kinds.
+/// Stores the operation as written. An equation no longer contains its ==, so it gets a separate mistake; the
+/// reader describes operands of other kinds.
 template <template <int> class Kind, class Operand>
 constexpr auto meaningless(const Operand& x, const token& last) {
   return followed_by<Kind>(operand(with_zeros(x)).tokens,

@@ -119,7 +119,7 @@ constexpr auto partial(const Operand& x, const Symbol& by) {
   return describe::misused<vector>(x, by, describe::misuse::partial);
 }
 
-// derivatives and axes that do not fit their arguments
+// derivatives and axes with arguments of the wrong kind
 template <describe::no_scalar Operand>
 constexpr auto derivative(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::unseen_derivative);

@@ -26,7 +26,7 @@ constexpr const equation<size>& operand(const equation<size>& x) {
 }
 template <class Operand>
   requires(!std::is_class_v<Operand> &&
-           std::is_arithmetic_v<Operand>) // in this order: few types reach the second condition
+           std::is_arithmetic_v<Operand>) // in this order, because few types reach the second condition
 constexpr scalar<1> operand(Operand x) {
   if constexpr (std::is_same_v<Operand, bool>)
     return {{misused(misuse::truth)}};
@@ -36,7 +36,7 @@ constexpr scalar<1> operand(Operand x) {
     return number(x);
 }
 
-/// The argument itself where the integer 0 is allowed.
+/// Returns the argument itself; used where the integer 0 is allowed.
 template <class Operand>
 constexpr auto with_zeros(const Operand& x) {
   if constexpr (plain_number<Operand>)

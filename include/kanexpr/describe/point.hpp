@@ -73,9 +73,9 @@ struct fixed_in : describe::fixing_words {
 };
 
 /// Declares a point's velocity in `Reference`. In the inertial frame this is the whole velocity; in any other
-/// frame the point from which it is offset must be fixed there: v = v_from + ω × r + value (one-point
-/// theorem). The velocity must be the rate of the point's position, unless the offset is zero, in which case
-/// the model omits the position.
+/// frame, the point from which it is offset must be fixed in that frame: v = v_from + ω × r + value
+/// (one-point theorem). The velocity must be the rate of the point's position, unless the offset is zero,
+/// which means that the model omits the position.
 template <class Reference, auto... value>
 struct velocity : describe::velocity_words {
   static constexpr const describe::frame_record* moves_in = &describe::frame_of<Reference>;

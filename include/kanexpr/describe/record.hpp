@@ -65,8 +65,8 @@ inline constexpr bool is_of_one_file = [] {
 }();
 
 /// Two source files may each have entities of the same name in an unnamed namespace. g++ does not distinguish
-/// template arguments by the objects that they point to, so the linker could confuse the expressions of the
-/// two files. A type that is local to the file keeps them apart.
+/// template arguments by the objects to which they point, so the linker could confuse the expressions of the
+/// two files. A type that is local to the file distinguishes them.
 template <bool is_of_one_file>
 struct known_in {
   using type = void;
@@ -110,7 +110,7 @@ inline constexpr phrase given_phrases[sizeof...(values) + 9]{phrase_of<values>..
                                                              no_phrase,
                                                              no_phrase};
 
-/// The same for values that may be 0 and are checked differently.
+/// The phrases for values that may be 0 and are checked differently.
 template <auto... values>
 inline constexpr auto& given_phrases_with_zeros = given_phrases<with_zeros(values)...>;
 
@@ -132,10 +132,10 @@ enum class orientation_word : unsigned char;
 
 struct frame_record {
   std::string_view called{};
-  std::string_view calls_itself{}; ///< the first template argument of its orientation
+  std::string_view calls_itself{}; ///< the first template argument of its orientation word
   arguments fits{};
   bool unparsed = false;
-  orientation_word orientation{}; ///< by default that of an inertial frame
+  orientation_word orientation{}; ///< the default is that of an inertial frame
   const frame_record* parent = nullptr;
   phrase given[9]{}; ///< angles, quaternion or matrix
   std::string_view given_as = "an angle of frame ";
@@ -143,9 +143,9 @@ struct frame_record {
   char sequence[4]{}; ///< "zxz" or "313"
   const frame_record* reference = nullptr;
   phrase angular_velocity{};
-  bool turns_apart = false;   ///< relative to its orientation
+  bool turns_apart = false;   ///< declared not to match its orientation
   std::string_view instead{}; ///< the actual kind, if it is not a frame
-  std::string_view its_own{}; ///< the frame of that entity
+  std::string_view its_own{}; ///< the frame of that entity, if it has one
   bool is_of_joint = false;
   misfit beside = misfit::none;
 
@@ -163,11 +163,11 @@ struct point_record {
   const frame_record* fixed_in = nullptr;
   const frame_record* reference = nullptr;
   phrase velocity{};
-  bool moves_apart = false; ///< relative to its position
+  bool moves_apart = false; ///< declared not to match its position
   bool from_parent =
       false; ///< the velocity is relative to the parent, even if `reference` is the inertial frame
   std::string_view instead{}; ///< the actual kind, if it is not a point
-  std::string_view its_own{}; ///< the point of that entity
+  std::string_view its_own{}; ///< the point of that entity, if it has one
   misfit beside = misfit::none;
 
   constexpr bool is_origin() const { return parent == nullptr; }
@@ -181,13 +181,13 @@ struct body_record {
   const point_record* center = nullptr;
   const frame_record* frame = nullptr;
   phrase mass{};
-  const frame_record* inertia_axes = nullptr; ///< of the six scalars
+  const frame_record* inertia_axes = nullptr; ///< the frame in whose axes the six scalars are given
   phrase inertia[6]{};
   phrase inertia_dyadic{};
   const point_record* about = nullptr;
-  std::string_view instead_of_inertia{}; ///< the type in its place that is not an inertia
+  std::string_view instead_of_inertia{}; ///< the type that is passed in its place but is not an inertia
   std::string_view instead{};            ///< the actual kind, if it is not a body
-  bool has_whole_zeros = false;          ///< for all scalars of its inertia
+  bool has_whole_zeros = false;          ///< whether all scalars of its inertia are the integer 0
   bool inertia_changes = false;
   bool effective = false; ///< the inertia need not correspond to a mass distribution
   misfit beside = misfit::none;
@@ -199,16 +199,17 @@ enum class load_word : unsigned char;
 
 struct load_record {
   load_word what{};
-  std::string_view word{}; ///< "the force": for sentences, followed by the point or frame on which it acts
+  std::string_view
+      word{}; ///< its name in sentences, such as "the force"; the point or frame on which it acts follows
   arguments fits{};
   const point_record* point = nullptr;
   const point_record* other_point = nullptr; ///< null if it does not act between two points
   const frame_record* frame = nullptr;
   const frame_record* other_frame = nullptr; ///< null if it does not act between two frames
   phrase value{};                            ///< a force or torque, energy, stiffness or damping
-  phrase angle{};                            ///< of a torsional spring
+  phrase angle{};                            ///< the angle of a torsional spring
   phrase rest{};                             ///< the length or angle of a spring at rest
-  phrase known_by{};                         ///< its identification, if not by points or frames
+  phrase known_by{};                         ///< the expression that identifies it, if not points or frames
   std::string_view called{};
   std::string_view instead{}; ///< the actual kind, if it is not a load
   misfit beside = misfit::none;
@@ -220,15 +221,15 @@ struct load_record {
 struct joint_record {
   std::string_view called{};
   std::string_view calls_itself{};
-  std::string_view mistake{}; ///< the end of a sentence: "has two homes"
-  std::string_view form{};    ///< the correct form, if that is the mistake
+  std::string_view mistake{}; ///< the end of a sentence, such as "has two homes"
+  std::string_view form{};    ///< the correct form, if the form is the mistake
   const frame_record* frame = nullptr;
   const point_record* point = nullptr;
   const frame_record* home = nullptr; ///< the child's frame when all coordinates are zero
   const frame_record* parent_frame = nullptr;
   const point_record* parent_point = nullptr;
   listing<phrase> axes{}; ///< axes that need a check
-  phrase place{};         ///< in the parent, if it is given along axes other than the parent's
+  phrase place{};         ///< its location in the parent, if it is given along axes other than the parent's
   listing<phrase> coordinates{}, speeds{}, kinematics{};
   const body_record* body = nullptr; ///< null if it has no mass
   std::string_view instead{};        ///< the actual kind, if it is not a joint

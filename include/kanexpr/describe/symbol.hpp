@@ -32,7 +32,8 @@ constexpr scalar<1> symbol_token() {
 
 } // namespace describe
 
-/// A generalized coordinate: `constexpr coordinate<"q1"> q1;`, or one of a chain, `coordinate<"q", i>`.
+/// A generalized coordinate: `constexpr coordinate<"q1"> q1;`, or one of a numbered sequence,
+/// `coordinate<"q", i>`.
 template <text called, int index = unnumbered>
 struct coordinate : scalar<1> {
   constexpr coordinate()

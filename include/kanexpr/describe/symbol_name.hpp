@@ -16,7 +16,7 @@ public:
     name_ = symbol_->called.view();
     if (symbol_->kind == symbolic::symbol_kind::coordinate_rate ||
         symbol_->kind == symbolic::symbol_kind::speed_rate)
-      name_ += '\''; // the record of a rate holds the name of the symbol itself
+      name_ += '\''; // the record of a rate contains the name of the symbol itself
   }
   symbol_name(std::string_view name) : name_(name) {}
   symbol_name(const char* name) : name_(name) {}

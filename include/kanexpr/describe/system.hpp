@@ -19,7 +19,7 @@ struct system_record {
   method derived_by = method::kane;
   const frame_record* inertial = nullptr;
   listing<phrase> coordinates{}, speeds{}, parameters{}, inputs{};
-  listing<phrase> added_inputs{}; ///< follow the inputs that a model without a list mentions
+  listing<phrase> added_inputs{}; ///< in a model without a list of inputs, they follow those that it mentions
   listing<phrase> kinematics{};
   listing<phrase> configuration_constraints{}, velocity_constraints{}, acceleration_constraints{};
   listing<phrase> dependent{}, auxiliary{};
@@ -71,7 +71,7 @@ struct coordinates : describe::system_words {
   }
 };
 
-/// The generalized speeds, in the order of the state, where they follow the coordinates.
+/// The generalized speeds, in the order of the state, in which they follow the coordinates.
 template <auto... symbols>
 struct speeds : describe::system_words {
   static constexpr std::string_view word = "speeds";
@@ -80,7 +80,7 @@ struct speeds : describe::system_words {
   }
 };
 
-/// The order of the parameter vector; without it, the order of first mention in the model.
+/// The order of the parameter vector; by default, the order of first mention in the model.
 template <auto... symbols>
 struct parameters : describe::system_words {
   static constexpr std::string_view word = "parameters";
@@ -89,7 +89,7 @@ struct parameters : describe::system_words {
   }
 };
 
-/// The order of the input vector; without it, the order of first mention in the model.
+/// The order of the input vector; by default, the order of first mention in the model.
 template <auto... symbols>
 struct inputs : describe::system_words {
   static constexpr std::string_view word = "inputs";

@@ -5,7 +5,7 @@
 #include <kanexpr/symbolic/numbers/number.hpp>
 
 /// The storage of a model's words: flat arrays of tokens in postfix order, which are template arguments and
-/// cost the compiler next to nothing, and records of entities that point to each other.
+/// cost almost no compile time, and records of entities that point to each other.
 namespace kanexpr::describe {
 
 struct frame_record;
@@ -30,9 +30,9 @@ enum class token_kind : unsigned char {
   number,
   symbol,
   scalar_function, ///< given by `operation`
-  composed,        ///< of scalars: `index` is the symbolic::composition, `number` their count
-  external,        ///< `external` applied to scalars, `number` their count
-  basis,           ///< axis `index` of `frame`; null denotes the frame that is being described
+  composed, ///< a composition of scalars; `index` is the symbolic::composition, `number` the count of scalars
+  external, ///< `external` applied to scalars; `number` is their count
+  basis,    ///< axis `index` of `frame`; null denotes the frame that is being described
   add,
   subtract,
   negate,
@@ -43,17 +43,17 @@ enum class token_kind : unsigned char {
   outer,
   magnitude,
   normalized,
-  position, ///< of `point` relative to its origin
+  position, ///< position of `point` relative to its origin
   velocity,
   acceleration,
-  angular_velocity, ///< of `frame` in the inertial frame
+  angular_velocity, ///< angular velocity of `frame` in the inertial frame
   angular_acceleration,
-  derivative, ///< with respect to time; of a vector in `frame`
-  partial,    ///< with respect to `symbol`
-  in_axes,    ///< of `frame`
+  derivative, ///< derivative with respect to time; of a vector, in `frame`
+  partial,    ///< derivative with respect to `symbol`
+  in_axes,    ///< a vector in the axes of `frame`
   length,     ///< a scalar that must not be a negative number
   wheel_axis, ///< a vector that must be fixed in `frame`
-  misused,    ///< has no meaning in a model: `index` is the describe::misuse
+  misused,    ///< a construct without meaning in a model; `index` is the describe::misuse
 };
 
 struct token {

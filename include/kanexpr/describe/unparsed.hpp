@@ -12,8 +12,8 @@ struct anything {
 };
 
 /// Whether a class has neither bases nor members and is not a word of the library. No model contains such an
-/// entity or system on purpose, but an error in the base clause makes compilers continue with one. That error
-/// is the one to read; a sentence about its consequences would be misleading.
+/// entity or system on purpose, but after an error in a base clause, compilers continue with such a class.
+/// The user should read that error; a sentence about its consequences would be misleading.
 template <class Type>
 constexpr bool is_unparsed() {
   if constexpr (requires { sizeof(Type); })

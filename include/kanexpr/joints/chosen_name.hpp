@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/text.hpp>
 
-/// Names that joints derive from the type that they describe: `q_Link2`, `Link2_home`.
+/// Names that a joint forms from the name of its type: `q_Link2`, `Link2_home`.
 namespace kanexpr::describe {
 
 /// Appends the characters of a type's name that are allowed in a name and replaces all others by an
@@ -31,7 +31,7 @@ inline constexpr std::size_t name_size = [] {
   return append_name_of<Type>(all);
 }();
 
-/// "q" and Link2 give q_Link2.
+/// Prefixes the name of a joint: "q" and Link2 give q_Link2.
 template <text what, class Type>
 inline constexpr auto name_before = [] {
   text<what.view().size() + name_size<Type> + 2> all;
@@ -42,7 +42,7 @@ inline constexpr auto name_before = [] {
   return all;
 }();
 
-/// Link2 and "home" give Link2_home.
+/// Appends a suffix to the name of a joint: Link2 and "home" give Link2_home.
 template <class Type, text what>
 inline constexpr auto name_behind = [] {
   text<what.view().size() + name_size<Type> + 2> all;

@@ -53,7 +53,7 @@ constexpr auto racked() {
     return mistaken<Rack>(misuse::rack_arguments);
 }
 
-/// Constrains a direction to have no component along the other two axes of a frame.
+/// Requires the components of a direction along the other two axes of a frame to vanish.
 template <auto direction, auto axis>
 constexpr auto kept_parallel() {
   if constexpr (requires { requires sizeof(axis.tokens) == sizeof(token); }) {
@@ -93,7 +93,7 @@ constexpr auto axis_of_wheel() {
 template <class Wheel, auto axis, auto up>
 inline constexpr auto up_the_wheel = up - dot(up, axis_of_wheel<Wheel, axis>()) * unit_along(axis);
 
-/// A radius or the length of a rod, as an expression.
+/// Returns a radius or the length of a rod as an expression.
 template <auto given>
 constexpr auto length_of() {
   if constexpr (plain_number<decltype(given)>)
@@ -104,7 +104,7 @@ constexpr auto length_of() {
     return operand(given);
 }
 
-/// From the center of a wheel to its contact with a plane.
+/// Returns the vector from the center of a wheel to its contact with a plane.
 template <class Wheel, auto axis, auto up, auto radius, auto... tube>
 constexpr auto to_contact() {
   if constexpr (sizeof...(tube) == 0)
@@ -136,13 +136,13 @@ constexpr auto position_between() {
          motion_of(token_kind::position, parts_of<From>::point(), !is_known_to_all_files<From>);
 }
 
-/// An axis of a frame, or of a type that has one.
+/// Returns an axis of a frame, or of the frame of a type that has one.
 template <class Frame>
 constexpr vector<1> axis_of(int index) {
   return basis(parts_of<Frame>::frame(), index, !is_known_to_all_files<Frame>);
 }
 
-/// The velocity relative to `Ground` of the material point of `Wheel` that touches it.
+/// Returns the velocity, relative to `Ground`, of the material point of `Wheel` that touches it.
 template <class Wheel, class Ground, auto axis, auto... radii>
 constexpr auto slip_on() {
   constexpr auto to_ground = to_contact<Wheel, axis, axis_of<Ground>(2), radii...>();
@@ -182,7 +182,7 @@ constexpr auto held_alike() {
                       axis_of<Other>(0), axis_of<Other>(1), axis_of<Other>(2)>;
 }
 
-/// The axis of a wheel, its radius and, for a torus, the radius of its tube.
+/// Whether the arguments are the axis of a wheel, its radius and, for a torus, the radius of its tube.
 template <auto... axis_and_radii>
 inline constexpr bool describe_wheel = sizeof...(axis_and_radii) == 2 || sizeof...(axis_and_radii) == 3;
 
@@ -211,45 +211,46 @@ constexpr auto touching() {
 template <class Point, class Other = describe::left_out, auto... length>
 inline constexpr auto rod_of_length = describe::held_apart<Point, Other, length...>();
 
-/// Couples two gears: the first joint turns `ratio` times as far as the second, in the opposite direction if
-/// the ratio is negative. A configuration constraint.
+/// A configuration constraint that couples two gears: the first joint turns `ratio` times as far as the
+/// second, in the opposite direction if the ratio is negative.
 template <class First, class Second = describe::left_out, auto... ratio>
 inline constexpr auto gear = describe::geared<First, Second, ratio...>();
 
-/// A belt around two pulleys: the products of radius and angle are equal; for a crossed belt, one radius is
-/// negative. A configuration constraint.
+/// A configuration constraint for a belt around two pulleys: the products of radius and angle are equal; for
+/// a crossed belt, one radius is negative.
 template <class First, class Second = describe::left_out, auto... radii>
 inline constexpr auto belt = describe::coupled_by_belt<First, Second, radii...>();
 
-/// A sliding joint moves as far as the rim of a turning one: `rack_and_pinion<Rack, Pinion, r>`, a
-/// configuration constraint.
+/// A configuration constraint by which a sliding joint moves as far as the rim of a turning one:
+/// `rack_and_pinion<Rack, Pinion, r>`.
 template <class Rack, class Pinion = describe::left_out, auto... radius>
 inline constexpr auto rack_and_pinion = describe::racked<Rack, Pinion, radius...>();
 
-/// Makes two points coincide, which closes a loop with a ball joint: `coincident<P, Q, N::x, N::y, N::z>`; in
-/// a planar mechanism along two directions. A configuration constraint.
+/// A configuration constraint that makes two points coincide, which closes a loop with a ball joint:
+/// `coincident<P, Q, N::x, N::y, N::z>`. A planar mechanism needs only two directions.
 template <class Point, class Other = describe::left_out, auto... directions>
 inline constexpr auto coincident = describe::held_together<Point, Other, directions...>();
 
-/// Keeps a direction parallel to an axis of a frame: `parallel<A::z, B::z>`. Together with `coincident` it
-/// closes a loop with a pin about B::z. A configuration constraint.
+/// A configuration constraint that keeps a direction parallel to an axis of a frame: `parallel<A::z, B::z>`.
+/// Together with `coincident`, it closes a loop with a pin about B::z.
 template <auto... direction_and_axis>
 inline constexpr auto parallel = describe::parallel_ones<direction_and_axis...>();
 
-/// Keeps the axes of two frames aligned: `same_axes<A, B>`. Together with `coincident` it closes a loop with
-/// a weld. A configuration constraint. (Half turns about an axis and rotations that permute the axes satisfy
-/// it as well: start with aligned axes.)
+/// A configuration constraint that keeps the axes of two frames aligned: `same_axes<A, B>`. Together with
+/// `coincident`, it closes a loop with a weld. Half turns about an axis and rotations that permute the axes
+/// satisfy it as well, so the motion must start with aligned axes.
 template <class Frame, class Other = describe::left_out>
 inline constexpr auto same_axes = describe::held_alike<Frame, Other>();
 
-/// A wheel rolls without slipping on the plane x, y of `Ground`, which may move itself: `rolls_on<Wheel,
-/// Ground, Wheel::y, r>`, with the axis and radius of the wheel and, if it is a torus, the radius of its
-/// tube. A velocity constraint. `Wheel` is a joint, or `frame_and_point<A, P>` with its center; `Ground` has
-/// a frame and a point too.
+/// A velocity constraint by which a wheel rolls without slipping on the plane x, y of `Ground`, which may
+/// itself move: `rolls_on<Wheel, Ground, Wheel::y, r>`, with the axis and radius of the wheel and, if it is a
+/// torus, the radius of its tube. `Wheel` is a joint or a `frame_and_point<A, P>` in which P is its center;
+/// `Ground` has a frame and a point, too.
 template <class Wheel, class Ground = describe::left_out, auto... axis_and_radii>
 inline constexpr auto rolls_on = describe::rolling<Wheel, Ground, axis_and_radii...>();
 
-/// A wheel touches the plane x, y of `Ground`; same arguments, a configuration constraint.
+/// A configuration constraint by which a wheel touches the plane x, y of `Ground`; it takes the arguments of
+/// `rolls_on`.
 template <class Wheel, class Ground = describe::left_out, auto... axis_and_radii>
 inline constexpr auto touches = describe::touching<Wheel, Ground, axis_and_radii...>();
 

@@ -2,10 +2,10 @@
 
 #include <kanexpr/joints/joint.hpp>
 
-/// The motion that a joint would have without constraining anything, in terms of auxiliary speeds. A kind of
-/// joint declares the part of this motion that it constrains, `bound_spin<Joint>` and `bound_drift<Joint>`,
-/// unless it constrains all of it. Along its free directions the child moves with the joint's own speeds, and
-/// so does everything else that the model expresses by them.
+/// The motion that the child would have if the joint did not constrain it, in terms of auxiliary speeds. A
+/// kind of joint declares the part of this motion that it constrains, `bound_spin<Joint>` and
+/// `bound_drift<Joint>`, unless it constrains all of it. Along the free directions, the child moves with the
+/// joint's own speeds, as does everything else that the model expresses by them.
 namespace kanexpr::describe {
 
 /// Six auxiliary speeds, along and about the axes of the child.
@@ -30,7 +30,7 @@ inline constexpr auto freed_drift = freeing_speeds<Joint>::f1 * basis(&frame_of<
                                     freeing_speeds<Joint>::f2 * basis(&frame_of<Joint>, 1) +
                                     freeing_speeds<Joint>::f3 * basis(&frame_of<Joint>, 2);
 
-/// The component of a vector along a unit vector, and the remainder.
+/// Return the component of a vector along a unit vector, and the remainder.
 constexpr auto part_along(const auto& given, const auto& axis) { return dot(given, axis) * axis; }
 constexpr auto across(const auto& given, const auto& axis) { return given - part_along(given, axis); }
 

@@ -4,11 +4,11 @@
 #include <kanexpr/joints/chosen_name.hpp>
 #include <kanexpr/joints/joint_mistakes.hpp>
 
-/// A joint, as the frames, points, symbols and equations that it consists of. A kind of joint is a struct
-/// with these members:
+/// A joint, represented by its frames, points, symbols and equations. A kind of joint is a struct with these
+/// members:
 ///
 ///     symbols                joint_symbols<names<"q">, names<"u">>
-///     least_axes, most_axes  how many axes it takes
+///     least_axes, most_axes  the number of axes it takes
 ///     is_second_axis_of_child   if the second axis is not fixed in the parent
 ///     form                   the form that error sentences suggest
 ///     special                the type of its special word, if it takes one
@@ -35,7 +35,7 @@ struct names {
 template <class Coordinates, class Speeds>
 struct joint_symbols;
 
-/// The symbols of a joint: user-defined or chosen ones.
+/// The symbols of a joint, chosen by the user or by the library.
 template <text... coordinates, text... speeds>
 struct joint_symbols<names<coordinates...>, names<speeds...>> {
   static constexpr std::size_t of_position = sizeof...(coordinates), of_motion = sizeof...(speeds);
@@ -79,7 +79,7 @@ struct joint_symbols<names<coordinates...>, names<speeds...>> {
   }
 };
 
-/// A rotation from the home.
+/// Sets a rotation from the home orientation.
 constexpr void turn_about(frame_record& r, const phrase& angle, const phrase& axis) {
   r.orientation = orientation_word::rotated;
   r.given_as = "the angle of frame ";
@@ -176,8 +176,8 @@ struct joint : axes<Self>, place_words, joint_words {
       return parent_frame();
   }
 
-  /// An axis in terms of `own` axes is fixed both in the home of the child and in the child; `seen_by`
-  /// selects the frame that `own` denotes.
+  /// Returns an axis. If it is given in `own` axes, it is fixed both in the home of the child and in the
+  /// child; `seen_by` is the frame that `own` denotes.
   template <std::size_t index>
   static constexpr auto axis_in(const frame_record* seen_by) {
     if constexpr (!has<joint_word::axis>)
@@ -357,7 +357,7 @@ private:
   }
 };
 
-/// A mistake in a word, with the name of the joint that contains it.
+/// Returns a mistake in a word, with the name of the joint that contains it.
 template <class Joint>
 constexpr token misused_with(misuse what) {
   token named = misused(what);

@@ -2,11 +2,11 @@
 
 #include <kanexpr/joints/joint_word.hpp>
 
-/// The mistakes in the words of a joint, as the end of a sentence whose subject is the joint: "has two
-/// homes". Empty if there is none.
+/// The mistakes in the words of a joint. Each is the end of a sentence whose subject is the joint, such as
+/// "has two homes"; empty if there is no mistake.
 namespace kanexpr::describe {
 
-/// Whether an expression is certainly not a vector.
+/// Whether an expression is known not to be a vector.
 template <class Expression>
 constexpr bool is_no_vector() {
   if constexpr (requires { shape_of_operand<Expression>; })

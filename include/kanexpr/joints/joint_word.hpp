@@ -11,11 +11,11 @@ namespace kanexpr {
 
 namespace describe {
 
-/// A special word is restricted to some kinds of joints: its type `special` equals that of these kinds;
-/// `twice` and `misplaced` are the mistakes if it is repeated or used elsewhere.
+/// A special word belongs to particular kinds of joints, whose member type `special` equals that of the word.
+/// `twice` and `misplaced` are the mistakes if the word is repeated or used in a different joint.
 enum class joint_word : unsigned char { at, home, axis, by, body, special };
 
-/// Selects one of several expressions.
+/// Returns the expression with the given index.
 template <std::size_t wanted, auto first, auto... rest>
 constexpr auto one_of() {
   if constexpr (wanted == 0)
@@ -24,7 +24,7 @@ constexpr auto one_of() {
     return one_of<wanted - 1, rest...>();
 }
 
-/// The expression with `own` replaced by the axes of a frame.
+/// Returns the expression with `own` replaced by the axes of a frame.
 template <class Expression>
 constexpr auto by_axes_of(const frame_record* frame, const Expression& given) {
   if constexpr (requires { given.tokens; }) {
@@ -69,7 +69,7 @@ constexpr auto unit_along(const Direction& given) {
   }
 }
 
-/// The word of a kind among the words of a joint, or `void`.
+/// The word of the kind `wanted` among the words of a joint, or `void`.
 template <joint_word wanted, class... Words>
 struct joint_word_among {
   using type = void;
@@ -98,7 +98,7 @@ struct at {
 };
 
 /// The axis of a joint, or its two axes: vectors of any length, fixed in the parent or given in `own` axes,
-/// those of the child.
+/// the axes of the child.
 template <auto... vectors>
 struct axis {
   static constexpr describe::joint_word joint_word = describe::joint_word::axis;
@@ -127,7 +127,8 @@ struct home {
   }
 };
 
-/// The same by three successive rotations about the child's own axes: `home_angles<"zyx", a, b, c>`.
+/// The same rotation specified by three successive rotations about the child's own axes: `home_angles<"zyx",
+/// a, b, c>`.
 template <text sequence, auto... angles>
 struct home_angles {
   static constexpr describe::joint_word joint_word = describe::joint_word::home;
@@ -139,7 +140,7 @@ struct home_angles {
   }
 };
 
-/// User-defined symbols of a joint instead of the chosen ones: its coordinates, followed by its speeds.
+/// The symbols of a joint, chosen by the user: its coordinates, followed by its speeds.
 template <auto... symbols>
 struct by {
   static constexpr describe::joint_word joint_word = describe::joint_word::by;
@@ -149,8 +150,8 @@ struct by {
 };
 
 /// The body that moves with the child: its mass, its mass center as a vector from the child's point, and its
-/// inertia about the mass center. Without an inertia it is a particle; the default center is the child's
-/// point. `own` denotes the axes of the child, also in `inertia<own, Ixx, …>`.
+/// inertia about the mass center. Without an inertia, the body is a particle; the default mass center is the
+/// child's point. `own` denotes the axes of the child, also in `inertia<own, Ixx, …>`.
 template <auto mass, auto center = 0.0 * own::x, class... Inertia>
 struct body {
   static constexpr describe::joint_word joint_word = describe::joint_word::body;
@@ -163,7 +164,7 @@ struct body {
   }
 };
 
-/// Combines a frame and a point into the parent of a joint: `pin<Link, frame_and_point<A, P>, …>`.
+/// Combines a frame and a point into the parent of a joint, as in `pin<Link, frame_and_point<A, P>, …>`.
 template <class Frame, class Point>
 struct frame_and_point {};
 

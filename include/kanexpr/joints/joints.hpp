@@ -5,8 +5,8 @@
 
 namespace kanexpr {
 
-/// The joints of a system. Their coordinates, speeds and kinematic equations follow those that the system
-/// lists itself, in the order of the joints, and their bodies follow the listed bodies.
+/// The joints of a system. Their coordinates, speeds, kinematic equations and bodies follow those that the
+/// system itself lists, in the order of the joints.
 template <class... Joints>
 struct joints : describe::system_words {
   static constexpr std::string_view word = "joints";
@@ -17,7 +17,7 @@ struct joints : describe::system_words {
 
 namespace describe {
 
-/// Replaces a symbol that a joint does not have.
+/// Takes the place of a symbol that a joint does not have.
 template <class Joint>
 constexpr scalar<1> no_symbol_of(misuse what) {
   return {{misused_with<Joint>(what)}};

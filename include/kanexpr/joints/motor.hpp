@@ -63,8 +63,8 @@ constexpr auto friction_of_joint() {
 template <class Joint>
 inline constexpr auto effort_of = describe::chosen_effort<Joint>;
 
-/// A motor in a joint with one axis: a torque about it, or a force along it, on the child, and the opposite
-/// on the parent. `motor<Link2, T2>`, or `motor<Link2>` with the input `effort_of<Link2>`.
+/// A motor in a joint with one axis: a torque about the axis or a force along it, which acts on the child and
+/// oppositely on the parent. `motor<Link2, T2>`, or `motor<Link2>` with the input `effort_of<Link2>`.
 template <class Joint, auto... effort>
 struct motor : describe::load_words {
   static constexpr describe::load_record load = [] {
@@ -75,7 +75,7 @@ struct motor : describe::load_words {
   }();
 };
 
-/// Viscous friction in a joint with one axis: −c u about or along it, where u is the joint's speed.
+/// Viscous friction in a joint with one axis: −c u about or along the axis, where u is the joint's speed.
 template <class Joint, auto... damping>
 struct joint_friction : describe::load_words {
   static constexpr describe::load_record load = [] {

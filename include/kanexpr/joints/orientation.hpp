@@ -10,8 +10,8 @@ namespace describe {
 struct turns_freely {};
 } // namespace describe
 
-/// Three angles instead of the unit quaternion of a freely turning joint: `angles<"zxz">`, about the
-/// successive axes of the child. All twelve sequences.
+/// Three angles instead of the unit quaternion of a freely turning joint: `angles<"zxz">`, about successive
+/// axes of the child. All twelve sequences are supported.
 template <text sequence>
 struct angles {
   static constexpr describe::joint_word joint_word = describe::joint_word::special;
@@ -28,8 +28,8 @@ struct angles {
 
 namespace describe {
 
-/// A freely turning child: its coordinates of orientation start at index `first_q`, the components of its
-/// angular velocity relative to its home, in its own axes, at index `first_u`.
+/// A freely turning child. Its orientation coordinates start at index `first_q`; the components of its
+/// angular velocity relative to its home, in its own axes, start at index `first_u`.
 template <bool by_angles, std::size_t first_q, std::size_t first_u>
 struct free_orientation {
   using special = turns_freely;

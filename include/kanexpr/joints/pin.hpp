@@ -26,8 +26,8 @@ struct pin_joint {
 
 } // namespace describe
 
-/// A hinge, or revolute joint: the child rotates about an axis fixed in both the parent and the child.
-/// `pin<Link, Parent, axis<own::z>, at<l*Parent::x>>`.
+/// A hinge, or revolute joint: the child rotates about an axis that is fixed in both the parent and the
+/// child: `pin<Link, Parent, axis<own::z>, at<l*Parent::x>>`.
 template <class Self, class Parent, class... Words>
 struct pin : describe::joint<Self, Parent, describe::pin_joint, Words...> {};
 

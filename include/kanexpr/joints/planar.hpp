@@ -43,8 +43,8 @@ struct planar_joint {
 } // namespace describe
 
 /// The child moves by q1 along the first axis and by q2 along the second, and rotates by q3 about the normal
-/// of their plane, from the first to the second: `planar<Puck, Table, axis<own::x, own::y>>`. The second axis
-/// is made perpendicular to the first.
+/// of their plane, in the direction from the first to the second: `planar<Puck, Table, axis<own::x,
+/// own::y>>`. The second axis is made perpendicular to the first.
 template <class Self, class Parent, class... Words>
 struct planar : describe::joint<Self, Parent, describe::planar_joint, Words...> {};
 

@@ -7,8 +7,7 @@ namespace kanexpr {
 
 namespace describe {
 
-/// The frame and the point of a joint, moving with auxiliary speeds in all directions that the joint
-/// constrains.
+/// The frame and the point of a joint, with auxiliary speeds in all directions that the joint constrains.
 template <class Joint>
 struct freed_joint {
   using kind = typename Joint::kind;
@@ -36,7 +35,8 @@ struct freed_joint {
     return r;
   }();
 
-  /// Its velocity is relative to the location of the joint in the parent, which may itself move there.
+  /// Its velocity is relative to the location of the joint in the parent, which may itself move in the
+  /// parent.
   static constexpr point_record point = [] {
     point_record r = *Joint::joint_point();
     if constexpr (!kind::moves) {
@@ -74,8 +74,8 @@ inline constexpr reaction_record reaction_of = [] {
 
 } // namespace describe
 
-/// Adds auxiliary speeds to joints, six each: the noncontributing forces of the system are then the reaction
-/// forces and torques of these joints, by their components in the axes of the child.
+/// Adds six auxiliary speeds to each joint. The noncontributing forces of the system are then the reaction
+/// forces and torques of these joints, as components in the axes of the child.
 template <class... Joints>
 struct reactions : describe::system_words {
   static constexpr std::string_view word = "reactions";

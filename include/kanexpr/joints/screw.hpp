@@ -8,7 +8,7 @@ namespace describe {
 struct advances {};
 } // namespace describe
 
-/// The advance of a screw per radian, in meters: p/(2π) for a thread that advances by p per turn. Negative
+/// The advance of a screw per radian, in meters: p/(2π) for a thread that advances by p per turn, negative
 /// for a left-handed thread.
 template <auto advance>
 struct pitch {
@@ -64,8 +64,8 @@ struct screw_joint {
 
 } // namespace describe
 
-/// The child rotates about an axis and advances along it in proportion: `screw<Nut, Ground, axis<Ground::z>,
-/// pitch<h>>`. A motor drives it by a torque.
+/// The child rotates about an axis and advances along it in proportion to the angle: `screw<Nut, Ground,
+/// axis<Ground::z>, pitch<h>>`. A motor drives the joint by a torque.
 template <class Self, class Parent, class... Words>
 struct screw : describe::joint<Self, Parent, describe::screw_joint, Words...> {};
 

@@ -26,9 +26,9 @@ struct spherical_joint : free_orientation<by_angles, 0, 0> {
 
 } // namespace describe
 
-/// A ball joint: the child rotates freely about a point. Its coordinates are those of a unit quaternion, e1,
-/// e2, e3, e0, or with `angles<"zxz">` three angles; its speeds are the components of its angular velocity
-/// relative to the parent, in its own axes.
+/// A ball joint: the child rotates freely about a point. Its coordinates are the components of a unit
+/// quaternion, e1, e2, e3, e0, or three angles with `angles<"zxz">`; its speeds are the components of its
+/// angular velocity relative to the parent, in its own axes.
 template <class Self, class Parent, class... Words>
 struct spherical
     : describe::joint<Self, Parent, describe::spherical_joint<describe::has_angles<Words...>>, Words...> {};

@@ -40,9 +40,9 @@ struct universal_joint {
 
 } // namespace describe
 
-/// A cross between two shafts, or Hooke's joint: the cross rotates in the parent by q1 about the first axis,
-/// which is fixed there, and the child rotates on the cross by q2 about the second axis, which is fixed in
-/// the child: `universal<Shaft, Parent, axis<Parent::x, own::y>>`. The angle between the axes is arbitrary
+/// A universal joint, or Hooke's joint: a cross rotates in the parent by q1 about the first axis, which is
+/// fixed in the parent, and the child rotates on the cross by q2 about the second axis, which is fixed in the
+/// child: `universal<Shaft, Parent, axis<Parent::x, own::y>>`. The angle between the axes may be any angle
 /// except zero.
 template <class Self, class Parent, class... Words>
 struct universal : describe::joint<Self, Parent, describe::universal_joint, Words...> {};

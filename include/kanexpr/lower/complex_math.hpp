@@ -31,7 +31,8 @@ struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>>
     if (op == symbolic::operation::if_positive ? Real(0) < by : by <= Real(0)) return x;
     return numeric::is_number(by) ? number() : condition;
   }
-  /// A user-supplied function that accepts only real numbers is evaluated to first order by its derivatives.
+  /// A user-supplied function that accepts only real numbers is evaluated to first order, from its
+  /// derivatives.
   template <class Function>
   static constexpr bool interprets = Function::has_slopes;
   template <class Function>

@@ -9,7 +9,7 @@
 /// Evaluation inside a constant expression, in which neither Eigen nor the C library can be used.
 namespace kanexpr::lower {
 
-/// Runs a call or a step of an elimination; the solution of a singular system is NaN.
+/// Executes a call or a step of an elimination; the solution of a singular system is NaN.
 constexpr void run_linear_step(const linear_step& e, const int* operands,
                                const symbolic::external_function* const* externals, const double* slot,
                                double* out) {
@@ -37,7 +37,7 @@ constexpr void run_linear_step(const linear_step& e, const int* operands,
     numeric::solve_transposed_factorized<math>(e.order, factors, out);
 }
 
-/// Whether a tape contains selections, so that unneeded steps may have no value. It is a variable because
+/// Whether a tape contains selections; if it does, unneeded steps may have no value. It is a variable because
 /// clang++ re-evaluates a local constant whenever control passes it.
 template <const auto& tape>
 inline constexpr bool selects = [] {
@@ -46,7 +46,7 @@ inline constexpr bool selects = [] {
   return false;
 }();
 
-/// Returns all slots of a tape in order; `value_of(load)` returns the arguments.
+/// Returns the values of all slots of a tape in order; `value_of(load)` returns the argument for a load.
 template <const auto& tape, class ValueOf>
 constexpr auto constant_slots(ValueOf value_of) {
   constexpr auto calculated = selects<tape> ? symbolic::defined_value_of : symbolic::value_of;

@@ -3,8 +3,8 @@
 #include <kanexpr/lower/tape.hpp>
 #include <kanexpr/lower/unrolled_elimination.hpp>
 
-/// The effect of the steps of a tape on values of any type: numbers of a program, or lines of generated code.
-/// A value type requires arithmetic and a `scalar_math`. `Code` is a tape or a view of one.
+/// Evaluates the steps of a tape on values of any type: numbers, or lines of generated code. A value type
+/// requires arithmetic and a `scalar_math`. `Code` is a tape or a view of one.
 namespace kanexpr::lower {
 
 /// Returns the scratch size that `evaluate_steps` requires in addition to the slots.
@@ -59,14 +59,14 @@ void evaluate_step(const instruction& step, const Number* values, Number* out) {
     symbolic::with_function(step.op, [&]<operation function>() { *out = apply<function>(a, b); });
     return;
   case form::constant:
-  case form::symbol: // are loaded beforehand
+  case form::symbol: // loaded beforehand
   case form::pair:
   case form::factorization:
   case form::solve:
   case form::transposed_solve:
   case form::component:
   case form::singularity_measure:
-  case form::call: return; // are linear steps
+  case form::call: return; // executed as linear steps
   }
 }
 
@@ -76,8 +76,8 @@ void evaluate_steps(const Code& code, int begin, int end, Number* values) {
   for (int i = begin; i < end; ++i) evaluate_step(code.steps[i], values, out++);
 }
 
-/// Fills the slots of all steps in their order; the slots of the constants and of the arguments must already
-/// be filled.
+/// Computes the slots of all steps in order; the slots of the constants and of the arguments must already be
+/// filled.
 template <class Code, class Number>
 void evaluate_steps(const Code& code, Number* values, Number* aside) {
   int next = 0;

@@ -16,7 +16,7 @@ struct tape_sizes {
   int angles = 0;
 };
 
-/// A tape that can leave a constant evaluation, as plain arrays of exact size.
+/// A tape that can outlive constant evaluation: plain arrays of exact size.
 template <tape_sizes own>
 struct fixed_tape {
   static constexpr std::size_t at_least_one(int n) { return n > 0 ? static_cast<std::size_t>(n) : 1; }
@@ -38,7 +38,7 @@ struct fixed_tape {
   constexpr int slot_count() const { return first_step() + sizes.steps; }
 };
 
-/// Capacity for any model that a compiler can reasonably derive.
+/// Enough capacity for any model that a compiler can derive in reasonable time.
 inline constexpr int most_steps = 1 << 16;
 inline constexpr int most_linear_steps = most_steps / 16;
 inline constexpr int most_externals = 1 << 8;
@@ -46,8 +46,8 @@ inline constexpr int most_externals = 1 << 8;
 /// A tape of that capacity; entries beyond the sizes are unused. It costs nothing as long as only constant
 /// evaluation uses it: `trimmed` returns the tape that programs use.
 ///
-/// All entries are scalars: clang++ instantiates every element of an array of classes with member
-/// initializers, but of scalars only those that are written.
+/// All entries are scalars: of an array of classes with member initializers, clang++ creates every element,
+/// but of an array of scalars only those that are written.
 struct roomy_tape {
   tape_sizes sizes{};
   symbolic::cost cost{};
@@ -81,7 +81,7 @@ constexpr bool has_room_for(const tape_sizes& s) {
          s.externals <= most_externals;
 }
 
-/// Requires a tape within the capacity.
+/// Copies a tape, which must not exceed the capacity.
 constexpr roomy_tape fixed(const tape& t) {
   roomy_tape out{};
   out.sizes = sizes_of(t);

@@ -98,7 +98,7 @@ struct scalar_math<Vector> {
     return each([&](int i) { return of_element::atan2(y[i], x[i]); });
   }
 
-  /// True only if all lanes satisfy it.
+  /// Returns true only if x exceeds the bound in all lanes.
   [[gnu::always_inline]] static bool exceeds(const Vector& x, const Vector& bound) {
     return is_in_no_lane(~(x > bound));
   }

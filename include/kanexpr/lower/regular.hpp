@@ -5,7 +5,7 @@
 namespace kanexpr::lower {
 
 /// Whether a measure exceeds `least` times its scale, regardless of their signs. An infinite or NaN measure
-/// is not reported as singular: the results that depend on it are not finite, and that is checked last.
+/// is not reported as singular: the results that depend on it are not finite, and this is checked last.
 template <class Number>
 [[gnu::always_inline]] inline bool is_regular(const Number& measure, const Number& scale, double least) {
   using math = scalar_math<Number>;
@@ -19,7 +19,8 @@ template <class Number>
     return math::exceeds(size, bound) || !math::is_finite(measure);
 }
 
-/// Whether a measure meets the condition of a status: to be finite, or to be regular relative to its scale.
+/// Whether a measure meets the condition of a status: that it is finite, or that it is regular relative to
+/// its scale.
 template <bool finiteness, class Number>
 [[gnu::always_inline]] inline bool passes(const Number& measure, [[maybe_unused]] const Number& scale,
                                           [[maybe_unused]] double least) {

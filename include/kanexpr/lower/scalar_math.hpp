@@ -27,7 +27,8 @@ inline constexpr bool has_own_sines =
     std::is_same_v<Number, double> || std::is_same_v<Number, float>;
 #endif
 
-/// The functions that evaluation requires of a scalar type, found like `sin(x)` for any number type.
+/// The functions that evaluation requires of a scalar type. Functions such as `sin(x)` are found by
+/// argument-dependent lookup.
 template <class Number>
 struct default_scalar_math {
   /// Converts a constant, or an argument of a different type.
@@ -76,10 +77,10 @@ struct default_scalar_math {
     }
   }
 
-  /// Returns false if x is NaN.
+  /// Returns whether x > bound; false if x is NaN.
   static bool exceeds(const Number& x, const Number& bound) { return x > bound; }
 
-  /// Tests the bits where the format is known, and therefore works with -ffast-math.
+  /// Tests the bits if the format is known, and therefore works with -ffast-math.
   static bool is_finite(const Number& x) {
     if constexpr (std::is_same_v<Number, double>)
       return is_finite(std::bit_cast<std::uint64_t>(x), std::uint64_t{0x7ff} << 52);
@@ -98,7 +99,7 @@ struct default_scalar_math {
   }
 
   static Number sign(const Number& x) { return symbolic::scalar_function<symbolic::operation::sign>::of(x); }
-  /// Exchanges rows in the elimination: by selection, because a branch would depend on the data.
+  /// Exchanges a and b if d is positive, by selection, because a branch would depend on the data.
   [[gnu::always_inline]] static void exchange_if_positive(const Number& d, Number& a, Number& b) {
     const bool exchanged = Number(0) < d;
     const Number upper = exchanged ? b : a, lower = exchanged ? a : b;
@@ -151,14 +152,14 @@ struct default_scalar_math {
   }
 };
 
-/// Specialize it to replace a function, for example sine and cosine together by a vector routine: `template
-/// <> struct scalar_math<double> : default_scalar_math<double> { … };`
+/// Specialize it to replace functions, for example to compute sine and cosine together by a vector routine:
+/// `template <> struct scalar_math<double> : default_scalar_math<double> { … };`
 template <class Number>
 struct scalar_math : default_scalar_math<Number> {};
 
 /// One operation of a tape on values of one type; the only place where a step becomes arithmetic, both for
-/// compiled and for interpreted evaluation. If the processor can, products are fused with the sums that use
-/// them, which clang++ would otherwise do only within one statement; KANEXPR_NO_FUSING prevents it.
+/// compiled and for interpreted evaluation. If the processor supports it, products are fused with the sums
+/// that use them; clang++ would otherwise do so only within one statement. KANEXPR_NO_FUSING prevents it.
 template <symbolic::operation op, class Number>
 [[gnu::always_inline]] inline Number apply(const Number& a, const Number& b) {
 #if defined(__clang__) && !defined(KANEXPR_NO_FUSING)
@@ -187,8 +188,8 @@ template <symbolic::operation op, class Number>
   }
 }
 
-/// Converts a constant to the scalar type; exact fractions are divided there, so that a long double keeps all
-/// its digits.
+/// Converts a constant to the scalar type; exact fractions are divided in that type, so that a long double
+/// keeps all its digits.
 template <class Number>
 [[gnu::always_inline]] inline Number number_as(const symbolic::number& n) {
   if (n.denominator == 0) return scalar_math<Number>::from(n.real);

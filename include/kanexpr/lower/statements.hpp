@@ -20,7 +20,7 @@ struct statement {
   int a = 0, b = 0, by = 0;
 };
 
-/// A tape as code in which every value is assigned once, by an operation that any language provides or by a
+/// A tape as code that assigns every value once, either by an operation that any language provides or by a
 /// call of a user-supplied function. Backends that generate code use this form. Linear systems are written
 /// out, each row exchange as two choices. The cosine of a pair follows its sine.
 struct statements {
@@ -32,8 +32,8 @@ struct statements {
   sequence<const symbolic::external_function*> externals{};
 };
 
-/// A value of generated code: evaluating a tape with it generates the code. A value that belongs to no code
-/// is a plain number.
+/// A value of generated code: evaluating a tape with this type generates the code. A value that does not
+/// belong to any code is a plain number.
 struct written_value {
   statements* code = nullptr;
   int place = 0;
@@ -131,7 +131,7 @@ struct scalar_math<written_value> {
 
 namespace detail {
 
-/// Returns the lines that the results need; not all entries of an exchanged row are needed.
+/// Returns only the lines that the results need; some entries of exchanged rows, for example, are not needed.
 constexpr statements without_unused(const statements& all) {
   using kind = statement::kind;
   sequence<char> is_used(all.lines.size(), 0);
@@ -164,8 +164,8 @@ constexpr statements without_unused(const statements& all) {
 
 } // namespace detail
 
-/// Appends the code of a tape, with the same operations in the same order as every other evaluation;
-/// `argument` returns the value of a load. Returns the results.
+/// Appends the code of a tape, with the same operations in the same order as in every other evaluation, and
+/// returns the results; `argument` returns the value of a load.
 template <class Argument>
 sequence<written_value> write(statements& all, const tape& code, const Argument& argument) {
   sequence<written_value> values(code.slot_count()), aside(aside_of(code)), results;
@@ -177,18 +177,19 @@ sequence<written_value> write(statements& all, const tape& code, const Argument&
   return results;
 }
 
-/// Returns an argument of generated code.
+/// Appends an argument to generated code and returns it.
 inline written_value argument_of(statements& all, const load& from) {
   return detail::write(all, {.is = statement::kind::argument, .a = all.arguments.push(from)});
 }
 
-/// Completes the code: stores its results and removes the lines that they do not need.
+/// Completes the code: sets its results and removes the lines that they do not need.
 inline statements concluded(statements& all, const sequence<written_value>& results) {
   for (const written_value& each : results) all.results.push(detail::place_in(all, each));
   return detail::without_unused(all);
 }
 
-/// Returns the cost of one evaluation of the code; all choices by one value count as one comparison.
+/// Returns the cost of one evaluation of the code; all choices that test the same value count as one
+/// comparison.
 inline symbolic::cost cost_of(const statements& code) {
   symbolic::cost total;
   sequence<char> is_compared(code.lines.size(), 0);

@@ -18,7 +18,7 @@ using symbolic::sequence;
 /// compilers interpret every call.
 class step_order {
 public:
-  /// Orders the `live` nodes of the graph, without leaves and nodes that already have a slot.
+  /// Orders the `live` nodes of the graph, except leaves and nodes that already have a slot.
   constexpr step_order(const graph& g, const sequence<int>& live, const sequence<int>& slot_of,
                        const sequence<int>& results)
       : nodes_(g.begin()), place_of_(g.size(), none), place_(place_of_.begin()) {
@@ -59,7 +59,7 @@ public:
 private:
   static constexpr int none = -1;
   static constexpr int waiting = -1, joined = -2, done = -3; ///< used in place of a rank
-  static constexpr int ranks = 6; ///< a step ends the use of up to four values, and adds one value or none
+  static constexpr int ranks = 6; ///< a step is the last use of at most four values and adds at most one
 
   constexpr int second_operand(const symbolic::node& n) const {
     if (n.op <= operation::power) return n.op == operation::negate ? none : n.b;

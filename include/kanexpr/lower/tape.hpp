@@ -15,8 +15,8 @@ struct instruction {
 };
 
 /// A step that fills several slots, either part of the solution of a linear system or a call of a function.
-/// It fills slots from `step` on, in the number that its operation requires; the list of steps marks them as
-/// its components.
+/// It fills as many slots from `step` on as its operation requires; the list of steps marks them as its
+/// components.
 struct linear_step {
   operation op = operation::factorization;
   int order = 0; ///< for a call: the number of operands
@@ -40,8 +40,8 @@ struct load {
   int position = 0;
 };
 
-/// Straight-line code: first the constants, then the arguments, then the steps, each in the slot of its
-/// number. Only what the outputs need is included.
+/// Straight-line code: first the constants, then the arguments, then the steps, each with the slot of the
+/// same number. It includes only the nodes that the outputs need.
 ///
 /// The sines and cosines of angles that do not depend on other functions are contiguous, `angle_count` pairs
 /// from step `first_angle` on, so that one routine can compute them all.
@@ -134,7 +134,7 @@ private:
 
   /// Places angles first, then all their sines and cosines.
   constexpr void gather_angles() {
-    // whether a node depends on no function: sums and products of arguments
+    // whether a node does not depend on any function: sums and products of arguments
     sequence<char> is_free(slots_.size(), 0);
     char* const free = is_free.begin();
     sequence<int> gathered;
@@ -161,8 +161,8 @@ private:
     put(id);
   }
 
-  /// Assigns a step to a node whose operands have theirs. Sine and cosine of one angle become one step, and a
-  /// tangent whose sine or cosine is needed anyway becomes a division.
+  /// Assigns a step to a node whose operands already have steps. The sine and the cosine of one angle become
+  /// one step, and a tangent whose sine or cosine is needed anyway becomes a division.
   constexpr void put(int id) {
     const symbolic::node& n = nodes_[id];
     if (n.op <= operation::divide) {
@@ -223,7 +223,7 @@ private:
   const sequence<int>& outputs_;
   const symbolic::node* nodes_;
   char* is_live_;
-  int* slot_;                      ///< by node
+  int* slot_;                      ///< the slot of each node
   sequence<int> nodes_in_order_{}; ///< the live nodes
   int first_step_ = 0;
   tape tape_{};
@@ -231,8 +231,8 @@ private:
 
 } // namespace detail
 
-/// Builds a tape of everything that the outputs need from a graph. Small linear systems are first expanded in
-/// the graph.
+/// Builds the tape that computes the outputs of a graph. Small linear systems are first expanded in the
+/// graph.
 constexpr tape tape_from(graph& g, const sequence<int>& outputs) {
   sequence<char> live = symbolic::live_nodes(g, outputs);
   if (!symbolic::holds_solves(g, live))
@@ -260,7 +260,7 @@ constexpr symbolic::cost cost_of(const tape& t) {
     else
       total.count_substitution(e.order);
   }
-  int times[static_cast<int>(operation::singularity_measure) + 1]{}; // by operation
+  int times[static_cast<int>(operation::singularity_measure) + 1]{}; // the number of steps of each operation
   for (const instruction& step : t.steps) {
     ++times[static_cast<int>(step.op)];
     if (step.op == operation::cos && step.paired) --total.trigonometric;

@@ -30,8 +30,8 @@ struct steps_view {
   constexpr instruction operator[](int i) const { return {op[i], a[i], b[i], paired[i]}; }
 };
 
-/// A view of a fixed tape of any size, with the members of `tape`, for functions that are not compiled
-/// separately for each.
+/// A view of a fixed tape of any size, with the members of `tape`, for functions that should not be compiled
+/// separately for each tape.
 struct tape_view {
   steps_view steps;
   view<symbolic::number> numbers;

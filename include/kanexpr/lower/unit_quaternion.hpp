@@ -21,7 +21,7 @@ struct norm_range {
   double least = 0, most = numeric::infinity<double>;
 };
 
-/// Divides a quaternion by its norm, given as its square.
+/// Divides a quaternion by its norm; the argument is the square of the norm.
 template <class State, class Places>
 [[gnu::always_inline]] inline void divide_by_norm(State& x, const Places& places,
                                                   const typename State::Scalar& square) {

@@ -8,9 +8,9 @@
 
 namespace kanexpr::lower {
 
-/// The action of each step after the angles of a tape, encoded as one number, so that one function serves all
-/// steps with the same action. A step that fills several slots stores its values in scratch memory, from
-/// which each slot takes its value.
+/// The action of each step that follows the angles of a tape, encoded as one number, so that all steps with
+/// the same action share one function. A step that fills several slots stores its values in scratch memory,
+/// from which each slot takes its value.
 template <class Code>
 struct step_plan {
   static constexpr const auto& tape = Code::tape;
@@ -40,14 +40,14 @@ struct step_plan {
 /// Straight-line evaluation of a tape that is a constant of the type `Code` (`Code::tape`).
 ///
 /// Every index is a constant, and all steps are in one function, each at the position of its slot in one
-/// initializer, so compilers dissolve the array before any other optimization. With a pointer to the slots,
-/// they would analyze every step in memory, and repeat this in every function on the way out.
+/// initializer, so compilers replace the array by registers before any other optimization. With a pointer to
+/// the slots, they would analyze the memory accesses of every step, again after each level of inlining.
 template <class Code, class Number>
 class unrolled_tape {
 public:
   static constexpr const auto& tape = Code::tape;
 
-  /// `Arguments` returns the value of each load: `arguments(load)`.
+  /// `arguments(load)` returns the value of each load.
   template <class Arguments>
   [[gnu::always_inline]] explicit unrolled_tape(const Arguments& arguments) noexcept {
     run(arguments, up_to<tape.sizes.numbers>{}, up_to<tape.sizes.loads>{}, up_to<first_angle>{},
@@ -69,13 +69,13 @@ private:
   using up_to = std::make_integer_sequence<int, count>;
   static constexpr std::size_t at_least_one(int n) { return n > 0 ? static_cast<std::size_t>(n) : 1; }
 
-  // clang++ would otherwise load an index from the tape
+  // consteval, because clang++ would otherwise load an index from the tape
   static consteval int a(int step) { return tape.a[step]; }
   static consteval int b(int step) { return tape.b[step]; }
   static consteval int slot_of(int result) { return tape.results[result]; }
 
-  /// A single call computes the sines and cosines of all angles that are known first; a scalar type may
-  /// replace it.
+  /// A single call computes the sines and cosines of all angles that are known at the start; a scalar type
+  /// may replace the function that it calls.
   template <class Arguments, int... number, int... load, int... before, int... angle, int... known,
             int... turned, int... after, int... result>
   [[gnu::always_inline]] void run([[maybe_unused]] const Arguments& arguments,

@@ -29,7 +29,7 @@ namespace kanexpr::mechanics {
 
 /// The equations of one system. Each result is formed on first use and only once.
 ///
-/// Constraints are processed by `constrain`, or when the first result is requested.
+/// Constraints are processed by `constrain`, at the latest when the first result is requested.
 class equations {
 public:
   constexpr explicit equations(const multibody_system& of) : equations(of, known_motion(of.mechanism)) {}
@@ -198,8 +198,8 @@ public:
     return linearized_;
   }
 
-  /// The derivatives of the rates q̇ and u̇ with respect to some parameters, a column for each, with the
-  /// symbols u̇.
+  /// The derivatives of the rates q̇ and u̇ with respect to the given parameters, with a column for each,
+  /// with the symbols u̇.
   constexpr symbolic::matrix sensitivity_to(const sequence<expression>& parameters) {
     if (!is_sound()) return {};
     return linearized_.to_second_order().rates_by(parameters);
@@ -275,7 +275,7 @@ private:
     mistake_ = check_mass_matrix(*m_, speeds_, formed);
     const bool is_positive = !system_->loads.has_lagrangian && energy_of_motion(s_).is_positive();
     if (!mistake_ && !is_positive) mistake_ = check_same_mass(*m_, speeds_, formed);
-    // with unbounded lengths, rounding errors may consume a whole pivot
+    // if lengths are unbounded, a pivot may consist entirely of rounding errors
     is_mass_regular_ =
         is_positive && symbolic::rest_on_angles_only(*m_->g, symbolic::nodes_of(formed.entries));
     return formed;
@@ -381,8 +381,9 @@ private:
   symbolic::matrix configuration_{}; ///< the derivatives of the configuration constraints with respect to the
                                      ///< coordinates
   partition speeds_{}, coordinates_{};
-  sequence<symbolic::solved_block> step_blocks_{};  ///< of the Newton step of the dependent coordinates
-  sequence<symbolic::solved_block> input_blocks_{}; ///< of the required inputs
+  sequence<symbolic::solved_block>
+      step_blocks_{}; ///< the blocks of the Newton step of the dependent coordinates
+  sequence<symbolic::solved_block> input_blocks_{}; ///< the blocks of the required inputs
   dynamics dynamics_{s_, system_->loads, constraints_, speeds_};
   bool is_constrained_ = false, is_mass_checked_ = false, is_mass_regular_ = false;
   linearized_equations linearized_{s_,           system_->loads, constraints_, configuration_,

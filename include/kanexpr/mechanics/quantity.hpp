@@ -4,12 +4,13 @@
 
 namespace kanexpr::mechanics {
 
-/// The results available for a system. Each is a matrix of expressions; n is the number of coordinates, p of
-/// speeds, m of constraints on the speeds, l of configuration constraints.
+/// The results available for a system. Each is a matrix of expressions; n is the number of coordinates, p the
+/// number of speeds, m the number of constraints on the speeds, and l the number of configuration
+/// constraints.
 enum class quantity : unsigned char {
   mass_matrix,           ///< M of the independent speeds, (p−m)×(p−m)
   forcing,               ///< f in M u̇ = f, p−m
-  mass_matrix_full,      ///< of [q̇; u̇], (n+p)×(n+p): E, M and the differentiated constraints
+  mass_matrix_full,      ///< M_full of [q̇; u̇], (n+p)×(n+p): E, M and the differentiated constraints
   forcing_full,          ///< [q̇; f; …], n+p, with M_full [q̇; u̇] = f_full
   qdot,                  ///< q̇, n
   udot,                  ///< u̇ of all speeds, p
@@ -28,7 +29,7 @@ enum class quantity : unsigned char {
   inertial_parameters,   ///< π with the values of the model, b
   coriolis,              ///< C with Ṁ − 2C skew-symmetric, if the speeds are coordinate rates, p×p
   kinetic_energy,
-  potential_energy,                    ///< of gravity, springs and given potential energies
+  potential_energy,                    ///< the energy of gravity, springs and given potential energies
   linear_momentum,                     ///< 3, inertial axes
   angular_momentum,                    ///< 3, inertial axes, about the origin
   center_of_mass,                      ///< 3, inertial axes, from the origin
@@ -45,7 +46,8 @@ enum class quantity : unsigned char {
                                        ///< coordinates, l×l
   configuration_jacobian_by_all,       ///< derivatives of the residual with respect to all coordinates, l×n
   configuration_step,                  ///< Newton step of the dependent coordinates, l
-  velocity_residual,      ///< of the velocity constraints, then the rates of configuration constraints, m
+  velocity_residual,      ///< residual of the velocity constraints, then of the rates of configuration
+                          ///< constraints, m
   velocity_terms,         ///< magnitude of the terms of this residual, m
   constraint_residual,    ///< both residuals, l+m
   constraint_jacobian,    ///< J in J u + c = 0, m×p
@@ -54,7 +56,7 @@ enum class quantity : unsigned char {
   acceleration_bias,      ///< b in u̇_d = A u̇_i + b, m
   constraint_pivots,      ///< the determinants of the blocks in which dependent speeds are solved, m
   multipliers,            ///< the generalized forces of the constraints: F_r + F_r* + Σ λ_j J_jr = 0, m
-  noncontributing_forces, ///< the forces that keep the auxiliary speeds zero, one for each
+  noncontributing_forces, ///< the forces that keep the auxiliary speeds at zero, one for each
   state_matrix,           ///< A in δ[q̇_i; u̇_i] = A δ[q_i; u_i] + B δr, (n−l+p−m)×(n−l+p−m)
   input_matrix,           ///< B, (n−l+p−m)×s
   state_jacobian,         ///< ∂[q̇; u̇]/∂[q; u] without constraints on the state, (n+p)×(n+p)
@@ -70,7 +72,7 @@ enum class quantity : unsigned char {
   auxiliary_forces = noncontributing_forces, ///< alternative name
 };
 
-/// The number of rows or columns of a result, by what it counts.
+/// The quantity that determines the number of rows or columns of a result.
 enum class extent_by : unsigned char {
   scalar,
   one,
@@ -104,10 +106,10 @@ struct result_row {
   std::string_view called{}; ///< the name by which it is requested
   extent_by rows{}, columns{};
   stage needs{};
-  bool is_of_bodies = false;      ///< unavailable if a model specifies its Lagrangian as a whole
+  bool is_of_bodies = false;      ///< not available if the model specifies its Lagrangian as a whole
   bool holds_speed_rates = false; ///< depends on the symbols u̇, which are passed to its function
-  bool takes_weights = false;     ///< depends on λ of ẋ, passed likewise
-  bool takes_direction = false;   ///< depends on v of z, passed likewise
+  bool takes_weights = false;     ///< depends on the weights λ of ẋ, which are passed to its function
+  bool takes_direction = false;   ///< depends on the direction v of z, which is passed to its function
 };
 
 inline constexpr result_row results[]{

@@ -8,11 +8,11 @@
 
 namespace kanexpr::numeric {
 
-/// Whether functions of a coordinate, `at(h)` at the offset h from its current value, are nonlinear and
-/// repeat after full turns. The coordinate is then an angle and of size 1 in any units. Terms linear in the
-/// coordinate, such as those of springs, may be added to the functions. Multiples of the angle, and halves to
-/// twelfths of it, all repeat after twelve turns. Functions that vanish up to rounding are ignored: their
-/// curvature changes at a slightly different offset.
+/// Whether functions of a coordinate are nonlinear and repeat after full turns; `at(h)` returns their values
+/// at the offset h from the current coordinate. If they do, the coordinate is an angle, and its typical size
+/// is 1 in any units. Terms linear in the coordinate, such as those of springs, may be added to the
+/// functions. Multiples of the angle, and halves to twelfths of it, all repeat after twelve turns. Functions
+/// that vanish up to rounding are ignored: their curvature changes at a slightly different offset.
 template <class Functions>
 bool is_angle(const Functions& at) {
   const Eigen::VectorXd here = at(0.0);

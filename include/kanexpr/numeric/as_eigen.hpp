@@ -6,7 +6,7 @@
 
 namespace kanexpr::numeric {
 
-/// Converts a matrix of a constant expression to an Eigen matrix: `-as_eigen(K) * x`.
+/// Converts a `fixed_matrix` to an Eigen matrix: `-as_eigen(K) * x`.
 template <class Number, int rows, int columns>
 Eigen::Matrix<Number, rows, columns> as_eigen(const fixed_matrix<Number, rows, columns>& m) {
   Eigen::Matrix<Number, rows, columns> same;

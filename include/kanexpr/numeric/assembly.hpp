@@ -49,16 +49,16 @@ inline mechanics::sentence with_number(std::string_view before, double number, i
 
 template <class Vector>
 double largest(const Vector& v) {
-  if (!all_finite(v)) return not_a_number<double>; // which the maximum of NaNs need not reveal
+  if (!all_finite(v)) return not_a_number<double>; // a maximum does not always propagate NaN
   return v.size() == 0 ? 0.0 : static_cast<double>(v.cwiseAbs().maxCoeff());
 }
 
 /// Returns the larger of two numbers, or NaN if either is NaN.
 inline double larger(double a, double b) { return !is_finite(a) || a > b ? a : b; }
 
-/// Returns the typical magnitude of the terms of constraints near a state, even if they vanish at it: the
-/// largest magnitude at the state and at a few points around it, whose distances match the magnitudes of the
-/// coordinates, in any units.
+/// Returns the typical magnitude of the terms of constraints near a state, even if the terms vanish at it:
+/// the largest magnitude at the state and at a few points around it. The distances of these points match the
+/// magnitudes of the coordinates, in any units.
 template <class Terms, class State>
 auto usual_terms(const Terms& terms, const State& x, int coordinates) {
   using number = typename State::Scalar;
@@ -72,7 +72,7 @@ auto usual_terms(const Terms& terms, const State& x, int coordinates) {
   if (!(largest > 0)) least = 1; // an angle
   for (int looks = 0; looks < 3; ++looks) {
     for (int i = 0; i < coordinates; ++i) {
-      way = std::fmod(way + number(0.618034), number(1)); // any number that is not a multiple of an angle
+      way = std::fmod(way + number(0.618034), number(1)); // any number that does not divide a full turn
       beside(i) = x(i) + (2 * way - 1) * (counts(i) ? std::abs(x(i)) : least);
     }
     most = most.cwiseMax(terms(beside)).eval();
@@ -90,11 +90,11 @@ bool is_rounding(const Vector& left, const Vector& terms) {
   return true;
 }
 
-/// Returns the first constraint that is violated relative to its terms, with its residual.
+/// Returns a sentence that names the first constraint violated relative to its terms, with its residual.
 template <class Vector, class Terms, class State>
 mechanics::sentence first_off(const Vector& left, const Terms& terms_at, const State& x, int coordinates,
                               double tolerance, std::string_view which) {
-  constexpr double rounding = 1e-5; // for terms that vanish here but are usually large
+  constexpr double rounding = 1e-5; // tolerance for terms that vanish here but are usually large
   const auto terms = terms_at(x);
   for (int i = 0; i < left.size(); ++i)
     if (const double off = static_cast<double>(left(i));
@@ -107,7 +107,7 @@ mechanics::sentence first_off(const Vector& left, const Terms& terms_at, const S
   return {};
 }
 
-/// Returns the first redundant constraint that is violated.
+/// Returns a sentence that names the first redundant constraint that is violated.
 template <class Constraints, class State>
 mechanics::sentence redundant_off(Constraints& c, const State& x, double tolerance) {
   return first_off(
@@ -115,9 +115,9 @@ mechanics::sentence redundant_off(Constraints& c, const State& x, double toleran
       tolerance, "redundant constraint ");
 }
 
-/// Returns the first redundant constraint whose rate does not vanish. The rate vanishes if the other
-/// constraints hold exactly; their residuals are amplified by how close the constraints are to being linearly
-/// dependent.
+/// Returns a sentence that names the first redundant constraint whose rate does not vanish. The rate vanishes
+/// if the other constraints hold exactly; the closer these are to being linearly dependent, the more their
+/// residuals are amplified.
 template <class Constraints, class State>
 mechanics::sentence redundant_rate_off(Constraints& c, const State& x, double tolerance) {
   constexpr double nearly_dependent = 1e3;
@@ -160,7 +160,7 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   report.configuration_residual = found.residual;
   if (!found.converged) found.converged = c.configuration_holds(at(q));
   if (!found.converged || !((q - from).norm() <= 1e-6 * (1 + from.norm()))) {
-    if (c.configuration_holds(at(from))) { // a search does not converge to this state if it is singular
+    if (c.configuration_holds(at(from))) { // a search would not converge to a singular state
       q = from;
       report.configuration_residual = largest(c.configuration_residual(at(q)));
       found.converged = true;

@@ -6,10 +6,10 @@
 
 namespace kanexpr::numeric {
 
-/// Minimizes ½ xᵀ M x − gᵀ x subject to J x = b for a J of any rank; linearly dependent rows are discarded
-/// together, as the combinations with the smallest singular values. M is symmetric, and positive definite on
-/// the null space of J. With g = M x₀, the solution is the x nearest to x₀ in the metric M; Gauss's principle
-/// gives accelerations in this form.
+/// Minimizes ½ xᵀ M x − gᵀ x subject to J x = b for a J of any rank; if rows are linearly dependent, the
+/// combinations of rows with the smallest singular values are discarded. M is symmetric, and positive
+/// definite on the null space of J. With g = M x₀, the solution is the x nearest to x₀ in the metric M;
+/// Gauss's principle gives accelerations in this form.
 template <class Mass, class Jacobian>
 class bound_minimum {
   using number = typename Mass::Scalar;
@@ -56,7 +56,7 @@ private:
   Eigen::Index free() const { return mass_.rows() - rank_; }
   auto direction(Eigen::Index i) const { return of_.right_of(rank_ + i); }
 
-  /// Computes the Cholesky factors of M on the free directions.
+  /// Computes the Cholesky factors of M restricted to the free directions.
   void factorize() {
     for (Eigen::Index i = 0; i < free(); ++i)
       for (Eigen::Index j = 0; j <= i; ++j) {

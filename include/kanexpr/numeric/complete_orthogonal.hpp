@@ -7,9 +7,9 @@
 
 namespace kanexpr::numeric {
 
-/// Returns orthonormal columns that span those of `a`, by the Gram-Schmidt process with column pivoting and
-/// reorthogonalization (Golub & Van Loan, Matrix Computations, section 5.2). Remainders of length `least` or
-/// below are treated as zero.
+/// Returns orthonormal columns that span the column space of `a`, computed by the Gram-Schmidt process with
+/// column pivoting and reorthogonalization (Golub & Van Loan, Matrix Computations, section 5.2). Remainders
+/// of length `least` or below are treated as zero.
 inline Eigen::MatrixXd orthonormal_columns(Eigen::MatrixXd a, double least) {
   Eigen::MatrixXd q(a.rows(), (std::min)(a.rows(), a.cols()));
   Eigen::Index rank = 0;
@@ -38,7 +38,7 @@ public:
     if (rank() != 0) core_.emplace(rows.lazyProduct(v_).eval());
   }
 
-  /// Returns orthonormal columns that span those of A.
+  /// Returns orthonormal columns that span the column space of A.
   const Eigen::MatrixXd& range() const { return q_; }
   int rank() const { return static_cast<int>(q_.cols()); }
 

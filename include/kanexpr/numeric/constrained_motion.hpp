@@ -9,9 +9,9 @@
 
 namespace kanexpr::numeric {
 
-/// Returns typical sizes of the entries of a state without further information: their magnitudes, at least 1.
-/// If the constraints repeat after one turn of a coordinate, it is an angle, of size 1 regardless of the
-/// number of turns.
+/// Returns typical sizes of the entries of a state if nothing else is known about them: their magnitudes, at
+/// least 1. If the constraints repeat after one turn of a coordinate, it is an angle, of size 1 regardless of
+/// the number of turns.
 template <class Equations, class State = typename Equations::state>
 State usual_sizes(const Equations& of, const State& x) {
   using number = typename State::Scalar;
@@ -53,10 +53,10 @@ State usual_sizes(const Equations& of, const State& x) {
 /// the nearest state that satisfies the constraints. No speed needs to be dependent, and the rows of J may be
 /// linearly dependent.
 ///
-/// At a position in which rows of J become dependent, the constraints do not determine how a mechanism
-/// continues, but they do on both sides of it. The motion near such a position is therefore interpolated from
-/// states at some distance before and after it along its speeds: the required quantities are smooth along
-/// this path.
+/// At a position at which rows of J become dependent, the constraints do not determine how a mechanism
+/// continues; on both sides of the position, they do. The motion near such a position is therefore
+/// interpolated from states at some distance before and after it along its speeds: the required quantities
+/// are smooth along this path.
 ///
 /// `Equations` provides the sizes of its vectors as constants, −1 for sizes known only at run time, and
 ///
@@ -93,8 +93,9 @@ public:
     look_around(nearby);
   }
 
-  /// Returns how distinct the velocity constraints are at a state, relative to the best value: about 1 far
-  /// from all positions where constraints become dependent, and 0 if some are always dependent.
+  /// Returns how far the velocity constraints are from linear dependence at a state, relative to the best
+  /// value: about 1 far from all positions where constraints become dependent, and 0 if some are always
+  /// dependent.
   number distinctness(const state& x) {
     if (usual_rank_ < most_rank()) return 0;
     velocities(x);
@@ -111,7 +112,7 @@ public:
     return velocities(x).norm() <= rounding * size;
   }
 
-  /// Finds the motion at a state or, if that does not satisfy the constraints, near it.
+  /// Finds the motion at a state or, if the state does not satisfy the constraints, near it.
   status find(const state& given, motion& found) {
     status s = find_there(given, found);
     if (!s || distinct_ >= blurred) return s;
@@ -121,8 +122,8 @@ public:
   }
 
   /// Finds u̇ and the multipliers from the constraints at a state, without moving it. Among all multipliers
-  /// for which J gives the same forces, they have the least sum of squares. `rank_of` returns the rank of J
-  /// with its rows scaled to their typical lengths.
+  /// that give the same forces, these have the least sum of squares. `rank_of` returns the rank of J with its
+  /// rows scaled to their typical lengths.
   template <class Rank>
   status find_at(const state& x, const Rank& rank_of, speeds& udot, rows_of_speeds& multipliers) {
     if (const status s = of_.motion(x, qdot_, mass_, force_, bias_); !s) return s;
@@ -176,12 +177,12 @@ private:
   static constexpr number nearly =
       is_single ? number(1e-4) : number(1e-8); ///< the permitted residual of the constraints
   static constexpr number clearly =
-      is_single ? number(1e-3) : number(1e-6);    ///< the bound above which a singular value is not always
-                                                  ///< zero
-  static constexpr number blurred = number(1e-2); ///< the distinctness below which the motion loses digits
+      is_single ? number(1e-3) : number(1e-6);    ///< above this bound, a singular value is not always zero
+  static constexpr number blurred = number(1e-2); ///< below this distinctness, the motion loses digits
   static constexpr number close_enough =
-      is_single ? number(1e-4) : number(1e-9);    ///< a step whose square is negligible
-  static constexpr number farthest = number(0.5); ///< the farthest a state may be moved, relative to its size
+      is_single ? number(1e-4) : number(1e-9); ///< a step whose square is negligible
+  static constexpr number farthest =
+      number(0.5); ///< the greatest distance a state may be moved, relative to its size
   static constexpr number stride =
       number(2e-2); ///< the distance between interpolated states, relative to their size
   static constexpr int most_steps = 20, looks = 3;
@@ -201,7 +202,7 @@ private:
     for (state& x : tried) {
       x = nearby;
       for (int i = 0; i < of_.coordinates(); ++i) {
-        way = std::fmod(way + number(0.618034), number(1)); // any number that is not a multiple of an angle
+        way = std::fmod(way + number(0.618034), number(1)); // any number that does not divide a full turn
         x(i) += (way - number(0.5)) * sizes_(i);
       }
       if (by_q_.rows() != 0) configuration(x);
@@ -255,8 +256,8 @@ private:
     return usual_rank_ == 0 ? number(1) : j[usual_rank_ - 1] / usual_;
   }
 
-  /// Returns the minimum-norm Newton step. A singular value counts only if it exceeds what the step itself
-  /// may change.
+  /// Returns the minimum-norm Newton step. A singular value counts only if it exceeds the amount by which the
+  /// step itself may change it.
   static coordinates step_of(const singular_values<by_coordinates>& j, const rows_of_coordinates& left) {
     coordinates step = coordinates::Zero(j.right_of(0).size());
     for (Eigen::Index i = 0; i < j.count(); ++i) {
@@ -266,7 +267,8 @@ private:
     return step;
   }
 
-  /// Finds the motion at the nearest state on the constraints, from the constraints at that state only.
+  /// Finds the motion at the nearest state that satisfies the constraints, from the constraints at that state
+  /// only.
   status find_there(const state& given, motion& found) {
     const int first = of_.coordinates();
     found.x = given;
@@ -299,7 +301,7 @@ private:
   speeds scaled_by_sizes(const speeds& of) const { return of.cwiseProduct(sizes_of_speeds()); }
   speeds sizes_of_speeds() const { return sizes_.tail(of_.speeds()); }
 
-  /// Removes from the multipliers the components that J maps to no force. The rows of J count unscaled here.
+  /// Removes from the multipliers the components that J maps to no force. The rows of J are not scaled here.
   rows_of_speeds least_of(rows_of_speeds multipliers, const singular_values<by_speeds>& j,
                           Eigen::Index rank) const {
     matrix<m, m> none = matrix<m, m>::Zero(by_u_.rows(), by_u_.rows()); // directions that produce no force
@@ -315,7 +317,7 @@ private:
     return multipliers;
   }
 
-  /// Whether J x + b vanishes, including the components outside the range of J.
+  /// Reports whether J x + b vanishes, including the components outside the range of J.
   static status met(const singular_values<by_speeds>& j, const speeds& x, const rows_of_speeds& b) {
     rows_of_speeds left = b;
     for (Eigen::Index i = 0; i < j.count(); ++i) left += (j[i] * j.right_of(i).dot(x)) * j.left_of(i);
@@ -323,7 +325,7 @@ private:
   }
 
   /// Interpolates the motion at a singular position from the motions before and after it. If the constraints
-  /// are not more distinct at those states, some of them are always dependent.
+  /// are no farther from linear dependence at those states, some of them are always dependent.
   status interpolate(motion& found) {
     number length = 0;
     for (int i = 0; i < of_.coordinates(); ++i) {
@@ -369,8 +371,8 @@ private:
     return {};
   }
 
-  /// Returns the weight of a pair of states at equal distances on both sides in the polynomial through all of
-  /// them.
+  /// Returns the weight of two states at equal distances on both sides, in the polynomial interpolation
+  /// through all states.
   static constexpr number weight_of(int reach) {
     number weight = number(0.5);
     for (const int other : strides)

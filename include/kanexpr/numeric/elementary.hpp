@@ -15,8 +15,8 @@
 #include <limits>
 #include <utility>
 
-// Callers may be compiled with -ffast-math or contraction; the arithmetic below may not. Flushing subnormal
-// numbers to zero is a mode of the processor, not of the code, and remains the responsibility of the caller.
+// Callers may be compiled with -ffast-math or contraction, but the arithmetic below must not be. Flushing
+// subnormal numbers to zero is a mode of the processor, not of the code; the caller is responsible for it.
 #if defined(__clang__)
 #pragma float_control(push)
 #pragma float_control(precise, on)
@@ -74,7 +74,7 @@ constexpr double scaled(real x, int n) noexcept {
 
 constexpr int nearest(real x) noexcept { return static_cast<int>(x < 0 ? x - 0.5L : x + 0.5L); }
 
-// A plain array, because each call of std::array's operator[] would cost more than the multiplication in
+// A plain array, because a call of std::array's operator[] would cost more than the multiplication in
 // `series`.
 struct coefficients {
   real of[24];
@@ -94,8 +94,9 @@ constexpr real series(const coefficients& c, int step, int last, real x) noexcep
   return sum;
 }
 
-// Correctly rounded for finite x > 0. With x = m * 4^k, the root of n = m * 2^52 rounds to the integer r for
-// which -r < n - r^2 <= r. Newton's r differs by at most one, so the low 64 bits of n - r^2 determine it.
+// Returns the correctly rounded square root of a finite x > 0. With x = m * 4^k, the root of n = m * 2^52
+// rounds to the integer r for which -r < n - r^2 <= r. Newton's method gives an r that differs by at most
+// one, so the low 64 bits of n - r^2 determine it.
 constexpr double positive_sqrt(double x) noexcept {
   const auto [significand, exponent] = decompose(x);
   const int odd = exponent & 1;
@@ -119,7 +120,7 @@ constexpr real other_leg(double x) noexcept {
   return (root + square / root) / 2;
 }
 
-// Binary digits of 1/(2 pi) from weight 2^63 on, enough for the largest double.
+// The bits of 1/(2 pi) from weight 2^63 on, enough for the largest double.
 inline constexpr std::uint64_t turns_per_radian[] = {
     0x0000000000000000u, 0x28be60db9391054au, 0x7f09d5f47d4d3770u, 0x36d8a5664f10e410u, 0x7f9458eaf7aef158u,
     0x6dc91b8e909374b8u, 0x01924bba82746487u, 0x3f877ac72c4a69cfu, 0xba208d7d4baed121u, 0x3a671c09ad17df90u,
@@ -134,10 +135,10 @@ constexpr std::uint64_t high_half(std::uint64_t a, std::uint64_t b) noexcept {
 }
 
 // Returns the quadrant and the offset, at most pi/4 in magnitude, such that x is quadrant * pi/2 + offset up
-// to whole turns. The digits of 1/(2 pi) that only contribute whole turns are skipped (Payne and Hanek,
-// "Radian reduction for trigonometric functions", SIGNUM Newsletter 18, 1983). Of the 128 retained digits of
-// the fraction of a turn, about 64 are significant even for the double closest to a multiple of pi/2, about
-// 2^-61 away from it.
+// to whole turns. The bits of 1/(2 pi) that contribute only whole turns are skipped (Payne and Hanek, "Radian
+// reduction for trigonometric functions", SIGNUM Newsletter 18, 1983). Of the 128 bits retained for the
+// fraction of a turn, about 64 are significant even for the double that is closest to a multiple of pi/2 (it
+// differs by about 2^-61).
 constexpr std::pair<unsigned, real> reduce_angle(double x) noexcept {
   if (magnitude(x) < bits(0.5)) return {0, x};
   const auto [significand, exponent] = decompose(x);
@@ -156,7 +157,8 @@ constexpr std::pair<unsigned, real> reduce_angle(double x) noexcept {
   return {static_cast<unsigned>(quadrant), offset};
 }
 
-// Returns the sine of such an angle (DLMF 4.19.1, 4.19.2); neglected terms are below 2^-62 of the result.
+// Returns the sine of the angle quadrant * pi/2 + offset (DLMF 4.19.1, 4.19.2); neglected terms are below
+// 2^-62 of the result.
 constexpr real sine(unsigned quadrant, real offset) noexcept {
   const real square = offset * offset;
   const real value = quadrant % 2 == 0 ? offset * series(reciprocal_factorials, 2, 17, -square)

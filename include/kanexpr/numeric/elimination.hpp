@@ -5,9 +5,9 @@
 /// unrolls it.
 namespace kanexpr::numeric {
 
-/// The layout of a factorization of a given order: first the matrix by rows, with the multipliers below the
-/// diagonal and the reciprocals of the pivots on it; then, for each comparison of two rows, the excess of the
-/// lower row (positive if they were exchanged); then the smallest magnitude of a pivot.
+/// The layout of a factorization of a given order: first the matrix in row-major order, with the multipliers
+/// below the diagonal and the reciprocals of the pivots on it; then, for each comparison of two rows, the
+/// excess of the lower row (positive if they were exchanged); then the smallest magnitude of a pivot.
 struct factors {
   int order = 0;
 
@@ -81,8 +81,8 @@ constexpr void solve_transposed_factorized(int order, const Number* f, Number* x
 }
 
 /// Returns the smallest pivot relative to the terms that it sums: elimination is applied to `squares`, the
-/// squared sizes of the entries by rows, without cancellation. Each size has the unit of its entry, so the
-/// units of rows and columns do not matter. NaN propagates.
+/// squared sizes of the entries in row-major order, without cancellation. Each size has the unit of its
+/// entry, so the units of rows and columns do not matter. NaN propagates.
 template <class Math, class Number>
 constexpr Number singularity_measure_of(int order, const Number* f, Number* squares) {
   const factors place{order};

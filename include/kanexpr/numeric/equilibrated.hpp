@@ -9,7 +9,7 @@
 namespace kanexpr::numeric {
 
 /// Powers of two that scale the rows and columns of a matrix so that the largest entry of each is near 1.
-/// Pivots can then be compared in any units of equations and unknowns.
+/// Pivots can then be compared regardless of the units of equations and unknowns.
 template <class Vector>
 struct equilibration {
   using number = typename Vector::Scalar;

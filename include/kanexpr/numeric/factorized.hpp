@@ -8,8 +8,8 @@
 
 namespace kanexpr::numeric {
 
-/// A factorized square matrix, by the same elimination to which the solves of the graph are lowered. It
-/// compiles much faster than Eigen's and does not allocate if `Vector` has a fixed size.
+/// A square matrix, factorized by the same elimination to which the solves of the graph are lowered. It
+/// compiles much faster than Eigen's factorizations and does not allocate if `Vector` has a fixed size.
 template <class Vector>
 class factorized {
   using number = typename Vector::Scalar;

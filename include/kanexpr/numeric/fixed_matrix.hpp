@@ -11,7 +11,7 @@
 namespace kanexpr::numeric {
 
 /// A matrix for constant expressions, in which Eigen's cannot be used: `m(i, j)`; a 1-by-1 matrix converts to
-/// a number. The entries are stored by columns, as in Eigen.
+/// a number. The entries are stored in column-major order, as in Eigen.
 template <class Number, int rows, int columns>
 struct fixed_matrix {
   static constexpr std::size_t room = rows * columns > 0 ? static_cast<std::size_t>(rows* columns) : 1;
@@ -73,7 +73,7 @@ constexpr fixed_matrix<Number, rows, columns> operator*(const fixed_matrix<Numbe
   return c;
 }
 
-/// Returns a matrix written row by row, `by_rows({{1.0, 2.0}, {3.0, 4.0}})`.
+/// Returns a matrix written row by row, as in `by_rows({{1.0, 2.0}, {3.0, 4.0}})`.
 template <class Number, std::size_t rows, std::size_t columns>
 constexpr fixed_matrix<Number, static_cast<int>(rows), static_cast<int>(columns)>
 by_rows(const Number (&written)[rows][columns]) {
@@ -169,8 +169,8 @@ private:
   Number f_[static_cast<std::size_t>(factors{order}.size())]{};
 };
 
-/// The factorization M = L D Lᵀ of a symmetric matrix, which is positive definite if all pivots are positive.
-/// The result does not depend on the units of the rows.
+/// The factorization M = L D Lᵀ of a symmetric matrix. M is positive definite if all pivots are positive. The
+/// result does not depend on the units of the rows.
 template <class Number, int order>
 class positive_factors {
 public:

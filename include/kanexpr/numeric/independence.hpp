@@ -17,7 +17,7 @@ struct independence {
   mechanics::sentence failure{};
 
   explicit operator bool() const { return !failure; }
-  /// Returns the dependent constraint as a sentence; empty if there is none.
+  /// Returns a sentence that names the dependent constraint; empty if there is none.
   std::string cause() const { return std::string(failure.view()); }
 };
 

@@ -9,21 +9,21 @@
 
 namespace kanexpr::numeric {
 
-/// The columns of a matrix that are independent of the preceding ones, and the combinations that give the
-/// others.
+/// The columns of a matrix that are independent of the preceding ones, and the linear combinations of them
+/// that give the others.
 struct independent_columns {
   std::vector<Eigen::Index> kept{};
   Eigen::MatrixXd combination{}; ///< K in A = A_kept K
-  /// Relative to the length of a column: the shortest remainder that counts and the longest that does not. If
-  /// they differ by orders of magnitude, the choice is reliable; a column that is too short compared with the
-  /// longest makes it unreliable.
+  /// The shortest remainder of a column that was kept and the longest of one that was not, relative to the
+  /// length of the column. If they differ by orders of magnitude, the choice is reliable; a column that is
+  /// too short compared with the longest makes it unreliable.
   double shortest_kept = 1, longest_left = 0;
 };
 
-/// Computes the columns by the Gram-Schmidt process in their order, with reorthogonalization (Golub & Van
-/// Loan, Matrix Computations, section 5.2). For columns of length 1, remainders and coefficients of `least`
-/// or below are treated as zero. The function is a template so that files that do not call it do not
-/// instantiate its matrices.
+/// Finds the columns, in their order, by the Gram-Schmidt process with reorthogonalization (Golub & Van Loan,
+/// Matrix Computations, section 5.2). For columns of length 1, remainders and coefficients of `least` or
+/// below are treated as zero. The function is a template so that files that do not call it do not instantiate
+/// its matrices.
 template <class Matrix>
 independent_columns independent_columns_of(const Matrix& given, double least) {
   using matrix = Eigen::Matrix<typename Matrix::Scalar, Eigen::Dynamic, Eigen::Dynamic>;

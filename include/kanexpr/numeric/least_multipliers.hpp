@@ -15,7 +15,7 @@ namespace numeric {
 template <class Speeds, class Multipliers>
 struct least_multipliers {
   Speeds udot{};
-  Multipliers multipliers{};  ///< of the velocity constraints, then of the redundant ones
+  Multipliers multipliers{};  ///< those of the velocity constraints, then those of the redundant ones
   independence constraints{}; ///< the constraints that depend on others at the state
   mechanics::sentence failure{};
 
@@ -24,8 +24,8 @@ struct least_multipliers {
   std::string cause() const { return failure.cause(); }
 };
 
-/// Finds them at a state of equations in the form that `constrained_motion` requires. Rows of redundant
-/// constraints follow the first `solved` rows of J.
+/// Finds u̇ and λ at a state; `of` provides the equations in the form that `constrained_motion` requires.
+/// Rows of redundant constraints follow the first `solved` rows of J.
 template <class Equations>
 auto find_least_multipliers(const Equations& of, const typename constrained_motion<Equations>::state& x,
                             int solved) {

@@ -25,9 +25,9 @@ struct newton_report {
 };
 
 /// Solves f(x) = 0 by Newton's method and halves each step until the residual decreases. If the Jacobian is
-/// singular, the step is a damped least-squares step (Levenberg). After convergence it continues as long as
-/// the residual decreases, so the result is as accurate as rounding permits. The units of equations and
-/// unknowns do not matter. It does not allocate for fixed-size vectors.
+/// singular, the step is a damped least-squares step (Levenberg). After convergence, the iteration continues
+/// as long as the residual decreases, so the result is as accurate as rounding permits. The units of
+/// equations and unknowns do not matter. No memory is allocated for fixed-size vectors.
 template <class Vector, class Function, class Jacobian>
 newton_report newton(Vector& x, const Function& function, const Jacobian& jacobian,
                      const newton_options& options = {}) {
@@ -36,10 +36,10 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
   newton_report report;
   Vector f = function(x);
   const auto size = [](const Vector& v) {
-    if (!all_finite(v)) return not_a_number<double>; // which the maximum of NaNs need not reveal
+    if (!all_finite(v)) return not_a_number<double>; // a maximum does not always propagate NaN
     return v.size() == 0 ? 0.0 : static_cast<double>(v.cwiseAbs().maxCoeff());
   };
-  // no change of the Jacobian is smaller than its rounding
+  // smaller changes of the Jacobian are rounding errors
   const double least_change = (std::max)(options.tolerance, 1024.0 * std::numeric_limits<number>::epsilon());
   report.residual = size(f);
   if (!all_finite(f)) return report;

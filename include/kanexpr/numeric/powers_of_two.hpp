@@ -11,7 +11,7 @@
 /// overflow.
 namespace kanexpr::numeric {
 
-/// Smaller than the exponent of any number, even after other exponents are added.
+/// Smaller than the exponent of any nonzero number, even after other exponents are added to it.
 inline constexpr int exponent_of_zero = -(1 << 20);
 constexpr bool is_exponent_of_zero(int exponent) { return exponent < exponent_of_zero / 2; }
 

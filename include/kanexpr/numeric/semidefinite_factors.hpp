@@ -7,18 +7,18 @@
 namespace kanexpr::numeric {
 
 /// The factorization M = L D Lᵀ, with D ≥ 0, of a symmetric matrix that is positive semidefinite up to
-/// rounding. It does not depend on the units of the rows and reads the lower half of M.
+/// rounding. The result does not depend on the units of the rows. Only the lower half of M is read.
 ///
-/// The next pivot is the largest relative to its entry on the diagonal of M. If the largest is below `least`
-/// times that entry, the remainder is rounding and must be smaller than `rounding`; the positive entries of
-/// its diagonal are kept.
+/// The next pivot is the one that is largest relative to its entry on the diagonal of M. If it is below
+/// `least` times that entry, the remainder is attributed to rounding and must be smaller than `rounding`; its
+/// positive diagonal entries are kept.
 template <class Number, int order>
 class semidefinite_factors {
 public:
   using square = fixed_matrix<Number, order, order>;
 
   constexpr semidefinite_factors(const square& m, Number least, Number rounding) : l_(m) {
-    Number share[room]{}; // the reciprocal of the diagonal, or zero where it vanishes
+    Number share[room]{}; // the reciprocal of the diagonal entry, or zero if the entry vanishes
     for (int i = 0; i < order; ++i) {
       row_[i] = i;
       share[i] = m(i, i) > (std::numeric_limits<Number>::min)() ? 1 / m(i, i) : Number(0);
@@ -63,9 +63,9 @@ public:
     return l;
   }
 
-  /// Returns S + W D Wᵀ, reading the lower half of S. Without S it is a sum of squares: symmetric, with
-  /// nonnegative diagonal entries, and by the Cauchy-Schwarz inequality the rounding error of each entry is
-  /// at most a fraction of the square root of the product of the two diagonal entries.
+  /// Returns S + W D Wᵀ, reading the lower half of S. Without S, the result is a sum of squares: symmetric,
+  /// with nonnegative diagonal entries, and by the Cauchy-Schwarz inequality the rounding error of each entry
+  /// is at most a fraction of the square root of the product of the two diagonal entries.
   template <int rows>
   constexpr fixed_matrix<Number, rows, rows> squares(const fixed_matrix<Number, rows, order>& w,
                                                      fixed_matrix<Number, rows, rows> s = {}) const {

@@ -48,7 +48,7 @@ struct circular<double> { // errors 2^-57.9 and 2^-63.9
   static constexpr double of_cosine[]{0x1.555555555554bp-5,   -0x1.6c16c16c14f91p-10, 0x1.a01a019c844d5p-16,
                                       -0x1.27e4f7eac3446p-22, 0x1.1ee9d7b3dfb8dp-29,  -0x1.8fa4997f3dab6p-37};
   static constexpr double quadrants = 0x1.45f306dc9c883p-1; // quadrants per radian
-  static constexpr double integers = 0x1.8p52;              // all numbers from here on are integers
+  static constexpr double integers = 0x1.8p52;              // all numbers of this magnitude are integers
 };
 template <>
 struct circular<float> { // errors 2^-37.4 and 2^-33
@@ -68,15 +68,15 @@ template <class Value>
 #endif
 }
 
-/// An angle of `quadrant` quarter turns, in its lowest bits, plus `offset + rest`.
+/// An angle of `quadrant` quarter turns (the lowest two bits count) plus `offset + rest`.
 template <class Value>
 struct reduced_angle {
   Value offset, rest;
   bits_of<Value> quadrant;
 };
 
-/// The products of q < 2^17 with the first two parts of π/2, of 36 bits each, are exact, and so is the first
-/// difference. No angle comes closer to a multiple of π/2 than 2^-60 (reached at 29 π/2).
+/// The products of q < 2^17 and the first two parts of π/2, which have 36 bits each, are exact, and so is the
+/// first difference. No angle comes closer to a multiple of π/2 than 2^-60 (reached at 29 π/2).
 template <class Value>
 [[gnu::always_inline]] constexpr reduced_angle<Value> reduced(const Value& magnitude) {
   using known = circular<double>;
@@ -113,7 +113,8 @@ template <class Value, std::size_t... index>
           __builtin_shufflevector(first.quadrant, second.quadrant, index..., (half + index)...)};
 }
 
-/// Reduces by way of `double`; on targets without double arithmetic, fused operations leave exact remainders.
+/// Reduces the angle in `double`; on targets without double arithmetic, fused operations give exact
+/// remainders.
 template <class Value>
   requires std::is_same_v<number_of<Value>, float>
 [[gnu::always_inline]] constexpr reduced_angle<Value> reduced(const Value& magnitude) {
@@ -228,7 +229,8 @@ template <class Value>
         cosine = static_cast<Value>(elementary::cos(static_cast<double>(angle)));
       }
     } else {
-      // The arguments of the library must be in memory; the values computed here should not be.
+      // The arguments of the library function must be in memory; the values computed here should stay in
+      // registers.
       detail::number_of<Value> angles[detail::lanes<Value>::count], sines[detail::lanes<Value>::count],
           cosines[detail::lanes<Value>::count];
       std::memcpy(angles, &angle, sizeof angle);

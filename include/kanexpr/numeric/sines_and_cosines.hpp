@@ -8,8 +8,8 @@ namespace kanexpr::numeric {
 
 namespace detail {
 
-/// Returns how many of the `left` remaining numbers are processed together: enough to fill a vector, or
-/// nearly.
+/// Returns how many of the `left` remaining numbers are processed together: enough to fill a vector register,
+/// or nearly so.
 template <class Number>
 constexpr std::size_t taken_at_once(std::size_t left) {
   constexpr std::size_t most = widest_vector / sizeof(Number);

@@ -7,7 +7,7 @@ namespace kanexpr::numeric {
 
 namespace detail {
 
-/// Sets the highest bit of a lane if its angle is out of reach, or NaN.
+/// Sets the highest bit of each lane whose angle is out of reach or NaN.
 template <class Value>
 [[gnu::always_inline]] inline bits_of<Value> beyond_reach(const Value& angle) {
   const bits_of<Value> given = __builtin_bit_cast(bits_of<Value>, angle);
@@ -24,7 +24,7 @@ template <class Value, std::size_t count, std::size_t... index>
 
 } // namespace detail
 
-/// Each lane has the same bits as `sine_and_cosine` of its angle.
+/// Computes sines and cosines; each lane has the same bits as `sine_and_cosine` of its angle.
 template <class Value, std::size_t count>
   requires(detail::lanes<Value>::count > 1)
 [[gnu::always_inline]] inline void sines_and_cosines(const Value (&angle)[count], Value (&sine)[count],
@@ -34,7 +34,7 @@ template <class Value, std::size_t count>
 #if !defined(KANEXPR_ANGLES_WITHIN_REACH)
   if (is_far) [[unlikely]] {
     constexpr std::size_t lanes = detail::lanes<Value>::count;
-    // Aligned, which aligns the stack, too: otherwise clang++ would place vectors across cache lines.
+    // The alignment also aligns the stack; otherwise clang++ would place vectors across cache lines.
     alignas(Value) detail::number_of<Value> angles[count][lanes];
     alignas(Value) detail::number_of<Value> sines[count][lanes];
     alignas(Value) detail::number_of<Value> cosines[count][lanes];

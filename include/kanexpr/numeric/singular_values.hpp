@@ -8,8 +8,8 @@
 namespace kanexpr::numeric {
 
 /// The singular value decomposition A = U Σ Vᵀ, with singular values in descending order. Pairs of rows are
-/// rotated until all rows are orthogonal, which preserves the digits of small values, too (Hestenes 1958;
-/// Golub & Van Loan, Matrix Computations, 8.6.3). No heap memory is used for a fixed-size matrix.
+/// rotated until all rows are orthogonal; this also preserves the accuracy of small singular values (Hestenes
+/// 1958; Golub & Van Loan, Matrix Computations, 8.6.3). No heap memory is used for a fixed-size matrix.
 template <class Matrix>
 class singular_values {
   using number = typename Matrix::Scalar;
@@ -41,8 +41,8 @@ public:
   auto left_of(Eigen::Index i) const { return u_.col(i); }
   auto right_of(Eigen::Index i) const { return v_.col(i); }
 
-  /// Replaces the right vectors after the first `rank` by an orthonormal basis of the orthogonal complement
-  /// of those.
+  /// Keeps the first `rank` right vectors and replaces the others by an orthonormal basis of the orthogonal
+  /// complement.
   void complete(Eigen::Index rank) {
     for (Eigen::Index k = rank; k < v_.cols(); ++k) {
       Eigen::Index farthest = 0;

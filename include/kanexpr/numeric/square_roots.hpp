@@ -10,8 +10,9 @@
 
 namespace kanexpr::numeric {
 
-/// Returns the square roots of all lanes of one of the compiler's vectors, each rounded as the square root of
-/// a number. Without explicit vector operations, compilers compute them one by one with a branch for `errno`.
+/// Returns the square roots of all lanes of one of the compiler's vectors, each rounded like the square root
+/// of a scalar. Without explicit vector operations, compilers compute them one by one with a branch for
+/// `errno`.
 template <class Number>
 [[gnu::always_inline]] inline Number square_roots(const Number& x) noexcept {
 #if defined(__clang__)

@@ -9,7 +9,8 @@
 /// to those of the processor.
 namespace kanexpr::numeric {
 
-/// The width in bytes of the vectors used for computation; 0 for none. Those of AVX-512 would be slower.
+/// The width in bytes of the vectors used for computation; 0 if none are used. AVX-512 vectors would be
+/// slower.
 #if defined(__AVX2__)
 inline constexpr std::size_t widest_vector = 32;
 #elif defined(__SSE2__) || defined(__aarch64__)
@@ -118,7 +119,7 @@ template <class Bits, std::size_t... index>
                           __builtin_shufflevector(bits, bits, (sizeof...(index) + index)...));
 }
 
-/// Whether the highest bit is set in any lane, as comparisons and signs set it.
+/// Whether the highest bit is set in any lane; comparisons and negative signs set it.
 template <class Bits>
 [[gnu::always_inline]] constexpr bool is_set_in_a_lane(const Bits& bits) {
   constexpr std::size_t count = lanes<Bits>::count;

@@ -9,7 +9,7 @@ namespace kanexpr::robots {
 /// are expressed.
 struct moving_body {
   int link = -1;
-  int joint = -1;  ///< the joint that moves it; -1 for the root
+  int joint = -1;  ///< the joint that moves the body; -1 for the root
   int parent = -1; ///< index of the parent body; -1 for the root
   pose origin{};   ///< pose of the joint in the axes of the parent
   double mass = 0;
@@ -22,16 +22,16 @@ struct moving_body {
   bool is_weightless() const { return weightless >= mass; }
 };
 
-/// The pose of a link in the axes of the moving body it belongs to.
+/// The pose of a link in the axes of the moving body to which it belongs.
 struct placed_link {
   int body = -1;
   pose at{};
 };
 
 struct articulation {
-  std::vector<moving_body> bodies{}; ///< each after its parent; the first contains the root
-  std::vector<placed_link> links{};  ///< all links, in their order
-  std::vector<int> joints{};         ///< joints that move independently, in their order
+  std::vector<moving_body> bodies{}; ///< each follows its parent; the first contains the root
+  std::vector<placed_link> links{};  ///< all links, in the order of the robot
+  std::vector<int> joints{};         ///< joints that move independently, in the order of the robot
 };
 
 /// Merges links connected by fixed joints, by the parallel-axis theorem.
@@ -74,7 +74,7 @@ inline void add_mass(double& mass, vector3& center, double added, const vector3&
   mass = whole;
 }
 
-/// Adds the mass of a link. The mass center of a body with one link is exactly that of the link.
+/// Adds the mass of a link. If the body has only one link, its mass center is exactly that of the link.
 inline void add(moving_body& to, const inertial& of, const pose& at) {
   const pose center = product(at, of.center);
   const inertia_matrix inertia = turned(center.turn, of.inertia);
@@ -149,7 +149,7 @@ private:
 
   const robot& robot_;
   articulation into_{};
-  std::vector<std::vector<int>> outward_; ///< joints that start at each link, in their order
+  std::vector<std::vector<int>> outward_; ///< joints that start at each link, in the order of the robot
   std::vector<step> open_{};
 };
 

@@ -8,7 +8,7 @@ namespace kanexpr::robots {
 
 namespace detail {
 
-/// Whether factor·inertia + shift·E is positive semidefinite, by its principal minors.
+/// Whether factor·inertia + shift·E is positive semidefinite, judged by its principal minors.
 inline bool is_semidefinite(const inertia_matrix& i, double factor, double shift) {
   const double xx = factor * i.xx + shift, yy = factor * i.yy + shift, zz = factor * i.zz + shift;
   const double xy = factor * i.xy, yz = factor * i.yz, zx = factor * i.zx;
@@ -36,20 +36,20 @@ inline bool is_indefinite(const inertia_matrix& i) {
 /// files contain 1e-20 where a program computed zero.
 inline bool is_rounding(const inertia_matrix& i, double mass) { return i.largest() <= 1e-12 * mass; }
 
-/// Whether no mass distribution has this inertia: one principal moment exceeds the sum of the other two by
-/// more than the rounding of published numbers.
+/// Whether no mass distribution can have this inertia because one principal moment exceeds the sum of the
+/// other two by more than the rounding of published numbers.
 inline bool is_of_no_body(const inertia_matrix& i) {
   const inertia_matrix s = detail::scaled(i);
   const double trace = s.xx + s.yy + s.zz;
   return !detail::is_semidefinite(s, -1, (0.5 + 1e-3) * trace);
 }
 
-/// A mistake in an inertial, and a note about something unusual; both may be empty.
+/// A mistake in the inertial properties of a link, and a note about something unusual; both may be empty.
 struct inertial_remarks {
   std::string mistake{}, note{};
 };
 
-/// Checks an inertial, and sets an inertia that consists of rounding errors to zero.
+/// Checks the inertial properties of a link; sets an inertia that consists of rounding errors to zero.
 inline inertial_remarks remarks_on(inertial& of, const std::string& whose) {
   inertia_matrix& i = of.inertia;
   if (of.mass < 0) return {"the mass of " + whose + " is negative", {}};

@@ -11,13 +11,13 @@
 /// Checks a robot, which may come from a file or from a program.
 namespace kanexpr::robots {
 
-/// A mistake as a sentence, and the joint it concerns; empty if there is none.
+/// A sentence that describes a mistake, empty if there is none, and the joint that it concerns.
 struct robot_mistake {
   std::string what{};
   int joint = -1; ///< -1 for the whole robot
 };
 
-/// The link that is the child of no joint, or a mistake if the joints do not form a tree.
+/// The link that is not the child of any joint, or a mistake if the joints do not form a tree.
 struct found_root {
   int link = -1;
   robot_mistake mistake{};
@@ -29,7 +29,7 @@ inline std::string called(const robot& r, int link) {
   return shown(r.links[static_cast<std::size_t>(link)].name);
 }
 
-/// Checks that the path along parents leads from every link to the root.
+/// Checks that the path from every link to its parent, and so on, leads to the root.
 inline robot_mistake unreached_in(const robot& r, const std::vector<int>& leads_to, int root) {
   std::vector<bool> reached(leads_to.size(), false);
   reached[static_cast<std::size_t>(root)] = true;
@@ -134,7 +134,7 @@ inline found_root root_of(const robot& r) {
   return {root, detail::unreached_in(r, leads_to, root)};
 }
 
-/// The first mistake in a robot; empty if there is none.
+/// Returns the first mistake in a robot, as a sentence; empty if there is none.
 inline std::string check_robot(const robot& r) {
   if (r.links.empty()) return "the robot has no links";
   if (r.gravity && !detail::is_finite(*r.gravity)) return "the gravity of the robot is not finite";

@@ -24,13 +24,13 @@ inline std::string digits(double x) {
   return shortest;
 }
 
-/// A limit, which may be infinite.
+/// Formats a limit, which may be infinite.
 inline std::string limit(double x) {
   if (std::abs(x) <= (std::numeric_limits<double>::max)()) return digits(x);
   return x < 0 ? "-no_limit" : "no_limit";
 }
 
-/// c0 A::x + c1 A::y + c2 A::z.
+/// Writes c0 A::x + c1 A::y + c2 A::z.
 inline std::string along(const std::string& axes, const vector3& v) {
   std::string sum;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -42,7 +42,7 @@ inline std::string along(const std::string& axes, const vector3& v) {
   return sum.empty() ? "0.0 * " + axes + "::x" : sum;
 }
 
-/// An expression, in parentheses if it is a sum.
+/// Returns an expression, in parentheses if it is a sum.
 inline std::string factor(const std::string& e) {
   return e.find(' ') == e.npos && !e.starts_with('-') ? e : "(" + e + ")";
 }
@@ -71,8 +71,8 @@ inline std::string folded(const std::string& line, std::size_t column, std::size
   return text + line.substr(begun);
 }
 
-/// A list that starts after `before` and wraps over as many lines as it needs, indented by the length of
-/// `before`.
+/// Writes a list that starts after `before` and continues on as many lines as it needs, indented by the
+/// length of `before`.
 inline std::string wrapped(const std::string& before, const std::vector<std::string>& all) {
   const std::size_t indent = before.size();
   std::string text = before;
@@ -100,7 +100,7 @@ inline std::string opened(const std::string& called, std::initializer_list<std::
          (hides ? "using kanexpr::" + called + ";\n" : "") + "\n";
 }
 
-/// Text of a file in a form that is safe in a comment: it can neither end nor continue the line.
+/// Returns text from a file in a form that is safe in a comment: it can neither end the line nor continue it.
 inline std::string comment(std::string_view said) {
   std::string plain;
   for (char c : said.substr(0, 80)) plain += c >= ' ' && c < 0x7f && c != '\\' && c != '?' ? c : '_';

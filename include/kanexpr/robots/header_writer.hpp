@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-/// Writes the model of a robot as a header, for the compiler to derive and for people to read and change.
+/// Writes the model of a robot as a header, which the compiler derives and people can read and change.
 namespace kanexpr::robots {
 
 class header_writer {
@@ -19,10 +19,10 @@ public:
   /// The reason why there is no header; empty if there is one.
   std::string cause() const { return plan_.mistake; }
 
-  /// The names of the file that differ in C++: "Finger_a is finger a, …".
+  /// The names that differ between the file and C++: "Finger_a is finger a, …".
   std::string renamed() const { return text::list(plan_.renamed); }
 
-  /// The header of a model in the namespace `called`, read from the file `from`.
+  /// Returns the header of a model in the namespace `called`; the robot was read from the file `from`.
   std::string write(const std::string& called, std::string_view from) {
     links_.resize(robot_.links.size());
     write_root();
@@ -45,7 +45,7 @@ private:
   };
 
   const std::string& name(int link) const { return plan_.links[static_cast<std::size_t>(link)]; }
-  /// The type with the axes and the origin of a link: N for a link that coincides with the ground.
+  /// The type that has the axes and the origin of a link; N for a link that coincides with the ground.
   std::string& type(int link) { return links_[static_cast<std::size_t>(link)]; }
   const joint& joint_of(const moving_body& b) const {
     return robot_.joints[static_cast<std::size_t>(b.joint)];
@@ -70,7 +70,7 @@ private:
   std::string energy_of_lifting(const moving_body& b, const std::string& free_fall) {
     const std::string &on = type(b.link), called = name(b.link) + "_weightless";
     const std::string symbols =
-        b.is_weightless() ? name(b.link) : called; // existing ones if the whole body is weightless
+        b.is_weightless() ? name(b.link) : called; // the existing axes if the whole body is weightless
     const auto known = values_.size();
     const std::string mass = value("m_" + symbols, b.weightless);
     const std::string at = options_.bind == binding::numbers
@@ -183,7 +183,7 @@ private:
     return value("f_" + name(b.link), j.friction) + " * sign(" + speed + ")";
   }
 
-  /// Writes a mimic joint: a weld that is placed by the coordinate of its leader.
+  /// Writes a mimic joint as a weld whose location depends on the coordinate of its leader.
   void write_follower(const moving_body& b) {
     const joint& j = joint_of(b);
     const std::string &called = name(b.link), start = called + "_start";

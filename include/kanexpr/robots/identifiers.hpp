@@ -12,7 +12,7 @@
 
 namespace kanexpr::robots {
 
-/// The letters, digits and single underscores of a name; other characters become underscores.
+/// Keeps the letters, digits and single underscores of a name; replaces other characters by underscores.
 inline std::string letters_of(std::string_view name) {
   constexpr std::size_t most = 40; // leaves room for a prefix and a suffix in a name of 60 characters
   std::string plain;
@@ -52,11 +52,11 @@ inline bool is_namespace(std::string_view name) {
          std::ranges::find(taken, name) == std::end(taken) && !c_library::has(name);
 }
 
-/// Unique C++ identifiers.
+/// Generates unique C++ identifiers.
 class identifiers {
 public:
-  /// The name of a type, capitalized to avoid keywords and names of the library, which are not. Entities that
-  /// belong to the type are named after it with the suffixes `endings`.
+  /// Returns the name of a type. It is capitalized because keywords and the names of the library are not.
+  /// Entities that belong to the type are named after it with the suffixes `endings`.
   std::string type(std::string_view name, std::initializer_list<std::string_view> endings) {
     std::string plain = letters_of(name);
     if (plain.empty()) plain = "Link";
@@ -64,7 +64,7 @@ public:
     if (plain[0] >= 'a' && plain[0] <= 'z') plain[0] = static_cast<char>(plain[0] - 'a' + 'A');
     return unused(plain, {}, endings);
   }
-  /// The name of a joint, whose symbols have the prefixes `beginnings`: "q_" and "u_".
+  /// Returns the name of a joint, whose symbols have the prefixes `beginnings`, such as "q_" and "u_".
   std::string joint(std::string_view name, std::initializer_list<std::string_view> beginnings) {
     const std::string plain = letters_of(name);
     return unused(plain.empty() ? "joint" : plain, beginnings, {});

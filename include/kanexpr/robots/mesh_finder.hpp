@@ -13,7 +13,7 @@ namespace kanexpr::robots {
 /// description, or any folder that contains the description, whatever its name.
 class mesh_finder {
 public:
-  /// `folder` contains the description; if it is empty, no file is found.
+  /// `folder` contains the description; if `folder` is empty, no files are found.
   explicit mesh_finder(const std::string& folder) {
     std::error_code failed;
     if (!folder.empty()) folder_ = std::filesystem::weakly_canonical(folder, failed);

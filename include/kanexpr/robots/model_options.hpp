@@ -20,10 +20,10 @@ enum class binding : unsigned char {
 struct model_options {
   base_kind base = base_kind::fixed;
   binding bind = binding::numbers;
-  std::optional<double> gravity{}; ///< along −z of the root, m/s²; default: that of the robot, or 9.81
+  std::optional<double> gravity{}; ///< along −z of the root, m/s²; default: the gravity of the robot, or 9.81
   bool damping = true;             ///< whether to apply the torques −c q̇ of the file
   bool friction =
-      false; ///< whether to apply the torques −f sign q̇ of the file, which are not differentiable at rest
+      false; ///< whether to apply the torques −f sign(q̇) of the file, which are not differentiable at rest
 };
 
 /// The gravitational acceleration of a model, in the axes of its root.

@@ -20,8 +20,8 @@ public:
   picture_writer(const robot& r, const model_options& options, const std::string& folder = {})
       : robot_(r), options_(options), plan_(plan_of(r, options)), files_(folder) {}
 
-  /// The header of a picture in the namespace `called`, whose model is in `called`.hpp; empty if the robot
-  /// has no model.
+  /// Returns the header of a picture in the namespace `called`; the model is in `called`.hpp. Empty if the
+  /// robot has no model.
   std::string write(const std::string& called) {
     if (!plan_.mistake.empty()) return {};
     for (std::size_t l = 0; l < robot_.links.size(); ++l) draw(l);
@@ -42,7 +42,7 @@ public:
            "\n";
   }
 
-  /// The meshes that are not drawn, as a sentence; empty if all are.
+  /// A sentence that names the meshes that are not drawn; empty if all are drawn.
   std::string note() const {
     if (left_out_.empty()) return {};
     const bool is_one = left_out_.size() == 1;
@@ -70,8 +70,8 @@ private:
     if (count == 0 && lacks) draw_rods(link);
   }
 
-  /// Finds the file of a mesh and sets its path as used by the picture; false if it is missing or of an
-  /// unsupported kind.
+  /// Finds the file of a mesh and sets its path as the picture uses it; returns false if the file is missing
+  /// or of an unsupported kind.
   bool find(shape& s, std::size_t link) {
     const std::optional<std::string> found = files_.find(s.file);
     const bool is_known = found && !mesh_kind_of(*found).empty();
@@ -89,7 +89,7 @@ private:
     return false;
   }
 
-  /// A name as a literal in a header whose lines may be broken after commas and signs.
+  /// Returns a name as a string literal for a header whose lines may be broken after commas and signs.
   static std::string literal(const std::string& name) {
     std::string quoted = "\"";
     char before = 0;
@@ -152,7 +152,7 @@ private:
     }
   }
 
-  /// A COLLADA file defines its colours itself.
+  /// Shows a mesh. A COLLADA file defines its own colours.
   void show_mesh(const std::string& begun, const shape& s) {
     const std::string drawn = begun + ", " + literal(s.file) + scale_of(s.size) + ">";
     ++shown_meshes_;
@@ -162,7 +162,7 @@ private:
       show(drawn, link_colour);
   }
 
-  /// A twentieth of the longest distance between two joints.
+  /// The thickness of rods: a twentieth of the longest distance between two joints.
   std::string thickness() const {
     double longest = 0;
     for (const joint& j : robot_.joints)

@@ -15,7 +15,7 @@
 /// The plan for the model of a robot: its moving bodies and the names of all symbols and links.
 namespace kanexpr::robots {
 
-/// A joint that moves independently; a floating base has one too.
+/// A joint that moves independently; a floating base has one, too.
 struct planned_joint {
   int joint = -1; ///< index in the robot; -1 for the floating base
   joint_kind is = joint_kind::floating;
@@ -26,7 +26,7 @@ struct planned_joint {
 
 struct plan {
   articulation what{};
-  std::vector<planned_joint> joints{}; ///< that of the base, then in the order of the file
+  std::vector<planned_joint> joints{}; ///< the joint of the base, then the others in the order of the file
   std::vector<std::string> links{};    ///< names of all links
   std::vector<int> joint_of{};         ///< index in `joints` for each joint of the robot; -1 if it has none
   std::vector<std::string> renamed{};  ///< names that differ from those of the file: "Finger_a is finger a"
@@ -99,7 +99,7 @@ inline std::string indefinite_in(const robot& r, const articulation& a, const mo
   return {};
 }
 
-/// Notes a name that differs from that in the file, unless only the first letter was capitalized.
+/// Notes a name that differs from the name in the file, unless only the first letter was capitalized.
 inline void note_name(plan& p, const std::string& called, const std::string& in_file) {
   std::string small_first = called;
   if (!in_file.empty()) small_first[0] = in_file[0];
@@ -147,7 +147,8 @@ inline plan plan_of(const robot& r, const model_options& options) {
   return p;
 }
 
-/// Two directions normal to an axis that form a right-handed triad with it; x and y for the axis z.
+/// Returns two directions normal to an axis that form a right-handed triad with it; for the axis z, they are
+/// x and y.
 inline std::pair<vector3, vector3> across(const vector3& axis) {
   std::size_t most = 0;
   for (std::size_t i = 1; i < 3; ++i)

@@ -10,12 +10,12 @@ namespace kanexpr::robots {
 
 using vector3 = std::array<double, 3>;
 
-/// A rotation matrix by rows: v in the outer axes = rotation · v in the rotated axes.
+/// The rows of a rotation matrix: v in the outer axes = rotation · v in the rotated axes.
 using rotation = std::array<vector3, 3>;
 
 inline constexpr rotation no_rotation{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
-/// The rotation of axes, and the position of their origin in the outer axes.
+/// The rotation of a set of axes, and the position of their origin in the outer axes.
 struct pose {
   rotation turn = no_rotation;
   vector3 at{};
@@ -81,8 +81,8 @@ inline rotation by_quaternion(double x, double y, double z, double w) {
            {2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)}}};
 }
 
-/// The rotation with its right angles made exact, by way of roll, pitch and yaw. Near a pitch of 90°, where
-/// these angles are inaccurate, it is returned unchanged.
+/// Returns the rotation with its right angles made exact, computed from roll, pitch and yaw. Near a pitch of
+/// 90°, where these angles are inaccurate, the rotation is returned unchanged.
 inline rotation with_right_angles(const rotation& r, double tolerance) {
   constexpr double right = std::numbers::pi / 2;
   const double pitch = std::asin(std::clamp(-r[2][0], -1.0, 1.0)), to_pole = right - std::abs(pitch);
@@ -105,7 +105,7 @@ inline rotation by_axis(const vector3& a, double angle, double tolerance) {
 inline vector3 direction_of(vector3 v, double tolerance) {
   const double largest = (std::max)({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
   if (!(largest > 0)) return {};
-  if (largest > 1e100 || largest < 1e-100) // whose square would overflow or underflow
+  if (largest > 1e100 || largest < 1e-100) // the square would overflow or underflow
     for (double& e : v) e /= largest;
   const double least = tolerance * std::sqrt(dot(v, v));
   for (double& e : v) e = std::abs(e) <= least ? 0 : e;

@@ -13,12 +13,14 @@
 
 namespace kanexpr::robots {
 
-/// A robot, or the reason why the file has none: "line 12 of arm.urdf: the mass of link elbow is negative".
+/// A robot, or the reason why it could not be read: "line 12 of arm.urdf: the mass of link elbow is
+/// negative".
 struct [[nodiscard]] read_robot : outcome {
   using outcome::outcome;
 
   robots::robot robot{};
-  /// What was ignored or is unusual: "line 80 of arm.urdf: the inertia of link hand is not physical: …".
+  /// Sentences about ignored or unusual contents: "line 80 of arm.urdf: the inertia of link hand is not
+  /// physical: …".
   std::vector<std::string> notes{};
 };
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-/// A robot as a plain value: links and the joints between them, as described in files. SI units.
+/// A robot as a plain value: links and the joints between them, as files describe them, in SI units.
 namespace kanexpr::robots {
 
 /// The symmetric inertia matrix about the mass center; xy is the matrix entry −∫ x y dm.
@@ -43,7 +43,7 @@ struct link {
   std::string name{};
   std::optional<robots::inertial> inertial{};
   std::vector<shape> visual{}, collision{};
-  bool weightless = false; ///< gravity does not act on it
+  bool weightless = false; ///< gravity does not act on the link
 };
 
 enum class joint_kind : unsigned char {
@@ -82,13 +82,13 @@ struct joint {
   vector3 axis{1, 0, 0};       ///< unit vector in the axes of the child
   joint_limits limits{};
   double damping = 0;  ///< the torque or force −damping·q̇
-  double friction = 0; ///< the torque or force −friction·sign q̇
+  double friction = 0; ///< the torque or force −friction·sign(q̇)
   std::optional<mimicry> mimic{};
   double gear_ratio = 1;    ///< turns of the rotor per turn of the joint
   double rotor_inertia = 0; ///< about the axis of the rotor
 };
 
-/// The links form a tree: every link except `root` is the child of one joint.
+/// A robot. Its links form a tree: every link except `root` is the child of one joint.
 struct robot {
   std::string name{};
   std::vector<link> links{};

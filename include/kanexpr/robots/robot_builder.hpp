@@ -14,8 +14,9 @@ namespace kanexpr::robots {
 /// A robot as a run-time model: a builder with the joints, links and motors of the robot, to which loads and
 /// constraints may be added. `derive(arm)` and `simulate(arm, …)` accept it like any other builder.
 ///
-/// The state consists of px, py, pz, e1, e2, e3, e0 and vx, vy, vz, wx, wy, wz of a floating base, followed
-/// by q_ and u_ of each joint in the order of the file; the inputs are T_ (torques) and F_ (forces).
+/// The coordinates are px, py, pz, e1, e2, e3, e0 of a floating base, followed by q_ of each joint in the
+/// order of the file; the speeds are vx, vy, vz, wx, wy, wz of the base, followed by u_ of each joint. The
+/// inputs are T_ (torques) and F_ (forces).
 class robot_builder : public runtime::builder {
 public:
   using frame_id = runtime::frame_id;
@@ -26,14 +27,14 @@ public:
   /// The first mistake as a sentence; empty if there is none.
   std::string cause() const { return plan_.mistake.empty() ? std::string((check)().view()) : plan_.mistake; }
 
-  /// The axes and the origin of a link, by its name in the file; those of the ground if no link has that
-  /// name.
+  /// Return the axes and the origin of the link with the given name in the file; those of the ground if there
+  /// is no such link.
   frame_id frame_of(std::string_view link) const { return frames_[place_of(link)]; }
   point_id origin_of(std::string_view link) const { return origins_[place_of(link)]; }
 
-  /// The name of the body that contains the mass of a link and of all links fixed to it. It is named after
-  /// the moving link: "Forearm_body" for a tool on a forearm. Empty if the link is part of the ground or has
-  /// no mass.
+  /// Returns the name of the body that contains the mass of a link and of all links fixed to it. The body is
+  /// named after the moving link: "Forearm_body" for a tool on a forearm. The name is empty if the link is
+  /// part of the ground or the body has no mass.
   std::string body_of(std::string_view link) const {
     const std::size_t place = place_of(link);
     if (place >= plan_.what.links.size()) return {};
@@ -44,7 +45,7 @@ public:
   /// The parameters with their values in the file, in order.
   const std::vector<std::pair<std::string, double>>& values() const { return values_; }
 
-  /// The state at rest in which all joint positions are zero, by name.
+  /// Returns the values, by name, of the state at rest in which all joint positions are zero.
   std::map<std::string, double> at_rest() const {
     std::map<std::string, double> x;
     for (const planned_joint& j : plan_.joints) {
@@ -89,13 +90,13 @@ private:
 
   vector along_numbers(frame_id axes, const vector3& v) { return along(axes, v[0], v[1], v[2]); }
 
-  /// A number of the file, or a parameter with that value.
+  /// Returns a number from the file, or a parameter with that value.
   expression value(const std::string& called, double of_file) {
     if (options_.bind == binding::numbers) return number(of_file);
     values_.emplace_back(called, of_file);
     return parameter(called);
   }
-  /// A frame rotated in another; the same frame if there is no rotation.
+  /// Adds a frame rotated relative to `in`; returns `in` itself if there is no rotation.
   frame_id turned(const std::string& called, frame_id in, const rotation& by) {
     if (by == no_rotation) return in;
     const auto row = [&](const vector3& v) {
@@ -128,7 +129,7 @@ private:
     }
   }
 
-  /// The motion of a joint. The motion of a mimic joint is expressed by the symbols of its leader.
+  /// Returns the motion of a joint; the motion of a mimic joint is expressed by the symbols of its leader.
   motion motion_of(int joint) {
     const mimicry how = followed_by(robot_, joint);
     const motion& leader =
@@ -176,8 +177,8 @@ private:
     origin(b.link) = offset(called + "_origin", start, gone);
   }
 
-  /// The position is expressed in the parent axes, the velocity and the angular velocity in the axes of the
-  /// link.
+  /// Lets a link move freely. The position is expressed in the parent's axes, the velocity and the angular
+  /// velocity in the axes of the link.
   void float_free(int link, frame_id in, point_id start, const motion& m) {
     const std::string& called = name(link);
     const frame_id own = quaternion(called, in, m.q[6], m.q[3], m.q[4], m.q[5]);
@@ -278,7 +279,7 @@ private:
   model_options options_;
   robots::plan plan_;
   std::vector<motion> motions_{};
-  std::vector<frame_id> frames_{}; ///< of the links, then of the ground
+  std::vector<frame_id> frames_{}; ///< the frames of the links, then that of the ground
   std::vector<point_id> origins_{};
   std::map<std::string, std::size_t, std::less<>> places_{};
   std::vector<std::pair<std::string, double>> values_{};

@@ -18,7 +18,7 @@ KANEXPR_ENGINE assembly assemble(model& m, std::span<double> x, std::span<const 
 KANEXPR_ENGINE consistency check_consistency(model& m, std::span<const double> x, std::span<const double> p,
                                              std::span<const double> r, double t, double tolerance);
 
-/// The entries of a vector of any type.
+/// Copies the entries of a vector of any type.
 template <class Vector>
 std::vector<double> entries_of(const Vector& v) {
   std::vector<double> entries;
@@ -47,7 +47,7 @@ consistency check_consistency(model& m, const Eigen::VectorXd& x, const Paramete
 }
 
 /// Checks whether the constraints on the speeds are independent at a state, and reports the rows of
-/// `constraint_jacobian` that depend on the rows before them.
+/// `constraint_jacobian` that depend on preceding rows.
 template <class Parameters = Eigen::VectorXd, class Inputs = Eigen::VectorXd>
 independence check_independence(model& m, const Eigen::VectorXd& x, const Parameters& p = {},
                                 const Inputs& r = {}, double t = 0) {

@@ -20,7 +20,7 @@ struct base_parameters {
   std::vector<Eigen::Index> columns{}; ///< the columns of Y that form Y_base
   Eigen::MatrixXd combination{};       ///< K
   std::vector<std::string> names{};    ///< "izz of Upper + 0.25*m of Lower"
-  mechanics::sentence failure{};       ///< the reason why they were not found
+  mechanics::sentence failure{};       ///< the reason why no base parameters were found
 
   explicit operator bool() const { return !failure; }
   std::string cause() const { return failure.cause(); }
@@ -35,7 +35,7 @@ struct base_parameters {
 };
 
 struct base_parameter_options {
-  /// The tolerance relative to the lengths of columns; shorter remainders count as zero.
+  /// The tolerance, relative to the length of a column; shorter remainders count as zero.
   double tolerance = 1e-9;
   std::uint64_t seed = 1; ///< seed of the random states
 };
@@ -56,7 +56,7 @@ KANEXPR_ENGINE found_base_parameters find_base_parameters(model& m, std::span<co
 } // namespace runtime
 
 /// Finds the base parameters of a system with the parameters `p`, from random states that satisfy the
-/// constraints; the combinations depend on lengths in `p`. A parameter that depends on those before it is
+/// constraints; the combinations depend on lengths in `p`. A parameter that depends on preceding ones is
 /// combined with them, so the remaining parameters are those of the bodies closest to the ground, in the
 /// order of the system.
 template <class Parameters = Eigen::VectorXd>

@@ -19,14 +19,14 @@ namespace runtime {
 class builder;
 }
 
-/// Derives the system built so far; later calls of the builder do not change the model. A mistake of the
+/// Derives the system built so far; later calls of the builder do not change the model. A mistake made in the
 /// builder is also a mistake of the model.
 KANEXPR_ENGINE model derive(const runtime::builder& built);
 
 namespace runtime {
 
-/// Derives the system in a separate graph. Its expressions belong only to the model, and depend neither on
-/// the compiler nor on what was derived before.
+/// Derives the system in a separate graph. Its expressions belong only to the model and depend neither on the
+/// compiler nor on earlier derivations.
 KANEXPR_ENGINE model derive_in_own_graph(const builder& built);
 
 } // namespace runtime
@@ -39,7 +39,8 @@ namespace kanexpr::runtime {
 class given_number {
 public:
   template <class Number>
-    requires std::is_arithmetic_v<Number> && (!numeric::letter<Number>) // bool is allowed: i == 0 is 1 or 0
+    requires std::is_arithmetic_v<Number> &&
+                 (!numeric::letter<Number>) // bool is allowed: `i == 0` evaluates to 1 or 0
   given_number(Number value)
       : value_(static_cast<double>(value)), is_whole_zero_(describe::is_whole_zero(value)) {}
 
@@ -69,19 +70,20 @@ private:
   std::variant<given_number, expression> held_;
 };
 
-/// A vector whose components along some directions vanish.
+/// A vector whose components along `directions` vanish.
 struct vanishing {
   vector value;
   std::vector<vector> directions;
 };
 
-/// Builds a system from values at run time. A builder cannot be copied or moved; `derive(b)` returns a model
-/// of the system, with the same results as a system described by types.
+/// Builds a system from values at run time. A builder cannot be copied or moved. `derive(b)` returns a model
+/// of the system, which has the same results as a system described by types.
 ///
-/// A mistake does not stop the program: the first one is kept as a sentence, and the invalid item is omitted.
+/// A mistake does not stop the program: the first one is stored as a sentence, and the invalid item is
+/// omitted.
 ///
-/// Loads and constraints may contain velocities, which `mechanics::known_motion known(b.mechanism());`
-/// provides once frames and points are defined.
+/// Loads and constraints may contain velocities. After frames and points have been defined,
+/// `mechanics::known_motion known(b.mechanism());` provides them.
 class builder {
 public:
   explicit builder(std::string_view inertial_frame);
@@ -102,12 +104,13 @@ public:
   expression speed(std::string_view u);
   expression parameter(std::string_view p);
   expression input(std::string_view r);
-  /// A quantity that is known as a function of time: three consecutive inputs, r, dot(r) and dot(dot(r)).
+  /// A quantity that is a known function of time. It adds three consecutive inputs: r, dot(r) and
+  /// dot(dot(r)).
   expression prescribed(std::string_view r);
   /// Declares that a parameter or an input is used by expressions that are requested later; any other unused
   /// parameter or input is a mistake.
   void used_elsewhere(expression parameter_or_input);
-  /// A speed that is always zero and makes a force that does no work appear in the equations.
+  /// A speed that is always zero; it brings a force that does no work into evidence.
   expression auxiliary_speed(std::string_view u);
   /// Selects Lagrange's method: the rates of the coordinates declared so far are used as speeds.
   void rates_as_speeds();
@@ -120,8 +123,8 @@ public:
   /// The rate of a coordinate, speed or prescribed quantity.
   expression dot(expression e);
 
-  /// A kinematic differential equation: an expression that vanishes, linear in the rates of the coordinates,
-  /// `dot(q) - u`.
+  /// A kinematic differential equation: an expression that vanishes and is linear in the rates of the
+  /// coordinates, such as `dot(q) - u`.
   void kinematic_equation(expression vanishes);
   /// The equations that equate the angular velocity derived from the orientation of a frame with the declared
   /// one.
@@ -129,14 +132,14 @@ public:
 
   // ---- vectors and dyadics
 
-  /// A vector by its components, which are numbers or expressions: `b.along(A, l, 0, 0)`. The zero vector is
-  /// `{}`.
+  /// A vector with the given components, which are numbers or expressions: `b.along(A, l, 0, 0)`. The zero
+  /// vector is `{}`.
   vector along(frame_id axes, const number_or_expression& x, const number_or_expression& y,
                const number_or_expression& z);
   expression dot(const vector& a, const vector& b);
 
-  /// An inertia dyadic by its scalars in the axes of a frame; the products of inertia have the sign of Σ m
-  /// (r·r E − r r).
+  /// An inertia dyadic with the given entries in the axes of a frame; the products of inertia have the sign
+  /// of Σ m (r·r E − r r).
   dyadic inertia(frame_id axes, const number_or_expression& xx, const number_or_expression& yy,
                  const number_or_expression& zz, const number_or_expression& xy,
                  const number_or_expression& yz, const number_or_expression& zx);
@@ -156,10 +159,11 @@ public:
   /// A frame rotated by the unit quaternion e0 + e1 i + e2 j + e3 k.
   frame_id quaternion(std::string_view called, frame_id parent, expression e0, expression e1, expression e2,
                       expression e3);
-  /// A frame rotated by φ about the unit vector a, with the modified Rodrigues parameters a tan φ/4.
+  /// A frame rotated by φ about the unit vector a; the modified Rodrigues parameters are the components of a
+  /// tan(φ/4).
   frame_id modified_rodrigues(std::string_view called, frame_id parent, expression s1, expression s2,
                               expression s3);
-  /// A frame by its direction cosines: v in the parent's axes = to_parent · v in the frame's axes.
+  /// A frame specified by its direction cosines: v in the parent's axes = to_parent · v in the frame's axes.
   frame_id direction_cosines(std::string_view called, frame_id parent, const mechanics::matrix3& to_parent);
   /// Declares the angular velocity of a frame in `reference`, used in place of the derived one. It must agree
   /// with the orientation, except for a spin about an axis whose angle the orientation omits.
@@ -172,7 +176,7 @@ public:
   /// A point that is fixed in the inertial frame.
   point_id origin(std::string_view called);
   point_id offset(std::string_view called, point_id parent, const vector& from_parent);
-  /// The two-point theorem: the point and its parent are both fixed in `frame`.
+  /// Derives the velocity by the two-point theorem: the point and its parent are both fixed in `frame`.
   void fixed_in(point_id point, frame_id frame);
   /// The position of `point` relative to `from`.
   vector position_of(point_id point, point_id from);
@@ -190,7 +194,7 @@ public:
   void particle(std::string_view called, point_id at, expression mass);
   void rigid_body(std::string_view called, point_id center, frame_id frame, expression mass,
                   const dyadic& inertia);
-  /// A rigid body with the inertia about any point of the body.
+  /// A rigid body with its inertia about any point of the body.
   void rigid_body(std::string_view called, point_id center, frame_id frame, expression mass,
                   const dyadic& inertia, point_id about);
   /// Declares that the inertia of a rigid body intentionally varies in body-fixed axes.
@@ -199,9 +203,9 @@ public:
   void effective_inertia(std::string_view of);
   void force(point_id at, const vector& value);
   void torque(frame_id on, const vector& value);
-  /// A force on a point, and the opposite force on another.
+  /// A force on the point `at` and the opposite force on `other`.
   void force_between(point_id at, point_id other, const vector& value);
-  /// A torque on a frame, and the opposite torque on another.
+  /// A torque on the frame `on` and the opposite torque on `other`.
   void torque_between(frame_id on, frame_id other, const vector& value);
   /// The gravitational acceleration of all bodies.
   void gravity(const vector& acceleration);
@@ -215,12 +219,13 @@ public:
   /// A torsional spring that returns an angle to its rest position with the torque stiffness·(angle − rest).
   void torsional_spring(expression angle, expression stiffness, expression rest);
   void torsional_spring(expression angle, expression stiffness);
-  /// A torque −damping·ω on a frame that rotates with ω in another, and the opposite torque on the other.
+  /// A torque −damping·ω on the frame `on` and the opposite torque on `other`, where ω is the angular
+  /// velocity of `on` relative to `other`.
   void torsional_damper(frame_id on, frame_id other, expression damping);
 
   // ---- constraints; their expressions may contain velocities of a `mechanics::known_motion`
 
-  /// A vector whose components along the directions vanish, one constraint for each:
+  /// A vector whose components along the given directions vanish, with one constraint per direction:
   /// `b.configuration_constraint(b.zero_along(b.position_of(P, Q), b.along(N, 1, 0, 0), b.along(N, 0, 1,
   /// 0)))`.
   template <std::same_as<vector>... Directions>
@@ -230,19 +235,20 @@ public:
 
   /// An expression of the coordinates that vanishes.
   void configuration_constraint(expression vanishes);
-  /// A position whose components along some directions vanish.
+  /// Requires the components of a position along given directions to vanish; see `zero_along`.
   void configuration_constraint(const vanishing& v);
-  /// An expression that vanishes, linear in speeds or rates of coordinates.
+  /// An expression that vanishes and is linear in speeds or rates of coordinates.
   void velocity_constraint(expression vanishes);
-  /// A velocity whose component along a direction vanishes.
+  /// Requires the component of a velocity along `direction` to vanish.
   void velocity_constraint(const vector& vanishes, const vector& direction);
-  /// A velocity whose components along some directions vanish.
+  /// Requires the components of a velocity along given directions to vanish; see `zero_along`.
   void velocity_constraint(const vanishing& v);
-  /// An expression that vanishes, linear in the rates of the speeds: `dot(u1) + dot(u2)`.
+  /// An expression that vanishes and is linear in the rates of the speeds, such as `dot(u1) + dot(u2)`.
   void acceleration_constraint(expression vanishes);
-  /// Selects a coordinate or speed that the constraints are solved for.
+  /// Selects a coordinate or speed for which the constraints are solved.
   void dependent(expression e);
-  /// Declares a configuration constraint, counted from 1, that follows from the others wherever all hold.
+  /// Declares that a configuration constraint, counted from 1, follows from the others at every position that
+  /// satisfies them all.
   void redundant(int configuration_constraint);
 
 private:

@@ -11,8 +11,8 @@
 
 namespace kanexpr::runtime {
 
-/// The code of a result, with checks that everything it depends on can be solved at a state. The evaluation
-/// allocates no memory.
+/// The code of a result, with checks that all systems of equations on which it depends can be solved at a
+/// state. The evaluation does not allocate memory.
 template <class Scalar>
 class checked_code {
 public:
@@ -29,7 +29,7 @@ public:
 
   const lower::tape& code() const { return code_.code(); }
   symbolic::cost cost() const;
-  /// Whether everything could be solved in the last evaluation.
+  /// Reports whether all systems of equations could be solved in the last evaluation.
   kanexpr::status status() const;
 
 private:
@@ -38,7 +38,7 @@ private:
 
   interpreter<Scalar> code_;
   symbolic::sequence<Scalar> found_; ///< the result, then the measure and the scale of each check
-  mechanics::sentence lacking_{};    ///< a missing derivative, without which there are no values
+  mechanics::sentence lacking_{};    ///< reports a missing derivative, without which there are no values
   symbolic::sequence<mechanics::sentence> causes_{};
   symbolic::sequence<bool> is_of_finiteness_{}; ///< whether each check tests for finite values
 };

@@ -17,7 +17,7 @@ class reader;
 
 namespace runtime {
 
-/// A system derived at run time, from any source. It cannot be copied or moved, since expressions refer to
+/// A system derived at run time, from any source. It cannot be copied or moved, because expressions refer to
 /// it.
 class derived {
 public:

@@ -43,7 +43,7 @@ public:
 
   bool fail_by_whole_zero(std::string_view given) { return fail({given, what_it_is, "write 0.5", for_zero}); }
 
-  /// Whether an expression belongs entirely to this mechanism.
+  /// Checks that an expression belongs entirely to this mechanism.
   bool own(expression e, std::string_view whose) {
     if (!e.lives_in(*m_.g))
       return fail({whose, " contains an expression that belongs to a different mechanism or to none"});
@@ -77,7 +77,7 @@ public:
     return true;
   }
 
-  /// Whether a name is valid and not used by another entity of its kind.
+  /// Checks that a name is valid and not used by another entity of its kind.
   template <class Entity>
   bool fresh(std::string_view kinds, std::string_view called, const symbolic::sequence<Entity>& others) {
     if (!tellable(kinds, called)) return false;
@@ -86,7 +86,7 @@ public:
     return true;
   }
   bool fresh_symbol(std::string_view called) { return tellable("symbols", called) && unused(called); }
-  /// The rate of a quantity has the quantity's name and a prime.
+  /// Checks that neither the name nor the name with a prime, which denotes a rate, is used.
   bool unused(std::string_view called) {
     for (const auto* list : {&m_.coordinates, &m_.speeds, &m_.parameters, &m_.inputs, &m_.auxiliary_speeds})
       for (const expression& e : *list)

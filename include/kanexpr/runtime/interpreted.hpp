@@ -9,11 +9,11 @@
 
 namespace kanexpr::runtime {
 
-/// An interpreted result, called like the compiled one: f(x), f(x, p), f(x, p, r), f(t, x, p, r) or
-/// f(t, x, p, r, a). The inputs are followed by the other arguments that the result reads, in this order: the
-/// rates of the speeds, weights, a direction. The object owns the matrix that it returns, and a call
-/// allocates no memory. If a vector is omitted or too short, or the model has a mistake, the entries are NaN
-/// and the status reports the cause.
+/// An interpreted result, called like the compiled one: f(x), f(x, p), f(x, p, r), f(t, x, p, r) or f(t, x,
+/// p, r, a). After the inputs come the other arguments that the result reads, in this order: the rates of the
+/// speeds, weights, a direction. The object owns the matrix that it returns, and a call does not allocate
+/// memory. If a vector is omitted or too short, or the model has a mistake, the entries are NaN and the
+/// status reports the cause.
 template <class Scalar = double>
 class interpreted {
   /// Represents omitted arguments.
@@ -25,8 +25,8 @@ class interpreted {
 public:
   using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  /// `checks` detect singularities in the computation of the result. `mistake` is the reason why it has no
-  /// values at any state.
+  /// `checks` detect singularities in the computation of the result. `mistake` is the reason why the result
+  /// has no values at any state.
   interpreted(symbolic::graph& g, const symbolic::matrix& wanted, int coordinates,
               const symbolic::sequence<mechanics::singularity_check>& checks = {},
               const mechanics::sentence& mistake = {})
@@ -39,7 +39,7 @@ public:
   /// The number of operations of one call.
   symbolic::cost cost() const { return code_.cost(); }
 
-  /// Whether everything that the last call had to solve could be solved at its state.
+  /// Reports whether all systems of equations in the last call could be solved at its state.
   kanexpr::status status() const {
     if (mistake_) return kanexpr::status(mistake_.view());
     return too_short_ ? kanexpr::status(too_short_.view()) : code_.status();
@@ -90,7 +90,7 @@ public:
       case symbol_kind::time: return t;
       case symbol_kind::coordinate_rate:
       case symbol_kind::auxiliary_speed:
-      case symbol_kind::multiplier: break; // do not occur in code
+      case symbol_kind::multiplier: break; // does not occur in code
       }
       return t;
     });

@@ -4,8 +4,8 @@
 
 namespace kanexpr::runtime {
 
-/// Evaluates a tape that is known only at run time, with the steps, the order and the arithmetic of the
-/// compiled evaluation, so the results agree to the last bit. The constructor allocates all memory.
+/// Evaluates a tape that is known only at run time. It performs the same steps in the same order and
+/// arithmetic as compiled code, so the results agree to the last bit. The constructor allocates all memory.
 template <class Number = double>
 class interpreter {
 public:
@@ -32,7 +32,8 @@ private:
   symbolic::sequence<Number> aside_; ///< working memory of a step
 };
 
-// Defined outside the class: inside it they would be inline, and every file would compile them.
+// These members are defined outside the class; inside it they would be inline, and every file would compile
+// them.
 
 template <class Number>
 interpreter<Number>::interpreter(const lower::tape& code)

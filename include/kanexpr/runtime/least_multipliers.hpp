@@ -55,7 +55,7 @@ private:
   int coordinates_, speeds_, solved_, redundant_;
   double t_;
   const vector &p_, &r_;
-  // own the matrices that they return
+  // these own the matrices that they return
   mutable interpreted<double> qdot_, mass_, force_, bias_, redundant_bias_, jacobian_, redundant_jacobian_;
 };
 

@@ -41,7 +41,7 @@ public:
   /// Whether the point satisfies all equations, and all results requested so far have values there.
   explicit operator bool() const { return failures().empty(); }
 
-  /// The mistakes in the point, and the entries that have no value there, as sentences.
+  /// Sentences that describe the mistakes in the point and the entries that have no value there.
   const std::vector<std::string>& failures() const;
 
   const implicit_matrices& implicit_form();

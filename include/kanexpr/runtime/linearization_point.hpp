@@ -31,7 +31,7 @@ private:
 };
 
 /// An operating point for linearization, as named values: `linearization_point{{q1, 0}, {u1, 2.5}, {u2, v /
-/// r}}`. Symbols that it does not name are kept; rates that it does not name are those of the motion.
+/// r}}`. Symbols that the point does not name are kept; rates that it does not name are those of the motion.
 class linearization_point {
 public:
   struct entry {
@@ -48,7 +48,7 @@ public:
   linearization_point with(const linearization_point& other) const;
 
   const std::vector<entry>& entries() const { return entries_; }
-  /// Symbols that a list names twice, which is a mistake.
+  /// The symbols that a list names twice by mistake.
   const std::vector<symbol_name>& doubled() const { return doubled_; }
 
 private:

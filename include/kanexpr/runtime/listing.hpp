@@ -12,7 +12,8 @@ namespace kanexpr {
 
 namespace runtime {
 
-/// Writes statements as text: `s1 = sin(q1)`. Numbers and arguments appear where they are used.
+/// Writes statements as text: `s1 = sin(q1)`. Numbers and arguments are written at the places where they are
+/// used.
 class lister {
 public:
   lister(const lower::statements& code, const symbolic::graph& g) : code_(code), graph_(g) {
@@ -42,7 +43,7 @@ private:
     return std::string(s.called.view()) + (is_rate ? "'" : "");
   }
 
-  /// Whether a symbol or a function has a name that a value of the code could be given.
+  /// Whether a symbol or a function has a name that could also be chosen for a value of the code.
   bool is_taken() const {
     for (const symbolic::symbol& s : graph_.symbols())
       if (is_taken_by(s.called.view())) return true;
@@ -83,7 +84,7 @@ private:
     return "";
   }
 
-  /// Negative values and quotients need parentheses next to an operator.
+  /// Adds the parentheses that negative values and quotients need next to an operator.
   static std::string operand(const std::string& text) {
     return text[0] == '-' || text.find('/') != std::string::npos ? '(' + text + ')' : text;
   }
@@ -108,7 +109,7 @@ private:
     case form::atan2: return "atan2(" + name(line.a) + ", " + name(line.b) + ')';
     case form::function: return symbolic::function_name(line.op) + ('(' + name(line.a) + ')');
     case form::constant:
-    case form::symbol: // have no line
+    case form::symbol: // has no line
     case form::selection:
     case form::pair:
     case form::factorization:
@@ -116,7 +117,7 @@ private:
     case form::transposed_solve:
     case form::component:
     case form::singularity_measure:
-    case form::call: break; // are handled elsewhere
+    case form::call: break; // handled elsewhere
     }
     return "";
   }
@@ -131,8 +132,8 @@ private:
 
 } // namespace runtime
 
-/// The code of a result as readable text, one operation per line in the order of execution, followed by the
-/// entries by rows:
+/// Returns the code of a result as readable text, one operation per line in the order of execution, followed
+/// by the entries, row by row:
 ///
 ///     s1 = sin(q)
 ///     t1 = g * s1
@@ -157,7 +158,7 @@ inline std::string listing(const symbolic::matrix& result, std::string_view call
   return text;
 }
 
-/// The code of a result by its name.
+/// Returns the code of a named result.
 inline std::string listing(model& of, mechanics::quantity wanted) {
   return listing(of.get(wanted), mechanics::row_of(wanted).called);
 }

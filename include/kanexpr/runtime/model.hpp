@@ -25,8 +25,8 @@ struct survey;
 }
 
 /// A system derived at run time by the functions that derive it at compile time. Its results are expressions
-/// to print, inspect and evaluate. Copies share one derivation, which lives as long as the last of them and
-/// of their linearizations; only one thread at a time may use it.
+/// to print, inspect and evaluate. Copies share one derivation, which exists as long as any of them or of
+/// their linearizations; only one thread at a time may use it.
 class model {
 public:
   /// `also` are expressions with points and frames that the system itself does not use. `meant` are the
@@ -39,12 +39,12 @@ public:
   /// none.
   std::string mistake() const;
 
-  /// The coordinates or speeds that the constraints are solved for, chosen by the model or by the library:
+  /// The coordinates or speeds for which the constraints are solved, chosen by the model or by the library:
   /// "q4", "u1, u4 and u6".
   std::string names_of_dependent_coordinates();
   std::string names_of_dependent_speeds();
 
-  /// The inertial parameters that the columns of the regressor belong to, body by body: "m of Link", "m*x of
+  /// The inertial parameters to which the columns of the regressor belong, body by body: "m of Link", "m*x of
   /// Link", … "izx of Link".
   std::vector<std::string> names_of_inertial_parameters() const;
 
@@ -69,7 +69,8 @@ public:
   /// Another name for `noncontributing_forces`.
   symbolic::matrix auxiliary_forces() { return noncontributing_forces(); }
 
-  /// The derivatives of [q̇; u̇] with respect to parameters, one column each: `model.sensitivity<m, l>()`.
+  /// The derivatives of [q̇; u̇] with respect to parameters, one column per parameter: `model.sensitivity<m,
+  /// l>()`.
   template <auto... parameters>
   symbolic::matrix sensitivity() {
     return get(deriving::requested<deriving::sensitivity_to<parameters...>{}>::value);
@@ -80,7 +81,7 @@ public:
   runtime::linearization linearize(const linearization_point& at = {}, const linearization_point& second = {},
                                    const linearization_point& third = {});
 
-  /// An expression of the model with the symbols of all rates, for `linearization::outputs`.
+  /// An expression of the model in which rates remain symbols, for `linearization::outputs`.
   template <auto... measured, class Where = describe::file_of<measured...>>
   symbolic::matrix measured_by() {
     const deriving::request all[]{deriving::requested<measured>::value...};
@@ -88,12 +89,12 @@ public:
   }
   symbolic::matrix measured_by(std::span<const deriving::request> measured);
 
-  /// An expression with the rates q̇ and u̇ replaced by those of the equations of motion; unchanged if the
-  /// system has a mistake.
+  /// Replaces the rates q̇ and u̇ in an expression by those of the equations of motion; leaves it unchanged
+  /// if the system has a mistake.
   symbolic::expression in_motion(symbolic::expression e);
 
-  /// A vector or scalar with the dependent speeds replaced by those of the constraints; unchanged if the
-  /// system has a mistake.
+  /// Replaces the dependent speeds in a vector or scalar by their values from the constraints; leaves it
+  /// unchanged if the system has a mistake.
   symbolic::expression imposed(symbolic::expression e);
   mechanics::vector imposed(const mechanics::vector& v);
 
@@ -116,11 +117,11 @@ public:
   std::string latex(const mechanics::vector& v,
                     mechanics::basis_style style = mechanics::basis_style::xyz) const;
 
-  /// Interpreted evaluation of a result, with the steps of the compiled function: the first requested result
-  /// agrees with the compiled one to the last bit. Later results share expressions with earlier ones, which
-  /// may change the order of operations and thus the last bits. If the model has a mistake, the result was
-  /// refused or its expressions belong to a different model, the function has no values, and its status
-  /// reports why.
+  /// Returns a function that interprets a result with the same steps as the compiled function. The first
+  /// requested result agrees with the compiled one to the last bit. Later results share expressions with
+  /// earlier ones, which may change the order of operations and thus the last bits. If the model has a
+  /// mistake, or the result was refused or belongs to a different model, the function has no values, and its
+  /// status reports the cause.
   template <class Scalar = double>
   runtime::interpreted<Scalar> function(const symbolic::matrix& result) {
     if (const mechanics::sentence wrong = mistake_of(result))

@@ -16,7 +16,8 @@ namespace runtime {
 
 using compiled::symbols_of;
 
-/// The name of a model in sentences about values; empty, since the type of a model does not identify it.
+/// The name of a model in sentences about values; empty, because the type `model` does not identify the
+/// system.
 inline constexpr std::string_view name_of_models = {};
 
 /// A vector of a run-time model: an Eigen vector with access by name, `x["q1"]`. A vector that was not
@@ -36,7 +37,7 @@ public:
   value_vector(value_vector&&) = default;
   ~value_vector() = default;
 
-  /// Assigns the numbers; the names are assigned only if the vector had none.
+  /// Assigns the numbers; assigns the names only if the vector has none.
   value_vector& operator=(const value_vector& other) {
     Eigen::VectorXd::operator=(other);
     unknown_ = other.unknown_;
@@ -62,7 +63,7 @@ public:
 
   bool holds(std::string_view name) const { return find(name) >= 0; }
 
-  /// The last unknown name that was looked up, as a sentence; empty if there was none.
+  /// Returns a sentence that names the last unknown name that was looked up; empty if there was none.
   mechanics::sentence mistake() const {
     if (unknown_.empty()) return {};
     return mechanics::sentence({"the model has no ", range().symbol, " ", unknown_});

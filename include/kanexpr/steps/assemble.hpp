@@ -15,7 +15,8 @@ namespace kanexpr {
 namespace compiled {
 
 /// The constraints of a system at given arguments, in the form that the numerical methods require. If a
-/// constraint is solved for a coordinate of a quaternion, the constraints are evaluated at norm 1.
+/// constraint is solved for a coordinate of a quaternion, all constraints are evaluated at the normalized
+/// quaternion.
 template <class System, class Parameters, class Inputs, class Number = double>
 class constraints_at {
 public:
@@ -130,7 +131,8 @@ public:
     }
   }
 
-  /// Names the unset parameter, input or state entry if the constraints are not finite; empty otherwise.
+  /// If the constraints are not finite, returns a sentence that names the parameter, input or state entry
+  /// that is not set; otherwise an empty one.
   mechanics::sentence gap_before(const state& x) const {
     if (numeric::all_finite(configuration_residual(x)) && numeric::all_finite(velocity_residual(x)))
       return {};
@@ -142,8 +144,8 @@ public:
   }
 
 private:
-  /// One function returns all quantities that are rarely needed, because each separate function costs more
-  /// compile time than its sums. A linked model provides them separately.
+  /// One function returns all quantities that are rarely needed, because each separate function would cost
+  /// more compile time than the additional operations. A linked model provides them separately.
   template <quantity wanted>
   auto of_once(const state& x) const {
     if constexpr (is_linked<System>) {
@@ -189,7 +191,7 @@ private:
 
 /// Normalizes the quaternions, solves the configuration constraints for the dependent coordinates by Newton's
 /// method, starting from their values in `x`, then solves the velocity constraints for the dependent speeds.
-/// On failure, `x` is unchanged and the report holds the cause. The function neither allocates nor throws.
+/// On failure, `x` is unchanged and the report contains the cause. The function neither allocates nor throws.
 template <class System, class Number = double, class Parameters = parameter_values<System, Number>,
           class Inputs = input_values<System, Number>>
 assembly assemble(state<System, Number>& x, const Parameters& p = {}, const Inputs& r = {},
@@ -203,7 +205,7 @@ assembly assemble(state<System, Number>& x, const Parameters& p = {}, const Inpu
 
 /// Checks whether a state satisfies the constraints within `tolerance`, relative to the terms that they sum,
 /// and whether its quaternions have norm 1. The default tolerance is 1e-9, or 1e-5 for `float`. If not, the
-/// report holds the violated constraint and its residual.
+/// report names the violated constraint and its residual.
 template <class System, class Number = double, class Parameters = parameter_values<System, Number>,
           class Inputs = input_values<System, Number>>
 consistency check_consistency(const state<System, Number>& x, const Parameters& p = {}, const Inputs& r = {},

@@ -12,8 +12,8 @@ namespace kanexpr::compiled {
 using symbolic::added;
 
 /// Brings a state that nearly satisfies its constraints back to them with a fixed amount of work: it
-/// normalizes the quaternions, takes some Newton steps for the dependent coordinates, then solves for the
-/// dependent speeds. The independent coordinates and speeds are unchanged.
+/// normalizes the quaternions, takes `corrections` Newton steps for the dependent coordinates, then solves
+/// for the dependent speeds. The independent coordinates and speeds are unchanged.
 template <class System, int newton_steps>
 class correction {
   static constexpr const deriving::survey& known = survey_of<System>;
@@ -34,7 +34,7 @@ public:
   /// Returns the index in the state of a dependent coordinate or, after the coordinates, a dependent speed.
   static constexpr int place(int i) { return places[static_cast<std::size_t>(i)]; }
 
-  /// Returns the number of operations of all evaluations and solutions.
+  /// Returns the number of operations of all evaluations and solves.
   static constexpr symbolic::cost cost() {
     symbolic::cost total;
     if constexpr (is_needed) total = added(total, quaternions::cost());

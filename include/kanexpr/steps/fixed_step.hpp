@@ -16,11 +16,11 @@
 /// The inputs r are a vector, held constant during the step, or a function (t, x) that is called at every
 /// evaluation of the equations; prescribed quantities require the function. `corrections` is the number of
 /// Newton steps that return the dependent coordinates to the constraints; quaternions are normalized before
-/// them, and the dependent speeds are solved for after them. With 0, the integrated state is left unchanged.
-/// If a system of equations cannot be solved, or the state would not be finite, the status reports the cause,
-/// and t and x are unchanged. The same holds if a step would pass or come close to a position at which the
-/// constraints cannot be solved for the dependent speeds. `passing<runge_kutta_4<System>>` continues through
-/// it.
+/// these steps, and the dependent speeds are solved for after them. With 0 corrections, the integrated state
+/// is left as it is. If a system of equations cannot be solved, or the state would not be finite, the status
+/// reports the cause, and t and x are unchanged. The same holds if a step would pass or come close to a
+/// position at which the constraints cannot be solved for the dependent speeds;
+/// `passing<runge_kutta_4<System>>` continues through such positions.
 namespace kanexpr {
 
 namespace compiled {
@@ -66,7 +66,7 @@ struct compiled_equations {
   }
 };
 
-/// Returns the number of operations of the pivot checks before and after a step.
+/// Returns the number of operations that the pivot checks before and after a step need.
 template <class System>
 constexpr symbolic::cost cost_of_sides() {
   if constexpr (survey_of<System>.constraints == 0)

@@ -16,8 +16,8 @@ constexpr symbolic::cost arithmetic(int multiplications, int additions, int divi
   return c;
 }
 
-/// A matrix among the results of compiled code whose entries that are 0 or 1 are known at compile time. Its
-/// entries are the results from index `first` on.
+/// A matrix among the results of compiled code. It is known at compile time which of its entries are always 0
+/// or 1. Its entries are the results from index `first` on.
 template <class Code, int first, int rows, int inner>
 struct known_entries {
   /// Multiplies without the operations that the known entries make unnecessary.

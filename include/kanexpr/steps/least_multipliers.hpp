@@ -69,9 +69,9 @@ private:
 
 /// Returns u̇ and the multipliers at a state where constraints may be linearly dependent: redundant
 /// constraints, or any constraints at a singular position. u̇ is the acceleration that Gauss's principle
-/// gives under the constraints at this state; at a bifurcation of a mechanism they do not determine which
-/// branch it takes. If the multipliers are not unique, those with the least sum of squares, each in its unit,
-/// are returned.
+/// gives under the constraints at this state; at a bifurcation of a mechanism, the constraints do not
+/// determine which branch the motion takes. If the multipliers are not unique, those with the least sum of
+/// squares, each in its unit, are returned.
 template <class System, class Number = double, class Parameters = parameter_values<System, Number>,
           class Inputs = input_values<System, Number>>
 auto find_least_multipliers(const state<System, Number>& x, const Parameters& p = {}, const Inputs& r = {},

@@ -20,8 +20,8 @@ struct linearized_state {
 
 namespace compiled {
 
-/// A state within a step with its derivatives with respect to the state before the step and the inputs, side
-/// by side.
+/// A state within a step and its derivatives with respect to the state before the step (left columns) and the
+/// inputs (right columns).
 template <class System, class Number>
 struct varied_state {
   static constexpr int size = linearized_state<System, Number>::size, inputs = survey_of<System>.inputs;
@@ -38,8 +38,8 @@ struct varied_state {
 };
 
 /// ẋ with its derivatives with respect to the state and the inputs. The general form of the equations needs
-/// fewer operations for them than for ẋ itself, but is valid only for quaternions of norm 1, which they do
-/// not keep within a step.
+/// fewer operations for the derivatives than for ẋ itself, but it is valid only for quaternions of norm 1,
+/// and within a step their norms differ from 1.
 template <class System>
 struct rates_with_derivatives {
   using quantity = mechanics::quantity;
@@ -119,8 +119,7 @@ private:
     });
     return total;
   }
-  /// Adds a function of the state to the dependent entries, starting at index `first` among them, or assigns
-  /// it.
+  /// Adds a function of the state to the dependent entries from index `first` on, or assigns it to them.
   template <class Function, class Time, class Number, class Parameters, class Inputs>
   static status add(const Time& t, varied_state<System, Number>& next, int first, const Parameters& p,
                     const Inputs& r, bool to_what_is_there) {
@@ -183,18 +182,18 @@ linearized_state<System, Number> concluded(const Number& t, const state<System, 
           next.by_all.template rightCols<varied_state<System, Number>::inputs>(), s};
 }
 
-/// Returns the number of operations of the pivot checks, margins included.
+/// Returns the number of operations that the pivot checks need, including the margins.
 template <class System>
 constexpr symbolic::cost cost_of_looks() {
   constexpr int pivots = survey_of<System>.constraints;
   return added(cost_of_sides<System>(), arithmetic(3 * pivots, 2 * pivots));
 }
 
-/// Returns the number of operations of adding h times a vector of the given length.
+/// Returns the number of operations needed to add h times a vector of the given length.
 constexpr symbolic::cost cost_of_advance(int entries) { return arithmetic(entries, entries); }
 
-/// Applies the chain rule through the stages of an explicit method. The Jacobian of ẋ multiplies the
-/// derivatives so far, except for entries known to be 0 or 1.
+/// Applies the chain rule through the stages of an explicit method. The derivatives so far are multiplied by
+/// the Jacobian of ẋ; entries known to be 0 or 1 need no multiplication.
 template <class Step>
 struct varied_step {
   using System = typename Step::system;
@@ -288,7 +287,7 @@ struct varied_step<semi_implicit_euler<System, corrections>> {
 } // namespace compiled
 
 /// Returns the result of a fixed-length step with its derivatives, which are exact for the discrete step,
-/// corrections included: `const auto next = linearized<runge_kutta_4<System>>{}(t, x, h, p, r);` The
+/// including corrections: `const auto next = linearized<runge_kutta_4<System>>{}(t, x, h, p, r);` The
 /// arguments are not advanced.
 template <class Step>
 struct linearized {

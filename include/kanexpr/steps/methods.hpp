@@ -21,7 +21,7 @@
 ///     quaternions_are_bound()    whether a constraint is solved for a coordinate of a quaternion
 ///     dependent(i)               the index in the state of the i-th dependent entry, coordinates first
 ///
-/// In generated code, every status is a success, and the requested quantity is recorded.
+/// In generated code, every status reports success, and the requested quantities are recorded.
 namespace kanexpr::stepping {
 
 /// Two sentences, one of which is a suffix of the other, so that a controller stores only one.
@@ -37,9 +37,9 @@ inline constexpr std::string_view
         "the step passes or comes close to a position where the constraints cannot be solved for the "
         "dependent speeds: use a model with a different dependent<...> if only this choice is singular";
 
-/// Positive if a pivot of the constraints keeps its sign and changes by a factor below four. A pivot that
-/// only touches zero, as a square does, keeps its sign but changes by a factor of at least 3 + 2√2 = 5.83,
-/// either in the step that contains the zero or in the preceding one.
+/// Returns a positive number if a pivot of the constraints keeps its sign and changes by a factor below four.
+/// A pivot that only touches zero, as a square does, keeps its sign but changes by a factor of at least 3 +
+/// 2√2 = 5.83, either in the step that contains the zero or in the preceding one.
 template <class Number>
 [[gnu::always_inline]] inline Number pivot_margin(const Number& before, const Number& after) {
   const Number most = lower::scalar_math<Number>::from(4);
@@ -49,7 +49,7 @@ template <class Number>
 /// A single step cannot bring a norm outside this range.
 inline constexpr lower::norm_range near_one{0.5, 2};
 
-/// Sets the entries of `to` from index `first` on to those of x + h ẋ.
+/// Sets the entries of `to` from index `first` on to the entries of x + h ẋ.
 template <class State, class Rate>
 [[gnu::always_inline]] inline void advance(State& to, int first, const State& x,
                                            const typename State::Scalar& h, const Rate& rate) {
@@ -118,7 +118,7 @@ struct method<semi_implicit_euler> {
   }
 };
 
-/// Rejects a step across a singular position: a step that does not detect it may continue in any direction.
+/// Rejects a step across a singular position, after which the motion could continue in any direction.
 template <class Equations, class Time, class State>
 [[gnu::always_inline]] inline status same_side(const Equations& of, const Time& t, const State& x,
                                                const Time& after, const State& next) {
@@ -132,7 +132,7 @@ template <class Equations, class Time, class State>
   return {};
 }
 
-/// Takes a step of x; on failure, x is unchanged.
+/// Advances x by one step; on failure, x is unchanged.
 template <class Method, class Equations, class Time, class State>
 [[gnu::always_inline]] inline status stepped(const Equations& of, const Time& t, State& x, const Time& h) {
   const Time after = static_cast<Time>(t + h);

@@ -28,7 +28,7 @@ public:
   using inputs = typename all::inputs;
 
   unreduced_equations(Number t, const parameters& p, const inputs& r) : t_(t), p_(p), r_(r) {}
-  /// Sets a different time and inputs.
+  /// Sets the time and the inputs.
   void go_to(Number t, const inputs& r) { t_ = t, r_ = r; }
 
   static constexpr int coordinates() { return fixed_coordinates; }
@@ -74,7 +74,7 @@ private:
   inputs r_;
 };
 
-/// Converts an argument of a step to the vector type of the system; zero if it was omitted.
+/// Converts an argument of a step to the vector type of the system; returns zero if it was omitted.
 template <class Vector, class Given>
 Vector own_vector(const Given& given) {
   if constexpr (std::is_same_v<Given, not_given>)
@@ -83,7 +83,8 @@ Vector own_vector(const Given& given) {
     return passed<Vector>(given);
 }
 
-/// Equations for `stepping` with the rates of all speeds at the nearest state on the constraints.
+/// The equations of all speeds, evaluated at the nearest state that satisfies the constraints, in the form
+/// that `stepping` requires.
 template <class System, class Number, class Inputs>
 class passing_equations {
   using unreduced = unreduced_equations<System, Number>;
@@ -188,8 +189,8 @@ struct passing_step {
   }
 
 private:
-  /// Takes the step with the equations of all speeds; if that fails, too, the result of the regular step
-  /// remains.
+  /// Takes the step with the equations of all speeds; if this fails, too, the result of the regular step is
+  /// kept.
   template <class Time, class Number, class Parameters, class Inputs>
   [[gnu::cold, gnu::noinline]] static status
   passed_by(const status& before, const Time& t, const state<System, Number>& x, const Time& h,
@@ -214,7 +215,7 @@ namespace kanexpr {
 /// A fixed-length step that passes positions in which the constraints of a system are linearly dependent,
 /// such as those of a linkage whose bars are in line: `passing<runge_kutta_4<System>> step;`. Near such
 /// positions it uses the equations of all speeds at states projected onto the constraints, at about thirty
-/// times the cost; elsewhere it is the step itself. It neither allocates nor throws.
+/// times the cost; elsewhere it is identical to `Step`. It neither allocates nor throws.
 template <class Step>
 struct passing : compiled::passing_step<typename Step::method, typename Step::system, Step::corrections> {};
 

@@ -7,8 +7,8 @@ namespace kanexpr {
 
 namespace compiled {
 
-/// The building blocks of the second derivatives of a step: those of the rates at a stage, in the scalar type
-/// of the call.
+/// The building blocks of the second derivatives of a step: the derivatives of the rates at a stage, in the
+/// scalar type of the call.
 template <class System>
 struct weighted_rates {
   using quantity = mechanics::quantity;
@@ -47,7 +47,7 @@ auto stacked(const Above& above, const Below& below) {
   return all;
 }
 
-/// The adjoint sweep runs backward through the stages of an explicit method. Each stage adds its Hessian,
+/// Runs the adjoint sweep backward through the stages of an explicit method. Each stage adds its Hessian,
 /// weighted by its adjoint and transformed to the start of the step.
 template <class Step>
 struct step_of_second_order {
@@ -254,8 +254,8 @@ private:
 
 } // namespace compiled
 
-/// The second derivatives of a fixed-length step: those of λᵀx⁺ with respect to z = [x; r], with inputs that
-/// are constant during the step:
+/// The second derivatives of λᵀx⁺, where x⁺ is the state after a fixed-length step, with respect to z = [x;
+/// r]. The inputs are constant during the step.
 ///
 ///     const auto H = second_order_step<runge_kutta_4<System, 0>>::hessian(t, x, h, p, r, w);
 ///

@@ -7,10 +7,10 @@
 /// template in fixed_step.hpp; derivatives of steps and exported steps follow from the coefficients.
 namespace kanexpr::stepping {
 
-/// A method in which each stage depends only on the preceding one: stage s evaluates the rates k_s at
-/// t + c_s h and x + h a_s k_{s-1}, and the step is x + h Σ b_s k_s. A partitioned method has separate a and
-/// b for coordinates and speeds, in this order (Hairer, Lubich & Wanner, Geometric Numerical Integration,
-/// 2006, II.2).
+/// A method in which each stage depends only on the preceding one: stage s evaluates the rates k_s at t + c_s
+/// h and x + h a_s k_{s-1}, and the step is x + h Σ b_s k_s. A partitioned method has separate coefficients a
+/// and b for the coordinates and the speeds, in this order (Hairer, Lubich & Wanner, Geometric Numerical
+/// Integration, 2006, II.2).
 struct tableau {
   static constexpr int most_stages = 4;
   struct stage {
@@ -29,7 +29,7 @@ struct tableau {
   constexpr const stage& at(int s) const { return stage_at[static_cast<std::size_t>(s)]; }
 };
 
-/// Returns a row of an explicit Runge-Kutta method.
+/// Returns a stage of an explicit Runge-Kutta method.
 constexpr tableau::stage explicit_stage(double a, double b) { return {{a, a}, {b, b}, a}; }
 
 /// Hairer, Nørsett & Wanner, Solving Ordinary Differential Equations I, 1993, II.1.

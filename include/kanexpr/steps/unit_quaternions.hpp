@@ -30,7 +30,7 @@ constexpr mechanics::sentence far_from_norm_1(const deriving::survey& known, int
   return mechanics::sentence({"the norm of ", quaternion_called(known, k).view(), " is far from 1"});
 }
 
-/// The quaternions of a system; its motion preserves their norm 1.
+/// The quaternions of a system; the motion keeps their norms at 1.
 template <class System>
 class unit_quaternions {
   static constexpr const deriving::survey& known = survey_of<System>;
@@ -54,7 +54,7 @@ public:
     return for_each(x, from, std::make_integer_sequence<int, count>{});
   }
 
-  /// Returns the deviations of their norms from 1, to first order.
+  /// Returns the deviations of the norms from 1, to first order.
   template <class State>
   static Eigen::Matrix<typename State::Scalar, count, 1> residual(const State& x) {
     Eigen::Matrix<typename State::Scalar, count, 1> left;
@@ -73,14 +73,14 @@ public:
     return by_all;
   }
 
-  /// Changes the derivatives of a function with respect to all coordinates to those of the same function
-  /// after normalization of the quaternions.
+  /// Replaces the derivatives of a function with respect to all coordinates by the derivatives of the same
+  /// function applied to normalized quaternions.
   template <class Jacobian, class State>
   static void leave_norms_out(Jacobian& by_all, const State& x) {
     each([&](int, const auto& places) { lower::leave_norm_out(by_all, x, places); });
   }
 
-  /// Calls f with the number of each quaternion and the indices of its coordinates.
+  /// Calls f for each quaternion, with its number and the indices of its coordinates.
   template <class Function>
   static constexpr void each(const Function& f) {
     [&]<int... place>(std::integer_sequence<int, place...>) {
@@ -88,7 +88,7 @@ public:
     }(std::make_integer_sequence<int, count>{});
   }
 
-  /// Returns the number of operations of normalizing all quaternions.
+  /// Returns the number of operations needed to normalize all quaternions.
   static constexpr symbolic::cost cost() {
     symbolic::cost total;
     each([&](int, const auto& places) {

@@ -95,7 +95,7 @@ constexpr cost cost_of(const graph& g, const sequence<int>& outputs) {
   return detail::cost_of_written_out(copy, expanded);
 }
 
-/// Adds a cost a given number of times.
+/// Returns `total` plus `times` times the cost c.
 constexpr cost added(cost total, const cost& c, int times = 1) {
   total.multiplications += times * c.multiplications;
   total.additions += times * c.additions;

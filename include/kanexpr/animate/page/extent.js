@@ -9,7 +9,7 @@ function moments(count) {
   return found;
 }
 
-/// `middle(now)` is the center of the system, for a traveling one at its current position; `size` is the radius of
+/// `middle(now)` is the center of the system, at its current position if it travels; `size` is the radius of
 /// the region to show around it.
 export function extent(model, solids, count, travels) {
   const boxAt = (now) => {

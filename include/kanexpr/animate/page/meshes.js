@@ -12,7 +12,8 @@ function text(bytes) {
   return new TextDecoder().decode(bytes);
 }
 
-/// In the axes of the file, regardless of the up axis that it declares, as robot descriptions expect.
+/// Reads a mesh in the axes of the file, regardless of the up axis that it declares, as robot descriptions
+/// expect.
 function dae(bytes) {
   const { library, asset, collada } = new ColladaParser().parse(text(bytes));
   const { scene } = new ColladaComposer(library, collada, noTextures, noTextures).compose();

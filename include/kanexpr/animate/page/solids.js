@@ -66,7 +66,7 @@ export function wheel([radius, thickness], colour, opacity) {
   solid.add(ring([rim + 0.3 * thickness, 0.5 * thickness], colour, opacity));
   solid.add(new Mesh(alongZ(0.09 * radius, 1.6 * thickness), material(darker(colour, 0.4), opacity)));
   for (let i = 0; i < spokes; ++i) {
-    const own = i === 0; // the one that the eye can follow
+    const own = i === 0; // the quarter that the eye can follow
     const width = (own ? 0.032 : 0.011) * radius;
     const spoke = new Mesh(
       new CylinderGeometry(width, width, rim, 8).translate(0, rim / 2, 0),

@@ -7,7 +7,7 @@
 
 namespace kanexpr::deriving {
 
-/// Applies functions of several operands: those composed of operations, tables and user functions.
+/// Applies functions of several operands: functions composed of other operations, tables, and user functions.
 class call_reader {
 public:
   constexpr explicit call_reader(reading& all) : reading_(all), m_(all.into.mechanism) {}

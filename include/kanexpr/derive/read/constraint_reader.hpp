@@ -7,15 +7,15 @@ namespace kanexpr::deriving {
 
 using mechanics::velocity_constraint;
 
-/// Reads the constraints of a model. Their symbols and entities are read with all others; the constraints
-/// themselves are evaluated once positions and velocities are known.
+/// Reads the constraints of a model. Their symbols and entities are read together with all others; the
+/// constraints themselves are evaluated when positions and velocities are known.
 class constraint_reader {
 public:
   constexpr constraint_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases,
                               entity_reader& entities)
       : reading_(all), m_(all.into.mechanism), symbols_(symbols), phrases_(phrases), entities_(entities) {}
 
-  /// Requires that `know` was called.
+  /// Evaluates the constraints; requires that `know` was called.
   constexpr void read_constraints() {
     if (reading_.mistake) return;
     for (const kind& k : kinds)
@@ -90,8 +90,8 @@ private:
       into.rates_by_auxiliary.push(rate_by_auxiliary(m_, c.value));
   }
 
-  /// A configuration constraint on a velocity, such as rolling, would otherwise be reported for the speeds
-  /// that it contains.
+  /// Reports a configuration constraint on a velocity, such as rolling; otherwise the error would concern the
+  /// speeds that it contains.
   constexpr void check_speaks_of_places(const phrase& p) {
     for (int i = 0; i < p.size; ++i) {
       const describe::token& t = p.tokens[i];
@@ -99,11 +99,11 @@ private:
       if (!turns && t.what != describe::token_kind::velocity) continue;
       return reading_.fail({"a configuration constraint contains the ", turns ? "angular " : "",
                             "velocity of ", turns ? t.frame->called : t.point->called,
-                            "; write it in velocity_constraints<...>"});
+                            "; move it to velocity_constraints<...>"});
     }
   }
-  /// The expressions that one constraint sets to zero: the difference of an equation's sides, or a vector's
-  /// component along each direction.
+  /// Returns the expressions that one constraint sets to zero: the difference of an equation's sides, or a
+  /// vector's component along each direction.
   constexpr sequence<velocity_constraint> vanishing_by(const phrase& p, const sequence<value>& found,
                                                        std::string_view whom) {
     sequence<velocity_constraint> all;
@@ -125,7 +125,7 @@ private:
         fail_for("a direction that is not a vector");
       else if (direction.is_zero())
         fail_for("a direction of zero length");
-      else if (direction.parts.size() == 1) // like `dot`, but in the same axes for all directions
+      else if (direction.parts.size() == 1) // like `dot`, but uses the same axes for all directions
         all.push({along(m_, v, direction), v, direction});
       else
         all.push({dot(m_, v, direction), v, direction});

@@ -5,9 +5,9 @@
 #include <kanexpr/mechanics/skeleton/auxiliary.hpp>
 
 /// The displacement of points and axes by auxiliary speeds. Configuration constraints do not depend on
-/// auxiliary speeds, because coordinates do not. So they are read a second time, with each point displaced
-/// along its velocity due to auxiliary speeds and each axis rotated by the corresponding angular velocity.
-/// The contribution of these speeds to the rate of the constraint is linear in them.
+/// auxiliary speeds, because coordinates do not. Therefore they are read a second time, with each point
+/// displaced along its velocity due to auxiliary speeds and each axis rotated by the corresponding angular
+/// velocity. The contribution of these speeds to the rate of the constraint is linear in them.
 namespace kanexpr::deriving {
 
 /// The contribution of auxiliary speeds to a velocity.

@@ -22,7 +22,7 @@ public:
     phrases_.check_written({shape::scalar, tokens, size}, whom);
     mechanics::known_motion* const known = reading_.known;
     if (reading_.from.inertial != nullptr)
-      reading_.known = nullptr; // only a system given by words can name additional entities
+      reading_.known = nullptr; // only a system given by words can mention additional entities
     for (int i = 0; i < size && !reading_.mistake; ++i) {
       if (tokens[i].frame != nullptr) frame(tokens[i].frame, whom);
       if (tokens[i].point != nullptr) point(tokens[i].point, whom);
@@ -30,8 +30,8 @@ public:
     reading_.known = known;
   }
 
-  /// Adds the entities that phrases mention, but that the system does not use itself, to a derived system. If
-  /// there is a mistake they are discarded, because the system is valid without them.
+  /// Adds entities that phrases mention but the system itself does not use to a derived system. If there is a
+  /// mistake, they are discarded, because the system is valid without them.
   constexpr void take_up() {
     if (reading_.known == nullptr) return;
     const mechanics::skeleton& s = reading_.known->skeleton_used();
@@ -51,7 +51,7 @@ public:
     visit(self.points_);
   }
 
-  /// The index of a frame that `whom` mentions. The frame and its ancestors are read if necessary.
+  /// Returns the index of a frame that `whom` mentions; reads the frame and its ancestors if necessary.
   constexpr int frame(const frame_record* r, std::string_view whom) {
     for (int i = 0; i < frames_.size(); ++i)
       if (frames_[i] == r) return places_of_frames_[i];

@@ -4,7 +4,7 @@
 
 namespace kanexpr::deriving {
 
-/// Whether an entity is given relative to another one, directly or through its ancestors, or is the same.
+/// Whether an entity is `other` or is given relative to it, directly or through its ancestors.
 template <class Record>
 constexpr bool is_given_from(const Record& given, const Record* other) {
   const Record* r = &given;
@@ -18,7 +18,7 @@ class freed_joints {
 public:
   constexpr explicit freed_joints(reading& all) : reading_(all) {}
 
-  /// The record of a frame; the frame of such a joint also moves with auxiliary speeds.
+  /// Returns the record of a frame; the frame of such a joint also moves with auxiliary speeds.
   constexpr const frame_record* told_of(const frame_record* r) const {
     for (int i = 0; i < size(); ++i)
       if (freed(i).frame == r) return freed(i).freed_frame;
@@ -41,7 +41,8 @@ public:
     return nullptr;
   }
 
-  /// A motion relative to a frame on the other side of such a joint would miss its auxiliary speeds.
+  /// Reports a motion declared relative to a frame on the other side of such a joint, because it would not
+  /// contain the auxiliary speeds.
   constexpr void check_is_held(const frame_record& r) const {
     for (int i = 0; i < size(); ++i)
       if (is_given_from(*r.parent, freed(i).frame) && !is_given_from(*r.reference, freed(i).frame))

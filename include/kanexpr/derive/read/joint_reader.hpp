@@ -15,7 +15,7 @@ public:
                          kinematics_reader& kinematics, phrase_reader& phrases)
       : reading_(all), phrases_(phrases), entities_(entities), bodies_(bodies), kinematics_(kinematics) {}
 
-  /// Called before anything of the joints is read.
+  /// Checks all joints; called before any part of them is read.
   constexpr void check_all() {
     for (int i = 0; i < reading_.from.joints.size && !reading_.mistake; ++i) {
       const joint_record& r = reading_.from.joints[i];
@@ -30,9 +30,9 @@ public:
       check_reaction(reading_.from.reactions[i]);
   }
 
-  /// A joint and its body are part of the system whether or not anything else mentions them. An exception is
-  /// a joint that contributes neither motion nor mass: its point would be one more candidate where a point is
-  /// chosen as a reference.
+  /// Reads a joint and its body, which are part of the system even if nothing else mentions them. A joint
+  /// that contributes neither motion nor mass is an exception: its point would only be one more candidate
+  /// wherever a reference point is chosen.
   constexpr void read(const joint_record& r) {
     check_axes(r);
     if (!reading_.mistake && r.place.kind != shape::nothing) check_place(r);
@@ -90,7 +90,7 @@ private:
       reading_.fail({"joint ", r.called, " has two parallel axes"});
   }
 
-  /// A joint may move along with its parent, but must not stay behind when the parent turns.
+  /// Checks that the location of a joint turns with its parent.
   constexpr void check_place(const joint_record& r) {
     const mechanics::vector given =
         phrases_.vector_of(r.place, {"the position of joint ", r.called}, r.called);

@@ -28,7 +28,7 @@ public:
     m_.kinematics.push(left_minus_right.scalar);
   }
 
-  /// Adds the equations that `simple` represents; called after all others were read.
+  /// Adds the equations that `simple` represents; called after all other equations have been read.
   constexpr void add_simple() {
     if (!has_simple_ || reading_.mistake) return;
     const sequence<char> live = symbolic::live_nodes(*m_.g, symbolic::nodes_of(m_.kinematics));

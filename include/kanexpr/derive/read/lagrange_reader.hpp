@@ -6,22 +6,22 @@
 namespace kanexpr::deriving {
 
 /// Reads the parts that are specific to Lagrange's method: the rates of the coordinates as speeds, and the
-/// Lagrangian if the model specifies it. The Lagrangian is read with its symbols and evaluated once
-/// velocities are known.
+/// Lagrangian if the model specifies it. The symbols of the Lagrangian are read with all others; it is
+/// evaluated when velocities are known.
 class lagrange_reader {
 public:
   constexpr lagrange_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases,
                             entity_reader& entities)
       : reading_(all), m_(all.into.mechanism), symbols_(symbols), phrases_(phrases), entities_(entities) {}
 
-  /// Requires that `know` was called.
+  /// Evaluates the Lagrangian; requires that `know` was called.
   constexpr void read_lagrangian() {
     if (reading_.mistake || !reading_.into.loads.has_lagrangian) return;
     reading_.into.loads.lagrangian =
         phrases_.scalar_of(reading_.from.lagrangian[0], {"", the_lagrangian}, the_lagrangian);
   }
 
-  /// Requires that the list of coordinates was read.
+  /// Takes the rates of the coordinates as speeds; requires that the list of coordinates was read.
   constexpr void read_rates() {
     if (!reading_.takes_rates_as_speeds()) return;
     m_.derived_by = mechanics::method::lagrange;

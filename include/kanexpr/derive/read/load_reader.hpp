@@ -8,14 +8,14 @@
 
 namespace kanexpr::deriving {
 
-/// Reads the loads of a model. Those that depend on motion are read with their symbols and entities like all
-/// others, and evaluated once velocities are known.
+/// Reads the loads of a model. The symbols and entities of loads that depend on motion are read like all
+/// others; these loads are evaluated when velocities are known.
 class load_reader {
 public:
   constexpr load_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases, entity_reader& entities)
       : reading_(all), m_(all.into.mechanism), symbols_(symbols), phrases_(phrases), entities_(entities) {}
 
-  /// Requires that `know` was called. Returns whether there were any.
+  /// Reads the loads that depend on motion; returns whether there are any. Requires that `know` was called.
   constexpr bool read_moving_loads() {
     bool any = false;
     for (int i = 0; i < reading_.from.loads.size && !reading_.mistake; ++i) {

@@ -7,8 +7,8 @@ namespace kanexpr::deriving {
 
 using describe::load_record;
 
-/// "the force at P", "the spring between P and Q", "the potential energy with q1": the subject of sentences
-/// about a load.
+/// Returns the subject of sentences about a load: "the force at P", "the spring between P and Q", "the
+/// potential energy with q1".
 constexpr mechanics::sentence name_of(const load_record& r) {
   if (r.other_point != nullptr)
     return mechanics::sentence({r.word, " between ", r.point->called, " and ", r.other_point->called});

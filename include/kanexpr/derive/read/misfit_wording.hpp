@@ -5,7 +5,7 @@
 
 namespace kanexpr::deriving {
 
-/// The sentence about a word that an entity cannot have; empty if there is none.
+/// Returns the sentence about a word that an entity cannot have; empty if there is none.
 constexpr mechanics::sentence misfit_of(describe::misfit found, std::string_view called) {
   using describe::misfit;
   using mechanics::sentence;
@@ -23,7 +23,7 @@ constexpr mechanics::sentence misfit_of(describe::misfit found, std::string_view
   case misfit::point_and_body: return two_natures("a point and as a body");
   case misfit::entity_and_system: return two_natures("part of a system and as a whole system");
   case misfit::entity_and_load:
-    return sentence({"a load is a base class of ", called, "; write it in loads<...> of the system"});
+    return sentence({"a load is a base class of ", called, "; list it in the system's loads<...>"});
   case misfit::two_orientations: return sentence({"frame ", called, " has two orientations"});
   case misfit::two_places: return sentence({"point ", called, " has two positions"});
   case misfit::two_joints: return sentence({called, " is two joints; give each its own name"});
@@ -44,7 +44,7 @@ constexpr mechanics::sentence misfit_of(describe::misfit found, std::string_view
     return sentence({"an inertia is a base class of ", called, "; it belongs in rigid_body<...>"});
   case misfit::word_beside:
     return sentence(
-        {"a word of the system is a base class of ", called, "; write it among the words of the system"});
+        {"a word of the system is a base class of ", called, "; list it among the words of the system"});
   }
   return {};
 }

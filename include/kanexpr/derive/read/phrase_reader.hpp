@@ -15,7 +15,7 @@ namespace kanexpr::deriving {
 
 class entity_reader;
 
-/// Looks up the indices of frames and points for phrases: in the entity reader, which reads phrases itself.
+/// Looks up the indices of frames and points in the entity reader, which itself reads phrases.
 struct entity_lookup {
   entity_reader& with;
   int (*frame)(entity_reader&, const frame_record*, std::string_view whom);
@@ -28,7 +28,8 @@ public:
   constexpr phrase_reader(reading& all, symbol_reader& symbols, const entity_lookup& entities)
       : reading_(all), m_(all.into.mechanism), symbols_(symbols), calls_(all), entities_(entities) {}
 
-  /// The value of a phrase of `whom`. Motions are not yet known while a model is read, and fail here.
+  /// Returns the value of a phrase of `whom`. Motions are not known while a model is read and cause a
+  /// mistake.
   constexpr value evaluate(const phrase& p, std::string_view whom) {
     if (p.kind == shape::vanishing || p.kind == shape::kinematics || p.kind == shape::simple)
       reading_.fail({reading_.part, whom, is_a(p.kind), "it must be an expression"});
@@ -37,7 +38,7 @@ public:
     return found.back();
   }
 
-  /// The values of a phrase that consists of several expressions.
+  /// Returns the values of a phrase that consists of several expressions.
   constexpr sequence<value> evaluate_each(const phrase& p, std::string_view whom) {
     sequence<value> stack;
     const phrase* const before = phrase_; // the phrase that mentions the owner of this one
@@ -52,8 +53,8 @@ public:
     return stack;
   }
 
-  /// The same with points and axes displaced by auxiliary speeds (displacement.hpp). Requires that `know` was
-  /// called.
+  /// Returns the same values with points and axes displaced by auxiliary speeds (displacement.hpp). Requires
+  /// that `know` was called.
   constexpr sequence<value> evaluate_each_displaced(const phrase& p, std::string_view whom) {
     is_displaced_ = true;
     const sequence<value> found = evaluate_each(p, whom);
@@ -61,7 +62,7 @@ public:
     return found;
   }
 
-  /// Evaluates a phrase that is the part `what` of an entity: "the offset of point ".
+  /// Evaluates a phrase that is a part of an entity; `what` names the part, as in "the offset of point ".
   constexpr value evaluate_part(std::string_view what, const phrase& p, std::string_view whom) {
     const std::string_view before = reading_.part;
     reading_.part = what;
@@ -72,7 +73,7 @@ public:
 
   using text_pieces = std::initializer_list<std::string_view>;
 
-  /// Evaluates a phrase that must be a scalar. `what`: "the mass of ", "B".
+  /// Evaluates a phrase that must be a scalar; `what` names it, as in {"the mass of ", "B"}.
   constexpr expression scalar_of(const phrase& p, text_pieces what, std::string_view whom) {
     const value v = evaluate_part(*what.begin(), p, whom);
     if (reading_.mistake) return m_.zero();
@@ -114,12 +115,12 @@ private:
     reading_.fail({reading_.part, whom, held.empty() ? "" : " with ", held, describe::what_is_wrong(what)});
   }
 
-  /// The frame that a hint suggests in place of the axes of a frame that is not yet available.
+  /// The frame whose axes a hint suggests in place of those of a frame that is not yet available.
   constexpr std::string_view axes_instead() const {
     return reading_.parent != nullptr ? reading_.parent->called : reading_.from.inertial->called;
   }
 
-  /// Whether the operands of a step have the wrong kind; reports it if so.
+  /// Returns true and reports a mistake if the operands of a step have the wrong kind.
   constexpr bool is_senseless(const describe::token& t, const value& a, std::string_view whom) {
     if (makes_sense(t, a.kind)) return false;
     if (!reading_.mistake) reading_.mistake = senseless(t, a.kind, reading_.part, whom);
@@ -231,7 +232,7 @@ private:
       fail_by(describe::misuse::negative_length, *phrase_, whom);
   }
 
-  /// A rolling body turns about an axis that is fixed in it.
+  /// Checks that the axis about which a rolling body turns is fixed in the body.
   constexpr void check_wheel_axis(const describe::token& t, const mechanics::vector& axis,
                                   std::string_view whom) {
     if (is_displaced_) return;

@@ -8,9 +8,9 @@
 
 namespace kanexpr::deriving {
 
-/// Reads the records of a model into a system, following them from bodies and loads to everything that they
-/// use. The first mistake stops the reading and is kept as a sentence. Each part of a model has its own
-/// reader; the readers share a `reading`.
+/// Reads the records of a model into a system, starting from bodies and loads and following references to
+/// everything that they use. The first mistake stops the reading and is kept as a sentence. Each part of a
+/// model has its own reader; the readers share a `reading`.
 class reader {
 public:
   constexpr reader(const system_record& from, mechanics::multibody_system& into) : reading_(from, into) {}
@@ -27,7 +27,7 @@ public:
   constexpr const sentence& mistake() const { return reading_.mistake; }
   /// Whether the mistake concerns a type about which the compiler has already reported an error.
   constexpr bool follows_from_unparsed() const { return reading_.follows_from_unparsed; }
-  /// Discards the mistake of a requested expression; what was read before remains valid.
+  /// Discards the mistake of a requested expression; everything that was read before remains valid.
   constexpr void forget_mistake() { reading_.mistake = {}, reading_.follows_from_unparsed = false; }
   /// Also discards the symbols that it added.
   constexpr symbol_reader::count symbols_known() const { return symbols_.symbols_known(); }
@@ -65,14 +65,14 @@ public:
   /// Allows phrases to use positions, velocities and derivatives from now on.
   constexpr void know(mechanics::known_motion& of) { reading_.known = &of; }
   constexpr void read_lagrangian() { lagrange_.read_lagrangian(); }
-  /// Returns whether there were any.
+  /// Reads the loads that depend on motion; returns whether there are any.
   constexpr bool read_moving_loads() { return loads_.read_moving_loads(); }
   constexpr void read_constraints() { constraints_.read_constraints(); }
 
   /// Reads the entities that a phrase mentions; `take_up` adds them to a derived system.
   constexpr void visit(const describe::token* tokens, int size) { entities_.visit(tokens, size); }
   constexpr void take_up() { entities_.take_up(); }
-  /// The value of a phrase of `whom`.
+  /// Returns the value of a phrase of `whom`.
   constexpr value evaluate(const phrase& p, std::string_view whom) { return phrases_.evaluate(p, whom); }
   constexpr expression symbol(const symbol_record& r, std::string_view whom) {
     return symbols_.symbol(r, whom);

@@ -24,7 +24,7 @@ struct reading {
   mechanics::multibody_system& into;
   mechanics::known_motion* known = nullptr; ///< null while frames and points are read
   std::string_view part{}; ///< the part of an entity that is being read: "the offset of point "
-  const describe::frame_record* parent = nullptr; ///< of the frame whose orientation is being read
+  const describe::frame_record* parent = nullptr; ///< the parent of the frame whose orientation is being read
   int describing = none;                          ///< the frame that `own` denotes
   sentence mistake{};
   bool follows_from_unparsed =
@@ -45,14 +45,15 @@ struct reading {
     fail({called, ", which ", whom, " uses, has no base class"});
   }
 
-  /// Checks that an entity has no word twice and only words that belong to it.
+  /// Checks that an entity does not have a word twice and has only words that belong to it.
   constexpr bool words_belong(describe::misfit beside, std::string_view called) {
     if (beside == describe::misfit::none) return true;
     fail({misfit_of(beside, called).view()});
     return false;
   }
 
-  /// `struct B : rotated<A, ...>` would define A a second time.
+  /// Reports an entity that names another entity as itself: `struct B : rotated<A, ...>` would define A a
+  /// second time.
   constexpr void slip(std::string_view kind, std::string_view called, std::string_view other) {
     fail({kind, called, " names itself ", other, "; the first template argument of its base must be ",
           called});

@@ -16,7 +16,7 @@ enum class symbol_list : unsigned char {
   times,
 };
 
-/// Its name in a sentence.
+/// Returns the name of the list in a sentence.
 constexpr std::string_view called(symbol_list list) {
   switch (list) {
   case symbol_list::coordinates: return "coordinates";

@@ -140,8 +140,8 @@ public:
     for (int i = 0; i < added.size && !reading_.mistake; ++i) check_derivative(*added[i].tokens[0].symbol);
   }
 
-  /// A derivative that is listed without the quantity would be the rate of nothing. Requires that the list of
-  /// inputs was read.
+  /// Reports a derivative that is listed without the quantity itself. Requires that the list of inputs was
+  /// read.
   constexpr void check_derivative(const symbol_record& r) {
     if (r.order <= 0) return;
     const symbolic::name below = derivative(r, r.order - 1);
@@ -162,7 +162,7 @@ public:
     reading_.fail({mechanics::check_name(called, deriving::called(list)).view()});
   }
 
-  /// A name has a single meaning in a system.
+  /// Claims a name, which must have only one meaning in a system.
   constexpr void claim_name(const symbolic::name& called, symbol_list list, int mark = 0) {
     for (const claimed& other : claimed_)
       if (other.called == called) {
@@ -205,14 +205,14 @@ public:
     symbol(*s, whom);
   }
 
-  /// Requires that the whole model was read.
+  /// Checks that every bound value is used. Requires that the whole model was read.
   constexpr void check_values_are_used() {
     for (int i = 0; i < bound_.size(); ++i)
       if (bound_is_used_[i] == 0)
         reading_.fail(
             {"values<...> binds parameter ", bound_[i].view(), ", which nothing in the system uses"});
   }
-  /// The same for listed symbols.
+  /// Checks that every listed symbol is used.
   constexpr void check_listed_are_used() {
     for (int i = 0; i < used_parameters_.size(); ++i)
       if (!used_parameters_[i]) fail_by_unused("parameter", m_.parameters[i]);
@@ -250,7 +250,8 @@ private:
                    "used_elsewhere<", called, ">"});
   }
 
-  /// A prescribed quantity is listed with its derivatives, of which a model may use any.
+  /// Whether a derivative of a prescribed quantity is used; the quantity is listed with its derivatives, and
+  /// a model may use any of them.
   constexpr bool is_derivative_used(int input) const {
     for (const bool upwards : {true, false}) {
       expression at = m_.inputs[input];
@@ -274,8 +275,8 @@ private:
     return first != nullptr && has(m_.inputs, first->called);
   }
 
-  /// Called before an input is looked up: the first mention of an added input places all of them; an input
-  /// mentioned after them would be in no list.
+  /// Called before an input is looked up. The first mention of an added input places all of them; an input
+  /// that is first mentioned later would not be in any list.
   constexpr void place_added_inputs(const symbol_record& r, std::string_view whom) {
     const auto& added = reading_.from.added_inputs;
     if (added.size == 0 || has(m_.inputs, r.called)) return;
@@ -291,7 +292,7 @@ private:
   constexpr bool has(const sequence<expression>& symbols, const symbolic::name& called) const {
     return !find(symbols, called).is_zero();
   }
-  /// The symbol with a name, or zero.
+  /// Returns the symbol with the given name, or zero if there is none.
   constexpr expression find(const sequence<expression>& symbols, const symbolic::name& called) const {
     for (const expression& e : symbols)
       if (m_.g->symbol_at(e.node()).called == called) return e;
@@ -309,7 +310,7 @@ private:
     return m_.zero();
   }
 
-  /// theta, theta', theta'' by order.
+  /// Returns the name of a derivative, by its order: theta, theta', theta''.
   static constexpr symbolic::name derivative(const symbol_record& r, int order) {
     const std::string_view own = r.called.view();
     symbolic::name called = own.substr(0, own.size() - static_cast<std::size_t>(r.order));
@@ -317,8 +318,8 @@ private:
     return called;
   }
 
-  /// Without a list of inputs a prescribed quantity takes three consecutive places, as many as an
-  /// acceleration needs.
+  /// Without a list of inputs, a prescribed quantity takes three consecutive places, because an acceleration
+  /// needs its second derivative.
   constexpr void place_with_derivatives(const symbol_record& r) {
     for (int order = 0; order <= 2 || order <= r.order; ++order) {
       const symbol_record one{r.kind, derivative(r, order), order, r.given, r.is_named};
@@ -367,7 +368,7 @@ private:
     return 2 * r.given + (is_prescribed ? 1 : 0);
   }
 
-  /// A symbol found by its name must be the one that claimed the name.
+  /// Checks that a symbol found by its name is the one that claimed the name.
   constexpr void is_the_same(const symbol_record& r, std::string_view kind) {
     const int mark = mark_of(r);
     for (const claimed& c : claimed_)
@@ -386,7 +387,7 @@ private:
   sequence<expression> bound_values_{};
   sequence<char> bound_is_used_{};
   sequence<claimed> claimed_{};
-  uses used_parameters_{}, used_inputs_{}, used_auxiliary_{}; ///< unused after a model was read
+  uses used_parameters_{}, used_inputs_{}, used_auxiliary_{}; ///< unused after a model has been read
   bool is_time_claimed_ = false;
 };
 

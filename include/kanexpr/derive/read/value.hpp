@@ -66,7 +66,7 @@ constexpr value scaled(expression s, const value& a) {
   return value::of(s * a.scalar);
 }
 
-/// Two vectors in the axes of one frame: the deepest in the tree among the frames that they use.
+/// Two vectors in the axes of one frame, the deepest in the tree of those that the vectors use.
 struct together {
   int frame = mechanics::mechanism::inertial;
   components a{}, b{};
@@ -86,8 +86,8 @@ constexpr together in_common_axes(const mechanics::mechanism& m, const mechanics
   return t;
 }
 
-/// The component of a vector along a direction, which is usually a basis vector: in its axes only one
-/// component is needed.
+/// Returns the component of a vector along a direction. The direction is usually a basis vector, so that only
+/// one component, in its axes, is needed.
 constexpr expression along(const mechanics::mechanism& m, const mechanics::vector& v,
                            const mechanics::vector& direction) {
   const mechanics::vector::part& d = direction.parts[0];
@@ -102,7 +102,7 @@ constexpr expression dot(const mechanics::mechanism& m, const mechanics::vector&
   return mechanics::dot(t.a, t.b);
 }
 
-/// Evaluated in the axes of one frame, so that canceling terms cancel before the division.
+/// Normalizes a vector in the axes of one frame, so that terms cancel before the division.
 constexpr mechanics::vector normalized(const mechanics::mechanism& m, const mechanics::vector& v) {
   const together t = in_common_axes(m, v, v);
   mechanics::vector unit;

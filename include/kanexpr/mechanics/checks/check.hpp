@@ -19,7 +19,7 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Runs the checks of a system; the mistake that is most useful to fix first comes first.
+/// Runs the checks of a system; the mistake that the user should fix first is reported first.
 class checking {
 public:
   constexpr explicit checking(const multibody_system& of) : of_(of), m_(of.mechanism), held_(*m_.g) {}
@@ -27,9 +27,9 @@ public:
   constexpr sentence run() {
     if (m_.speeds.empty())
       return sentence(
-          {"the system has no ", m_.derived_by == method::kane ? "generalized speed" : "coordinate"});
+          {"the system has no ", m_.derived_by == method::kane ? "generalized speeds" : "coordinates"});
     if (m_.bodies.empty() && !of_.loads.has_lagrangian)
-      return sentence({"the system has no particle and no rigid body"});
+      return sentence({"the system has no particles or rigid bodies"});
     found_ = checking_kinematics(m_, held_).run();
     for (int f = 0; f < m_.frames.size() && !found_; ++f) check_frame(f);
     for (const point& p : m_.points) look_at(p);
@@ -62,7 +62,8 @@ private:
     if (!found_) found_ = sentence(pieces);
   }
 
-  /// A geometric quantity may contain coordinates, parameters and time, but nothing whose rate is unknown.
+  /// Checks a geometric quantity: it may contain coordinates, parameters and time, but no quantity whose rate
+  /// is unknown.
   constexpr void geometry(expression e, std::string_view of, const name& whose) {
     if (found_ || !held_.holds_any(e, {kind::speed, kind::auxiliary_speed, kind::input, kind::coordinate_rate,
                                        kind::speed_rate}))
@@ -71,7 +72,7 @@ private:
     inputs(e, 2, of, whose.view());
   }
 
-  /// The inputs of a differentiated quantity must be prescribed, with their derivatives.
+  /// Checks that the inputs in a differentiated quantity are prescribed, with their derivatives.
   constexpr void inputs(expression e, int derivatives, std::string_view of, std::string_view whose) {
     if (const unknown_derivative u = find_unknown_derivative(m_, held_, e, derivatives))
       fail({of, whose, " contains the input ", u.input, ", whose ", u.what, is_not_known});
@@ -103,9 +104,9 @@ private:
     if (!found_) found_ = check_direction_cosines(m_, f);
     if (!f.turns_by_declaration()) return;
     velocity(f.angular_velocity, "the angular velocity of frame ", f.called);
-    // the chain of reference frames
-    int steps = m_.frames.size(); // the bound ends loops that do not contain f; they are reported for another
-                                  // frame
+    // follows the chain of reference frames
+    int steps =
+        m_.frames.size(); // the bound ends loops that do not contain f; these are reported for another frame
     for (int on = f.reference; on != none && steps > 0; --steps) {
       const frame& above = m_.frames[on];
       if (on == place)
@@ -154,7 +155,7 @@ private:
     if (!found_) found_ = check_inertia(m_, b);
   }
 
-  /// Masses and inertias may depend on time, coordinates and prescribed quantities.
+  /// Checks a mass or an inertia, which may depend on time, coordinates and prescribed quantities.
   constexpr void mass(expression e, std::string_view of, std::string_view whose) {
     const std::string_view an_article = m_.derived_by == method::kane ? "" : "the ";
     if (held_.holds(e, kind::speed))

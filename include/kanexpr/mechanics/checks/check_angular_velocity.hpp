@@ -9,19 +9,19 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// The axes, in the frame's own basis, about which a frame turns in addition to its orientation. More than
-/// one axis means that no single angle explains the motion.
+/// The axes, in the frame's own basis, about which a frame turns in addition to the motion that its
+/// orientation describes. If there is more than one, no single angle explains the motion.
 struct left_out_angle {
   int frame = none;
   span_of_triples axes{};
 };
 
-/// Compares declared angular velocities with orientations at generic states: an equality that holds at one
+/// Compares declared angular velocities with orientations at generic states; an equality that holds at one
 /// generic state holds identically. Whether an axis is constant is checked at three states.
 ///
 /// The difference between a declared angular velocity and that of the orientation must be the spin of omitted
-/// angles, such as that of an axisymmetric wheel. A single omitted angle turns the frame about an axis that
-/// is fixed in the frame and about which the frame's own angles do not turn it.
+/// angles, such as the rotation angle of an axisymmetric wheel. A single omitted angle turns the frame about
+/// an axis that is fixed in the frame and about which the angles of its orientation do not turn it.
 class checking_angular_velocity {
 public:
   constexpr checking_angular_velocity(const mechanism& m, const contents& held)
@@ -32,8 +32,8 @@ public:
   }
 
   constexpr sentence run() {
-    bool open = false;  // some difference must be explained
-    bool moves = false; // some spin axis may move in its frame
+    bool open = false;  // there is a difference that must be explained
+    bool moves = false; // a spin axis may move in its frame
     for (int state = 0, looked = 0; state < 6 && looked < (open || moves ? 3 : 1); ++state) {
       motion_.draw();
       if (motion_.has_free_speeds() && !take(false)) continue;
@@ -70,9 +70,9 @@ private:
   /// The differences found for one frame, in its own basis, over all states.
   struct declared_angular_velocity {
     int frame = none;
-    span_of_triples all{};       ///< declared angular velocity minus that of the orientation
-    span_of_triples bound{};     ///< the same without the speeds that appear in no kinematic equation
-    span_of_triples free{};      ///< the contribution of these speeds
+    span_of_triples all{};   ///< declared angular velocity minus that of the orientation
+    span_of_triples bound{}; ///< the same difference without the speeds that appear in no kinematic equation
+    span_of_triples free{};  ///< the contribution of these speeds
     span_of_triples by_angles{}; ///< the axes about which the orientation can turn the frame in its
                                  ///< reference, at one state
     triple before{};
@@ -80,7 +80,7 @@ private:
 
   constexpr std::string_view called(int f) const { return m_.frames[f].called.view(); }
 
-  /// Relative to the reference frame.
+  /// The angular velocity relative to the reference frame.
   constexpr triple by_orientation(int f) const {
     return motion_.by_orientation(f) - motion_.by_orientation(m_.frames[f].reference);
   }
@@ -105,7 +105,7 @@ private:
   }
 
   constexpr bool is_explained(const declared_angular_velocity& t) const {
-    // two free speeds leave the orientation unknown; other checks cover what depends on it
+    // with two free speeds the orientation is unknown; other checks cover the quantities that depend on it
     if (t.bound.size() == 0 || t.free.size() > 1) return true;
     const bool own_is_fixed = is_fixed_in_parent(t.frame);
     if (t.all.size() == 1) return own_is_fixed || t.free.size() == 1 || !t.by_angles.holds(t.all);

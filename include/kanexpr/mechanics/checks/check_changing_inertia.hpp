@@ -12,11 +12,11 @@ namespace detail {
 
 /// Checks rigid bodies whose inertia contains only numbers and parameters, and is therefore meant to be
 /// constant, but is given along axes or about a point that may move in the body. An inertia that is meant to
-/// change contains the quantities it changes with, or is marked by the model.
+/// change contains the quantities with which it changes, or the model marks it.
 class checking_inertia {
 public:
-  /// `apart`: some frame turns differently from its orientation, so that even the axes of a body may move in
-  /// it.
+  /// `apart` means that a frame turns differently from its orientation, so that even the axes of a body may
+  /// move in the body.
   constexpr checking_inertia(const mechanism& m, const contents& held, bool apart) : m_(m), held_(held) {
     for (int b = 0; b < m.bodies.size(); ++b)
       if (is_meant_to_stay(m.bodies[b]) && (apart || is_elsewhere(m.bodies[b]))) doubtful_.push({b, {}});
@@ -30,7 +30,7 @@ public:
     for (int state = 0, looked = 0; state < 6 && looked == 0; ++state) {
       motion.draw();
       if (!motion.move()) continue;
-      ++looked; // constant at one generic state: constant at all
+      ++looked; // an inertia that is constant at one generic state is constant at all
       for (const doubt& d : doubtful_)
         if (changes(motion, d)) return told(m_.bodies[d.body]);
     }
@@ -67,7 +67,7 @@ private:
     }
     return b.about == none || b.about == b.center || held_.is_fixed(b.mass);
   }
-  /// Whether this frame or one that it turns with is declared to turn apart from its orientation.
+  /// Whether this frame, or one with which it turns, is declared to turn apart from its orientation.
   constexpr bool is_apart(int f) const {
     for (; f != mechanism::inertial; f = m_.frames[f].parent)
       if (m_.frames[f].turns_apart) return true;
@@ -89,7 +89,7 @@ private:
     return own.kind == orientation::about_basis && own.parent == p.left && p.left == p.right &&
            is_round(p.value, own.axis);
   }
-  /// Whether no rotation takes place between two frames.
+  /// Whether two frames do not rotate relative to each other.
   constexpr bool are_rigid(int a, int b) const {
     const int meeting = path::common_ancestor(m_, a, b);
     return is_still(a, meeting) && is_still(b, meeting);
@@ -127,7 +127,7 @@ private:
         size += length(along);
       }
     }
-    triple r, moves; // of the reference point of the inertia
+    triple r, moves; // position and velocity of the reference point of the inertia
     for (const vector::part& p : d.from_center.parts) {
       if (!motion.is_proper(p.frame)) return false;
       const triple part = motion.basis(p.frame) * motion.value(p.value);
@@ -143,7 +143,7 @@ private:
       size += elementary::abs(mass) * dot(r, r);
       turns += length(r) > 0 ? length(moves) / length(r) : 0;
     }
-    // solved rates have fewer correct digits than the quantities they are solved from
+    // the solved rates have fewer correct digits than the quantities from which they are computed
     return length(rate.x) + length(rate.y) + length(rate.z) > size * (1e-7 * turns + motion.rounding());
   }
   /// The columns of a⊗b.

@@ -7,7 +7,7 @@
 #include <kanexpr/mechanics/constraints/dependent_speeds.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
 
-/// Checks of constraints: their contents, their number, and whether they are singular in every configuration.
+/// Checks of constraints: of their contents, of their number, and for singularity in every configuration.
 namespace kanexpr::mechanics {
 
 /// The Jacobian of the configuration constraints with respect to all coordinates.
@@ -22,7 +22,7 @@ constexpr symbolic::matrix configuration_jacobian_by_all(const mechanism& m,
   return jacobian;
 }
 
-/// Reports configuration constraints that vanish identically, as for planar loops modeled in space.
+/// Reports configuration constraints that vanish identically, as they do for planar loops modeled in space.
 constexpr sentence constraints_of_nothing(const given_constraints& given) {
   sequence<int> numbers;
   for (int i = 0; i < given.on_configuration.size(); ++i)
@@ -92,8 +92,8 @@ constexpr sentence check_contents_of_constraints(const mechanism& m, const given
 
 namespace detail {
 
-/// Whether a configuration constraint whose gradient depends on those of the preceding ones is violated
-/// wherever they hold.
+/// Whether a configuration constraint whose gradient depends linearly on those of the preceding ones is
+/// violated wherever the preceding ones hold.
 constexpr bool contradicts_configuration(const skeleton& s, const constraints& c,
                                          const symbolic::matrix& configuration, int i) {
   const sequence<expression> said{c.on_configuration[i]};
@@ -115,8 +115,7 @@ constexpr sentence check_repeated_rates(const skeleton& s, const constraints& c,
   if (c.repeated.empty()) return {};
   consistent_states anywhere(s, configuration, 0, c, c.size(), c.repeated);
   if (first_that_never_vanishes(anywhere, c.repeated) == none)
-    return {}; // true in any configuration, as for
-               // most models
+    return {}; // true in any configuration, as it is for most models
   consistent_states states(s, configuration, configuration.rows, c, c.size(), c.repeated);
   const int i = first_that_never_vanishes(states, c.repeated);
   if (i == none) return {};
@@ -131,7 +130,8 @@ constexpr sentence check_repeated_rates(const skeleton& s, const constraints& c,
 } // namespace detail
 
 /// Reports constraints that leave no motion, follow from the preceding ones, or contradict them. `by_q` and
-/// `by_u` are both Jacobians at generic states, equilibrated.
+/// `by_u` are the Jacobians of the configuration constraints and of the constraints on the speeds,
+/// equilibrated, at generic states.
 constexpr sentence check_constraints(const skeleton& s, const constraints& c,
                                      const symbolic::matrix& configuration, const sequence<numbers>& by_q,
                                      const sequence<numbers>& by_u) {

@@ -52,8 +52,8 @@ constexpr sequence<expression> quadratic_part(const mechanism& m, const sequence
   return quadratic;
 }
 
-/// Returns why the equations of motion may differ from Lagrange's, whose C is formed from Christoffel
-/// symbols, or an empty sentence.
+/// Returns a sentence that explains why the equations of motion may differ from Lagrange's, whose C is formed
+/// from Christoffel symbols; empty if they cannot.
 constexpr sentence doubt_about_rates(motion& k, const loads& acting) {
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;
@@ -68,9 +68,9 @@ constexpr sentence doubt_about_rates(motion& k, const loads& acting) {
 
 } // namespace detail
 
-/// Returns why the matrix `c` of Christoffel symbols is not a Coriolis matrix, or an empty sentence: M
-/// depends on more than the coordinates, or C u differs from the part of −F_r* at u̇ = 0 that is quadratic in
-/// the speeds. `bias_of` forms that part; it is called only in doubtful cases.
+/// Returns a sentence that explains why the matrix `c` of Christoffel symbols is not a Coriolis matrix, empty
+/// if it is one: either M does not depend on the coordinates only, or C u differs from the part of −F_r* at
+/// u̇ = 0 that is quadratic in the speeds. `bias_of` forms that part; it is called only in doubtful cases.
 template <class Form>
 constexpr sentence check_coriolis(motion& k, const loads& acting, const symbolic::matrix& mass,
                                   const symbolic::matrix& c, const Form& bias_of) {

@@ -73,7 +73,8 @@ constexpr sequence<numbers> at_any_angles(const mechanism& m, const sequence<exp
   return at_generic_states(a, &m);
 }
 
-/// Checks numbers and functions of angles. Four coordinates are normalized by the state instead.
+/// Checks the length of a quaternion of numbers and functions of angles. If the entries are coordinates, the
+/// state is normalized instead.
 constexpr bool has_unit_length(const mechanism& m, const sequence<expression>& quaternion) {
   for (const numbers& e : at_any_angles(m, quaternion, 1)) {
     double square = 0;
@@ -88,8 +89,8 @@ constexpr bool has_unit_length(const mechanism& m, const sequence<expression>& q
 
 } // namespace detail
 
-/// Checks that direction cosines form a rotation, as far as they are numbers or functions of angles, and that
-/// the length of an axis is within range.
+/// Checks that direction cosines that are numbers or functions of angles form a rotation, and that the length
+/// of an axis is within range.
 constexpr sentence check_direction_cosines(const mechanism& m, const frame& f) {
   if (f.kind == orientation::about_axis && f.direction.is_constant()) {
     const symbolic::graph& g = f.direction.x.owner();

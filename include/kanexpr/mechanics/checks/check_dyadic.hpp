@@ -10,7 +10,7 @@ namespace kanexpr::mechanics {
 namespace detail {
 
 /// Evaluates the inertias in the axes of their bodies at generic states. An inertia that is equal at two
-/// states is taken as numeric.
+/// states is treated as numeric.
 class checking_dyadics {
 public:
   constexpr checking_dyadics(const mechanism& m, const contents& held) : m_(m), held_(held) {
@@ -36,7 +36,7 @@ public:
 private:
   struct doubt {
     int body = none;
-    vector from_center{};     ///< to the reference point of the inertia
+    vector from_center{};     ///< from the mass center to the reference point of the inertia
     numeric_inertia before{}; ///< the inertia at the first state
     numeric_way way_before{};
   };

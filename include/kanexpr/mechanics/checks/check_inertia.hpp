@@ -61,7 +61,7 @@ struct numeric_inertia {
 /// Computes the vector from the mass center of a body to the reference point of its inertia; returns false if
 /// the two points are not connected.
 constexpr bool take_way(const mechanism& m, const body& b, vector& way) {
-  sequence<int> above; // the mass center and the points it is offset from
+  sequence<int> above; // the mass center and the points from which it is offset
   for (int p = b.center; p != none; p = m.points[p].parent) above.push(p);
   int common = b.about;
   for (; common != none && !above.contains(common); common = m.points[common].parent)
@@ -71,8 +71,8 @@ constexpr bool take_way(const mechanism& m, const body& b, vector& way) {
   return true;
 }
 
-/// The vector from the mass center of a body to the reference point of its inertia; known if it is numeric in
-/// the axes of the inertia and the mass is a number.
+/// The vector from the mass center of a body to the reference point of its inertia. It is known if it is
+/// numeric in the axes of the inertia and the mass is a number.
 struct numeric_way {
   bool known = false;
   double mass = 0;
@@ -100,10 +100,10 @@ constexpr sentence check_principal_values(std::string_view called, std::string_v
                                           numeric_inertia inertia, double largest, const numeric_way& way) {
   if (!inertia.positive(1, 1e-9))
     return sentence({"the inertia of ", called, " is indefinite: its moment about some axis is negative"});
-  constexpr double rounded = 2.5e-3; // admits a plate of zero thickness, in numbers with three digits
+  constexpr double rounded = 2.5e-3; // admits a plate of zero thickness given with three digits
   const double whole = inertia.trace();
-  bool is_given[3]{}, is_planar = false; // in planar models one moment matters and the others are often left
-                                         // zero
+  bool is_given[3]{},
+      is_planar = false; // in planar models only one moment matters, and the others are often left zero
   for (int i = 0; i < 3; ++i) {
     is_given[i] = elementary::abs(inertia.at[i][i]) > 1e-12;
     is_planar = is_planar || !is_given[i];
@@ -138,7 +138,7 @@ constexpr bool has_inertia(const body& b) {
 }
 
 /// Checks that an inertia is positive about every axis and that no principal moment exceeds the sum of the
-/// other two; otherwise the second moments of the mass, ½ tr(I) E − I, would be negative.
+/// other two; otherwise a second moment of the mass, an eigenvalue of ½ tr(I) E − I, would be negative.
 constexpr sentence check_inertia(const mechanism& m, const body& b) {
   if (b.inertia.parts.size() != 1 || b.inertia.parts[0].left != b.inertia.parts[0].right) return {};
   const matrix3& given = b.inertia.parts[0].value;

@@ -40,8 +40,8 @@ private:
     return m_.g->symbol_at(symbol.node()).called.view();
   }
 
-  /// A speed need not be a combination of coordinate rates: the spin of a wheel whose angle does not matter
-  /// appears only in an angular velocity.
+  /// Collects the speeds in a declared velocity. A speed need not be a combination of coordinate rates: the
+  /// spin of a wheel whose angle does not matter appears only in an angular velocity.
   constexpr void collect_speeds(const vector& declared, sequence<int>& speeds) const {
     for (const vector::part& p : declared.parts)
       for (int i = 0; i < 3; ++i) c_.collect(p.value[i], kind::speed, speeds);
@@ -86,7 +86,8 @@ private:
     found_ = check_linear(m_, c_, e, "a kinematic differential equation");
   }
 
-  /// Equations with one unknown rate are solved one after another; the remaining ones are coupled.
+  /// Checks that the equations can be solved: those with one unknown rate one after another, the remaining
+  /// ones as coupled systems.
   constexpr void solvable() {
     const int n = m_.coordinates.size();
     sequence<int> solved;
@@ -121,7 +122,7 @@ private:
     if (!form.is_regular()) cannot_solve(has_equation.find(0));
   }
 
-  /// In at least one configuration.
+  /// Whether the coupled equations are regular in at least one configuration.
   constexpr bool is_regular(const linear_kinematics& k, const symbolic::coupled_part& part) const {
     const int size = part.rows.size();
     if (size == 1) return true;

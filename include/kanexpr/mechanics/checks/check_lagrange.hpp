@@ -72,7 +72,7 @@ private:
                      ", whose ", u.what, is_not_known});
   }
 
-  /// Compares a declared angular velocity with that of the orientation.
+  /// Compares a declared angular velocity with the one that follows from the orientation.
   constexpr void check_angular_velocity(int place) {
     if (!m_.frames[place].turns_by_declaration()) return;
     symbolic::differentiation along_time = time_derivative(m_, s_.coordinate_rates);
@@ -88,8 +88,8 @@ private:
             " does not match its orientation", wording_.of_velocity});
   }
 
-  /// Replaces a quaternion e by e/|e|, and its rate accordingly: it describes a rotation only if its norm is
-  /// 1.
+  /// Replaces a quaternion e by e/|e|, and its rate accordingly, because it describes a rotation only if its
+  /// norm is 1.
   constexpr void normalize(const sequence<expression>& quaternion, symbolic::substitution& at_norm_one,
                            symbolic::differentiation& along_time) const {
     expression squares = m_.zero();
@@ -119,8 +119,8 @@ private:
     return vanish(m_, {v.x, v.y, v.z});
   }
 
-  /// With a time-varying mass, forces are rates of momentum; a mass that depends on coordinates would add
-  /// spurious terms to the derivatives of T.
+  /// Rejects a mass that depends on coordinates, which would add spurious terms to the derivatives of T. If a
+  /// mass varies with time, forces are rates of momentum.
   constexpr void check_mass(const body& b) {
     if (held_.holds(b.mass, kind::coordinate))
       return fail({"the mass of ", b.called.view(), " changes with coordinate ",

@@ -10,8 +10,8 @@ namespace kanexpr::mechanics {
 namespace detail {
 
 /// A wheel needs no angle if all vectors along its axes are parallel to its spin axis. The check evaluates
-/// them at one generic state. It skips vectors that contain speeds: they may be velocities, which do not
-/// depend on the axes used to write them.
+/// them at one generic state. It skips vectors that contain speeds, because they may be velocities, which do
+/// not depend on the axes in which they are written.
 class checking_left_out_angles {
 public:
   constexpr checking_left_out_angles(const multibody_system& of, const contents& held,
@@ -51,7 +51,7 @@ private:
     components value{};
     what is = what::axis;
     int of = none;
-    std::string_view load{}, loaded{}; ///< "a force on ", "P"
+    std::string_view load{}, loaded{}; ///< such as "a force on " and "P"
   };
 
   /// Whether a frame turns with another one because it is oriented relative to it.
@@ -77,8 +77,8 @@ private:
       const frame& own = m_.frames[f];
       if (f == l.frame || own.turns_by_declaration() || !turns_with(f, l.frame)) continue;
       if (own.kind == orientation::matrix) {
-        for (int axis = 0; axis < 2 && !held_.is_fixed(own.to_parent); ++axis) // any axis is parallel to at
-                                                                               // most one of two
+        for (int axis = 0; axis < 2 && !held_.is_fixed(own.to_parent);
+             ++axis) // any axis is parallel to at most one of the two basis vectors
           doubtful_.push({&l, own.parent, unit(*m_.g, axis), what::axis, f, {}, {}});
       } else if (!held_.is_fixed(own.angle)) {
         doubtful_.push({&l,
@@ -118,7 +118,8 @@ private:
   constexpr bool depends(const generic_motion& motion, const doubt& d) const {
     const int f = d.angle->frame;
     if (!motion.is_proper(f) || !motion.is_proper(d.axes)) return false;
-    // in a reference at rest, the angular velocity of a ball is the same along the ball's own axes
+    // if the reference is at rest, the angular velocity of a ball does not depend on whether it is given
+    // along the ball's own axes
     if (d.is == what::angular_velocity && d.angle->axes.size() > 1 && !(length(motion.by_orientation(f)) > 0))
       return false;
     const triple v = motion.basis(f).along(motion.basis(d.axes) * motion.value(d.value));

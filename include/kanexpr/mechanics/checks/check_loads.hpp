@@ -16,8 +16,8 @@ public:
   constexpr checking_gravity(const mechanism& m, const vector& gravity, const contents& held, load_check& by)
       : m_(m), gravity_(gravity), held_(held), by_(by) {}
 
-  /// The potential energy of gravity is −m g·r and its force m g; this is the negative gradient of the energy
-  /// only if g does not depend on coordinates.
+  /// Checks all loads. The potential energy of gravity is −m g·r and its force is m g, which is the negative
+  /// gradient of the energy only if g does not depend on coordinates.
   constexpr void run() {
     std::string_view coordinate, turns; // a coordinate in gravity, and the frame that turns with it
     for (const vector::part& part : gravity_.parts) {
@@ -48,7 +48,7 @@ private:
         return held_.name_of(e, kind::coordinate);
     return {};
   }
-  /// Whether gravity really depends on coordinates: a vector given along several axes may still be constant.
+  /// Whether gravity really depends on coordinates; a vector given along several axes may still be constant.
   constexpr bool gravity_changes() const {
     const components g = express(m_, gravity_, mechanism::inertial);
     symbolic::matrix all(*m_.g, 1 + m_.coordinates.size(), 3); // g, followed by its derivatives

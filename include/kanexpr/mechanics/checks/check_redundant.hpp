@@ -9,8 +9,8 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Whether constraints contain symbols whose values are set at run time; they may then be redundant for some
-/// values only, such as bars of equal length.
+/// Whether constraints contain symbols whose values are set at run time. They may then be redundant only for
+/// particular values, such as equal lengths of bars.
 constexpr bool depend_on_values(const graph& g, const sequence<expression>& all) {
   using kind = symbolic::symbol_kind;
   for (int id : symbolic::live_values(g, symbolic::nodes_of(all)))
@@ -22,9 +22,9 @@ constexpr bool depend_on_values(const graph& g, const sequence<expression>& all)
 } // namespace detail
 
 /// The rate of a redundant constraint vanishes wherever the other constraints hold, for all speeds that they
-/// admit, even though elsewhere its gradient may be no linear combination of theirs. A constraint whose rate
-/// vanishes at none of many such states restricts a remaining motion and is reported. `listed` contains the
-/// numbers of the redundant constraints in the order of the model.
+/// permit, even if its gradient is not a linear combination of theirs elsewhere. If the rate of a constraint
+/// is nonzero at each of several such states, the constraint restricts a motion that the others permit, and
+/// it is reported. `listed` contains the numbers of the redundant constraints in the order of the model.
 constexpr sentence check_redundant_rates(const skeleton& s, const sequence<int>& listed, const constraints& c,
                                          const symbolic::matrix& configuration,
                                          const sequence<expression>& rates) {
@@ -39,8 +39,8 @@ constexpr sentence check_redundant_rates(const skeleton& s, const sequence<int>&
   for (int left = i + 1; left > 0; --left)
     for (++number; !listed.contains(number);) ++number;
   return sentence({"configuration constraint ", counted(number).view(),
-                   " does not follow from the others; redundant<", counted(number).view(),
-                   "> must not drop it"});
+                   " does not follow from the others, so it is not redundant; remove redundant<",
+                   counted(number).view(), ">"});
 }
 
 } // namespace kanexpr::mechanics

@@ -8,12 +8,12 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// The normal form of a force or torque for comparisons: the point or frame it acts on and the one its
-/// reaction acts on; the latter is none if at rest.
+/// The normal form of a force or torque for comparisons: the point or frame on which it acts, and the one on
+/// which its reaction acts, or none if that is at rest.
 struct felt {
   int on = none;
   int against = none;
-  bool is_turned_round = false; ///< the opposite of the written load
+  bool is_turned_round = false; ///< true if it is the opposite of the load as written
 };
 
 class checking_repeated_loads {
@@ -70,7 +70,7 @@ private:
     const bool is_other_way = a.against != none && a.on == b.against && a.against == b.on;
     if (is_same_way || is_other_way)
       return compare(one, other, (a.is_turned_round != b.is_turned_round) != is_other_way);
-    // the torque of a motor between two frames must not be listed as an external load as well
+    // the torque of a motor between two frames must not also be listed as an external load
     const bool is_outside = a.against == none;
     if (is_outside == (b.against == none) || !holds_input(one.value)) return;
     const felt &outside = is_outside ? a : b, &between = is_outside ? b : a;
@@ -130,7 +130,7 @@ private:
     for (int i = 0; i < all.size(); ++i)
       for (int j = 0; j < i && !by_.mistake(); ++j) {
         const expression one = all[i].value, other = all[j].value;
-        if (one.is_constant()) continue; // no effect, such as a spring without stiffness
+        if (one.is_constant()) continue; // it has no effect, such as a spring without stiffness
         const sentence told({"potential energy ", counted(i + 1).view(), " repeats potential energy ",
                              counted(j + 1).view()});
         if (one == other)
@@ -158,7 +158,7 @@ private:
       return;
     }
   }
-  /// Energies are equal if they differ by a constant.
+  /// Whether two energies are equal up to a constant.
   static constexpr bool is_same(const doubt& d, const generic_motion& motion) {
     const bool is_energy = d.one == nullptr;
     if (is_energy ? !motion.is_defined(d.energy) || !motion.is_defined(d.other_energy)

@@ -5,8 +5,8 @@
 
 namespace kanexpr::mechanics {
 
-/// Reports a torsional spring without a restoring torque, or whose stiffness depends on a coordinate. `of`:
-/// "the torsional spring with q".
+/// Reports a torsional spring that has no restoring torque or whose stiffness depends on a coordinate. `of`
+/// names it, as in "the torsional spring with q".
 constexpr sentence check_torsional_spring(const mechanism& m, expression angle, expression stiffness,
                                           expression rest, std::string_view of) {
   using kind = symbolic::symbol_kind;

@@ -8,14 +8,14 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Compares velocities at several random states, which cover both sides of min, max and the like, and with
-/// each speed by itself, so that no speed is lost in the rounding errors of others.
+/// Compares velocities at several random states, so that both sides of min, max and similar functions are
+/// covered, and with each speed by itself, so that no speed is lost in the rounding errors of others.
 ///
 /// A declared velocity agrees if it equals the rate of the position from the origin, or the velocity of its
 /// reference or parent plus the rate of the offset from there. If the angular velocity of a frame contains an
-/// angle that its orientation omits, both angular velocities are tried. A point without offset has no
-/// position to compare with. Speeds that appear in no kinematic equation are the rates of coordinates that
-/// the model omits.
+/// angle that its orientation omits, both angular velocities are tried. For a point without an offset, there
+/// is no position to compare with. Speeds that appear in no kinematic equation are the rates of coordinates
+/// that the model omits.
 class checking_velocity {
 public:
   constexpr checking_velocity(const mechanism& m, const contents& held)
@@ -71,7 +71,8 @@ private:
                      " changes in that frame; if this is intended, write velocity_apart_from_position"});
   }
 
-  /// A symbolic test that already excludes most points.
+  /// Whether the velocity of a point may differ from the rate of its position; a symbolic test that excludes
+  /// most points.
   static constexpr bool may_slip(const mechanism& m, const contents& held, const point& p) {
     bool is_seen_fixed = true;
     for (const vector::part& part : p.offset.parts)
@@ -80,7 +81,7 @@ private:
            !(m.points[p.parent].parent == none && is_placed_by_frame(m, held, p));
   }
 
-  /// Whether the offset of a point contains only variables that also orient the frame it is fixed in.
+  /// Whether the offset of a point contains only variables that also orient the frame in which it is fixed.
   static constexpr bool is_placed_by_frame(const mechanism& m, const contents& held, const point& p) {
     sequence<int> of_place, of_frame;
     for (const vector::part& part : p.offset.parts) {
@@ -147,8 +148,8 @@ private:
     return !p.from_parent && is_same(said, rate_from_origin(place, by_orientation), reach_from_origin(place));
   }
 
-  /// Returns the first point on the path to a mass whose velocity differs from the rate of its position
-  /// although that of its parent does not.
+  /// Returns the first point, on the path to a mass, whose velocity differs from the rate of its position
+  /// although the velocity of its parent does not.
   constexpr int apart_from_place(int center) const {
     bool may = false;
     for (int p = center; p != none && !may; p = m_.points[p].parent) may = may_slip(m_, held_, m_.points[p]);
@@ -170,16 +171,16 @@ private:
     return true;
   }
 
-  /// Two bodies touch at a massless point if for both the velocity of the point differs from the rate of its
-  /// offset.
+  /// Whether two bodies touch at a massless point: for both of them, the velocity of the point differs from
+  /// the rate of its offset.
   constexpr bool is_contact(int place, int next) const {
     for (const body& b : m_.bodies)
       if (b.center == place) return false;
     return next != none && slips(next);
   }
 
-  /// Whether a point belongs to a body that rolls on the ground and whose position is omitted; the rest of
-  /// its motion then determines the position.
+  /// Whether a point belongs to a body that rolls on the ground and whose position is omitted because the
+  /// rest of its motion determines it.
   constexpr bool rolls(int place) const {
     const point& p = m_.points[place];
     return is_same(velocity(p.parent), {}, reach_from_origin(p.parent)) && is_placed_by_frame(m_, held_, p);

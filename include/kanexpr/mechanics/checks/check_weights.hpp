@@ -3,7 +3,7 @@
 #include <kanexpr/mechanics/checks/summands.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 
-/// Gravity given as a weight, and weights listed in addition to gravity.
+/// Reports gravity given as a weight, and weights listed in addition to gravity.
 namespace kanexpr::mechanics {
 
 namespace detail {
@@ -30,9 +30,9 @@ constexpr bool are_among(const sequence<int>& some, const sequence<int>& all) {
   return true;
 }
 
-/// Finds weights among the loads, as summands and along any axes. Loads that contain the symbols of the mass
-/// and of gravity are evaluated at one generic state: the summands of a force at the mass center, and the
-/// rates of the summands of a potential energy.
+/// Finds weights among the loads, also as summands and along any axes. If loads contain the symbols of the
+/// mass and of gravity, the summands of forces at the mass center and the rates of the summands of potential
+/// energies are evaluated at one generic state.
 class checking_weights {
 public:
   constexpr checking_weights(const mechanism& m, const loads& acting, const contents& held, load_check& by)
@@ -56,7 +56,7 @@ private:
   struct doubt {
     int body = none;
     int force = none;  ///< index among the forces
-    double sign = 1;   ///< of the force on the body
+    double sign = 1;   ///< sign of the force on the body
     int energy = none; ///< index among the potential energies
   };
 
@@ -161,7 +161,7 @@ private:
       if (!motion.is_defined(m_.points[p].offset)) return false;
     return true;
   }
-  /// The rate of the position.
+  /// The rate of the position of a point.
   constexpr triple velocity(int place, const generic_motion& motion) const {
     triple sum;
     for (int p = place; p != none; p = m_.points[p].parent)

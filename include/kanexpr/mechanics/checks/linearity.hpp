@@ -8,8 +8,8 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Whether the coefficient of a speed or rate contains no speed or rate; exact, unlike the quick test of
-/// `contents`.
+/// Whether the coefficient of a speed or rate contains no speeds or rates; this test is exact, unlike the
+/// quick test of `contents`.
 constexpr bool is_linear(expression e, expression symbol) {
   using kind = contents::kind;
   const expression slope = symbolic::differentiate(e, symbol);

@@ -22,7 +22,7 @@ inline constexpr std::string_view is_not_known =
 /// An input that is differentiated although its derivative is not known; `input` is empty if all are known.
 struct unknown_derivative {
   std::string_view input;
-  std::string_view what; ///< "rate", "second derivative"
+  std::string_view what; ///< such as "rate" or "second derivative"
 
   constexpr explicit operator bool() const { return !input.empty(); }
 };

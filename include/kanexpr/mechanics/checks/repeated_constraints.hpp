@@ -4,8 +4,8 @@
 #include <kanexpr/mechanics/model/wording.hpp>
 
 /// Configuration constraints that follow from the others only where all of them hold, such as the closure
-/// equations of a loop with special geometry. In other configurations they are independent and seem to leave
-/// no motion.
+/// equations of a loop with special geometry. In other configurations, they are independent and seem to
+/// permit no motion.
 namespace kanexpr::mechanics {
 
 namespace detail {
@@ -27,7 +27,7 @@ public:
   closed_configurations(const closed_configurations&) = delete;
   closed_configurations& operator=(const closed_configurations&) = delete;
 
-  /// Finds another configuration from a new random start; returns false if the iteration does not converge.
+  /// Finds a configuration from a new random start; returns false if the iteration does not converge.
   constexpr bool next() {
     generic_.draw();
     for (int id : evaluate_.live())
@@ -53,8 +53,8 @@ public:
     return last <= closed;
   }
 
-  /// The number of leading rows that contain the norms of quaternions. The rows of the constraints follow.
-  /// Each row is scaled to its usual size.
+  /// Return the number of leading rows, which contain the norms of quaternions, and a row. The rows of the
+  /// constraints follow those of the norms, and each row is scaled to its usual size.
   constexpr int norms() const { return quaternions_.size(); }
   constexpr sequence<double> row(int i) const {
     sequence<double> entries;
@@ -174,7 +174,7 @@ constexpr repeated_constraints find_repeated(const mechanism& m, const symbolic:
   return found;
 }
 
-/// "3, 4 and 5", and "3, 4, 5".
+/// Numbers of constraints as "3, 4 and 5" and as "3, 4, 5".
 struct numbered_constraints {
   sentence named{}, listed{};
 };
@@ -188,8 +188,8 @@ constexpr numbered_constraints numbered(const sequence<int>& numbers) {
   return all;
 }
 
-/// Returns advice for constraints that seem to leave no motion: "; where all hold, configuration constraint 5
-/// follows from the preceding ones; add redundant<5> to drop it". Empty if they do leave none.
+/// Returns advice on constraints that seem to permit no motion: "; where all hold, configuration constraint 5
+/// follows from the preceding ones; add redundant<5> to drop it". Empty if they really permit none.
 constexpr sentence advice_on_redundant(const mechanism& m, const symbolic::matrix& by_q,
                                        const constraints& c) {
   if (c.on_configuration.size() < 2) return {};

@@ -14,7 +14,7 @@ struct summand {
 /// Expands products of sums numerically, without creating expressions.
 class summing_up {
 public:
-  /// `wanted`: nodes of symbols.
+  /// `wanted` are the nodes of symbols.
   constexpr summing_up(const generic_motion& motion, const graph& g, const sequence<int>& wanted)
       : motion_(motion), g_(g), wanted_(wanted) {}
 
@@ -50,7 +50,7 @@ private:
   static constexpr bool is_finite(symbolic::rated x) {
     return elementary::detail::is_finite(x.value) && elementary::detail::is_finite(x.rate);
   }
-  /// A constant expression must not compute with NaN or infinity.
+  /// Multiplies two numbers; a constant expression must not compute with NaN or infinity.
   static constexpr symbolic::rated product(symbolic::rated a, symbolic::rated b) {
     return is_finite(a) && is_finite(b) ? symbolic::rated_value_of(symbolic::operation::multiply, a, b)
                                         : symbolic::rated{elementary::detail::infinity, 0};

@@ -40,7 +40,7 @@ constexpr symbolic::linear_solution solve_acceleration_constraints(graph& g, con
 }
 
 /// Checks that the acceleration constraints restrict the rates of the speeds as the other constraints
-/// restrict the speeds, and that they hold wherever the others hold.
+/// restrict the speeds, and that they hold wherever the other constraints hold.
 constexpr sentence check_acceleration_constraints(const skeleton& s, const constraints& c,
                                                   const symbolic::matrix& configuration) {
   const mechanism& m = *s.model;

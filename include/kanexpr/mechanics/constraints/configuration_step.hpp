@@ -29,8 +29,8 @@ constexpr bool binds_quaternion(const mechanism& m, const partition& coordinates
 
 } // namespace detail
 
-/// The Newton step of the dependent coordinates: the increment with which the linearized configuration
-/// constraints hold. Quaternions have norm 1 and keep it.
+/// The Newton step of the dependent coordinates: the increment after which the linearized configuration
+/// constraints hold. Quaternions have norm 1, which the step preserves.
 constexpr symbolic::linear_solution configuration_step(const mechanism& m,
                                                        const sequence<expression>& constraints,
                                                        symbolic::matrix by_all,

@@ -5,7 +5,7 @@
 
 namespace kanexpr::mechanics {
 
-/// Random states, with rates of the speeds, that satisfy the constraints. They serve to test numerically
+/// Random states, with rates of the speeds, that satisfy the constraints. They are used to test numerically
 /// whether an expression vanishes wherever the constraints hold.
 class consistent_states {
 public:
@@ -20,7 +20,7 @@ public:
         moves_(first(velocities, values_of(c))), evaluate_(*m_.g, outputs(wanted)),
         rates_(*m_.g, outputs_with_rates()), generic_(*m_.g, evaluate_.live(), &m_, 1.0) {}
 
-  /// Finds another state from a new random start; returns false if the iteration does not converge.
+  /// Finds a state from a new random start; returns false if the iteration does not converge.
   constexpr bool next() {
     generic_.draw();
     for (int id : evaluate_.live())
@@ -70,7 +70,7 @@ private:
   }
   constexpr double value(expression e) const { return evaluate_[e.node()]; }
 
-  /// Newton's method from a random configuration.
+  /// Finds a configuration by Newton's method from a random start.
   constexpr bool place() {
     evaluate();
     if (places_.empty()) return true;
@@ -215,7 +215,8 @@ private:
   detail::generic_values generic_;
 };
 
-/// The number of states to check, the number of attempts to find them, and the number that must be found.
+/// The number of states to check, the maximum number of attempts to find them, and the number that must be
+/// found.
 struct looks {
   int attempts = 12;
   int states = 3;

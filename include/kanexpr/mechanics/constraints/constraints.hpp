@@ -16,9 +16,10 @@ struct constraints {
   sequence<expression> redundant{};              ///< configuration constraints that are not used in solving
   sequence<expression> on_accelerations{};       ///< as given
   sequence<velocity_constraint> on_velocities{}; ///< without auxiliary speeds
-  sequence<int> station{}; ///< by velocity constraint: the station whose velocity component it sets to zero,
-                           ///< or none
-  sequence<int> of_configuration{}; ///< the configuration constraint whose rate it is, or none
+  sequence<int> station{}; ///< for each velocity constraint, the station whose velocity component it sets to
+                           ///< zero, or none
+  sequence<int> of_configuration{}; ///< for each velocity constraint, the configuration constraint whose rate
+                                    ///< it is, or none
   symbolic::matrix jacobian{};      ///< J, a column for each speed
   symbolic::matrix by_auxiliary{};  ///< J_a, a column for each auxiliary speed
   sequence<expression> remainder{}; ///< c, the part without speeds
@@ -37,7 +38,7 @@ constexpr int station_of(motion& k, const velocity_constraint& c) {
 }
 
 /// The partial derivatives of each constraint with respect to all speeds. For the velocity of a point along a
-/// direction they follow from the geometry; scalars are differentiated in forward mode, one speed at a time.
+/// direction, they follow from the geometry; scalars are differentiated in forward mode, one speed at a time.
 constexpr symbolic::matrix constraint_jacobian(const skeleton& s, const sequence<velocity_constraint>& all,
                                                const sequence<int>& stations) {
   const mechanism& m = *s.model;
@@ -76,8 +77,8 @@ constexpr constraints no_constraints(const mechanism& m) {
   return none_at_all;
 }
 
-/// Omits the rate of a configuration constraint that the velocity constraints of the model already imply;
-/// many models contain both.
+/// Forms the constraints of a mechanism. Omits the rate of a configuration constraint if the velocity
+/// constraints of the model already imply it; many models contain both.
 constexpr constraints form_constraints(motion& k, const given_constraints& from) {
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;
@@ -137,8 +138,8 @@ constexpr constraints form_constraints(motion& k, const given_constraints& from)
 
 namespace detail {
 
-/// Whether the constraints set the velocity in constraint `i` to zero along all directions; the rotation of
-/// the directions then does not matter.
+/// Whether the constraints set the velocity in constraint `i` to zero along all directions, so that the
+/// rotation of the directions does not matter.
 constexpr bool holds_whole_velocity(const constraints& c, int i) {
   int directions = 0;
   for (int j = 0; j < c.size(); ++j)
@@ -150,7 +151,7 @@ constexpr bool holds_whole_velocity(const constraints& c, int i) {
 
 /// The rate of constraint `i` in a motion: J u̇ + γ, or γ for a motion without rates of the speeds.
 ///
-/// For the velocity of a point along a direction it is a·d + v·ḋ, with the acceleration from the dynamics.
+/// For the velocity of a point along a direction, it is a·d + v·ḋ, with the acceleration from the dynamics.
 constexpr expression rate_of_constraint(motion& k, const constraints& c, int i) {
   const velocity_constraint& own = c.on_velocities[i];
   if (c.station[i] == none) return k.rate(own.value);

@@ -49,7 +49,7 @@ private:
   static constexpr double rounding = 1e-13; ///< relative to 1
   static constexpr double magnitude(double x) { return x < 0 ? -x : x; }
 
-  /// The best pivot among the entries of the Jacobian, or including the fill-in.
+  /// The best pivot among the entries of the Jacobian, or also among the fill-in.
   constexpr place best(bool takes_all) const {
     sequence<int> in_row(jacobian_.rows, 0), in_column(jacobian_.columns, 0); // remaining entries
     sequence<double> largest(states_.size() * jacobian_.rows, 0.0);

@@ -6,7 +6,7 @@
 namespace kanexpr::mechanics {
 
 /// The composite body outward of a station that moves with a frame: its mass properties and, for each speed
-/// that enters farther out, the inertia force and moment per unit of its rate.
+/// whose motion enters farther out, the inertia force and moment per unit of the rate of the speed.
 struct composite {
   struct column {
     int speed = none;
@@ -20,8 +20,8 @@ struct composite {
 
 /// M = Σ J_iᵀ M_i J_i by composite bodies (Featherstone 2008, section 6.2), for any tree of frames, any tree
 /// of points and any generalized speeds. The velocity that a frame or a point adds to that of its parent is
-/// given by a few columns; each column is multiplied with the composite body where it enters and with the
-/// columns of everything outward of it.
+/// given by a few columns; each column is multiplied with the composite body where it enters and with all
+/// columns farther outward.
 class mass_matrix_builder {
 public:
   constexpr explicit mass_matrix_builder(const skeleton& s)
@@ -75,7 +75,7 @@ private:
     return c.columns.back();
   }
 
-  /// Moves the composite body of the frame farthest out at station `n` to the frame in which it rotates.
+  /// Moves the composite body of the outermost frame at station `n` to the frame in which it rotates.
   constexpr bool take_deepest_frame_down(int n) {
     int found = none, depth = -1;
     for (int i = 0; i < at_[n].size(); ++i) {
@@ -113,7 +113,7 @@ private:
     return true;
   }
 
-  /// Moves everything at station `n` to its parent.
+  /// Moves all composite bodies at station `n` to its parent.
   constexpr void take_station_down(int n) {
     const station& at = s_.stations[n];
     composite c = composite_of(n, at.frame);

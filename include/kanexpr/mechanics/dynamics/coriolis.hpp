@@ -6,7 +6,7 @@
 
 namespace kanexpr::mechanics {
 
-/// The coordinate whose rate each speed is, or a sentence if there is none.
+/// For each speed, the coordinate whose rate it is; a sentence if there is a speed for which there is none.
 struct speeds_as_rates {
   sentence mistake{};
   sequence<int> coordinate{};
@@ -20,8 +20,8 @@ constexpr speeds_as_rates coordinates_of_speeds(const skeleton& s) {
     for (int j = 0; j < m.coordinates.size(); ++j)
       if (s.coordinate_rates[j] == m.speeds[i]) own = j;
     if (own == none && !found.mistake)
-      found.mistake = sentence({"the Coriolis matrix requires speeds that are coordinate rates; speed ",
-                                m.g->symbol_at(m.speeds[i].node()).called.view(), " is not"});
+      found.mistake = sentence({"the Coriolis matrix requires every speed to be a coordinate rate; speed ",
+                                m.g->symbol_at(m.speeds[i].node()).called.view(), " is not one"});
     found.coordinate.push(own);
   }
   return found;

@@ -78,7 +78,7 @@ public:
       const int order = b.rows.size();
       const expression pivot = order <= symbolic::largest_with_determinant
                                    ? symbolic::determinant(entries, order)
-                                   : b.measure; // has no sign
+                                   : b.measure; // this measure has no sign
       for (int d : b.columns) pivots[d] = pivot;
     }
     return pivots;
@@ -109,7 +109,8 @@ public:
     return force_;
   }
 
-  /// Shortens the forces of a linearization if the model gives points by sines and cosines.
+  /// Shortens the forces of a linearization if the model specifies points by components with sines and
+  /// cosines.
   constexpr void gather(sequence<expression>& f, sequence<expression>& more_f) {
     if (!has_sines_in_components(m_, loads_)) return;
     sequence<expression> all = f, beside = dependent().on_independent.entries;
@@ -149,7 +150,7 @@ public:
     return reduce(mechanics::active_forces(s_, loads_));
   }
 
-  /// F_r* at u̇ = 0 of all speeds; with Kane's method followed by those of the auxiliary speeds.
+  /// F_r* of all speeds at u̇ = 0; with Kane's method, followed by F_r* of the auxiliary speeds.
   constexpr sequence<expression> inertia_bias() const {
     if (by_lagrange()) return lagrange_.inertia_bias();
     return mechanics::inertia_bias(s_);
@@ -174,7 +175,7 @@ public:
     return force;
   }
 
-  /// M and f of all speeds in M u̇ = f, before constraints reduce them.
+  /// M and f in M u̇ = f for all speeds, before constraints reduce them.
   constexpr symbolic::matrix unreduced_mass() {
     const symbolic::matrix& mass = free_mass();
     const int speeds = m_.speeds.size();
@@ -209,7 +210,7 @@ public:
     return lambda_;
   }
 
-  /// The forces that keep the auxiliary speeds zero.
+  /// The forces that keep the auxiliary speeds at zero.
   constexpr sequence<expression> noncontributing_forces() {
     sequence<int> auxiliary;
     for (int w = m_.speeds.size(); w < m_.ways(); ++w) auxiliary.push(w);
@@ -224,7 +225,8 @@ private:
     return reduced_force(free, speeds_, solved, coupling());
   }
 
-  /// Shortens both together, because they share many terms. The rates of dependent speeds remain unchanged.
+  /// Shortens the mass matrix and the forces together, because they share many terms. The rates of dependent
+  /// speeds remain unchanged.
   constexpr void gather_mass_and_force() {
     force_ = formed_force();
     sequence<expression> both = force_, beside = dependent().on_independent.entries;

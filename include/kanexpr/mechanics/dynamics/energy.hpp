@@ -56,7 +56,7 @@ constexpr components linear_momentum(motion& k) {
   return total;
 }
 
-/// The position of a point from its origin, in the axes of the inertial frame.
+/// The position of a point relative to its origin, in the axes of the inertial frame.
 constexpr components position(const mechanism& m, int point) {
   return express(m, position_from_origin(m, point), mechanism::inertial);
 }

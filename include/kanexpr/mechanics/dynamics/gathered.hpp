@@ -3,12 +3,12 @@
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/symbolic/graph/gathering.hpp>
 
-/// Simplification for models that give positions or velocities by components with sines and cosines, such as
-/// a ball in a trough. Terms that frames would keep separate then occur together: squared velocities contain
-/// sin² + cos², and centripetal terms cancel.
+/// Simplification for models that specify positions or velocities by components with sines and cosines, such
+/// as a ball in a trough. Terms that frames would keep separate then occur together: squared velocities
+/// contain sin² + cos², and centripetal terms cancel.
 namespace kanexpr::mechanics {
 
-/// Whether a model gives vectors by components with sines and cosines.
+/// Whether a model specifies vectors by components with sines and cosines.
 constexpr bool has_sines_in_components(const mechanism& m, const loads& acting) {
   sequence<int> nodes;
   const auto collect = [&](expression e) {

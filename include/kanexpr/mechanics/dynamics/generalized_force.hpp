@@ -7,8 +7,8 @@
 
 namespace kanexpr::mechanics {
 
-/// I·α + ω×(I·ω) about a point, from the matrix U that the forces use as well. With the products of inertia
-/// as weights of the entries of U, it takes half the products of the two-step form.
+/// I·α + ω×(I·ω) about a point, from the matrix U that the forces also use. Because the products of inertia
+/// weight the entries of U directly, this takes half the products of the two-step form.
 constexpr components inertia_demand(const symmetric& i, const components& w, const components& alpha,
                                     const matrix3& u) {
   components moment;
@@ -26,7 +26,7 @@ constexpr components inertia_demand(const symmetric& i, const components& w, con
 
 /// Generalized forces Σ v_r·R + ω_r·T by reverse accumulation through the velocity map: forces are passed
 /// down the tree of points, moments down the tree of frames, and each speed receives its contribution where
-/// it enters. Kane & Levinson (1985), section 4.4, in time proportional to the number of links.
+/// it enters. The cost is linear in the number of links. Definition: Kane & Levinson (1985), section 4.4.
 class generalized_forces {
 public:
   constexpr explicit generalized_forces(const skeleton& s)
@@ -66,7 +66,7 @@ public:
   constexpr void add_changes_of_mass(motion& k) {
     for (const body& b : m_.bodies) add_change_of_mass(k, b);
   }
-  /// The same for one body; returns true if the body contributes.
+  /// Adds the forces of one body; returns true if the body contributes.
   constexpr bool add_change_of_mass(motion& k, const body& b) {
     const int n = s_.station_of_point[b.center];
     const expression rate = k.rate(known_.in(b.mass));
@@ -118,8 +118,8 @@ private:
     return true;
   }
 
-  /// The rate of an inertia, given in the axes of frame `axes`, relative to the body that moves with frame
-  /// `f` and rotates at `w`: İ + W I + (W I)ᵀ with W = [ω_axes − ω]×. It vanishes if the body is rotationally
+  /// The rate of an inertia given in the axes of frame `axes`, relative to the body that moves with frame `f`
+  /// and rotates at `w`: İ + W I + (W I)ᵀ with W = [ω_axes − ω]×. It vanishes if the body is rotationally
   /// symmetric about the axis of this rotation.
   constexpr symmetric rate_in_body(motion& k, const symmetric& inertia, int axes, int f,
                                    const components& w) {

@@ -25,8 +25,8 @@ constexpr sequence<expression> forces_of_gravity(const skeleton& s, const loads&
   return f.run();
 }
 
-/// The motion in which an upward acceleration of the ground replaces gravity; without rates of the speeds it
-/// is taken at u̇ = 0.
+/// The motion in which an upward acceleration of the ground replaces gravity; without rates of the speeds, it
+/// is evaluated at u̇ = 0.
 constexpr motion motion_on_rising_ground(const skeleton& s, const loads& acting,
                                          const sequence<expression>& udot = {}) {
   motion k(s, udot);

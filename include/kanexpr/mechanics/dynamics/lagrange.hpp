@@ -10,7 +10,7 @@
 /// Mechanics, 2002, sections 1.4, 2.4). The speeds of the mechanism are the rates q̇.
 namespace kanexpr::mechanics {
 
-/// The momenta p = ∂L/∂q̇ and the derivatives ∂L/∂q of a Lagrangian, by one reverse pass.
+/// The momenta p = ∂L/∂q̇ and the derivatives ∂L/∂q of a Lagrangian, computed by one reverse pass.
 struct lagrangian_gradient {
   sequence<expression> momenta{};
   sequence<expression> by_coordinates{};

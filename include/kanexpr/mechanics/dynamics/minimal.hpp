@@ -5,7 +5,7 @@
 /// Kane's equations of the independent speeds.
 ///
 /// With u̇_d = A u̇_i + b̄ and T = [E; A], the equations of all speeds, M u̇ = f, become Tᵀ M T u̇_i = f_i +
-/// Aᵀ f_d − Bᵀ b̄, where B = M_di + M_dd A is used on both sides.
+/// Aᵀ f_d − Bᵀ b̄. B = M_di + M_dd A appears on both sides.
 namespace kanexpr::mechanics {
 
 /// F_i + Aᵀ F_d: nonholonomic generalized forces. Kane & Levinson (1985), eq. 4.4.5.

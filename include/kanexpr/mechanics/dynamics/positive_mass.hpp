@@ -21,11 +21,11 @@ constexpr bool is_positive_definite(sequence<double> a, int order) {
   return true;
 }
 
-/// Proves that a mass matrix is positive definite in every configuration, from the ground outward: no motion
-/// is without kinetic energy. If the energy is zero, the ground rests. A frame that rotates in a resting one
-/// rests as well if its axes are numeric and the inertias that rotate with it resist all of its rotations,
-/// and a point that slides relative to a resting one rests if its directions are numeric and it has a mass.
-/// All masses and inertias must be numbers for which no energy is negative.
+/// Proves that a mass matrix is positive definite in every configuration by showing, from the ground outward,
+/// that all parts rest if the kinetic energy is zero. A frame that rotates in a resting one rests as well if
+/// its axes are numeric and the inertias that rotate with it resist all of its rotations. A point that slides
+/// relative to a resting one rests if its directions are numeric and it has a mass. All masses and inertias
+/// must be numbers for which no energy is negative.
 class energy_of_motion {
 public:
   constexpr explicit energy_of_motion(const skeleton& s)
@@ -68,7 +68,7 @@ private:
     sequence<double> i = inertia(l, true);
     const double all = i[0] + i[4] + i[8];
     if (numeric::equal(all, 0.0)) return true;         // a particle
-    for (int k = 0; k < 9; k += 4) i[k] += 1e-6 * all; // a rod has none about its axis
+    for (int k = 0; k < 9; k += 4) i[k] += 1e-6 * all; // a rod has no inertia about its axis
     return is_positive_definite(i, 3);
   }
 
@@ -86,7 +86,7 @@ private:
     return w;
   }
 
-  /// Whether a positive definite energy proves that the speeds vanish where it is zero.
+  /// Whether the energy is positive definite in the speeds, so that they vanish if it is zero.
   constexpr bool settle(const ways& w, const sequence<double>& energy) {
     const int count = w.speeds.size();
     sequence<double> by_speed(count * count, 0.0);
@@ -107,14 +107,15 @@ private:
     sequence<double> energy(9, 0.0);
     for (const link& l : s_.links)
       if (l.frame == f) {
-        // about the station if it rests; otherwise the omitted part is nonnegative
+        // about the station if it rests; otherwise about the mass center, where the omitted part is
+        // nonnegative
         const sequence<double> own = inertia(l, station_rests_[l.station] == 0);
         for (int i = 0; i < 9; ++i) energy[i] += own[i];
       }
     return settle(w, energy);
   }
 
-  /// The inertia about the mass center or about the station, by rows.
+  /// The inertia about the mass center or about the station, row by row.
   static constexpr sequence<double> inertia(const link& l, bool central) {
     const double mass = value(l.mass.mass);
     const double h[]{value(l.mass.first_moment.x), value(l.mass.first_moment.y),

@@ -5,7 +5,7 @@
 /// Forces that do no work, from Kane's equations of the speeds that the motion does not have.
 namespace kanexpr::mechanics {
 
-/// f − M u̇ = F_r + F_r* in motion, for the given speeds; zero for the others.
+/// F_r + F_r* = f − M u̇ in the actual motion, for the given speeds; zero for all others.
 constexpr sequence<expression> imbalance(const symbolic::matrix& mass, const sequence<expression>& force,
                                          const sequence<expression>& udot, const sequence<int>& ways) {
   sequence<expression> out;
@@ -30,7 +30,8 @@ constexpr symbolic::linear_solution multipliers(graph& g, const constraints& c, 
   return symbolic::solve_linear(g, transposed, right);
 }
 
-/// The forces along the partial velocities of each auxiliary speed that keep it zero: −(F_a + F_a* + J_aᵀ λ).
+/// The forces along the partial velocities of each auxiliary speed that keep the speed at zero: −(F_a + F_a*
+/// + J_aᵀ λ).
 constexpr sequence<expression> noncontributing_forces(const constraints& c, const symbolic::matrix& lambda,
                                                       const sequence<expression>& imbalance_of_auxiliary) {
   sequence<expression> out;

@@ -7,12 +7,12 @@
 #include <kanexpr/symbolic/graph/matrix.hpp>
 
 /// Inverse dynamics as a linear function of the inertial parameters of the bodies. Each parameter is treated
-/// separately; the masses and inertias of the model do not matter.
+/// separately; the masses and inertias that the model specifies do not matter.
 namespace kanexpr::mechanics {
 
-/// The point of a body about which its inertial parameters are given: the last point on the chain from the
-/// mass center toward the ground that is fixed in the body, and thus the joint of the body; the mass center
-/// if there is no such chain.
+/// The point of a body about which its inertial parameters are given: the last point fixed in the body on the
+/// chain from the mass center toward the ground, which is the joint of the body; the mass center if there is
+/// no such point.
 constexpr int reference_point(const skeleton& s, const body& b) {
   const mechanism& m = *s.model;
   symbolic::differentiation along_time = time_derivative(m, s.coordinate_rates);
@@ -61,8 +61,8 @@ constexpr sentence check_regressor(const skeleton& s, motion& k) {
 }
 
 /// The generalized forces of all speeds per unit of each inertial parameter in a motion on accelerated
-/// ground, a column for each parameter: Σ v_r·R + ω_r·T by the partial velocities of the bodies, which all
-/// parameters of a body share.
+/// ground, with a column for each parameter: Σ v_r·R + ω_r·T with the partial velocities of the bodies, which
+/// all parameters of a body share.
 constexpr symbolic::matrix regressor_of_all(const skeleton& s, motion& k) {
   const mechanism& m = *s.model;
   sequence<symbolic::differentiation> by_speed;

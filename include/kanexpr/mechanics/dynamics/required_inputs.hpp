@@ -9,7 +9,8 @@
 
 namespace kanexpr::mechanics {
 
-/// The inputs that make given forces zero, which must be linear in them, or a sentence if there are none.
+/// The inputs for which given forces vanish, or a sentence if there are no such inputs. The forces must be
+/// linear in the inputs.
 struct required_inputs {
   sentence mistake{};
   symbolic::linear_solution solved{};

@@ -83,8 +83,8 @@ constexpr sequence<singularity_check> checks_of_mass(const mechanism& m, const p
   return checks;
 }
 
-/// The check of everything that may make results infinite or NaN at a state; empty if nothing can. `others`
-/// are the preceding checks.
+/// The check for results that may be infinite or NaN at a state; empty if none can be. `others` are the
+/// preceding checks.
 constexpr sequence<singularity_check> checks_of_finiteness(const mechanism& m, const sequence<int>& outputs,
                                                            const sequence<int>& sure_divisors,
                                                            const sequence<singularity_check>& others) {

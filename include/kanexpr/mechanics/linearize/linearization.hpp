@@ -27,7 +27,7 @@ struct explicit_linearization {
     visit(self.input);
   }
 
-  /// The entry of a row; columns of the state come first, followed by those of the inputs.
+  /// The entry (i, j); columns of the state come first, followed by those of the inputs.
   constexpr expression& operator()(int i, int j) {
     return j < state.columns ? state(i, j) : input(i, j - state.columns);
   }
@@ -45,7 +45,7 @@ constexpr symbolic::linear_solution solve_for_rates(graph& g, const implicit_lin
   return symbolic::solve_linear(g, given.mass, right);
 }
 
-/// The given rows of `changes`, whose last columns are those of `inputs`.
+/// Returns the given rows of `changes`; its last `inputs` columns belong to the inputs.
 constexpr explicit_linearization rows_of(graph& g, const symbolic::matrix& changes, const sequence<int>& rows,
                                          int inputs) {
   explicit_linearization out(g, rows.size(), changes.columns - inputs, inputs);

@@ -9,8 +9,8 @@
 
 namespace kanexpr::mechanics {
 
-/// The equations of one system, linearized in each form that the requested results need, all with the symbols
-/// u̇. Each form is derived on first use and only once.
+/// The linearized equations of one system, in each form that the requested results need, with the symbols u̇.
+/// Each form is derived on first use and only once.
 class linearized_equations {
 public:
   /// Stores references to the parts of the equations, which may be completed later.
@@ -34,7 +34,8 @@ public:
     return *reduced_;
   }
 
-  /// As above, except for Lagrange's method: the equations of all speeds with their multipliers.
+  /// The same equations for Kane's method; for Lagrange's method, the equations of all speeds with the
+  /// multipliers.
   constexpr linearizer& in_full() {
     if (m_.derived_by == method::kane || constraints_.size() == 0) return reduced();
     if (!in_full_.has_value()) in_full_.emplace(*m_.g, form().with_multipliers());

@@ -8,9 +8,9 @@
 
 namespace kanexpr::mechanics {
 
-/// Linearizes a general form about any point that satisfies it; in free directions about any point at which
-/// the rates and multipliers satisfy all equations except f_c and f_v. The columns of results are those of
-/// `variations`. Each result is formed on first use and only once. Results contain the symbols q, u and r,
+/// Linearizes a general form about any point that satisfies it or, in free directions, about any point at
+/// which the rates and multipliers satisfy all equations except f_c and f_v. The columns of results are those
+/// of `variations`. Each result is formed on first use and only once. Results contain the symbols q, u and r,
 /// and q̇, u̇ and λ if they depend on them.
 class linearizer {
 public:
@@ -50,7 +50,7 @@ public:
     sequence<expression> unknowns = form_.qdot;
     for (const sequence<expression>* more : {&form_.udot, &form_.lambda})
       for (const expression& e : *more) unknowns.push(e);
-    // each group separately, because the cheaper method differs between groups
+    // treats each group separately, because the cheaper method may differ between groups
     explicit_linearization change(g_, zero.size(), variations_.states(), form_.inputs());
     int row = 0;
     for (const sequence<expression>& group :
@@ -141,9 +141,9 @@ private:
     return out;
   }
 
-  /// Passes the derivatives of each expression of `of`, plus a weighted sum of `more`, along all directions
-  /// to `take`. `weights` has a column for each expression. Uses one reverse pass for each expression.
-  /// (Defined before its callers, because clang++ instantiates it there.)
+  /// For each expression in `of`, adds a weighted sum of `more` and passes the derivatives along all
+  /// directions to `take`. `weights` has a column for each expression. Each expression takes one reverse
+  /// pass. (Defined before its callers, because clang++ instantiates it there.)
   template <class Take>
   constexpr void for_each_gradient(const sequence<expression>& of, const sequence<expression>& more,
                                    const symbolic::matrix& weights, const Take& take) const {
@@ -215,7 +215,7 @@ private:
     const symbolic::matrix& change = changes_of_force();
     const symbolic::symmetric_factorization mass(g_, form_.known.mass);
     symbolic::matrix out(g_, change.rows, variations_.size());
-    sequence<int> moved; // the only speed whose equation a direction changes
+    sequence<int> moved; // for each direction, the only speed whose equation it changes
     for (int j = 0; j < out.columns; ++j) {
       sequence<expression> right;
       for (int i = 0; i < out.rows; ++i) right.push(change(i, j));
@@ -240,8 +240,8 @@ private:
     return found;
   }
 
-  /// If a direction changes the equation of one speed only, as the torque of a motor does, its rates are a
-  /// column of the inverse mass matrix.
+  /// Adds the rates for directions that change the equation of only one speed, as the torque of a motor does;
+  /// these rates are a column of the inverse mass matrix.
   constexpr void add_columns_of_inverse(symbolic::matrix& out, const symbolic::symmetric_factorization& mass,
                                         const symbolic::matrix& change, const sequence<int>& moved) {
     sequence<int> columns;
@@ -261,7 +261,7 @@ private:
     return variations_.of_coordinates().rows == 0 && variations_.of_speeds().rows == 0;
   }
 
-  /// The number of directions of the state on which some expressions depend.
+  /// The number of state directions on which the expressions `of` depend.
   constexpr int felt_directions(const sequence<expression>& of) const {
     const sequence<char> live = symbolic::live_nodes(g_, symbolic::nodes_of(of));
     const auto is_live = [&](expression symbol) -> expression {
@@ -320,7 +320,7 @@ private:
   implicit_linearization implicit_{};
   explicit_linearization explicit_{};
   symbolic::matrix rates_{};
-  symbolic::matrix force_{}, bias_{}; ///< the changes of force and bias; not stored, but formed again
+  symbolic::matrix force_{}, bias_{}; ///< the changes of force and bias; formed again after a restore
   sequence<symbolic::pivot> pivots_{};
 };
 

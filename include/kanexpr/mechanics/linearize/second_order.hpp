@@ -16,8 +16,8 @@ namespace kanexpr::mechanics {
 ///     ∂²(λᵀẋ)/∂z² = ψ_zz + ψ_zu̇ u̇_z + (ψ_zu̇ u̇_z)ᵀ
 ///
 /// No inverse is differentiated, and u̇_z is that of the linearization. ρ belongs to the independent speeds;
-/// with multipliers there would be additional unknowns, whose derivatives along every direction are not
-/// needed otherwise. Griewank & Walther, Evaluating Derivatives (2008), section 15.2.
+/// multipliers would be additional unknowns, whose derivatives along every direction are not needed
+/// otherwise. Griewank & Walther, Evaluating Derivatives (2008), section 15.2.
 class second_order {
 public:
   /// `first` linearizes in free directions.
@@ -56,10 +56,10 @@ public:
     return rates_along(d);
   }
 
-  /// u̇_z is not formed: its cofactor is multiplied by the inverse mass matrix instead, because fewer
-  /// directions of z change that cofactor. Of two equal entries the cheaper one is formed: that along a
-  /// coordinate rather than a speed, along the last of two coordinates, which moves the fewest bodies, and
-  /// along the first of two speeds.
+  /// u̇_z is not formed; instead its cofactor is multiplied by the inverse mass matrix, because fewer
+  /// directions of z change the cofactor. Of two equal entries, the cheaper one is formed: along a coordinate
+  /// rather than a speed, along the last of two coordinates, which moves the fewest bodies, and along the
+  /// first of two speeds.
   constexpr symbolic::matrix hessian() {
     const int size = z().size(), n = form_.q.size();
     const sequence<expression>& slope = slopes();
@@ -78,8 +78,8 @@ public:
     return with_adjoint(all);
   }
 
-  /// ∂²(λᵀẋ)/∂z² v: the derivative of the gradient along v, with the corresponding changes of u̇ and μ. Since
-  /// λ is constant, so is ψ_u̇ = −λ_u.
+  /// ∂²(λᵀẋ)/∂z² v: the derivative of the gradient along v, with the corresponding changes of u̇ and μ.
+  /// Because λ is constant, ψ_u̇ = −λ_u is constant, too.
   constexpr symbolic::matrix product() {
     const int size = z().size(), n = form_.q.size();
     const sequence<expression>& slope = slopes();
@@ -155,8 +155,8 @@ private:
     return slopes_;
   }
 
-  /// The adjoint of weights of u̇: for the equations of the independent speeds, followed by that for f_a with
-  /// the opposite sign.
+  /// The adjoint of weights of u̇: the part for the equations of the independent speeds, followed by the part
+  /// for f_a with the opposite sign.
   constexpr sequence<expression> adjoint_of(const sequence<expression>& of) {
     const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
     sequence<expression> adjoint = solved(reduced(of));

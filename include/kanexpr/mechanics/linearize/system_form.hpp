@@ -63,7 +63,7 @@ private:
     return form;
   }
 
-  /// f_0 = K q̇ and f_1 = k.
+  /// Sets f_0 = K q̇ and f_1 = k.
   constexpr void take_kinematics(general_form& form) {
     without_auxiliary_speeds drop(m_);
     const linear_kinematics k = linear_in_rates(m_);

@@ -11,8 +11,8 @@ enum class directions { along_constraints, free };
 
 /// The directions in which a system can leave an operating point: one for each independent coordinate, then
 /// each independent speed, then each input; the dependent coordinates and speeds follow so that f_c and f_v
-/// remain zero. Free directions vary each coordinate, each speed and each input independently; they leave the
-/// constraints, and the point need not satisfy them.
+/// remain zero. Free directions vary each coordinate, each speed and each input independently; they violate
+/// the constraints, and the point need not satisfy them.
 class variations {
 public:
   constexpr variations(graph& g, const general_form& form, directions which)
@@ -62,7 +62,7 @@ public:
     return d;
   }
 
-  /// The same from the derivatives with respect to all symbols, `by(symbol)`.
+  /// The derivative along direction `j`, from the derivatives with respect to all symbols, `by(symbol)`.
   template <class By>
   constexpr expression contracted(int j, const By& by) const {
     expression sum = by(symbol(j));
@@ -72,13 +72,13 @@ public:
   }
 
 private:
-  /// The partition into dependent and independent unknowns; in free directions none is dependent.
+  /// The partition into dependent and independent unknowns; in free directions, no unknown is dependent.
   static constexpr partition followed(const partition& split, directions which) {
     if (which == directions::along_constraints) return split;
     return partition_by(sequence<char>(split.dependent.size() + split.independent.size(), 0));
   }
 
-  /// The variations of the dependent unknowns that keep some equations zero.
+  /// The variations of the dependent unknowns that keep the expressions `zero` at zero.
   constexpr symbolic::matrix follow(const sequence<expression>& zero, const sequence<expression>& unknowns,
                                     const partition& split, const symbolic::matrix& known) {
     const int rows = zero.size();
@@ -101,7 +101,7 @@ private:
     return solved.x;
   }
 
-  /// The index of the symbol of a direction among some unknowns, or none.
+  /// The index of the symbol of direction `j` among `unknowns`, or none.
   constexpr int independent_place(const sequence<expression>& unknowns, const partition& split, int j) const {
     for (int i : split.independent)
       if (unknowns[i] == symbol(j)) return i;

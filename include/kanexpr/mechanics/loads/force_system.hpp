@@ -61,15 +61,15 @@ public:
     for (int r = 0; r < rates.size(); ++r) share_[r] -= rates[r];
   }
 
-  /// By node, in the axes of its motion.
+  /// The force at each node, in the axes of its motion.
   constexpr sequence<components>& forces() { return force_; }
-  /// By frame, in its working axes.
+  /// The moment on each frame, in its working axes.
   constexpr sequence<components>& moments() { return moment_; }
-  /// By speed: the generalized forces added directly.
+  /// The generalized forces added directly to each speed.
   constexpr sequence<expression>& shares() { return share_; }
 
 private:
-  /// Adds a torque between a frame and the frame that it rotates in.
+  /// Adds a torque between a frame and the frame in which it rotates.
   constexpr void add_turning(int f, const vector& value) {
     for (const partial_velocity& w : s_.partial_angular_velocities[f])
       share_[w.speed] += dot(w.value, express(m_, value, s_.working_axes[f]));

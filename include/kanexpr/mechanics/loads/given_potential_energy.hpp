@@ -15,7 +15,7 @@ struct given_potential_energy {
 
   constexpr expression potential_energy(const mechanism&) const { return value; }
 
-  /// `place`: the index among the potential energies.
+  /// `place` is the index among the potential energies.
   constexpr void check_with(load_check& by, int place) const {
     by.free_of_motion(value, "potential energy ", counted(place + 1).view());
   }

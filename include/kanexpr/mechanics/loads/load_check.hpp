@@ -28,8 +28,8 @@ public:
     return sentence({point(p), " and ", point(other)});
   }
 
-  /// Checks an expression that may contain anything except rates of speeds. `of` and `whose`: "the force at
-  /// ", "P".
+  /// Checks an expression that may contain anything except rates of speeds. `of` and `whose` name it, as in
+  /// "the force at " and "P".
   constexpr void free_of_speed_rates(expression e, std::string_view of, std::string_view whose) {
     if (held_.holds(e, kind::speed_rate))
       fail({of, whose, " contains the ", speed_rate_called(m_, held_.name_of(e, kind::speed_rate)).view()});

@@ -21,7 +21,7 @@ struct loads {
   bool has_lagrangian = false;
   expression lagrangian{}; ///< replaces the energies of the bodies
 
-  /// Calls `visit` with each load except gravity, and its index among the loads of its kind.
+  /// Calls `visit` for each load except gravity, with the load and its index among the loads of its kind.
   template <class Visit>
   constexpr void each(Visit&& visit) const {
     const auto visit_all = [&](const auto&... kinds) { (visit_kind(kinds, visit), ...); };

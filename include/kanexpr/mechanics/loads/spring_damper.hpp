@@ -71,8 +71,8 @@ struct spring_damper {
   constexpr void each_vector(const mechanism&, Visit&&) const {}
 
 private:
-  /// The line d in the axes in which the forces of one of its points are formed, whichever is deeper in the
-  /// tree.
+  /// The line d in the axes in which the forces at one of its points are formed: the point that is deeper in
+  /// the tree.
   struct stretch {
     int axes = mechanism::inertial;
     components d{};
@@ -97,7 +97,7 @@ private:
     return d;
   }
 
-  /// The spring force divided by the length, k (1 − l/|d|). Without natural length this needs no root and no
+  /// The spring force divided by the length, k (1 − l/|d|). Without a natural length, this needs no root or
   /// division.
   constexpr expression pull_of_spring(const components& d) const {
     return length.is_zero() ? stiffness : stiffness * (1 - length / sqrt(dot(d, d)));

@@ -6,8 +6,8 @@
 /// Functions that add particles and rigid bodies to a mechanism.
 namespace kanexpr::mechanics {
 
-/// The dyadic of six inertia scalars in the axes of one frame; the products have the sign of I = Σ m (r·r E −
-/// r r).
+/// Returns the dyadic that has six inertia scalars in the axes of one frame; the products have the sign of I
+/// = Σ m (r·r E − r r).
 constexpr dyadic dyadic_of(int axes, const symmetric& scalars) {
   matrix3 value;
   for (int i = 0; i < 3; ++i) value.row[i] = {scalars(i, 0), scalars(i, 1), scalars(i, 2)};
@@ -24,7 +24,7 @@ constexpr int add_particle(mechanism& m, const name& called, int at, expression 
   return m.bodies.push(b);
 }
 
-/// `about`: the reference point of the inertia; none: the mass center.
+/// `about` is the reference point of the inertia; none denotes the mass center.
 constexpr int add_rigid_body(mechanism& m, const name& called, int center, int frame, expression mass,
                              const dyadic& inertia, int about = none) {
   body b;

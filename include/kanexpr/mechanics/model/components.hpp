@@ -45,7 +45,7 @@ struct components {
 
 namespace detail {
 
-/// `factor · rest`, equal to an expression up to its sign.
+/// `factor · rest`, which equals an expression up to its sign.
 struct factored {
   expression rest;
   bool found = false;
@@ -103,7 +103,7 @@ constexpr components unit(graph& g, int i) {
   return e;
 }
 
-/// A 3×3 matrix, stored by rows.
+/// A 3×3 matrix, stored in row-major order.
 struct matrix3 {
   components row[3];
 

@@ -32,7 +32,8 @@ public:
     return is_fixed(m.row[0]) && is_fixed(m.row[1]) && is_fixed(m.row[2]);
   }
 
-  /// False if a product, quotient or function of speeds or rates occurs, even if these terms cancel.
+  /// Whether an expression looks linear: false if it contains a product, quotient or function of speeds or
+  /// rates, even if these terms cancel.
   constexpr bool looks_linear(expression e) const { return (held_[e.node()] & nonlinear) == 0; }
 
   /// The name of the first symbol of a given kind in the expression.

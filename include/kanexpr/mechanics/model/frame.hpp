@@ -32,8 +32,8 @@ struct frame {
                           ///< axes
   sequence<expression> quaternion{}; ///< e0, e1, e2, e3, if the frame is given by a quaternion; determines
                                      ///< `to_parent`
-  sequence<parameter_rate> rates{};  ///< for example of a quaternion; if empty, the rates are solved for
-  int reference = none;              ///< the frame in which a declared angular velocity is measured
+  sequence<parameter_rate> rates{}; ///< for example those of a quaternion; if empty, the rates are solved for
+  int reference = none;             ///< the frame in which a declared angular velocity is measured
   vector angular_velocity{};
   bool turns_apart = false; ///< declared not to match the orientation
 

@@ -13,7 +13,7 @@ constexpr int add_inertial_frame(mechanism& m, const name& called) {
   return m.frames.push(f);
 }
 
-/// v in the parent's axes = to_parent · v in the frame's axes.
+/// Adds a frame with v in the parent's axes = to_parent · v in the frame's axes.
 constexpr int add_frame_by_matrix(mechanism& m, const name& called, int parent, const matrix3& to_parent) {
   frame f;
   f.called = called;
@@ -23,7 +23,8 @@ constexpr int add_frame_by_matrix(mechanism& m, const name& called, int parent, 
   return m.frames.push(f);
 }
 
-/// A rotation by `angle` about an axis given in the parent's axes; the axis need not have unit length.
+/// Adds a frame rotated by `angle` about an axis given in the parent's axes; the axis need not have unit
+/// length.
 constexpr int add_rotated_frame(mechanism& m, const name& called, int parent, expression angle,
                                 const components& axis) {
   frame f;
@@ -75,7 +76,8 @@ constexpr bool is_sequence(std::string_view letters) {
   return a != none && b != none && c != none && a != b && b != c;
 }
 
-/// Three successive rotations. The first two create intermediate frames, named after the last one: B', B''.
+/// Adds a frame rotated by three successive rotations. The first two create intermediate frames, named after
+/// the last one: B', B''.
 constexpr int add_frame_by_sequence(mechanism& m, const name& called, int parent, std::string_view letters,
                                     const sequence<expression>& angles, bool space_fixed) {
   int last = parent;
@@ -105,8 +107,8 @@ constexpr matrix3 matrix_of_quaternion(expression e0, expression e1, expression 
 
 } // namespace detail
 
-/// A frame given by the unit quaternion e0 + e1 i + e2 j + e3 k. For its rates see Kane, Likins & Levinson
-/// (1983), section 1.13.
+/// Adds a frame given by the unit quaternion e0 + e1 i + e2 j + e3 k. For its rates see Kane, Likins &
+/// Levinson (1983), section 1.13.
 constexpr int add_frame_by_quaternion(mechanism& m, const name& called, int parent, expression e0,
                                       expression e1, expression e2, expression e3) {
   const int place = add_frame_by_matrix(m, called, parent, detail::matrix_of_quaternion(e0, e1, e2, e3));
@@ -116,7 +118,7 @@ constexpr int add_frame_by_quaternion(mechanism& m, const name& called, int pare
   return place;
 }
 
-/// A frame given by the modified Rodrigues parameters σ = a tan φ/4 of a rotation by φ about a. They
+/// Adds a frame given by the modified Rodrigues parameters σ = a tan(φ/4) of a rotation by φ about a. They
 /// correspond to the quaternion (1 − σ²)/(1 + σ²), 2σ/(1 + σ²), and dσ/dt = ¼ ((1 − σ²) ω + 2 σ × ω + 2 σ
 /// σ·ω). Schaub & Junkins, Analytical Mechanics of Space Systems (2018), section 3.6.
 constexpr int add_frame_by_modified_rodrigues(mechanism& m, const name& called, int parent,
@@ -132,8 +134,8 @@ constexpr int add_frame_by_modified_rodrigues(mechanism& m, const name& called, 
   return place;
 }
 
-/// Declares the angular velocity of a frame in `reference`, which is used instead of the derived one.
-/// `apart`: it need not match the orientation.
+/// Declares the angular velocity of a frame in `reference`, which is used instead of the derived one. If
+/// `apart`, it need not match the orientation.
 constexpr void declare_angular_velocity(mechanism& m, int frame, int reference, const vector& value,
                                         bool apart = false) {
   m.frames[frame].reference = reference;

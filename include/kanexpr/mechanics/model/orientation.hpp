@@ -24,8 +24,8 @@ constexpr components turned(const elementary_rotation& h, const components& v) {
 }
 
 /// A symmetric dyadic in rotated axes. For a rotation about a basis vector a, with e = s²(I_bb − I_dd) + 2sc
-/// I_bd, the diagonal is I_bb − e, I_dd + e and the product sc(I_bb − I_dd) + (1 − 2s²) I_bd; row a
-/// transforms like a vector.
+/// I_bd, the new diagonal entries are I_bb − e and I_dd + e, and the new product is sc(I_bb − I_dd) + (1 −
+/// 2s²) I_bd; row a transforms like a vector.
 constexpr symmetric turned(const elementary_rotation& h, const symmetric& m) {
   symmetric out = m;
   if (!h.about_basis) {
@@ -52,7 +52,7 @@ constexpr symmetric turned(const elementary_rotation& h, const symmetric& m) {
 
 /// The path from the axes of one frame to those of another: up to the common ancestor and down again.
 ///
-/// Successive rotations about one axis are merged into one by the sum of their angles.
+/// Successive rotations about the same axis are merged into a rotation by the sum of their angles.
 class path {
 public:
   constexpr path(const mechanism& m, int from, int to) {

@@ -7,7 +7,7 @@ namespace kanexpr::mechanics {
 struct point {
   name called{};
   int parent = none;    ///< none: an origin, fixed in the inertial frame
-  vector offset{};      ///< from the parent
+  vector offset{};      ///< relative to the parent
   int fixed_in = none;  ///< both points are fixed in this frame (two-point theorem)
   int reference = none; ///< the frame in which a declared velocity is measured
   vector velocity{};

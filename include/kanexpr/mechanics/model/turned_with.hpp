@@ -11,15 +11,15 @@ constexpr bool hangs_on(const mechanism& m, int frame, int other) {
   return frame == other;
 }
 
-/// Whether the axes of one frame are constant in those of another for all coordinates.
+/// Whether the axes of a frame are constant in those of `other` for all values of the coordinates.
 constexpr bool stands_still_in(const mechanism& m, int frame, int other) {
   for (int i = 0; i < 3; ++i)
     if (!is_fixed(express(m, unit(*m.g, i), frame, other))) return false;
   return true;
 }
 
-/// Whether a vector is given along axes that are constant in a frame, so that only its components change its
-/// direction there.
+/// Whether a vector is given along axes that are constant in a frame, so that its direction in this frame
+/// changes only through its components.
 constexpr bool is_along_still_axes(const mechanism& m, const vector& v, int frame) {
   if (is_fixed(express(m, v, frame))) return true;
   for (const vector::part& p : v.parts)
@@ -28,8 +28,8 @@ constexpr bool is_along_still_axes(const mechanism& m, const vector& v, int fram
   return true;
 }
 
-/// The vector with all parts given along axes that are constant in `frame` rewritten along the axes of
-/// `frame`, so that they also rotate with the frame under auxiliary speeds.
+/// Rewrites the parts of a vector that are given along axes constant in `frame` along the axes of `frame`, so
+/// that these parts also rotate with the frame under auxiliary speeds.
 constexpr vector turned_with(const mechanism& m, const vector& v, int frame) {
   vector out;
   for (const vector::part& p : v.parts)

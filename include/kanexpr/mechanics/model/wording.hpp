@@ -10,7 +10,7 @@ constexpr std::string_view called(const mechanism& m, expression symbol) {
   return m.g->symbol_at(symbol.node()).called.view();
 }
 
-/// "3 configuration constraints".
+/// Returns, for example, "3 configuration constraints".
 constexpr sentence several(int n, std::string_view one, std::string_view what = {}) {
   return sentence({counted(n).view(), " ", one, n == 1 ? "" : "s", what});
 }

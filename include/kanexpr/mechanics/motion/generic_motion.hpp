@@ -45,10 +45,12 @@ public:
       if (u != speed) symbols_[u.node()].value = 0;
   }
 
-  /// Speeds that appear in no kinematic differential equation: the rates of angles that the model omits.
+  /// Whether there are free speeds, which appear in no kinematic differential equation because they are the
+  /// rates of angles that the model omits.
   constexpr bool has_free_speeds() const { return !free_speeds_.empty(); }
 
-  /// Evaluates the motion for the drawn speeds, or without the free ones. Returns false if it is undefined.
+  /// Evaluates the motion for the drawn speeds, with or without the free ones. Returns false if it is
+  /// undefined.
   constexpr bool move(bool with_free_speeds = true) {
     sequence<double> kept;
     for (int id : free_speeds_) {
@@ -74,7 +76,8 @@ public:
   constexpr triple by_orientation(int f) const { return frames_[f].by_orientation; }
   /// The angular velocity of a frame in the inertial frame, as used in the equations of motion.
   constexpr triple angular_velocity(int f) const { return frames_[f].angular_velocity; }
-  /// The rounding error of an angular velocity that is zero; all rates come from one linear solution.
+  /// The rounding error of an angular velocity that is zero, for rates that all come from one linear
+  /// solution.
   constexpr double rounding() const {
     double fastest = 0;
     for (const pose& p : frames_)

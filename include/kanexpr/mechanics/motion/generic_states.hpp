@@ -13,7 +13,7 @@
 /// Properties that hold in every configuration, tested numerically at a few generic states.
 namespace kanexpr::mechanics {
 
-/// A matrix of numbers, stored by rows.
+/// A matrix of numbers, stored in row-major order.
 struct numbers {
   int rows = 0;
   int columns = 0;
@@ -46,8 +46,8 @@ constexpr sequence<char> parts_of_arguments(const graph& g, const sequence<int>&
 /// A special value of `beside_typical`: all symbols have magnitude 1, whatever their units.
 inline constexpr double all_one = 0;
 
-/// Random values of symbols, with magnitudes comparable to those of the terms they are added to; quaternions
-/// have norm 1.
+/// Random values of symbols, with magnitudes comparable to those of the terms to which they are added;
+/// quaternions have norm 1.
 class generic_values {
 public:
   constexpr generic_values(const graph& g, const sequence<int>& live, const mechanism* of,
@@ -109,10 +109,10 @@ private:
 
 } // namespace detail
 
-/// Evaluates a matrix of expressions at three generic states, or fewer if functions are undefined at some.
-/// Entries that are zero up to rounding, or too small to keep their digits, become zero. If a mechanism is
-/// given, its quaternions have norm 1. The magnitudes of symbols that are not part of an angle are multiplied
-/// by `beside_typical`.
+/// Evaluates a matrix of expressions at three generic states, or fewer if functions are undefined at some of
+/// them. Entries that are zero up to rounding, or too small to keep their digits, become zero. If a mechanism
+/// is given, its quaternions have norm 1. The magnitudes of symbols that are not part of an angle are
+/// multiplied by `beside_typical`.
 constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const mechanism* of = nullptr,
                                               double beside_typical = 1) {
   sequence<numbers> values;
@@ -129,7 +129,7 @@ constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const m
     numbers found{a.rows, a.columns, {}};
     for (int id : outputs) found.entries.push(evaluate[id]);
     if (!found.finite()) continue;
-    if (values.empty()) { // zero at one generic state: zero at all
+    if (values.empty()) { // an entry that is zero at one generic state is zero at all
       const symbolic::magnitudes terms(g, evaluate);
       for (int i = 0; i < outputs.size(); ++i)
         is_nothing.push(terms.is_nothing_of(outputs[i], found.entries[i]));
@@ -210,7 +210,7 @@ constexpr sequence<numbers> equilibrated(sequence<numbers> states) {
 inline constexpr double other_sizes[]{detail::all_one, 1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9, 1e-12};
 inline constexpr double clearly = 1e-5; ///< tolerance for these, relative to the whole
 
-/// The space spanned by the rows found independent, stored as an orthonormal basis.
+/// The space spanned by the rows found to be independent, stored as an orthonormal basis.
 class row_space {
 public:
   constexpr explicit row_space(double least = 1e-9) : least_(least) {}

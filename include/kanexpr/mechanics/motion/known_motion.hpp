@@ -8,8 +8,8 @@
 
 namespace kanexpr::mechanics {
 
-/// The motion of a mechanism, available before its loads and constraints so that these can refer to it.
-/// Velocities and accelerations are formed on first use, with the symbols u̇.
+/// The motion of a mechanism. It is available before its loads and constraints, so that these can refer to
+/// it. Velocities and accelerations are formed on first use, with the symbols u̇.
 class known_motion {
 public:
   constexpr explicit known_motion(const mechanism& m) : skeleton_(skeleton_of(m)) {}
@@ -41,7 +41,7 @@ public:
     return motion_;
   }
 
-  /// Sets the auxiliary speeds to zero from here on; their partial velocities are known already.
+  /// Sets the auxiliary speeds to zero from now on; their partial velocities are already known.
   constexpr void drop_auxiliary_speeds() {
     is_without_auxiliary_ = true;
     if (skeleton_.model->auxiliary_speeds.empty()) return;
@@ -49,7 +49,7 @@ public:
     has_motion_ = false;
   }
 
-  /// Whether frames or points were added to the mechanism since.
+  /// Whether frames or points have since been added to the mechanism.
   constexpr bool lacks_any() const { return skeleton_.lacks_any(); }
   /// Adds the new frames and points, so that expressions can refer to them.
   constexpr void extend() {

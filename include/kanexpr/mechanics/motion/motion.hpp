@@ -39,8 +39,8 @@ public:
   motion(motion&&) = default;
   motion& operator=(const motion&) = default;
   motion& operator=(motion&&) = default;
-  /// `udot`: the rates of the speeds; without them all accelerations are taken at u̇ = 0, the bias of Kane's
-  /// equations.
+  /// `udot` are the rates of the speeds; without them, all accelerations are evaluated at u̇ = 0, which gives
+  /// the bias of Kane's equations.
   constexpr explicit motion(const skeleton& s, const sequence<expression>& udot = {})
       : s_(&s), m_(s.model), along_time_(time_derivative(*s.model, s.coordinate_rates, udot)),
         omega_(s.model->frames.size()), alpha_(s.model->frames.size()), carry_(s.model->frames.size()),
@@ -48,7 +48,7 @@ public:
 
   constexpr const skeleton& skeleton_used() const { return *s_; }
 
-  /// Updates the address of the skeleton after a move.
+  /// Updates the address of the skeleton after it was moved.
   constexpr void follow(const skeleton& s) { s_ = &s; }
 
   /// The time derivative of a scalar.

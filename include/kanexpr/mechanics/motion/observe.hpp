@@ -12,26 +12,26 @@ constexpr vector in_working_axes(const motion& k, int frame, const components& v
   return v;
 }
 
-/// The velocity in the inertial frame.
+/// The velocity of a point in the inertial frame.
 constexpr vector velocity_of_point(motion& k, int point) {
   const skeleton& s = k.skeleton_used();
   const int n = s.station_of_point[point];
   return in_working_axes(k, s.stations[n].axes, k.velocity(n));
 }
 
-/// The acceleration in the inertial frame.
+/// The acceleration of a point in the inertial frame.
 constexpr vector acceleration_of_point(motion& k, int point) {
   const skeleton& s = k.skeleton_used();
   const int n = s.station_of_point[point];
   return in_working_axes(k, s.stations[n].axes, k.acceleration(n));
 }
 
-/// The angular velocity in the inertial frame.
+/// The angular velocity of a frame in the inertial frame.
 constexpr vector angular_velocity_of_frame(motion& k, int frame) {
   return in_working_axes(k, frame, k.angular_velocity(frame));
 }
 
-/// The angular acceleration in the inertial frame.
+/// The angular acceleration of a frame in the inertial frame.
 constexpr vector angular_acceleration_of_frame(motion& k, int frame) {
   return in_working_axes(k, frame, k.angular_acceleration(frame));
 }

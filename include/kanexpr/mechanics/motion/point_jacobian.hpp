@@ -8,8 +8,8 @@ namespace kanexpr::mechanics {
 ///
 /// v = Σ_f w_f × S_f + relative velocities, where w_f is the relative angular velocity of each frame below
 /// the station, and S_f is the part of the path from the ground to the station that rotates with it. The sum
-/// is formed inward once, and each speed takes one triple product of it. For a single point this is cheaper
-/// than the forces and moments of a unit force there.
+/// is formed once, inward, and each speed needs one triple product with it. For a single point, this is
+/// cheaper than the forces and moments of a unit force at the point.
 class point_jacobian {
 public:
   constexpr point_jacobian(const skeleton& s, int station)
@@ -48,8 +48,8 @@ private:
            (v.x.is_zero() ? 0 : 1) + (v.y.is_zero() ? 0 : 1) + (v.z.is_zero() ? 0 : 1) == 1;
   }
 
-  /// An axis in the axes nearest to `goal` in which it is a basis vector, so that rotations about it cost
-  /// nothing.
+  /// Expresses an axis in the axes nearest to `goal` in which it is a basis vector, so that rotations about
+  /// it cost nothing.
   constexpr seen_from nearest(const components& w, int axes, int goal) const {
     seen_from best{axes, w};
     if (!is_basis(w)) return best;

@@ -28,7 +28,7 @@ constexpr vector angular_velocity_between(const skeleton& s, int frame, int othe
 
 namespace detail {
 
-/// The velocity of a station relative to the station it is measured from.
+/// The velocity of a station relative to the station from which it is measured.
 constexpr vector step_of(motion& k, int n) {
   const skeleton& s = k.skeleton_used();
   const station& at = s.stations[n];

@@ -3,14 +3,14 @@
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/mechanics/motion/generic_states.hpp>
 
-/// The quaternions of frames whose unit norm the kinematic differential equations preserve. The norm is no
-/// constraint, because it restricts no speed, but numerical integration must maintain it.
+/// The quaternions of frames whose unit norm the kinematic differential equations preserve. The norm is not a
+/// constraint, because it does not restrict the speeds, but numerical integration must maintain it.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// The indices of the coordinates in a quaternion whose other entries are zero; empty if it contains anything
-/// else.
+/// The indices of the coordinates in a quaternion; empty if the quaternion has entries other than coordinates
+/// and zeros.
 constexpr sequence<int> coordinates_of_quaternion(const mechanism& m, const frame& f) {
   sequence<int> places;
   for (const expression& entry : f.quaternion) {
@@ -22,7 +22,8 @@ constexpr sequence<int> coordinates_of_quaternion(const mechanism& m, const fram
   return places;
 }
 
-/// The kinematic differential equations evaluated numerically: unit quaternions e, all other values generic.
+/// The kinematic differential equations evaluated numerically, with unit quaternions e and generic values of
+/// all other symbols.
 class kinematics_at_numbers {
 public:
   constexpr kinematics_at_numbers(const mechanism& m, const sequence<int>& places)
@@ -91,8 +92,8 @@ private:
 
 } // namespace detail
 
-/// The coordinate indices of each such quaternion. A quaternion with entries other than coordinates, or whose
-/// norm other equations must preserve, is not included.
+/// The coordinate indices of each quaternion whose norm is preserved. A quaternion with entries other than
+/// coordinates, or whose norm other equations must preserve, is not included.
 constexpr sequence<sequence<int>> unit_quaternions(const mechanism& m) {
   sequence<sequence<int>> found;
   sequence<char> taken(m.coordinates.size(), 0);

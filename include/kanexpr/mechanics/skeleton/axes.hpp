@@ -2,8 +2,8 @@
 
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 
-/// The choice of axes in which the quantities of a frame are formed: where they are constant or sparse, and
-/// where the next transformation is free.
+/// The choice of axes in which the quantities of a frame are formed: axes in which they are constant or
+/// sparse, and in which the next transformation costs nothing.
 namespace kanexpr::mechanics {
 
 namespace detail {
@@ -24,8 +24,8 @@ constexpr sequence<int> described_in(const skeleton& s, int f) {
   return used;
 }
 
-/// Whether everything that moves with `f` is rotationally symmetric about axis `a`. The spin of f about this
-/// axis then changes none of its masses or offsets, and non-spinning axes serve equally well.
+/// Whether all masses and offsets that move with `f` are rotationally symmetric about axis `a`. If they are,
+/// the spin of f about this axis does not change them, and non-spinning axes can be used.
 constexpr bool axisymmetric(const skeleton& s, int f, int a) {
   const mechanism& m = *s.model;
   const int b = (a + 1) % 3, d = (a + 2) % 3;
@@ -92,9 +92,9 @@ constexpr void choose_body_axes(skeleton& s) {
   }
 }
 
-/// Working axes are the body axes, except for successive frames that rotate about parallel axes: these share
-/// the axes of the frame before them, in which the common axis is constant, so that no transformation is
-/// needed between them.
+/// Chooses the working axes of all frames. They are the body axes, except for successive frames that rotate
+/// about parallel axes: these share the axes of the preceding frame, in which the common axis is constant, so
+/// that no transformation is needed between them.
 constexpr void choose_working_axes(skeleton& s) {
   s.working_axes = s.body_axes;
   const bool planar = detail::planar(s);
@@ -115,8 +115,8 @@ constexpr void choose_working_axes(skeleton& s) {
   }
 }
 
-/// Chooses the axes of the frames without mass, from index `from` on: those of the parent if both rotate
-/// about parallel axes.
+/// Chooses the axes of frames without mass, from index `from` on: the axes of the parent if both rotate about
+/// parallel axes.
 constexpr void choose_axes_from(skeleton& s, int from) {
   for (int f = from; f < s.rigid_with.size(); ++f) {
     const int stands = s.rigid_with[f];

@@ -2,8 +2,8 @@
 
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 
-/// Combines masses that move as one, and regroups them into the smallest set of numbers that affect the
-/// motion.
+/// Combines masses that move as one body, and regroups them into the smallest set of numbers that determines
+/// the motion.
 namespace kanexpr::mechanics {
 
 namespace detail {
@@ -58,7 +58,7 @@ private:
   /// in the frame below, or that frame also has mass there, the mass acts on that frame as a particle at the
   /// station. Likewise, a joint about axis a does not sense the part {m, h_a, I_dd about both other axes} of
   /// the link it carries (base inertial parameters: Gautier & Khalil 1990). Numeric values are folded into
-  /// the frame below; of symbolic ones only the mass moves, which never costs more than it saves.
+  /// the frame below. Of symbolic values, only the mass is moved, which never costs more than it saves.
   constexpr link without_invisible_part(const link& l) {
     const station& at = s_.stations[l.station];
     const bool stands = at.rigid || (at.absolute && at.relative_velocity.parts.empty());
@@ -103,8 +103,8 @@ private:
     return false;
   }
 
-  /// The axis about which frame `f` spins in the frame below, in non-spinning axes; none if the motion is no
-  /// such spin.
+  /// The axis about which frame `f` spins in the frame below, in non-spinning axes; none if its motion is not
+  /// a spin.
   constexpr int spin_axis(int f, int below) const {
     if (s_.turns_in[f] != below || s_.rigid_with[s_.body_axes[f]] != below) return none;
     const components w = express(*s_.model, s_.relative_angular_velocity[f], s_.body_axes[f]);

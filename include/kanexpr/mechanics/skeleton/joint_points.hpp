@@ -6,7 +6,7 @@
 /// vanish.
 namespace kanexpr::mechanics {
 
-/// If a point and its parent are fixed in the same frame, measures the point from the parent of that parent.
+/// If a point and its parent are fixed in the same frame, measures the point from the parent's parent.
 constexpr void gather_rigid_steps(skeleton& s, int from = 0) {
   for (int i = from; i < s.stations.size(); ++i) {
     station& n = s.stations[i];
@@ -20,8 +20,8 @@ constexpr void gather_rigid_steps(skeleton& s, int from = 0) {
 
 namespace detail {
 
-/// The station from which all of frame `f` is measured, if there is exactly one and it carries nothing else;
-/// otherwise none.
+/// The station from which all points of frame `f` are measured, if there is exactly one and no other frame
+/// uses it; otherwise none.
 constexpr int joint_station(const skeleton& s, int f) {
   int root = none;
   const auto hangs_at = [&](int n) {
@@ -57,8 +57,8 @@ constexpr int offsets_left(const skeleton& s, int root, const components& below,
 
 } // namespace detail
 
-/// Slides joint points along their axes if that leaves fewer offset components: joints with intersecting axes
-/// come to share a point. Only numeric offsets are moved, because they fold.
+/// Slides joint points along their axes if fewer offset components remain; joints with intersecting axes then
+/// share a point. Only numeric offsets are moved, because they are folded into constants.
 constexpr void place_joint_points(skeleton& s) {
   const mechanism& m = *s.model;
   for (int f = 1; f < m.frames.size(); ++f) {

@@ -33,8 +33,8 @@ struct solved_rates {
   sequence<symbolic::solved_block> blocks;
 };
 
-/// Returns q̇ as expressions of q, u and t. The rates of an unsolvable part are zero; `check` reports the
-/// mistake beforehand.
+/// Returns q̇ as expressions of q, u and t. The rates of a part that cannot be solved are zero; `check` has
+/// already reported the mistake.
 constexpr solved_rates solve_kinematics(const mechanism& m) {
   const linear_kinematics k = linear_in_rates(m);
   symbolic::matrix right(*m.g, k.k_rates.rows, 1);

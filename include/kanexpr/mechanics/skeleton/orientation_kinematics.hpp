@@ -9,7 +9,8 @@
 /// The kinematic differential equations of a frame whose angular velocity is declared.
 namespace kanexpr::mechanics {
 
-/// Returns why a frame's orientation and declared angular velocity yield no equations, or an empty sentence.
+/// Returns a sentence that explains why a frame's orientation and declared angular velocity do not yield
+/// equations; empty if they do.
 constexpr sentence check_orientation_kinematics(const mechanism& m, int place, int reference) {
   const std::string_view called = m.frames[place].called.view(), in = m.frames[reference].called.view();
   if (place == reference || path::common_ancestor(m, place, reference) != reference)
@@ -41,8 +42,8 @@ constexpr sequence<expression> kinematics_of_parameters(const sequence<parameter
 
 } // namespace detail
 
-/// Expressions that vanish if the angular velocity of a frame in `reference` that follows from its
-/// orientation equals the declared one.
+/// Expressions that vanish if the declared angular velocity of a frame in `reference` equals the one that
+/// follows from its orientation.
 ///
 /// They are formed in the axes of the frame before the last rotation, in which the equations of three angles
 /// can be solved one after another.

@@ -7,8 +7,8 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// The partial derivatives of a vector with respect to all speeds it depends on, in the working axes of frame
-/// `f`.
+/// The partial derivatives of a vector with respect to all speeds on which it depends, in the working axes of
+/// frame `f`.
 constexpr sequence<partial_velocity> partials_of(const skeleton& s, symbolic::differentiation& by_speed,
                                                  const vector& v, int f) {
   const mechanism& m = *s.model;

@@ -5,8 +5,8 @@
 
 namespace kanexpr::mechanics {
 
-/// The angular velocity of a frame in its parent that follows from its orientation, with the rates in
-/// `along_time`.
+/// The angular velocity of a frame in its parent that follows from its orientation; `along_time` provides the
+/// rates.
 constexpr vector relative_angular_velocity(const mechanism& m, int place,
                                            symbolic::differentiation& along_time) {
   const frame& f = m.frames[place];

@@ -14,7 +14,7 @@ struct station {
   int offset_frame = mechanism::inertial; ///< the frame in whose axes `r` is given
   components r{};
   bool carried = true; ///< ṙ = ω_frame × r
-  bool rigid = false;  ///< r is constant in the frame, and not only for the velocity
+  bool rigid = false;  ///< r is constant in the frame, not only treated as constant in the velocity
   vector relative_velocity{};
   int axes = mechanism::inertial; ///< the frame in whose working axes its motion and forces are expressed
 
@@ -25,7 +25,7 @@ struct station {
   }
 };
 
-/// The mass that moves with a frame, about a station, in the frame's body axes.
+/// The mass properties of all bodies that move with a frame, about a station and in the frame's body axes.
 struct link {
   int station = none;
   int frame = none;
@@ -40,15 +40,15 @@ struct partial_velocity {
 };
 
 /// A mechanism prepared for the dynamics. Frames that do not rotate relative to each other are merged, points
-/// form a tree, masses that move as one are combined, and every frame has the axes in which its quantities
-/// are cheapest to form.
+/// form a tree, masses that move as one body are combined, and every frame has the axes in which its
+/// quantities are cheapest to form.
 struct skeleton {
   const mechanism* model = nullptr;
   sequence<expression> coordinate_rates{};        ///< q̇ as expressions of q, u and t
   sequence<symbolic::solved_block> rate_blocks{}; ///< the coupled parts of the equations that determine them
   sequence<int> rigid_with{}; ///< by frame: the representative of the frames that rotate with it
   sequence<int> turns_in{};   ///< by representative: the frame in which its angular velocity is measured
-  sequence<vector> relative_angular_velocity{}; ///< by representative: that angular velocity
+  sequence<vector> relative_angular_velocity{}; ///< by representative: its angular velocity in that frame
   sequence<int> body_axes{}; ///< by representative: the axes in which its masses and offsets are given
   sequence<int>
       working_axes{}; ///< by representative: the axes in which its motion, forces and composites are formed
@@ -59,7 +59,7 @@ struct skeleton {
   sequence<sequence<partial_velocity>>
       partial_velocities{}; ///< by station: the partial derivatives of its relative velocity, in working axes
   sequence<int> station_of_point{};
-  sequence<link> links{};      ///< all masses, combined where they move as one
+  sequence<link> links{};      ///< all masses, combined if they move as one body
   sequence<link> base_links{}; ///< an equivalent set with fewer numbers: masses regrouped across joints, see
                                ///< base_parameters.hpp
 

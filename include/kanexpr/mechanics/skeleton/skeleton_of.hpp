@@ -60,7 +60,7 @@ public:
     }
   }
 
-  /// Expresses offsets that are fixed in their frame in its body axes.
+  /// Expresses offsets that are fixed in their frame in the body axes of the frame.
   constexpr void settle_offsets(int from = 0) {
     for (int i = from; i < s_.stations.size(); ++i) {
       station& n = s_.stations[i];
@@ -93,7 +93,8 @@ private:
     return s_.stations[station].absolute && s_.stations[station].relative_velocity.is_zero();
   }
 
-  /// The one-point theorem, or a velocity measured from the ground.
+  /// Adds a station with a declared velocity: by the one-point theorem, or with a velocity measured from the
+  /// ground.
   constexpr int declared_station(const point& at) {
     const vector v = known_.in(at.velocity);
     const int in = s_.rigid_with[at.reference];
@@ -107,7 +108,7 @@ private:
       return s_.stations.push(n);
     }
     int last = s_.station_of_point[at.parent];
-    const bool carried = !at.moves_apart; // otherwise the offset does not change with the velocity
+    const bool carried = !at.moves_apart; // if it moves apart, the offset does not follow the velocity
     for (const vector::part& p : at.offset.parts) last = push_step(last, in, p, carried);
     if (at.offset.parts.empty()) last = push_step(last, in, {in, components(*m_.g)}, true);
     s_.stations[last].relative_velocity = v;
@@ -130,8 +131,8 @@ private:
     return last;
   }
 
-  /// The two-point theorem, with the whole offset in the axes of one frame, so that common terms of its parts
-  /// may cancel.
+  /// Adds a station by the two-point theorem, with the whole offset in the axes of one frame, so that common
+  /// terms of its parts may cancel.
   constexpr int fixed_station(const point& at, int parent) {
     const int in = s_.rigid_with[at.fixed_in];
     vector::part whole{in, components(*m_.g)};

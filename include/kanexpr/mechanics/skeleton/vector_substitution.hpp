@@ -10,7 +10,7 @@ class vector_substitution {
 public:
   constexpr explicit vector_substitution(graph& g) : images_(g) {}
 
-  /// Must be called before the first `in`.
+  /// Registers a replacement; must be called before the first call of `in`.
   constexpr void replace(expression old, expression by) {
     images_.replace(old, by);
     is_empty_ = false;

@@ -14,15 +14,15 @@ namespace kanexpr::robots::sdf_files {
 
 using ignition::math::Pose3d;
 
-/// The poses of the links in the world when all coordinates are zero.
+/// The poses of the links in the world if all coordinates are zero.
 struct placed_links {
   std::map<std::string, int> places{};
   std::vector<Pose3d> poses{};
 };
 
-/// Converts the joints of a model to those of a robot, whose axes pass through the origin of the child. A
-/// joint elsewhere gets an additional massless link at its position, and a joint with two axes a massless
-/// link between them.
+/// Converts the joints of a model to those of a robot, whose axes pass through the origin of the child. For a
+/// joint elsewhere, it adds a massless link at the position of the joint; for a joint with two axes, a
+/// massless link between the axes.
 class joint_reader {
 public:
   joint_reader(urdf::document& from, placed_links& links, robot& into)
@@ -78,7 +78,7 @@ private:
     std::string called{};
     int from = -1, to = -1;
     Pose3d child{};                  ///< in the world
-    ignition::math::Vector3d sits{}; ///< the joint, in the axes of the child
+    ignition::math::Vector3d sits{}; ///< position of the joint, in the axes of the child
   };
   struct following {
     std::string leader{};
@@ -92,7 +92,7 @@ private:
     return type == sdf::JointType::GEARBOX ? "a gearbox joint" : "a joint of unknown type";
   }
 
-  /// The index of a link. The ground becomes the link "world" when a joint refers to it.
+  /// Returns the index of a link. If a joint refers to the ground, the ground becomes the link "world".
   int place_of(const std::string& link, const std::string& scope) {
     if (link == "world") {
       const auto known = links_.places.find("world");
@@ -114,7 +114,7 @@ private:
     return begin_.child * Pose3d(begin_.sits, ignition::math::Quaterniond::Identity);
   }
 
-  /// Adds a joint from the last link to a link with the pose `at`.
+  /// Adds a joint from the link added last to a link with the pose `at`.
   bool add(joint_kind is, const std::string& called, int to, const Pose3d& at) {
     const Pose3d seen = links_.poses[static_cast<std::size_t>(begin_.from)].Inverse() * at;
     joint made;
@@ -177,7 +177,8 @@ private:
     return take_mimic(axis, scope);
   }
 
-  /// Mimics exist since SDF 1.11; older versions of libsdformat keep the element without reading it.
+  /// Reads the mimic of a joint. Mimics were introduced in SDF 1.11; older versions of libsdformat keep the
+  /// element without reading it.
   bool take_mimic(const sdf::JointAxis& axis, const std::string& scope) {
     const sdf::ElementPtr mimic = axis.Element() ? axis.Element()->FindElement("mimic") : nullptr;
     if (!mimic) return true;

@@ -43,7 +43,7 @@ private:
       say(e, what + " is ignored");
     }
   }
-  /// Notes repeated elements that are expected only once; the first one is read.
+  /// Notes repeated elements that are expected only once; only the first one is read.
   void note_second_ones(sdf::Element& in) {
     constexpr std::string_view once[]{"pose",  "inertial", "mass",  "inertia", "gravity",  "static", "parent",
                                       "child", "axis",     "axis2", "xyz",     "dynamics", "damping"};

@@ -22,13 +22,13 @@
 
 namespace kanexpr::robots::sdf_files {
 
-/// The line in the file; 1 for elements that libsdformat created.
+/// Returns the line in the file; 1 for elements that libsdformat created.
 template <class Entity>
 int line_of(const Entity& e) {
   return e.Element() ? e.Element()->LineNumber().value_or(1) : 1;
 }
 
-/// The shape of a geometry, if it is supported.
+/// Returns the shape of a geometry if it is supported.
 inline std::optional<shape> shape_of(const sdf::Geometry& g) {
   shape s;
   if (const sdf::Box* box = g.BoxShape()) {
@@ -80,8 +80,9 @@ private:
     const sdf::ElementPtr given =
         l.Element() && l.Element()->HasElement("inertial") ? l.Element()->GetElement("inertial") : nullptr;
     if (!given)
-      return from_.note(line_of(l),
-                        whose + " has no inertial; the default of SDF is 1 kg and 1 kg m^2 about each axis");
+      return from_.note(
+          line_of(l),
+          whose + " has no <inertial> element; the default of SDF is 1 kg and 1 kg m^2 about each axis");
     if (!given->HasElement("mass"))
       from_.note(line_of(l), whose + " has no mass; the default of SDF is 1 kg");
     if (!given->HasElement("inertia"))

@@ -10,8 +10,8 @@
 
 namespace kanexpr::robots::sdf_files {
 
-/// Captures the messages that libsdformat would print. (It passes text that is not SDF to urdfdom, which
-/// prints a line.)
+/// Captures the messages that libsdformat would print. (libsdformat passes text that is not SDF to urdfdom,
+/// which still prints a line.)
 class messages {
 public:
   messages() : stream_(sdf::Console::Instance()->GetMsgStream()), to_(stream_.GetStream()) {
@@ -21,8 +21,8 @@ public:
   messages(const messages&) = delete;
   messages& operator=(const messages&) = delete;
 
-  /// Notes the elements and attributes that libsdformat does not know, except those of mimics, which are
-  /// read.
+  /// Notes the elements and attributes that libsdformat does not know, except those of mimics, which are read
+  /// elsewhere.
   void note_in(urdf::document& from) const {
     std::istringstream all(kept_.str());
     for (std::string line; std::getline(all, line);) {

@@ -24,7 +24,7 @@ class reader {
 public:
   reader(urdf::document& from, const reading_options& options) : from_(from), options_(options) {}
 
-  /// Whether the text contains a robot without a mistake.
+  /// Reads the text; returns true if it contains a robot without a mistake.
   bool read(const std::string& text) {
     const urdf::element* const root = from_.open(text);
     if (!root) return from_.fail(1, "there is no element, so the file does not describe a robot");
@@ -54,7 +54,7 @@ public:
   robots::robot robot{};
 
 private:
-  /// Whether libsdformat found no error. Inertias that are not physical are accepted here, although
+  /// Returns true if libsdformat found no errors. Inertias that are not physical are accepted here, although
   /// libsdformat rejects them in a world.
   bool is_sound(const sdf::Errors& errors) {
     const auto is_inertia = [](const sdf::Error& e) {
@@ -112,8 +112,8 @@ private:
     return true;
   }
 
-  /// The root is upright: if the root link is rotated, an upright link named after the model is added below
-  /// it.
+  /// Completes the robot and checks it. Its root must be upright: if the root link is rotated, an upright
+  /// link named after the model is added below it.
   bool is_robot(const sdf::Model& m) {
     const found_root found = root_of(robot);
     if (!found.mistake.what.empty()) return from_.fail(line_of(m), found.mistake.what);

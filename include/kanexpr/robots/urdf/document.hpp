@@ -19,7 +19,7 @@ namespace kanexpr::robots::urdf {
 
 using element = tinyxml2::XMLElement;
 
-/// A file that is being read: its elements, their numbers, and the first mistake.
+/// A file that is being read: its elements, the numbers in them, and the first mistake.
 class document {
 public:
   document(std::string called, double right_angles) : called_(std::move(called)), tolerance_(right_angles) {}
@@ -38,7 +38,7 @@ public:
 
   const std::string& mistake() const { return mistake_; }
   double tolerance() const { return tolerance_; }
-  /// Notes about what was ignored or not used as written.
+  /// Notes about elements and values that were ignored or not used as written.
   const std::vector<std::string>& notes() const { return notes_; }
   std::vector<std::string>&& take_notes() { return std::move(notes_); }
 
@@ -76,7 +76,7 @@ public:
     const char* const found = e.Attribute(attribute);
     return !found || take_words(e, attribute, found, into.data(), 3, whose);
   }
-  /// The only child element with that name; a second one is noted.
+  /// Returns the child element with the given name; notes a second one.
   const element* only(const element& in, const char* name, const std::string& whose) {
     const element* const first = in.FirstChildElement(name);
     if (const element* const second = first ? first->NextSiblingElement(name) : nullptr)

@@ -8,8 +8,8 @@
 
 namespace kanexpr::robots::urdf {
 
-/// Reads the Gazebo elements that switch off gravity for a link, and notes the others that would change the
-/// motion of the robot; these are ignored.
+/// Reads the Gazebo elements that switch off gravity for a link. Other elements that would change the motion
+/// of the robot are noted and ignored.
 inline void read_gazebo(document& from, const element& e, robot& into) {
   const char* const reference = e.Attribute("reference");
   const auto of_link = std::ranges::find_if(

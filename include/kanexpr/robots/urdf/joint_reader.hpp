@@ -60,7 +60,7 @@ public:
   bool read_mimics() {
     for (const auto& [place, e] : mimics_)
       if (!take_mimic(*e, into_.joints[place])) return false;
-    std::vector<std::pair<std::size_t, double>> held; // by a fixed leader
+    std::vector<std::pair<std::size_t, double>> held; // the joints that are held by a fixed leader
     for (const auto& [place, e] : mimics_) {
       double multiplier = 1, offset = 0;
       const joint* at = &into_.joints[place];
@@ -159,7 +159,7 @@ private:
 
   bool take_mimic(const element& e, joint& into) {
     const std::string whose = "joint " + shown(into.name);
-    if (into.is == joint_kind::fixed) { // programs that fix joints leave the mimic in place
+    if (into.is == joint_kind::fixed) { // programs that fix joints do not remove the mimic element
       from_.note(e, whose + " is fixed, so its mimic is ignored");
       return true;
     }
@@ -196,7 +196,7 @@ private:
   /// The gear ratio and the rotor inertia of a joint, as read from a transmission.
   struct drive {
     std::optional<double> gear_ratio{}, rotor_inertia{};
-    bool is_one = true; ///< one gear and one rotor
+    bool is_one = true; ///< whether there is only one gear and one rotor
   };
 
   /// Reads the elements of ROS or of Drake.

@@ -8,10 +8,11 @@ namespace kanexpr::robots::urdf {
 inline bool read_inertial(document& from, const element& e, const std::string& whose, link& into) {
   inertial read;
   if (!from.take_origin(e, read.center, "the mass center of " + whose)) return false;
-  from.know_elements(e, {"origin", "mass", "inertia"}, "the inertial of " + whose);
+  from.know_elements(e, {"origin", "mass", "inertia"}, "the <inertial> element of " + whose);
   const element* const mass = from.only(e, "mass", whose);
   const element* const inertia = from.only(e, "inertia", whose);
-  if (!mass || !mass->Attribute("value")) return from.fail(e, whose + " has an inertial without a mass");
+  if (!mass || !mass->Attribute("value"))
+    return from.fail(e, whose + " has an <inertial> element without a mass");
   if (!from.take(*mass, "value", read.mass, "the mass of " + whose)) return false;
   from.know(*mass, {"value"}, "the mass of " + whose);
   if (inertia) {

@@ -67,7 +67,7 @@ public:
         numeric::usual_terms([&](const Eigen::VectorXd& at) { return velocity_terms(at); }, x,
                              all_coordinates()));
   }
-  /// The residuals (e·e − 1)/2 of the norms of quaternions.
+  /// The residuals (e·e − 1)/2 of the quaternion norms.
   Eigen::VectorXd quaternion_residual(const Eigen::VectorXd& x) const {
     Eigen::VectorXd left(quaternions_.size());
     for (int i = 0; i < quaternions_.size(); ++i) left(i) = (lower::squared_norm(x, quaternions_[i]) - 1) / 2;

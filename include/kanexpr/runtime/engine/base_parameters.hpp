@@ -20,7 +20,8 @@ public:
         dependency_(m.function(m.get(mechanics::quantity::dependency))),
         bias_(m.function(m.get(mechanics::quantity::acceleration_bias))) {}
 
-  /// Stacked regressors with several times as many rows as columns; without rows if no states were found.
+  /// Returns stacked regressors with several times as many rows as columns; there are no rows if no states
+  /// were found.
   Eigen::MatrixXd draw(Eigen::Index columns) {
     const Eigen::Index rows = m_.mechanism().speeds.size() - m_.equations().speeds().dependent.size();
     const Eigen::Index states = rows == 0 ? 0 : 3 * columns / rows + 3;
@@ -73,7 +74,7 @@ private:
   Eigen::VectorXd x_{}, r_{}, a_{};
 };
 
-/// "izz of A + 0.25*m of B - m*x of B"
+/// Returns, for example, "izz of A + 0.25*m of B - m*x of B".
 inline std::string name_of_combination(const Eigen::MatrixXd& k, Eigen::Index row, Eigen::Index own,
                                        const std::vector<std::string>& names) {
   std::string text = names[static_cast<std::size_t>(own)];

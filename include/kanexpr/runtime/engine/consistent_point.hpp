@@ -13,8 +13,8 @@
 
 namespace kanexpr::runtime {
 
-/// An operating point completed by the rates and multipliers of the motion there, and checked against the
-/// equations of the system.
+/// An operating point, completed by the rates and multipliers of the motion at this point and checked against
+/// the equations of the system.
 class consistent_point {
 public:
   consistent_point(mechanics::equations& e, const std::vector<symbolic::replacement>& given)
@@ -62,7 +62,8 @@ private:
     return true;
   }
 
-  /// Assigns the values of expressions at the point to the symbols that the point does not specify.
+  /// For each symbol in `wanted` that the point does not specify, assigns the value of the corresponding
+  /// expression at the point.
   void complete(const symbols& wanted, const symbols& expressions) {
     symbolic::matrix column(g_, wanted.size(), 1);
     column.entries = expressions;

@@ -10,7 +10,7 @@
 
 namespace kanexpr::runtime {
 
-/// A system derived from a copy of a built one; not derived if `mistake` is set.
+/// A system derived from a copy of the builder's system; not derived if `mistake` is set.
 class derived_from_builder final : public derived {
 public:
   derived_from_builder(std::shared_ptr<symbolic::graph> g, const mechanics::multibody_system& built,

@@ -29,7 +29,7 @@ public:
   mechanics::equations* equations() override { return system_.is_derived() ? &system_.equations() : nullptr; }
 
 private:
-  mechanics::sentence mistake_; ///< in the words themselves
+  mechanics::sentence mistake_; ///< a mistake in the words themselves
   deriving::derived_system system_;
 };
 

@@ -87,7 +87,7 @@ private:
   mechanics::equations& equations() { return *system_->equations(); }
   symbolic::graph& graph() { return system_->graph(); }
 
-  /// The result that was formed; empty if forming it revealed a mistake in the system.
+  /// Returns the result; empty if forming it revealed a mistake in the system.
   template <class Form>
   Form unless_mistaken(const Form& formed) {
     if (!system_->mistake()) return formed;

@@ -19,8 +19,7 @@ inline std::string enumerated(derived& system, const symbolic::sequence<symbolic
   return text;
 }
 
-/// Forms a result of a sound system. A mistake in the request itself is reported, and cleared by the next
-/// request.
+/// Forms a result of a sound system. A mistake in the request itself is reported; the next request clears it.
 template <class Form>
 auto asked_of(derived& system, const Form& form) {
   using result = decltype(form());
@@ -35,7 +34,7 @@ auto asked_of(derived& system, const Form& form) {
   return system.refused || system.mistake() ? result() : found;
 }
 
-/// Forms a result of a system by way of the same stages as the compiler.
+/// Forms a result of a system in the same stages as at compile time.
 inline symbolic::matrix result_of(derived& system, const deriving::request& wanted) {
   if (wanted.what == deriving::request::kind::result)
     system.refused = system.equations()->check_bodies(wanted.wanted);

@@ -7,8 +7,7 @@
 namespace kanexpr::runtime {
 
 /// Moves a system to a separate graph. In the graph of a builder, which its models share, the numbering of
-/// the nodes depends on the order in which the compiler evaluates operands; in the separate graph it does
-/// not.
+/// the nodes depends on the order in which the compiler evaluates operands; in a separate graph, it does not.
 inline void move_to(symbolic::graph& own, mechanics::multibody_system& system) {
   const symbolic::graph& shared = *system.mechanism.g;
   symbolic::sequence<int> nodes;

@@ -37,7 +37,7 @@ public:
 private:
   using symbols = symbolic::sequence<symbolic::expression>;
 
-  /// Finds a symbol by name in one list and returns its partner in another.
+  /// Finds a symbol by name in `named` and returns its counterpart in `partners`.
   std::optional<symbolic::expression> find(const symbols& named, std::string_view name,
                                            const symbols& partners) const {
     for (int i = 0; i < named.size(); ++i)

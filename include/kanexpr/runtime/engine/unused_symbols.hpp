@@ -6,8 +6,8 @@
 
 namespace kanexpr::runtime {
 
-/// Reports a parameter, an input or an auxiliary speed that is used neither in a system nor `elsewhere`. A
-/// prescribed quantity and its rates are used together.
+/// Reports a parameter, an input or an auxiliary speed that is used neither in the system nor in `elsewhere`.
+/// If a prescribed quantity or one of its rates is used, all of them count as used.
 inline mechanics::sentence check_uses(const mechanics::multibody_system& system,
                                       const symbolic::sequence<symbolic::expression>& elsewhere) {
   const mechanics::mechanism& m = system.mechanism;

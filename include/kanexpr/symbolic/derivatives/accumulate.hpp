@@ -37,7 +37,7 @@ public:
       const node n = graph_[id];
       if (adjoints_[id] == graph::zero || is_leaf(n.op)) continue;
       if (n.op == operation::component) {
-        adjoints_[n.a] = graph::one; // the whole solution is handled when its turn comes
+        adjoints_[n.a] = graph::one; // the complete solution is processed when its node is reached
         continue;
       }
       if (n.op == operation::solve || n.op == operation::transposed_solve) {
@@ -73,7 +73,8 @@ private:
     adjoint = add(graph_, adjoint, part);
   }
 
-  /// Costs one product for the angle and one for each rotated value.
+  /// Propagates the adjoint of a rotated component, with one product for the angle and one for each rotated
+  /// value.
   constexpr bool back_through_turn(const node& n, int adjoint) {
     const turned_component x = turned_component_at(graph_, n);
     if (!x || uses_[n.a] != 1 || uses_[n.b] != 1) return false;

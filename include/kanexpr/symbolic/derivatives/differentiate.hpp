@@ -47,7 +47,7 @@ constexpr partials local_partials(graph& g, int id) {
 
 /// Directional derivatives: every symbol has a rate, and the rate of an expression follows by the chain rule.
 ///
-/// Results are cached, so that expressions share their common parts.
+/// Results are cached, so that common subexpressions are differentiated only once.
 class differentiation {
 public:
   constexpr differentiation() = default;
@@ -57,12 +57,12 @@ public:
   differentiation& operator=(differentiation&&) = default;
   constexpr explicit differentiation(graph& g) : graph_(&g) {}
 
-  /// Sets the rate of a symbol, zero by default. Must be called before the first `of`.
+  /// Sets the rate of a symbol; the default is zero. Must be called before the first `of`.
   constexpr void set_rate(expression symbol, expression rate) { remember(symbol.node(), rate.node()); }
 
   constexpr expression of(expression e) { return {*graph_, of(e.node())}; }
 
-  /// Clears all rates so that others can be set.
+  /// Clears all rates so that new ones can be set.
   constexpr void restart() {
     for (int id : known_) rates_[id] = unknown;
     known_.clear();

@@ -17,7 +17,7 @@ struct rated {
 constexpr rated rated_value_of(operation op, rated a, rated b) {
   const double value = value_of(op, a.value, b.value);
   if (!is_selection(op) && !elementary::detail::is_finite(value))
-    return {value, elementary::detail::not_a_number}; // constant expressions cannot compute with it
+    return {value, elementary::detail::not_a_number}; // constant expressions cannot compute with NaN
   const auto along = [&](double by_a) { return rated{value, numeric::equal(by_a, 0.0) ? 0 : by_a * a.rate}; };
   switch (form_of(op)) {
   case form::negate: return along(-1);

@@ -5,11 +5,11 @@
 namespace kanexpr::symbolic {
 
 /// A component of a vector rotated about an axis: c a − s b or s a + c b, with c and s the cosine and sine of
-/// an angle. Its derivative with respect to the angle is the other component up to sign, and usually exists
-/// already. The chain rule through sine and cosine would need products with both.
+/// an angle. Its derivative with respect to the angle is, up to sign, the other component, which usually
+/// exists already. The chain rule through sine and cosine would need two more products.
 struct turned_component {
   int angle = -1; ///< -1: not a rotated component
-  /// The products of a sine or cosine with a value.
+  /// The factors of the two products: a sine or cosine, and a value.
   int circular[2]{}, value[2]{};
   bool adds = false; ///< whether the second is added to the first
 
@@ -36,7 +36,7 @@ constexpr turned_component turned_component_at(const graph& g, const node& n) {
   return found;
 }
 
-/// The derivative with respect to the angle, as a node that may have the opposite sign.
+/// The derivative with respect to the angle: a node, and whether its sign must be changed.
 struct turned_slope {
   int value;
   bool is_negative;

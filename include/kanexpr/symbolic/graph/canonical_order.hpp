@@ -5,8 +5,8 @@
 #include <bit>
 #include <cstdint>
 
-/// A node order that depends only on the expressions. Node numbers depend on what was built before and, where
-/// users write expressions, on the order in which a compiler evaluates operands.
+/// A node order that depends only on the expressions. Node numbers depend on the nodes that were built before
+/// and, in user-written expressions, on the order in which a compiler evaluates operands.
 namespace kanexpr::symbolic {
 
 namespace detail {

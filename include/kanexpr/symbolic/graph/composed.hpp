@@ -2,14 +2,14 @@
 
 #include <kanexpr/symbolic/graph/functions.hpp>
 
-/// Functions written in terms of others; the graph holds only their parts.
+/// Functions written in terms of others; the graph contains only those others.
 namespace kanexpr::symbolic {
 
-/// √(x² + y²). The squares may overflow, as in the magnitude of a vector.
+/// √(x² + y²). The squares may overflow, as they may in the magnitude of a vector.
 constexpr expression hypot(expression x, expression y) { return sqrt(sum_of_products(x, x, y, y)); }
 
-/// `positive` if the condition is positive, otherwise `other`; NaN if the condition is NaN. The branch that
-/// is not selected has no effect, nor has its derivative, even if it is undefined.
+/// `positive` if the condition is positive, otherwise `other`; NaN if the condition is NaN. Neither the
+/// branch that is not selected nor its derivative has an effect, even if it is undefined.
 constexpr expression if_positive(expression condition, expression positive, expression other) {
   if (positive == other) return other;
   const expression first = selected(operation::if_positive, condition, positive);
@@ -26,18 +26,18 @@ constexpr bool is_out_of_order(expression least, expression most) {
   const graph& g = least.owner();
   return g.number_at(least.node()).value() > g.number_at(most.node()).value();
 }
-/// x limited to an interval; equal to the bound where x meets it.
+/// Returns x limited to an interval.
 constexpr expression clamp(expression x, expression least, expression most) {
   if (!__builtin_is_constant_evaluated() && x.is_given() && is_out_of_order(least, most))
     x.owner().note_limits_out_of_order();
   return (min)((max)(x, least), most);
 }
 
-/// x tanh(x/width): |x| with its corner rounded, at most 0.28 width below it, and zero at zero.
+/// x tanh(x/width): |x| with a rounded corner, at most 0.28 width below |x|, and zero at zero.
 constexpr expression smooth_abs(expression x, expression width) { return x * tanh(x / width); }
 
-/// width ln(1 + e^(x/width)): max(x, 0) with its corner rounded, at most 0.7 width above it. The exponent is
-/// never positive; both branches have equal derivatives where they meet.
+/// width ln(1 + e^(x/width)): max(x, 0) with a rounded corner, at most 0.7 width above max(x, 0). The
+/// exponent is never positive; both branches have equal derivatives where they meet.
 constexpr expression softplus(expression x, expression width) {
   const expression least = if_positive(x, -x, x), above_zero = selected(operation::if_positive, x, x);
   return above_zero + width * log(exp(least / width) + 1);

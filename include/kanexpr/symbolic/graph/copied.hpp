@@ -5,8 +5,8 @@
 
 namespace kanexpr::symbolic {
 
-/// Copies nodes, with the expressions they need, to another graph. The new numbers follow the canonical
-/// order.
+/// Copies nodes, together with the expressions they need, to another graph; returns their new numbers, which
+/// follow the canonical order.
 inline sequence<int> copied(const graph& from, const sequence<int>& wanted, graph& to) {
   for (const external_function* f : from.externals()) to.externals().push(f);
   sequence<int> place(from.size(), graph::zero);

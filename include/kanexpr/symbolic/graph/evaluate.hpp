@@ -36,7 +36,7 @@ constexpr double value_of(operation op, double a, double b) {
 }
 
 /// Like `value_of`, but accepts undefined operands and a zero divisor, which constant expressions reject. The
-/// result is then NaN, except where a selection does not select the operand.
+/// result is then NaN, unless the operation is a selection that does not select the operand.
 constexpr double defined_value_of(operation op, double a, double b) {
   if (is_selection(op)) return selected(op, a, b);
   if (!numeric::is_number(a) || !numeric::is_number(b) || (op == operation::divide && numeric::equal(b, 0.0)))
@@ -58,7 +58,7 @@ public:
   template <class ValueOfSymbol>
   constexpr void at(ValueOfSymbol value_of_symbol) {
     more_.clear();
-    const node* const nodes = g_.begin(); // a pointer, since compilers interpret every call of []
+    const node* const nodes = g_.begin(); // a pointer, because compilers interpret every call of []
     double* const value = value_.begin();
     for (int id : live_) {
       const node& n = nodes[id];
@@ -139,7 +139,7 @@ private:
   sequence<int> live_;
   sequence<double> value_;
   sequence<double> more_{}; ///< factors and solutions
-  sequence<int> place_{};   ///< start in `more_`, by node
+  sequence<int> place_{};   ///< for each node, where its values start in `more_`
 };
 
 /// The values of the outputs; `value_of_symbol(id)` returns the value of the symbol at node `id`.

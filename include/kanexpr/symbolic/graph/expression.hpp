@@ -68,7 +68,7 @@ public:
   friend constexpr expression operator-(int a, expression b) { return b.whole(a) - b; }
   friend constexpr expression operator/(expression a, int b) { return a / a.whole(b); }
   friend constexpr expression operator/(int a, expression b) { return b.whole(a) / b; }
-  // otherwise converted to int
+  // other numbers would otherwise be converted to int
   template <wider_than_int Number>
   friend constexpr expression operator+(expression a, Number b) {
     return a + a.given(b);

@@ -9,8 +9,8 @@ namespace kanexpr::symbolic {
 /// The highest order of derivatives of a user-defined function, and its maximum number of operands.
 inline constexpr int most_derivatives = 4, most_operands = 9;
 
-/// A user-defined function as expressions see it: its name and its partial derivatives, each of which is such
-/// a function too. Functions are identified by their addresses.
+/// A user-defined function in an expression: its name and its partial derivatives, each of which is again
+/// such a function. Functions are identified by their addresses.
 struct external_function {
   name called{};    ///< `tyre`; `tyre_1_2` for its derivative with respect to operands 1 and 2
   name original{};  ///< `tyre`
@@ -23,16 +23,16 @@ struct external_function {
   const external_function* const* slopes = nullptr;
 
   constexpr bool is_given() const { return value != nullptr; }
-  /// The derivative of a function that is not provided is not provided either.
+  /// Returns a derivative. If a function is not provided, neither are its derivatives.
   constexpr const external_function& slope(int operand) const {
     return slopes == nullptr ? *this : *slopes[operand];
   }
 };
 
-/// A substitute value for tests of expressions at generic points, since the compiler may be unable to call
+/// A substitute value for tests of expressions at generic points, because the compiler may be unable to call
 /// the function: 1.25 plus a sine of the operands, with matching derivatives.
 constexpr double generic_value_of(const external_function& f, const double* operands) {
-  unsigned mark = 2166136261u; // Fowler, Noll & Vo's hash
+  unsigned mark = 2166136261u; // the FNV hash of Fowler, Noll & Vo
   for (char letter : f.original.view()) mark = (mark ^ static_cast<unsigned char>(letter)) * 16777619u;
   const auto between = [](unsigned bits) { return static_cast<double>(bits >> 8) / 16777216.0; };
   double weights[1 + most_derivatives]{}, phase = 1.5 * between(mark), factor = 1;
@@ -63,7 +63,7 @@ struct external_tag {
 };
 #pragma GCC diagnostic pop
 
-/// Defines that type when it is instantiated.
+/// Defines the type that calls the function when it is instantiated.
 template <class Code, const external_function* function>
 struct external_link {
   friend constexpr auto code_of(external_tag<function>) { return Code{}; }

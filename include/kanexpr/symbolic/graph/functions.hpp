@@ -26,8 +26,8 @@ constexpr expression tanh(expression a) { return apply(operation::tanh, a); }
 constexpr expression abs(expression a) { return apply(operation::abs, a); }
 constexpr expression sign(expression a) { return apply(operation::sign, a); }
 
-/// `of` is the function for any scalar type; `slope` is its derivative at x, where its value is f, for
-/// expressions and for compile-time numbers.
+/// `of` evaluates the function for any scalar type. `slope` is its derivative at x, for expressions and for
+/// compile-time numbers; f is the value of the function at x.
 template <operation op>
 struct scalar_function;
 

@@ -5,15 +5,16 @@
 #include <kanexpr/symbolic/graph/meeting_angles.hpp>
 #include <kanexpr/symbolic/graph/monomials.hpp>
 
-/// Shortens sums in which sin² + cos² of an angle occurs or terms cancel after multiplying out.
+/// Shortens sums in which sin² + cos² of an angle occurs or terms cancel after their products are multiplied
+/// out.
 namespace kanexpr::symbolic {
 
 /// Rewrites such sums in the outputs. The nodes in `beside` are needed in any case.
 class gathering {
 public:
-  /// The sums to rewrite: those that each reduce the operations of all outputs together (as in logic
-  /// rewriting: Mishchenko, Chatterjee & Brayton 2006), or all in which terms combine, since several together
-  /// may save operations that no single one does.
+  /// The sums to rewrite: either those that individually reduce the number of operations of all outputs
+  /// together (as in logic rewriting: Mishchenko, Chatterjee & Brayton 2006), or all in which terms combine,
+  /// because several sums together may save operations that none of them saves individually.
   enum class choice { each_shorter, all };
 
   constexpr gathering(graph& g, const sequence<int>& outputs, const sequence<int>& beside, choice which)
@@ -105,7 +106,7 @@ private:
     image_[id] = now;
   }
 
-  // live nodes, updated as uses come and go
+  // live nodes, updated as uses are added and removed
 
   constexpr void hold(int id) {
     if (uses_[id]++ == 0 && is_kept_[id] == 0) hold_operands(id);
@@ -151,7 +152,7 @@ private:
 
   // sums
 
-  /// Shortens a sum. If it changes anyway, common factors of its terms are taken out too.
+  /// Shortens a sum. If it changes anyway, common factors of its terms are taken out, too.
   constexpr int gathered(int id, bool changes) {
     const set about = angles_[id].meeting;
     left_ = most_visits;
@@ -171,7 +172,7 @@ private:
   constexpr bool is_multiplied_out(int id, set about) const {
     return detail::is_sum(g_[id].op) && (angles_[id].inside & about) != 0;
   }
-  /// The number of terms before any combine; too many if counting takes too long.
+  /// The number of terms before any of them combine; the result is "too many" if counting takes too long.
   constexpr int terms_in(int id, set about, bool is_multiplied_out) {
     constexpr int too_many = sum_of_monomials::most_terms + 1;
     const node& n = g_[id];
@@ -229,8 +230,8 @@ private:
     return sum_of_monomials(inverse);
   }
 
-  /// The coefficient that all terms share up to sign, which stays in front for other rules to find; otherwise
-  /// 1.
+  /// The coefficient that all terms share up to sign, otherwise 1; it stays in front of the sum, where other
+  /// rules can find it.
   static constexpr number common_coefficient(const sum_of_monomials& sum) {
     if (sum.size() == 0) return exactly(1);
     const number first = sum[0].coefficient;

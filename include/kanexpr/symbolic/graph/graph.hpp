@@ -12,7 +12,7 @@ namespace kanexpr::symbolic {
 
 /// One operation; its operands are the numbers of earlier nodes.
 ///
-/// A constant's `a` is its index among the numbers, a symbol's its index among the symbols. No default
+/// For a constant, `a` is its index among the numbers; for a symbol, its index among the symbols. No default
 /// initializers: the compiler would run them for every element of the array.
 struct node {
   operation op;
@@ -47,7 +47,7 @@ public:
   }
 
   constexpr int size() const { return size_; }
-  /// Whether the graph holds any part of a linear system or a call, live or not.
+  /// Whether the graph contains any part of a linear system or a call, live or not.
   constexpr bool holds_lists() const { return holds_lists_; }
   constexpr const node& operator[](int id) const { return nodes_[id]; }
   constexpr const node* begin() const { return nodes_; }
@@ -92,7 +92,7 @@ public:
   /// The node of a constant, or -1 if there is none.
   constexpr int find_constant(const number& value) const { return table_[place_of(value)]; }
 
-  /// The node of a symbol; symbols are equal if their kinds and names are.
+  /// The node of a symbol; symbols are equal if their kinds and names are equal.
   constexpr int variable(const symbol& wanted) {
     const symbol* const all = symbols_.begin();
     for (int i = 0, end = symbols_.size(); i < end; ++i)
@@ -150,7 +150,7 @@ private:
     return mixed ^ (mixed >> 15);
   }
 
-  /// The slot of a constant in the hash table, or the free slot for it.
+  /// The slot of a constant in the hash table, or the free slot where it belongs.
   constexpr int place_of(const number& wanted) const {
     unsigned place = hash(wanted) & last_place_;
     for (; table_[place] >= 0; place = (place + 1) & last_place_) {

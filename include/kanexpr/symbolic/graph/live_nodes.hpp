@@ -4,15 +4,15 @@
 
 namespace kanexpr::symbolic {
 
-/// Whether the second operand is a value, not the end of a list, an order or an index.
+/// Whether the second operand is a value, as opposed to the end of a list, an order or an index.
 constexpr bool is_value(const node& n) {
   return n.op == operation::pair ? n.b != graph::zero : !is_numbered(n.op);
 }
 
-/// Marks the nodes that `outputs` need, except the constants that end lists or give orders and indices.
+/// Marks the nodes that `outputs` need, except constants that end lists or represent orders and indices.
 constexpr sequence<char> live_nodes(const graph& g, const sequence<int>& outputs) {
   sequence<char> marks(g.size(), 0);
-  const node* const nodes = g.begin(); // a pointer, since compilers interpret every call of []
+  const node* const nodes = g.begin(); // a pointer, because compilers interpret every call of []
   char* const live = marks.begin();
   int last = -1;
   for (int id : outputs) {
@@ -44,7 +44,7 @@ constexpr sequence<int> live_values(const graph& g, const sequence<int>& outputs
   return values;
 }
 
-/// Whether `outputs` depend on any of some nodes.
+/// Whether `outputs` depend on any of the nodes `some`.
 constexpr bool depends_on(const graph& g, const sequence<int>& outputs, const sequence<int>& some) {
   const sequence<char> live = live_nodes(g, outputs);
   for (int id : some)

@@ -4,7 +4,7 @@
 
 namespace kanexpr::symbolic {
 
-/// A dense matrix of expressions, stored by rows.
+/// A dense matrix of expressions, stored in row-major order.
 struct matrix {
   int rows = 0;
   int columns = 0;

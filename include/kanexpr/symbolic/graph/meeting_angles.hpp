@@ -11,8 +11,9 @@ namespace detail {
 
 constexpr bool is_sum(operation op) { return op == operation::add || op == operation::subtract; }
 
-/// Sums whose terms may combine, found by visiting each node once. Sets of angles are bits at even positions;
-/// the next bit distinguishes a cosine from a sine. More than 32 angles share bits.
+/// Sums whose terms may combine, found by visiting each node once. A set of angles is stored as bits at even
+/// positions; the bit that follows distinguishes a cosine from a sine. If there are more than 32 angles, they
+/// share bits.
 class meeting_angles {
 public:
   using set = std::uint64_t;
@@ -56,7 +57,7 @@ private:
       found.shared = a.shared & b.shared;
       found.inside = angles_of(a.factors | b.factors);
       for (const of_node* part : {&a, &b})
-        if (part->factors == 0) found.inside |= part->inside; // a sum, not its product
+        if (part->factors == 0) found.inside |= part->inside; // the node is a sum, not a product
       found.twice = a.twice | b.twice;
       found.meeting = a.meeting | b.meeting | (a.twice & b.twice) | angles_of(found.shared);
     }

@@ -15,7 +15,7 @@ struct monomial {
   int count = 0;
   power powers[most_powers]{};
 
-  /// Returns false if another factor does not fit.
+  /// Multiplies by a power; returns false if the factor does not fit.
   constexpr bool multiply_by(int factor, int exponent) {
     int place = 0;
     while (place < count && powers[place].factor < factor) ++place;
@@ -50,7 +50,7 @@ struct monomial {
   }
 };
 
-/// A short sum of monomials with distinct powers; not given if it would be too long.
+/// A short sum of monomials with distinct powers; marked as not given if it would be too long.
 class sum_of_monomials {
 public:
   static constexpr int most_terms = 32;

@@ -16,7 +16,7 @@ enum class operation : unsigned char {
   subtract,
   multiply,
   divide,
-  power, ///< general exponents only; integer powers are products, halves are square roots
+  power, ///< general exponents only; integer powers become products, half powers square roots
   // functions of one argument, and atan2; `functions` lists their properties
   sqrt,
   sin,
@@ -37,14 +37,15 @@ enum class operation : unsigned char {
   if_positive,
   if_not_positive,
   // lists, linear systems and calls; a list is not a value, only an operand of these
-  pair,                ///< a list: its first element and the list of the rest, ended by the constant zero
-  factorization,       ///< of the matrix with a list of rows (each a list); the constant b is its order
-  solve,               ///< A x = b: a factorization and the list b
+  pair,          ///< a list: its first element and the list of the rest, ended by the constant zero
+  factorization, ///< factorization of the matrix given as a list of rows, each of them a list; the constant b
+                 ///< is its order
+  solve,         ///< A x = b: a factorization and the list b
   transposed_solve,    ///< Aᵀ x = b
   component,           ///< an element of a solution; the constant b is its zero-based index
   singularity_measure, ///< distance of a factorization from singularity: the determinant if small, otherwise
                        ///< the pivots relative to the list b, the squared sizes of the entries
-  call,                ///< of a user-defined function with a list; the constant b is its index
+  call, ///< call of a user-defined function with a list of operands; the constant b is its index
 };
 
 constexpr bool is_leaf(operation op) { return op == operation::constant || op == operation::symbol; }
@@ -75,8 +76,8 @@ constexpr bool is_function(operation op) {
   return op >= operation::sqrt && op <= operation::sign && op != operation::atan2;
 }
 
-/// Operations, with all functions of one argument as one form. Code that treats these functions alike
-/// switches over forms, so a new function does not affect it.
+/// The forms of operations; all functions of one argument have the same form. Code that treats these
+/// functions alike switches over forms, so that adding a function does not affect it.
 enum class form : unsigned char {
   constant,
   symbol,
@@ -118,7 +119,7 @@ enum class unit_rule {
   dropped, ///< dimensionless, for any argument
 };
 
-/// The properties of a function of one argument besides its derivative (functions.hpp). The defaults are safe
+/// The properties of a function of one argument, except its derivative (functions.hpp). The defaults are safe
 /// for every function.
 struct function_properties {
   static constexpr double everywhere = (std::numeric_limits<double>::max)(); ///< finite for -ffast-math
@@ -126,7 +127,7 @@ struct function_properties {
 
   operation op;
   const char* name;        ///< its name in C++
-  double (*value)(double); ///< in constant expressions
+  double (*value)(double); ///< evaluates the function in constant expressions
   const char* latex = "";  ///< a LaTeX command; if empty, the name as an operator
   parity symmetry = parity::none;
   double smooth_from = -everywhere, smooth_to = everywhere; ///< open interval where differentiable
@@ -134,8 +135,8 @@ struct function_properties {
   unit_rule unit = unit_rule::numbers;
   bool is_trigonometric = false; ///< counted as trigonometric, otherwise as `other`
   bool never_negative = false;
-  bool stays_finite = false;    ///< finite wherever its argument is finite
-  bool passes_infinity = false; ///< not finite where its argument is not
+  bool stays_finite = false;    ///< finite if its argument is finite
+  bool passes_infinity = false; ///< not finite if its argument is not
 
   constexpr bool is_smooth_at(double x) const { return x > smooth_from && x < smooth_to; }
 };

@@ -76,7 +76,8 @@ constexpr int add(graph& g, int a, int b) {
   if (x.op == operation::multiply && y.op == operation::multiply &&
       (detail::is_pythagorean(g, a, b) || detail::is_pythagorean(g, b, a)))
     return graph::one;
-  // constants move to the front: (c + x) + y becomes c + (x + y) only if that meets another constant
+  // constants move to the front: (c + x) + y becomes c + (x + y) only if it is then combined with another
+  // constant
   if (x.op == operation::add && nodes[x.a].op == operation::constant && y.op == operation::add &&
       nodes[y.a].op == operation::constant) {
     const int c = g.constant(g.number_at(x.a) + g.number_at(y.a));
@@ -152,7 +153,7 @@ constexpr int multiply(graph& g, int a, int b) {
   return g.find_or_append(a < b ? node{operation::multiply, a, b} : node{operation::multiply, b, a});
 }
 
-/// Division by the constant zero is kept as written; the model reports it as a mistake.
+/// A division by the constant zero is not simplified; the model reports it as a mistake.
 constexpr int divide(graph& g, int a, int b) {
   if (b == graph::one) return a;
   const node* const nodes = g.begin();

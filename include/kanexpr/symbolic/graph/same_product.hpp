@@ -35,7 +35,7 @@ private:
   }
 };
 
-/// Whether a and b are products of the same factors, grouped differently.
+/// Whether a and b are products of the same factors, possibly grouped differently.
 constexpr bool is_same_product(const graph& g, int a, int b) {
   const node &x = g[a], &y = g[b];
   if (x.op != operation::multiply || y.op != operation::multiply) return false;

@@ -8,7 +8,7 @@
 /// solved immediately; all others stay symbolic until lowering, when the required components are known.
 namespace kanexpr::symbolic {
 
-/// The factorization of a matrix whose entries are given by rows.
+/// The factorization of a matrix whose entries are given row by row.
 constexpr int factorization(graph& g, const sequence<int>& entries, int order) {
   sequence<int> rows;
   for (int i = 0; i < order; ++i) {
@@ -19,7 +19,8 @@ constexpr int factorization(graph& g, const sequence<int>& entries, int order) {
   return g.find_or_append({operation::factorization, list_of(g, rows), g.constant(exactly(order))});
 }
 
-/// The inverse of a factorized matrix of constants, by rows; empty if the matrix is singular or not constant.
+/// The inverse of a factorized matrix of constants, row by row; empty if the matrix is singular or not
+/// constant.
 constexpr sequence<number> constant_inverse(const graph& g, int factorization) {
   sequence<number> entries;
   for (int entry : entries_of(g, factorization)) {

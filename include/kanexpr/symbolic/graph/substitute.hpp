@@ -11,7 +11,7 @@ public:
   substitution(const substitution&) = delete;
   substitution& operator=(const substitution&) = delete;
 
-  /// Must be called before the first `in`.
+  /// Registers a replacement; must be called before the first call of `in`.
   constexpr void replace(expression old, expression by) { remember(old.node(), by.node()); }
 
   constexpr expression in(expression e) { return {graph_, in(e.node())}; }

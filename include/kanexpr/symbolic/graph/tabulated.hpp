@@ -23,9 +23,9 @@ struct table_points {
   }
 };
 
-/// The slope where two intervals meet: the weighted harmonic mean of the chord slopes, or zero if their signs
-/// differ, so that the curve is monotone where its points are. Fritsch & Butland, A method for constructing
-/// local monotone piecewise cubic interpolants, SIAM J. Sci. Stat. Comput. 5 (1984).
+/// The slope at the point between two intervals: the weighted harmonic mean of the chord slopes, or zero if
+/// their signs differ, so that the curve is monotone wherever its points are. Fritsch & Butland, A method for
+/// constructing local monotone piecewise cubic interpolants, SIAM J. Sci. Stat. Comput. 5 (1984).
 constexpr expression slope_between(const table_points& p, int before, int behind) {
   const expression left = 2 * p.length[behind] + p.length[before],
                    right = p.length[behind] + 2 * p.length[before];
@@ -35,8 +35,8 @@ constexpr expression slope_between(const table_points& p, int before, int behind
   return if_positive(product, mean, zero);
 }
 
-/// The slope at an end: that of the parabola through three points, limited to keep the curve monotone. Moler,
-/// Numerical Computing with MATLAB (2004), section 3.6.
+/// The slope at an end: the slope of the parabola through three points, limited to keep the curve monotone.
+/// Moler, Numerical Computing with MATLAB (2004), section 3.6.
 constexpr expression slope_at_end(const table_points& p, int first, int second) {
   const expression h = p.length[first], beside = p.length[second], s = p.slope[first];
   const expression above = difference_of_products(2 * h + beside, s, h, p.slope[second]);
@@ -56,8 +56,8 @@ constexpr sequence<expression> monotone_slopes(const table_points& p) {
   return all;
 }
 
-/// The sum of the cubics of all intervals, with slopes d at the points. `passed` holds the amounts by which x
-/// exceeds each point except the last.
+/// The sum of the cubics of all intervals, with slopes d at the points. `passed` contains the amounts by
+/// which x exceeds each point except the last.
 constexpr expression climbed(const table_points& p, const sequence<expression>& d,
                              const sequence<expression>& passed) {
   expression sum = p.y[0];
@@ -79,8 +79,8 @@ constexpr expression beyond(expression x, expression point) {
 
 /// A monotone cubic interpolant through two or more points x₀, y₀, x₁, y₁, … with increasing x, constant
 /// beyond them. Each interval adds the rise of the curve within it, a cubic in the fraction t of the interval
-/// that x has passed; so there is no lookup, and the derivatives are those of the cubics. At a point, they
-/// are those of the interval before it.
+/// that x has passed. Therefore no lookup is needed, and the derivatives are those of the cubics; at a point,
+/// those of the interval before it.
 constexpr expression tabulated(expression x, const expression* points, int count) {
   const detail::table_points p(points, count);
   const expression within = (min)(x, p.x.back());
@@ -89,8 +89,9 @@ constexpr expression tabulated(expression x, const expression* points, int count
   return detail::climbed(p, detail::monotone_slopes(p), passed);
 }
 
-/// The periodic counterpart: it repeats after the last point, which has the value and slope of the first. The
-/// position in the period is computed from the angle that x corresponds to, so that no derivative jumps.
+/// The periodic counterpart of `tabulated`: it repeats after the last point, which has the value and slope of
+/// the first. The position within the period is computed from the angle to which x corresponds, so that no
+/// derivative jumps.
 constexpr expression periodic(expression x, const expression* points, int count) {
   constexpr double whole_turn = 6.28318530717958647692;
   const detail::table_points p(points, count);

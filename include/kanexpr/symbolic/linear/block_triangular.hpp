@@ -4,7 +4,7 @@
 
 namespace kanexpr::symbolic {
 
-/// Rows of a linear system and an equal number of unknowns, which they and earlier blocks determine.
+/// Rows of a linear system and the equally many unknowns that they determine, given the preceding blocks.
 struct coupled_part {
   sequence<int> rows{};
   sequence<int> columns{};
@@ -15,7 +15,7 @@ struct coupled_part {
 /// implementation of Tarjan's algorithm for the block triangularization of a matrix", 1978).
 class block_triangular_form {
 public:
-  /// `columns_of_row[i]`: the unknowns in equation i.
+  /// `columns_of_row[i]` lists the unknowns in equation i.
   constexpr explicit block_triangular_form(const sequence<sequence<int>>& columns_of_row)
       : columns_(columns_of_row), n_(columns_of_row.size()), row_of_(n_, none), visited_(n_, 0) {
     for (int i = 0; i < n_; ++i) {
@@ -29,13 +29,13 @@ public:
 
   /// Whether all equations and unknowns can be paired; if not, the matrix is structurally singular.
   constexpr bool is_regular() const { return matched_ == n_; }
-  /// The blocks in solution order; unknowns without an equation are left out.
+  /// The blocks in solution order, without the unknowns that have no equation.
   constexpr const sequence<coupled_part>& parts() const { return parts_; }
 
 private:
   static constexpr int none = -1;
 
-  /// Finds a column for a row, reassigning columns of other rows if necessary.
+  /// Finds a column for a row; reassigns the columns of other rows if necessary.
   constexpr bool matches(int row) {
     for (int j : columns_[row]) {
       if (visited_[j] != 0) continue;
@@ -78,9 +78,9 @@ private:
   int n_ = 0;
   int matched_ = 0;
   int count_ = 0;
-  sequence<int> row_of_; ///< by column
+  sequence<int> row_of_; ///< the row matched to each column
   sequence<char> visited_;
-  sequence<int> number_{}, least_{}; ///< of columns, in order of discovery
+  sequence<int> number_{}, least_{}; ///< numbers of columns, in order of discovery
   sequence<int> open_{};
   sequence<char> is_open_{};
   sequence<coupled_part> parts_{};

@@ -8,15 +8,16 @@ namespace kanexpr::symbolic {
 /// structural zeros vanish.
 class cofactors {
 public:
-  /// The use of the cofactors: column by column (Cramer's rule, most of them formed with the right-hand
-  /// side), all of them once for any number of right-hand sides, or divided by the determinant beforehand.
+  /// How the cofactors are used: column by column (Cramer's rule; most cofactors are formed with the
+  /// right-hand side), all computed once for any number of right-hand sides, or divided by the determinant
+  /// beforehand.
   struct method {
     enum kind { by_columns, adjugate, inverse } way = adjugate;
     int column = 0;          ///< the column along which the determinant is expanded
     bool transposed = false; ///< columns of Aᵀ
   };
 
-  /// The entries are given by rows; `results` is the number of solution components needed.
+  /// The entries are given row by row; `results` is the number of solution components needed.
   constexpr cofactors(graph& g, const sequence<int>& entries, int order, method m, int results)
       : g_(g), a_(entries), n_(order), method_(m) {
     determinant_ = graph::zero;
@@ -75,8 +76,8 @@ private:
       for (int i = 0; i < 3 && i < n_; ++i) sum = add(g_, sum, multiply(g_, b[i], of(i, j, transposed)));
       return sum;
     }
-    // c, j and the third column in cyclic order: det[c, b, third] = third·(c × b); the opposite order changes
-    // the sign
+    // if c, j and the third column are in cyclic order, det[c, b, third] = third·(c × b); otherwise the sign
+    // changes
     const int c = method_.column, third = 3 - c - j;
     for (int i = 0; i < 3; ++i) {
       const int p = (i + 1) % 3, q = (i + 2) % 3;

@@ -7,8 +7,8 @@ namespace kanexpr::symbolic {
 /// The largest order for which the determinant is expanded; beyond it, the expression would be long.
 inline constexpr int largest_with_determinant = 6;
 
-/// The determinant of a matrix stored by rows, expanded along its first row. Minors are shared as equal
-/// nodes, and structural zeros vanish.
+/// The determinant of a matrix stored in row-major order, expanded along its first row. Minors are shared as
+/// equal nodes, and structural zeros vanish.
 constexpr expression determinant(const sequence<expression>& entries, int order) {
   if (order == 1) return entries[0];
   expression sum = entries[0] - entries[0];

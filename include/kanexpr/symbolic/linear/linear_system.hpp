@@ -35,8 +35,9 @@ constexpr sequence<expression> solve_transposed(expression factorization, const 
 }
 
 /// The distance of a matrix from singularity: |det| for orders 1 to 3; for larger orders, the smallest pivot
-/// of the elimination relative to the terms that add up to it. `squares` holds the squared sizes of the
-/// entries, by rows. Zero or NaN if the matrix is singular. Derivatives treat it as a constant.
+/// of the elimination relative to the terms that add up to it. `squares` contains the squared sizes of the
+/// entries, row by row. The measure is zero or NaN if the matrix is singular. Derivatives treat it as a
+/// constant.
 constexpr expression singularity_measure(expression factorization, const sequence<expression>& squares) {
   graph& g = factorization.owner();
   return {g, singularity_measure(g, factorization.node(), list_of(g, nodes_of(squares)))};

@@ -16,13 +16,13 @@ struct pivot {
 
 struct symmetric_solution {
   sequence<expression> x{};
-  sequence<pivot> pivots{}; ///< without constants; a pivot that affects others precedes them
+  sequence<pivot> pivots{}; ///< constants are left out; a pivot precedes those that depend on it
 };
 
 namespace detail {
 
-/// Records the pivot that a quotient divides by. If the quotient has been simplified, its divisor is only a
-/// factor of the pivot and is compared with itself.
+/// Records the pivot that a quotient divides by. If the quotient was simplified, its divisor is only a factor
+/// of the pivot; the divisor is then compared with itself.
 constexpr void note_pivot(sequence<pivot>& all, int place, expression quotient, expression value,
                           expression entry) {
   graph& g = value.owner();
@@ -40,13 +40,13 @@ constexpr void note_pivot(sequence<pivot>& all, int place, expression quotient, 
 namespace detail {
 
 /// A symmetric matrix during elimination, with nodes in both triangles, and the number of off-diagonal
-/// entries in each remaining row. It uses arrays, because compilers interpret every call.
+/// entries in each remaining row. It uses plain arrays because compilers interpret every call.
 struct symmetric_elimination {
   int n;
   sequence<int> entries;
   sequence<int> row_degrees;
-  int* entry;  ///< by rows
-  int* degree; ///< by row
+  int* entry;  ///< entries in row-major order
+  int* degree; ///< number of off-diagonal entries in each row
 
   /// Reads the lower triangle.
   constexpr explicit symmetric_elimination(const matrix& m)
@@ -76,8 +76,9 @@ struct symmetric_elimination {
 
 /// Factorizes a symmetric positive definite matrix as M = LᵀDL, without square roots, to solve M x = f.
 ///
-/// The elimination order keeps structural zeros (minimum degree; ties go to the last row, which runs along a
-/// chain from tip to base). Only the lower triangle of M is read.
+/// The elimination order preserves structural zeros: it is the minimum-degree order, with ties resolved in
+/// favor of the last row, so that a chain is eliminated from tip to base. Only the lower triangle of M is
+/// read.
 class symmetric_factorization {
 public:
   constexpr symmetric_factorization(graph& g, const matrix& m)
@@ -99,8 +100,8 @@ public:
     return solved;
   }
 
-  /// Selected columns of the inverse. It is symmetric, so only one of two equal entries is computed. The
-  /// pivots are returned for each column as for a solution.
+  /// Returns selected columns of the inverse. It is symmetric, so only one of two equal entries is computed.
+  /// Each column comes with its pivots, like a solution.
   constexpr sequence<symmetric_solution> inverse_columns(const sequence<int>& columns) const {
     sequence<symmetric_solution> solved(columns.size());
     sequence<sequence<int>> right, x;

@@ -11,7 +11,7 @@ namespace kanexpr::symbolic {
 struct solved_block {
   sequence<int> rows{}, columns{}; ///< equations and unknowns
   int key = 0;                     ///< the divisor if there is one unknown, otherwise the factorization
-  expression measure{};            ///< 0 if singular; up to sign, about `scale` far from singularity
+  expression measure{}; ///< 0 if the block is singular; up to sign, about `scale` if it is far from singular
   expression scale{};
 };
 
@@ -109,7 +109,7 @@ private:
     return sum;
   }
 
-  /// The mean squares of the entries of a block, by rows.
+  /// The mean squares of the entries of a block, row by row.
   constexpr sequence<int> squares_of(const sequence<int>& rows, const sequence<int>& columns) const {
     sequence<int> coefficients, entries, squares;
     for (int i : rows) {
@@ -169,7 +169,7 @@ private:
   }
 
   /// A small block uses the mean square of its determinant. For a larger block, each pivot is compared with
-  /// the mean squares that the elimination forms from those of the entries.
+  /// the mean square that elimination forms from the mean squares of the entries.
   constexpr void push_block(const coupled_part& part, expression factors) {
     const int order = part.rows.size();
     const sequence<int> squares = squares_of(part.rows, part.columns);
@@ -197,8 +197,9 @@ private:
 
 /// Solves A X = B for a square A, which may be sparse, block by block in block triangular form; an equation
 /// with one remaining unknown is a division. `equations` has one row per equation with all coefficients,
-/// including those of variables that are not unknowns here; `sums` are the sums they come from, whose terms
-/// all have the same unit. Unknowns that a structurally singular matrix leaves undetermined remain zero.
+/// including those of variables that are not unknowns here; `sums` are the sums from which the equations
+/// come, each with terms of equal unit. Unknowns that a structurally singular matrix leaves undetermined
+/// remain zero.
 constexpr linear_solution solve_linear(graph& g, const matrix& a, const matrix& b, const matrix& equations,
                                        const sequence<int>& sums = {}) {
   return detail::linear_solver(g, a, b, equations, sums).run();

@@ -6,8 +6,8 @@
 
 namespace kanexpr::symbolic {
 
-/// Inverts a matrix of numbers stored by rows, exactly if they are fractions. Returns nothing if it is
-/// singular.
+/// Inverts a matrix of numbers stored in row-major order, exactly if they are fractions. Returns an empty
+/// sequence if the matrix is singular.
 constexpr sequence<number> inverse_of(sequence<number> a, int order) {
   sequence<number> inverse(order * order, exactly(0));
   for (int i = 0; i < order; ++i) inverse[i * order + i] = exactly(1);

@@ -9,7 +9,7 @@
 
 namespace kanexpr::symbolic {
 
-/// A constant: an exact fraction if it is written as one (`/4`), otherwise a double.
+/// A constant: an exact fraction if it is written as one (such as `/4`), otherwise a double.
 ///
 /// Exact arithmetic falls back to doubles when a numerator or denominator would overflow.
 struct number {
@@ -62,7 +62,7 @@ constexpr number exactly(std::int64_t numerator, std::int64_t denominator = 1) {
 /// The result of an undefined operation.
 constexpr number no_number() { return {0, 0, std::numeric_limits<double>::quiet_NaN()}; }
 
-/// Whether a result, computed as a long double, fits into a double: constant expressions must not overflow.
+/// Whether a result computed as a long double fits into a double; constant expressions must not overflow.
 constexpr bool stays_finite(long double wide) {
   constexpr auto end = static_cast<long double>((std::numeric_limits<double>::max)());
   return wide <= end && wide >= -end;

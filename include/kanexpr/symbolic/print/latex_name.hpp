@@ -41,7 +41,7 @@ inline bool is_greek(std::string_view word) {
   return std::ranges::find(letters, word) != letters.end();
 }
 
-/// A single letter, a Greek letter by name, or an upright word.
+/// Writes a single letter, a Greek letter given by its name, or an upright word.
 inline std::string latex_word(const std::string& word) {
   if (word.size() == 1) return word;
   return is_greek(word) ? "\\" + word : "\\mathrm{" + word + "}";

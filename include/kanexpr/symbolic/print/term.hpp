@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-/// Expressions as flat sums of flat products, the way they are written by hand. All printed forms start from
+/// Expressions as flat sums of flat products, as they are written by hand. All printed forms start from
 /// these.
 namespace kanexpr::symbolic::printing {
 
@@ -54,13 +54,13 @@ inline side denominator(const term& t) {
   return below;
 }
 
-/// Whether an operation is printed as a function name with arguments, or is a list among the arguments.
+/// Whether an operation is printed as a function name with arguments, or as a list among such arguments.
 inline bool is_written_as_function(operation op) {
   return *function_name(op) != '\0' || op >= operation::pair;
 }
 
-/// Decomposes a node into weighted parts, as given by `expand`. Users follow their operands, so each node is
-/// visited once with its total weight. Returns the parts that cannot be decomposed, by node.
+/// Decomposes a node into weighted parts as `expand` specifies. Nodes follow their operands, so each node is
+/// visited once, with its total weight. Returns the parts that cannot be decomposed, by node.
 template <class Weight, class Expand>
 std::map<int, Weight> gather(int root, const Weight& unit, Expand expand) {
   std::map<int, Weight> parts;
@@ -112,7 +112,8 @@ private:
   std::vector<term> sum_of(int root);
   term product_of(int root);
 
-  /// Parameters, other symbols, general powers, functions, and finally factors that need parentheses.
+  /// The printing order of factors: parameters, other symbols, general powers, functions, and finally factors
+  /// that need parentheses.
   int rank(int id) const {
     const operation op = graph_[id].op;
     if (op == operation::symbol) return graph_.symbol_at(id).kind == symbol_kind::parameter ? 0 : 1;

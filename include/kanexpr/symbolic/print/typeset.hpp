@@ -83,7 +83,7 @@ private:
     return mark.empty() || f.order == 0 ? text + mark : in_parentheses(text) + mark;
   }
 
-  /// `ends_open`: nothing follows that could be read as part of the argument.
+  /// `ends_open` means that nothing follows that could be read as part of the argument.
   std::string function(int id, const std::string& mark, bool ends_open) const {
     const node& n = at(id);
     if (n.op == operation::component) return component(n);
@@ -118,7 +118,7 @@ private:
     return text + " \\end{bmatrix}";
   }
 
-  /// One side of a fraction; the fraction bar makes parentheses unnecessary.
+  /// Writes one side of a fraction; the fraction bar makes parentheses unnecessary.
   std::string alone(const side& s) const {
     const bool is_bare = !s.shows_number() && s.factors.size() == 1 && s.factors[0].exponent == 1;
     return is_bare ? write(s.factors[0].base) : product(s);

@@ -33,10 +33,10 @@ inline std::string decimal(const number& n) {
   return {buffer, end.ptr};
 }
 
-/// The traversal shared by all printed forms. A form provides `product` of a side and `quotient` of two,
-/// texts of a `function`, `name_of` a symbol and `number_of` a number, `exponent` of a node, `power` of two
-/// texts, `choice_of` a condition and two branches, `raised` for a node and the text of an exponent, and
-/// `in_parentheses`.
+/// The traversal shared by all printed forms. A form provides the text of the `product` of a side, the
+/// `quotient` of two sides, a `function`, a symbol (`name_of`), a number (`number_of`), the `exponent` of a
+/// node, the `power` of two texts, a condition with two branches (`choice_of`), a node with an exponent
+/// (`raised`), and a text `in_parentheses`.
 template <class Form>
 class writer {
 public:
@@ -78,7 +78,7 @@ public:
   }
 
 protected:
-  /// The text of a node in a form that can take an exponent.
+  /// The text of a node, in parentheses if it needs them to take an exponent.
   std::string operand(int id) const {
     const node& n = at(id);
     if (n.op == operation::symbol) return form().name_of(graph_.symbol_at(id));
@@ -124,7 +124,7 @@ protected:
     return text;
   }
 
-  /// A single selection: the other branch is zero.
+  /// The text of a single selection, whose other branch is zero.
   std::string choice(int id) const {
     const std::string branch = write(at(id).b);
     return choice(id, branch, "0");
@@ -139,8 +139,8 @@ private:
     const bool is_one = t.factors.size() == 1 && t.factors[0].exponent == 1;
     return is_one && is_selection(at(t.factors[0].base).op) ? t.factors[0].base : -1;
   }
-  /// The index of the term after the i-th that is the other branch of its condition, or the end if there is
-  /// none.
+  /// The index of the first term after term i that is the other branch of the same condition, or
+  /// `terms.size()` if there is none.
   std::size_t other_branch(const std::vector<term>& terms, std::size_t i) const {
     const int one = selection_in(terms[i]);
     std::size_t k = one < 0 ? terms.size() : i + 1;

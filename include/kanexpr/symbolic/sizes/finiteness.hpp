@@ -2,8 +2,8 @@
 
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 
-/// Finds results that can become infinite or NaN although everything they depend on is finite and of ordinary
-/// size.
+/// Finds results that can become infinite or NaN although all values they depend on are finite and of
+/// ordinary size.
 namespace kanexpr::symbolic {
 
 /// Determines which outputs must be checked to be sure that all are finite. Quotients, roots and functions
@@ -79,7 +79,7 @@ private:
   /// Properties of a live node, as bits.
   enum fact : int { sure = 1, never_negative = 2, begins = 4, may_fail = 8 };
 
-  constexpr void look_at(int id) { // writes only set bits, because compilers are slow here
+  constexpr void look_at(int id) { // writes only bits that are set, because compilers are slow here
     const node& n = nodes_[id];
     const int a = facts_of_[n.a], b = is_binary(n.op) && !is_numbered(n.op) ? facts_of_[n.b] : a;
     int found = (a | b) & may_fail;
@@ -93,7 +93,8 @@ private:
     case form::function: {
       const function_properties& f = properties_of(n.op);
       if (f.never_negative) found |= never_negative;
-      if (n.op == operation::sqrt ? (a & never_negative) == 0 : !f.stays_finite) // may be rounded below 0
+      if (n.op == operation::sqrt ? (a & never_negative) == 0
+                                  : !f.stays_finite) // the argument may be rounded below 0
         found |= begins;
       break;
     }
@@ -114,12 +115,12 @@ private:
     case form::singularity_measure: break;
     }
     if ((found & begins) != 0) found |= may_fail, any_begins_ = true;
-    if (n.op >= operation::pair) found |= may_fail; // has a separate status
+    if (n.op >= operation::pair) found |= may_fail; // the result has a separate status
     if ((found & may_fail) != 0) any_fails_ = true;
     if (found != 0) facts_of_[id] |= found;
   }
 
-  /// Marks the operands that, if not finite, make the result not finite.
+  /// Marks the operands that make the result not finite if they are not finite.
   static constexpr void pass_on(const node& n, char* is_told) {
     switch (form_of(n.op)) {
     case form::add:
@@ -141,7 +142,7 @@ private:
     case form::transposed_solve:
     case form::component:
     case form::singularity_measure:
-    case form::call: break; // may still be finite
+    case form::call: break; // the result may still be finite
     }
   }
 

@@ -19,7 +19,7 @@ public:
 
   constexpr double operator[](int id) const { return size_[id]; }
 
-  /// Whether a value has no reliable digit, even if its constants are accurate to only ten digits.
+  /// Whether a value has no reliable digits, even if its constants are accurate to only ten digits.
   constexpr bool is_nothing_of(int id, double value) const {
     return elementary::abs(value) <= negligible * size_[id];
   }
@@ -54,7 +54,8 @@ private:
     return v;
   }
 
-  /// f(x) plus its derivative times the terms of x; the derivative of a sine counts as 1 everywhere.
+  /// The size of f(x) plus that of its derivative times the terms of x; the derivative of a sine counts as 1
+  /// everywhere.
   static constexpr double size_of_function(operation op, double terms, double x, double f) {
     const double v = elementary::abs(f);
     if (op == operation::abs) return terms;

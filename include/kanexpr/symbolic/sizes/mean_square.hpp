@@ -13,10 +13,10 @@ namespace kanexpr::symbolic {
 /// axes, and does not vanish where sines and cosines vanish or terms cancel. Other functions, divisors and
 /// symbols contribute the squares of their values.
 ///
-/// Coordinates outside of angles may vanish where an equation does; they contribute the mean square of all
-/// such coordinates with the same unit in the equations of the expressions, of which usually some are
-/// nonzero: (x² + y²)/2 for each of x and y, as if these could be rotated. Equal units are inferred from
-/// sums: those in the equations and the `sums` that they come from.
+/// Coordinates that are not angles may vanish where an equation does. Each contributes the mean square of all
+/// such coordinates of the same unit in the equations, some of which are usually nonzero: (x² + y²)/2 for x
+/// as well as for y, as if the axes could be rotated. Equal units are inferred from sums: those in the
+/// equations and the `sums` from which the equations come.
 class mean_square {
 public:
   constexpr mean_square(graph& g, const sequence<int>& equations, const sequence<int>& expressions,
@@ -90,7 +90,8 @@ private:
   sequence<int> squares_; ///< by node
 };
 
-/// The mean square of a determinant, from those of its entries by rows: their permanent.
+/// The mean square of a determinant: the permanent of the mean squares of its entries, which are given row by
+/// row.
 constexpr int permanent(graph& g, const sequence<int>& squares, int order) {
   if (order == 1) return squares[0];
   int sum = graph::zero;

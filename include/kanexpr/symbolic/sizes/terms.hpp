@@ -4,8 +4,8 @@
 
 namespace kanexpr::symbolic {
 
-/// The size of the terms of a sum: |l cos(q1)| + |l0| for l cos(q1) - l0. Relative to it, a sum that should
-/// vanish can be tested in any units.
+/// The size of the terms of a sum: |l cos(q1)| + |l0| for l cos(q1) - l0. Relative to this size, a sum that
+/// should vanish can be tested in any units.
 class sizes_of_terms {
 public:
   constexpr explicit sizes_of_terms(graph& g) : g_(g), found_(g.size(), none) {}
@@ -20,7 +20,7 @@ private:
   static constexpr int none = -1;
 
   constexpr expression form(const expression& e) {
-    const node n = g_[e.node()]; // a copy, since the graph grows
+    const node n = g_[e.node()]; // a copy, because the graph grows
     const expression a(g_, n.a), b(g_, is_binary(n.op) && n.op < operation::pair ? n.b : n.a);
     if (n.op == operation::negate) return of(a);
     if (n.op == operation::multiply) return product(a, b);
@@ -29,7 +29,8 @@ private:
     return n.op == operation::divide ? first / abs(b) : first + of(b);
   }
 
-  /// To first order, so that residues of sums that nearly vanish do not grow from product to product.
+  /// The size of a product to first order, so that residues of sums that nearly vanish do not grow from
+  /// product to product.
   constexpr expression product(const expression& a, const expression& b) {
     const expression left = abs(a), right = abs(b);
     if (of(a).node() == left.node()) return left * of(b);

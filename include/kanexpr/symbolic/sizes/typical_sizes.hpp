@@ -5,7 +5,7 @@
 
 namespace kanexpr::symbolic {
 
-/// Typical sizes of symbols when none are given: the size of the terms that they are added to, or 1 for an
+/// Typical sizes of symbols when none are given: the size of the terms to which they are added, or 1 for an
 /// angle. A coordinate that is a length thus gets the size of the lengths that appear as numbers in the
 /// model, in any units.
 class typical_sizes {
@@ -34,7 +34,7 @@ private:
   static constexpr int none = -1, mixed = -2;
   static constexpr int most_passes = 4;
 
-  /// Usual numbers for machines in meters and kilograms, which need no estimate.
+  /// Whether a number is usual for machines in meters and kilograms, so that no estimate is needed.
   static constexpr bool is_usual(double size) { return size > 1e-4 && size < 1e4; }
   constexpr bool holds_unusual_number() const {
     for (const number& n : g_.numbers()) {
