@@ -58,6 +58,9 @@ T arithmetic(operation op, const T& a, const T& b) {
     if (op == operation::if_positive) return a > 0 ? b : T(0);
     if (op == operation::if_not_positive) return a > 0 ? T(0) : b;
     if (op == operation::sign) return static_cast<T>((a > 0) - (a < 0));
+    if (op == operation::cbrt) return std::cbrt(a);
+    if (op == operation::erf) return std::erf(a);
+    if (op == operation::wrap_to_pi) return std::remainder(a, static_cast<T>(2 * 3.141592653589793));
   }
   return std::nan("");
 }

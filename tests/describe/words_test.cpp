@@ -168,13 +168,14 @@ TEST(words, systems) {
 }
 
 TEST(words, scalar_functions) {
-  auto derived = derive<chain, sqrt(l) + asin(q1 / 4) * acos(q2 / 4) - atan(q3) + atan2(q1, q2) * exp(-q1) +
-                                   log(l) + abs(q2) * sign(q3) + pow(l, 3) + pow(l, q1) + pow(2, q1) +
-                                   atan2(q1, 3) + atan2(2, q2) + rational<1, 3> * tan(q1)>();
+  auto derived =
+      derive<chain, sqrt(l) + asin(q1 / 4) * acos(q2 / 4) - atan(q3) + atan2(q1, q2) * exp(-q1) + log(l) +
+                        abs(q2) * sign(q3) + pow(l, 3) + pow(l, q1) + pow(2, q1) + atan2(q1, 3) +
+                        atan2(2, q2) + rational<1, 3> * tan(q1) + cbrt(q2) * erf(q1) + wrap_to_pi(9 * q1)>();
   auto f = derived.function(
       derived.get<sqrt(l) + asin(q1 / 4) * acos(q2 / 4) - atan(q3) + atan2(q1, q2) * exp(-q1) + log(l) +
                   abs(q2) * sign(q3) + pow(l, 3) + pow(l, q1) + pow(2, q1) + atan2(q1, 3) + atan2(2, q2) +
-                  rational<1, 3> * tan(q1)>());
+                  rational<1, 3> * tan(q1) + cbrt(q2) * erf(q1) + wrap_to_pi(9 * q1)>());
   const double a = 0.3, b = -0.8, c = -1.1, length = 0.7;
   Eigen::VectorXd x(6);
   x << a, b, c, 0, 0, 0;
@@ -182,7 +183,7 @@ TEST(words, scalar_functions) {
               std::sqrt(length) + std::asin(a / 4) * std::acos(b / 4) - std::atan(c) +
                   std::atan2(a, b) * std::exp(-a) + std::log(length) - std::abs(b) + std::pow(length, 3) +
                   std::pow(length, a) + std::pow(2, a) + std::atan2(a, 3) + std::atan2(2, b) +
-                  std::tan(a) / 3,
+                  std::tan(a) / 3 + std::cbrt(b) * std::erf(a) + std::remainder(9 * a, 2 * std::acos(-1.0)),
               1e-14);
 }
 

@@ -45,6 +45,12 @@ using smooth_ones = moved<
 
 TEST(functions, are_smooth) { EXPECT_EQ(derive<smooth_ones>().mistake(), ""); }
 
+using wrapped_ones = moved<
+#include <docs/guide/functions/wrapped.cpp>
+    >;
+
+TEST(functions, are_wrapped) { EXPECT_EQ(derive<wrapped_ones>().mistake(), ""); }
+
 constexpr parameter<"F1"> F1;
 constexpr parameter<"F2"> F2;
 

@@ -6,7 +6,11 @@
 #include <models/rolling_disc.hpp>
 #include <models/simple_pendulum.hpp>
 
+#include "curved.hpp"
+
 #include <bound_pendulum.h>
+#include <curved.h>
+#include <curved_in_float.h>
 #include <disc.h>
 #include <disc_in_float.h>
 #include <four_bar.h>
@@ -127,6 +131,19 @@ TEST(C, HasTheBitsOfTheCompiledFunctions) {
 TEST(C, HasTheBitsOfTheCompiledFunctionsInSinglePrecision) {
   expect_same_udot<float, iiwa::System>(iiwa_in_float_udot);
   expect_same_udot<float, rolling_disc::System>(disc_in_float_udot);
+}
+
+TEST(C, HasTheBitsOfFunctionsInBothPrecisions) {
+  expect_same_udot<double, curved::System>(curved_udot);
+  expect_same_udot<float, curved::System>(curved_in_float_udot);
+  calls<curved::System, double> at;
+  for (int repetition = 0; repetition < 200; ++repetition) {
+    at.next();
+    std::vector<double> A(4), B(2);
+    curved_explicit_form(0, at.x.data(), at.p.data(), at.r.data(), A.data(), B.data());
+    const auto [state_matrix, input_matrix] = linearization<curved::System>::explicit_form(at.x, at.p, at.r);
+    expect_same_bits(A, state_matrix), expect_same_bits(B, input_matrix);
+  }
 }
 
 TEST(C, TakesTheRatesOfTheSpeeds) {

@@ -1,6 +1,7 @@
 // Writes the C of some models into the folder that it is given, as double.c, …, for the tests that compile
 // it.
 #include "bead.hpp"
+#include "curved.hpp"
 
 #include <kanexpr/export.hpp>
 
@@ -177,7 +178,8 @@ int main(int, char** arguments) {
                  write<bead::System>(folder, "bead", steps) &&
                  write<iiwa::System>(folder, "iiwa", dynamics) &&
                  write<four_bar::System>(folder, "four_bar", with_python) &&
-                 write<rolling_disc::System>(folder, "disc", {})
+                 write<rolling_disc::System>(folder, "disc", {}) &&
+                 write<curved::System>(folder, "curved", {})
              ? 0
              : 1;
 }

@@ -4,6 +4,7 @@
 
 #include "no_heap.hpp"
 
+#include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/lower/pack.hpp>
 #include <models/double_pendulum.hpp>
 #include <models/rolling_disc.hpp>
@@ -11,6 +12,11 @@
 #include <unsupported/Eigen/AutoDiff>
 
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
 
 namespace {
 
@@ -126,7 +132,54 @@ TEST(scalars, packs_have_all_functions) {
   EXPECT_EQ(math::by_name<operation::abs>(y)[2], 3);
   EXPECT_EQ(math::by_name<operation::sign>(y)[0], -1);
   EXPECT_EQ(math::power(x, y)[3], std::pow(0.4, 4.0));
-  EXPECT_EQ(math::atan2(x, y)[0], std::atan2(0.1, -1.0));
+  EXPECT_EQ(math::by_name<operation::cbrt>(y)[2], std::cbrt(-3.0));
+  EXPECT_EQ(math::by_name<operation::erf>(x)[3], std::erf(0.4));
+  EXPECT_EQ(math::by_name<operation::wrap_to_pi>(y)[3], std::remainder(4.0, 2 * std::numbers::pi));
+  EXPECT_EQ((math::by_name<operation::atan2>(x, y)[0]), std::atan2(0.1, -1.0));
+}
+
+template <kanexpr::symbolic::operation op, class Number>
+Number function_of(const Number& x) {
+  return kanexpr::lower::scalar_math<Number>::template by_name<op>(x);
+}
+
+TEST(scalars, have_functions_that_complex_numbers_lack_to_first_order) {
+  using kanexpr::symbolic::operation;
+  using complex = std::complex<double>;
+  const double step = 1e-30, x = -0.7;
+  EXPECT_EQ(function_of<operation::cbrt>(complex(x, step)).real(), std::cbrt(x));
+  EXPECT_NEAR(function_of<operation::cbrt>(complex(x, step)).imag() / step, 1 / (3 * std::cbrt(x * x)),
+              1e-15);
+  EXPECT_EQ(function_of<operation::erf>(complex(x, step)).real(), std::erf(x));
+  EXPECT_NEAR(function_of<operation::erf>(complex(x, step)).imag() / step,
+              2 / std::sqrt(std::numbers::pi) * std::exp(-x * x), 1e-15);
+  EXPECT_EQ(function_of<operation::wrap_to_pi>(complex(4, step)),
+            complex(std::remainder(4, 2 * std::numbers::pi), step));
+  EXPECT_EQ(function_of<operation::abs>(complex(x, step)), complex(-x, -step));
+  EXPECT_EQ(function_of<operation::sign>(complex(x, step)), complex(-1, 0));
+  using math = kanexpr::lower::scalar_math<complex>;
+  const complex angle = math::by_name<operation::atan2>(complex(0.3, step), complex(-0.4, 2 * step));
+  EXPECT_EQ(angle.real(), std::atan2(0.3, -0.4));
+  EXPECT_NEAR(angle.imag() / step, (-0.4 - 0.6) / 0.25, 1e-14);
+}
+
+template <class Number>
+void expect_wrapped() {
+  using kanexpr::symbolic::operation;
+  constexpr Number pi = std::numbers::pi_v<Number>;
+  for (const Number x : {Number(0), Number(3), Number(-3), Number(3.5), Number(-100), Number(1e6)})
+    EXPECT_EQ(function_of<operation::wrap_to_pi>(x), std::remainder(x, 2 * pi));
+  EXPECT_EQ(function_of<operation::wrap_to_pi>(pi), -pi);
+  EXPECT_EQ(function_of<operation::wrap_to_pi>(-pi), -pi);
+  EXPECT_LT(function_of<operation::wrap_to_pi>(std::nextafter(pi, Number(0))), pi);
+  EXPECT_TRUE(std::signbit(function_of<operation::wrap_to_pi>(Number(-0.0))));
+  EXPECT_TRUE(std::isnan(function_of<operation::wrap_to_pi>(std::numeric_limits<Number>::infinity())));
+}
+
+TEST(scalars, are_wrapped_into_a_turn_of_their_precision) {
+  expect_wrapped<double>();
+  expect_wrapped<float>();
+  expect_wrapped<long double>();
 }
 
 TEST(scalars, the_sign_of_no_number_is_none) {

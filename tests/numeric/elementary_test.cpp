@@ -159,6 +159,44 @@ TEST(elementary, hyperbolic_sine_and_cosine) {
   expect_close_to_libm_on_all_doubles(elementary::cosh, cosine);
 }
 
+TEST(elementary, cube_root) {
+  const unary precise = [](double x) { return static_cast<double>(std::cbrt(static_cast<long double>(x))); };
+  for (const double range : {1e-8, 1.0, 100.0, 1e9})
+    expect_close_to_libm(elementary::cbrt, precise, -range, range);
+  expect_close_to_libm_on_all_doubles(elementary::cbrt, precise);
+  for (double n = -200; n <= 200; ++n) ASSERT_EQ(elementary::cbrt(n * n * n), n);
+}
+
+TEST(elementary, error_function) {
+  const unary precise = [](double x) { return static_cast<double>(std::erf(static_cast<long double>(x))); };
+  for (const double range : {1e-8, 0.1, 1.0, 2.0, 3.0, 6.5})
+    expect_close_to_libm(elementary::erf, precise, -range, range);
+  expect_close_to_libm_on_all_doubles(elementary::erf, precise);
+  for (const double edge : {2.0, 6.0})
+    for (double x = edge - 1e-3; x < edge + 1e-3; x += 1e-6)
+      ASSERT_TRUE(close(elementary::erf(x), precise(x))) << x;
+}
+
+TEST(elementary, wrapping_is_an_exact_remainder) {
+  const unary remainder = [](double x) {
+    const double r = std::remainder(x, 2 * pi);
+    return r == pi ? -pi : r;
+  };
+  for (const double range : {1.0, 10.0, 1e5, 1e15})
+    expect_close_to_libm(elementary::wrap_to_pi, remainder, -range, range, 0);
+  std::mt19937_64 engine{4};
+  for (int i = 0; i < 20000; ++i) {
+    const double x = any_double(engine);
+    ASSERT_TRUE(same(elementary::wrap_to_pi(x), remainder(x))) << x;
+  }
+  for (int n = -41; n <= 41; ++n)
+    for (const double x : {n * pi, std::nextafter(n * pi, infinity), std::nextafter(n * pi, -infinity)}) {
+      const double r = elementary::wrap_to_pi(x);
+      ASSERT_TRUE(same(r, remainder(x))) << x;
+      ASSERT_TRUE(-pi <= r && r < pi) << x;
+    }
+}
+
 void expect_power_close_to_libm(double x, double y, std::int64_t ulps) {
   ASSERT_LE(ulps_between(elementary::pow(x, y), std::pow(x, y)), ulps) << x << ", " << y;
 }
@@ -206,6 +244,9 @@ TEST(elementary, special_values) {
     EXPECT_EQ(std::signbit(elementary::sinh(x)), std::signbit(std::sinh(x))) << x;
     EXPECT_LE(ulps_between(elementary::tanh(x), std::tanh(x)), 2) << x;
     EXPECT_EQ(std::signbit(elementary::tanh(x)), std::signbit(std::tanh(x))) << x;
+    EXPECT_TRUE(close(elementary::cbrt(x), std::cbrt(x))) << x;
+    EXPECT_TRUE(close(elementary::erf(x), std::erf(x))) << x;
+    EXPECT_TRUE(same(elementary::wrap_to_pi(x), std::remainder(x, 2 * pi))) << x;
     for (const double y : special_values) {
       EXPECT_TRUE(close(elementary::atan2(y, x), std::atan2(y, x))) << y << ", " << x;
       EXPECT_TRUE(close(elementary::pow(x, y), std::pow(x, y))) << x << ", " << y;
@@ -236,6 +277,12 @@ static_assert(elementary::cosh(1.0) == 1.5430806348152437 && elementary::cosh(0.
 static_assert(elementary::sinh(710.0) < infinity && elementary::sinh(-711.0) == -infinity);
 static_assert(elementary::tanh(1.0) == 0.7615941559557649 && same(elementary::tanh(-0.0), -0.0));
 static_assert(elementary::tanh(-infinity) == -1 && elementary::tanh(smallest) == smallest);
+static_assert(elementary::cbrt(27.0) == 3 && elementary::cbrt(-1e-300) == -1e-100);
+static_assert(same(elementary::cbrt(-0.0), -0.0) && elementary::cbrt(-infinity) == -infinity);
+static_assert(elementary::erf(0.5) == 0.5204998778130465 && same(elementary::erf(-0.0), -0.0));
+static_assert(elementary::erf(infinity) == 1 && is_nan(elementary::erf(nan)));
+static_assert(elementary::wrap_to_pi(pi) == -pi && elementary::wrap_to_pi(-pi) == -pi);
+static_assert(elementary::wrap_to_pi(7.0) == 7.0 - 2 * pi && is_nan(elementary::wrap_to_pi(infinity)));
 static_assert(elementary::log(1.0) == 0 && elementary::log(0.0) == -infinity);
 static_assert(is_nan(elementary::log(-1.0)));
 static_assert(elementary::pow(3.0, 4.0) == 81 && elementary::pow(-2.0, -3.0) == -0.125);
@@ -253,7 +300,7 @@ constexpr std::array<double, 42> arguments = {
     700.123, -744.9, 12345.678, 1e5, -98765.4321, 1e10, 123456789012345.0, 1e22, -1.7e308};
 // clang-format on
 
-constexpr std::size_t results_per_argument = 19;
+constexpr std::size_t results_per_argument = 22;
 using results = std::array<std::uint64_t, results_per_argument * arguments.size()>;
 
 // Neighbours in the table make the pairs for functions of two arguments.
@@ -264,12 +311,28 @@ constexpr results evaluate(const std::array<double, arguments.size()>& inputs) {
     const double x = inputs[i];
     const double y = inputs[(i + 7) % inputs.size()];
     const double positive = elementary::abs(x);
-    for (const double value :
-         {elementary::sqrt(positive), elementary::sin(x), elementary::cos(x), elementary::tan(x),
-          elementary::asin(x), elementary::acos(x), elementary::atan(x), elementary::atan2(y, x),
-          elementary::exp(x), elementary::log(positive), elementary::pow(positive, y),
-          elementary::pow(x, 7.0), elementary::pow(positive, -1.5), elementary::abs(x), elementary::sign(x),
-          elementary::floor(x), elementary::sinh(x), elementary::cosh(x), elementary::tanh(x)}) {
+    for (const double value : {elementary::sqrt(positive),
+                               elementary::sin(x),
+                               elementary::cos(x),
+                               elementary::tan(x),
+                               elementary::asin(x),
+                               elementary::acos(x),
+                               elementary::atan(x),
+                               elementary::atan2(y, x),
+                               elementary::exp(x),
+                               elementary::log(positive),
+                               elementary::pow(positive, y),
+                               elementary::pow(x, 7.0),
+                               elementary::pow(positive, -1.5),
+                               elementary::abs(x),
+                               elementary::sign(x),
+                               elementary::floor(x),
+                               elementary::sinh(x),
+                               elementary::cosh(x),
+                               elementary::tanh(x),
+                               elementary::cbrt(x),
+                               elementary::erf(x),
+                               elementary::wrap_to_pi(x)}) {
       result[next++] = bits(value);
     }
   }

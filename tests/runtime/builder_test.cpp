@@ -9,6 +9,7 @@
 #include <kanexpr/symbolic/print/print.hpp>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <tuple>
 
@@ -223,7 +224,10 @@ TEST(interpreter, knows_every_operation) {
                          sin(y),
                          if_positive(x - y, sqrt(x - y), sqrt(y - x)),
                          clamp(3 * x, y, x),
-                         hypot(x, y)};
+                         hypot(x, y),
+                         cbrt(-x),
+                         erf(x),
+                         wrap_to_pi(10 * x)};
   const double expected[]{0.7 + 0.3,
                           0.7 - 0.3,
                           0.7 * 0.3,
@@ -245,7 +249,10 @@ TEST(interpreter, knows_every_operation) {
                           std::sin(0.3),
                           std::sqrt(0.7 - 0.3),
                           0.7,
-                          std::sqrt(0.7 * 0.7 + 0.3 * 0.3)};
+                          std::sqrt(0.7 * 0.7 + 0.3 * 0.3),
+                          std::cbrt(-0.7),
+                          std::erf(0.7),
+                          std::remainder(7.0, 2 * std::numbers::pi)};
   kanexpr::symbolic::matrix wanted(b.graph(), static_cast<int>(std::size(all)), 1);
   for (int i = 0; i < wanted.rows; ++i) wanted.entries[i] = all[i];
   double found[std::size(all)];

@@ -148,6 +148,33 @@ constexpr auto sign(const Operand& x) {
   return describe::meaningless<scalar>(x, describe::with(symbolic::operation::sign));
 }
 
+template <int size>
+constexpr auto cbrt(const scalar<size>& x) {
+  return describe::function_of(symbolic::operation::cbrt, x);
+}
+template <describe::no_scalar Operand>
+constexpr auto cbrt(const Operand& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::cbrt));
+}
+
+template <int size>
+constexpr auto erf(const scalar<size>& x) {
+  return describe::function_of(symbolic::operation::erf, x);
+}
+template <describe::no_scalar Operand>
+constexpr auto erf(const Operand& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::erf));
+}
+
+template <int size>
+constexpr auto wrap_to_pi(const scalar<size>& x) {
+  return describe::function_of(symbolic::operation::wrap_to_pi, x);
+}
+template <describe::no_scalar Operand>
+constexpr auto wrap_to_pi(const Operand& x) {
+  return describe::meaningless<scalar>(x, describe::with(symbolic::operation::wrap_to_pi));
+}
+
 template <int left_size, int right_size>
 constexpr auto atan2(const scalar<left_size>& y, const scalar<right_size>& x) {
   return describe::function_of(symbolic::operation::atan2, y, x);
@@ -198,10 +225,6 @@ constexpr auto acosh(const Operand& x) {
 }
 template <describe::expression_of_a_model Operand>
 constexpr auto atanh(const Operand& x) {
-  return describe::misused<scalar>(x, describe::misuse::function);
-}
-template <describe::expression_of_a_model Operand>
-constexpr auto cbrt(const Operand& x) {
   return describe::misused<scalar>(x, describe::misuse::function);
 }
 template <describe::expression_of_a_model Operand>

@@ -56,9 +56,11 @@ inline constexpr mechanics::sentence which_functions_there_are = [] {
   const auto append = [&](std::string_view text) {
     for (char letter : text) p.letters[p.length++] = letter;
   };
-  append(" uses a function that models do not have; the available functions are ");
+  append(" uses a function that models do not have; they have ");
   for (const symbolic::function_properties& f : symbolic::functions) append(f.name), append(", ");
-  append("atan2, pow, hypot, min, max and clamp");
+  for (const symbolic::binary_function_properties& f : symbolic::binary_functions)
+    append(f.name), append(", ");
+  append("pow, hypot, min, max and clamp");
   return p;
 }();
 

@@ -58,20 +58,28 @@ struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>>
     }
     return {static_cast<Real>(f.value(operands)), along};
   }
-  /// Returns the angle of the real parts, corrected to first order.
-  static number atan2(const number& y, const number& x) {
-    const Real square = x.real() * x.real() + y.real() * y.real();
-    return {std::atan2(y.real(), x.real()), (x.real() * y.imag() - y.real() * x.imag()) / square};
-  }
-
+  /// A function that <complex> lacks is that of the real part, corrected to first order.
   template <symbolic::operation op>
   static number by_name(const number& x) {
-    if constexpr (op == symbolic::operation::abs)
-      return x * sign(x);
-    else if constexpr (op == symbolic::operation::sign)
-      return sign(x);
-    else
+    if constexpr (symbolic::properties_of(op).has_complex) {
       return default_scalar_math<number>::template by_name<op>(x);
+    } else {
+      const Real f = scalar_math<Real>::template by_name<op>(x.real());
+      return {f, slope<op>(x.real(), f) * x.imag()};
+    }
+  }
+  template <symbolic::operation op>
+  static number by_name(const number& a, const number& b) {
+    const Real f = scalar_math<Real>::template by_name<op>(a.real(), b.real());
+    return {f, symbolic::binary_rate_of<op>(a.real(), b.real(), f, a.imag(), b.imag())};
+  }
+
+private:
+  /// In double, the precision of functions in constant expressions.
+  template <symbolic::operation op>
+  static Real slope(Real x, Real f) {
+    return static_cast<Real>(
+        symbolic::scalar_function<op>::slope(static_cast<double>(x), static_cast<double>(f)));
   }
 };
 

@@ -50,13 +50,15 @@ void evaluate_step(const instruction& step, const Number* values, Number* out) {
   case form::multiply: *out = apply<operation::multiply>(a, b); return;
   case form::divide: *out = apply<operation::divide>(a, b); return;
   case form::power: *out = apply<operation::power>(a, b); return;
-  case form::atan2: *out = apply<operation::atan2>(a, b); return;
   case form::selection:
     *out = step.op == operation::if_positive ? apply<operation::if_positive>(a, b)
                                              : apply<operation::if_not_positive>(a, b);
     return;
   case form::function:
     symbolic::with_function(step.op, [&]<operation function>() { *out = apply<function>(a, b); });
+    return;
+  case form::binary_function:
+    symbolic::with_binary_function(step.op, [&]<operation function>() { *out = apply<function>(a, b); });
     return;
   case form::constant:
   case form::symbol: // loaded beforehand

@@ -94,8 +94,9 @@ struct scalar_math<Vector> {
   [[gnu::always_inline]] static Vector power(const Vector& x, const Vector& y) {
     return each([&](int i) { return of_element::power(x[i], y[i]); });
   }
-  [[gnu::always_inline]] static Vector atan2(const Vector& y, const Vector& x) {
-    return each([&](int i) { return of_element::atan2(y[i], x[i]); });
+  template <symbolic::operation op>
+  [[gnu::always_inline]] static Vector by_name(const Vector& a, const Vector& b) {
+    return each([&](int i) { return of_element::template by_name<op>(a[i], b[i]); });
   }
 
   /// Returns true only if x exceeds the bound in all lanes.

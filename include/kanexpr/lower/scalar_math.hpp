@@ -146,9 +146,9 @@ struct default_scalar_math {
     using std::pow;
     return pow(x, y);
   }
-  static Number atan2(const Number& y, const Number& x) {
-    using std::atan2;
-    return atan2(y, x);
+  template <symbolic::operation op>
+  static Number by_name(const Number& a, const Number& b) {
+    return symbolic::binary_function<op>::of(a, b);
   }
 };
 
@@ -183,8 +183,8 @@ template <symbolic::operation op, class Number>
   else if constexpr (symbolic::is_selection(op))
     return scalar_math<Number>::template selected<op>(a, b);
   else {
-    static_assert(op == operation::atan2);
-    return scalar_math<Number>::atan2(a, b);
+    static_assert(symbolic::is_binary_function(op));
+    return scalar_math<Number>::template by_name<op>(a, b);
   }
 }
 

@@ -111,8 +111,9 @@ struct scalar_math<written_value> {
   static constexpr written_value power(const written_value& x, const written_value& y) {
     return detail::write(operation::power, x, y);
   }
-  static constexpr written_value atan2(const written_value& y, const written_value& x) {
-    return detail::write(operation::atan2, y, x);
+  template <operation op>
+  static constexpr written_value by_name(const written_value& a, const written_value& b) {
+    return detail::write(op, a, b);
   }
   template <operation op>
   static constexpr written_value selected(const written_value& condition, const written_value& x) {

@@ -35,6 +35,7 @@ using real = long double;
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
 inline constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 inline constexpr real pi = 3.1415926535897932384626433833L;
+inline constexpr double half_turn = 3.141592653589793;
 inline constexpr real log2_e = 1.4426950408889634073599246810L;
 inline constexpr real ln_2 = 0.6931471805599453094172321215L;
 
@@ -234,6 +235,61 @@ constexpr double positive_pow(double x, double y) noexcept {
 } // namespace detail
 
 [[nodiscard]] constexpr double abs(double x) noexcept { return __builtin_fabs(x); }
+
+// By Newton's method, whose first guess is within 20 %.
+[[nodiscard]] constexpr double cbrt(double x) noexcept {
+  if (numeric::equal(x, 0.0) || !detail::is_finite(x)) return x;
+  const auto [significand, exponent] = detail::decompose(x);
+  const int rest = (exponent % 3 + 3) % 3;
+  const detail::real m = static_cast<detail::real>(significand << rest) * 0x1p-54L; // from 1/4 to 2
+  detail::real root = 0.5L + m / 2;
+  for (int i = 0; i < 6; ++i) root = (2 * root + m / (root * root)) / 3;
+  return detail::copy_sign(detail::scaled(root, (exponent - rest) / 3 + 18), x);
+}
+
+// Up to 2 by a series of positive terms (DLMF 7.6.2), beyond that 1 - erfc x by a continued fraction (DLMF
+// 7.9.1); from 6 on nothing is left of erfc. The square of x is in two parts, of which the first is exact.
+[[nodiscard]] constexpr double erf(double x) noexcept {
+  if (detail::is_nan(x)) return x;
+  const double size = abs(x);
+  if (size >= 6) return detail::copy_sign(1.0, x);
+  const double leading = static_cast<double>(static_cast<float>(size));
+  const auto [k, power] = detail::split_exp(-leading * leading);
+  const detail::real wide = static_cast<detail::real>(size), first = static_cast<detail::real>(leading);
+  const detail::real decay =
+      power * static_cast<detail::real>(detail::power_of_two(k)) *
+      detail::series(detail::reciprocal_factorials, 1, 4, (first - wide) * (first + wide));
+  constexpr detail::real inverse_root_of_pi = 0.5641895835477562869480794516L;
+  detail::real value = 0;
+  if (size < 2) {
+    const detail::real square = wide * wide;
+    for (int n = 40; n > 0; --n) value = (1 + value) * (2 * square) / static_cast<detail::real>(2 * n + 1);
+    value = 2 * inverse_root_of_pi * wide * decay * (1 + value);
+  } else {
+    for (int n = 60; n > 0; --n) value = static_cast<detail::real>(n) / 2 / (wide + value);
+    value = 1 - inverse_root_of_pi * decay / (wide + value);
+  }
+  return detail::copy_sign(static_cast<double>(value), x);
+}
+
+// x less a multiple of the double 2 pi, exactly, in [-pi, pi). Modulo the significand of 2 pi, the one of x
+// is doubled for each binary digit that its exponent is larger.
+[[nodiscard]] constexpr double wrap_to_pi(double x) noexcept {
+  if (!detail::is_finite(x)) return detail::not_a_number;
+  constexpr double turn = 2 * detail::half_turn;
+  double r = abs(x);
+  if (r >= 2 * turn) {
+    const auto [modulus, lowest] = detail::decompose(turn);
+    const auto [significand, exponent] = detail::decompose(x);
+    std::uint64_t rest = significand % modulus;
+    for (int i = lowest; i < exponent; ++i) rest = 2 * rest % modulus;
+    r = static_cast<double>(rest) * detail::power_of_two(lowest);
+  }
+  for (int i = 0; i < 2; ++i)
+    if (r > detail::half_turn) r -= turn; // exact
+  r = detail::is_negative(x) ? -r : r;
+  return r >= detail::half_turn ? -detail::half_turn : r;
+}
 
 // Returns -1 or 1; zeros and NaN are returned unchanged.
 [[nodiscard]] constexpr double sign(double x) noexcept {

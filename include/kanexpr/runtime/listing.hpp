@@ -106,7 +106,8 @@ private:
     case form::multiply: return first + " * " + second;
     case form::divide: return first + " / " + second;
     case form::power: return "pow(" + name(line.a) + ", " + name(line.b) + ')';
-    case form::atan2: return "atan2(" + name(line.a) + ", " + name(line.b) + ')';
+    case form::binary_function:
+      return symbolic::function_name(line.op) + ('(' + name(line.a)) + ", " + name(line.b) + ')';
     case form::function: return symbolic::function_name(line.op) + ('(' + name(line.a) + ')');
     case form::constant:
     case form::symbol: // has no line

@@ -29,7 +29,9 @@ struct cost {
     case form::multiply: multiplications += times; break;
     case form::divide: divisions += times; break;
     case form::function: (properties_of(op).is_trigonometric ? trigonometric : other) += times; break;
-    case form::atan2: trigonometric += times; break;
+    case form::binary_function:
+      (binary_properties_of(op).is_trigonometric ? trigonometric : other) += times;
+      break;
     case form::power:
     case form::call: other += times; break;
     case form::pair:

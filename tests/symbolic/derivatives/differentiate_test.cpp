@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace {
 
 using namespace kanexpr::symbolic;
@@ -131,9 +133,18 @@ TEST_F(differentiate_each, function_with_corners_by_differences) {
     at[static_cast<std::size_t>(g[y.node()].a)] = -1.2L;
     const std::vector<real> by_x = along(at.size(), g[x.node()].a);
     for (const expression e :
-         {abs(x), sign(x), atan2(x, y), atan2(y, x), abs(x * x - y) * sign(x * y), x * sign(x)})
+         {abs(x), sign(x), atan2(x, y), atan2(y, x), abs(x * x - y) * sign(x * y), x * sign(x), cbrt(x),
+          cbrt(x * y) * x, erf(x), erf(x - y) / x, wrap_to_pi(x), wrap_to_pi(20 * x * y) * x})
       EXPECT_PRED3(are_close, evaluate(differentiate(e, x), at), central_difference(e, at, by_x), 1e-10L);
   }
+}
+
+TEST_F(differentiate_each, function_without_complex_values_in_closed_form) {
+  EXPECT_EQ(differentiate(cbrt(x), x), 1 / (3 * (cbrt(x) * cbrt(x))));
+  EXPECT_EQ(differentiate(erf(x), x), number(2 / std::sqrt(std::acos(-1.0))) * exp(-(x * x)));
+  EXPECT_EQ(differentiate(wrap_to_pi(x * y), x), y);
+  EXPECT_EQ(differentiate(atan2(x, y), x), y / (x * x + y * y));
+  EXPECT_EQ(differentiate(atan2(x, y), y), -(x / (x * x + y * y)));
 }
 
 TEST_F(differentiate_each, is_simple) {

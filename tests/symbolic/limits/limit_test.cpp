@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace {
 
 using namespace kanexpr::symbolic;
@@ -53,6 +55,10 @@ TEST_F(limits, of_quotients_are_exact) {
   EXPECT_EQ(at_zero((tan(q) - tanh(q)) / (q * q * q)), fraction(2, 3));
   EXPECT_EQ(at_zero((sinh(q) - sin(q)) / (q * q * q)), fraction(1, 3));
   EXPECT_EQ(at_zero((cosh(q) - 1) / (q * q)), fraction(1, 2));
+  EXPECT_EQ(at_zero((cbrt(q - 8) + 2) / q), fraction(1, 12));
+  EXPECT_EQ(at_zero(cbrt(q * q * q) / q), number(1));
+  EXPECT_EQ(at_zero(wrap_to_pi(2 * q) / sin(q)), number(2));
+  EXPECT_EQ(at_zero(erf(q) / q), number(2 / std::sqrt(std::acos(-1.0))));
   EXPECT_EQ(at({{x, fraction(2, 3)}}, (9 * x * x - 4) / (3 * x - 2)), number(4));
 }
 
@@ -78,6 +84,7 @@ TEST_F(limits, keep_the_symbols_that_stay) {
   EXPECT_EQ(at_zero((sin(q1 + x) - sin(x)) / q1), cos(x));
   EXPECT_EQ(at_zero((tanh(q1 + x) - tanh(x)) / q1), 1 - tanh(x) * tanh(x));
   EXPECT_EQ(at_zero((cosh(q1 + x) - cosh(x)) / q1), sinh(x));
+  EXPECT_EQ(print(at_zero((cbrt(q1 + a) - cbrt(a)) / q1)), "cbrt(a)/(3*a)");
   EXPECT_EQ(at_zero((power(q1 + 1, a) - 1) / q1), a);
   EXPECT_EQ(print(at_zero((b * sin(3 * q1) + c * tan(q1)) / (5 * a * q1 + q1 * q1))), "(3*b + c)/(5*a)");
   EXPECT_EQ(at({{x, a}}, (sin(x) - sin(a)) / (x - a)), cos(a));
@@ -113,6 +120,8 @@ TEST_F(limits, do_not_exist_where_the_sides_disagree) {
             "the limit of atan2(q1, q2) at q1 = 0, q2 = 0 depends on the direction");
   EXPECT_EQ(condition_at_zero(q * p / (q * q + p * p)),
             "the limit of q1*q2/(q1^2 + q2^2) at q1 = 0, q2 = 0 depends on the direction");
+  EXPECT_EQ(condition_at_zero(wrap_to_pi(q + 3.141592653589793) * (sin(q) / q)),
+            "the limit of wrap_to_pi(q1 + 3.141592653589793) at q1 = 0 depends on the direction");
   EXPECT_EQ(condition_at_zero(acos(cos(q)) / q),
             "the limit of acos(cos(q1))/q1 at q1 = 0 depends on the direction");
 }

@@ -69,9 +69,10 @@ TEST(series, calculate_as_the_functions_that_they_stand_for) {
 
 TEST(series, have_functions) {
   std::mt19937 engine(2);
-  constexpr operation entire[] = {operation::sin,  operation::cos,  operation::tan, operation::asin,
-                                  operation::acos, operation::atan, operation::exp, operation::sinh,
-                                  operation::cosh, operation::tanh, operation::abs, operation::sign};
+  constexpr operation entire[] = {operation::sin,  operation::cos,       operation::tan, operation::asin,
+                                  operation::acos, operation::atan,      operation::exp, operation::sinh,
+                                  operation::cosh, operation::tanh,      operation::abs, operation::sign,
+                                  operation::erf,  operation::wrap_to_pi};
   for (int i = 0; i < 20; ++i) {
     for (const int first : {0, 1, 2})
       for (const operation op : entire) {
@@ -83,6 +84,10 @@ TEST(series, have_functions) {
     check(operation::sqrt, base.s, {}, base.value, 0);
     check(operation::sqrt, even.s, {}, even.value, 0);
     check(operation::log, base.s, {}, base.value, 0);
+    const random_polynomial cubed(engine, 3, 1 + i % 3, -1);
+    check(operation::cbrt, base.s, {}, base.value, 0);
+    check(operation::cbrt, -base.s, {}, -base.value, 0);
+    check(operation::cbrt, cubed.s, {}, cubed.value, 0);
     check(operation::atan, *quotient(base.s, even.s), {}, base.value / even.value, 0);
     check(operation::power, base.s, any.s, base.value, any.value);
     for (const number& p : {exactly(-2), exactly(3), exactly(1, 3), exactly(-5, 2)})
@@ -97,6 +102,30 @@ TEST(series, have_functions) {
       check(operation::if_positive, even.s, x->s, even.value, x->value);
     }
   }
+}
+
+/// Functions of two arguments without a series of their own take the one that follows from their slopes.
+TEST(series, follow_from_two_slopes) {
+  std::mt19937 engine(4);
+  for (int i = 0; i < 20; ++i) {
+    const random_polynomial y(engine, i % 3, 1 + i % 4, 1), x(engine, 0, 1 + i % 3, i % 2 == 0 ? 1 : -1);
+    const expansion found = smooth(operation::atan2, y.s, x.s), expected = apply(operation::atan2, y.s, x.s);
+    ASSERT_TRUE(found && expected);
+    EXPECT_EQ(found->end(), expected->end());
+    EXPECT_PRED3(are_close, value_of_series(*found), value_of_series(*expected), 1e-13L);
+  }
+}
+
+TEST(series, jump_where_an_angle_is_wrapped) {
+  const coefficient pi(kanexpr::symbolic::real(3.141592653589793));
+  for (const int turns : {-3, -1, 1, 3})
+    for (const int side : {-1, 1}) {
+      const series e = series::along(coefficient(turns) * pi, coefficient(side), most);
+      const expansion wrapped = apply(operation::wrap_to_pi, e, {});
+      ASSERT_TRUE(wrapped);
+      EXPECT_EQ((*wrapped)[0].value().value(), side > 0 ? -3.141592653589793 : 3.141592653589793);
+      EXPECT_EQ((*wrapped)[1].value(), exactly(side));
+    }
 }
 
 TEST(series, pass_the_ends_of_an_arcsine) {
@@ -167,7 +196,8 @@ TEST(rounding, stays_within_the_bound) {
                                operation::atan,   operation::exp,         operation::log,
                                operation::sqrt,   operation::power,       operation::atan2,
                                operation::abs,    operation::sinh,        operation::cosh,
-                               operation::tanh,   operation::if_positive, operation::if_not_positive};
+                               operation::tanh,   operation::if_positive, operation::if_not_positive,
+                               operation::cbrt,   operation::erf,         operation::wrap_to_pi};
   int count = 0, tight = 0;
   for (int i = 0; i < 4000; ++i) {
     std::vector<bounded> values;

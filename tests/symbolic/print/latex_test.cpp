@@ -91,6 +91,10 @@ TEST_F(latex_function, has_the_names_of_mathematics) {
   EXPECT_EQ(latex(atan(-x / 2)), R"(-\arctan\left(\frac{x}{2}\right))");
   EXPECT_EQ(latex(atan2(y, x)), R"(\operatorname{atan2}\left(y, x\right))");
   EXPECT_EQ(latex(sign(x)), R"(\operatorname{sign} x)");
+  EXPECT_EQ(latex(cbrt(x + y)), R"(\sqrt[3]{x + y})");
+  EXPECT_EQ(latex(cbrt(x) * cbrt(x)), R"(\sqrt[3]{x}^{2})");
+  EXPECT_EQ(latex(erf(x)), R"(\operatorname{erf} x)");
+  EXPECT_EQ(latex(wrap_to_pi(x)), R"(\operatorname{wrap}_{\pi} x)");
 }
 
 TEST_F(latex_function, has_general_powers) {

@@ -88,6 +88,7 @@ TEST_F(print_function, has_arguments_in_parentheses) {
   EXPECT_EQ(print(sin(q1 - (q2 - u1))), "sin(q1 - q2 + u1)");
   EXPECT_EQ(print(sqrt(x) / sqrt(y)), "sqrt(x)/sqrt(y)");
   EXPECT_EQ(print(atan2(y, -x)), "atan2(y, -x)");
+  EXPECT_EQ(print(cbrt(-x) + erf(2 * y) * wrap_to_pi(-z)), "erf(2*y)*wrap_to_pi(-z) - cbrt(x)");
   EXPECT_EQ(print(exp(-(a * x)) * abs(x) * sign(y) * log(z)), "exp(-a*x)*log(z)*abs(x)*sign(y)");
   EXPECT_EQ(print(tan(asin(a)) + acos(b) - atan(c / 2)), "tan(asin(a)) + acos(b) - atan(c/2)");
 }

@@ -40,6 +40,7 @@ TEST_F(sums, have_terms_of_one_unit) {
   EXPECT_TRUE(alike(x, y, {x * k + l, l - abs(y) * k}));
   EXPECT_TRUE(alike(x, y, {l / x - k, k - l / y}));
   EXPECT_TRUE(alike(x, y, {atan2(x, y)}));
+  EXPECT_TRUE(alike(x, y, {cbrt(x * x * y) - l, x - l}));
 }
 
 TEST_F(sums, tell_no_more_than_they_say) {
@@ -54,6 +55,7 @@ TEST_F(sums, tell_no_more_than_they_say) {
 TEST_F(sums, know_that_angles_have_no_unit) {
   EXPECT_TRUE(alike(angle, other, {sin(angle) + cos(other)}));
   EXPECT_TRUE(alike(angle, other, {sin(k * angle), exp(k * other)}));
+  EXPECT_TRUE(alike(angle, other, {wrap_to_pi(k * angle), erf(k * other)}));
   EXPECT_TRUE(alike(x, y, {x * angle + y * sin(angle)}));
 }
 

@@ -80,7 +80,9 @@ constexpr mechanics::sentence senseless(const describe::token& t, shape a, shape
                a == shape::scalar && b == shape::scalar ? "; write *" : "");
   if (t.what == token_kind::cross) return say(" takes the cross product of ", " and ");
   if (t.what == token_kind::outer) return say(" takes the outer product of ", " and ");
-  if (t.operation == symbolic::operation::atan2) return say(" applies atan2 to ", " and ");
+  if (symbolic::is_binary_function(t.operation))
+    return mechanics::sentence({part, whom, " applies ", symbolic::function_name(t.operation), " to ",
+                                a_kind(a), " and ", a_kind(b)});
   return say(" raises ", " to the power of ",
              a == shape::vector && b == shape::scalar ? "; write dot(v, v)" : "");
 }

@@ -141,11 +141,8 @@ private:
     case form::multiply: return first + " * " + second;
     case form::divide: return first + " / " + second;
     case form::power: return called("pow", first + ", " + second);
-    case form::atan2: return called("atan2", first + ", " + second);
-    case form::function:
-      if (s.op == symbolic::operation::sign) return name_ + "_sign(" + first + ')';
-      return called(s.op == symbolic::operation::abs ? "fabs" : std::string(symbolic::function_name(s.op)),
-                    first);
+    case form::function: return called(s.op, first);
+    case form::binary_function: return called(s.op, first + ", " + second);
     case form::constant:
     case form::symbol: // have no line of code
     case form::selection:
@@ -158,6 +155,11 @@ private:
     case form::call: break;         // cannot be exported
     }
     return "";
+  }
+  std::string called(symbolic::operation op, const std::string& with) const {
+    const symbolic::spelling_in_c& in_c = symbolic::spelling_of(op);
+    if (*in_c.body != '\0') return name_ + '_' + symbolic::function_name(op) + '(' + with + ')';
+    return called(*in_c.name != '\0' ? in_c.name : symbolic::function_name(op), with);
   }
   std::string called(const std::string& function, const std::string& with) const {
     return number_.function(function) + '(' + with + ')';

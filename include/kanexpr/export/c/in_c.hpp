@@ -10,6 +10,16 @@
 
 namespace kanexpr::exporting {
 
+/// The functions that C lacks, which a file defines if its code calls them.
+inline std::vector<symbolic::operation> written_functions() {
+  std::vector<symbolic::operation> all;
+  for (const auto& f : symbolic::functions)
+    if (*f.in_c.body != '\0') all.push_back(f.op);
+  for (const auto& f : symbolic::binary_functions)
+    if (*f.in_c.body != '\0') all.push_back(f.op);
+  return all;
+}
+
 /// A system with the names that it has in a C file.
 struct system_in_c {
   exported_system system{};
@@ -21,8 +31,9 @@ inline system_in_c in_c(exported_system s) {
   identifiers taken;
   for (const char* own : {"states", "coordinates", "speeds", "parameters", "inputs", "bits", "FUNCTION",
                           "INLINE", "SINES_OF_THE_LIBRARY", "ANGLES_WITHOUT_END", "has_bits_of_that_size",
-                          "sine_and_cosine", "choose", "sign", "is_singular", "is_infinite", "is_not_above"})
+                          "sine_and_cosine", "choose", "is_singular", "is_infinite", "is_not_above"})
     taken.reserve(own);
+  for (const symbolic::operation each : written_functions()) taken.reserve(symbolic::function_name(each));
   identifiers functions = taken;
   functions.reserve_words_of_python();
   std::vector<std::pair<std::string, std::string>> changed;

@@ -21,7 +21,7 @@ constexpr bool is_positive(const symbolic::graph& g, int id) {
   case form::function: return symbolic::properties_of(n.op).never_negative;
   case form::negate:
   case form::subtract:
-  case form::atan2:
+  case form::binary_function:
   case form::selection:
   case form::pair:
   case form::factorization:

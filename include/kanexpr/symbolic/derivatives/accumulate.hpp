@@ -116,10 +116,7 @@ private:
   constexpr bool has_finite_slopes(const node& n) const {
     switch (form_of(n.op)) {
     case form::divide: return graph_.is_constant(n.b);
-    case form::function: {
-      const function_properties& f = properties_of(n.op);
-      return f.stays_finite && f.is_smooth_at(-2) && f.is_smooth_at(2);
-    }
+    case form::function: return properties_of(n.op).has_finite_slopes();
     case form::constant:
     case form::symbol:
     case form::negate:
@@ -128,7 +125,7 @@ private:
     case form::multiply:
     case form::selection: return true;
     case form::power:
-    case form::atan2:
+    case form::binary_function:
     case form::pair:
     case form::factorization:
     case form::solve:

@@ -27,9 +27,9 @@ constexpr partials local_partials(graph& g, int id) {
     return {by_base.node(), b.is_constant() ? zero : (f * log(a)).node()};
   }
   case form::function: return {slope_of(n.op, expression{g, n.a}, expression{g, id}).node(), zero};
-  case form::atan2: {
-    const expression a{g, n.a}, b{g, n.b}, square = sum_of_products(a, a, b, b);
-    return {(b / square).node(), (-(a / square)).node()};
+  case form::binary_function: {
+    const auto slopes = binary_slopes_of(n.op, expression{g, n.a}, expression{g, n.b}, expression{g, id});
+    return {slopes.by_a.node(), slopes.by_b.node()};
   }
   case form::selection: return {zero, selected(g, n.op, n.a, one)};
   case form::constant: // no operands

@@ -32,10 +32,10 @@ constexpr rated rated_value_of(operation op, rated a, rated b) {
   case form::function:
     return along(properties_of(op).is_smooth_at(a.value) ? slope_of(op, a.value, value)
                                                          : elementary::detail::not_a_number);
-  case form::atan2: {
-    const double square = a.value * a.value + b.value * b.value;
-    return {value, (b.value * a.rate - a.value * b.rate) / square};
-  }
+  case form::binary_function:
+    return {value, with_binary_function(op, [&]<operation function>() {
+              return binary_rate_of<function>(a.value, b.value, value, a.rate, b.rate);
+            })};
   case form::selection: return {value, selected(op, a.value, b.rate)};
   case form::constant:
   case form::symbol:
@@ -86,8 +86,7 @@ private:
     if (is_selection(op)) return rated_value_of(op, a, b); // the other branch may be undefined
     if (!is_finite(a) || !is_finite(b)) return undefined;
     if (op == operation::divide && numeric::equal(b.value, 0.0)) return undefined;
-    if (op == operation::atan2 && numeric::equal(a.value, 0.0) && numeric::equal(b.value, 0.0))
-      return undefined;
+    if (is_binary_function(op) && !binary_properties_of(op).is_smooth_at(a.value, b.value)) return undefined;
     return rated_value_of(op, a, b);
   }
   constexpr rated called(int id) const {

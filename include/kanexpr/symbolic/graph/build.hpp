@@ -14,7 +14,7 @@ constexpr int build(graph& g, operation op, int a, int b) {
   case form::multiply: return multiply(g, a, b);
   case form::divide: return divide(g, a, b);
   case form::power: return power(g, a, b);
-  case form::atan2: return atan2(g, a, b);
+  case form::binary_function: return apply(g, op, a, b);
   case form::selection: return selected(g, op, a, b);
   case form::pair:
   case form::factorization:

@@ -21,7 +21,7 @@ public:
 
 private:
   constexpr std::uint64_t of(const graph& g, const node& n, int id) const {
-    std::uint64_t mark = mix(static_cast<std::uint64_t>(n.op), 1);
+    std::uint64_t mark = mix(number_of(n.op), 1);
     if (n.op == operation::constant) {
       const number& value = g.number_at(id);
       mark = mix(mark, static_cast<std::uint64_t>(value.numerator));
@@ -42,6 +42,15 @@ private:
     const std::uint64_t a = mark_[n.a], b = is_binary(n.op) ? mark_[n.b] : 0;
     const bool exchanged = is_commutative(n.op) && b < a;
     return mix(mix(mark, exchanged ? b : a), exchanged ? a : b);
+  }
+
+  /// A number that functions added later do not change, so that existing models keep their order.
+  static constexpr std::uint64_t number_of(operation op) {
+    constexpr int first_selection = 23, first_new = 64;
+    const int place = static_cast<int>(op), selections = static_cast<int>(operation::if_positive);
+    if (place < first_selection) return static_cast<std::uint64_t>(place);
+    return static_cast<std::uint64_t>(place < selections ? place - first_selection + first_new
+                                                         : place - selections + first_selection);
   }
 
   /// Steele, Lea & Flood, Fast splittable pseudorandom number generators (2014).

@@ -20,7 +20,7 @@ constexpr double value_of(operation op, double a, double b) {
   case form::divide: return a / b;
   case form::power: return elementary::pow(a, b);
   case form::function: return properties_of(op).value(a);
-  case form::atan2: return elementary::atan2(a, b);
+  case form::binary_function: return binary_properties_of(op).value(a, b);
   case form::selection: return selected(op, a, b);
   case form::constant:
   case form::symbol:

@@ -162,9 +162,9 @@ constexpr expression apply(operation op, expression a) {
   if (!__builtin_is_constant_evaluated() && !a.is_given()) return {};
   return {a.owner(), apply(a.owner(), op, a.node())};
 }
-constexpr expression atan2(expression y, expression x) {
-  if (!__builtin_is_constant_evaluated() && !expression::share_a_graph(y, x)) return {};
-  return {y.owner(), atan2(y.owner(), y.node(), x.node())};
+constexpr expression apply(operation op, expression a, expression b) {
+  if (!__builtin_is_constant_evaluated() && !expression::share_a_graph(a, b)) return {};
+  return {a.owner(), apply(a.owner(), op, a.node(), b.node())};
 }
 /// x if the condition is positive (or not positive), otherwise zero.
 constexpr expression selected(operation op, expression condition, expression x) {

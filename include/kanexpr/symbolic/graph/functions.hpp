@@ -2,9 +2,10 @@
 
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/selection.hpp>
-#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/binary_functions.hpp>
 
 #include <cmath>
+#include <numbers>
 #include <type_traits>
 
 /// Functions of one argument: for expressions and for numbers, with their derivatives. Their plain data are
@@ -25,6 +26,9 @@ constexpr expression cosh(expression a) { return apply(operation::cosh, a); }
 constexpr expression tanh(expression a) { return apply(operation::tanh, a); }
 constexpr expression abs(expression a) { return apply(operation::abs, a); }
 constexpr expression sign(expression a) { return apply(operation::sign, a); }
+constexpr expression cbrt(expression a) { return apply(operation::cbrt, a); }
+constexpr expression erf(expression a) { return apply(operation::erf, a); }
+constexpr expression wrap_to_pi(expression a) { return apply(operation::wrap_to_pi, a); }
 
 /// `of` evaluates the function for any scalar type. `slope` is its derivative at x, for expressions and for
 /// compile-time numbers; f is the value of the function at x.
@@ -224,6 +228,52 @@ struct scalar_function<operation::sign> {
   }
 };
 
+template <>
+struct scalar_function<operation::cbrt> {
+  template <class Number>
+  static Number of(const Number& x) {
+    using std::cbrt;
+    return cbrt(x);
+  }
+  template <class Number>
+  static constexpr Number slope(const Number&, const Number& f) {
+    return 1 / (3 * (f * f));
+  }
+};
+
+template <>
+struct scalar_function<operation::erf> {
+  template <class Number>
+  static Number of(const Number& x) {
+    using std::erf;
+    return erf(x);
+  }
+  template <class Number>
+  static constexpr Number slope(const Number& x, const Number&) {
+    using elementary::exp;
+    return 2 * std::numbers::inv_sqrtpi * exp(-(x * x));
+  }
+};
+
+template <>
+struct scalar_function<operation::wrap_to_pi> {
+  /// The remainder is exact, so the value does not depend on the compiler or the processor.
+  template <class Number>
+  static Number of(const Number& x) {
+    if constexpr (std::is_floating_point_v<Number>) {
+      constexpr Number pi = std::numbers::pi_v<Number>;
+      const Number r = std::remainder(x, 2 * pi);
+      return r - static_cast<Number>(r >= pi) * (2 * pi);
+    } else {
+      return wrap_to_pi(x);
+    }
+  }
+  template <class Number>
+  static constexpr Number slope(const Number& x, const Number&) {
+    return 1 + (x - x);
+  }
+};
+
 /// Calls `use.template operator()<op>()` for a function of one argument, with `op` as a constant.
 template <class Use>
 constexpr decltype(auto) with_function(operation op, const Use& use) {
@@ -242,6 +292,9 @@ constexpr decltype(auto) with_function(operation op, const Use& use) {
   case operation::tanh: return use.template operator()<operation::tanh>();
   case operation::abs: return use.template operator()<operation::abs>();
   case operation::sign: return use.template operator()<operation::sign>();
+  case operation::cbrt: return use.template operator()<operation::cbrt>();
+  case operation::erf: return use.template operator()<operation::erf>();
+  case operation::wrap_to_pi: return use.template operator()<operation::wrap_to_pi>();
   case operation::constant:
   case operation::symbol:
   case operation::negate:

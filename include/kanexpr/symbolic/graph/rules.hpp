@@ -214,10 +214,11 @@ constexpr int apply(graph& g, operation op, int a) {
   return g.find_or_append({op, a, 0});
 }
 
-constexpr int atan2(graph& g, int y, int x) {
-  if (g.is_constant(y) && g.is_constant(x))
-    return g.constant(real(elementary::atan2(g.number_at(y).value(), g.number_at(x).value())));
-  return g.find_or_append({operation::atan2, y, x});
+/// Applies a function of two arguments.
+constexpr int apply(graph& g, operation op, int a, int b) {
+  if (g.is_constant(a) && g.is_constant(b))
+    return g.constant(real(binary_properties_of(op).value(g.number_at(a).value(), g.number_at(b).value())));
+  return g.find_or_append({op, a, b});
 }
 
 constexpr int selected(graph& g, operation op, int condition, int x) {

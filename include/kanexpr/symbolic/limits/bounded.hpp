@@ -46,7 +46,11 @@ inline bool is_singular(operation op, const bounded& a, const bounded& b) {
     return std::abs(a.value) > 1 && std::abs(a.value) - 1 <= 4 * a.error;
   if (op == operation::tan)
     return a.error > 0 && std::abs(elementary::cos(a.value)) <= 4 * (a.error + bounded::unit_roundoff);
-  if (op == operation::atan2) return a.vanishes() && b.vanishes();
+  if (op == operation::wrap_to_pi) // may be on either side of a jump
+    return a.error > 0 &&
+           elementary::detail::half_turn - std::abs(elementary::wrap_to_pi(a.value)) <= 4 * a.error;
+  if (is_binary_function(op))
+    return !binary_properties_of(op).is_smooth_at(a.vanishes() ? 0 : a.value, b.vanishes() ? 0 : b.value);
   if (is_selection(op)) return a.vanishes() && !numeric::equal(a.error, 0.0); // the sign is uncertain
   return op == operation::power && a.vanishes() && (a.value < 0 || !(b.value > 4 * b.error));
 }
@@ -67,10 +71,13 @@ inline double carried_error(operation op, const bounded& a, double value) {
   if (op == operation::sqrt) return past_branch(a.error, value);
   if (op == operation::asin || op == operation::acos)
     return 2 * past_branch(a.error, std::sqrt((std::max)(0.0, 1 - x * x)));
+  const function_properties& f = properties_of(op);
+  if (std::abs(x - f.steep_at) <= a.error)
+    return (std::max)(f.value(x + a.error) - value, value - f.value(x - a.error));
   double steepest = 0;
   for (const double at : {x - a.error, x, x + a.error}) {
-    if (!properties_of(op).is_smooth_at(at)) return std::numeric_limits<double>::infinity();
-    steepest = (std::max)(steepest, std::abs(slope_of(op, at, properties_of(op).value(at))));
+    if (!f.is_smooth_at(at)) return std::numeric_limits<double>::infinity();
+    steepest = (std::max)(steepest, std::abs(slope_of(op, at, f.value(at))));
   }
   return steepest * a.error;
 }
@@ -86,7 +93,10 @@ inline double carried_error(operation op, const bounded& a, const bounded& b, do
   case form::divide: return (a.error + std::abs(value) * b.error) / (y - b.error);
   case form::function: return carried_error(op, a, value);
   case form::selection: return selected(op, a.value, b.error);
-  case form::atan2: return (y * a.error + x * b.error) / (x * x + y * y);
+  case form::binary_function: {
+    const binary_slopes<double> by = binary_slopes_of(op, a.value, b.value, value);
+    return std::abs(by.by_a) * a.error + std::abs(by.by_b) * b.error;
+  }
   case form::power:
     if (numeric::equal(x, 0.0)) return numeric::equal(a.error, 0.0) ? 0 : std::pow(a.error, b.value);
     return std::abs(value) * (y * a.error / x + std::abs(std::log(x)) * b.error);

@@ -20,6 +20,7 @@ inline number function_of(operation op, const number& n) {
 inline bool stays_exact(operation op, const number& n, const number& f) {
   if (op == operation::abs || op == operation::sign) return true;
   if (op == operation::sqrt) return f.exact() && f * f == n;
+  if (op == operation::cbrt) return f.exact() && f * f * f == n;
   const int at = properties_of(op).exact_at;
   return at != function_properties::nowhere && n == exactly(at);
 }
@@ -42,15 +43,17 @@ inline std::optional<coefficient> apply(operation op, const coefficient& a) {
   return coefficient(f, a.is_exact() && detail::stays_exact(op, a.value(), f), at);
 }
 
-inline std::optional<coefficient> atan2(const coefficient& y, const coefficient& x) {
-  const generic_values at = apply(operation::atan2, y.at(), x.at());
-  if (y.is_number() && x.is_number()) {
-    const bool is_exact = y.is_exact() && x.is_exact() && y.is_zero() && !x.value().negative();
-    return coefficient(real(elementary::atan2(y.value().value(), x.value().value())), is_exact, at);
+inline std::optional<coefficient> apply(operation op, const coefficient& a, const coefficient& b) {
+  const generic_values at = apply(op, a.at(), b.at());
+  if (a.is_number() && b.is_number()) {
+    const binary_function_properties& f = binary_properties_of(op);
+    const double x = a.value().value(), y = b.value().value(), value = f.value(x, y);
+    if (!numeric::is_finite(value)) return std::nullopt;
+    return coefficient(real(value), a.is_exact() && b.is_exact() && f.is_exact_at(x, y), at);
   }
-  graph& g = y.is_number() ? x.owner() : y.owner();
-  const expression above = y.in(g);
-  return coefficient(atan2(above, x.in(g)), at);
+  graph& g = a.is_number() ? b.owner() : a.owner();
+  const expression first = a.in(g);
+  return coefficient(apply(op, first, b.in(g)), at);
 }
 
 /// Requires that the condition is an expression.

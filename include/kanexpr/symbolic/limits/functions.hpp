@@ -3,6 +3,8 @@
 #include <kanexpr/symbolic/limits/coefficient_functions.hpp>
 #include <kanexpr/symbolic/limits/expansion.hpp>
 
+#include <cmath>
+
 /// Functions of series, for ε > 0: Griewank & Walther, Evaluating Derivatives (2008), section 13.2.
 namespace kanexpr::symbolic::taylor {
 
@@ -71,8 +73,9 @@ inline expansion tan(const series& s) {
   return series(0, std::move(t), s.last(), s.most());
 }
 
-/// sᵖ for a constant exponent, from h' s = p h s'. The leading term decides whether it is real.
-inline expansion power(const series& s, const coefficient& p) {
+/// sᵖ for a constant exponent, from h' s = p h s'. The leading term decides whether it is real; `root` is the
+/// function of it that is taken instead of a power.
+inline expansion power(const series& s, const coefficient& p, operation root = operation::power) {
   if (s.is_zero() && p.is_number() && !p.value().negative()) return series(coefficient(p.is_zero() ? 1 : 0));
   if (s.is_zero()) return obstacle::zero_divisor;
   if (!s.has_terms()) return obstacle::truncated;
@@ -82,8 +85,9 @@ inline expansion power(const series& s, const coefficient& p) {
     if (!p.is_number() || !scaled.integer()) return obstacle::fractional_order;
     order = static_cast<int>(scaled.numerator);
   }
-  std::optional<coefficient> first = power(s.lead(), p);
-  if (p.is_number() && p.value() == exactly(1, 2)) first = apply(operation::sqrt, s.lead());
+  if (p.is_number() && p.value() == exactly(1, 2)) root = operation::sqrt;
+  const std::optional<coefficient> first =
+      root == operation::power ? power(s.lead(), p) : apply(root, s.lead());
   if (!first) return obstacle::not_real;
   if (s.end() == series::all_orders && s.stop() == s.order() + 1)
     return series(order, {*first}, series::all_orders, s.most());
@@ -101,6 +105,7 @@ inline expansion power(const series& s, const coefficient& p) {
 }
 
 inline expansion sqrt(const series& s) { return power(s, coefficient(exactly(1, 2))); }
+inline expansion cbrt(const series& s) { return power(s, coefficient(exactly(1, 3)), operation::cbrt); }
 
 /// |s| or the sign of s; the leading term decides.
 inline expansion magnitude(const series& s) {
@@ -126,6 +131,20 @@ inline expansion sign(const series& s) {
   if (s.is_zero()) return s;
   if (!s.has_terms()) return obstacle::truncated;
   return detail::constant_or(apply(operation::sign, s.lead()), obstacle::not_real);
+}
+
+/// s less whole turns. At an odd multiple of π, the first term that follows decides between π and -π.
+inline expansion wrap_to_pi(const series& s) {
+  if (const obstacle met = unbounded(s); met != obstacle::none) return met;
+  const std::optional<coefficient> first = apply(operation::wrap_to_pi, s[0]);
+  if (!first || s.is_constant()) return detail::constant_or(first, obstacle::not_real);
+  const series rest = s - series(s[0]);
+  const coefficient half_turn(real(elementary::detail::half_turn));
+  const double gap = first->is_number() ? half_turn.value().value() - std::abs(first->value().value()) : 1;
+  if (gap > 4 * s[0].at()[0].error) return rest + series(*first);
+  if (!rest.has_terms()) return rest.is_zero() ? rest + series(*first) : expansion(obstacle::truncated);
+  if (!rest.lead().is_number()) return obstacle::piecewise;
+  return rest + series(rest.lead().value().negative() ? half_turn : -half_turn);
 }
 
 } // namespace kanexpr::symbolic::taylor

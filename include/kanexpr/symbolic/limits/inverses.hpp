@@ -57,8 +57,9 @@ namespace detail {
 
 /// On the negative x axis, the sign of y decides.
 inline std::optional<coefficient> first_angle(const series& y, const series& x, int order) {
-  if (!y[order].is_zero() || !y.has_terms()) return atan2(y[order], x[order]);
-  const std::optional<coefficient> side = apply(operation::sign, y.lead()), angle = atan2({}, x[order]);
+  if (!y[order].is_zero() || !y.has_terms()) return apply(operation::atan2, y[order], x[order]);
+  const std::optional<coefficient> side = apply(operation::sign, y.lead()),
+                                   angle = apply(operation::atan2, coefficient(), x[order]);
   return *side * *angle;
 }
 

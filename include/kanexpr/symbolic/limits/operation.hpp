@@ -3,40 +3,47 @@
 #include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/limits/inverses.hpp>
 
+#include <initializer_list>
+
 namespace kanexpr::symbolic::taylor {
 
 /// Whether the leading term decides the result of an operation but vanishes for some values of the symbols.
 inline bool is_piecewise(operation op, const series& a, const series& b) {
   const auto is_unsure = [](const series& s) { return s.has_terms() && s.lead().at().vanish_partly(); };
   if (op == operation::divide) return is_unsure(b);
-  if (op == operation::atan2) return is_unsure(a) || is_unsure(b);
+  if (is_binary_function(op)) return is_unsure(a) || is_unsure(b);
   if (is_selection(op)) return is_unsure(a);
   return (op == operation::power || op == operation::sqrt || op == operation::log || op == operation::abs ||
-          op == operation::sign) &&
+          op == operation::sign || op == operation::cbrt) &&
          is_unsure(a);
 }
 
 inline expansion apply(operation op, const series& a, const series& b);
+
+/// An expression whose symbols, by their positions, are series.
+inline expansion series_of(expression e, std::initializer_list<const series*> symbols) {
+  const graph& g = e.owner();
+  std::vector<expansion> at;
+  for (int id = 0; id <= e.node(); ++id) {
+    const node& n = g[id];
+    if (n.op == operation::constant)
+      at.emplace_back(series(coefficient(g.number_at(id))));
+    else if (n.op == operation::symbol)
+      at.emplace_back(*symbols.begin()[g.symbol_at(id).position]);
+    else {
+      const expansion &a = at[static_cast<std::size_t>(n.a)], &b = at[static_cast<std::size_t>(n.b)];
+      at.push_back(!a ? a : !b ? b : apply(n.op, *a, *b));
+    }
+  }
+  return at[static_cast<std::size_t>(e.node())];
+}
 
 /// The derivative of a function of one argument at s, where its value is f.
 inline expansion slope_of(operation op, const series& s, const series& f) {
   graph g;
   const expression x = variable(g, {symbol_kind::parameter, "x", 0}),
                    y = variable(g, {symbol_kind::parameter, "f", 1});
-  const int slope = symbolic::slope_of(op, x, y).node();
-  std::vector<expansion> at;
-  for (int id = 0; id <= slope; ++id) {
-    const node& n = g[id];
-    if (n.op == operation::constant)
-      at.emplace_back(series(coefficient(g.number_at(id))));
-    else if (n.op == operation::symbol)
-      at.emplace_back(id == x.node() ? s : f);
-    else {
-      const expansion &a = at[static_cast<std::size_t>(n.a)], &b = at[static_cast<std::size_t>(n.b)];
-      at.push_back(!a ? a : !b ? b : apply(n.op, *a, *b));
-    }
-  }
-  return at[static_cast<std::size_t>(slope)];
+  return series_of(symbolic::slope_of(op, x, y), {&s, &f});
 }
 
 /// A function that is smooth at s_0, from f' = slope(s, f) s': each known order of f yields the next.
@@ -53,6 +60,26 @@ inline expansion smooth(operation op, const series& s) {
   return f;
 }
 
+/// A function of two arguments that is smooth at (a_0, b_0), in the same way.
+inline expansion smooth(operation op, const series& a, const series& b) {
+  for (const series* each : {&a, &b})
+    if (const obstacle met = unbounded(*each); met != obstacle::none) return met;
+  const std::optional<coefficient> first = apply(op, a[0], b[0]);
+  if (!first || (a.is_constant() && b.is_constant())) return detail::constant_or(first, obstacle::not_real);
+  graph g;
+  const expression x = variable(g, {symbol_kind::parameter, "x", 0}),
+                   y = variable(g, {symbol_kind::parameter, "y", 1}),
+                   value = variable(g, {symbol_kind::parameter, "f", 2});
+  const binary_slopes<expression> by = binary_slopes_of(op, x, y, value);
+  series f(0, {*first}, 1, a.most());
+  for (int k = 1; k < (std::min)(a.last(), b.last()); ++k) {
+    const expansion by_a = series_of(by.by_a, {&a, &b, &f}), by_b = series_of(by.by_b, {&a, &b, &f});
+    if (!by_a || !by_b) return by_a ? by_b : by_a;
+    f = integral(*by_a * derivative(a) + *by_b * derivative(b), *first);
+  }
+  return f;
+}
+
 /// A function of one argument. Functions with poles, end points or corners need more than their derivative
 /// and are handled separately.
 inline expansion function_of(operation op, const series& s) {
@@ -65,6 +92,8 @@ inline expansion function_of(operation op, const series& s) {
   if (op == operation::log) return log(s);
   if (op == operation::abs) return magnitude(s);
   if (op == operation::sign) return sign(s);
+  if (op == operation::cbrt) return cbrt(s);
+  if (op == operation::wrap_to_pi) return wrap_to_pi(s);
   return smooth(op, s);
 }
 
@@ -83,7 +112,7 @@ inline expansion apply(operation op, const series& a, const series& b) {
     return logarithm ? smooth(operation::exp, b * *logarithm) : logarithm;
   }
   case form::function: return function_of(op, a);
-  case form::atan2: return atan2(a, b);
+  case form::binary_function: return op == operation::atan2 ? atan2(a, b) : smooth(op, a, b);
   case form::selection: return selected(op, a, b);
   case form::constant:
   case form::symbol:

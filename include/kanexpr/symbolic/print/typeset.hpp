@@ -62,8 +62,8 @@ private:
   /// Whether a function is written as a name before its argument.
   bool is_named(int id) const {
     const operation op = at(id).op;
-    return is_written_as_function(op) && op != operation::sqrt && op != operation::abs &&
-           op != operation::exp && op != operation::component && !is_selection(op);
+    return is_written_as_function(op) && op != operation::sqrt && op != operation::cbrt &&
+           op != operation::abs && op != operation::exp && op != operation::component && !is_selection(op);
   }
 
   static std::string exponent_mark(std::int64_t exponent) {
@@ -93,7 +93,7 @@ private:
     if (n.op == operation::call)
       return name_of(owner().external_at(id), mark) + in_parentheses(separated(elements(n.a)));
     const std::string argument = write(n.a);
-    if (n.op == operation::sqrt) return "\\sqrt{" + argument + "}";
+    if (n.op == operation::sqrt || n.op == operation::cbrt) return word_for(n.op) + "{" + argument + "}";
     if (n.op == operation::abs) return "\\left|" + argument + "\\right|";
     if (n.op == operation::exp) return "e^{" + argument + "}";
     const std::string word = word_for(n.op) + mark;

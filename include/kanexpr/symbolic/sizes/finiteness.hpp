@@ -98,6 +98,9 @@ private:
         found |= begins;
       break;
     }
+    case form::binary_function:
+      if (!binary_properties_of(n.op).stays_finite) found |= begins;
+      break;
     case form::power:
     case form::call: found |= begins; break;
     case form::selection: found |= b & never_negative; break;
@@ -106,7 +109,6 @@ private:
     case form::add: // handled above
     case form::subtract:
     case form::multiply:
-    case form::atan2:
     case form::pair:
     case form::factorization:
     case form::solve:
@@ -134,7 +136,7 @@ private:
     case form::constant:
     case form::symbol:
     case form::power:
-    case form::atan2:
+    case form::binary_function:
     case form::selection:
     case form::pair:
     case form::factorization:

@@ -47,7 +47,7 @@ private:
     case form::constant:
     case form::symbol:
     case form::singularity_measure: return v;
-    case form::atan2: return v + size_[n.a];
+    case form::binary_function: return size_of_binary_function(n, value, value[id]);
     case form::selection: return selected(n.op, value[n.a], size_[n.b]);
     case form::call: return v + slopes_times_terms(id, value);
     }
@@ -63,6 +63,16 @@ private:
     if (op == operation::cos) return v + terms * (terms < 1 ? terms : 1);
     if (properties_of(op).is_trigonometric || op == operation::sign) return v + terms;
     return v + (properties_of(op).is_smooth_at(x) ? elementary::abs(slope_of(op, x, f)) * terms : 0);
+  }
+
+  /// f(a, b) plus its derivatives times the terms of a and b; the derivatives of an angle count as 1 and 0.
+  constexpr double size_of_binary_function(const node& n, const evaluation& value, double f) const {
+    const binary_function_properties& of = binary_properties_of(n.op);
+    const double v = elementary::abs(f), a = value[n.a], b = value[n.b];
+    if (of.is_trigonometric) return v + size_[n.a];
+    if (!of.is_smooth_at(a, b)) return v;
+    const binary_slopes<double> by = binary_slopes_of(n.op, a, b, f);
+    return v + elementary::abs(by.by_a) * size_[n.a] + elementary::abs(by.by_b) * size_[n.b];
   }
 
   /// The derivatives of a call times the terms of its operands.

@@ -69,12 +69,14 @@ private:
     case form::subtract: return sum(a, known_[n.b]);
     case form::multiply: return product(a, known_[n.b], 1);
     case form::divide: return product(a, known_[n.b], -1);
-    case form::atan2: return of_size(1);
+    case form::binary_function:
+      return binary_properties_of(n.op).unit == binary_unit_rule::kept ? sum(a, known_[n.b]) : of_size(1);
     case form::selection: return known_[n.b];
     case form::function:
       switch (properties_of(n.op).unit) {
       case unit_rule::kept: return a;
       case unit_rule::root: return {elementary::sqrt(a.factor), a.unknown, a.power / 2};
+      case unit_rule::cube_root: return {elementary::cbrt(a.factor), a.unknown, a.power / 3};
       case unit_rule::numbers:
       case unit_rule::dropped: return of_size(1);
       }
@@ -138,15 +140,22 @@ private:
       switch (properties_of(n.op).unit) {
       case unit_rule::kept: return want(n.a, size);
       case unit_rule::root: return want(n.a, size * size);
+      case unit_rule::cube_root: return want(n.a, size * size * size);
       case unit_rule::numbers:
       case unit_rule::dropped: return want(n.a, 1);
+      }
+      return;
+    case form::binary_function:
+      switch (binary_properties_of(n.op).unit) {
+      case binary_unit_rule::kept: return want(n.a, size), want(n.b, size);
+      case binary_unit_rule::numbers: return want(n.a, 1), want(n.b, 1);
+      case binary_unit_rule::ratio: return;
       }
       return;
     case form::selection: return want(n.b, size);
     case form::constant:
     case form::symbol:
     case form::power:
-    case form::atan2:
     case form::pair:
     case form::factorization:
     case form::solve:

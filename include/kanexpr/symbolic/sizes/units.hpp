@@ -89,8 +89,8 @@ private:
     case form::subtract: return equate(of(n.a), of(n.b)), of(n.a);
     case form::multiply: return product(of(n.a), of(n.b), 1);
     case form::divide: return product(of(n.a), of(n.b), -1);
-    case form::atan2: return equate(of(n.a), of(n.b)), unit();
     case form::function: return unit_of_function(n);
+    case form::binary_function: return unit_of_binary_function(n);
     case form::selection: return of(n.b);
     case form::constant:
     case form::symbol:
@@ -111,7 +111,17 @@ private:
     case unit_rule::numbers: return equate(of(n.a), {}), unit();
     case unit_rule::kept: return of(n.a);
     case unit_rule::root: return product({}, of(n.a), 0.5);
+    case unit_rule::cube_root: return product({}, of(n.a), 1.0 / 3);
     case unit_rule::dropped: break;
+    }
+    return {};
+  }
+
+  constexpr unit unit_of_binary_function(const node& n) {
+    switch (binary_properties_of(n.op).unit) {
+    case binary_unit_rule::numbers: return equate(of(n.a), {}), equate(of(n.b), {}), unit();
+    case binary_unit_rule::ratio: return equate(of(n.a), of(n.b)), unit();
+    case binary_unit_rule::kept: return equate(of(n.a), of(n.b)), of(n.a);
     }
     return {};
   }
