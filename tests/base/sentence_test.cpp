@@ -2,7 +2,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/ensemble/ensemble_results.hpp>
 #include <kanexpr/numeric/assembly.hpp>
-#include <kanexpr/simulate/csv.hpp>
+#include <kanexpr/simulate/tables/csv.hpp>
 
 #include <gtest/gtest.h>
 

@@ -52,7 +52,7 @@ void expect_the_bits_of_single_systems() {
 TEST(batch, has_the_bits_of_single_systems) {
   expect_the_bits_of_single_systems<2, double>();
   expect_the_bits_of_single_systems<4, float>();
-  expect_the_bits_of_single_systems<batches::widest<double>, double>();
+  expect_the_bits_of_single_systems<batches::default_lanes<double>, double>();
   expect_the_bits_of_single_systems<1, double>();
 }
 

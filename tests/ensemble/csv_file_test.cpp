@@ -2,7 +2,7 @@
 
 #include <kanexpr/ensemble/csv_file.hpp>
 #include <kanexpr/ensemble/exclusive_file.hpp>
-#include <kanexpr/simulate/csv.hpp>
+#include <kanexpr/simulate/tables/csv.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

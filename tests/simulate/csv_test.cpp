@@ -1,4 +1,4 @@
-#include <kanexpr/simulate/csv.hpp>
+#include <kanexpr/simulate/tables/csv.hpp>
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
 #include "simulate/falling_ball.hpp"
 
 #include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/simulate/csv.hpp>
 #include <kanexpr/simulate/model.hpp>
 #include <kanexpr/simulate/prescribe.hpp>
+#include <kanexpr/simulate/tables/csv.hpp>
 
 #include <models/four_bar.hpp>
 #include <models/rotating_tube.hpp>

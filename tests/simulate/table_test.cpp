@@ -1,4 +1,4 @@
-#include <kanexpr/simulate/table.hpp>
+#include <kanexpr/simulate/tables/table.hpp>
 
 #include <gtest/gtest.h>
 

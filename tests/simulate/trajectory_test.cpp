@@ -3,7 +3,7 @@
 #include "simulate/falling_ball.hpp"
 
 #include <kanexpr/simulate.hpp>
-#include <kanexpr/simulate/csv.hpp>
+#include <kanexpr/simulate/tables/csv.hpp>
 
 #include <models/simple_pendulum.hpp>
 

@@ -14,7 +14,8 @@ namespace batches {
 
 /// The number of scalars in one vector register.
 template <class Number>
-inline constexpr std::size_t widest = (std::max)(numeric::widest_vector / sizeof(Number), std::size_t{1});
+inline constexpr std::size_t default_lanes =
+    (std::max)(numeric::widest_vector / sizeof(Number), std::size_t{1});
 
 /// Returns the number in a lane; a plain number is returned unchanged.
 template <class Pack>
@@ -39,7 +40,7 @@ void set_lane(Pack& pack, [[maybe_unused]] std::size_t lane, const Number& numbe
 /// bits as a separate evaluation. A status covers all lanes: it is good only if every lane is.
 ///
 /// The default width fills one vector register of the processor for which the file is compiled.
-template <std::size_t width = batches::widest<double>, class Number = double>
+template <std::size_t width = batches::default_lanes<double>, class Number = double>
 struct batch {
   static_assert(std::has_single_bit(width), "the number of lanes of a batch must be a power of two");
   static_assert(std::is_same_v<Number, double> || std::is_same_v<Number, float>,

@@ -12,7 +12,7 @@
 namespace kanexpr::batches {
 
 /// Runs everything on the calling thread.
-struct on_this_thread {};
+struct sequential {};
 
 /// The division of systems into chunks; it does not depend on the executor.
 struct chunks {
@@ -42,7 +42,7 @@ inline constexpr auto chunk_numbers = [] {
 /// the standard library, whose header the caller must include.
 template <class Executor, class Work>
 void run_chunks([[maybe_unused]] Executor&& by, int count, const Work& work) {
-  if constexpr (std::same_as<std::remove_cvref_t<Executor>, on_this_thread>)
+  if constexpr (std::same_as<std::remove_cvref_t<Executor>, sequential>)
     for (int i = 0; i < count; ++i) work(i);
   else if constexpr (std::invocable<Executor&, int, const Work&>)
     by(count, work);

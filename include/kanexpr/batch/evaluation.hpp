@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/batch/side_by_side.hpp>
+#include <kanexpr/batch/row_arguments.hpp>
 #include <kanexpr/compiled/finite_function.hpp>
 #include <kanexpr/compiled/not_finite.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
@@ -16,7 +16,7 @@ namespace kanexpr::batches {
 template <class Pack>
 class finiteness {
 public:
-  [[gnu::always_inline]] void look_at(const Pack& pack) {
+  [[gnu::always_inline]] void include(const Pack& pack) {
 #if !defined(__FINITE_MATH_ONLY__) || !__FINITE_MATH_ONLY__
     if constexpr (lower::vector_extension<Pack>) {
       const auto exponent = __builtin_bit_cast(bits, pack) & infinity;
@@ -26,7 +26,7 @@ public:
 #endif
     is_wrong_ |= !lower::scalar_math<Pack>::is_finite(pack);
   }
-  [[gnu::always_inline]] bool holds() const {
+  [[gnu::always_inline]] bool all_finite() const {
     if constexpr (lower::vector_extension<Pack>)
       return !is_wrong_ && !numeric::detail::is_set_in_a_lane(wrong_);
     else
@@ -67,7 +67,7 @@ struct evaluated<const Function> : evaluated<Function> {};
 
 /// The destination of a result of several systems: entry i of the first system is at `first[i * stride]`.
 template <class Number>
-struct place {
+struct strided_output {
   Number* first;
   Eigen::Index stride;
 };
@@ -83,12 +83,12 @@ template <class Pack, class Result>
 }
 
 template <class Pack, class Number, class Result, int... index>
-[[gnu::always_inline]] inline void put(const place<Number>& to, const Result& result,
+[[gnu::always_inline]] inline void put(const strided_output<Number>& to, const Result& result,
                                        [[maybe_unused]] finiteness<Pack>& all,
                                        std::integer_sequence<int, index...>) {
   const auto one = [&](int entry) __attribute__((always_inline)) {
     const Pack& pack = entry_of<Pack>(result, entry);
-    all.look_at(pack);
+    all.include(pack);
     put_at(to.first + entry * to.stride, pack);
   };
   (one(index), ...);
@@ -97,7 +97,8 @@ template <class Pack, class Number, class Result, int... index>
 /// Evaluates a function and stores its results. The status is that of the first result that could not be
 /// computed in all lanes.
 template <class Function, class Pack, class Number, class... Arguments>
-[[gnu::noinline]] status evaluate_pack(const place<Number>* to, const Arguments&... arguments) noexcept {
+[[gnu::noinline]] status evaluate_pack(const strided_output<Number>* to,
+                                       const Arguments&... arguments) noexcept {
   using described = evaluated<Function>;
   using matrices = typename described::template matrices<Number>;
   const auto found = typename described::function{}(arguments...);
@@ -114,7 +115,7 @@ template <class Function, class Pack, class Number, class... Arguments>
     [&]<std::size_t... place>(std::index_sequence<place...>) __attribute__((always_inline)) {
       (keep.template operator()<place>(std::get<place>(found)), ...);
     }(std::make_index_sequence<described::results>{});
-  if (described::must_be_finite && first && !all.holds())
+  if (described::must_be_finite && first && !all.all_finite())
     return status("a result is not finite at this state");
   return first;
 }

@@ -24,11 +24,11 @@ constexpr int place_of(const compiled::value_vector<System, which, Scalar>*, con
 
 /// Writes NaN by its bits: with -ffast-math, compilers assume that no number is NaN and may omit code that
 /// writes one.
-inline void leave_no_number(double* to) {
+inline void set_to_nan(double* to) {
   constexpr std::uint64_t none = 0x7ff8'0000'0000'0000;
   std::memcpy(to, &none, sizeof none);
 }
-inline void leave_no_number(float* to) {
+inline void set_to_nan(float* to) {
   constexpr std::uint32_t none = 0x7fc0'0000;
   std::memcpy(to, &none, sizeof none);
 }
@@ -113,10 +113,10 @@ public:
   }
 
   /// Sets all entries of the systems [begin, end) to NaN.
-  void leave_no_numbers(Eigen::Index begin, Eigen::Index end) {
+  void set_to_nan(Eigen::Index begin, Eigen::Index end) {
     for (int i = 0; i < entries; ++i)
       for (Eigen::Index system = begin; system < end; ++system)
-        batches::leave_no_number(data() + i * stride() + system);
+        batches::set_to_nan(data() + i * stride() + system);
   }
 
   /// Entry (i, j) of a system is `data()[(i + rows * j) * stride() + system]`.

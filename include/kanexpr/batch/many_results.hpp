@@ -19,7 +19,7 @@ namespace kanexpr {
 /// evaluated in batches; a batch in which a system fails is evaluated again, system by system. Therefore the
 /// other systems keep their results, the results of a failed system are NaN, and no result depends on
 /// adjacent systems or on the threads.
-template <class Function, class Number = double, std::size_t lanes = batches::widest<Number>>
+template <class Function, class Number = double, std::size_t lanes = batches::default_lanes<Number>>
 class many_results {
   using described = batches::evaluated<Function>;
   using matrices = typename described::template matrices<Number>;
@@ -29,7 +29,7 @@ class many_results {
 public:
   explicit many_results(Eigen::Index systems) : many_results(Function{}, systems) {}
   many_results(const Function&, Eigen::Index systems)
-      : results_(made(systems, std::make_index_sequence<described::results>{})), statuses_(systems) {}
+      : results_(make_results(systems, std::make_index_sequence<described::results>{})), statuses_(systems) {}
 
   Eigen::Index size() const { return statuses_.size(); }
 
@@ -51,7 +51,7 @@ public:
     if constexpr (!are_many || !have_one_precision)
       return {};
     else if constexpr (is_argument<std::remove_cvref_t<First>>)
-      return evaluate_by(batches::on_this_thread{}, first, more...);
+      return evaluate_by(batches::sequential{}, first, more...);
     else
       return evaluate_by(std::forward<First>(first), more...);
   }
@@ -74,23 +74,23 @@ private:
   static constexpr bool is_argument = batches::is_many<Argument> || std::is_arithmetic_v<Argument>;
 
   template <std::size_t... place>
-  static matrices made(Eigen::Index systems, std::index_sequence<place...>) {
+  static matrices make_results(Eigen::Index systems, std::index_sequence<place...>) {
     return matrices(std::tuple_element_t<place, matrices>(systems)...);
   }
 
   template <class Executor, class... Arguments>
   status evaluate_by(Executor&& by, const Arguments&... arguments) {
-    if (!(... && batches::is_for(arguments, size())))
+    if (!(... && batches::has_size(arguments, size())))
       return refuse(status("the arguments and the results have different numbers of systems"));
     statuses_.run(
         std::forward<Executor>(by), chunk_of_systems, width,
         [&](Eigen::Index begin, Eigen::Index end) { return evaluate_range(begin, end, arguments...); },
-        [&](Eigen::Index begin, Eigen::Index end) { leave_no_numbers(begin, end); });
+        [&](Eigen::Index begin, Eigen::Index end) { set_to_nan(begin, end); });
     return statuses_.first();
   }
 
   status refuse(const status& why) {
-    leave_no_numbers(0, size());
+    set_to_nan(0, size());
     return statuses_.refuse(why);
   }
 
@@ -100,12 +100,12 @@ private:
     return 40000 / (c.multiplications + c.additions + 10 * c.divisions + 20 * c.trigonometric + 20);
   }();
 
-  using places = std::array<batches::place<Number>, described::results>;
+  using places = std::array<batches::strided_output<Number>, described::results>;
 
   template <std::size_t... index>
   places places_at(Eigen::Index system, std::index_sequence<index...>) {
-    return {batches::place<Number>{std::get<index>(results_).data() + system,
-                                   std::get<index>(results_).stride()}...};
+    return {batches::strided_output<Number>{std::get<index>(results_).data() + system,
+                                            std::get<index>(results_).stride()}...};
   }
   places places_at(Eigen::Index system) {
     return places_at(system, std::make_index_sequence<described::results>{});
@@ -117,10 +117,11 @@ private:
     Eigen::Index failed = 0;
     for (Eigen::Index first = begin; first < end; first += width) {
       const Eigen::Index count = (std::min)(width, end - first);
-      const status all = count == width
-                             ? batches::evaluate_pack<Function, pack>(
-                                   places_at(first).data(), batches::from_rows<pack>(arguments, first)...)
-                             : evaluate_copies(first, count, first + count - 1, arguments...);
+      const status all =
+          count == width
+              ? batches::evaluate_pack<Function, pack>(places_at(first).data(),
+                                                       batches::argument_from_rows<pack>(arguments, first)...)
+              : evaluate_copies(first, count, first + count - 1, arguments...);
       if (all) continue;
       for (Eigen::Index system = first; system < first + count; ++system)
         failed += !evaluate_one(system, arguments...);
@@ -132,13 +133,13 @@ private:
   template <class... Arguments>
   status evaluate_copies(Eigen::Index first, Eigen::Index count, Eigen::Index last,
                          const Arguments&... arguments) noexcept {
-    return evaluate_gathered(first, count, batches::gather<pack>(arguments, first, last)...);
+    return evaluate_copied(first, count, batches::copy_argument<pack>(arguments, first, last)...);
   }
   template <class... Copies>
-  status evaluate_gathered(Eigen::Index first, Eigen::Index count, const Copies&... copies) noexcept {
+  status evaluate_copied(Eigen::Index first, Eigen::Index count, const Copies&... copies) noexcept {
     scratch of_all;
     const status found =
-        batches::evaluate_pack<Function, pack>(of_all.at().data(), batches::from_copies(copies)...);
+        batches::evaluate_pack<Function, pack>(of_all.at().data(), batches::argument_from_copies(copies)...);
     if (found) of_all.move_to(places_at(first), count);
     return found;
   }
@@ -149,7 +150,7 @@ private:
     const status found = evaluate_copies(system, 1, system, arguments...);
     if (found) return true;
     statuses_.set(system, cause(found, system, arguments...));
-    leave_no_numbers(system, system + 1);
+    set_to_nan(system, system + 1);
     return false;
   }
 
@@ -193,8 +194,8 @@ private:
     }
   };
 
-  void leave_no_numbers(Eigen::Index begin, Eigen::Index end) {
-    std::apply([&](auto&... each) { (each.leave_no_numbers(begin, end), ...); }, results_);
+  void set_to_nan(Eigen::Index begin, Eigen::Index end) {
+    std::apply([&](auto&... each) { (each.set_to_nan(begin, end), ...); }, results_);
   }
 
   matrices results_;

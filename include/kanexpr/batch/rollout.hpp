@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kanexpr/batch/batch_stepper.hpp>
 #include <kanexpr/batch/chunks.hpp>
-#include <kanexpr/batch/moving_batch.hpp>
 #include <kanexpr/batch/system_statuses.hpp>
 #include <kanexpr/steps/fixed_step.hpp>
 
@@ -27,9 +27,9 @@ struct rollout_options {
 /// allocated on construction; a run neither allocates memory nor throws. A system whose step fails stays at
 /// its last valid state, its status holds the cause, and states stored later are NaN; the other systems
 /// continue.
-template <class Step, class Number = double, std::size_t lanes = batches::widest<Number>>
+template <class Step, class Number = double, std::size_t lanes = batches::default_lanes<Number>>
 class rollout {
-  using side_by_side = batch<lanes, Number>;
+  using batch_type = batch<lanes, Number>;
   static constexpr Eigen::Index width = static_cast<Eigen::Index>(lanes);
 
 public:
@@ -61,7 +61,7 @@ public:
     if constexpr (!are_many || !can_move)
       return {};
     else if constexpr (std::is_same_v<given, many<state>>)
-      return run_by(batches::on_this_thread{}, first, more...);
+      return run_by(batches::sequential{}, first, more...);
     else
       return run_by(std::forward<First>(first), more...);
   }
@@ -85,7 +85,7 @@ private:
   status run_by(Executor&& by, many<state>& x, const Parameters& p = {}, const Inputs& r = {}) {
     constexpr bool have_one_precision =
         batches::is_of_numbers<Parameters, Number> && batches::is_of_numbers<Inputs, Number>;
-    constexpr bool have_inputs = batches::serves_as_inputs<Inputs, state, side_by_side>;
+    constexpr bool have_inputs = batches::is_input_argument<Inputs, state, batch_type>;
     static_assert(have_one_precision,
                   "the precision of the `many` arguments differs from that of the states");
     static_assert(have_inputs, "the inputs must be those of one system, `many`, or a const function (t, x), "
@@ -98,7 +98,7 @@ private:
 
   template <class Executor, class Parameters, class Inputs>
   status run_given(Executor&& by, many<state>& x, const Parameters& p, const Inputs& r) {
-    if (x.size() != size() || !batches::is_for(p, size()) || !batches::is_for(r, size()))
+    if (x.size() != size() || !batches::has_size(p, size()) || !batches::has_size(r, size()))
       return refuse(status("the arguments and the rollout have different numbers of systems"));
     if (how_.steps < 0) return refuse(status("the number of steps is negative"));
     double t = how_.start;
@@ -115,43 +115,44 @@ private:
             failed += move(x, first, (std::min)(width, end - first), p, r);
           return failed;
         },
-        [&](Eigen::Index begin, Eigen::Index end) { leave_no_numbers(begin, end); });
+        [&](Eigen::Index begin, Eigen::Index end) { set_to_nan(begin, end); });
     return statuses_.first();
   }
 
   status refuse(const status& why) {
-    leave_no_numbers(0, size());
+    set_to_nan(0, size());
     std::fill(steps_.begin(), steps_.end(), 0);
     return statuses_.refuse(why);
   }
 
   /// Sets the stored states of the systems [begin, end) to NaN.
-  void leave_no_numbers(Eigen::Index begin, Eigen::Index end) {
-    for (many<state>& each : stored_) each.leave_no_numbers(begin, end);
+  void set_to_nan(Eigen::Index begin, Eigen::Index end) {
+    for (many<state>& each : stored_) each.set_to_nan(begin, end);
   }
 
   /// Advances `count` systems from `first` on; returns how many of them did not reach the end.
   template <class Parameters, class Inputs>
   Eigen::Index move(many<state>& x, Eigen::Index first, Eigen::Index count, const Parameters& p,
                     const Inputs& r) {
-    batches::moving_batch<Step, side_by_side, Parameters, Inputs> all(x, first, count, p, r, how_.start);
-    int made = 0;
+    batches::batch_stepper<Step, batch_type, Parameters, Inputs> all(x, first, count, p, r, how_.start);
+    int steps_made = 0;
     const auto leave = [&](std::size_t lane, const status& why) {
       const Eigen::Index system = first + static_cast<Eigen::Index>(lane);
       statuses_.set(system, why);
-      steps_[static_cast<std::size_t>(system)] = made;
+      steps_[static_cast<std::size_t>(system)] = steps_made;
       x.set(system, all.state_in(lane));
     };
     auto store = stored_.begin();
-    while (made < how_.steps && all.living() > 0) {
+    while (steps_made < how_.steps && all.active_count() > 0) {
       if (!all.step(how_.step, leave)) continue;
-      ++made;
-      if (store != stored_.end() && made % how_.store_every == 0) all.put_into(*store++, first, count);
+      ++steps_made;
+      if (store != stored_.end() && steps_made % how_.store_every == 0)
+        all.store_into(*store++, first, count);
     }
-    while (store != stored_.end()) all.put_into(*store++, first, count); // no system is left
+    while (store != stored_.end()) all.store_into(*store++, first, count); // no system is left
     for (std::size_t lane = 0; lane < lanes; ++lane)
-      if (all.lives(lane)) leave(lane, {});
-    return count - all.living();
+      if (all.is_active(lane)) leave(lane, {});
+    return count - all.active_count();
   }
 
   std::vector<many<state>> stored_;

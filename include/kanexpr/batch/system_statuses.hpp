@@ -30,13 +30,14 @@ public:
 
   /// Divides all systems into chunks of at least `least` systems, in whole batches of `width`, and calls
   /// work(begin, end) for each; `work` returns the number of systems that failed. For each chunk that does
-  /// not run to completion, for example because of an exception, calls left_out(begin, end). Running a chunk
-  /// again has no effect.
-  template <class Executor, class Work, class LeftOut>
-  void run(Executor&& by, Eigen::Index least, Eigen::Index width, const Work& work, const LeftOut& left_out) {
+  /// not run to completion, for example because of an exception, calls on_unfinished(begin, end). Running a
+  /// chunk again has no effect.
+  template <class Executor, class Work, class OnUnfinished>
+  void run(Executor&& by, Eigen::Index least, Eigen::Index width, const Work& work,
+           const OnUnfinished& on_unfinished) {
     if (failures_ > 0) std::fill(all_.begin(), all_.end(), status());
     const chunks parts = chunks::of(size(), least, width);
-    tally<LeftOut> done(*this, parts, left_out);
+    chunk_counter<OnUnfinished> done(*this, parts, on_unfinished);
     run_chunks(std::forward<Executor>(by), parts.count, [&](int i) {
       if (done.has(i)) return;
       const Eigen::Index begin = i * parts.length;
@@ -53,20 +54,20 @@ public:
 
 private:
   /// Counts the failures in each chunk; its destructor sums them, even after an exception.
-  template <class LeftOut>
-  class tally {
+  template <class OnUnfinished>
+  class chunk_counter {
   public:
-    tally(system_statuses& of, const chunks& parts, const LeftOut& left_out)
-        : of_(of), parts_(parts), left_out_(left_out) {
+    chunk_counter(system_statuses& of, const chunks& parts, const OnUnfinished& on_unfinished)
+        : of_(of), parts_(parts), on_unfinished_(on_unfinished) {
       failed_.fill(not_run);
     }
-    tally(const tally&) = delete;
-    tally& operator=(const tally&) = delete;
-    ~tally() {
+    chunk_counter(const chunk_counter&) = delete;
+    chunk_counter& operator=(const chunk_counter&) = delete;
+    ~chunk_counter() {
       of_.failures_ = 0;
       for (int i = 0; i < parts_.count; ++i) {
         const Eigen::Index begin = i * parts_.length, end = (std::min)(begin + parts_.length, of_.size());
-        of_.failures_ += has(i) ? failed_[static_cast<std::size_t>(i)] : leave(begin, end);
+        of_.failures_ += has(i) ? failed_[static_cast<std::size_t>(i)] : mark_unfinished(begin, end);
       }
     }
 
@@ -76,16 +77,16 @@ private:
   private:
     static constexpr Eigen::Index not_run = -1;
 
-    Eigen::Index leave(Eigen::Index begin, Eigen::Index end) {
+    Eigen::Index mark_unfinished(Eigen::Index begin, Eigen::Index end) {
       for (Eigen::Index system = begin; system < end; ++system)
         of_.set(system, status("the chunk of this system was not run to completion"));
-      left_out_(begin, end);
+      on_unfinished_(begin, end);
       return end - begin;
     }
 
     system_statuses& of_;
     chunks parts_;
-    const LeftOut& left_out_;
+    const OnUnfinished& on_unfinished_;
     std::array<Eigen::Index, chunks::most> failed_;
   };
 

@@ -2,7 +2,7 @@
 
 #include <kanexpr/ensemble/compiled_ensembles.hpp>
 #include <kanexpr/ensemble/results_file.hpp>
-#include <kanexpr/simulate/file_path.hpp>
+#include <kanexpr/simulate/tables/file_path.hpp>
 
 #include <memory>
 

@@ -2,7 +2,7 @@
 
 #include <kanexpr/ensemble/reduction.hpp>
 #include <kanexpr/ensemble/results_file.hpp>
-#include <kanexpr/simulate/file_path.hpp>
+#include <kanexpr/simulate/tables/file_path.hpp>
 
 #include <functional>
 #include <memory>

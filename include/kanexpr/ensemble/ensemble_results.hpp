@@ -3,7 +3,7 @@
 #include <kanexpr/ensemble/layout.hpp>
 #include <kanexpr/ensemble/reduction.hpp>
 #include <kanexpr/simulate/settings.hpp>
-#include <kanexpr/simulate/table.hpp>
+#include <kanexpr/simulate/tables/table.hpp>
 
 #include <cstddef>
 #include <string>

@@ -5,7 +5,7 @@
 #include <kanexpr/ensemble/layout.hpp>
 #include <kanexpr/ensemble/maximum_along.hpp>
 #include <kanexpr/ensemble/run_values.hpp>
-#include <kanexpr/simulate/input_source.hpp>
+#include <kanexpr/simulate/inputs/input_source.hpp>
 #include <kanexpr/simulate/simulation.hpp>
 
 #include <concepts>
@@ -57,7 +57,7 @@ struct run_output {
 /// A number that a study in steps keeps of each run. It is evaluated in all lanes.
 template <class System, class Number = double>
 struct step_output {
-  using vectors = batch<batches::widest<Number>, Number>;
+  using vectors = batch<batches::default_lanes<Number>, Number>;
 
   column_label what;
   ensembles::aggregate when = ensembles::aggregate::at_end;

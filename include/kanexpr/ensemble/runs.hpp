@@ -2,7 +2,7 @@
 
 #include <kanexpr/ensemble/compiled_ensembles.hpp>
 #include <kanexpr/ensemble/distribution.hpp>
-#include <kanexpr/simulate/table.hpp>
+#include <kanexpr/simulate/tables/table.hpp>
 
 #include <kanexpr/describe/symbol_name.hpp>
 

@@ -134,7 +134,7 @@ private:
     shown.trajectory = trajectory<System>(p);
     shown.events = of.events, shown.statistics = of.statistics, shown.time = of.time, shown.state = of.state;
     shown.stopped_by_event = of.stopped_by_event, shown.failure = of.failure;
-    for (; !requested.is_over() && requested.next() <= of.time; requested.pass())
+    for (; !requested.is_over() && requested.next() <= of.time; requested.advance())
       if (auto found = of.trajectory.at(requested.next())) {
         inputs.give(found->t, found->x, found->r);
         shown.trajectory.add(*found);

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <kanexpr/batch/moving_batch.hpp>
+#include <kanexpr/batch/batch_stepper.hpp>
 #include <kanexpr/ensemble/study_runs.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/simulate/contradiction.hpp>
-#include <kanexpr/simulate/prescribed_rates.hpp>
+#include <kanexpr/simulate/constraints/contradiction.hpp>
+#include <kanexpr/simulate/inputs/prescribed_rates.hpp>
 #include <kanexpr/steps/assemble.hpp>
 
 #include <algorithm>
@@ -25,18 +25,18 @@ class step_runner {
 public:
   using kind = step_kind<Step, Number>;
   using context = study_context<kind>;
-  static constexpr std::size_t lanes = batch<batches::widest<Number>, Number>::lanes;
+  static constexpr std::size_t lanes = batch<batches::default_lanes<Number>, Number>::lanes;
 
 private:
   using System = typename kind::System;
-  using vectors = batch<batches::widest<Number>, Number>;
+  using vectors = batch<batches::default_lanes<Number>, Number>;
   using number = typename vectors::number;
   using runs_span = std::span<finished_run>;
   static constexpr const deriving::survey& known = compiled::survey_of<System>;
   static constexpr bool has_law = !std::is_same_v<Law, constant_inputs>;
   using parameters = many<parameter_values<System, Number>>;
   using inputs = many<input_values<System, Number>>;
-  using moving = batches::moving_batch<Step, vectors, parameters, std::conditional_t<has_law, Law, inputs>>;
+  using moving = batches::batch_stepper<Step, vectors, parameters, std::conditional_t<has_law, Law, inputs>>;
 
 public:
   explicit step_runner(Law law = {}) : law_(std::move(law)) {}
@@ -160,14 +160,14 @@ private:
   decltype(auto) inputs_of(double t, const State& x, const Inputs& held) const {
     if constexpr (!has_law)
       return (held);
-    else if constexpr (batches::takes_batches<Law, State>())
+    else if constexpr (batches::accepts_batch<Law, State>())
       return law_(t, x);
     else
-      return batches::lane_by_lane<vectors, input_values<System, Number>, Law>{law_}(t, x);
+      return batches::per_lane_inputs<vectors, input_values<System, Number>, Law>{law_}(t, x);
   }
 
   static double time(moving& all) {
-    return all.at_present([](double t, const auto&, const auto&, const auto&) { return t; });
+    return all.evaluate_now([](double t, const auto&, const auto&, const auto&) { return t; });
   }
 
   void move(const context& of, moving& all, values_of_lanes& at, runs_span runs) const {
@@ -178,7 +178,7 @@ private:
     };
     const int steps = of.study.span.steps;
     look(of, all, at, runs, 0);
-    for (int made = 0; made < steps && all.living() > 0;) {
+    for (int made = 0; made < steps && all.active_count() > 0;) {
       if (!all.step(of.study.span.step, leave)) continue;
       ++made;
       if (made % of.study.simulation.look_every == 0 || made == steps) look(of, all, at, runs, made);
@@ -194,7 +194,7 @@ private:
     for (std::size_t i = 0; i < of.study.keep.size(); ++i) {
       const auto& output = of.study.keep[i];
       if (output.when == aggregate::at_end && made < of.study.span.steps) continue;
-      const number values = all.at_present([&](double t, const auto& x, const auto& p, const auto& r) {
+      const number values = all.evaluate_now([&](double t, const auto& x, const auto& p, const auto& r) {
         return output.of(t, x, p, inputs_of(t, x, r));
       });
       for (std::size_t lane = 0; lane < lanes; ++lane) {
@@ -204,7 +204,7 @@ private:
     }
     for (std::size_t lane = 0; of.study.keep_trajectories && lane < runs.size(); ++lane)
       if (is_sound(runs[lane]))
-        all.at_present([&](double t, const auto& x, const auto&, const auto& r) {
+        all.evaluate_now([&](double t, const auto& x, const auto&, const auto& r) {
           runs[lane].add_sample(t, all.state_in(lane), vectors::get(inputs_of(t, x, r), lane));
         });
   }

@@ -4,7 +4,7 @@
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/settings.hpp>
-#include <kanexpr/simulate/system.hpp>
+#include <kanexpr/simulate/system_interface.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -112,13 +112,13 @@ inline std::string check_options(const settings& o, const time_span& span) {
 }
 
 /// Sets the absolute tolerance of each entry of a state; `sizes` are the magnitudes of the entries.
-inline std::string read_tolerances(const system& of, const settings& o, const Eigen::VectorXd& sizes,
-                                   std::vector<double>& tolerances) {
+inline std::string read_tolerances(const system_interface& of, const settings& o,
+                                   const Eigen::VectorXd& sizes, std::vector<double>& tolerances) {
   Eigen::VectorXd each = sizes;
   for (double& size : each) size *= 0.01 * o.relative_tolerance;
   if (o.absolute_tolerance) std::ranges::fill(each, *o.absolute_tolerance);
-  compiled::values_reader reader(of.known, of.told, of.name, range_of(compiled::symbols_of::state, of.known),
-                                 each.data());
+  compiled::values_reader reader(of.known, of.record, of.name,
+                                 range_of(compiled::symbols_of::state, of.known), each.data());
   for (const named_value& given : o.absolute_tolerances) reader.read(given.what, given.value);
   reader.look_for_infinite();
   if (reader.mistake()) return "in the tolerances, " + std::string(reader.mistake().view());

@@ -4,35 +4,33 @@
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/table_interpreter.hpp>
 #include <kanexpr/simulate/integrator.hpp>
-#include <kanexpr/simulate/prescribed_rates.hpp>
-#include <kanexpr/simulate/simulation_options.hpp>
-#include <kanexpr/simulate/system.hpp>
+#include <kanexpr/simulate/simulated_system.hpp>
 
 #include <algorithm>
 #include <cstdint>
+#include <tuple>
+#include <utility>
 
 namespace kanexpr::simulated {
 
 /// A compile-time system with the parameters and options of a simulation. Only the functions that the method
 /// needs are derived.
 template <class System, integrator by>
-class compiled_system final : public system {
+class compiled_system final : public simulated_system<System> {
   using quantity = mechanics::quantity;
   static constexpr const deriving::survey& of = compiled::survey_of<System>;
   static constexpr int n = of.coordinates, o = of.speeds;
   static constexpr int m = of.constraints, l = of.configuration_constraints;
-  static constexpr bool has_newton = by == integrator::bdf || by == integrator::implicit_runge_kutta;
   static constexpr bool is_implicit = by == integrator::differential_algebraic;
-  using state = kanexpr::state<System>;
-  using inputs = input_values<System>;
+  using simulated_system<System>::p_;
   template <class Number, int size>
   using vector = Eigen::Matrix<Number, size, 1>;
 
 public:
   compiled_system(const parameter_values<System>& p, const simulation_options<System>& options,
                   trajectory<System>& kept)
-      : system(of, System::record, type_name<System>(), maker_of_manifold()), p_(p), options_(options),
-        kept_(kept) {}
+      : simulated_system<System>({of, System::record, type_name<System>(), factory_of_manifold()}, p,
+                                 options.inputs, options, kept) {}
 
   /// Returns a hash by which the system and its equations of motion are identified.
   static std::uint64_t digest() {
@@ -40,67 +38,18 @@ public:
     return out_of_line<function<System, first>>::digest();
   }
 
-  status rates(double t, const double* x, const double* r, double* xdot) const override {
-    return told(call<quantity::rhs>(t, x, r), xdot);
-  }
-  status jacobian(double t, const double* x, const double* r, double* by_state,
-                  double* by_inputs) const override {
-    if constexpr (has_newton) {
-      const auto [state_columns, input_columns] =
-          out_of_line<finite_function<System, quantity::state_jacobian, quantity::input_jacobian>>{}(
-              t, vector_of<n + o>(x), p_, vector_of<of.inputs>(r));
-      std::copy_n(input_columns.data(), input_columns.size(), by_inputs);
-      return told(state_columns, by_state);
+  status evaluate(results wanted, double t, const double* x, const double* r, outputs into) const override {
+    switch (wanted) {
+    case results::rates: return evaluate<results::rates>(t, x, r, into);
+    case results::configuration: return evaluate<results::configuration>(t, x, r, into);
+    case results::redundant: return evaluate<results::redundant>(t, x, r, into);
+    case results::velocities: return evaluate<results::velocities>(t, x, r, into);
+    case results::dependent_speeds: return evaluate<results::dependent_speeds>(t, x, r, into);
+    case results::unreduced: return evaluate<results::unreduced>(t, x, r, into);
+    case results::jacobian: return evaluate<results::jacobian>(t, x, r, into);
+    case results::multipliers: return evaluate<results::multipliers>(t, x, r, into);
     }
     return {};
-  }
-  void configuration(double t, const double* x, const double* r, double* left,
-                     double* by_coordinates) const override {
-    if constexpr (l != 0)
-      tell(call<quantity::configuration_residual, quantity::configuration_jacobian_by_all>(t, x, r), left,
-           by_coordinates);
-  }
-  void velocities(double t, const double* x, const double* r, double* left,
-                  double* by_speeds) const override {
-    if constexpr (m != 0)
-      tell(call<quantity::velocity_residual, quantity::constraint_jacobian>(t, x, r), left, by_speeds);
-  }
-  void redundant(double t, const double* x, const double* r, double* left, double* terms, double* rate,
-                 double* rate_terms) const override {
-    if constexpr (of.redundant_constraints != 0) {
-      told(call<quantity::redundant_residual>(t, x, r), left);
-      told(call<quantity::redundant_terms>(t, x, r), terms);
-      told(call<quantity::redundant_rate>(t, x, r), rate);
-      told(call<quantity::redundant_rate_terms>(t, x, r), rate_terms);
-    }
-  }
-  status dependent_speeds(double t, const double* x, const double* r, double* u) const override {
-    if constexpr (m != 0) return told(call<quantity::dependent_speeds>(t, x, r), u);
-    return {};
-  }
-
-  status unreduced(double t, const double* x, const double* r, double* qdot, double* mass, double* force,
-                   double* bias) const override {
-    if constexpr (m == 0) {
-      return {};
-    } else if constexpr (compiled::is_linked<System>) {
-      const auto [rates, masses, forces, biases] =
-          call<quantity::qdot, quantity::unreduced_mass_matrix, quantity::unreduced_forcing,
-               quantity::constraint_bias>(t, x, r);
-      told(rates, qdot), told(masses, mass), told(forces, force);
-      return told(biases, bias);
-    } else {
-      double all[static_cast<std::size_t>(n + o * o + o + m)];
-      const status s = unreduced_.evaluate(t, x, p_.data(), r, all);
-      const double* next = all;
-      const auto put = [&next](int count, double* out) { std::copy_n(next, count, out), next += count; };
-      put(n, qdot), put(o * o, mass), put(o, force), put(m, bias);
-      return s;
-    }
-  }
-
-  void multipliers(double t, const double* x, const double* r, double* lambda) const override {
-    if constexpr (is_implicit && m != 0) told(call<quantity::multipliers>(t, x, r), lambda);
   }
   status implicit(double t, const double* y, const double* ydot, const double* r,
                   double* left) const override {
@@ -111,42 +60,9 @@ public:
     return residual(t, y, ydot, r, left);
   }
 
-  void give_inputs(double t, const double* x, double* r) const override {
-    inputs given;
-    options_.inputs.give(t, state(x), given);
-    std::copy_n(given.data(), given.size(), r);
-  }
-  std::function<void(double, const double*, double*)> copy_of_inputs() const override {
-    if constexpr (has_prescribed_rates(of))
-      return [source = options_.inputs](double t, const double* x, double* r) {
-        inputs given;
-        source.give(t, state(x), given);
-        std::copy_n(given.data(), given.size(), r);
-      };
-    return {};
-  }
-  double event(std::size_t which, double t, const double* x, const double* r) const override {
-    return options_.events[which].value(t, state(x), p_, inputs(r));
-  }
-  after_event handle(std::size_t which, double t, double* x, const double* r) const override {
-    state at(x);
-    const inputs given(r);
-    moment<System> now{t, at, p_, given};
-    const after_event what = options_.events[which].handler(now);
-    std::copy_n(at.data(), at.size(), x);
-    return what;
-  }
-  void show(double t, const double* x, const double* r) const override {
-    options_.each_sample(sample<System>{t, state(x), inputs(r)});
-  }
-  void keep(double t, const double* x, const double* r) override {
-    kept_.add(sample<System>{t, state(x), inputs(r)});
-  }
-  void keep(piece p) override { kept_.add(std::move(p)); }
-
 private:
-  static constexpr manifold_maker maker_of_manifold() {
-    if constexpr (m + l + of.quaternions != 0) return manifold_of<system>;
+  static constexpr manifold_factory factory_of_manifold() {
+    if constexpr (m + l + of.quaternions != 0) return manifold_of<system_interface>;
     return nullptr;
   }
 
@@ -157,19 +73,53 @@ private:
     return v;
   }
 
-  template <quantity... wanted>
+  template <results wanted>
+  status evaluate(double t, const double* x, const double* r, outputs into) const {
+    if constexpr (!is_needed(wanted, of, by))
+      return {};
+    else if constexpr (wanted == results::unreduced && !compiled::is_linked<System>)
+      return interpret_unreduced(t, x, r, into);
+    else
+      return evaluate<wanted>(t, x, r, into, std::make_index_sequence<list_of(wanted).size>());
+  }
+  template <results wanted, std::size_t... i>
+  status evaluate(double t, const double* x, const double* r, outputs into, std::index_sequence<i...>) const {
+    if constexpr (wanted == results::jacobian)
+      return store(call<finite_function<System, list_of(wanted).quantities[i]...>>(t, x, r), into);
+    else if constexpr (wanted == results::redundant) // each without the others, as only checks need them
+      return (store(call<function<System, list_of(wanted).quantities[i]>>(t, x, r), into.begin()[i]), ...);
+    else
+      return store(call<function<System, list_of(wanted).quantities[i]...>>(t, x, r), into);
+  }
+  template <class Function>
   auto call(double t, const double* x, const double* r) const {
-    return out_of_line<function<System, wanted...>>{}(t, vector_of<n + o>(x), p_, vector_of<of.inputs>(r));
+    return out_of_line<Function>{}(t, vector_of<n + o>(x), p_, vector_of<of.inputs>(r));
   }
   template <class Found>
-  static status told(const Found& found, double* out) {
-    std::copy_n(found.data(), found.size(), out);
+  static status store(const Found& found, double* into) {
+    std::copy_n(found.data(), found.size(), into);
     return status_of(found);
   }
   template <class Found>
-  static void tell(const Found& found, double* first, double* second) {
-    told(std::get<0>(found), first);
-    told(std::get<1>(found), second);
+  static status store(const Found& found, outputs into) {
+    return store(found, *into.begin());
+  }
+  template <class First, class... More>
+  static status store(const std::tuple<First, More...>& found, outputs into) {
+    double* const* next = into.begin();
+    std::apply([&](const auto&... each) { (store(each, *next++), ...); }, found);
+    return status_of(std::get<0>(found));
+  }
+
+  status interpret_unreduced(double t, const double* x, const double* r, outputs into) const {
+    double all[static_cast<std::size_t>(n + o * o + o + m)];
+    const status s = unreduced_.evaluate(t, x, p_.data(), r, all);
+    const double* next = all;
+    for (std::size_t i = 0; const int size : {n, o * o, o, m}) {
+      std::copy_n(next, size, into.begin()[i++]);
+      next += size;
+    }
+    return s;
   }
 
   template <class Number>
@@ -208,17 +158,14 @@ private:
   static auto unreduced_equations() {
     if constexpr (m != 0 && !compiled::is_linked<System>)
       return runtime::table_interpreter<double>(
-          compiled::table_for<System, double, state, parameter_values<System>, inputs, quantity::qdot,
-                              quantity::unreduced_mass_matrix, quantity::unreduced_forcing,
+          compiled::table_for<System, double, state<System>, parameter_values<System>, input_values<System>,
+                              quantity::qdot, quantity::unreduced_mass_matrix, quantity::unreduced_forcing,
                               quantity::constraint_bias>(),
           of);
     else
       return 0;
   }
 
-  const parameter_values<System> p_;
-  const simulation_options<System>& options_;
-  trajectory<System>& kept_;
   mutable decltype(unreduced_equations()) unreduced_ = unreduced_equations();
 };
 

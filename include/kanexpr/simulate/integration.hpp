@@ -4,13 +4,12 @@
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/check_options.hpp>
-#include <kanexpr/simulate/contradiction.hpp>
-#include <kanexpr/simulate/departures.hpp>
-#include <kanexpr/simulate/moving_system.hpp>
-#include <kanexpr/simulate/prescribed_rates.hpp>
-#include <kanexpr/simulate/run.hpp>
+#include <kanexpr/simulate/constraints/contradiction.hpp>
+#include <kanexpr/simulate/events/events_at_start.hpp>
+#include <kanexpr/simulate/inputs/prescribed_rates.hpp>
+#include <kanexpr/simulate/motions/moving_system.hpp>
+#include <kanexpr/simulate/motions/state_sizes.hpp>
 #include <kanexpr/simulate/sampling.hpp>
-#include <kanexpr/simulate/state_sizes.hpp>
 #include <kanexpr/steps/assemble.hpp>
 
 #include <algorithm>
@@ -23,15 +22,15 @@ namespace kanexpr::simulated {
 template <integrator by>
 class integration {
 public:
-  integration(system& of, const time_span& span, const settings& options)
-      : options_(options), span_(span), around_(of, span, options), moving_(around_),
-        sampling_(options, span, around_) {}
+  integration(system_interface& of, const time_span& span, const settings& options)
+      : options_(options), span_(span), context_(of, span, options), moving_(context_),
+        sampling_(options, span, context_) {}
 
-  ending run(const double* x) {
+  run_outcome run(const double* x) {
     result_.time = span_.from;
-    state_ = Eigen::Map<const state>(x, around_.system().states());
+    state_ = Eigen::Map<const state>(x, context_.system().states());
     if (begin()) {
-      go();
+      integrate();
       end();
     }
     result_.state.assign(state_.data(), state_.data() + state_.size());
@@ -41,7 +40,7 @@ public:
 private:
   using state = Eigen::VectorXd;
 
-  const deriving::survey& known() const { return around_.known(); }
+  const deriving::survey& known() const { return context_.known(); }
   solvers::stepper& stepper() { return moving_.stepper(); }
 
   bool fail(std::string why) {
@@ -51,37 +50,36 @@ private:
 
   /// Ends the simulation at its current state.
   bool fail_here(const std::string& why) {
-    const std::string because = around_.last_refusal();
-    if (has_begun_) sampling_.end(result_.time, state_);
+    const std::string because = context_.last_error();
+    if (has_begun_) sampling_.finish(result_.time, state_);
     std::string where = "the simulation ended at t = " + digits(result_.time) + " with ";
-    for (int i = 0; i < around_.system().states(); ++i)
-      where += (i == 0 ? "" : ", ") + around_.name_of_state(i) + " = " + digits(state_(i));
+    for (int i = 0; i < context_.system().states(); ++i)
+      where += (i == 0 ? "" : ", ") + context_.name_of_state(i) + " = " + digits(state_(i));
     return fail(where + ": " + why + (because.empty() || why.empty() ? "" : ": ") + because);
   }
 
+  /// Fails with a mistake; returns whether there is none.
+  bool passes(std::string mistake) { return mistake.empty() || fail(std::move(mistake)); }
+
   bool begin() {
     solvers::stepper_options o = stepper_options();
-    if (std::string mistake = check_options(options_, span_); !mistake.empty())
-      return fail(std::move(mistake));
     state first = state_;
-    if (!assemble_at(span_.from, first)) return false;
-    if (std::string mistake = contradiction_at_start(first); !mistake.empty())
-      return fail(std::move(mistake));
+    if (!passes(check_options(options_, span_)) || !assemble_at(span_.from, first) ||
+        !passes(contradiction_at_start(first)))
+      return false;
     state_ = first;
-    if (std::string mistake = contradiction_in_rates(); !mistake.empty()) return fail(std::move(mistake));
-    const state_sizes found(around_, span_.from, first, around_.length());
-    around_.set_sizes(span_.from, first, found.sizes());
-    if (std::string mistake =
-            read_tolerances(around_.system(), options_, found.sizes(), o.absolute_tolerances);
-        !mistake.empty())
-      return fail(std::move(mistake));
+    if (!passes(contradiction_in_rates())) return false;
+    const state_sizes found(context_, span_.from, first, context_.length());
+    context_.set_sizes(span_.from, first, found.sizes());
+    if (!passes(read_tolerances(context_.system(), options_, found.sizes(), o.absolute_tolerances)))
+      return false;
     const tolerances of_entries = tolerances_of(o);
-    departures_.set(of_entries), sampling_.set(of_entries);
+    events_at_start_.set(of_entries), sampling_.set(of_entries);
     absolute_tolerances_ = o.absolute_tolerances;
-    around_.come_to(span_.from, state_, moving_.least_distinctness);
-    if (moving_.start(state_, o) != answer::given) return fail_here("");
+    context_.update_singularity(span_.from, state_, moving_.least_distinctness);
+    if (moving_.start(state_, o) != answer::success) return fail_here("");
     if (stepper().failed()) return fail_here(stepper().failed().sentence);
-    if (around_.is_near_singular()) set_tolerances();
+    if (context_.is_near_singular()) set_tolerances();
     has_begun_ = true;
     return sampling_.begin(span_.from, state_) || fail_here("");
   }
@@ -97,24 +95,24 @@ private:
   /// Returns a contradiction in the rates of prescribed quantities.
   std::string contradiction_in_rates() const {
     if (!has_prescribed_rates(known())) return {};
-    if (options_.inputs_are_constant) return contradiction_in_constants(known(), around_.r().data());
-    return contradiction_in_function(known(), span_, state_.data(), around_.system().copy_of_inputs());
+    if (options_.inputs_are_constant) return contradiction_in_constants(known(), context_.r().data());
+    return contradiction_in_function(known(), span_, state_.data(), context_.system().copy_of_inputs());
   }
 
-  void come_to(double t, const state& x) {
-    const bool was_near = around_.is_near_singular();
-    around_.come_to(t, x, moving_.least_distinctness);
-    if (around_.is_near_singular() == was_near) return;
+  void update_singularity(double t, const state& x) {
+    const bool was_near = context_.is_near_singular();
+    context_.update_singularity(t, x, moving_.least_distinctness);
+    if (context_.is_near_singular() == was_near) return;
     set_tolerances();
-    is_sharper_ = was_near && options_.relative_tolerance < least_tolerance_near_singular;
+    has_tightened_tolerances_ = was_near && options_.relative_tolerance < least_tolerance_near_singular;
   }
 
   /// Continues with the equations of all speeds if a step fails near a singular position.
-  bool goes_on_near_singular() {
-    if (around_.is_near_singular() || around_.has_thrown()) return false;
-    around_.come_to(result_.time, state_, not_far);
-    if (!around_.is_near_singular()) return false;
-    around_.forget();
+  bool continue_near_singular() {
+    if (context_.is_near_singular() || context_.has_thrown()) return false;
+    context_.update_singularity(result_.time, state_, not_far);
+    if (!context_.is_near_singular()) return false;
+    context_.clear_error();
     set_tolerances();
     return restart();
   }
@@ -122,10 +120,10 @@ private:
   /// Limits the tolerances near a singular position, where rates have fewer digits and no step would satisfy
   /// smaller tolerances.
   void set_tolerances() {
-    const double least = around_.is_near_singular() ? least_tolerance_near_singular : 0;
+    const double least = context_.is_near_singular() ? least_tolerance_near_singular : 0;
     std::vector<double> absolute = absolute_tolerances_;
     for (std::size_t i = 0; i < absolute.size(); ++i)
-      absolute[i] = (std::max)(absolute[i], least * around_.sizes()(static_cast<Eigen::Index>(i)));
+      absolute[i] = (std::max)(absolute[i], least * context_.sizes()(static_cast<Eigen::Index>(i)));
     moving_.set_tolerances((std::max)(options_.relative_tolerance, least), absolute);
   }
 
@@ -135,83 +133,83 @@ private:
   }
 
   solvers::stepper_options stepper_options() const {
-    solvers::stepper_options o;
-    o.end = around_.length();
-    o.relative_tolerance = options_.relative_tolerance;
-    o.first_step = options_.first_step;
-    o.least_step = (std::max)(options_.least_step, shortest_step(span_));
-    o.greatest_step = options_.greatest_step;
-    o.analytic_jacobian = options_.analytic_jacobian;
-    return o;
+    return {.end = context_.length(),
+            .relative_tolerance = options_.relative_tolerance,
+            .first_step = options_.first_step,
+            .least_step = (std::max)(options_.least_step, shortest_step(span_)),
+            .greatest_step = options_.greatest_step,
+            .analytic_jacobian = options_.analytic_jacobian};
   }
 
   /// Solves for the dependent coordinates and speeds.
   bool assemble_at(double t, state& x) {
-    if (around_.take(t, x) != answer::given) return fail_here("");
-    manifold* const constraints = around_.constraints();
+    if (context_.set_state(t, x) != answer::success) return fail_here("");
+    manifold* const constraints = context_.constraints();
     if (!constraints) return true;
-    const assembly built = constraints->assemble(t, x, around_.r());
+    const assembly built = constraints->assemble(t, x, context_.r());
     if (!built) return fail_here(built.cause());
-    return around_.take(t, x) == answer::given || fail_here("");
+    return context_.set_state(t, x) == answer::success || fail_here("");
   }
 
   /// Checks that the redundant constraints, which are not solved for anything, still follow from the others.
   bool holds_redundant(double t, const state& x) {
-    if (known().redundant_constraints == 0 || around_.constraints() == nullptr) return true;
-    if (around_.take(t, x) != answer::given) return fail_here("");
+    if (known().redundant_constraints == 0 || context_.constraints() == nullptr) return true;
+    if (context_.set_state(t, x) != answer::success) return fail_here("");
     const double error = (std::max)(options_.relative_tolerance, largest_absolute_tolerance()),
                  tolerance =
                      (std::max)(1e-6, 1e3 * error); // steps leave small residuals in the other constraints
-    const mechanics::sentence off = around_.constraints()->redundant_off(t, x, around_.r(), tolerance);
+    const mechanics::sentence off =
+        context_.constraints()->redundant_violation(t, x, context_.r(), tolerance);
     return !off || fail_here(off.cause() + " at t = " + digits(t) +
                              ": it does not follow from the other constraints");
   }
   double largest_absolute_tolerance() const {
     double most = 0;
     for (std::size_t i = 0; i < absolute_tolerances_.size(); ++i)
-      most = (std::max)(most, absolute_tolerances_[i] / around_.sizes()(static_cast<Eigen::Index>(i)));
+      most = (std::max)(most, absolute_tolerances_[i] / context_.sizes()(static_cast<Eigen::Index>(i)));
     return most;
   }
 
-  void go() {
+  void integrate() {
     std::vector<int> passed;
-    bool goes_on = departures_.begin(result_.time, state_, around_.length(), passed) ||
+    bool goes_on = events_at_start_.begin(result_.time, state_, context_.length(), passed) ||
                    fail_here("an event could not be evaluated");
     if (goes_on && is_any(passed)) goes_on = pass_event(passed);
-    while (goes_on && elapsed_ < around_.length()) goes_on = step();
+    while (goes_on && elapsed_ < context_.length()) goes_on = step();
   }
 
   /// Takes one step of the integrator. The simulation stays at the beginning of the step until its end is
   /// accepted.
   bool step() {
     if (moving_.steps() >= options_.most_steps) return fail_here("the maximum number of steps was reached");
-    const solvers::arrival arrived = stepper().advance(around_.length());
+    const solvers::arrival arrived = stepper().advance(context_.length());
     if (arrived == solvers::arrival::failed)
-      return goes_on_near_singular() || fail_here(stepper().failed().sentence);
-    around_.forget();
-    departures_.look_ahead_by(stepper().step_end() - stepper().step_begin());
-    double elapsed = stepper().time(), t = around_.time(elapsed);
+      return continue_near_singular() || fail_here(stepper().failed().sentence);
+    context_.clear_error();
+    events_at_start_.set_look_ahead(stepper().step_end() - stepper().step_begin());
+    double elapsed = stepper().time(), t = context_.time(elapsed);
     state x = Eigen::Map<const state>(stepper().state(), state_.size());
-    if (!numeric::all_finite(x)) return fail_here(too_large(x));
+    if (!numeric::all_finite(x)) return fail_here(overflow_message(x));
     std::vector<int> passed =
         arrived == solvers::arrival::event ? stepper().events() : std::vector<int>(options_.events.size());
-    if (departures_.missed(t, x, passed)) return fail_here(ever_faster);
-    const std::vector<int> left = departures_.left(t, x, passed);
+    if (events_at_start_.has_missed_return(t, x, passed)) return fail_here(ever_faster);
+    const std::vector<int> left = events_at_start_.left(t, x, passed);
     if (is_any(left)) {
       find_departure(left, elapsed, x);
-      t = around_.time(elapsed);
+      t = context_.time(elapsed);
     }
     if (!holds_redundant(t, x)) return false;
     elapsed_ = elapsed, result_.time = t, state_ = x;
-    come_to(t, x);
+    update_singularity(t, x);
     if (options_.dense) sampling_.keep_polynomial(stepper(), elapsed, begun_);
-    if (!sampling_.go_on(stepper(), elapsed, state_)) return fail_here("");
+    if (!sampling_.record_due_samples(stepper(), elapsed, state_)) return fail_here("");
     if (is_any(left)) return pass_event(left) && restart();
     if (is_any(passed) && !(is_passing(passed) && pass_event(passed))) return false;
-    if ((moving_.has_to_change() || is_sharper_) && elapsed_ < around_.length() && !restart()) return false;
+    if ((moving_.has_to_change() || has_tightened_tolerances_) && elapsed_ < context_.length() && !restart())
+      return false;
     return !options_.progress ||
-           around_.guarded("the progress function", [&] { options_.progress(result_.time, span_); }) ==
-               answer::given ||
+           context_.call_user_function("the progress function",
+                                       [&] { options_.progress(result_.time, span_); }) == answer::success ||
            fail_here("");
   }
 
@@ -221,28 +219,28 @@ private:
     const double rounding = 4 * std::numeric_limits<double>::epsilon() * elapsed;
     double before = elapsed_;
     state middle = x;
-    if (departures_.is_beyond(result_.time, state_, left)) elapsed = before;
+    if (events_at_start_.is_beyond(result_.time, state_, left)) elapsed = before;
     while (elapsed - before > rounding) {
       const double half = before + (elapsed - before) / 2;
       if (!sampling_.state_at(stepper(), half, middle)) break;
-      if (departures_.is_beyond(around_.time(half), middle, left))
+      if (events_at_start_.is_beyond(context_.time(half), middle, left))
         elapsed = half, x = middle;
       else
         before = half;
     }
-    around_.forget();
+    context_.clear_error();
     if (elapsed - elapsed_ <= 2 * rounding) elapsed = elapsed_, x = state_;
   }
 
-  std::string too_large(const state& x) const {
+  std::string overflow_message(const state& x) const {
     int i = 0;
     while (numeric::is_finite(x(i))) ++i;
-    return around_.name_of_state(i) + " overflows double";
+    return context_.name_of_state(i) + " overflows double";
   }
 
   /// Rejects functions that stay at zero, for which integrators report an arbitrary time.
   bool is_passing(const std::vector<int>& passed) {
-    const int resting = departures_.resting(result_.time, state_, passed);
+    const int resting = events_at_start_.stationary_event(result_.time, state_, passed);
     return resting < 0 || fail_here("the event " + options_.events[static_cast<std::size_t>(resting)].name +
                                     " stays at zero; it must pass through zero");
   }
@@ -257,19 +255,19 @@ private:
     if (is_endless(passed)) return fail_here(ever_faster);
     const auto& events = options_.events;
     state x = state_;
-    if (around_.take(t, x) != answer::given) return fail_here("");
+    if (context_.set_state(t, x) != answer::success) return fail_here("");
     bool stops = false, handled = false;
     for (std::size_t i = 0; i < events.size(); ++i) {
       if (passed[i] == 0) continue;
       result_.events.push_back({t, events[i].name});
       if (!events[i].has_handler) continue;
       handled = true;
-      const answer a = around_.guarded("the handler of the event " + events[i].name, [&] {
-        stops |= around_.system().handle(i, t, x.data(), around_.r().data()) == after_event::stop;
+      const answer a = context_.call_user_function("the handler of the event " + events[i].name, [&] {
+        stops |= context_.system().handle(i, t, x.data(), context_.r().data()) == after_event::stop;
       });
-      if (a != answer::given) return fail_here("");
+      if (a != answer::success) return fail_here("");
     }
-    if (!handled) return !(is_coarse() && departures_.is_zero(passed)) || restart();
+    if (!handled) return !(time_is_coarse() && events_at_start_.is_zero(passed)) || restart();
     const bool changed = x != state_;
     if (changed && !numeric::all_finite(x))
       return fail_here("the handler of an event left a state that is not finite");
@@ -283,7 +281,7 @@ private:
       if (std::string said = contradiction(known(), told, x, is_changed); !said.empty())
         return fail_here(said + " after the handler of an event");
     }
-    departures_.note(t, state_, x, passed);
+    events_at_start_.record_passed(t, state_, x, passed);
     state_ = x;
     if (changed && sampling_.takes_each_step() && !sampling_.record(t, x)) return fail_here("");
     result_.stopped_by_event = stops;
@@ -292,16 +290,16 @@ private:
 
   /// Restarts the integrator at the current state.
   bool restart() {
-    begun_ = elapsed_, is_sharper_ = false;
+    begun_ = elapsed_, has_tightened_tolerances_ = false;
     return moving_.restart(elapsed_, state_) || fail_here(stepper().failed().sentence);
   }
 
   /// Whether the time is so large that a function may stay at zero for longer than the integrators allow.
-  bool is_coarse() const { return std::abs(result_.time) > 64 * elapsed_; }
+  bool time_is_coarse() const { return std::abs(result_.time) > 64 * elapsed_; }
 
   /// Whether one event occurs again and again at the same time.
   bool is_endless(const std::vector<int>& passed) {
-    const double t = elapsed_, length = around_.length();
+    const double t = elapsed_, length = context_.length();
     bool is_soon = false;
     for (std::size_t i = 0; i < passed.size(); ++i) {
       if (passed[i] == 0) continue;
@@ -311,7 +309,7 @@ private:
       r.last = t;
       if (r.times > 20) return true;
     }
-    return is_soon && departures_.contradict(result_.time, state_, passed);
+    return is_soon && events_at_start_.contradict(result_.time, state_, passed);
   }
 
   void end() {
@@ -325,12 +323,12 @@ private:
 
   const settings& options_;
   const time_span span_;
-  surroundings around_;
+  simulation_context context_;
   moving_system<by> moving_;
-  ending result_{};
+  run_outcome result_{};
   state state_{}; ///< the current state
   sampling sampling_;
-  departures departures_{around_};
+  events_at_start events_at_start_{context_};
   std::vector<double> absolute_tolerances_{}; ///< as requested
   double elapsed_ = 0;                        ///< the current time, since the start
   double begun_ = -std::numeric_limits<double>::infinity();
@@ -341,11 +339,12 @@ private:
   };
   std::vector<repetition> repetitions_ = std::vector<repetition>(options_.events.size());
   bool has_begun_ = false;
-  bool is_sharper_ = false; ///< the tolerances are sharper than those of the integrator's last steps
+  bool has_tightened_tolerances_ =
+      false; ///< the tolerances are sharper than those of the integrator's last steps
 };
 
 template <integrator by>
-ending run(system& moved, const double* from, const time_span& span, const settings& options) {
+run_outcome run(system_interface& moved, const double* from, const time_span& span, const settings& options) {
   return integration<by>(moved, span, options).run(from);
 }
 

@@ -3,12 +3,12 @@
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/values.hpp>
 #include <kanexpr/simulate/integrator.hpp>
-#include <kanexpr/simulate/misnamed.hpp>
-#include <kanexpr/simulate/model_trajectory.hpp>
-#include <kanexpr/simulate/simulation_options.hpp>
-#include <kanexpr/simulate/system.hpp>
+#include <kanexpr/simulate/motions/unknown_name_error.hpp>
+#include <kanexpr/simulate/simulated_system.hpp>
+#include <kanexpr/simulate/trajectory/model_trajectory.hpp>
 
 #include <algorithm>
+#include <array>
 #include <complex>
 #include <memory>
 #include <optional>
@@ -34,7 +34,7 @@ inline std::string check_model(model& m) {
 template <class Number>
 class interpreted_results {
 public:
-  interpreted_results(model& m, std::initializer_list<mechanics::quantity> wanted)
+  interpreted_results(model& m, const result_list& wanted)
       : function_(m.function<Number>(entries(m, wanted, parts_))) {}
 
   template <class... Arguments>
@@ -43,7 +43,7 @@ public:
     return function_.status();
   }
   /// Writes one of the results in column-major order.
-  void tell(std::size_t which, Number* out) const {
+  void write(std::size_t which, Number* out) const {
     const part& p = parts_[which];
     for (int j = 0; j < p.columns; ++j)
       for (int i = 0; i < p.rows; ++i) *out++ = found_[p.first + i * p.columns + j];
@@ -54,11 +54,10 @@ private:
     int first, rows, columns;
   };
 
-  static symbolic::matrix entries(model& m, std::initializer_list<mechanics::quantity> wanted,
-                                  std::vector<part>& parts) {
+  static symbolic::matrix entries(model& m, const result_list& wanted, std::vector<part>& parts) {
     symbolic::matrix all(m.graph(), 0, 1);
-    for (const mechanics::quantity each : wanted) {
-      const symbolic::matrix result = m.get(each);
+    for (std::size_t i = 0; i < wanted.size; ++i) {
+      const symbolic::matrix result = m.get(wanted.quantities[i]);
       parts.push_back({all.entries.size(), result.rows, result.columns});
       for (const symbolic::expression& e : result.entries) all.entries.push(e);
     }
@@ -73,7 +72,7 @@ private:
 
 /// A run-time model with the parameters and options of a simulation. Only the results that the method needs
 /// are derived.
-class interpreted_system final : public system {
+class interpreted_system final : public simulated_system<model> {
   using quantity = mechanics::quantity;
   template <class Number>
   using vector = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
@@ -82,77 +81,24 @@ class interpreted_system final : public system {
 
 public:
   interpreted_system(model& m, const deriving::survey& of, integrator by, const parameter_values<model>& p,
-                     const input_source<model>& inputs, const simulation_options<model>& options,
+                     const input_source<model>& source, const simulation_options<model>& options,
                      trajectory<model>& kept)
-      : system(of, nothing_bound(), runtime::name_of_models, maker_of_manifold(of)), p_(p), inputs_(inputs),
-        options_(options), kept_(kept), x_(m), r_(m), no_inputs_(m), rhs_(m, {quantity::rhs}) {
-    if (of.configuration_constraints != 0) configuration_.emplace(m, configuration_and_derivatives);
-    if (of.redundant_constraints != 0)
-      redundant_.emplace(
-          m, std::initializer_list<quantity>{quantity::redundant_residual, quantity::redundant_terms,
-                                             quantity::redundant_rate, quantity::redundant_rate_terms});
-    if (of.constraints != 0) {
-      velocities_.emplace(m, velocities_and_derivatives);
-      dependent_speeds_.emplace(m, std::initializer_list<quantity>{quantity::dependent_speeds});
-      unreduced_.emplace(m, std::initializer_list<quantity>{quantity::qdot, quantity::unreduced_mass_matrix,
-                                                            quantity::unreduced_forcing,
-                                                            quantity::constraint_bias});
-    }
-    if (by == integrator::bdf || by == integrator::implicit_runge_kutta)
-      jacobian_.emplace(m,
-                        std::initializer_list<quantity>{quantity::state_jacobian, quantity::input_jacobian});
+      : simulated_system({of, nothing_bound(), runtime::name_of_models, factory_of_manifold(of)}, p, source,
+                         options, kept, state(m), inputs(m)) {
+    for (std::size_t i = 0; i < results_.size(); ++i)
+      if (is_needed(static_cast<results>(i), of, by)) results_[i].emplace(m, lists_of_results[i]);
     if (by == integrator::differential_algebraic) {
-      if (of.constraints != 0)
-        multipliers_.emplace(m, std::initializer_list<quantity>{quantity::multipliers});
       real_.emplace(m, of, p);
       complex_.emplace(m, of, p);
     }
   }
 
-  status rates(double t, const double* x, const double* r, double* xdot) const override {
-    const status s = call(rhs_, t, x, r);
-    rhs_.tell(0, xdot);
+  status evaluate(results wanted, double t, const double* x, const double* r, outputs into) const override {
+    std::optional<interpreted_results<double>>& found = results_[static_cast<std::size_t>(wanted)];
+    if (!found) return {};
+    const status s = found->evaluate(t, argument<double>(x, states()), p_, argument<double>(r, known.inputs));
+    for (std::size_t i = 0; double* each : into) found->write(i++, each);
     return s;
-  }
-  status jacobian(double t, const double* x, const double* r, double* by_state,
-                  double* by_inputs) const override {
-    if (!jacobian_) return {};
-    const status s = call(*jacobian_, t, x, r);
-    jacobian_->tell(0, by_state), jacobian_->tell(1, by_inputs);
-    return s;
-  }
-  void configuration(double t, const double* x, const double* r, double* left,
-                     double* by_coordinates) const override {
-    tell(configuration_, t, x, r, left, by_coordinates);
-  }
-  void velocities(double t, const double* x, const double* r, double* left,
-                  double* by_speeds) const override {
-    tell(velocities_, t, x, r, left, by_speeds);
-  }
-  void redundant(double t, const double* x, const double* r, double* left, double* terms, double* rate,
-                 double* rate_terms) const override {
-    tell(redundant_, t, x, r, left, terms, rate, rate_terms);
-  }
-  status dependent_speeds(double t, const double* x, const double* r, double* u) const override {
-    if (!dependent_speeds_) return {};
-    const status s = call(*dependent_speeds_, t, x, r);
-    dependent_speeds_->tell(0, u);
-    return s;
-  }
-
-  status unreduced(double t, const double* x, const double* r, double* qdot, double* mass, double* force,
-                   double* bias) const override {
-    if (!unreduced_) return {};
-    const status s = call(*unreduced_, t, x, r);
-    unreduced_->tell(0, qdot), unreduced_->tell(1, mass);
-    unreduced_->tell(2, force), unreduced_->tell(3, bias);
-    return s;
-  }
-
-  void multipliers(double t, const double* x, const double* r, double* lambda) const override {
-    if (!multipliers_) return;
-    call(*multipliers_, t, x, r);
-    multipliers_->tell(0, lambda);
   }
   status implicit(double t, const double* y, const double* ydot, const double* r,
                   double* left) const override {
@@ -163,70 +109,24 @@ public:
     return complex_ ? complex_->residual(known, t, y, ydot, r, left) : status();
   }
 
-  void give_inputs(double t, const double* x, double* r) const override {
-    std::copy_n(x, x_.size(), x_.data());
-    input_values<model> given = no_inputs_;
-    inputs_.give(t, x_, given);
-    check_vector(given, compiled::symbols_of::inputs);
-    std::copy(given.begin(), given.end(), r);
-  }
-  std::function<void(double, const double*, double*)> copy_of_inputs() const override {
-    return [source = inputs_, at = x_, none = no_inputs_](double t, const double* x, double* r) mutable {
-      std::copy_n(x, at.size(), at.data());
-      input_values<model> given = none;
-      source.give(t, at, given);
-      if (given.mistake() || given.size() != none.size()) throw misnamed(given.mistake());
-      std::copy(given.begin(), given.end(), r);
-    };
-  }
-  double event(std::size_t which, double t, const double* x, const double* r) const override {
-    take(x, r);
-    const double value = options_.events[which].value(t, x_, p_, r_);
-    check_vector(x_, compiled::symbols_of::state);
-    return value;
-  }
-  after_event handle(std::size_t which, double t, double* x, const double* r) const override {
-    take(x, r);
-    state<model> at = x_;
-    moment<model> now{t, at, p_, r_};
-    const after_event what = options_.events[which].handler(now);
-    check_vector(at, compiled::symbols_of::state);
-    std::copy(at.begin(), at.end(), x);
-    return what;
-  }
-  void show(double t, const double* x, const double* r) const override {
-    take(x, r);
-    options_.each_sample(sample<model>{t, x_, r_});
-  }
-  void keep(double t, const double* x, const double* r) override {
-    take(x, r);
-    kept_.add(sample<model>{t, x_, r_});
-  }
-  void keep(piece p) override { kept_.add(std::move(p)); }
-
 private:
-  static manifold_maker maker_of_manifold(const deriving::survey& of) {
+  static manifold_factory factory_of_manifold(const deriving::survey& of) {
     const bool has_one = of.constraints + of.configuration_constraints + of.quaternions != 0;
-    return has_one ? manifold_of<system> : nullptr;
+    return has_one ? manifold_of<system_interface> : nullptr;
   }
   static const describe::system_record& nothing_bound() {
     static constexpr describe::system_record none{};
     return none;
   }
-  static constexpr std::initializer_list<quantity> configuration_and_derivatives{
-      quantity::configuration_residual, quantity::configuration_jacobian_by_all};
-  static constexpr std::initializer_list<quantity> velocities_and_derivatives{quantity::velocity_residual,
-                                                                              quantity::constraint_jacobian};
-
   /// F of the method with multipliers, for real or complex numbers.
   template <class Number>
   class multiplier_equations {
   public:
     multiplier_equations(model& m, const deriving::survey& of, const parameter_values<model>& p)
-        : p_(p.template cast<Number>()), qdot_(m, {quantity::qdot}),
-          forces_(m, {quantity::unreduced_forces}) {
-      if (of.constraints != 0) velocities_.emplace(m, velocities_and_derivatives);
-      if (of.configuration_constraints != 0) configuration_.emplace(m, configuration_and_derivatives);
+        : p_(p.template cast<Number>()), qdot_(m, {1, {quantity::qdot}}),
+          forces_(m, {1, {quantity::unreduced_forces}}) {
+      if (of.constraints != 0) velocities_.emplace(m, list_of(results::velocities));
+      if (of.configuration_constraints != 0) configuration_.emplace(m, list_of(results::configuration));
     }
 
     status residual(const deriving::survey& of, double time, const Number* y, const Number* ydot,
@@ -235,21 +135,21 @@ private:
       const Number t = lower::scalar_math<Number>::from(time);
       const argument<Number> x(y, n + o), udot(ydot + n, o), r(inputs_at, of.inputs);
       const status s = qdot_.evaluate(t, x, p_, r);
-      qdot_.tell(0, out);
+      qdot_.write(0, out);
       Eigen::Map<vector<Number>> left(out, n + o + m + l);
       left.head(n) = argument<Number>(ydot, n) - left.head(n);
       forces_.evaluate(t, x, p_, r, udot);
-      forces_.tell(0, out + n);
+      forces_.write(0, out + n);
       if (m != 0) {
         Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> by_speeds(m, o);
         velocities_->evaluate(t, x, p_, r);
-        velocities_->tell(0, out + n + o), velocities_->tell(1, by_speeds.data());
+        velocities_->write(0, out + n + o), velocities_->write(1, by_speeds.data());
         left.segment(n, o) += by_speeds.transpose().lazyProduct(argument<Number>(y + n + o, m));
       }
       if (l != 0) {
         Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> by_coordinates(l, n);
         configuration_->evaluate(t, x, p_, r);
-        configuration_->tell(0, out + n + o + m), configuration_->tell(1, by_coordinates.data());
+        configuration_->write(0, out + n + o + m), configuration_->write(1, by_coordinates.data());
         left.head(n) -= by_coordinates.transpose().lazyProduct(argument<Number>(y + n + o + m, l));
       }
       return s;
@@ -261,44 +161,20 @@ private:
     std::optional<interpreted_results<Number>> velocities_{}, configuration_{};
   };
 
-  status call(interpreted_results<double>& f, double t, const double* x, const double* r) const {
-    return f.evaluate(t, argument<double>(x, states()), p_, argument<double>(r, known.inputs));
-  }
-  template <class... Outputs>
-  void tell(std::optional<interpreted_results<double>>& f, double t, const double* x, const double* r,
-            Outputs*... into) const {
-    if (!f) return;
-    call(*f, t, x, r);
-    std::size_t which = 0;
-    (f->tell(which++, into), ...);
-  }
-
-  void take(const double* x, const double* r) const {
-    std::copy_n(x, x_.size(), x_.data());
-    std::copy_n(r, r_.size(), r_.data());
-  }
-  /// Checks the names that a user function looked up in the vectors, and the size of the vector that it left.
-  void check_vector(const runtime::value_vector& left, compiled::symbols_of which) const {
-    const runtime::value_vector* const all[]{&left, &x_, &p_, &r_};
+  void check(const state& at, const inputs& given, compiled::symbols_of which) const override {
+    const bool is_state = which == compiled::symbols_of::state;
+    const runtime::value_vector* const left =
+        is_state ? static_cast<const runtime::value_vector*>(&at) : &given;
+    const runtime::value_vector* const all[]{left, &at, &p_, &given};
     for (const runtime::value_vector* each : all)
-      if (const mechanics::sentence found = each->mistake()) throw misnamed(found);
+      if (const mechanics::sentence found = each->mistake()) throw unknown_name_error(found);
     const compiled::symbol_range range = compiled::range_of(which, known);
     if (const mechanics::sentence found =
-            compiled::check_size(range.vector, "the model", static_cast<int>(left.size()), range.size))
-      throw misnamed(found);
+            compiled::check_size(range.vector, "the model", static_cast<int>(left->size()), range.size))
+      throw unknown_name_error(found);
   }
 
-  const parameter_values<model> p_;
-  const input_source<model>& inputs_;
-  const simulation_options<model>& options_;
-  trajectory<model>& kept_;
-  // filled at each call
-  mutable state<model> x_;
-  mutable input_values<model> r_;
-  const input_values<model> no_inputs_;
-  mutable interpreted_results<double> rhs_;
-  mutable std::optional<interpreted_results<double>> jacobian_{}, configuration_{}, redundant_{},
-      velocities_{}, dependent_speeds_{}, unreduced_{}, multipliers_{};
+  mutable std::array<std::optional<interpreted_results<double>>, std::size(lists_of_results)> results_{};
   mutable std::optional<multiplier_equations<double>> real_{};
   mutable std::optional<multiplier_equations<std::complex<double>>> complex_{};
 };

@@ -5,13 +5,13 @@
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
-#include <kanexpr/simulate/trim.hpp>
+#include <kanexpr/simulate/trim/trim.hpp>
 
 #include <algorithm>
 #include <string>
 
 #ifndef KANEXPR_COMPILED_SIMULATIONS
-#include <kanexpr/simulate/trim_search.hpp>
+#include <kanexpr/simulate/trim/trim_search.hpp>
 #endif
 
 namespace kanexpr {
@@ -96,7 +96,7 @@ private:
   }
 
   void find(const operating_point_options<System>& o) {
-    trim::finding found =
+    trim::search_result found =
         trim::find({known, System::record, type_name<System>(), constraints(), rates(), library()},
                    {o.held, o.freed, o.changing, o.rates, o.t, o.tolerance, o.most_iterations}, all());
     const double* values = found.values.data();
@@ -134,7 +134,7 @@ private:
     return compiled::table_for<System, number, vector<states>, vector<known.parameters>, vector<known.inputs>,
                                wanted>();
   }
-  static constexpr trim::subject::library library() {
+  static constexpr trim::system_functions::library library() {
     if constexpr (compiled::is_linked<System>)
       return evaluate;
     else

@@ -31,7 +31,7 @@ public:
     if (!times_.empty()) return times_[static_cast<std::size_t>(next_)];
     return numeric::equal(next_ + 1, count_) ? span_.to : span_.from + next_ * every_;
   }
-  void pass() { ++next_; }
+  void advance() { ++next_; }
 
 private:
   time_span span_;

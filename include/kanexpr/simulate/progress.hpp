@@ -43,5 +43,5 @@ private:
 } // namespace kanexpr
 
 #ifndef KANEXPR_COMPILED_SIMULATIONS
-#include <kanexpr/simulate/engine/progress.hpp>
+#include <kanexpr/simulate/progress.ipp>
 #endif

@@ -2,11 +2,11 @@
 
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
-#include <kanexpr/simulate/manifold.hpp>
+#include <kanexpr/simulate/constraints/manifold.hpp>
+#include <kanexpr/simulate/motions/runge_kutta_step.hpp>
+#include <kanexpr/simulate/motions/tolerances.hpp>
 #include <kanexpr/simulate/output_schedule.hpp>
 #include <kanexpr/simulate/sundials/stepper.hpp>
-#include <kanexpr/simulate/surroundings.hpp>
-#include <kanexpr/simulate/tolerances.hpp>
 
 #include <algorithm>
 #include <new>
@@ -17,14 +17,14 @@
 namespace kanexpr::simulated {
 
 /// Takes the samples of a simulation when they are due, and stores them or passes them on. If a sample cannot
-/// be taken, the surroundings hold the cause.
+/// be taken, the context holds the cause.
 class sampling {
 public:
   using state = Eigen::VectorXd;
 
-  sampling(const settings& options, const time_span& span, surroundings& around)
-      : options_(options), schedule_(span, options.output_every, options.output_times), around_(around),
-        manifold_(around.constraints()) {}
+  sampling(const settings& options, const time_span& span, simulation_context& context)
+      : options_(options), schedule_(span, options.output_every, options.output_times), context_(context),
+        manifold_(context.constraints()) {}
   sampling(const sampling&) = delete;
   sampling& operator=(const sampling&) = delete;
 
@@ -36,23 +36,22 @@ public:
   /// Takes the samples that are due before the first step.
   bool begin(double t, const state& x) {
     if (takes_each_step()) return record(t, x);
-    for (; !is_over() && next() <= t; schedule_.pass())
+    for (; !is_over() && next() <= t; schedule_.advance())
       if (!record(t, x)) return false;
     return true;
   }
 
   /// Takes the samples that became due during a step, up to a time since the start. If a sample is due at
   /// that time, the state is projected onto the constraints.
-  bool go_on(solvers::stepper& s, double elapsed, state& x) {
-    const double t = around_.time(elapsed);
+  bool record_due_samples(solvers::stepper& s, double elapsed, state& x) {
+    const double t = context_.time(elapsed);
     if (takes_each_step()) return record(t, x);
-    for (; !is_over() && around_.elapsed(next()) <= elapsed; schedule_.pass()) {
-      if (around_.elapsed(next()) < elapsed) {
+    for (; !is_over() && context_.elapsed(next()) <= elapsed; schedule_.advance()) {
+      if (context_.elapsed(next()) < elapsed) {
         state due = x;
-        if (!interpolate(s, around_.elapsed(next()), due) || !bring_to_constraints(next(), due) ||
-            !record(next(), due))
+        if (!interpolate(s, context_.elapsed(next()), due) || !project(next(), due) || !record(next(), due))
           return false;
-      } else if ((!s.shows_projected() && !bring_to_constraints(t, x)) || !record(t, x)) {
+      } else if ((!s.reports_projected_states() && !project(t, x)) || !record(t, x)) {
         return false;
       }
     }
@@ -60,24 +59,24 @@ public:
   }
 
   bool record(double t, const state& x) {
-    if (around_.take(t, x) != answer::given) return false;
-    const double* r = around_.r().data();
+    if (context_.set_state(t, x) != answer::success) return false;
+    const double* r = context_.r().data();
     try {
-      if (options_.keep) around_.system().keep(t, x.data(), r);
+      if (options_.keep) context_.system().store_sample(t, x.data(), r);
     } catch (const std::bad_alloc&) {
-      around_.refuse("no memory is left for another sample");
+      context_.fail("no memory is left for another sample");
       return false;
     }
     last_ = {t, x};
-    is_refused_ = options_.shows_samples && around_.guarded("the function each_sample", [&] {
-      around_.system().show(t, x.data(), r);
-    }) != answer::given;
+    is_refused_ = options_.shows_samples && context_.call_user_function("the function each_sample", [&] {
+      context_.system().pass_sample(t, x.data(), r);
+    }) != answer::success;
     return !is_refused_;
   }
 
   /// Makes the time and state that were reached the last sample; goes back to the last sample if it was
   /// rejected or no further sample fits.
-  void end(double& t, state& x) {
+  void finish(double& t, state& x) {
     if (!last_) return;
     const bool is_taken = numeric::equal(last_->t, t) && last_->x == x;
     if (!is_taken && !is_refused_ && last_->t <= t) record(t, x);
@@ -86,20 +85,20 @@ public:
 
   /// Keeps the polynomial of the last step, from the last event or later up to a time since the start.
   void keep_polynomial(solvers::stepper& s, double elapsed, double last_event) {
-    piece p{around_.time((std::max)(s.step_begin(), last_event)), around_.time(elapsed), {}};
+    piece p{context_.time((std::max)(s.step_begin(), last_event)), context_.time(elapsed), {}};
     double factorial = 1;
     for (int k = 0; k <= s.degree(); ++k) {
       if (k > 0) factorial *= k;
-      if (!s.derivative(elapsed, k, room_for(s))) break;
-      for (int i = 0; i < around_.system().states(); ++i)
+      if (!s.derivative(elapsed, k, buffer_for(s))) break;
+      for (int i = 0; i < context_.system().states(); ++i)
         p.coefficients.push_back(whole_[static_cast<std::size_t>(i)] / factorial);
     }
-    if (!p.coefficients.empty() && p.begin < p.end) around_.system().keep(std::move(p));
+    if (!p.coefficients.empty() && p.begin < p.end) context_.system().store_polynomial(std::move(p));
   }
 
   /// Evaluates the state at a time within the last step.
   bool state_at(solvers::stepper& s, double elapsed, state& x) {
-    return interpolate(s, elapsed, x) && bring_to_constraints(around_.time(elapsed), x);
+    return interpolate(s, elapsed, x) && project(context_.time(elapsed), x);
   }
 
 private:
@@ -107,20 +106,20 @@ private:
   double next() const { return schedule_.next(); }
 
   bool interpolate(solvers::stepper& s, double elapsed, state& x) {
-    const bool found = s.derivative(elapsed, 0, room_for(s));
+    const bool found = s.derivative(elapsed, 0, buffer_for(s));
     if (found) std::copy_n(whole_.begin(), x.size(), x.begin());
-    if (!found || !numeric::all_finite(x)) around_.refuse("the solution could not be interpolated");
+    if (!found || !numeric::all_finite(x)) context_.fail("the solution could not be interpolated");
     return found && numeric::all_finite(x);
   }
 
   /// Projects a state onto the constraints, which an interpolated state satisfies only approximately.
-  bool bring_to_constraints(double t, state& x) {
+  bool project(double t, state& x) {
     if (manifold_ == nullptr) return true;
-    if (around_.take(t, x) != answer::given) return false;
+    if (context_.set_state(t, x) != answer::success) return false;
     state weights = tolerances_.at(x);
     for (double& weight : weights) weight = 1 / weight;
-    if (!manifold_->project(t, x, around_.r(), weights)) {
-      around_.refuse("the constraints are dependent or inconsistent near this state");
+    if (!manifold_->project(t, x, context_.r(), weights)) {
+      context_.fail(off_manifold);
       return false;
     }
     x = moved(x, 1, manifold_->correction());
@@ -128,7 +127,7 @@ private:
   }
 
   /// Returns storage for all entries of an integrator, which may be more than the state.
-  double* room_for(const solvers::stepper& s) {
+  double* buffer_for(const solvers::stepper& s) {
     whole_.resize(static_cast<std::size_t>(s.entries()));
     return whole_.data();
   }
@@ -140,7 +139,7 @@ private:
 
   const settings& options_;
   output_schedule schedule_;
-  surroundings& around_;
+  simulation_context& context_;
   manifold* manifold_;
   std::optional<instant> last_{};
   bool is_refused_ = false; ///< by the function each_sample

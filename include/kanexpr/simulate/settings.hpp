@@ -49,7 +49,7 @@ struct settings {
 };
 
 /// The outcome of a simulation, apart from its samples.
-struct ending {
+struct run_outcome {
   double time = 0;
   std::vector<double> state{};
   std::vector<occurrence> events{};

@@ -1,17 +1,20 @@
 #pragma once
 
 #include <kanexpr/simulate/compiled_system.hpp>
-#include <kanexpr/simulate/run.hpp>
 #include <kanexpr/simulate/simulation.hpp>
 
 #ifndef KANEXPR_COMPILED_SIMULATIONS
-#include <kanexpr/simulate/constraint_manifold.hpp>
+#include <kanexpr/simulate/constraints/constraint_manifold.hpp>
 #include <kanexpr/simulate/integration.hpp>
 #endif
 
 namespace kanexpr {
 
 namespace simulated {
+
+/// Simulates a system from a state over a time span.
+template <integrator by>
+run_outcome run(system_interface& moved, const double* from, const time_span& span, const settings& options);
 
 template <class System>
 settings settings_of(const simulation_options<System>& o) {
@@ -43,8 +46,8 @@ settings settings_of(const simulation_options<System>& o) {
 
 /// Runs from the state in the result, and stores the outcome there.
 template <integrator by, class System>
-void run_into(simulation<System>& result, system& moved, time_span span, const settings& options) {
-  ending end = run<by>(moved, result.state.data(), span, options);
+void run_into(simulation<System>& result, system_interface& moved, time_span span, const settings& options) {
+  run_outcome end = run<by>(moved, result.state.data(), span, options);
   result.time = end.time;
   std::copy_n(end.state.data(), end.state.size(), result.state.data());
   result.events = std::move(end.events);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kanexpr/base/statistics.hpp>
-#include <kanexpr/simulate/event.hpp>
-#include <kanexpr/simulate/trajectory.hpp>
+#include <kanexpr/simulate/events/event.hpp>
+#include <kanexpr/simulate/trajectory/trajectory.hpp>
 
 #include <string>
 #include <vector>

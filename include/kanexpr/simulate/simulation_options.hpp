@@ -1,9 +1,9 @@
 #pragma once
 
-#include <kanexpr/simulate/event.hpp>
-#include <kanexpr/simulate/input_source.hpp>
+#include <kanexpr/simulate/events/event.hpp>
+#include <kanexpr/simulate/inputs/input_source.hpp>
 #include <kanexpr/simulate/time_span.hpp>
-#include <kanexpr/simulate/trajectory.hpp>
+#include <kanexpr/simulate/trajectory/trajectory.hpp>
 
 #include <functional>
 #include <optional>

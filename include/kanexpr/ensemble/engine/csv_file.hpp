@@ -4,7 +4,7 @@
 #include <kanexpr/ensemble/content_hash.hpp>
 #include <kanexpr/ensemble/csv_file.hpp>
 #include <kanexpr/ensemble/exclusive_file.hpp>
-#include <kanexpr/simulate/csv.hpp>
+#include <kanexpr/simulate/tables/csv.hpp>
 
 #include <algorithm>
 #include <cstdint>
@@ -51,7 +51,7 @@ public:
     if (::truncate(path_.c_str(), static_cast<::off_t>(size)) != 0) return file_.failure("cannot be opened");
     out_ = std::ofstream(path_, std::ios::binary | std::ios::app | std::ios::ate);
     if (!out_) return file_.failure("cannot be opened");
-    writer_.emplace(csv_writer::behind(out_, rows_, layout.columns.size(), path_));
+    writer_.emplace(csv_writer::resume(out_, rows_, layout.columns.size(), path_));
     return {};
   }
 

@@ -2,7 +2,7 @@
 
 #include <kanexpr/ensemble/hdf5/compiled_hdf5.hpp>
 #include <kanexpr/ensemble/results_file.hpp>
-#include <kanexpr/simulate/file_path.hpp>
+#include <kanexpr/simulate/tables/file_path.hpp>
 
 #include <memory>
 

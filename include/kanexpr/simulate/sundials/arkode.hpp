@@ -1,37 +1,15 @@
 #pragma once
 
 #include <kanexpr/simulate/sundials/adaptive.hpp>
+#include <kanexpr/simulate/sundials/calls.hpp>
 
 #include <arkode/arkode_arkstep.h>
 
 namespace kanexpr::solvers {
 
 struct arkode_calls {
-  static constexpr auto free = ARKStepFree;
-  static constexpr auto set_error_handler = ARKStepSetErrHandlerFn;
-  static constexpr auto set_user_data = ARKStepSetUserData;
-  static constexpr auto set_weights = ARKStepWFtolerances;
-  static constexpr auto set_first_step = ARKStepSetInitStep;
-  static constexpr auto set_least_step = ARKStepSetMinStep;
-  static constexpr auto set_greatest_step = ARKStepSetMaxStep;
-  static constexpr auto set_end = ARKStepSetStopTime;
-  static constexpr auto watch = ARKStepRootInit;
-  static constexpr auto set_directions = ARKStepSetRootDirection;
-  static constexpr auto no_warnings = ARKStepSetNoInactiveRootWarn;
-  static constexpr auto root_info = ARKStepGetRootInfo;
-  static constexpr auto derivative = ARKStepGetDky;
-  static constexpr auto last_step = ARKStepGetLastStep;
-  static constexpr auto next_step = ARKStepGetCurrentStep;
-  static constexpr auto current_time = ARKStepGetCurrentTime;
-  static constexpr auto steps = ARKStepGetNumSteps;
-  static constexpr auto error_test_failures = ARKStepGetNumErrTestFails;
-  static constexpr auto solver_failures = ARKStepGetNumStepSolveFails;
-  static constexpr auto jacobians = ARKStepGetNumJacEvals;
-  static constexpr auto set_linear_solver = ARKStepSetLinearSolver;
-  static constexpr auto set_jacobian = ARKStepSetJacFn;
-  static constexpr auto error_weights = ARKStepGetErrWeights;
+  KANEXPR_SUNDIALS_CALLS(ARKStep, ARK);
 
-  static constexpr int event_failed = ARK_RTFUNC_FAIL;
   static constexpr bool is_evaluation(int flag) {
     return flag <= ARK_RHSFUNC_FAIL && flag >= ARK_UNREC_RHSFUNC_ERR;
   }
@@ -54,22 +32,19 @@ public:
     if (!has_memory() || !set_common()) return;
     const ARKODE_DIRKTableID stages = implicit ? ARKODE_KVAERNO_7_4_5 : ARKODE_DIRK_NONE;
     const ARKODE_ERKTableID explicit_stages = implicit ? ARKODE_ERK_NONE : ARKODE_DORMAND_PRINCE_7_4_5;
-    if (done(ARKStepSetTableNum(memory_, stages, explicit_stages), "the table of coefficients") &&
-        done(ARKStepSetInterpolantDegree(memory_, ARK_INTERP_MAX_DEGREE), "the degree of interpolation") &&
-        (!implicit || set_newton(problem_, jacobian)) && problem_.has_constraints())
-      done(ARKStepSetPostprocessStepFn(memory_, project), "the projection onto the constraints");
+    if (accepted(ARKStepSetTableNum(memory_, stages, explicit_stages), "the table of coefficients") &&
+        accepted(ARKStepSetInterpolantDegree(memory_, ARK_INTERP_MAX_DEGREE),
+                 "the degree of interpolation") &&
+        (!implicit || set_newton(problem_, jacobian)) && problem_.has_manifold())
+      accepted(ARKStepSetPostprocessStepFn(memory_, project), "the projection onto the constraints");
   }
 
   int degree() const override { return ARK_INTERP_MAX_DEGREE; }
 
-  // ARKStepReset would keep the step size, but it finds no events afterward.
-  bool restart() override {
-    keep_counts();
-    return done(ARKStepReInit(memory_, explicit_, implicit_, t_, at_.get()), "a new state") && set_end();
-  }
-
 private:
   int solve(double target) override { return ARKStepEvolve(memory_, target, at_.get(), &t_, ARK_ONE_STEP); }
+  // ARKStepReset would keep the step size, but it finds no events afterward.
+  int reinitialize() override { return ARKStepReInit(memory_, explicit_, implicit_, t_, at_.get()); }
 
   static arkode& self(void* of) { return static_cast<arkode&>(*static_cast<adaptive*>(of)); }
   static int rates(double t, N_Vector y, N_Vector ydot, void* of) {

@@ -16,8 +16,8 @@ struct last_error {
   std::string message{};
 
   /// The error handler of all SUNDIALS packages; the default one would print the message.
-  static void take(int, const char*, const char*, char* message, void* taker) {
-    static_cast<last_error*>(taker)->message = message;
+  static void handle(int, const char*, const char*, char* message, void* receiver) {
+    static_cast<last_error*>(receiver)->message = message;
   }
 };
 

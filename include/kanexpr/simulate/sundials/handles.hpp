@@ -13,17 +13,17 @@
 /// Owning handles to SUNDIALS objects.
 namespace kanexpr::solvers {
 
-struct freed {
+struct sundials_deleter {
   void operator()(N_Vector v) const { N_VDestroy(v); }
   void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
   void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
   void operator()(SUNNonlinearSolver s) const { SUNNonlinSolFree(s); }
 };
 
-using vector_handle = std::unique_ptr<std::remove_pointer_t<N_Vector>, freed>;
-using matrix_handle = std::unique_ptr<std::remove_pointer_t<SUNMatrix>, freed>;
-using linear_solver_handle = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, freed>;
-using nonlinear_solver_handle = std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, freed>;
+using vector_handle = std::unique_ptr<std::remove_pointer_t<N_Vector>, sundials_deleter>;
+using matrix_handle = std::unique_ptr<std::remove_pointer_t<SUNMatrix>, sundials_deleter>;
+using linear_solver_handle = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, sundials_deleter>;
+using nonlinear_solver_handle = std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, sundials_deleter>;
 
 /// Returns a SUNDIALS vector over numbers that it does not own.
 inline vector_handle vector_on(double* numbers, sunindextype size, SUNContext context) {

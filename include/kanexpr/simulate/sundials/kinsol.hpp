@@ -18,7 +18,7 @@ public:
   virtual int equations() const = 0;
   /// Returns how many of the unknowns, counted from the first, change only if the others cannot solve the
   /// equations.
-  virtual int stiff_unknowns() const = 0;
+  virtual int unknowns_kept_close() const = 0;
   /// Evaluates f at z; returns whether f has a value there.
   virtual bool residual(const Eigen::VectorXd& z, Eigen::VectorXd& f) = 0;
   virtual bool jacobian(const Eigen::VectorXd& z, Eigen::MatrixXd& slope) = 0;
@@ -37,7 +37,7 @@ struct search_end {
 class kinsol {
 public:
   kinsol(nonlinear_equations& of, const magnitudes& sizes, double tolerance, int most_iterations)
-      : of_(of), step_(sizes, of.stiff_unknowns()), unknowns_(sizes.unknowns.size()),
+      : of_(of), step_(sizes, of.unknowns_kept_close()), unknowns_(sizes.unknowns.size()),
         size_((std::max)(unknowns_, sizes.equations.size())), most_iterations_(most_iterations),
         at_(Eigen::VectorXd::Zero(size_)), unknown_scale_(Eigen::VectorXd::Ones(size_)),
         equation_scale_(Eigen::VectorXd::Ones(size_)) {
@@ -76,18 +76,19 @@ private:
       return;
     }
     constexpr double any = 1e100;
-    static_cast<void>(done(KINSetErrHandlerFn(memory_, last_error::take, &error_), "an error handler") &&
-                      done(KINSetUserData(memory_, this), "the user data") &&
-                      done(KINInit(memory_, residual, z_.get()), "the equations") &&
-                      done(KINSetLinearSolver(memory_, solver_.get(), matrix_.get()), "the linear solver") &&
-                      done(KINSetJacFn(memory_, jacobian), "the Jacobian") &&
-                      done(KINSetFuncNormTol(memory_, tolerance), "the tolerance") &&
-                      done(KINSetNumMaxIters(memory_, most_iterations_), "the number of iterations") &&
-                      done(KINSetMaxSetupCalls(memory_, 1), "a Jacobian in each iteration") &&
-                      done(KINSetMaxNewtonStep(memory_, any), "steps of any length"));
+    static_cast<void>(
+        accepted(KINSetErrHandlerFn(memory_, last_error::handle, &error_), "an error handler") &&
+        accepted(KINSetUserData(memory_, this), "the user data") &&
+        accepted(KINInit(memory_, residual, z_.get()), "the equations") &&
+        accepted(KINSetLinearSolver(memory_, solver_.get(), matrix_.get()), "the linear solver") &&
+        accepted(KINSetJacFn(memory_, jacobian), "the Jacobian") &&
+        accepted(KINSetFuncNormTol(memory_, tolerance), "the tolerance") &&
+        accepted(KINSetNumMaxIters(memory_, most_iterations_), "the number of iterations") &&
+        accepted(KINSetMaxSetupCalls(memory_, 1), "a Jacobian in each iteration") &&
+        accepted(KINSetMaxNewtonStep(memory_, any), "steps of any length"));
   }
 
-  bool done(int flag, const char* call) {
+  bool accepted(int flag, const char* call) {
     if (flag != KIN_SUCCESS && !refused_) refused_ = refusal(call);
     return flag == KIN_SUCCESS;
   }

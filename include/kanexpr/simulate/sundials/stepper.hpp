@@ -33,7 +33,7 @@ public:
   virtual void set_tolerances(double relative, const std::vector<double>& absolute) = 0;
   /// Whether the reported states are projected onto the constraints separately from the integrator's own
   /// states.
-  virtual bool shows_projected() const { return false; }
+  virtual bool reports_projected_states() const { return false; }
 
   /// Returns the current time: the end of the last step, the target or the event.
   double time() const { return t_; }

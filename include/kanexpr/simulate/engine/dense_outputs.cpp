@@ -1,1 +1,0 @@
-#include <kanexpr/simulate/engine/dense_output.hpp>

@@ -1,1 +1,0 @@
-#include <kanexpr/simulate/trim_search.hpp>

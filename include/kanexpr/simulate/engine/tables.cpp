@@ -1,2 +1,0 @@
-#include <kanexpr/simulate/engine/csv.hpp>
-#include <kanexpr/simulate/engine/table.hpp>
