@@ -47,6 +47,16 @@ std::string cause_of(const std::string& name, const c_options& chosen) {
 
 c_options with(std::vector<wanted_function> functions) { return {.functions = std::move(functions)}; }
 
+TEST(WriteC, DerivesTheSystemOnce) {
+  int derivations = 0;
+  runtime::staged_derivation derivation([&] {
+    ++derivations;
+    return derive<simple_pendulum::System>();
+  });
+  EXPECT_EQ(exporter("arm", derivation, {}).run().system.functions.size(), default_results().size());
+  EXPECT_EQ(derivations, 1);
+}
+
 TEST(WriteC, NamesWhatCannotBeExported) {
   EXPECT_EQ(cause_of("arm", with({results("velocity")})), "there is no result velocity");
   EXPECT_EQ(cause_of("arm", with({results("udot speeds")})), "there is no result speeds");

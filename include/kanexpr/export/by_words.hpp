@@ -33,19 +33,19 @@ public:
   /// The first mistake in the request; empty if there is none.
   const std::string& mistake() const { return mistake_; }
 
-  outcome write(const std::function<model()>& derive) const {
+  outcome write(runtime::staged_derivation& derivation) const {
     if (!mistake_.empty()) return outcome(mistake_);
-    if (format_ == "casadi") return detail::write_casadi(derive, folder_, name_, {chosen_.bound});
-    if (format_ == "fmi") return write_fmu(derive);
-    return detail::write_c(exporter(name_, derive, chosen_).run(), folder_, chosen_);
+    if (format_ == "casadi") return detail::write_casadi(derivation, folder_, name_, {chosen_.bound});
+    if (format_ == "fmi") return write_fmu(derivation);
+    return detail::write_c(exporter(name_, derivation, chosen_).run(), folder_, chosen_);
   }
 
 private:
-  outcome write_fmu(const std::function<model()>& derive) const {
+  outcome write_fmu(runtime::staged_derivation& derivation) const {
     fmu_options all{.outputs = functions_, .bound = chosen_.bound, .start = start_};
     if (step_) all.step = *step_;
     if (compiler_) all.compiler = *compiler_;
-    written_fmu written = detail::write_fmu(fmu_maker(name_, derive, all).run(), folder_, all.compiler);
+    written_fmu written = detail::write_fmu(derivation, folder_, name_, all);
     if (!written.note().empty()) std::fprintf(stderr, "kanexpr-export: note: %s\n", written.note().c_str());
     return written;
   }
@@ -136,7 +136,8 @@ private:
 template <class System>
 int write_by_words(int count, const char* const* arguments, const std::vector<wanted_function>& expressions) {
   const by_words given(std::vector<std::string>(arguments + 1, arguments + count), expressions);
-  const outcome written = given.write([] { return derive<System>(); });
+  runtime::staged_derivation derivation([] { return derive<System>(); });
+  const outcome written = given.write(derivation);
   if (!written) std::fprintf(stderr, "kanexpr-export: %s\n", written.cause().c_str());
   return written ? 0 : 1;
 }

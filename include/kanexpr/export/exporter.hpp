@@ -9,11 +9,10 @@
 #include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/runtime/model.hpp>
+#include <kanexpr/runtime/staged_derivation.hpp>
 #include <kanexpr/symbolic/graph/copied.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 
-#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -46,12 +45,12 @@ inline std::vector<double> numbers_or_unknown(const std::vector<std::optional<do
   return numbers;
 }
 
-/// Derives each function separately, so that its code equals that of the compiled function, regardless of
-/// what else is exported.
+/// Forms each function in a model of its own, so that its code equals that of the compiled function,
+/// regardless of what else is exported.
 class exporter {
 public:
-  exporter(std::string name, std::function<model()> derive, options chosen)
-      : derive_(std::move(derive)), chosen_(std::move(chosen)) {
+  exporter(std::string name, runtime::staged_derivation& derivation, options chosen)
+      : derivation_(derivation), chosen_(std::move(chosen)) {
     made_.system.name = std::move(name);
   }
 
@@ -75,7 +74,7 @@ private:
   }
 
   void take_names() {
-    const model first = derive_();
+    const model first = derivation_.resume();
     known_ = first.known();
     if (made_.mistake = first.mistake(); !made_.mistake.empty()) return;
     using symbolic::symbol_kind;
@@ -138,9 +137,15 @@ private:
     finish(std::move(made));
   }
 
-  /// Forms the results of one function from a single derivation.
+  /// The stage that the first result of a function starts from.
+  static mechanics::stage first_stage(const wanted_function& wanted) {
+    if (wanted.results.empty() || wanted.results[0].written.is_given()) return mechanics::stage::constrained;
+    return deriving::stage_for(wanted.results[0].request);
+  }
+
+  /// Forms the results of one function in one model.
   std::optional<formed> form(const wanted_function& wanted) {
-    model from = derive_();
+    model from = derivation_.resume(first_stage(wanted));
     formed made;
     symbolic::sequence<int> nodes;
     const auto take = [&](const std::string& name, const symbolic::matrix& found,
@@ -338,7 +343,7 @@ private:
 
   void refuse(std::string because) { made_.mistake = std::move(because); }
 
-  std::function<model()> derive_;
+  runtime::staged_derivation& derivation_;
   options chosen_;
   std::shared_ptr<const deriving::survey> known_{};
   std::vector<std::optional<double>> is_bound_{};
@@ -349,7 +354,8 @@ private:
 /// Exports a compile-time system: `exported_from<pendulum::System>("pendulum")`.
 template <class System>
 exported exported_from(std::string name, const options& chosen = {}) {
-  return exporter(std::move(name), [] { return kanexpr::derive<System>(); }, chosen).run();
+  runtime::staged_derivation derivation([] { return kanexpr::derive<System>(); });
+  return exporter(std::move(name), derivation, chosen).run();
 }
 
 } // namespace kanexpr::exporting

@@ -66,8 +66,8 @@ struct made_fmu {
 /// Makes an FMU of a system.
 class fmu_maker {
 public:
-  fmu_maker(std::string name, std::function<model()> derive, const fmu_options& chosen)
-      : name_(std::move(name)), derive_(std::move(derive)), chosen_(chosen) {}
+  fmu_maker(std::string name, runtime::staged_derivation& derivation, const fmu_options& chosen)
+      : name_(std::move(name)), derivation_(derivation), chosen_(chosen) {}
 
   made_fmu run() {
     if (!(chosen_.step > 0 && numeric::is_finite(chosen_.step)))
@@ -75,7 +75,7 @@ public:
     if (const std::string mistake = mistake_of_method(chosen_.method); !mistake.empty()) refuse(mistake);
     gather();
     if (made_.mistake.empty()) {
-      exported found = exporter(name_, derive_, wanted_).run();
+      exported found = exporter(name_, derivation_, wanted_).run();
       made_.of.system = std::move(found.system);
       made_.mistake = std::move(found.mistake);
     }
@@ -87,7 +87,7 @@ public:
 private:
   /// Collects the functions to export.
   void gather() {
-    const model first = derive_();
+    const model first = derivation_.resume();
     known_ = first.known();
     if (!first.mistake().empty()) return refuse(first.mistake());
     wanted_.bound = chosen_.bound;
@@ -237,7 +237,7 @@ private:
   }
 
   std::string name_;
-  std::function<model()> derive_;
+  runtime::staged_derivation& derivation_;
   const fmu_options& chosen_;
   options wanted_{};
   std::shared_ptr<const deriving::survey> known_{};

@@ -66,8 +66,8 @@ outcome write_c(const std::filesystem::path& folder, const std::string& name,
 /// The same for a system built by a builder.
 inline outcome write_c(const runtime::builder& of, const std::filesystem::path& folder,
                        const std::string& name, const exporting::c_options& chosen = {}) {
-  exporting::exporter each(name, [&] { return runtime::derive_in_own_graph(of); }, chosen);
-  return exporting::detail::write_c(each.run(), folder, chosen);
+  runtime::staged_derivation derivation([&] { return runtime::derive_in_own_graph(of); });
+  return exporting::detail::write_c(exporting::exporter(name, derivation, chosen).run(), folder, chosen);
 }
 
 } // namespace kanexpr

@@ -56,14 +56,14 @@ static int @library@_are_finite(double **results, int count, const int *entries)
                 {{"library", library}, {"most", std::to_string(most)}});
 }
 
-inline outcome write_casadi(const std::function<model()>& derive, const std::filesystem::path& folder,
+inline outcome write_casadi(runtime::staged_derivation& derivation, const std::filesystem::path& folder,
                             const std::string& name, const casadi_options& chosen) {
   for (const std::string& mistake : {mistake_of_casadi_name(name), mistake_of_method(chosen.step)})
     if (!mistake.empty()) return outcome(mistake);
   std::vector<casadi_argument> arguments, of_residual;
   options wanted{{casadi_kernels(false, arguments).column(), casadi_kernels(true, arguments).column()},
                  chosen.bound};
-  const exported columns = exporter(name + "_casadi", derive, wanted).run();
+  const exported columns = exporter(name + "_casadi", derivation, wanted).run();
   if (!columns.mistake.empty()) return outcome(columns.mistake);
   const exported_system& s = columns.system;
   const int states = static_cast<int>(s.coordinates.size() + s.speeds.size());
@@ -76,7 +76,7 @@ inline outcome write_casadi(const std::function<model()>& derive, const std::fil
   wanted.functions = casadi_kernels(false, arguments).all();
   for (const wanted_function& each : casadi_kernels(true, of_residual).all())
     wanted.functions.push_back(each);
-  exported all = exporter(name + "_casadi", derive, wanted).run();
+  exported all = exporter(name + "_casadi", derivation, wanted).run();
   if (!all.mistake.empty()) return outcome(all.mistake);
   if (const std::string mistake = mistake_of_numbers(all.system, precision::double_precision);
       !mistake.empty())
@@ -109,14 +109,15 @@ inline outcome write_casadi(const std::function<model()>& derive, const std::fil
 template <class System>
 outcome write_casadi(const std::filesystem::path& folder, const std::string& name,
                      const exporting::casadi_options& chosen = {}) {
-  return exporting::detail::write_casadi([] { return derive<System>(); }, folder, name, chosen);
+  runtime::staged_derivation derivation([] { return derive<System>(); });
+  return exporting::detail::write_casadi(derivation, folder, name, chosen);
 }
 
 /// The same for a system built by a builder.
 inline outcome write_casadi(const runtime::builder& of, const std::filesystem::path& folder,
                             const std::string& name, const exporting::casadi_options& chosen = {}) {
-  return exporting::detail::write_casadi([&] { return runtime::derive_in_own_graph(of); }, folder, name,
-                                         chosen);
+  runtime::staged_derivation derivation([&] { return runtime::derive_in_own_graph(of); });
+  return exporting::detail::write_casadi(derivation, folder, name, chosen);
 }
 
 } // namespace kanexpr

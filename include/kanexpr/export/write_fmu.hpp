@@ -26,13 +26,13 @@ private:
 
 namespace detail {
 
-inline written_fmu write_fmu(const made_fmu& made, const std::filesystem::path& folder,
-                             const std::string& compiler) {
+inline written_fmu write_fmu(runtime::staged_derivation& derivation, const std::filesystem::path& folder,
+                             const std::string& name, const fmu_options& chosen) {
+  const made_fmu made = fmu_maker(name, derivation, chosen).run();
   if (!made.mistake.empty()) return written_fmu(made.mistake);
   if (const std::string mistake = mistake_of_numbers(made.of.system, precision::double_precision);
       !mistake.empty())
     return written_fmu(mistake);
-  const std::string& name = made.of.system.name;
   const c_file model(made.of.system, precision::double_precision);
   const model_description description(made.of);
   const fmu_source source(made.of);
@@ -42,7 +42,7 @@ inline written_fmu write_fmu(const made_fmu& made, const std::filesystem::path& 
   const std::string token = token_of({description.text({}), source.text({}), header, code});
   const std::vector<file_text> sources{
       {name + ".h", header}, {name + ".c", code}, {name + "_fmi.c", source.text(token)}};
-  const library compiled = compiled_library(name, sources, compiler);
+  const library compiled = compiled_library(name, sources, chosen.compiler);
   if (!compiled.mistake.empty()) return written_fmu(compiled.mistake);
   archive all;
   all.add("modelDescription.xml", description.text(token));
@@ -68,19 +68,15 @@ inline written_fmu write_fmu(const made_fmu& made, const std::filesystem::path& 
 template <class System>
 exporting::written_fmu write_fmu(const std::filesystem::path& folder, const std::string& name,
                                  const exporting::fmu_options& chosen = {}) {
-  return exporting::detail::write_fmu(exporting::fmu_maker(
-                                          name, [] { return kanexpr::derive<System>(); }, chosen)
-                                          .run(),
-                                      folder, chosen.compiler);
+  runtime::staged_derivation derivation([] { return derive<System>(); });
+  return exporting::detail::write_fmu(derivation, folder, name, chosen);
 }
 
 /// The same for a system built by a builder. Its expressions may be outputs and events.
 inline exporting::written_fmu write_fmu(const runtime::builder& of, const std::filesystem::path& folder,
                                         const std::string& name, const exporting::fmu_options& chosen = {}) {
-  return exporting::detail::write_fmu(exporting::fmu_maker(
-                                          name, [&] { return runtime::derive_in_own_graph(of); }, chosen)
-                                          .run(),
-                                      folder, chosen.compiler);
+  runtime::staged_derivation derivation([&] { return runtime::derive_in_own_graph(of); });
+  return exporting::detail::write_fmu(derivation, folder, name, chosen);
 }
 
 } // namespace kanexpr

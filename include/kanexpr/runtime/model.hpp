@@ -23,6 +23,9 @@ namespace kanexpr {
 namespace deriving {
 struct survey;
 }
+namespace runtime {
+class staged_derivation;
+}
 
 /// A system derived at run time by the functions that derive it at compile time. Its results are expressions
 /// to print, inspect and evaluate. Copies share one derivation, which exists as long as any of them or of
@@ -140,6 +143,8 @@ public:
   mechanics::equations& equations() { return *system_->equations(); }
 
 private:
+  friend runtime::staged_derivation;
+
   int coordinates() const;
   /// The reason why a result has no values; empty if it has values.
   mechanics::sentence mistake_of(const symbolic::matrix& result) const;
