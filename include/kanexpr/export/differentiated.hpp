@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/export/wanted.hpp>
+#include <kanexpr/export/export_request.hpp>
 #include <kanexpr/symbolic/derivatives/jacobian.hpp>
 
 #include <algorithm>
@@ -38,8 +38,8 @@ public:
                       [](const auto& a, const auto& b) { return a.node() == b.node(); });
   }
 
-  symbolic::matrix get(const wanted_derivative& wanted) {
-    using enum wanted_derivative::kind;
+  symbolic::matrix get(const requested_derivative& wanted) {
+    using enum requested_derivative::kind;
     switch (wanted.is) {
     case none: break;
     case jacobian: return symbolic::jacobian(graph_, y_, symbols_.of(wanted.by));
@@ -56,8 +56,8 @@ public:
   }
 
   /// The number of weights, or of entries of the direction, that a derivative takes.
-  int weights_for(const wanted_derivative& wanted) const {
-    using enum wanted_derivative::kind;
+  int weights_for(const requested_derivative& wanted) const {
+    using enum requested_derivative::kind;
     int count = 0;
     if (wanted.is == along || wanted.is == along_jacobian)
       for (symbols each : wanted.along) count += symbols_.of(each).size();

@@ -2,9 +2,9 @@
 
 #include <kanexpr/compiled/values_reader.hpp>
 #include <kanexpr/export/differentiated.hpp>
+#include <kanexpr/export/export_request.hpp>
 #include <kanexpr/export/exported_system.hpp>
 #include <kanexpr/export/implicit_form.hpp>
-#include <kanexpr/export/wanted.hpp>
 #include <kanexpr/export/written_step.hpp>
 #include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/mechanics/equations.hpp>
@@ -26,7 +26,7 @@ struct bound_parameter {
 };
 
 struct options {
-  std::vector<wanted_function> functions = default_results();
+  std::vector<requested_function> functions = default_results();
   std::vector<bound_parameter> bound{};
 };
 
@@ -37,7 +37,7 @@ struct exported {
 };
 
 /// The values of the parameters; NaN for those that are not given.
-inline std::vector<double> numbers_or_unknown(const std::vector<std::optional<double>>& given) {
+inline std::vector<double> values_or_nan(const std::vector<std::optional<double>>& given) {
   std::vector<double> numbers;
   numbers.reserve(given.size());
   for (const std::optional<double>& each : given)
@@ -60,7 +60,7 @@ public:
              made_.system.name + "\" is not one");
     else
       take_names();
-    for (const wanted_function& wanted : chosen_.functions)
+    for (const requested_function& wanted : chosen_.functions)
       if (made_.mistake.empty()) add(wanted);
     return made_;
   }
@@ -98,7 +98,7 @@ private:
       if (!is_bound_[i]) s.parameters.push_back(parameters[i]);
     }
     if (const mechanics::sentence impossible =
-            compiled::check_masses(*known_, numbers_or_unknown(is_bound_).data()))
+            compiled::check_masses(*known_, values_or_nan(is_bound_).data()))
       refuse(std::string(impossible.view()));
   }
 
@@ -110,7 +110,7 @@ private:
     return names;
   }
 
-  void add(const wanted_function& wanted) {
+  void add(const requested_function& wanted) {
     if (!wanted.mistake.empty()) return refuse(wanted.mistake);
     exported_function made{.name = wanted.name};
     if (wanted.step) {
@@ -119,7 +119,7 @@ private:
       });
       if (!made_.mistake.empty()) return;
     } else {
-      for (const wanted_result& each : wanted.results)
+      for (const requested_result& each : wanted.results)
         if (each.request.is_weighted() && each.part.empty())
           return refuse(wanted.name + " takes weights or a direction, which exported functions cannot take");
       std::optional<formed> found = form(wanted);
@@ -129,7 +129,7 @@ private:
       made.code = lower::statements_of(found->code);
       made.results = std::move(found->results), made.checks = std::move(found->checks);
       made.weights = found->weights;
-      for (const wanted_result& each : wanted.results) {
+      for (const requested_result& each : wanted.results) {
         made.takes_rates = made.takes_rates || holds_rates(each.request);
         made.takes_all_rates = made.takes_all_rates || each.is_residual;
       }
@@ -138,13 +138,13 @@ private:
   }
 
   /// The stage that the first result of a function starts from.
-  static mechanics::stage first_stage(const wanted_function& wanted) {
+  static mechanics::stage first_stage(const requested_function& wanted) {
     if (wanted.results.empty() || wanted.results[0].written.is_given()) return mechanics::stage::constrained;
     return deriving::stage_for(wanted.results[0].request);
   }
 
   /// Forms the results of one function in one model.
-  std::optional<formed> form(const wanted_function& wanted) {
+  std::optional<formed> form(const requested_function& wanted) {
     model from = derivation_.resume(first_stage(wanted));
     formed made;
     symbolic::sequence<int> nodes;
@@ -157,7 +157,7 @@ private:
     const differentiable_symbols known_symbols = symbols_of(from);
     std::optional<differentiated> derivatives;
     const auto derived = [&](const symbolic::sequence<symbolic::expression>& of,
-                             const wanted_derivative& by) {
+                             const requested_derivative& by) {
       if (!derivatives || !derivatives->is_of(of)) derivatives.emplace(from.graph(), of, known_symbols);
       made.weights = (std::max)(made.weights, derivatives->weights_for(by));
       symbolic::matrix found = derivatives->get(by);
@@ -166,11 +166,11 @@ private:
       return found;
     };
     symbolic::sequence<symbolic::expression> all;
-    for (const wanted_result& each : wanted.results) {
+    for (const requested_result& each : wanted.results) {
       symbolic::matrix found = got(from, each);
       if (made_.mistake.empty() && !from.mistake().empty()) refuse(from.mistake());
       if (!made_.mistake.empty()) return std::nullopt;
-      if (each.derivative.is != wanted_derivative::kind::none)
+      if (each.derivative.is != requested_derivative::kind::none)
         found = derived(found.entries, each.derivative);
       if (!each.part.empty()) {
         made.weights = (std::max)(made.weights, weights_for(each.request));
@@ -183,7 +183,7 @@ private:
       for (const symbolic::expression& e : found.entries) all.push(e);
     }
     for (const symbols each : wanted.derivatives)
-      take(name_of(each), derived(all, {.is = wanted_derivative::kind::jacobian, .by = each}), {});
+      take(name_of(each), derived(all, {.is = requested_derivative::kind::jacobian, .by = each}), {});
     if (!made_.mistake.empty()) return std::nullopt;
     for (const mechanics::singularity_check& c : from.equations().singularity_checks_of(nodes)) {
       made.checks.push_back({std::string(c.cause.view()), c.of_finiteness});
@@ -243,7 +243,7 @@ private:
     return all;
   }
 
-  symbolic::matrix got(model& from, const wanted_result& each) {
+  symbolic::matrix got(model& from, const requested_result& each) {
     if (!each.written.is_given()) {
       const symbolic::matrix found = from.get(each.request);
       return each.is_residual && from.mistake().empty() ? implicit_form(from.graph(), from.equations())

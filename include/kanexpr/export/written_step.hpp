@@ -1,7 +1,7 @@
 #pragma once
 
+#include <kanexpr/export/export_request.hpp>
 #include <kanexpr/export/exported_system.hpp>
-#include <kanexpr/export/wanted.hpp>
 #include <kanexpr/steps/methods.hpp>
 #include <kanexpr/steps/unit_quaternions.hpp>
 
@@ -51,7 +51,7 @@ class written_equations {
 public:
   using value = lower::written_value;
 
-  written_equations(const deriving::survey& known, const wanted_step& wanted, const forming& form,
+  written_equations(const deriving::survey& known, const requested_step& wanted, const forming& form,
                     step_in_code& into)
       : known_(known), wanted_(wanted), form_(form), into_(into) {}
 
@@ -137,13 +137,13 @@ private:
   }
 
   const deriving::survey& known_;
-  const wanted_step& wanted_;
+  const requested_step& wanted_;
   const forming& form_;
   step_in_code& into_;
 };
 
 /// A step that leaves the state unchanged.
-struct no_motion {
+struct identity_step {
   template <class Equations, class Time, class State>
   static status advance(const Equations&, const Time&, const State&, const Time&, State&) {
     return {};
@@ -163,7 +163,7 @@ void write_step(const written_equations& of, std::string_view name, const lower:
 
 /// Returns a step as a function; it is meaningless if a result could not be formed.
 inline exported_function written_step(std::string name, const deriving::survey& known,
-                                      const wanted_step& wanted, const forming& form) {
+                                      const requested_step& wanted, const forming& form) {
   step_in_code into;
   const written_equations of(known, wanted, form, into);
   using symbolic::symbol_kind;
@@ -172,7 +172,7 @@ inline exported_function written_step(std::string name, const deriving::survey& 
   for (int i = 0; i < known.coordinates; ++i) x.entries.push_back(of.argument({symbol_kind::coordinate, i}));
   for (int i = 0; i < known.speeds; ++i) x.entries.push_back(of.argument({symbol_kind::speed, i}));
   if (wanted.method.empty())
-    static_cast<void>(stepping::stepped<no_motion>(of, t, x, h));
+    static_cast<void>(stepping::stepped<identity_step>(of, t, x, h));
   else
     write_step(of, wanted.method, t, x, h, std::make_index_sequence<stepping::tableaux.size()>());
   symbolic::sequence<lower::written_value> results;

@@ -3,14 +3,13 @@
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/base/version.hpp>
 #include <kanexpr/export/c/code_writer.hpp>
-#include <kanexpr/export/c/filled.hpp>
-#include <kanexpr/export/c/in_c.hpp>
-#include <kanexpr/export/c/printable.hpp>
 #include <kanexpr/export/c/sine_and_cosine.hpp>
+#include <kanexpr/export/text/fill_template.hpp>
+#include <kanexpr/export/text/names_in_c.hpp>
+#include <kanexpr/export/text/printable.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 
 #include <algorithm>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -20,11 +19,11 @@ namespace kanexpr::exporting {
 /// allocating memory.
 class c_file {
 public:
-  c_file(const exported_system& s, precision number) : mapped_(in_c(s)), number_(number) {}
+  c_file(const exported_system& s, precision number) : mapped_(names_in_c(s)), number_(number) {}
 
   std::string header() const {
-    std::string text =
-        filled(R"(/* @title@
+    std::string text = fill_template(
+        R"(/* @title@
 @changed@ */
 #ifndef kanexpr_wrote_@name@_h
 #define kanexpr_wrote_@name@_h
@@ -41,7 +40,7 @@ extern "C" {
 
 /* Indices in the state x (coordinates, then speeds), in the parameters p and in the inputs r. */
 @places@)",
-               {{"title", title()}, {"changed", told_of_names()}, {"name", name()}, {"places", places()}});
+        {{"title", title()}, {"changed", renamed_symbols_comment()}, {"name", name()}, {"places", places()}});
     for (const exported_function& f : system().functions) text += declaration(f);
     text += "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
     return text;
@@ -50,7 +49,7 @@ extern "C" {
   std::string source() const {
     std::string bodies;
     for (const exported_function& f : system().functions) bodies += definition(f);
-    std::string text = filled(
+    std::string text = fill_template(
         R"(/* @title@
 
    -ffp-contract=fast lets the compiler fuse multiplications with additions, which changes the last bits;
@@ -84,7 +83,7 @@ private:
            std::to_string(KANEXPR_VERSION_PATCH) + '.';
   }
 
-  std::string told_of_names() const {
+  std::string renamed_symbols_comment() const {
     std::string text;
     for (const auto& [before, after] : mapped_.changed)
       text += "   " + in_comment(before) + " is called " + after + " here.\n";
@@ -126,7 +125,7 @@ private:
     return std::to_string(n) + ' ' + (n == 1 ? one : many);
   }
 
-  std::string told_of(const exported_function& f) const {
+  std::string header_comment(const exported_function& f) const {
     const symbolic::cost& c = f.cost;
     std::string text = "\n/* " + counted(c.multiplications, "multiplication", "multiplications") + ", " +
                        counted(c.additions, "addition", "additions") + ", " +
@@ -167,7 +166,7 @@ private:
   }
 
   std::string declaration(const exported_function& f) const {
-    std::string text = told_of(f) + "enum {\n";
+    std::string text = header_comment(f) + "enum {\n";
     for (const exported_result& each : f.results) {
       const std::string begin =
           "  " + name() + '_' + (each.name == f.name ? "" : f.name + '_') + each.name + '_';
@@ -240,28 +239,17 @@ private:
     const double least = number_.is_single ? mechanics::least_singularity_measure<float>()
                                            : mechanics::least_singularity_measure<double>();
     const auto in_text = [&](std::string_view text) {
-      return filled(text, {{"name", name()},
-                           {"number", number_.type()},
-                           {"bits", number_.bits()},
-                           {"least", number_.number(least)},
-                           {"fabs", number_.function("fabs")},
-                           {"one", number_.number(1)},
-                           {"zero", number_.number(0)},
-                           {"f", number_.function("")},
-                           {"pi", number_.number(std::numbers::pi)},
-                           {"turn", number_.number(2 * std::numbers::pi)},
-                           {"exponent", number_.exponent_bits()}});
+      return fill_template(text, {{"name", name()},
+                                  {"number", number_.type()},
+                                  {"bits", number_.bits()},
+                                  {"least", number_.number(least)},
+                                  {"fabs", number_.function("fabs")},
+                                  {"one", number_.number(1)},
+                                  {"zero", number_.number(0)},
+                                  {"exponent", number_.exponent_bits()}});
     };
     std::string text;
-    std::string functions;
-    for (const symbolic::operation each : written_functions())
-      if (calls(symbolic::function_name(each)))
-        functions +=
-            in_text(std::string("\n@name@_INLINE @number@ @name@_") + symbolic::function_name(each) +
-                    (symbolic::is_binary(each) ? "(@number@ x, @number@ y) {\n" : "(@number@ x) {\n") +
-                    symbolic::spelling_of(each).body + "}\n");
-    const bool turns = calls("sine_and_cosine"),
-               chooses = calls("choose") || functions.find("_choose(") != functions.npos,
+    const bool turns = calls("sine_and_cosine"), signs = calls("sign"), chooses = signs || calls("choose"),
                ends = calls("is_infinite");
     if (turns || chooses || ends)
       text += in_text(R"(
@@ -281,7 +269,12 @@ typedef char @name@_has_bits_of_that_size[sizeof(@bits@) == sizeof(@number@) ? 1
   return one.number;
 }
 )");
-    text += functions;
+    if (signs)
+      text += in_text(R"(
+@name@_INLINE @number@ @name@_sign(@number@ x) {
+  return @name@_choose(x, @one@, @name@_choose(-x, -@one@, x + @zero@));
+}
+)");
     if (calls("is_singular"))
       text += in_text(R"(
 @name@_INLINE unsigned long long @name@_is_singular(@number@ measure, @number@ scale) {
@@ -305,7 +298,7 @@ typedef char @name@_has_bits_of_that_size[sizeof(@bits@) == sizeof(@number@) ? 1
     return text;
   }
 
-  system_in_c mapped_;
+  system_with_c_names mapped_;
   scalar number_;
 };
 

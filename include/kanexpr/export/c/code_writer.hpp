@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kanexpr/export/c/identifiers.hpp>
-#include <kanexpr/export/c/scalar.hpp>
 #include <kanexpr/export/exported_system.hpp>
+#include <kanexpr/export/text/identifiers.hpp>
+#include <kanexpr/export/text/scalar.hpp>
 
 #include <string>
 #include <utility>

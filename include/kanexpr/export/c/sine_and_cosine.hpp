@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/export/c/filled.hpp>
-#include <kanexpr/export/c/scalar.hpp>
+#include <kanexpr/export/text/fill_template.hpp>
+#include <kanexpr/export/text/scalar.hpp>
 #include <kanexpr/numeric/sine_and_cosine.hpp>
 
 #include <string>
@@ -111,30 +111,31 @@ inline std::string sine_and_cosine_in_c(const std::string& name, const scalar& o
     return std::pair(detail::polynomial(known.of_sine, of), detail::polynomial(known.of_cosine, of));
   };
   const auto [of_sine, of_cosine] = of.is_single ? in_both(circular<float>()) : in_both(circular<double>());
-  const std::string with_rest = filled(detail::sum_with_rest, {{"S", of_sine}, {"one", of.number(1)}});
+  const std::string with_rest = fill_template(detail::sum_with_rest, {{"S", of_sine}, {"one", of.number(1)}});
   const std::string reduction =
-      of.is_single
-          ? filled(detail::reduction_of_float, {{"quadrants", single(circular<float>::quadrants)},
-                                                {"integers", single(circular<float>::integers)},
-                                                {"wide_quadrants", wide.number(circular<double>::quadrants)},
-                                                {"wide_integers", wide.number(circular<double>::integers)}})
-          : filled(detail::reduction_of_double, {{"quadrants", wide.number(circular<double>::quadrants)},
-                                                 {"integers", wide.number(circular<double>::integers)}});
-  const std::string sum = of.is_single
-                              ? filled(detail::sum_of_float,
-                                       {{"S", of_sine}, {"one", of.number(1)}, {"sum_with_rest", with_rest}})
-                              : with_rest;
-  return filled(detail::sine_and_cosine, {{"name", name},
-                                          {"number", of.type()},
-                                          {"bits", of.bits()},
-                                          {"last", of.last_bit()},
-                                          {"sin", of.function("sin")},
-                                          {"cos", of.function("cos")},
-                                          {"farthest", of.number(numeric::farthest_angle)},
-                                          {"half", of.number(0.5)},
-                                          {"C", of_cosine},
-                                          {"reduction", reduction},
-                                          {"sum", sum}});
+      of.is_single ? fill_template(detail::reduction_of_float,
+                                   {{"quadrants", single(circular<float>::quadrants)},
+                                    {"integers", single(circular<float>::integers)},
+                                    {"wide_quadrants", wide.number(circular<double>::quadrants)},
+                                    {"wide_integers", wide.number(circular<double>::integers)}})
+                   : fill_template(detail::reduction_of_double,
+                                   {{"quadrants", wide.number(circular<double>::quadrants)},
+                                    {"integers", wide.number(circular<double>::integers)}});
+  const std::string sum =
+      of.is_single ? fill_template(detail::sum_of_float,
+                                   {{"S", of_sine}, {"one", of.number(1)}, {"sum_with_rest", with_rest}})
+                   : with_rest;
+  return fill_template(detail::sine_and_cosine, {{"name", name},
+                                                 {"number", of.type()},
+                                                 {"bits", of.bits()},
+                                                 {"last", of.last_bit()},
+                                                 {"sin", of.function("sin")},
+                                                 {"cos", of.function("cos")},
+                                                 {"farthest", of.number(numeric::farthest_angle)},
+                                                 {"half", of.number(0.5)},
+                                                 {"C", of_cosine},
+                                                 {"reduction", reduction},
+                                                 {"sum", sum}});
 }
 
 } // namespace kanexpr::exporting

@@ -11,7 +11,7 @@ namespace kanexpr::exporting {
 /// derivations of a derivative may find different entries to be zero.
 class common_shapes {
 public:
-  static void give(exported_function& one, exported_function& other) {
+  static void unify(exported_function& one, exported_function& other) {
     for (exported_result& a : one.results)
       for (exported_result& b : other.results) {
         if (a.name != b.name || !a.is_sparse) continue;

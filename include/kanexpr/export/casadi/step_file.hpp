@@ -74,15 +74,15 @@ private:
     const std::string place = std::to_string(to.out.size());
     to.out.push_back({name, one.shape});
     if (one.from.empty()) return {};
-    return filled(R"(  if (res[@place@]) {
+    return fill_template(R"(  if (res[@place@]) {
     static const int from[] = {@from@};
     for (i = 0; i < @size@; ++i) res[@place@][i] = @all@[from[i]];
   }
 )",
-                  {{"place", place},
-                   {"from", casadi_function::listed(one.from)},
-                   {"size", std::to_string(one.from.size())},
-                   {"all", all}});
+                         {{"place", place},
+                          {"from", casadi_function::listed(one.from)},
+                          {"size", std::to_string(one.from.size())},
+                          {"all", all}});
   }
 
   /// The C condition that one of these results is requested.
@@ -179,10 +179,11 @@ private:
     for (std::size_t i = 0; i < given_.size(); ++i) {
       if (!is_basic(i)) more.push_back(i);
       f.out.push_back({"adj_" + given_[i].name, casadi_sparsity::dense(given_[i].size)});
-      gather += filled("  if (res[@i@])\n    for (i = 0; i < @size@; ++i) res[@i@][i] = sum[@begin@ + i];\n",
-                       {{"i", std::to_string(i)},
-                        {"size", std::to_string(given_[i].size)},
-                        {"begin", std::to_string(begin_[i])}});
+      gather +=
+          fill_template("  if (res[@i@])\n    for (i = 0; i < @size@; ++i) res[@i@][i] = sum[@begin@ + i];\n",
+                        {{"i", std::to_string(i)},
+                         {"size", std::to_string(given_[i].size)},
+                         {"begin", std::to_string(begin_[i])}});
     }
     f.scratch = size_of_points() + 2 * n() + 2 * columns_;
     f.body = "  const int by_all = " + any_of(more) + ";\n" +

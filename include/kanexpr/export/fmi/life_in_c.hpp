@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-namespace kanexpr::exporting::in_c_of_fmu {
+namespace kanexpr::exporting::fmi_source {
 
 /// Creation, modes and steps of an instance.
 inline constexpr std::string_view life = R"(
@@ -378,4 +378,4 @@ EXPORTED fmi3Status fmi3GetAdjointDerivative(void *given, const fmi3ValueReferen
 }
 )";
 
-} // namespace kanexpr::exporting::in_c_of_fmu
+} // namespace kanexpr::exporting::fmi_source

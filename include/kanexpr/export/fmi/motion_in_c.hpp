@@ -4,7 +4,7 @@
 
 /// The parts of an FMU's C code that are the same for all models; they rely on the counts defined before
 /// them. Memory is allocated only when an instance is created; instances share nothing.
-namespace kanexpr::exporting::in_c_of_fmu {
+namespace kanexpr::exporting::fmi_source {
 
 /// Types of FMI 3.0 as defined by the standard, and the instance.
 inline constexpr std::string_view declarations = R"(
@@ -308,4 +308,4 @@ static fmi3Status step_with_events(instance *of, double h, bool *ends) {
 }
 )";
 
-} // namespace kanexpr::exporting::in_c_of_fmu
+} // namespace kanexpr::exporting::fmi_source

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <kanexpr/export/c/filled.hpp>
-#include <kanexpr/export/c/scalar.hpp>
 #include <kanexpr/export/fmi/fmu.hpp>
 #include <kanexpr/export/fmi/life_in_c.hpp>
 #include <kanexpr/export/fmi/motion_in_c.hpp>
 #include <kanexpr/export/fmi/unsupported_in_c.hpp>
+#include <kanexpr/export/text/fill_template.hpp>
+#include <kanexpr/export/text/scalar.hpp>
 
 namespace kanexpr::exporting {
 
@@ -19,19 +19,19 @@ public:
     for (const char* header : {"math", "stdbool", "stddef", "stdint", "stdlib", "string"})
       text += std::string("#include <") + header + ".h>\n";
     text += "\nstatic const char token[] = \"{" + token + "}\";\n" + counts() + tables();
-    text += in_c_of_fmu::declarations;
+    text += fmi_source::declarations;
     const std::string evaluated = evaluations();
-    if (evaluated.find(" failed(") != evaluated.npos) text += in_c_of_fmu::failure;
+    if (evaluated.find(" failed(") != evaluated.npos) text += fmi_source::failure;
     text += evaluated;
-    text += in_c_of_fmu::motion;
-    text += in_c_of_fmu::life;
-    text += in_c_of_fmu::values;
-    return text + in_c_of_fmu::all_refusals();
+    text += fmi_source::motion;
+    text += fmi_source::life;
+    text += fmi_source::values;
+    return text + fmi_source::all_refusals();
   }
 
 private:
   std::string counts() const {
-    return filled(
+    return fill_template(
         R"(
 enum {
   states = @name@_states,

@@ -8,8 +8,8 @@
 namespace kanexpr::exporting {
 
 /// Replaces each `@name@` in a text by its meaning.
-inline std::string filled(std::string_view text,
-                          std::initializer_list<std::pair<std::string_view, std::string>> meanings) {
+inline std::string fill_template(std::string_view text,
+                                 std::initializer_list<std::pair<std::string_view, std::string>> meanings) {
   std::string all;
   while (!text.empty()) {
     const std::size_t begin = text.find('@');

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <kanexpr/compiled/named_values.hpp>
-#include <kanexpr/export/c/printable.hpp>
 #include <kanexpr/export/exporter.hpp>
 #include <kanexpr/export/fmi/fmu.hpp>
+#include <kanexpr/export/text/printable.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 
 #include <set>
@@ -13,7 +13,7 @@ namespace kanexpr::exporting {
 /// An assignment of a new value to an entry of the state at an event: `set<-0.8 * u>(u)`.
 struct changed_value {
   symbol_name what;
-  wanted_result to{};
+  requested_result to{};
 };
 
 template <auto value, class Where = describe::file_of<value>>
@@ -27,7 +27,7 @@ inline changed_value set(const symbol_name& what, symbolic::expression to) {
 /// An event at which an expression of the model crosses zero, as in a simulation.
 struct exported_event {
   std::string name{};
-  wanted_result watched{};
+  requested_result watched{};
   crossing direction = crossing::either;
   std::vector<changed_value> changes{};
   after_event then = after_event::go_on;
@@ -49,7 +49,7 @@ inline exported_event when(const std::string& name, symbolic::expression passes_
 
 /// The options of an FMU.
 struct fmu_options {
-  std::vector<wanted_function> outputs{}; ///< in addition to the state
+  std::vector<requested_function> outputs{}; ///< in addition to the state
   std::vector<bound_parameter> bound{};
   std::vector<named_value> start{}; ///< for every parameter; states and inputs default to 0
   std::vector<exported_event> events{};
@@ -92,14 +92,14 @@ private:
     if (!first.mistake().empty()) return refuse(first.mistake());
     wanted_.bound = chosen_.bound;
     wanted_.functions = {results(fmu::rates), results(fmu::jacobian)};
-    wanted_function by_time = results(fmu::rates);
+    requested_function by_time = results(fmu::rates);
     by_time.name = fmu::rates_by_time, by_time.derivatives = {symbols::time};
     wanted_.functions.push_back(by_time);
-    wanted_function measured{.name = fmu::measured}, changes{.name = fmu::changes};
-    for (const wanted_function& each : chosen_.outputs) {
+    requested_function measured{.name = fmu::measured}, changes{.name = fmu::changes};
+    for (const requested_function& each : chosen_.outputs) {
       if (!each.mistake.empty()) return refuse(each.mistake);
       if (each.step) return refuse(each.name + " is a step and cannot be an output");
-      for (const wanted_result& one : each.results) {
+      for (const requested_result& one : each.results) {
         if (one.name.empty()) return refuse("an output of an FMU needs a name");
         measured.results.push_back(one);
       }
@@ -198,7 +198,7 @@ private:
       if (const std::string& name = called(each); !given.contains(name))
         return refuse("parameter " + name + " has no start value");
     if (const mechanics::sentence impossible =
-            compiled::check_masses(*known_, numbers_or_unknown(first_parameters()).data()))
+            compiled::check_masses(*known_, values_or_nan(first_parameters()).data()))
       refuse(std::string(impossible.view()));
   }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kanexpr/export/c/filled.hpp>
-#include <kanexpr/export/c/in_c.hpp>
-#include <kanexpr/export/c/scalar.hpp>
+#include <kanexpr/export/text/fill_template.hpp>
+#include <kanexpr/export/text/names_in_c.hpp>
+#include <kanexpr/export/text/scalar.hpp>
 
 #include <string>
 #include <vector>
@@ -12,14 +12,14 @@ namespace kanexpr::exporting {
 /// Writes NAME.py, a module that calls the functions of NAME.c through ctypes, with names and plain lists.
 class python_file {
 public:
-  python_file(const exported_system& s, precision number) : mapped_(in_c(s)), number_(number) {}
+  python_file(const exported_system& s, precision number) : mapped_(names_in_c(s)), number_(number) {}
 
   std::string text() const {
     const exported_system& s = mapped_.system;
     std::vector<std::string> states = s.coordinates;
     states.insert(states.end(), s.speeds.begin(), s.speeds.end());
     std::string all =
-        filled(R"("""Equations of motion of @name@. Compile @name@.c to a library next to this file:
+        fill_template(R"("""Equations of motion of @name@. Compile @name@.c to a library next to this file:
 
     cc -std=c99 -O2 -fno-math-errno -shared -fPIC @name@.c -o lib@name@.so -lm
 
@@ -69,12 +69,12 @@ def _call(function, t, vectors, sizes, causes):
     ]
     return found[0] if len(found) == 1 else tuple(found)
 )",
-               {{"name", s.name},
-                {"states", tuple(states)},
-                {"speeds", tuple(s.speeds)},
-                {"parameters", tuple(s.parameters)},
-                {"inputs", tuple(s.inputs)},
-                {"number", std::string("c_") + number_.type()}});
+                      {{"name", s.name},
+                       {"states", tuple(states)},
+                       {"speeds", tuple(s.speeds)},
+                       {"parameters", tuple(s.parameters)},
+                       {"inputs", tuple(s.inputs)},
+                       {"number", std::string("c_") + number_.type()}});
     for (const exported_function& f : s.functions) all += definition(f);
     return all;
   }
@@ -94,7 +94,7 @@ private:
       called += (called.empty() ? "" : ", ") + each.name;
     }
     for (const std::string& each : f.causes()) causes += "\n    \"" + each + "\",";
-    return filled(
+    return fill_template(
         R"(
 
 _@function@ = _library.@name@_@function@
@@ -123,7 +123,7 @@ def @function@(x@h@, p=(), r=()@a@, t=0.0):
     return f.takes_rates ? "    vectors.append(_vector(a, speeds, \"rates of the speeds\"))\n" : "";
   }
 
-  system_in_c mapped_;
+  system_with_c_names mapped_;
   scalar number_;
 };
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kanexpr/export/c/filled.hpp>
-#include <kanexpr/export/c/in_c.hpp>
-#include <kanexpr/export/c/scalar.hpp>
+#include <kanexpr/export/text/fill_template.hpp>
+#include <kanexpr/export/text/names_in_c.hpp>
+#include <kanexpr/export/text/scalar.hpp>
 
 #include <string>
 #include <vector>
@@ -13,7 +13,7 @@ namespace kanexpr::exporting {
 /// the model, and results with a status.
 class cpp_file {
 public:
-  cpp_file(const exported_system& s, precision number) : mapped_(in_c(s)), number_(number) {}
+  cpp_file(const exported_system& s, precision number) : mapped_(names_in_c(s)), number_(number) {}
 
   std::string text() const {
     const exported_system& s = mapped_.system;
@@ -24,7 +24,7 @@ public:
     const std::string own = namespaces.of(s.name);
     std::vector<std::string> states = s.coordinates;
     states.insert(states.end(), s.speeds.begin(), s.speeds.end());
-    std::string all = filled(R"(// Named access to the equations of motion of @name@ in @name@.c.
+    std::string all = fill_template(R"(// Named access to the equations of motion of @name@ in @name@.c.
 #ifndef kanexpr_wrote_@name@_hpp
 #define kanexpr_wrote_@name@_hpp
 
@@ -52,13 +52,13 @@ inline status status_of(unsigned long long bits, const char *const *causes) {
 }
 
 @state@@parameters@@inputs@@rates@)",
-                             {{"name", s.name},
-                              {"own_header", "#include \"" + s.name + ".h\""},
-                              {"own", own},
-                              {"state", structure("state", states, "0")},
-                              {"parameters", structure("parameters", s.parameters, not_set())},
-                              {"inputs", structure("inputs", s.inputs, not_set())},
-                              {"rates", structure("rates", s.speeds, not_set())}});
+                                    {{"name", s.name},
+                                     {"own_header", "#include \"" + s.name + ".h\""},
+                                     {"own", own},
+                                     {"state", structure("state", states, "0")},
+                                     {"parameters", structure("parameters", s.parameters, not_set())},
+                                     {"inputs", structure("inputs", s.inputs, not_set())},
+                                     {"rates", structure("rates", s.speeds, not_set())}});
     identifiers functions;
     functions.reserve_words();
     for (const char* taken : {"state", "parameters", "inputs", "rates", "status", "status_of"})
@@ -89,7 +89,7 @@ private:
       written.append("    ").append(entry).append(" = ").append(member).append(";\n");
     }
     const bool is_empty = symbols.empty();
-    return filled(R"(struct @name@ {
+    return fill_template(R"(struct @name@ {
 @declared@  static @name@ from(const @number@ *@entries@) {
     @name@ found;
 @read@    return found;
@@ -99,12 +99,12 @@ private:
 };
 
 )",
-                  {{"name", name},
-                   {"number", number_.type()},
-                   {"entries", is_empty ? "" : "entries"},
-                   {"declared", declared},
-                   {"read", read},
-                   {"written", written}});
+                         {{"name", name},
+                          {"number", number_.type()},
+                          {"entries", is_empty ? "" : "entries"},
+                          {"declared", declared},
+                          {"read", read},
+                          {"written", written}});
   }
 
   /// Declares and fills a vector argument of a C function.
@@ -138,7 +138,7 @@ private:
       declared += ";\n";
       called += ", " + place + (each.columns > 1 ? "[0]" : "");
     }
-    return filled(
+    return fill_template(
         R"(
 struct @name@_result {
 @declared@  status made;
@@ -168,7 +168,7 @@ inline @name@_result @name@(@x@@h@, @p@, @r@@a@, @number@ t = 0) {
          {"filled", filled_in}});
   }
 
-  system_in_c mapped_;
+  system_with_c_names mapped_;
   scalar number_;
 };
 

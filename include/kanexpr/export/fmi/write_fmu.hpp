@@ -1,11 +1,13 @@
 #pragma once
 
-#include <kanexpr/export/archive.hpp>
+#include <kanexpr/export/c/write_c.hpp>
+#include <kanexpr/export/fmi/archive.hpp>
+#include <kanexpr/export/fmi/fmu_maker.hpp>
 #include <kanexpr/export/fmi/library.hpp>
 #include <kanexpr/export/fmi/model_description.hpp>
 #include <kanexpr/export/fmi/source_file.hpp>
-#include <kanexpr/export/fmu_maker.hpp>
-#include <kanexpr/export/write_c.hpp>
+
+#include <cstdio>
 
 namespace kanexpr {
 
@@ -39,7 +41,7 @@ inline written_fmu write_fmu(runtime::staged_derivation& derivation, const std::
   const std::string header = model.header(),
                     code = "#define " + name + "_ANGLES_WITHOUT_END\n" + model.source();
   // computed from everything that defines the model
-  const std::string token = token_of({description.text({}), source.text({}), header, code});
+  const std::string token = content_hash({description.text({}), source.text({}), header, code});
   const std::vector<file_text> sources{
       {name + ".h", header}, {name + ".c", code}, {name + "_fmi.c", source.text(token)}};
   const library compiled = compiled_library(name, sources, chosen.compiler);
@@ -55,6 +57,16 @@ inline written_fmu write_fmu(runtime::staged_derivation& derivation, const std::
   written_fmu done;
   if (!compiled.note.empty()) done.set_note(name + ".fmu " + compiled.note);
   return done;
+}
+
+/// The format "fmi".
+inline outcome write_fmi(runtime::staged_derivation& derivation, const export_options& given) {
+  fmu_options chosen{.outputs = given.functions, .bound = given.bound, .start = given.start};
+  if (given.step) chosen.step = *given.step;
+  if (given.compiler) chosen.compiler = *given.compiler;
+  const written_fmu written = write_fmu(derivation, given.folder, given.name, chosen);
+  if (!written.note().empty()) std::fprintf(stderr, "kanexpr-export: note: %s\n", written.note().c_str());
+  return written;
 }
 
 } // namespace detail
