@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/base/version.hpp>
+#include <kanexpr/export/c/c_templates.hpp>
 #include <kanexpr/export/c/code_writer.hpp>
 #include <kanexpr/export/c/sine_and_cosine.hpp>
 #include <kanexpr/export/text/fill_template.hpp>
@@ -23,23 +24,7 @@ public:
 
   std::string header() const {
     std::string text = fill_template(
-        R"(/* @title@
-@changed@ */
-#ifndef kanexpr_wrote_@name@_h
-#define kanexpr_wrote_@name@_h
-
-#if defined(__CUDACC__)
-#define @name@_FUNCTION __host__ __device__
-#else
-#define @name@_FUNCTION
-#endif
-
-#ifdef __cplusplus
-extern "C" {
-#endif
-
-/* Indices in the state x (coordinates, then speeds), in the parameters p and in the inputs r. */
-@places@)",
+        c_templates::header,
         {{"title", title()}, {"changed", renamed_symbols_comment()}, {"name", name()}, {"places", places()}});
     for (const exported_function& f : system().functions) text += declaration(f);
     text += "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
@@ -50,24 +35,7 @@ extern "C" {
     std::string bodies;
     for (const exported_function& f : system().functions) bodies += definition(f);
     std::string text = fill_template(
-        R"(/* @title@
-
-   -ffp-contract=fast lets the compiler fuse multiplications with additions, which changes the last bits;
-   -ffast-math would break the sines. -fno-math-errno saves a branch in square roots. */
-@own_header@
-
-#include <math.h>
-
-#if defined(__FAST_MATH__)
-#error "compile this file without -ffast-math; it benefits from -ffp-contract=fast -fno-math-errno"
-#endif
-
-#if defined(__GNUC__)
-#define @name@_INLINE static __attribute__((always_inline)) inline @name@_FUNCTION
-#else
-#define @name@_INLINE static inline @name@_FUNCTION
-#endif
-)",
+        c_templates::source,
         {{"title", title()}, {"own_header", "#include \"" + name() + ".h\""}, {"name", name()}});
     text += helpers(bodies);
     return text + bodies;

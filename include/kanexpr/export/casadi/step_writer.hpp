@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/export/casadi/step_in_c.hpp>
+#include <kanexpr/export/casadi/casadi_templates.hpp>
 #include <kanexpr/export/casadi/step_shapes.hpp>
 #include <kanexpr/export/text/fill_template.hpp>
 #include <kanexpr/export/text/scalar.hpp>

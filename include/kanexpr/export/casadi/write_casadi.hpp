@@ -2,6 +2,7 @@
 
 #include <kanexpr/export/c/write_c.hpp>
 #include <kanexpr/export/casadi/casadi_file.hpp>
+#include <kanexpr/export/casadi/casadi_templates.hpp>
 #include <kanexpr/export/casadi/common_shapes.hpp>
 #include <kanexpr/export/casadi/step_file.hpp>
 
@@ -38,22 +39,7 @@ inline bool depends_on_time(const exported_system& s) {
 }
 
 inline std::string casadi_helpers(const std::string& library, int most) {
-  return fill_template(R"(
-/* The functions that CasADi loads from a library: external("@library@", "./@library@.so"). */
-
-static const double @library@_zeros[@most@] = {0};
-static const double *@library@_given(const double *argument) { return argument ? argument : @library@_zeros; }
-static double *@library@_or(double *wanted, double *otherwise) { return wanted ? wanted : otherwise; }
-/* True if all requested ones of the `count` results are finite; result k has entries[k] entries. */
-static int @library@_are_finite(double **results, int count, const int *entries) {
-  int k, i;
-  for (k = 0; k < count; ++k)
-    for (i = 0; results[k] && i < entries[k]; ++i)
-      if (!isfinite(results[k][i])) return 0;
-  return 1;
-}
-)",
-                       {{"library", library}, {"most", std::to_string(most)}});
+  return fill_template(casadi_templates::helpers, {{"library", library}, {"most", std::to_string(most)}});
 }
 
 inline outcome write_casadi(runtime::staged_derivation& derivation, const std::filesystem::path& folder,

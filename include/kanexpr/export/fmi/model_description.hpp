@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/version.hpp>
 #include <kanexpr/export/fmi/escaped_for_xml.hpp>
+#include <kanexpr/export/fmi/fmi_source.hpp>
 #include <kanexpr/export/fmi/fmu.hpp>
 #include <kanexpr/export/text/fill_template.hpp>
 #include <kanexpr/export/text/scalar.hpp>
@@ -15,23 +16,7 @@ public:
 
   std::string text(const std::string& token) const {
     return fill_template(
-        R"(<?xml version="1.0" encoding="UTF-8"?>
-<fmiModelDescription fmiVersion="3.0" modelName="@name@" instantiationToken="{@token@}"
-  generationTool="kanexpr @version@" variableNamingConvention="flat">
-  <ModelExchange modelIdentifier="@name@" needsCompletedIntegratorStep="@watched@"
-    providesDirectionalDerivatives="true" providesAdjointDerivatives="true"/>
-  <CoSimulation modelIdentifier="@name@" canHandleVariableCommunicationStepSize="true"
-    fixedInternalStepSize="@step@" providesDirectionalDerivatives="true" providesAdjointDerivatives="true"/>
-  <LogCategories>
-    <Category name="logStatusDiscard" description="results that cannot be computed at a state"/>
-    <Category name="logStatusError" description="invalid calls"/>
-  </LogCategories>
-  <ModelVariables>
-@variables@  </ModelVariables>
-  <ModelStructure>
-@structure@  </ModelStructure>
-</fmiModelDescription>
-)",
+        fmi_source::model_description,
         {{"name", system_.name},
          {"token", token},
          {"version", version()},
@@ -42,19 +27,7 @@ public:
   }
 
   /// The text of buildDescription.xml, which is stored with the sources.
-  std::string build() const {
-    return fill_template(R"(<?xml version="1.0" encoding="UTF-8"?>
-<fmiBuildDescription fmiVersion="3.0">
-  <BuildConfiguration modelIdentifier="@name@">
-    <SourceFileSet language="C99">
-      <SourceFile name="@name@.c"/>
-      <SourceFile name="@name@_fmi.c"/>
-    </SourceFileSet>
-  </BuildConfiguration>
-</fmiBuildDescription>
-)",
-                         {{"name", system_.name}});
-  }
+  std::string build() const { return fill_template(fmi_source::build_description, {{"name", system_.name}}); }
 
 private:
   static std::string version() {
