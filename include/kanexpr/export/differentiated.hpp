@@ -40,11 +40,11 @@ public:
 
   symbolic::matrix get(const requested_derivative& wanted) {
     using enum requested_derivative::kind;
-    switch (wanted.is) {
+    switch (wanted.type) {
     case none: break;
     case jacobian: return symbolic::jacobian(graph_, y_, symbols_.of(wanted.by));
-    case along: return column(along_direction(wanted.along));
-    case along_jacobian:
+    case directional: return column(along_direction(wanted.along));
+    case directional_jacobian:
       return symbolic::jacobian(graph_, along_direction(wanted.along), symbols_.of(wanted.by));
     case weighted: return column(gradient_by(wanted.by));
     case weighted_jacobian:
@@ -59,9 +59,9 @@ public:
   int weights_for(const requested_derivative& wanted) const {
     using enum requested_derivative::kind;
     int count = 0;
-    if (wanted.is == along || wanted.is == along_jacobian)
+    if (wanted.type == directional || wanted.type == directional_jacobian)
       for (symbols each : wanted.along) count += symbols_.of(each).size();
-    if (wanted.is == weighted || wanted.is == weighted_jacobian) count = y_.size();
+    if (wanted.type == weighted || wanted.type == weighted_jacobian) count = y_.size();
     return count;
   }
 

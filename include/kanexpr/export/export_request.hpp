@@ -21,14 +21,14 @@ enum class symbols : unsigned char { state, rates, inputs, parameters, time };
 /// A derivative of a column y with respect to symbols z.
 struct requested_derivative {
   enum class kind : unsigned char {
-    none,             ///< y itself
-    jacobian,         ///< ∂y/∂z, z of `by`
-    along,            ///< (∂y/∂z) w for a direction w
-    along_jacobian,   ///< ∂((∂y/∂z) w)/∂z', z' of `by`
-    weighted,         ///< ∂(wᵀy)/∂z for weights w, z of `by`
-    weighted_jacobian ///< ∂²(wᵀy)/∂z∂z', z of `by` and z' of `and_by`
+    none,                 ///< y itself
+    jacobian,             ///< ∂y/∂z, z of `by`
+    directional,          ///< (∂y/∂z) w for a direction w
+    directional_jacobian, ///< ∂((∂y/∂z) w)/∂z', z' of `by`
+    weighted,             ///< ∂(wᵀy)/∂z for weights w, z of `by`
+    weighted_jacobian     ///< ∂²(wᵀy)/∂z∂z', z of `by` and z' of `and_by`
   };
-  kind is = kind::none;
+  kind type = kind::none;
   std::vector<symbols> along{}; ///< all symbols for which the direction has entries
   symbols by{}, and_by{};
 };

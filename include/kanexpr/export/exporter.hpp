@@ -59,7 +59,7 @@ public:
       refuse("the name of an exported system must be a C identifier of letters, digits and underscores; \"" +
              made_.system.name + "\" is not one");
     else
-      take_names();
+      read_names();
     for (const requested_function& wanted : chosen_.functions)
       if (made_.mistake.empty()) add(wanted);
     return made_;
@@ -73,40 +73,40 @@ private:
                        [&](char c) { return letters.find(c) != letters.npos || (c >= '0' && c <= '9'); });
   }
 
-  void take_names() {
+  void read_names() {
     const model first = derivation_.resume();
-    known_ = first.known();
+    survey_ = first.known();
     if (made_.mistake = first.mistake(); !made_.mistake.empty()) return;
     using symbolic::symbol_kind;
     exported_system& s = made_.system;
     s.coordinates = names_of(symbol_kind::coordinate), s.speeds = names_of(symbol_kind::speed);
     s.inputs = names_of(symbol_kind::input);
     const std::vector<std::string> parameters = names_of(symbol_kind::parameter);
-    is_bound_.assign(parameters.size(), std::nullopt);
+    bound_values_.assign(parameters.size(), std::nullopt);
     for (const bound_parameter& b : chosen_.bound) {
       const auto place = std::find(parameters.begin(), parameters.end(), b.name);
       if (place == parameters.end())
         return refuse("there is no parameter " + b.name + " to bind to a number");
       if (!numeric::is_finite(b.value))
         return refuse("parameter " + b.name + " must be bound to a finite number");
-      if (is_bound_[static_cast<std::size_t>(place - parameters.begin())])
+      if (bound_values_[static_cast<std::size_t>(place - parameters.begin())])
         return refuse("parameter " + b.name + " is bound twice");
-      is_bound_[static_cast<std::size_t>(place - parameters.begin())] = b.value;
+      bound_values_[static_cast<std::size_t>(place - parameters.begin())] = b.value;
     }
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-      place_.push_back(static_cast<int>(s.parameters.size()));
-      if (!is_bound_[i]) s.parameters.push_back(parameters[i]);
+      index_of_parameter_.push_back(static_cast<int>(s.parameters.size()));
+      if (!bound_values_[i]) s.parameters.push_back(parameters[i]);
     }
     if (const mechanics::sentence impossible =
-            compiled::check_masses(*known_, values_or_nan(is_bound_).data()))
+            compiled::check_masses(*survey_, values_or_nan(bound_values_).data()))
       refuse(std::string(impossible.view()));
   }
 
   std::vector<std::string> names_of(symbolic::symbol_kind kind) const {
     std::vector<std::string> names;
-    names.reserve(static_cast<std::size_t>(known_->count_of(kind)));
-    for (int i = 0; i < known_->count_of(kind); ++i)
-      names.emplace_back(known_->names[known_->first_of(kind) + i].view());
+    names.reserve(static_cast<std::size_t>(survey_->count_of(kind)));
+    for (int i = 0; i < survey_->count_of(kind); ++i)
+      names.emplace_back(survey_->names[survey_->first_of(kind) + i].view());
     return names;
   }
 
@@ -114,7 +114,7 @@ private:
     if (!wanted.mistake.empty()) return refuse(wanted.mistake);
     exported_function made{.name = wanted.name};
     if (wanted.step) {
-      made = written_step(wanted.name, *known_, *wanted.step, [&](mechanics::quantity of) {
+      made = written_step(wanted.name, *survey_, *wanted.step, [&](mechanics::quantity of) {
         return form({.results = {{"", {.what = deriving::request::kind::result, .wanted = of}}}});
       });
       if (!made_.mistake.empty()) return;
@@ -122,7 +122,7 @@ private:
       for (const requested_result& each : wanted.results)
         if (each.request.is_weighted() && each.part.empty())
           return refuse(wanted.name + " takes weights or a direction, which exported functions cannot take");
-      std::optional<formed> found = form(wanted);
+      std::optional<formed_results> found = form(wanted);
       if (!found) return;
       if (found->results.empty()) return refuse(wanted.name + " of " + made_.system.name + " has no entries");
       made.cost = lower::cost_of(found->code);
@@ -130,7 +130,7 @@ private:
       made.results = std::move(found->results), made.checks = std::move(found->checks);
       made.weights = found->weights;
       for (const requested_result& each : wanted.results) {
-        made.takes_rates = made.takes_rates || holds_rates(each.request);
+        made.takes_rates = made.takes_rates || contains_speed_rates(each.request);
         made.takes_all_rates = made.takes_all_rates || each.is_residual;
       }
     }
@@ -144,14 +144,14 @@ private:
   }
 
   /// Forms the results of one function in one model.
-  std::optional<formed> form(const requested_function& wanted) {
+  std::optional<formed_results> form(const requested_function& wanted) {
     model from = derivation_.resume(first_stage(wanted));
-    formed made;
+    formed_results made;
     symbolic::sequence<int> nodes;
     const auto take = [&](const std::string& name, const symbolic::matrix& found,
-                          std::vector<std::string> of_rows) {
+                          std::vector<std::string> row_symbols) {
       if (found.entries.empty()) return; // without inputs there is no B
-      made.results.push_back({name, found.rows, found.columns, nodes.size(), std::move(of_rows)});
+      made.results.push_back({name, found.rows, found.columns, nodes.size(), std::move(row_symbols)});
       for (const symbolic::expression& e : found.entries) nodes.push(e.node());
     };
     const differentiable_symbols known_symbols = symbols_of(from);
@@ -167,10 +167,10 @@ private:
     };
     symbolic::sequence<symbolic::expression> all;
     for (const requested_result& each : wanted.results) {
-      symbolic::matrix found = got(from, each);
+      symbolic::matrix found = evaluate(from, each);
       if (made_.mistake.empty() && !from.mistake().empty()) refuse(from.mistake());
       if (!made_.mistake.empty()) return std::nullopt;
-      if (each.derivative.is != requested_derivative::kind::none)
+      if (each.derivative.type != requested_derivative::kind::none)
         found = derived(found.entries, each.derivative);
       if (!each.part.empty()) {
         made.weights = (std::max)(made.weights, weights_for(each.request));
@@ -183,7 +183,7 @@ private:
       for (const symbolic::expression& e : found.entries) all.push(e);
     }
     for (const symbols each : wanted.derivatives)
-      take(name_of(each), derived(all, {.is = requested_derivative::kind::jacobian, .by = each}), {});
+      take(name_of(each), derived(all, {.type = requested_derivative::kind::jacobian, .by = each}), {});
     if (!made_.mistake.empty()) return std::nullopt;
     for (const mechanics::singularity_check& c : from.equations().singularity_checks_of(nodes)) {
       made.checks.push_back({std::string(c.cause.view()), c.of_finiteness});
@@ -205,10 +205,10 @@ private:
                     ", a function of the program, which cannot be exported");
     for (lower::load& l : made.code.arguments) {
       const bool is_parameter = l.from == symbolic::symbol_kind::parameter;
-      if (l.position >= known_->count_of(l.from) && (is_parameter || l.from == symbolic::symbol_kind::input))
+      if (l.position >= survey_->count_of(l.from) && (is_parameter || l.from == symbolic::symbol_kind::input))
         return refuse("function " + made.name + " uses " + (is_parameter ? "a parameter" : "an input") +
                       " that the system does not have");
-      if (is_parameter) l.position = place_[static_cast<std::size_t>(l.position)];
+      if (is_parameter) l.position = index_of_parameter_[static_cast<std::size_t>(l.position)];
     }
     made_.system.functions.push_back(std::move(made));
   }
@@ -238,12 +238,12 @@ private:
     for (const symbolic::expression& rate : m.speed_rates) all.rates.push(rate);
     all.inputs = m.inputs;
     for (int i = 0; i < m.parameters.size(); ++i)
-      if (!is_bound_[static_cast<std::size_t>(i)]) all.parameters.push(m.parameters[i]);
+      if (!bound_values_[static_cast<std::size_t>(i)]) all.parameters.push(m.parameters[i]);
     all.time.push(m.time);
     return all;
   }
 
-  symbolic::matrix got(model& from, const requested_result& each) {
+  symbolic::matrix evaluate(model& from, const requested_result& each) {
     if (!each.written.is_given()) {
       const symbolic::matrix found = from.get(each.request);
       return each.is_residual && from.mistake().empty() ? implicit_form(from.graph(), from.equations())
@@ -260,17 +260,17 @@ private:
   }
 
   int weights_for(const deriving::request& wanted) const {
-    const int states = known_->coordinates + known_->speeds;
-    return mechanics::row_of(wanted.wanted).takes_weights ? states : states + known_->inputs;
+    const int states = survey_->coordinates + survey_->speeds;
+    return mechanics::row_of(wanted.wanted).takes_weights ? states : states + survey_->inputs;
   }
 
   /// The block of `whole`, whose entries are derivatives by the state and the inputs, that belongs to the
   /// symbols `which`.
   symbolic::matrix part_of(model& from, const symbolic::matrix& whole,
                            const std::vector<symbols>& which) const {
-    const int states = known_->coordinates + known_->speeds;
+    const int states = survey_->coordinates + survey_->speeds;
     const auto begin = [&](symbols of) { return of == symbols::state ? 0 : states; };
-    const auto size = [&](symbols of) { return of == symbols::state ? states : known_->inputs; };
+    const auto size = [&](symbols of) { return of == symbols::state ? states : survey_->inputs; };
     const bool is_square = which.size() > 1;
     symbolic::matrix part(from.graph(), size(which[0]), is_square ? size(which[1]) : 1);
     for (int i = 0; i < part.rows; ++i)
@@ -290,17 +290,17 @@ private:
     return "by_time";
   }
 
-  static bool holds_rates(const deriving::request& r) {
+  static bool contains_speed_rates(const deriving::request& r) {
     return r.what == deriving::request::kind::result && mechanics::row_of(r.wanted).holds_speed_rates;
   }
 
   symbolic::sequence<int> bound(model& from, const symbolic::sequence<int>& nodes) const {
     if (chosen_.bound.empty()) return nodes;
     symbolic::substitution numbers(from.graph());
-    for (std::size_t i = 0; i < is_bound_.size(); ++i)
-      if (is_bound_[i])
+    for (std::size_t i = 0; i < bound_values_.size(); ++i)
+      if (bound_values_[i])
         numbers.replace(from.mechanism().parameters[static_cast<int>(i)],
-                        from.mechanism().number(*is_bound_[i]));
+                        from.mechanism().number(*bound_values_[i]));
     symbolic::sequence<int> with_numbers;
     for (int id : nodes) with_numbers.push(numbers.in(symbolic::expression(from.graph(), id)).node());
     return with_numbers;
@@ -313,10 +313,10 @@ private:
     const exported_system& s = made_.system;
     const auto pick = [&](bool coordinates, bool speeds, bool independent_alone) {
       std::vector<std::string> names;
-      const int first = coordinates ? 0 : known_->coordinates;
-      const int end = speeds ? known_->coordinates + known_->speeds : known_->coordinates;
+      const int first = coordinates ? 0 : survey_->coordinates;
+      const int end = speeds ? survey_->coordinates + survey_->speeds : survey_->coordinates;
       for (int i = first; i < end; ++i)
-        if (!independent_alone || !known_->dependent[i]) names.emplace_back(known_->names[i].view());
+        if (!independent_alone || !survey_->dependent[i]) names.emplace_back(survey_->names[i].view());
       return names;
     };
     switch (mechanics::row_of(r.wanted).rows) {
@@ -345,9 +345,9 @@ private:
 
   runtime::staged_derivation& derivation_;
   options chosen_;
-  std::shared_ptr<const deriving::survey> known_{};
-  std::vector<std::optional<double>> is_bound_{};
-  std::vector<int> place_{}; ///< index of each parameter among those that are not bound
+  std::shared_ptr<const deriving::survey> survey_{};
+  std::vector<std::optional<double>> bound_values_{};
+  std::vector<int> index_of_parameter_{}; ///< index of each parameter among those that are not bound
   exported made_{};
 };
 

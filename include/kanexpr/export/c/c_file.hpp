@@ -109,8 +109,8 @@ private:
         text += ": " + std::to_string(each.rows) + " by " + std::to_string(each.columns) + ", row-major";
       else
         text += ": " + std::to_string(each.rows);
-      for (std::size_t i = 0; i < each.of_rows.size(); ++i)
-        text += (i == 0 ? each.columns > 1 ? "; the rows belong to " : ", of " : ", ") + each.of_rows[i];
+      for (std::size_t i = 0; i < each.row_symbols.size(); ++i)
+        text += (i == 0 ? each.columns > 1 ? "; the rows belong to " : ", of " : ", ") + each.row_symbols[i];
       text += '.';
     }
     const std::vector<std::string> causes = f.causes();
@@ -187,7 +187,7 @@ private:
       if (one.of_finiteness)
         asked.append("_is_infinite(").append(measure);
       else
-        asked.append(one.of_order ? "_is_not_above(" : "_is_singular(")
+        asked.append(one.is_order_check ? "_is_not_above(" : "_is_singular(")
             .append(measure)
             .append(", ")
             .append(scale);

@@ -77,7 +77,7 @@ private:
       found.part = std::move(part);
       return found;
     };
-    directional.results.push_back(to_second_order(derived("rate", {.is = kind::along, .along = all}),
+    directional.results.push_back(to_second_order(derived("rate", {.type = kind::directional, .along = all}),
                                                   quantity::directional_derivative, {symbols::state}));
     directional.results.back().is_sparse = false;
     for (std::size_t i = 0; i < count; ++i) {
@@ -85,15 +85,15 @@ private:
       const std::string begin = "by_" + by_all_[i].name;
       jacobian.results.push_back(jacobian_by(by_all_[i]));
       directional_jacobian.results.push_back(
-          derived(begin, {.is = kind::along_jacobian, .along = all, .by = by}));
-      gradient.results.push_back(to_second_order(derived(begin, {.is = kind::weighted, .by = by}),
+          derived(begin, {.type = kind::directional_jacobian, .along = all, .by = by}));
+      gradient.results.push_back(to_second_order(derived(begin, {.type = kind::weighted, .by = by}),
                                                  quantity::weighted_gradient, {by}));
       gradient.results.back().is_sparse = false;
       for (std::size_t k = 0; k < count; ++k) {
         const symbols and_by = by_all_[k].are;
         hessian.results.push_back(
             to_second_order(derived(begin + '_' + by_all_[k].name,
-                                    {.is = kind::weighted_jacobian, .by = by, .and_by = and_by}),
+                                    {.type = kind::weighted_jacobian, .by = by, .and_by = and_by}),
                             quantity::weighted_hessian, {by, and_by}));
       }
     }
@@ -104,7 +104,7 @@ private:
   /// The Jacobian by one argument. That of the rates is taken from the linearized equations if they have it,
   /// as this costs less than the chain rule.
   requested_result jacobian_by(const casadi_argument& by) const {
-    requested_result found = derived("by_" + by.name, {.is = kind::jacobian, .by = by.are});
+    requested_result found = derived("by_" + by.name, {.type = kind::jacobian, .by = by.are});
     if (of_residual_ || !by.is_basic()) return found;
     found.request.wanted = by.are == symbols::state ? quantity::state_jacobian : quantity::input_jacobian;
     found.derivative = {};

@@ -68,7 +68,7 @@ inline system_with_c_names names_in_c(exported_system s) {
     }
   for (exported_function& f : s.functions)
     for (exported_result& of : f.results)
-      for (std::string& row : of.of_rows) {
+      for (std::string& row : of.row_symbols) {
         const auto found =
             std::find_if(symbols.begin(), symbols.end(), [&](const auto& each) { return each.first == row; });
         if (found != symbols.end()) row = found->second;
