@@ -69,7 +69,7 @@ private:
 /// a state `x` and inputs `r` that also provides the `parameters()` of the system.
 template <class Picture, class Trajectory>
 animation animated(const Trajectory& trajectory) {
-  if constexpr (animate::sound_picture<Picture>::value)
+  if constexpr (animate::valid_picture<Picture>::value)
     return animate::film(animate::compiled_scene<Picture, Trajectory>(trajectory));
   else
     return {};

@@ -15,7 +15,7 @@ inline constexpr std::string_view place_of_title = "@title@";
 /// become spaces; invalid UTF-8 becomes U+FFFD.
 inline std::string without_markup(const std::string& text) {
   std::string plain;
-  for (const char c : sound_text(text))
+  for (const char c : valid_utf8(text))
     if (c == '&' || c == '<')
       plain += c == '&' ? "&amp;" : "&lt;";
     else

@@ -79,7 +79,7 @@ inline std::string written(const nlohmann::json& all) {
 }
 
 /// Replaces invalid UTF-8 by U+FFFD.
-inline std::string sound_text(const std::string& text) {
+inline std::string valid_utf8(const std::string& text) {
   return nlohmann::json::parse(written(text)).get<std::string>();
 }
 

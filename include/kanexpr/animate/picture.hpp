@@ -14,9 +14,9 @@ struct picture;
 namespace animate {
 
 template <class Picture>
-struct sound_picture {
+struct valid_picture {
   static constexpr sentence mistake = Picture::mistake;
-  static_assert(deriving::report<sound_picture>());
+  static_assert(deriving::report<valid_picture>());
   static constexpr bool value = !static_cast<bool>(mistake);
 };
 
