@@ -11,6 +11,7 @@
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 
 #include <algorithm>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -214,10 +215,21 @@ private:
                                   {"fabs", number_.function("fabs")},
                                   {"one", number_.number(1)},
                                   {"zero", number_.number(0)},
+                                  {"f", number_.function("")},
+                                  {"pi", number_.number(std::numbers::pi)},
+                                  {"turn", number_.number(2 * std::numbers::pi)},
                                   {"exponent", number_.exponent_bits()}});
     };
     std::string text;
-    const bool turns = calls("sine_and_cosine"), signs = calls("sign"), chooses = signs || calls("choose"),
+    std::string functions;
+    for (const symbolic::operation each : written_functions())
+      if (calls(symbolic::function_name(each)))
+        functions +=
+            in_text(std::string("\n@name@_INLINE @number@ @name@_") + symbolic::function_name(each) +
+                    (symbolic::is_binary(each) ? "(@number@ x, @number@ y) {\n" : "(@number@ x) {\n") +
+                    symbolic::spelling_of(each).body + "}\n");
+    const bool turns = calls("sine_and_cosine"),
+               chooses = calls("choose") || functions.find("_choose(") != functions.npos,
                ends = calls("is_infinite");
     if (turns || chooses || ends)
       text += in_text(R"(
@@ -237,12 +249,7 @@ typedef char @name@_has_bits_of_that_size[sizeof(@bits@) == sizeof(@number@) ? 1
   return one.number;
 }
 )");
-    if (signs)
-      text += in_text(R"(
-@name@_INLINE @number@ @name@_sign(@number@ x) {
-  return @name@_choose(x, @one@, @name@_choose(-x, -@one@, x + @zero@));
-}
-)");
+    text += functions;
     if (calls("is_singular"))
       text += in_text(R"(
 @name@_INLINE unsigned long long @name@_is_singular(@number@ measure, @number@ scale) {

@@ -37,7 +37,7 @@ public:
   }
 
 private:
-  mechanics::sentence mistake_{}; ///< in the words themselves
+  mechanics::sentence mistake_{}; ///< a mistake in the words themselves
   const describe::system_record& record_;
   deriving::derived_system system_;
 };
