@@ -1,8 +1,8 @@
 // write FOLDER NAME OPTIONS...: writes a model in C, as kanexpr-export does.
-#include <kanexpr/export/by_words.hpp>
+#include <kanexpr/export/command_line.hpp>
 
 #include <models/iiwa.hpp>
 
 int main(int count, char** words) {
-  return kanexpr::exporting::write_by_words<iiwa::System>(count, words, {});
+  return kanexpr::exporting::run_command_line<iiwa::System>(count, words, {});
 }

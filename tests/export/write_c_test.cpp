@@ -45,7 +45,17 @@ std::string cause_of(const std::string& name, const c_options& chosen) {
   return written.cause();
 }
 
-c_options with(std::vector<wanted_function> functions) { return {.functions = std::move(functions)}; }
+c_options with(std::vector<requested_function> functions) { return {.functions = std::move(functions)}; }
+
+TEST(WriteC, DerivesTheSystemOnce) {
+  int derivations = 0;
+  runtime::staged_derivation derivation([&] {
+    ++derivations;
+    return derive<simple_pendulum::System>();
+  });
+  EXPECT_EQ(exporter("arm", derivation, {}).run().system.functions.size(), default_results().size());
+  EXPECT_EQ(derivations, 1);
+}
 
 TEST(WriteC, NamesWhatCannotBeExported) {
   EXPECT_EQ(cause_of("arm", with({results("velocity")})), "there is no result velocity");
@@ -102,13 +112,13 @@ TEST(WriteC, TakesBackWhatItReplacedWhereTheNextFileCannotBe) {
   std::filesystem::create_directories(to.path);
   const file_text first{to.path / "arm.h", "new"}, second{to.path / "arm.c", "new"};
   std::ofstream(first.path) << "before";
-  exporting::detail::changes_of_files changes;
+  exporting::detail::file_transaction changes;
   ASSERT_TRUE(changes.write(first) && changes.write(second));
   std::filesystem::remove(to.path / "arm.c.1.part");
-  EXPECT_TRUE(changes.place(0, first.path));
+  EXPECT_TRUE(changes.move_into_place(0, first.path));
   EXPECT_EQ(to.text_of("arm.h"), "new");
-  EXPECT_FALSE(changes.place(1, second.path));
-  changes.take_back();
+  EXPECT_FALSE(changes.move_into_place(1, second.path));
+  changes.roll_back();
   EXPECT_EQ(to.text_of("arm.h"), "before");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(to.path), {}), 1) << "something is left";
 }
@@ -265,7 +275,7 @@ TEST(WriteC, WritesExpressionsOfABuilder) {
   const auto N = b.inertial_frame();
   const auto P = b.offset("P", b.origin("O"), b.along(b.rotated("A", N, q, b.along(N, 0, 0, 1)), l, 0, 0));
   b.particle("Bob", P, b.number(3));
-  const auto written = [&](const wanted_function& wanted) {
+  const auto written = [&](const requested_function& wanted) {
     return write_c(b, to.path, "arm", with({wanted}));
   };
   ASSERT_TRUE(written(exporting::expression("height", l * cos(q))));
@@ -347,7 +357,7 @@ exported_function with_entry_at(int row, int column, int value) {
 
 TEST(CommonShapes, PutsZerosWhereTheOtherHasAnEntry) {
   exported_function one = with_entry_at(0, 1, 2), other = with_entry_at(1, 0, 3);
-  common_shapes::give(one, other);
+  common_shapes::unify(one, other);
   const auto values = [](const exported_function& f) {
     std::vector<double> all;
     for (const int line : f.code.results) all.push_back(f.code.numbers[f.code.lines[line].a].value());

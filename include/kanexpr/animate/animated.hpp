@@ -9,6 +9,7 @@
 
 #ifndef KANEXPR_COMPILED_PAGES
 #include <kanexpr/animate/camera.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
 #endif
 
 namespace kanexpr {
@@ -69,7 +70,7 @@ private:
 /// a state `x` and inputs `r` that also provides the `parameters()` of the system.
 template <class Picture, class Trajectory>
 animation animated(const Trajectory& trajectory) {
-  if constexpr (animate::sound_picture<Picture>::value)
+  if constexpr (animate::valid_picture<Picture>::value)
     return animate::film(animate::compiled_scene<Picture, Trajectory>(trajectory));
   else
     return {};

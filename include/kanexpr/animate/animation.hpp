@@ -2,8 +2,10 @@
 
 #include <kanexpr/animate/placement.hpp>
 
+#include <Eigen/Core>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kanexpr {

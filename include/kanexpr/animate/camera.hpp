@@ -2,8 +2,16 @@
 
 #include <kanexpr/animate/filming.hpp>
 #include <kanexpr/animate/scene.hpp>
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/table_interpreter.hpp>
+
+#include <Eigen/Core>
+
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace kanexpr::animate {
 

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <kanexpr/animate/check_shape.hpp>
+#include <kanexpr/base/sentence.hpp>
+
+#include <string_view>
 
 /// Checks for mistakes in a picture.
 namespace kanexpr::animate {
@@ -84,7 +87,7 @@ private:
 };
 
 template <class Word>
-constexpr bool is_told(std::string_view word) {
+constexpr bool has_keyword(std::string_view word) {
   if constexpr (picture_word<Word>)
     return Word::word == word;
   else
@@ -96,7 +99,7 @@ constexpr sentence check_words() {
   sentence found;
   ((found = found ? found : check_word<Words>::mistake()), ...);
   if (found) return found;
-  const auto times = [](std::string_view word) { return ((is_told<Words>(word) ? 1 : 0) + ... + 0); };
+  const auto times = [](std::string_view word) { return ((has_keyword<Words>(word) ? 1 : 0) + ... + 0); };
   if (times("show") + times("trace") == 0) return sentence({"the picture shows nothing"});
   if (times("up") == 0) return sentence({"the picture does not specify the up direction; add up<vector>"});
   for (std::string_view word : {"up", "seen_from", "ground", "carried", "files_in"})

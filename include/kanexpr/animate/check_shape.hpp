@@ -2,9 +2,13 @@
 
 #include <kanexpr/animate/words.hpp>
 #include <kanexpr/base/mesh_kind.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/derive/read/wording.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string_view>
 
 /// Checks for mistakes in a shape.
 namespace kanexpr::animate {

@@ -2,11 +2,14 @@
 
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/animate/placed.hpp>
+#include <kanexpr/mechanics/motion/triple.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 
+#include <Eigen/Core>
 #include <charconv>
 #include <span>
+#include <string>
 
 /// Converts the numbers of a picture at each time to its shapes.
 namespace kanexpr::animate {

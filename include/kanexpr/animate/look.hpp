@@ -16,17 +16,17 @@ struct look {
 };
 
 template <class Option>
-concept option_of_shape = requires(look& l) { Option::tell(l); };
+concept option_of_shape = requires(look& l) { Option::apply_to(l); };
 
 template <class Option>
-constexpr void tell(look& l) {
-  if constexpr (option_of_shape<Option>) Option::tell(l);
+constexpr void apply_option(look& l) {
+  if constexpr (option_of_shape<Option>) Option::apply_to(l);
 }
 
 template <class... Options>
 constexpr look look_of() {
   look l;
-  (tell<Options>(l), ...);
+  (apply_option<Options>(l), ...);
   return l;
 }
 
@@ -49,19 +49,19 @@ constexpr auto spin_of() {
 /// The color of a shape: `show<sphere<P, 0.1>, colour<"#c0392b">>`.
 template <text hexadecimal>
 struct colour {
-  static constexpr void tell(animate::look& l) { l.colour = hexadecimal.view(); }
+  static constexpr void apply_to(animate::look& l) { l.colour = hexadecimal.view(); }
 };
 
 /// The opacity, from 0 (invisible) to 1.
 template <auto part>
 struct opacity {
-  static constexpr void tell(animate::look& l) { l.opacity = static_cast<double>(part); }
+  static constexpr void apply_to(animate::look& l) { l.opacity = static_cast<double>(part); }
 };
 
 /// The name of a shape on the page, in place of the default such as "sphere at P".
 template <text words>
 struct named {
-  static constexpr void tell(animate::look& l) { l.name = words.view(); }
+  static constexpr void apply_to(animate::look& l) { l.name = words.view(); }
 };
 
 /// Makes the shape rotate about its axis relative to its frame, at the rate `speed`, which is integrated
@@ -70,7 +70,7 @@ struct named {
 template <auto speed>
 struct spinning {
   static constexpr describe::phrase spin = describe::phrase_of<speed>;
-  static constexpr void tell(animate::look&) {}
+  static constexpr void apply_to(animate::look&) {}
 };
 
 } // namespace kanexpr

@@ -8,7 +8,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 /// Reads mesh files in the form in which a page embeds them.
 namespace kanexpr::animate {

@@ -3,6 +3,8 @@
 #include <kanexpr/animate/picture.hpp>
 #include <kanexpr/compiled/function.hpp>
 
+#include <array>
+
 namespace kanexpr {
 
 namespace animate {

@@ -2,9 +2,12 @@
 
 #include <kanexpr/animate/page_options.hpp>
 #include <kanexpr/animate/page_text.hpp>
+#include <kanexpr/base/outcome.hpp>
 
 #include <fstream>
 #include <iterator>
+#include <string>
+#include <string_view>
 
 namespace kanexpr::animate {
 
@@ -15,7 +18,7 @@ inline constexpr std::string_view place_of_title = "@title@";
 /// become spaces; invalid UTF-8 becomes U+FFFD.
 inline std::string without_markup(const std::string& text) {
   std::string plain;
-  for (const char c : sound_text(text))
+  for (const char c : valid_utf8(text))
     if (c == '&' || c == '<')
       plain += c == '&' ? "&amp;" : "&lt;";
     else

@@ -4,6 +4,8 @@
 #include <kanexpr/animate/compiled_pages.hpp>
 #include <kanexpr/base/outcome.hpp>
 
+#include <string>
+
 #ifndef KANEXPR_PAGE // path of the empty page, set by the target kanexpr::animate
 #define KANEXPR_PAGE ""
 #endif

@@ -8,6 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include <charconv>
+#include <string>
+#include <string_view>
+#include <vector>
 
 /// Converts an animation to the text that the page reads.
 namespace kanexpr::animate {
@@ -79,7 +82,7 @@ inline std::string written(const nlohmann::json& all) {
 }
 
 /// Replaces invalid UTF-8 by U+FFFD.
-inline std::string sound_text(const std::string& text) {
+inline std::string valid_utf8(const std::string& text) {
   return nlohmann::json::parse(written(text)).get<std::string>();
 }
 

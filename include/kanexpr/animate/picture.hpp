@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/check.hpp>
+#include <kanexpr/base/sentence.hpp>
 namespace kanexpr {
 
 /// Describes the appearance of a moving system: simple shapes on its frames and points, the paths of points,
@@ -14,9 +15,9 @@ struct picture;
 namespace animate {
 
 template <class Picture>
-struct sound_picture {
+struct valid_picture {
   static constexpr sentence mistake = Picture::mistake;
-  static_assert(deriving::report<sound_picture>());
+  static_assert(deriving::report<valid_picture>());
   static constexpr bool value = !static_cast<bool>(mistake);
 };
 

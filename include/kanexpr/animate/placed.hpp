@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/word_record.hpp>
+#include <kanexpr/mechanics/motion/triple.hpp>
 
 #include <Eigen/Geometry>
 

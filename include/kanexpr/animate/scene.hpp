@@ -4,6 +4,7 @@
 #include <kanexpr/animate/compiled_pages.hpp>
 #include <kanexpr/animate/word_record.hpp>
 #include <kanexpr/compiled/code_table.hpp>
+#include <kanexpr/derive/survey.hpp>
 
 #include <span>
 

@@ -2,6 +2,9 @@
 
 #include <kanexpr/animate/numbers.hpp>
 
+#include <array>
+#include <string_view>
+
 namespace kanexpr::animate {
 
 /// An element of a picture as a plain value.

@@ -3,6 +3,8 @@
 #include <kanexpr/animate/look.hpp>
 #include <kanexpr/animate/shapes.hpp>
 
+#include <string_view>
+
 /// The elements of a picture. Of the phrases of an element, `moving` is evaluated at each time, `still` is
 /// evaluated once, and `rates` are integrated over time.
 namespace kanexpr {

@@ -5,6 +5,9 @@
 
 #ifndef KANEXPR_COMPILED_PAGES
 #include <kanexpr/animate/page_file.hpp>
+#include <kanexpr/base/outcome.hpp>
+
+#include <string>
 #endif
 
 namespace kanexpr {

@@ -3,6 +3,7 @@
 #include <kanexpr/batch/with_scalar.hpp>
 #include <kanexpr/lower/pack.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <bit>
 #include <cstddef>

@@ -5,8 +5,10 @@
 #include <kanexpr/batch/row_arguments.hpp>
 #include <kanexpr/compiled/fitting.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 namespace kanexpr::batches {
 

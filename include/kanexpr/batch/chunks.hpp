@@ -6,6 +6,7 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 /// The division of work on many systems into chunks that threads can share.

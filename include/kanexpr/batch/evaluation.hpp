@@ -1,10 +1,14 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/batch/row_arguments.hpp>
 #include <kanexpr/compiled/finite_function.hpp>
 #include <kanexpr/compiled/not_finite.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/compiled/status.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
 
+#include <Eigen/Core>
 #include <limits>
 #include <tuple>
 #include <utility>

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/batch/chunks.hpp>
 #include <kanexpr/batch/evaluation.hpp>
 #include <kanexpr/batch/system_statuses.hpp>
+#include <kanexpr/compiled/status.hpp>
 
+#include <Eigen/Core>
 #include <array>
+#include <type_traits>
+#include <utility>
 
 namespace kanexpr {
 

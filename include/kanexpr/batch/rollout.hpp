@@ -1,10 +1,15 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/batch/batch_stepper.hpp>
 #include <kanexpr/batch/chunks.hpp>
 #include <kanexpr/batch/system_statuses.hpp>
+#include <kanexpr/compiled/status.hpp>
 #include <kanexpr/steps/fixed_step.hpp>
 
+#include <Eigen/Core>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace kanexpr {

@@ -4,6 +4,7 @@
 #include <kanexpr/batch/many.hpp>
 #include <kanexpr/compiled/value_vector.hpp>
 
+#include <Eigen/Core>
 #include <cstring>
 
 namespace kanexpr::batches {

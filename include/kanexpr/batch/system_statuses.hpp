@@ -3,8 +3,10 @@
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/batch/chunks.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <utility>
 #include <vector>
 
 namespace kanexpr::batches {

@@ -2,6 +2,7 @@
 
 #include <kanexpr/compiled/state.hpp>
 
+#include <Eigen/Core>
 #include <type_traits>
 
 namespace kanexpr::batches {

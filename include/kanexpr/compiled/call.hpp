@@ -1,13 +1,20 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/compiled/surveyed.hpp>
 #include <kanexpr/derive/model_error.hpp>
 #include <kanexpr/derive/request.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
+#include <Eigen/Core>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 

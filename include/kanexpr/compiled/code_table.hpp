@@ -4,6 +4,8 @@
 #include <kanexpr/compiled/function.hpp>
 #include <kanexpr/lower/tape_view.hpp>
 
+#include <string_view>
+
 namespace kanexpr::compiled {
 
 /// The code of a function as a table for interpreters. It adds no compile time and needs a tenth of the

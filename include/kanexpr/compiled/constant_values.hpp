@@ -2,6 +2,7 @@
 
 #include <kanexpr/compiled/entry.hpp>
 #include <kanexpr/compiled/gap.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
 
 #include <array>
 #include <initializer_list>

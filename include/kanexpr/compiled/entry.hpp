@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/place.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 
 #include <concepts>

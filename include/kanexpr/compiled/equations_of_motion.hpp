@@ -2,7 +2,9 @@
 
 #include <kanexpr/compiled/function.hpp>
 #include <kanexpr/compiled/named_results.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/derive/derivatives_request.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 namespace kanexpr {
 

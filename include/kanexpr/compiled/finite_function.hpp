@@ -1,7 +1,14 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/function.hpp>
 #include <kanexpr/compiled/not_finite.hpp>
+#include <kanexpr/compiled/status.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
+
+#include <Eigen/Core>
+
+#include <utility>
 
 namespace kanexpr {
 

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/compiled/symbol_range.hpp>
 #include <kanexpr/derive/model_error.hpp>
 
 #include <Eigen/Core>
 
+#include <string_view>
 #include <type_traits>
 
 /// Checks the size of a vector against the size that a system requires.

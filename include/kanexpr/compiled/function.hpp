@@ -1,17 +1,28 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/call.hpp>
 #include <kanexpr/compiled/callable.hpp>
 #include <kanexpr/compiled/one_system_of_a_name.hpp>
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/derive/cut.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/regular.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/unrolled_tape.hpp>
 #include <kanexpr/numeric/fixed_matrix.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
+#include <Eigen/Core>
+#include <array>
+#include <string_view>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 
 namespace kanexpr {
 

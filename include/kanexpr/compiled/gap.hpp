@@ -1,11 +1,15 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/symbol_range.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/numeric/elementary.hpp>
 
 #include <bit>
 #include <complex>
+#include <string_view>
+#include <type_traits>
 
 namespace kanexpr::compiled {
 

@@ -2,10 +2,14 @@
 
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <tuple>
+#include <type_traits>
 
 namespace kanexpr {
 

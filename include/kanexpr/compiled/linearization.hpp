@@ -1,8 +1,12 @@
 #pragma once
 
 #include <kanexpr/compiled/finite_function.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/derive/linearization_request.hpp>
+#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 
+#include <Eigen/Core>
 #include <array>
 
 namespace kanexpr {

@@ -1,13 +1,19 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/linked_model.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/compiled/status.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 
 #include <limits>
 #include <tuple>
+#include <type_traits>
+#include <utility>
 
 /// The code of a linked model, for the single file that compiles it: `template struct
 /// kanexpr::compiled::library_of<System>;`

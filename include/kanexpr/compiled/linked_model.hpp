@@ -3,6 +3,8 @@
 #include <kanexpr/compiled/callable.hpp>
 #include <kanexpr/compiled/instance.hpp>
 #include <kanexpr/compiled/named_results.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
 
 #include <complex>
 #include <cstdint>

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/call.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/compiled/values_reader.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <concepts>

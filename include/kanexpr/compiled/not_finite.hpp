@@ -1,8 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/state.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/derive/causes.hpp>
+#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
 
 /// Finds the reason why a result is not finite: a parameter, an input or an entry of the state that is not.
 namespace kanexpr::compiled {

@@ -4,6 +4,14 @@
 #include <kanexpr/compiled/finite_function.hpp>
 #include <kanexpr/compiled/instance.hpp>
 #include <kanexpr/compiled/linked_model.hpp>
+#include <kanexpr/compiled/status.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
+
+#include <Eigen/Core>
+
+#include <type_traits>
+#include <utility>
 
 namespace kanexpr {
 

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/compiled/symbol_range.hpp>
 #include <kanexpr/derive/model_error.hpp>
 #include <kanexpr/derive/read/wording.hpp>
 #include <kanexpr/describe/symbol.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string_view>
 
 /// The index of a symbol of a model in a vector of values.
 namespace kanexpr::compiled {

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/callable.hpp>
 #include <kanexpr/compiled/equations_of_motion.hpp>
+#include <kanexpr/compiled/status.hpp>
 #include <kanexpr/describe/extended.hpp>
 #include <kanexpr/joints/reactions.hpp>
+
+#include <Eigen/Core>
 
 namespace kanexpr {
 

@@ -1,8 +1,12 @@
 #pragma once
 
 #include <kanexpr/compiled/function.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/mechanics/model/inertial_parameter.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 
+#include <Eigen/Core>
 #include <array>
 #include <cstddef>
 

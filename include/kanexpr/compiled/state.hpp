@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/compiled/value_vector.hpp>
 
 namespace kanexpr {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/derive/model_error.hpp>
 #include <kanexpr/derive/stages.hpp>
+#include <kanexpr/derive/survey.hpp>
 
 namespace kanexpr::compiled {
 

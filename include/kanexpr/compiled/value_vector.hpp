@@ -1,12 +1,18 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/entry.hpp>
 #include <kanexpr/compiled/fitting.hpp>
 #include <kanexpr/compiled/gap.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <initializer_list>
+#include <string_view>
+#include <type_traits>
 
 namespace kanexpr::compiled {
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/compiled/surveyed.hpp>
+#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <fstream>
 #include <ostream>

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/control/balance.hpp>
 #include <kanexpr/control/matrices.hpp>
 
 #include <array>
 #include <bit>
 #include <tuple>
+#include <type_traits>
 
 #include <kanexpr/base/letters_aside.hpp>
 

@@ -1,13 +1,20 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/linearization.hpp>
+#include <kanexpr/compiled/status.hpp>
 #include <kanexpr/control/discretize.hpp>
 #include <kanexpr/control/weights.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/semidefinite_factors.hpp>
 #include <kanexpr/steps/fixed_step.hpp>
 
+#include <Eigen/Core>
 #include <limits>
+#include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include <kanexpr/base/letters_aside.hpp>
 

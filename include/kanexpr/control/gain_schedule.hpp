@@ -1,8 +1,10 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/control/matrices.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 
+#include <Eigen/Core>
 #include <type_traits>
 
 #include <kanexpr/base/letters_aside.hpp>

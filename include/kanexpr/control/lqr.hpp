@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/control/discretize.hpp>
 #include <kanexpr/control/riccati.hpp>
 #include <kanexpr/control/weights.hpp>

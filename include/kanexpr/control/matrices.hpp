@@ -1,8 +1,10 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/numeric/as_eigen.hpp>
 
+#include <Eigen/Core>
 #include <concepts>
 #include <type_traits>
 

@@ -3,6 +3,7 @@
 #include <kanexpr/control/balance.hpp>
 #include <kanexpr/numeric/as_eigen.hpp>
 
+#include <Eigen/Core>
 #include <concepts>
 
 namespace kanexpr::control {

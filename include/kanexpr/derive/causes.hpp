@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 
 #include <cstdint>
+#include <string_view>
 #include <type_traits>
 
 namespace kanexpr::deriving {

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derive/read/load_wording.hpp>
 #include <kanexpr/derive/read/symbol_reader.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string_view>
 
 /// Checks that a system has all required words and no others.
 namespace kanexpr::deriving {

@@ -3,6 +3,7 @@
 #include <kanexpr/derive/cut.hpp>
 
 #include <initializer_list>
+#include <vector>
 
 namespace kanexpr::deriving {
 

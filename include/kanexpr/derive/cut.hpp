@@ -1,9 +1,16 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derive/causes.hpp>
 #include <kanexpr/derive/request.hpp>
 #include <kanexpr/derive/stages.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/lower/fixed_tape.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <string_view>
 
 namespace kanexpr::deriving {
 

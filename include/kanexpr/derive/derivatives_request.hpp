@@ -2,6 +2,8 @@
 
 #include <kanexpr/derive/request.hpp>
 
+#include <string_view>
+
 namespace kanexpr::deriving {
 
 /// The derivatives of a result, row by row in the order of its entries, with respect to the state [q; u], the

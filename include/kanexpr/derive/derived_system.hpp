@@ -1,9 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derive/image_reader.hpp>
 #include <kanexpr/derive/image_writer.hpp>
 #include <kanexpr/derive/read/reader.hpp>
 #include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
 #include <concepts>
 #include <optional>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/digest.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derive/check_words.hpp>
 #include <kanexpr/describe/external.hpp>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/describe/record.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 
 #include <cstdint>

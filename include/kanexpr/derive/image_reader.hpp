@@ -1,8 +1,11 @@
 #pragma once
 
 #include <kanexpr/base/members.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derive/image.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
 #include <optional>
 #include <type_traits>

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <kanexpr/derive/request.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
+
+#include <string_view>
 
 /// Requests for linearized results that are not quantities.
 namespace kanexpr::deriving {

@@ -2,6 +2,8 @@
 
 #include <kanexpr/derive/request.hpp>
 
+#include <string_view>
+
 namespace kanexpr::deriving {
 
 /// The sensitivity of the rates of the state to the given parameters.

@@ -1,7 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derive/check_words.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/derive/take_survey.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
+
+#include <string_view>
 
 /// Derives a system in stages, each of which resumes where the previous one was stored. A stage is derived
 /// when one of its results is first requested.

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derive/inertial_values.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derive/derived_system.hpp>
 #include <kanexpr/derive/survey.hpp>
 #include <kanexpr/mechanics/model/inertial_parameter.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/unit_quaternions.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::deriving {
 

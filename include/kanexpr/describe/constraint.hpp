@@ -2,6 +2,8 @@
 
 #include <kanexpr/describe/system.hpp>
 
+#include <string_view>
+
 /// The words of systems whose coordinates or speeds are constrained.
 namespace kanexpr {
 

@@ -2,6 +2,8 @@
 
 #include <kanexpr/describe/system.hpp>
 
+#include <string_view>
+
 namespace kanexpr {
 
 namespace describe {

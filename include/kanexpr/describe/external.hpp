@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/text.hpp>
 #include <kanexpr/describe/composed.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 

@@ -4,6 +4,7 @@
 #include <kanexpr/describe/diagnostics/mismatched_operands.hpp>
 #include <kanexpr/describe/diagnostics/unsupported_operators.hpp>
 #include <kanexpr/describe/external.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 /// Functions of expressions. The reader of the model rejects arguments that are not scalars.
 namespace kanexpr {

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <kanexpr/describe/system.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <string_view>
 
 namespace kanexpr {
 

@@ -3,6 +3,7 @@
 #include <kanexpr/describe/shape.hpp>
 #include <kanexpr/describe/vector.hpp>
 
+#include <type_traits>
 #include <utility>
 
 /// The possible operands of an operator, whether or not they make sense there.

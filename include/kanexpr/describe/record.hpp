@@ -7,6 +7,9 @@
 #include <kanexpr/describe/shape.hpp>
 #include <kanexpr/describe/unparsed.hpp>
 #include <kanexpr/describe/what_it_is.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <string_view>
 
 /// The records from which a model's entities are read: plain constants that point to each other and to their
 /// expressions.

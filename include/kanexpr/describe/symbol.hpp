@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/text.hpp>
 #include <kanexpr/describe/expression.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 namespace kanexpr {
 

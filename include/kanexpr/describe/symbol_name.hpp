@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/describe/expression.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <string>
 #include <string_view>

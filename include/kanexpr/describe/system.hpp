@@ -8,6 +8,8 @@
 #include <boost/hana/tuple.hpp>
 #include <boost/hana/type.hpp>
 
+#include <string_view>
+
 namespace kanexpr {
 
 namespace describe {

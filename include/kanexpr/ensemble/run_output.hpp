@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/batch/batch.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/ensemble/layout.hpp>
@@ -7,6 +8,7 @@
 #include <kanexpr/ensemble/run_values.hpp>
 #include <kanexpr/simulate/inputs/input_source.hpp>
 #include <kanexpr/simulate/simulation.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <concepts>
 #include <cstdint>

@@ -1,12 +1,16 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/batch/batch_stepper.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/ensemble/study_runs.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/constraints/contradiction.hpp>
 #include <kanexpr/simulate/inputs/prescribed_rates.hpp>
 #include <kanexpr/steps/assemble.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <span>
 #include <string>

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <kanexpr/base/name_of_time.hpp>
+#include <kanexpr/base/outcome.hpp>
 #include <kanexpr/derive/survey.hpp>
 #include <kanexpr/ensemble/layout.hpp>
 #include <kanexpr/ensemble/runs.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <algorithm>
 #include <string>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/ensemble/study.hpp>
 #include <kanexpr/ensemble/study_interface.hpp>
 #include <kanexpr/ensemble/values_of_runs.hpp>

@@ -16,4 +16,6 @@ public:
 
 #ifndef KANEXPR_COMPILED_ENSEMBLES
 #include <kanexpr/ensemble/engine/thread_pool.hpp>
+
+#include <string>
 #endif

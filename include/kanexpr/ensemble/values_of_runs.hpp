@@ -1,11 +1,14 @@
 #pragma once
 
 #include <kanexpr/compiled/named_values.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/ensemble/archive.hpp>
 #include <kanexpr/ensemble/run_setup.hpp>
 #include <kanexpr/ensemble/run_values.hpp>
 #include <kanexpr/ensemble/study_columns.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +16,7 @@
 #include <exception>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 

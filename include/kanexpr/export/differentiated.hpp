@@ -1,11 +1,18 @@
 #pragma once
 
-#include <kanexpr/export/wanted.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/export/export_request.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/derivatives/jacobian.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace kanexpr::exporting {
 
@@ -38,13 +45,13 @@ public:
                       [](const auto& a, const auto& b) { return a.node() == b.node(); });
   }
 
-  symbolic::matrix get(const wanted_derivative& wanted) {
-    using enum wanted_derivative::kind;
-    switch (wanted.is) {
+  symbolic::matrix get(const requested_derivative& wanted) {
+    using enum requested_derivative::kind;
+    switch (wanted.type) {
     case none: break;
     case jacobian: return symbolic::jacobian(graph_, y_, symbols_.of(wanted.by));
-    case along: return column(along_direction(wanted.along));
-    case along_jacobian:
+    case directional: return column(along_direction(wanted.along));
+    case directional_jacobian:
       return symbolic::jacobian(graph_, along_direction(wanted.along), symbols_.of(wanted.by));
     case weighted: return column(gradient_by(wanted.by));
     case weighted_jacobian:
@@ -56,12 +63,12 @@ public:
   }
 
   /// The number of weights, or of entries of the direction, that a derivative takes.
-  int weights_for(const wanted_derivative& wanted) const {
-    using enum wanted_derivative::kind;
+  int weights_for(const requested_derivative& wanted) const {
+    using enum requested_derivative::kind;
     int count = 0;
-    if (wanted.is == along || wanted.is == along_jacobian)
+    if (wanted.type == directional || wanted.type == directional_jacobian)
       for (symbols each : wanted.along) count += symbols_.of(each).size();
-    if (wanted.is == weighted || wanted.is == weighted_jacobian) count = y_.size();
+    if (wanted.type == weighted || wanted.type == weighted_jacobian) count = y_.size();
     return count;
   }
 

@@ -17,7 +17,7 @@ struct exported_result {
   int rows = 0;
   int columns = 0;
   int first = 0;
-  std::vector<std::string> of_rows{}; ///< the symbols the rows belong to, if any
+  std::vector<std::string> row_symbols{}; ///< the symbols the rows belong to, if any
   bool is_sparse = false;
   std::vector<int> row_of{}, column_of{}; ///< row and column of each entry, if sparse
 
@@ -28,7 +28,7 @@ struct exported_result {
 struct exported_check {
   std::string cause{};
   bool of_finiteness = false;
-  bool of_order = false; ///< fails unless the measure exceeds the scale
+  bool is_order_check = false; ///< fails unless the measure exceeds the scale
 };
 
 /// A function: its results, checks and code.

@@ -1,21 +1,31 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/compiled/values_reader.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/export/differentiated.hpp>
+#include <kanexpr/export/export_request.hpp>
 #include <kanexpr/export/exported_system.hpp>
 #include <kanexpr/export/implicit_form.hpp>
-#include <kanexpr/export/wanted.hpp>
 #include <kanexpr/export/written_step.hpp>
 #include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/runtime/model.hpp>
+#include <kanexpr/runtime/staged_derivation.hpp>
 #include <kanexpr/symbolic/graph/copied.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
-#include <functional>
 #include <limits>
+#include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace kanexpr::exporting {
@@ -27,7 +37,7 @@ struct bound_parameter {
 };
 
 struct options {
-  std::vector<wanted_function> functions = default_results();
+  std::vector<requested_function> functions = default_results();
   std::vector<bound_parameter> bound{};
 };
 
@@ -38,7 +48,7 @@ struct exported {
 };
 
 /// The values of the parameters; NaN for those that are not given.
-inline std::vector<double> numbers_or_unknown(const std::vector<std::optional<double>>& given) {
+inline std::vector<double> values_or_nan(const std::vector<std::optional<double>>& given) {
   std::vector<double> numbers;
   numbers.reserve(given.size());
   for (const std::optional<double>& each : given)
@@ -46,12 +56,12 @@ inline std::vector<double> numbers_or_unknown(const std::vector<std::optional<do
   return numbers;
 }
 
-/// Derives each function separately, so that its code equals that of the compiled function, regardless of
-/// what else is exported.
+/// Forms each function in a model of its own, so that its code equals that of the compiled function,
+/// regardless of what else is exported.
 class exporter {
 public:
-  exporter(std::string name, std::function<model()> derive, options chosen)
-      : derive_(std::move(derive)), chosen_(std::move(chosen)) {
+  exporter(std::string name, runtime::staged_derivation& derivation, options chosen)
+      : derivation_(derivation), chosen_(std::move(chosen)) {
     made_.system.name = std::move(name);
   }
 
@@ -60,8 +70,8 @@ public:
       refuse("the name of an exported system must be a C identifier of letters, digits and underscores; \"" +
              made_.system.name + "\" is not one");
     else
-      take_names();
-    for (const wanted_function& wanted : chosen_.functions)
+      read_names();
+    for (const requested_function& wanted : chosen_.functions)
       if (made_.mistake.empty()) add(wanted);
     return made_;
   }
@@ -74,85 +84,91 @@ private:
                        [&](char c) { return letters.find(c) != letters.npos || (c >= '0' && c <= '9'); });
   }
 
-  void take_names() {
-    const model first = derive_();
-    known_ = first.known();
+  void read_names() {
+    const model first = derivation_.resume();
+    survey_ = first.known();
     if (made_.mistake = first.mistake(); !made_.mistake.empty()) return;
     using symbolic::symbol_kind;
     exported_system& s = made_.system;
     s.coordinates = names_of(symbol_kind::coordinate), s.speeds = names_of(symbol_kind::speed);
     s.inputs = names_of(symbol_kind::input);
     const std::vector<std::string> parameters = names_of(symbol_kind::parameter);
-    is_bound_.assign(parameters.size(), std::nullopt);
+    bound_values_.assign(parameters.size(), std::nullopt);
     for (const bound_parameter& b : chosen_.bound) {
       const auto place = std::find(parameters.begin(), parameters.end(), b.name);
       if (place == parameters.end())
         return refuse("there is no parameter " + b.name + " to bind to a number");
       if (!numeric::is_finite(b.value))
         return refuse("parameter " + b.name + " must be bound to a finite number");
-      if (is_bound_[static_cast<std::size_t>(place - parameters.begin())])
+      if (bound_values_[static_cast<std::size_t>(place - parameters.begin())])
         return refuse("parameter " + b.name + " is bound twice");
-      is_bound_[static_cast<std::size_t>(place - parameters.begin())] = b.value;
+      bound_values_[static_cast<std::size_t>(place - parameters.begin())] = b.value;
     }
     for (std::size_t i = 0; i < parameters.size(); ++i) {
-      place_.push_back(static_cast<int>(s.parameters.size()));
-      if (!is_bound_[i]) s.parameters.push_back(parameters[i]);
+      index_of_parameter_.push_back(static_cast<int>(s.parameters.size()));
+      if (!bound_values_[i]) s.parameters.push_back(parameters[i]);
     }
     if (const mechanics::sentence impossible =
-            compiled::check_masses(*known_, numbers_or_unknown(is_bound_).data()))
+            compiled::check_masses(*survey_, values_or_nan(bound_values_).data()))
       refuse(std::string(impossible.view()));
   }
 
   std::vector<std::string> names_of(symbolic::symbol_kind kind) const {
     std::vector<std::string> names;
-    names.reserve(static_cast<std::size_t>(known_->count_of(kind)));
-    for (int i = 0; i < known_->count_of(kind); ++i)
-      names.emplace_back(known_->names[known_->first_of(kind) + i].view());
+    names.reserve(static_cast<std::size_t>(survey_->count_of(kind)));
+    for (int i = 0; i < survey_->count_of(kind); ++i)
+      names.emplace_back(survey_->names[survey_->first_of(kind) + i].view());
     return names;
   }
 
-  void add(const wanted_function& wanted) {
+  void add(const requested_function& wanted) {
     if (!wanted.mistake.empty()) return refuse(wanted.mistake);
     exported_function made{.name = wanted.name};
     if (wanted.step) {
-      made = written_step(wanted.name, *known_, *wanted.step, [&](mechanics::quantity of) {
+      made = written_step(wanted.name, *survey_, *wanted.step, [&](mechanics::quantity of) {
         return form({.results = {{"", {.what = deriving::request::kind::result, .wanted = of}}}});
       });
       if (!made_.mistake.empty()) return;
     } else {
-      for (const wanted_result& each : wanted.results)
+      for (const requested_result& each : wanted.results)
         if (each.request.is_weighted() && each.part.empty())
           return refuse(wanted.name + " takes weights or a direction, which exported functions cannot take");
-      std::optional<formed> found = form(wanted);
+      std::optional<formed_results> found = form(wanted);
       if (!found) return;
       if (found->results.empty()) return refuse(wanted.name + " of " + made_.system.name + " has no entries");
       made.cost = lower::cost_of(found->code);
       made.code = lower::statements_of(found->code);
       made.results = std::move(found->results), made.checks = std::move(found->checks);
       made.weights = found->weights;
-      for (const wanted_result& each : wanted.results) {
-        made.takes_rates = made.takes_rates || holds_rates(each.request);
+      for (const requested_result& each : wanted.results) {
+        made.takes_rates = made.takes_rates || contains_speed_rates(each.request);
         made.takes_all_rates = made.takes_all_rates || each.is_residual;
       }
     }
     finish(std::move(made));
   }
 
-  /// Forms the results of one function from a single derivation.
-  std::optional<formed> form(const wanted_function& wanted) {
-    model from = derive_();
-    formed made;
+  /// The stage that the first result of a function starts from.
+  static mechanics::stage first_stage(const requested_function& wanted) {
+    if (wanted.results.empty() || wanted.results[0].written.is_given()) return mechanics::stage::constrained;
+    return deriving::stage_for(wanted.results[0].request);
+  }
+
+  /// Forms the results of one function in one model.
+  std::optional<formed_results> form(const requested_function& wanted) {
+    model from = derivation_.resume(first_stage(wanted));
+    formed_results made;
     symbolic::sequence<int> nodes;
     const auto take = [&](const std::string& name, const symbolic::matrix& found,
-                          std::vector<std::string> of_rows) {
+                          std::vector<std::string> row_symbols) {
       if (found.entries.empty()) return; // without inputs there is no B
-      made.results.push_back({name, found.rows, found.columns, nodes.size(), std::move(of_rows)});
+      made.results.push_back({name, found.rows, found.columns, nodes.size(), std::move(row_symbols)});
       for (const symbolic::expression& e : found.entries) nodes.push(e.node());
     };
     const differentiable_symbols known_symbols = symbols_of(from);
     std::optional<differentiated> derivatives;
     const auto derived = [&](const symbolic::sequence<symbolic::expression>& of,
-                             const wanted_derivative& by) {
+                             const requested_derivative& by) {
       if (!derivatives || !derivatives->is_of(of)) derivatives.emplace(from.graph(), of, known_symbols);
       made.weights = (std::max)(made.weights, derivatives->weights_for(by));
       symbolic::matrix found = derivatives->get(by);
@@ -161,11 +177,11 @@ private:
       return found;
     };
     symbolic::sequence<symbolic::expression> all;
-    for (const wanted_result& each : wanted.results) {
-      symbolic::matrix found = got(from, each);
+    for (const requested_result& each : wanted.results) {
+      symbolic::matrix found = evaluate(from, each);
       if (made_.mistake.empty() && !from.mistake().empty()) refuse(from.mistake());
       if (!made_.mistake.empty()) return std::nullopt;
-      if (each.derivative.is != wanted_derivative::kind::none)
+      if (each.derivative.type != requested_derivative::kind::none)
         found = derived(found.entries, each.derivative);
       if (!each.part.empty()) {
         made.weights = (std::max)(made.weights, weights_for(each.request));
@@ -178,7 +194,7 @@ private:
       for (const symbolic::expression& e : found.entries) all.push(e);
     }
     for (const symbols each : wanted.derivatives)
-      take(name_of(each), derived(all, {.is = wanted_derivative::kind::jacobian, .by = each}), {});
+      take(name_of(each), derived(all, {.type = requested_derivative::kind::jacobian, .by = each}), {});
     if (!made_.mistake.empty()) return std::nullopt;
     for (const mechanics::singularity_check& c : from.equations().singularity_checks_of(nodes)) {
       made.checks.push_back({std::string(c.cause.view()), c.of_finiteness});
@@ -200,10 +216,10 @@ private:
                     ", a function of the program, which cannot be exported");
     for (lower::load& l : made.code.arguments) {
       const bool is_parameter = l.from == symbolic::symbol_kind::parameter;
-      if (l.position >= known_->count_of(l.from) && (is_parameter || l.from == symbolic::symbol_kind::input))
+      if (l.position >= survey_->count_of(l.from) && (is_parameter || l.from == symbolic::symbol_kind::input))
         return refuse("function " + made.name + " uses " + (is_parameter ? "a parameter" : "an input") +
                       " that the system does not have");
-      if (is_parameter) l.position = place_[static_cast<std::size_t>(l.position)];
+      if (is_parameter) l.position = index_of_parameter_[static_cast<std::size_t>(l.position)];
     }
     made_.system.functions.push_back(std::move(made));
   }
@@ -233,12 +249,12 @@ private:
     for (const symbolic::expression& rate : m.speed_rates) all.rates.push(rate);
     all.inputs = m.inputs;
     for (int i = 0; i < m.parameters.size(); ++i)
-      if (!is_bound_[static_cast<std::size_t>(i)]) all.parameters.push(m.parameters[i]);
+      if (!bound_values_[static_cast<std::size_t>(i)]) all.parameters.push(m.parameters[i]);
     all.time.push(m.time);
     return all;
   }
 
-  symbolic::matrix got(model& from, const wanted_result& each) {
+  symbolic::matrix evaluate(model& from, const requested_result& each) {
     if (!each.written.is_given()) {
       const symbolic::matrix found = from.get(each.request);
       return each.is_residual && from.mistake().empty() ? implicit_form(from.graph(), from.equations())
@@ -255,17 +271,17 @@ private:
   }
 
   int weights_for(const deriving::request& wanted) const {
-    const int states = known_->coordinates + known_->speeds;
-    return mechanics::row_of(wanted.wanted).takes_weights ? states : states + known_->inputs;
+    const int states = survey_->coordinates + survey_->speeds;
+    return mechanics::row_of(wanted.wanted).takes_weights ? states : states + survey_->inputs;
   }
 
   /// The block of `whole`, whose entries are derivatives by the state and the inputs, that belongs to the
   /// symbols `which`.
   symbolic::matrix part_of(model& from, const symbolic::matrix& whole,
                            const std::vector<symbols>& which) const {
-    const int states = known_->coordinates + known_->speeds;
+    const int states = survey_->coordinates + survey_->speeds;
     const auto begin = [&](symbols of) { return of == symbols::state ? 0 : states; };
-    const auto size = [&](symbols of) { return of == symbols::state ? states : known_->inputs; };
+    const auto size = [&](symbols of) { return of == symbols::state ? states : survey_->inputs; };
     const bool is_square = which.size() > 1;
     symbolic::matrix part(from.graph(), size(which[0]), is_square ? size(which[1]) : 1);
     for (int i = 0; i < part.rows; ++i)
@@ -285,17 +301,17 @@ private:
     return "by_time";
   }
 
-  static bool holds_rates(const deriving::request& r) {
+  static bool contains_speed_rates(const deriving::request& r) {
     return r.what == deriving::request::kind::result && mechanics::row_of(r.wanted).holds_speed_rates;
   }
 
   symbolic::sequence<int> bound(model& from, const symbolic::sequence<int>& nodes) const {
     if (chosen_.bound.empty()) return nodes;
     symbolic::substitution numbers(from.graph());
-    for (std::size_t i = 0; i < is_bound_.size(); ++i)
-      if (is_bound_[i])
+    for (std::size_t i = 0; i < bound_values_.size(); ++i)
+      if (bound_values_[i])
         numbers.replace(from.mechanism().parameters[static_cast<int>(i)],
-                        from.mechanism().number(*is_bound_[i]));
+                        from.mechanism().number(*bound_values_[i]));
     symbolic::sequence<int> with_numbers;
     for (int id : nodes) with_numbers.push(numbers.in(symbolic::expression(from.graph(), id)).node());
     return with_numbers;
@@ -308,10 +324,10 @@ private:
     const exported_system& s = made_.system;
     const auto pick = [&](bool coordinates, bool speeds, bool independent_alone) {
       std::vector<std::string> names;
-      const int first = coordinates ? 0 : known_->coordinates;
-      const int end = speeds ? known_->coordinates + known_->speeds : known_->coordinates;
+      const int first = coordinates ? 0 : survey_->coordinates;
+      const int end = speeds ? survey_->coordinates + survey_->speeds : survey_->coordinates;
       for (int i = first; i < end; ++i)
-        if (!independent_alone || !known_->dependent[i]) names.emplace_back(known_->names[i].view());
+        if (!independent_alone || !survey_->dependent[i]) names.emplace_back(survey_->names[i].view());
       return names;
     };
     switch (mechanics::row_of(r.wanted).rows) {
@@ -338,18 +354,19 @@ private:
 
   void refuse(std::string because) { made_.mistake = std::move(because); }
 
-  std::function<model()> derive_;
+  runtime::staged_derivation& derivation_;
   options chosen_;
-  std::shared_ptr<const deriving::survey> known_{};
-  std::vector<std::optional<double>> is_bound_{};
-  std::vector<int> place_{}; ///< index of each parameter among those that are not bound
+  std::shared_ptr<const deriving::survey> survey_{};
+  std::vector<std::optional<double>> bound_values_{};
+  std::vector<int> index_of_parameter_{}; ///< index of each parameter among those that are not bound
   exported made_{};
 };
 
 /// Exports a compile-time system: `exported_from<pendulum::System>("pendulum")`.
 template <class System>
 exported exported_from(std::string name, const options& chosen = {}) {
-  return exporter(std::move(name), [] { return kanexpr::derive<System>(); }, chosen).run();
+  runtime::staged_derivation derivation([] { return kanexpr::derive<System>(); });
+  return exporter(std::move(name), derivation, chosen).run();
 }
 
 } // namespace kanexpr::exporting

@@ -19,7 +19,7 @@ struct file_text {
 namespace detail {
 
 /// An unused file name next to `file`.
-inline std::filesystem::path free_name_beside(const std::filesystem::path& file) {
+inline std::filesystem::path unused_name_next_to(const std::filesystem::path& file) {
   for (int i = 1;; ++i) {
     std::filesystem::path other = file;
     other += "." + std::to_string(i) + ".part";
@@ -29,12 +29,12 @@ inline std::filesystem::path free_name_beside(const std::filesystem::path& file)
 }
 
 /// Records the files and folders that were created or moved, so that the changes can be undone.
-class changes_of_files {
+class file_transaction {
 public:
   using path = std::filesystem::path;
 
   /// Creates the missing parent folders of a file.
-  void make_folders_of(const path& file) {
+  void create_folders(const path& file) {
     path folder;
     std::error_code failed;
     for (const path& part : file.parent_path()) {
@@ -46,7 +46,7 @@ public:
 
   /// Writes a text to a temporary file next to its target.
   bool write(const file_text& f) {
-    const path part = free_name_beside(f.path);
+    const path part = unused_name_next_to(f.path);
     std::ofstream to(part, std::ios::binary);
     to << f.text;
     to.close();
@@ -56,10 +56,10 @@ public:
   }
 
   /// Moves temporary file `i` to its target; an existing file is moved aside first.
-  bool place(std::size_t i, const path& file) {
+  bool move_into_place(std::size_t i, const path& file) {
     std::error_code failed;
     if (std::filesystem::exists(std::filesystem::symlink_status(file, failed))) {
-      const path before = free_name_beside(file);
+      const path before = unused_name_next_to(file);
       std::filesystem::rename(file, before, failed);
       if (failed) return false;
       replaced_.emplace_back(before, file);
@@ -69,12 +69,12 @@ public:
     return !failed;
   }
 
-  void keep() {
+  void commit() {
     std::error_code ignored;
     for (const auto& [before, file] : replaced_) std::filesystem::remove(before, ignored);
   }
 
-  void take_back() {
+  void roll_back() {
     std::error_code ignored;
     for (const path& part : written_) std::filesystem::remove(part, ignored);
     for (; !made_.empty(); made_.pop_back()) std::filesystem::remove(made_.back(), ignored);
@@ -91,18 +91,18 @@ private:
 /// Writes all of the files or none of them; each is first written under a temporary name. If one cannot be
 /// written, the previous files are restored.
 inline outcome write_files(const std::vector<file_text>& files) {
-  detail::changes_of_files changes;
+  detail::file_transaction changes;
   const auto give_up = [&](const std::filesystem::path& at) {
-    changes.take_back();
+    changes.roll_back();
     return outcome(at.string() + " cannot be written");
   };
   for (const file_text& f : files) {
-    changes.make_folders_of(f.path);
+    changes.create_folders(f.path);
     if (!changes.write(f)) return give_up(f.path);
   }
   for (std::size_t i = 0; i < files.size(); ++i)
-    if (!changes.place(i, files[i].path)) return give_up(files[i].path);
-  changes.keep();
+    if (!changes.move_into_place(i, files[i].path)) return give_up(files[i].path);
+  changes.commit();
   return {};
 }
 

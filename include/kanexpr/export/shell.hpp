@@ -10,7 +10,7 @@
 namespace kanexpr::exporting {
 
 /// Quotes a text as one shell argument.
-inline std::string in_quotes(std::string_view text) {
+inline std::string shell_quoted(std::string_view text) {
   std::string all = "'";
   for (const char c : text) all += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return all + "'";

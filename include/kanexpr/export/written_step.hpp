@@ -1,20 +1,26 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/export/export_request.hpp>
 #include <kanexpr/export/exported_system.hpp>
-#include <kanexpr/export/wanted.hpp>
 #include <kanexpr/steps/methods.hpp>
 #include <kanexpr/steps/unit_quaternions.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <functional>
 #include <map>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace kanexpr::exporting {
 
 /// Results as code, with their singularity checks: pairs of measure and scale, stored after all entries.
-struct formed {
+struct formed_results {
   std::vector<exported_result> results{};
   std::vector<exported_check> checks{};
   lower::tape code{};
@@ -40,38 +46,38 @@ struct step_in_code {
   std::vector<exported_check> checks{};
   std::vector<std::pair<lower::written_value, lower::written_value>> measures{}; ///< paired with their scales
   std::map<std::pair<symbolic::symbol_kind, int>, lower::written_value> arguments{};
-  std::map<mechanics::quantity, std::optional<formed>> known{};
+  std::map<mechanics::quantity, std::optional<formed_results>> known{};
 };
 
 /// Forms one result of a system; empty if it cannot be formed.
-using forming = std::function<std::optional<formed>(mechanics::quantity)>;
+using result_former = std::function<std::optional<formed_results>(mechanics::quantity)>;
 
 /// Equations for `stepping` that generate code: every value becomes a line, and every status a check.
 class written_equations {
 public:
   using value = lower::written_value;
 
-  written_equations(const deriving::survey& known, const wanted_step& wanted, const forming& form,
+  written_equations(const deriving::survey& known, const requested_step& wanted, const result_former& form,
                     step_in_code& into)
-      : known_(known), wanted_(wanted), form_(form), into_(into) {}
+      : survey_(known), wanted_(wanted), form_(form), into_(into) {}
 
   template <mechanics::quantity wanted>
   written_vector get(const value& t, const written_vector& x) const {
     const auto known = into_.known.try_emplace(wanted).first;
     if (!known->second) known->second = form_(wanted);
     if (!known->second) return written_vector();
-    const formed& result = *known->second;
+    const formed_results& result = *known->second;
     const auto values = lower::write(into_.code, result.code, [&](const lower::load& from) {
       using symbolic::symbol_kind;
       if (from.from == symbol_kind::time) return t;
       if (from.from == symbol_kind::coordinate) return x(from.position);
-      if (from.from == symbol_kind::speed) return x(known_.coordinates + from.position);
+      if (from.from == symbol_kind::speed) return x(survey_.coordinates + from.position);
       return argument(from);
     });
     const int entries = result.results.empty() ? 0 : result.results[0].entries();
     for (std::size_t i = 0; i < result.checks.size(); ++i) {
       const int place = entries + 2 * static_cast<int>(i);
-      note(result.checks[i], values[place], values[place + 1]);
+      add_check(result.checks[i], values[place], values[place + 1]);
     }
     return written_vector::of(values, entries);
   }
@@ -79,48 +85,48 @@ public:
   const written_equations& held(const value&, const written_vector&) const { return *this; }
 
   status finite(const value& asked, std::string_view cause) const {
-    note({.cause = std::string(cause), .of_finiteness = true}, asked, asked);
+    add_check({.cause = std::string(cause), .of_finiteness = true}, asked, asked);
     return {};
   }
 
-  bool has_pivots() const { return !wanted_.method.empty() && known_.constraints != 0; }
+  bool has_pivots() const { return !wanted_.method.empty() && survey_.constraints != 0; }
   status same_side(const value& before, const value& after) const {
     if (before.code != nullptr)
-      note({.cause = std::string(stepping::singular_position_elsewhere), .of_order = true},
-           stepping::pivot_margin(before, after), 0.0);
+      add_check({.cause = std::string(stepping::singular_position_elsewhere), .is_order_check = true},
+                stepping::pivot_margin(before, after), 0.0);
     return {};
   }
 
   status corrected(const value& t, written_vector& x) const {
-    if (wanted_.corrections == 0 || (known_.constraints == 0 && known_.quaternions == 0)) return {};
+    if (wanted_.corrections == 0 || (survey_.constraints == 0 && survey_.quaternions == 0)) return {};
     return stepping::correct(*this, wanted_.corrections, t, x);
   }
 
   status normalize(written_vector& x) const {
     const auto [least, most] = stepping::near_one;
-    for (int k = 0; k < known_.quaternions; ++k) {
+    for (int k = 0; k < survey_.quaternions; ++k) {
       std::vector<int> places;
-      for (int i = 0; i < known_.coordinates; ++i)
-        if (known_.quaternion_of[i] == k + 1) places.push_back(i);
+      for (int i = 0; i < survey_.coordinates; ++i)
+        if (survey_.quaternion_of[i] == k + 1) places.push_back(i);
       const value square = lower::squared_norm(x, places);
-      const exported_check range{.cause = std::string(compiled::far_from_norm_1(known_, k).view()),
-                                 .of_order = true};
-      note(range, square, least * least);
-      note(range, -square, -(most * most));
+      const exported_check range{.cause = std::string(compiled::far_from_norm_1(survey_, k).view()),
+                                 .is_order_check = true};
+      add_check(range, square, least * least);
+      add_check(range, -square, -(most * most));
       lower::divide_by_norm(x, places, square);
     }
     return {};
   }
 
   bool quaternions_are_bound() const {
-    for (int i = 0; i < known_.coordinates; ++i)
-      if (known_.quaternion_of[i] != 0 && known_.dependent[i]) return true;
+    for (int i = 0; i < survey_.coordinates; ++i)
+      if (survey_.quaternion_of[i] != 0 && survey_.dependent[i]) return true;
     return false;
   }
 
   int dependent(int i) const {
-    for (int at = 0; at < known_.coordinates + known_.speeds; ++at)
-      if (known_.dependent[at] && i-- == 0) return at;
+    for (int at = 0; at < survey_.coordinates + survey_.speeds; ++at)
+      if (survey_.dependent[at] && i-- == 0) return at;
     return 0;
   }
 
@@ -131,19 +137,19 @@ public:
   }
 
 private:
-  void note(exported_check one, const value& measure, const value& scale) const {
+  void add_check(exported_check one, const value& measure, const value& scale) const {
     into_.checks.push_back(std::move(one));
     into_.measures.emplace_back(measure, scale);
   }
 
-  const deriving::survey& known_;
-  const wanted_step& wanted_;
-  const forming& form_;
+  const deriving::survey& survey_;
+  const requested_step& wanted_;
+  const result_former& form_;
   step_in_code& into_;
 };
 
 /// A step that leaves the state unchanged.
-struct no_motion {
+struct identity_step {
   template <class Equations, class Time, class State>
   static status advance(const Equations&, const Time&, const State&, const Time&, State&) {
     return {};
@@ -163,7 +169,7 @@ void write_step(const written_equations& of, std::string_view name, const lower:
 
 /// Returns a step as a function; it is meaningless if a result could not be formed.
 inline exported_function written_step(std::string name, const deriving::survey& known,
-                                      const wanted_step& wanted, const forming& form) {
+                                      const requested_step& wanted, const result_former& form) {
   step_in_code into;
   const written_equations of(known, wanted, form, into);
   using symbolic::symbol_kind;
@@ -172,7 +178,7 @@ inline exported_function written_step(std::string name, const deriving::survey& 
   for (int i = 0; i < known.coordinates; ++i) x.entries.push_back(of.argument({symbol_kind::coordinate, i}));
   for (int i = 0; i < known.speeds; ++i) x.entries.push_back(of.argument({symbol_kind::speed, i}));
   if (wanted.method.empty())
-    static_cast<void>(stepping::stepped<no_motion>(of, t, x, h));
+    static_cast<void>(stepping::stepped<identity_step>(of, t, x, h));
   else
     write_step(of, wanted.method, t, x, h, std::make_index_sequence<stepping::tableaux.size()>());
   symbolic::sequence<lower::written_value> results;

@@ -4,6 +4,9 @@
 #include <kanexpr/joints/chosen_name.hpp>
 #include <kanexpr/joints/joint_mistakes.hpp>
 
+#include <type_traits>
+#include <utility>
+
 /// A joint, represented by its frames, points, symbols and equations. A kind of joint is a struct with these
 /// members:
 ///

@@ -2,6 +2,8 @@
 
 #include <kanexpr/joints/joint_word.hpp>
 
+#include <string_view>
+
 /// The mistakes in the words of a joint. Each is the end of a sentence whose subject is the joint, such as
 /// "has two homes"; empty if there is no mistake.
 namespace kanexpr::describe {

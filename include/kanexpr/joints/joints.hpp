@@ -3,6 +3,8 @@
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/joints/joint.hpp>
 
+#include <string_view>
+
 namespace kanexpr {
 
 /// The joints of a system. Their coordinates, speeds, kinematic equations and bodies follow those that the

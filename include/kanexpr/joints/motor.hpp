@@ -3,6 +3,8 @@
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/joints/joint.hpp>
 
+#include <string_view>
+
 /// Loads along the axis of a joint, which act on the child and oppositely on the parent.
 namespace kanexpr {
 

@@ -3,6 +3,9 @@
 #include <kanexpr/describe/kinematics.hpp>
 #include <kanexpr/joints/joint.hpp>
 
+#include <string_view>
+#include <type_traits>
+
 /// The orientation of a freely turning child relative to its home: a unit quaternion or three angles.
 namespace kanexpr {
 

@@ -2,6 +2,8 @@
 
 #include <kanexpr/joints/freed.hpp>
 
+#include <string_view>
+
 namespace kanexpr {
 
 namespace describe {

@@ -3,6 +3,8 @@
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/joints/freed.hpp>
 
+#include <string_view>
+
 namespace kanexpr {
 
 namespace describe {

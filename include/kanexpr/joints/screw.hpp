@@ -2,6 +2,9 @@
 
 #include <kanexpr/joints/freed.hpp>
 
+#include <string_view>
+#include <type_traits>
+
 namespace kanexpr {
 
 namespace describe {

@@ -2,6 +2,9 @@
 
 #include <kanexpr/joints/orientation.hpp>
 
+#include <string_view>
+#include <type_traits>
+
 namespace kanexpr {
 
 namespace describe {

@@ -2,6 +2,8 @@
 
 #include <kanexpr/joints/joint.hpp>
 
+#include <string_view>
+
 namespace kanexpr {
 
 namespace describe {

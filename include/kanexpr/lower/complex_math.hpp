@@ -1,10 +1,13 @@
 #pragma once
 
 #include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <complex>
 #include <concepts>
 #include <limits>
+#include <utility>
 
 namespace kanexpr::lower {
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/tape.hpp>
 #include <kanexpr/lower/unrolled_elimination.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 /// Evaluates the steps of a tape on values of any type: numbers, or lines of generated code. A value type
 /// requires arithmetic and a `scalar_math`. `Code` is a tape or a view of one.

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kanexpr/lower/tape.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 namespace kanexpr::lower {
 

@@ -3,10 +3,12 @@
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/numeric/sines_and_cosines_of_vectors.hpp>
 #include <kanexpr/numeric/square_roots.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <Eigen/Core>
 
 #include <limits>
+#include <type_traits>
 
 /// The compiler's own vectors as scalars, `typedef double pack __attribute__((vector_size(32)));`: a function
 /// of a `state<System, pack>` evaluates as many states side by side as a pack has lanes. Include this header

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 namespace kanexpr::lower {
 

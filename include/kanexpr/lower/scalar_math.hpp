@@ -2,7 +2,9 @@
 
 #include <kanexpr/numeric/selection.hpp>
 #include <kanexpr/numeric/sines_and_cosines.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/numbers/number.hpp>
 
 #include <bit>

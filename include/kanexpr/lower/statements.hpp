@@ -1,6 +1,10 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/lower/evaluate_steps.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <utility>
 

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/lower/step_order.hpp>
 #include <kanexpr/numeric/elimination.hpp>
 #include <kanexpr/symbolic/cost.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 namespace kanexpr::lower {
 

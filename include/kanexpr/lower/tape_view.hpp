@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/lower/fixed_tape.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
 
 namespace kanexpr::lower {
 

@@ -2,6 +2,7 @@
 
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <Eigen/Core>
 

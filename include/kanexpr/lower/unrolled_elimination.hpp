@@ -2,6 +2,9 @@
 
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/numeric/elimination.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+
+#include <utility>
 
 namespace kanexpr::lower {
 

@@ -3,7 +3,9 @@
 #include <kanexpr/lower/fixed_tape.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/unrolled_elimination.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
+#include <type_traits>
 #include <utility>
 
 namespace kanexpr::lower {

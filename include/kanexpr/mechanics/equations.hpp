@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/checks/check.hpp>
 #include <kanexpr/mechanics/checks/check_constraints.hpp>
 #include <kanexpr/mechanics/checks/check_coriolis.hpp>
@@ -17,11 +19,17 @@
 #include <kanexpr/mechanics/dynamics/required_inputs.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 #include <kanexpr/mechanics/linearize/linearized_equations.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/sizes/terms.hpp>
+
+#include <utility>
 
 namespace kanexpr::mechanics {
 

@@ -3,6 +3,7 @@
 #include <kanexpr/mechanics/constraints/given_constraints.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
 namespace kanexpr::mechanics {
 

@@ -6,9 +6,12 @@
 #include <kanexpr/numeric/newton.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <string>
+#include <string_view>
 
 namespace kanexpr {
 

@@ -2,7 +2,9 @@
 
 #include <kanexpr/numeric/singular_values.hpp>
 
+#include <Eigen/Core>
 #include <limits>
+#include <utility>
 
 namespace kanexpr::numeric {
 

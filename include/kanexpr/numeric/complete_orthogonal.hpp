@@ -2,6 +2,7 @@
 
 #include <kanexpr/numeric/factorized.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <optional>
 

@@ -3,6 +3,7 @@
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/numeric/bound_minimum.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -4,6 +4,7 @@
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/independent_columns.hpp>
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 

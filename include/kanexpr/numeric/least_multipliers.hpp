@@ -1,9 +1,12 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/numeric/constrained_motion.hpp>
 #include <kanexpr/numeric/independence.hpp>
 
+#include <Eigen/Core>
+#include <string>
 #include <utility>
 
 namespace kanexpr {

@@ -5,6 +5,7 @@
 #include <kanexpr/numeric/equilibrated.hpp>
 #include <kanexpr/numeric/factorized.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <limits>
 

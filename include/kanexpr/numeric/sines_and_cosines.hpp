@@ -3,6 +3,7 @@
 #include <kanexpr/numeric/sine_and_cosine.hpp>
 
 #include <bit>
+#include <utility>
 
 namespace kanexpr::numeric {
 

@@ -2,6 +2,8 @@
 
 #include <kanexpr/numeric/sine_and_cosine.hpp>
 
+#include <utility>
+
 /// Sines and cosines of several of the compiler's vectors, with a single branch for all of them.
 namespace kanexpr::numeric {
 

@@ -2,6 +2,9 @@
 
 #include <kanexpr/robots/robot.hpp>
 
+#include <utility>
+#include <vector>
+
 /// The parts of a robot that move as one body.
 namespace kanexpr::robots {
 

@@ -3,6 +3,7 @@
 #include <kanexpr/robots/write_gravity.hpp>
 
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 

@@ -5,6 +5,7 @@
 #include <kanexpr/robots/mesh_finder.hpp>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 

@@ -3,6 +3,8 @@
 #include <kanexpr/robots/read_file.hpp>
 #include <kanexpr/robots/sdf/reader.hpp>
 
+#include <string>
+
 /// Reads robots from files in the Simulation Description Format (SDF) with libsdformat, which no other header
 /// includes.
 namespace kanexpr::robots {

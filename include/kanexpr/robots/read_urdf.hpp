@@ -3,6 +3,8 @@
 #include <kanexpr/robots/read_file.hpp>
 #include <kanexpr/robots/urdf/reader.hpp>
 
+#include <string>
+
 namespace kanexpr::robots {
 
 /// Reads a robot from a text in the Unified Robot Description Format (URDF).

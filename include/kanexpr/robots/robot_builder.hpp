@@ -1,11 +1,15 @@
 #pragma once
 
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/robots/plan.hpp>
 #include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <cmath>
 #include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 

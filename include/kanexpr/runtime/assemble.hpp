@@ -6,6 +6,7 @@
 #include <kanexpr/runtime/least_multipliers.hpp>
 #include <kanexpr/runtime/model.hpp>
 
+#include <Eigen/Core>
 #include <span>
 #include <vector>
 

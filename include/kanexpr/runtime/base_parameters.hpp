@@ -1,9 +1,11 @@
 #pragma once
 
 #include <kanexpr/base/engine.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/runtime/assemble.hpp>
 #include <kanexpr/runtime/model.hpp>
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <span>
 #include <string>

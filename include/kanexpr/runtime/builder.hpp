@@ -1,7 +1,11 @@
 #pragma once
 
 #include <kanexpr/base/engine.hpp>
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/describe/expression.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/runtime/inspector.hpp>
 #include <kanexpr/runtime/model.hpp>
@@ -9,6 +13,7 @@
 
 #include <concepts>
 #include <memory>
+#include <string_view>
 #include <type_traits>
 #include <variant>
 #include <vector>
@@ -290,4 +295,6 @@ private:
 #include <kanexpr/runtime/engine/builder.hpp>
 #include <kanexpr/runtime/engine/builder_constraints.hpp>
 #include <kanexpr/runtime/engine/builder_loads.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #endif

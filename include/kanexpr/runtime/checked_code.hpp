@@ -1,10 +1,14 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/lower/regular.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 
 #include <limits>

@@ -1,6 +1,10 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+
+#include <memory>
 
 namespace kanexpr {
 
@@ -13,7 +17,8 @@ class equations;
 } // namespace mechanics
 namespace deriving {
 class reader;
-}
+struct image;
+} // namespace deriving
 
 namespace runtime {
 
@@ -32,6 +37,11 @@ public:
   virtual deriving::reader& reader() = 0;
   /// The equations of motion; null if a mistake was found before they were derived.
   virtual mechanics::equations* equations() = 0;
+
+  /// Stores the derivation. Requires that there is no mistake.
+  virtual void store(deriving::image& into) const = 0;
+  /// The same system in a separate graph, resumed from what it stored.
+  virtual std::shared_ptr<derived> resumed(const deriving::image& from) const = 0;
 
   /// The mistake in the last request; the system itself is sound.
   mechanics::sentence refused{};

@@ -1,6 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/runtime/checked_code.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <Eigen/Core>
 

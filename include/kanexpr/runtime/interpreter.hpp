@@ -1,6 +1,8 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/lower/evaluate_steps.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
 
 namespace kanexpr::runtime {
 

@@ -1,8 +1,14 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/fitting.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/least_multipliers.hpp>
 #include <kanexpr/runtime/model.hpp>
+
+#include <Eigen/Core>
 
 namespace kanexpr {
 

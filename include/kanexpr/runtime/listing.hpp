@@ -1,7 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/lower/statements.hpp>
 #include <kanexpr/runtime/model.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/print/writer.hpp>
 
 #include <string>

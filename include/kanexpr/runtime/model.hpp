@@ -1,27 +1,38 @@
 #pragma once
 
 #include <kanexpr/base/engine.hpp>
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derive/check_words.hpp>
 #include <kanexpr/derive/entity_digests.hpp>
 #include <kanexpr/derive/linearization_request.hpp>
 #include <kanexpr/derive/sensitivity_request.hpp>
+#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/print_vector.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/runtime/derived.hpp>
 #include <kanexpr/runtime/interpreted.hpp>
 #include <kanexpr/runtime/linearization.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/print/latex.hpp>
 #include <kanexpr/symbolic/print/print.hpp>
 
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kanexpr {
 
 namespace deriving {
 struct survey;
+}
+namespace runtime {
+class staged_derivation;
 }
 
 /// A system derived at run time by the functions that derive it at compile time. Its results are expressions
@@ -140,6 +151,8 @@ public:
   mechanics::equations& equations() { return *system_->equations(); }
 
 private:
+  friend runtime::staged_derivation;
+
   int coordinates() const;
   /// The reason why a result has no values; empty if it has values.
   mechanics::sentence mistake_of(const symbolic::matrix& result) const;

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/code_table.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/lower/evaluate_steps.hpp>
 #include <kanexpr/lower/regular.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <vector>
 

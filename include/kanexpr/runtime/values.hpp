@@ -1,8 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/named_values.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/runtime/model.hpp>
 
+#include <Eigen/Core>
 #include <memory>
 #include <optional>
 #include <string>

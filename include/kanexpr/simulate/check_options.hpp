@@ -6,6 +6,7 @@
 #include <kanexpr/simulate/settings.hpp>
 #include <kanexpr/simulate/system_interface.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,11 +1,17 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/compiled/status.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/lower/complex_math.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/runtime/table_interpreter.hpp>
 #include <kanexpr/simulate/integrator.hpp>
 #include <kanexpr/simulate/simulated_system.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cstdint>
 #include <tuple>

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/check_options.hpp>
@@ -12,9 +14,12 @@
 #include <kanexpr/simulate/sampling.hpp>
 #include <kanexpr/steps/assemble.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <limits>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace kanexpr::simulated {
 

@@ -1,12 +1,20 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/lower/complex_math.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/runtime/values.hpp>
 #include <kanexpr/simulate/integrator.hpp>
 #include <kanexpr/simulate/motions/unknown_name_error.hpp>
 #include <kanexpr/simulate/simulated_system.hpp>
 #include <kanexpr/simulate/trajectory/model_trajectory.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <complex>

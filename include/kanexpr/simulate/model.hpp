@@ -2,10 +2,15 @@
 
 /// Simulation of run-time models and of builders. Link kanexpr::simulate.
 
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/simulate/interpreted_system.hpp>
 #include <kanexpr/simulate/simulate.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <concepts>
+#include <memory>
+#include <string>
+#include <utility>
 
 namespace kanexpr {
 

@@ -1,14 +1,22 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/code_table.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/lower/complex_math.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
 #include <kanexpr/simulate/trim/trim.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #ifndef KANEXPR_COMPILED_SIMULATIONS
 #include <kanexpr/simulate/trim/trim_search.hpp>

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <kanexpr/compiled/state.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <boost/math/differentiation/autodiff.hpp>
 

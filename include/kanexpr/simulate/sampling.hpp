@@ -8,6 +8,7 @@
 #include <kanexpr/simulate/output_schedule.hpp>
 #include <kanexpr/simulate/sundials/stepper.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <new>
 #include <optional>

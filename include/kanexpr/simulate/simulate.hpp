@@ -6,6 +6,8 @@
 #ifndef KANEXPR_COMPILED_SIMULATIONS
 #include <kanexpr/simulate/constraints/constraint_manifold.hpp>
 #include <kanexpr/simulate/integration.hpp>
+
+#include <utility>
 #endif
 
 namespace kanexpr {

@@ -5,6 +5,7 @@
 #include <kanexpr/simulate/system_interface.hpp>
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 namespace kanexpr::simulated {

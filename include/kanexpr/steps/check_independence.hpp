@@ -2,7 +2,11 @@
 
 #include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/independence.hpp>
+
+#include <type_traits>
 
 namespace kanexpr {
 

@@ -1,10 +1,14 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/steps/methods.hpp>
 #include <kanexpr/steps/unit_quaternions.hpp>
 
+#include <Eigen/Core>
 #include <array>
 
 namespace kanexpr::compiled {

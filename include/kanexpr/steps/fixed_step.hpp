@@ -1,10 +1,15 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/not_finite.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/steps/correction.hpp>
 #include <kanexpr/steps/inputs_at.hpp>
 
+#include <string_view>
 #include <type_traits>
 
 /// Explicit fixed-step integrators for real-time use: the work per step is fixed, and a step neither

@@ -1,10 +1,17 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/compiled/not_finite.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/compiled/status.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/least_multipliers.hpp>
 
+#include <Eigen/Core>
 #include <type_traits>
 
 namespace kanexpr {

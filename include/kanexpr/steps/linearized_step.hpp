@@ -1,8 +1,18 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/linearization.hpp>
+#include <kanexpr/compiled/status.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/steps/fixed_step.hpp>
 #include <kanexpr/steps/known_entries.hpp>
+
+#include <Eigen/Core>
+
+#include <type_traits>
 
 namespace kanexpr {
 

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/status.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/unit_quaternion.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/steps/tableaux.hpp>
+
+#include <string_view>
 
 /// Fixed-step methods, independent of how the equations are evaluated: by the functions of a compiled system
 /// or by generated code. The equations provide

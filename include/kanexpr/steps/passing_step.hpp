@@ -1,10 +1,19 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/compiled/status.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/constrained_motion.hpp>
 #include <kanexpr/steps/fixed_step.hpp>
 
+#include <Eigen/Core>
 #include <cmath>
+#include <string_view>
+#include <type_traits>
 
 /// Steps near positions in which constraints are linearly dependent, with the equations of all speeds.
 namespace kanexpr::compiled {

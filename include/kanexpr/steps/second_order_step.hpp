@@ -1,7 +1,16 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/second_order.hpp>
+#include <kanexpr/compiled/status.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/steps/linearized_step.hpp>
+
+#include <Eigen/Core>
+
+#include <type_traits>
 
 namespace kanexpr {
 

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/derive/causes.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/lower/unit_quaternion.hpp>
 #include <kanexpr/symbolic/cost.hpp>
 
+#include <Eigen/Core>
 #include <array>
 #include <utility>
 

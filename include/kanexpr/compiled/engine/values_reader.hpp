@@ -1,8 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/gap.hpp>
 #include <kanexpr/compiled/values_reader.hpp>
 #include <kanexpr/derive/read/wording.hpp>
+#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string_view>
 
 namespace kanexpr::compiled {
 

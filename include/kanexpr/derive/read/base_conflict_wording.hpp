@@ -3,6 +3,8 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/describe/diagnostics/conflicting_bases.hpp>
 
+#include <string_view>
+
 namespace kanexpr::deriving {
 
 /// Returns the sentence about a word that an entity cannot have; empty if there is none.

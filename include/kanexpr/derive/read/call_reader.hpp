@@ -1,9 +1,16 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derive/read/reading.hpp>
 #include <kanexpr/derive/read/senseless.hpp>
 #include <kanexpr/derive/read/value.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/compose.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+
+#include <string_view>
 
 namespace kanexpr::deriving {
 

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <kanexpr/derive/read/value.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
 #include <kanexpr/mechanics/skeleton/auxiliary.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 /// The displacement of points and axes by auxiliary speeds. Configuration constraints do not depend on
 /// auxiliary speeds, because coordinates do not. Therefore they are read a second time, with each point

@@ -1,13 +1,20 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derive/read/freed_joints.hpp>
 #include <kanexpr/derive/read/phrase_reader.hpp>
 #include <kanexpr/describe/frame.hpp>
 #include <kanexpr/mechanics/checks/check.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/frames.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/points.hpp>
 #include <kanexpr/mechanics/model/turned_with.hpp>
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <string_view>
 
 namespace kanexpr::deriving {
 

@@ -2,6 +2,8 @@
 
 #include <kanexpr/derive/read/reading.hpp>
 
+#include <string_view>
+
 namespace kanexpr::deriving {
 
 /// Whether an entity is `other` or is given relative to it, directly or through its ancestors.

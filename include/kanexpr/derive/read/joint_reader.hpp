@@ -1,7 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derive/read/body_reader.hpp>
 #include <kanexpr/derive/read/kinematics_reader.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+
+#include <string_view>
 
 namespace kanexpr::deriving {
 

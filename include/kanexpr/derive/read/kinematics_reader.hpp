@@ -1,10 +1,15 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derive/read/entity_reader.hpp>
 #include <kanexpr/describe/kinematics.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/orientation_kinematics.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
+
+#include <string_view>
 
 namespace kanexpr::deriving {
 

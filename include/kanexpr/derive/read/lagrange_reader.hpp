@@ -2,6 +2,10 @@
 
 #include <kanexpr/derive/read/entity_reader.hpp>
 #include <kanexpr/describe/lagrange_system.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <string_view>
 
 namespace kanexpr::deriving {
 

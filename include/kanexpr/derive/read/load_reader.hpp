@@ -1,10 +1,15 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derive/read/entity_reader.hpp>
 #include <kanexpr/derive/read/load_wording.hpp>
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <string_view>
 
 namespace kanexpr::deriving {
 

@@ -3,6 +3,8 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derive/read/wording.hpp>
 
+#include <string_view>
+
 namespace kanexpr::deriving {
 
 using describe::load_record;

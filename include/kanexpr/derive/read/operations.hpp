@@ -2,6 +2,7 @@
 
 #include <kanexpr/derive/read/value.hpp>
 #include <kanexpr/describe/record.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 /// The operations of a phrase on operands of the right kinds (senseless.hpp).

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derive/read/call_reader.hpp>
 #include <kanexpr/derive/read/displacement.hpp>
 #include <kanexpr/derive/read/operations.hpp>
@@ -9,7 +10,12 @@
 #include <kanexpr/mechanics/checks/check_numbers.hpp>
 #include <kanexpr/mechanics/model/check_position.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+
+#include <string_view>
 
 namespace kanexpr::deriving {
 

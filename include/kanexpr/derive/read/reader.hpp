@@ -1,10 +1,16 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derive/read/constraint_reader.hpp>
 #include <kanexpr/derive/read/joint_reader.hpp>
 #include <kanexpr/derive/read/lagrange_reader.hpp>
 #include <kanexpr/derive/read/load_reader.hpp>
 #include <kanexpr/derive/read/value_reader.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string_view>
 
 namespace kanexpr::deriving {
 

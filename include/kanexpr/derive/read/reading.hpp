@@ -4,8 +4,12 @@
 #include <kanexpr/derive/read/base_conflict_wording.hpp>
 #include <kanexpr/derive/read/wording.hpp>
 #include <kanexpr/describe/system.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <string_view>
 
 namespace kanexpr::deriving {
 

@@ -3,6 +3,8 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/describe/record.hpp>
 
+#include <string_view>
+
 /// Steps of an expression whose operands have the wrong kind, such as the sine of a vector.
 namespace kanexpr::deriving {
 

@@ -1,8 +1,14 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derive/read/reading.hpp>
 #include <kanexpr/derive/read/symbol_list.hpp>
 #include <kanexpr/mechanics/checks/check_name.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string_view>
 
 namespace kanexpr::deriving {
 

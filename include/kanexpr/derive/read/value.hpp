@@ -1,7 +1,10 @@
 #pragma once
 
 #include <kanexpr/describe/record.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::deriving {
 

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <kanexpr/derive/read/entity_reader.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string_view>
 
 namespace kanexpr::deriving {
 

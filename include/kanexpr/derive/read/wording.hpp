@@ -2,6 +2,9 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/describe/record.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string_view>
 
 /// Names for the parts of a model, for use in sentences.
 namespace kanexpr::deriving {

@@ -3,6 +3,8 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
+#include <string_view>
+
 namespace kanexpr::describe {
 
 /// Constructs that C++ allows but that have no meaning in a model.

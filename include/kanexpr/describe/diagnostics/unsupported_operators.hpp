@@ -2,6 +2,8 @@
 
 #include <kanexpr/describe/operand.hpp>
 
+#include <type_traits>
+
 /// Operators that C++ has but models do not, such as `dot(q) = u` and `q^2`. The operands are kept, followed
 /// by the mistake, so that the reader of the model can report it with its location.
 namespace kanexpr {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/outcome.hpp>
 #include <kanexpr/ensemble/archive.hpp>
 #include <kanexpr/ensemble/content_hash.hpp>
 #include <kanexpr/ensemble/exclusive_file.hpp>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/outcome.hpp>
 #include <kanexpr/base/version.hpp>
 #include <kanexpr/ensemble/archive.hpp>
 #include <kanexpr/ensemble/engine/checkpoint.hpp>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/outcome.hpp>
 #include <kanexpr/ensemble/archive.hpp>
 #include <kanexpr/ensemble/content_hash.hpp>
 #include <kanexpr/ensemble/csv_file.hpp>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>

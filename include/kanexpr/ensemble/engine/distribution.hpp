@@ -10,7 +10,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <limits>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace kanexpr {

@@ -5,8 +5,10 @@
 #include <kanexpr/ensemble/thread_pool.hpp>
 
 #include <algorithm>
+#include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace kanexpr::ensembles {
 

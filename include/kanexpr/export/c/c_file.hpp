@@ -2,16 +2,19 @@
 
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/base/version.hpp>
+#include <kanexpr/export/c/c_templates.hpp>
 #include <kanexpr/export/c/code_writer.hpp>
-#include <kanexpr/export/c/filled.hpp>
-#include <kanexpr/export/c/in_c.hpp>
-#include <kanexpr/export/c/printable.hpp>
 #include <kanexpr/export/c/sine_and_cosine.hpp>
+#include <kanexpr/export/text/fill_template.hpp>
+#include <kanexpr/export/text/names_in_c.hpp>
+#include <kanexpr/export/text/printable.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 
 #include <algorithm>
 #include <numbers>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace kanexpr::exporting {
@@ -20,28 +23,12 @@ namespace kanexpr::exporting {
 /// allocating memory.
 class c_file {
 public:
-  c_file(const exported_system& s, precision number) : mapped_(in_c(s)), number_(number) {}
+  c_file(const exported_system& s, precision number) : mapped_(names_in_c(s)), number_(number) {}
 
   std::string header() const {
-    std::string text =
-        filled(R"(/* @title@
-@changed@ */
-#ifndef kanexpr_wrote_@name@_h
-#define kanexpr_wrote_@name@_h
-
-#if defined(__CUDACC__)
-#define @name@_FUNCTION __host__ __device__
-#else
-#define @name@_FUNCTION
-#endif
-
-#ifdef __cplusplus
-extern "C" {
-#endif
-
-/* Indices in the state x (coordinates, then speeds), in the parameters p and in the inputs r. */
-@places@)",
-               {{"title", title()}, {"changed", told_of_names()}, {"name", name()}, {"places", places()}});
+    std::string text = fill_template(
+        c_templates::header,
+        {{"title", title()}, {"changed", renamed_symbols_comment()}, {"name", name()}, {"places", places()}});
     for (const exported_function& f : system().functions) text += declaration(f);
     text += "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
     return text;
@@ -50,25 +37,8 @@ extern "C" {
   std::string source() const {
     std::string bodies;
     for (const exported_function& f : system().functions) bodies += definition(f);
-    std::string text = filled(
-        R"(/* @title@
-
-   -ffp-contract=fast lets the compiler fuse multiplications with additions, which changes the last bits;
-   -ffast-math would break the sines. -fno-math-errno saves a branch in square roots. */
-@own_header@
-
-#include <math.h>
-
-#if defined(__FAST_MATH__)
-#error "compile this file without -ffast-math; it benefits from -ffp-contract=fast -fno-math-errno"
-#endif
-
-#if defined(__GNUC__)
-#define @name@_INLINE static __attribute__((always_inline)) inline @name@_FUNCTION
-#else
-#define @name@_INLINE static inline @name@_FUNCTION
-#endif
-)",
+    std::string text = fill_template(
+        c_templates::source,
         {{"title", title()}, {"own_header", "#include \"" + name() + ".h\""}, {"name", name()}});
     text += helpers(bodies);
     return text + bodies;
@@ -84,7 +54,7 @@ private:
            std::to_string(KANEXPR_VERSION_PATCH) + '.';
   }
 
-  std::string told_of_names() const {
+  std::string renamed_symbols_comment() const {
     std::string text;
     for (const auto& [before, after] : mapped_.changed)
       text += "   " + in_comment(before) + " is called " + after + " here.\n";
@@ -126,7 +96,7 @@ private:
     return std::to_string(n) + ' ' + (n == 1 ? one : many);
   }
 
-  std::string told_of(const exported_function& f) const {
+  std::string header_comment(const exported_function& f) const {
     const symbolic::cost& c = f.cost;
     std::string text = "\n/* " + counted(c.multiplications, "multiplication", "multiplications") + ", " +
                        counted(c.additions, "addition", "additions") + ", " +
@@ -142,8 +112,8 @@ private:
         text += ": " + std::to_string(each.rows) + " by " + std::to_string(each.columns) + ", row-major";
       else
         text += ": " + std::to_string(each.rows);
-      for (std::size_t i = 0; i < each.of_rows.size(); ++i)
-        text += (i == 0 ? each.columns > 1 ? "; the rows belong to " : ", of " : ", ") + each.of_rows[i];
+      for (std::size_t i = 0; i < each.row_symbols.size(); ++i)
+        text += (i == 0 ? each.columns > 1 ? "; the rows belong to " : ", of " : ", ") + each.row_symbols[i];
       text += '.';
     }
     const std::vector<std::string> causes = f.causes();
@@ -167,7 +137,7 @@ private:
   }
 
   std::string declaration(const exported_function& f) const {
-    std::string text = told_of(f) + "enum {\n";
+    std::string text = header_comment(f) + "enum {\n";
     for (const exported_result& each : f.results) {
       const std::string begin =
           "  " + name() + '_' + (each.name == f.name ? "" : f.name + '_') + each.name + '_';
@@ -220,7 +190,7 @@ private:
       if (one.of_finiteness)
         asked.append("_is_infinite(").append(measure);
       else
-        asked.append(one.of_order ? "_is_not_above(" : "_is_singular(")
+        asked.append(one.is_order_check ? "_is_not_above(" : "_is_singular(")
             .append(measure)
             .append(", ")
             .append(scale);
@@ -240,17 +210,17 @@ private:
     const double least = number_.is_single ? mechanics::least_singularity_measure<float>()
                                            : mechanics::least_singularity_measure<double>();
     const auto in_text = [&](std::string_view text) {
-      return filled(text, {{"name", name()},
-                           {"number", number_.type()},
-                           {"bits", number_.bits()},
-                           {"least", number_.number(least)},
-                           {"fabs", number_.function("fabs")},
-                           {"one", number_.number(1)},
-                           {"zero", number_.number(0)},
-                           {"f", number_.function("")},
-                           {"pi", number_.number(std::numbers::pi)},
-                           {"turn", number_.number(2 * std::numbers::pi)},
-                           {"exponent", number_.exponent_bits()}});
+      return fill_template(text, {{"name", name()},
+                                  {"number", number_.type()},
+                                  {"bits", number_.bits()},
+                                  {"least", number_.number(least)},
+                                  {"fabs", number_.function("fabs")},
+                                  {"one", number_.number(1)},
+                                  {"zero", number_.number(0)},
+                                  {"f", number_.function("")},
+                                  {"pi", number_.number(std::numbers::pi)},
+                                  {"turn", number_.number(2 * std::numbers::pi)},
+                                  {"exponent", number_.exponent_bits()}});
     };
     std::string text;
     std::string functions;
@@ -305,7 +275,7 @@ typedef char @name@_has_bits_of_that_size[sizeof(@bits@) == sizeof(@number@) ? 1
     return text;
   }
 
-  system_in_c mapped_;
+  system_with_c_names mapped_;
   scalar number_;
 };
 

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <kanexpr/export/c/identifiers.hpp>
-#include <kanexpr/export/c/scalar.hpp>
 #include <kanexpr/export/exported_system.hpp>
+#include <kanexpr/export/text/identifiers.hpp>
+#include <kanexpr/export/text/scalar.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <string>
 #include <utility>

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kanexpr::exporting {
@@ -159,9 +160,9 @@ private:
       const int size = arguments_[k].size;
       if (size == 0) continue;
       const auto for_each = [&](std::string_view what) {
-        text += filled(what, {{"size", std::to_string(size)},
-                              {"begin", std::to_string(size_of_all)},
-                              {"from", arg(arguments_.size() + 1 + k)}});
+        text += fill_template(what, {{"size", std::to_string(size)},
+                                     {"begin", std::to_string(size_of_all)},
+                                     {"from", arg(arguments_.size() + 1 + k)}});
       };
       for_each("  for (i = 0; i < @size@; ++i) w[@begin@ + i] = @from@ ? @from@[i] : 0;\n");
       if (k >= basic_) for_each("  for (i = 0; i < @size@; ++i) more |= w[@begin@ + i] != 0;\n");
@@ -265,15 +266,15 @@ private:
       if (jacobian_[o].entries() == 0) continue;
       const std::size_t place = (o + 1) * (arguments_.size() + 2) - 1;
       (o < basic_ ? wanted : more) += " || " + res(place);
-      taken += filled(R"(    if (@to@) {
+      taken += fill_template(R"(    if (@to@) {
       static const int from[] = {@from@};
       for (i = 0; i < @size@; ++i) @to@[i] = w[@begin@ + from[i]];
     }
 )",
-                      {{"to", res(place)},
-                       {"from", casadi_function::listed(jacobian_[o].transposed().second)},
-                       {"size", std::to_string(jacobian_[o].entries())},
-                       {"begin", std::to_string(begin)}});
+                             {{"to", res(place)},
+                              {"from", casadi_function::listed(jacobian_[o].transposed().second)},
+                              {"size", std::to_string(jacobian_[o].entries())},
+                              {"begin", std::to_string(begin)}});
       begin += jacobian_[o].entries();
     }
     std::string computed = call("jacobian", "", basic);

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/export/c/filled.hpp>
 #include <kanexpr/export/casadi/sparsity.hpp>
+#include <kanexpr/export/text/fill_template.hpp>
 
 #include <string>
 #include <string_view>
@@ -24,7 +24,7 @@ struct casadi_function {
 
   /// `library` is the prefix of the names that all functions share.
   std::string text(const std::string& library) const {
-    return filled(R"(
+    return fill_template(R"(
 static int @name@_found(const double **arg, double **res, double *w) {
 @body@}
 int @name@(const double **arg, double **res, long long *iw, double *w, int mem) {
@@ -59,17 +59,17 @@ int @name@_work(long long *arg, long long *res, long long *iw, long long *w) {
   return 0;
 }
 )",
-                  {{"name", name},
-                   {"library", library},
-                   {"body", body},
-                   {"entries", listed(entries())},
-                   {"n_in", std::to_string(in.size())},
-                   {"n_out", std::to_string(out.size())},
-                   {"names_in", names(in)},
-                   {"names_out", names(out)},
-                   {"shapes_in", shapes(in)},
-                   {"shapes_out", shapes(out)},
-                   {"scratch", std::to_string(scratch)}});
+                         {{"name", name},
+                          {"library", library},
+                          {"body", body},
+                          {"entries", listed(entries())},
+                          {"n_in", std::to_string(in.size())},
+                          {"n_out", std::to_string(out.size())},
+                          {"names_in", names(in)},
+                          {"names_out", names(out)},
+                          {"shapes_in", shapes(in)},
+                          {"shapes_out", shapes(out)},
+                          {"scratch", std::to_string(scratch)}});
   }
 
   static std::string listed(const std::vector<int>& numbers) {

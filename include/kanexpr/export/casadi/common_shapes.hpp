@@ -1,9 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/export/casadi/sparsity.hpp>
 
 #include <algorithm>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace kanexpr::exporting {
 
@@ -11,7 +14,7 @@ namespace kanexpr::exporting {
 /// derivations of a derivative may find different entries to be zero.
 class common_shapes {
 public:
-  static void give(exported_function& one, exported_function& other) {
+  static void unify(exported_function& one, exported_function& other) {
     for (exported_result& a : one.results)
       for (exported_result& b : other.results) {
         if (a.name != b.name || !a.is_sparse) continue;

@@ -1,8 +1,10 @@
 #pragma once
 
-#include <kanexpr/export/wanted.hpp>
+#include <kanexpr/export/export_request.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace kanexpr::exporting {
@@ -31,8 +33,8 @@ public:
   casadi_kernels(bool of_residual, const std::vector<casadi_argument>& by_all)
       : of_residual_(of_residual), by_all_(by_all) {}
 
-  std::vector<wanted_function> all() const {
-    std::vector<wanted_function> wanted{column()};
+  std::vector<requested_function> all() const {
+    std::vector<requested_function> wanted{column()};
     const std::size_t basic = count_of_basic(by_all_);
     add(wanted, basic, "");
     for (std::size_t i = basic; i < by_all_.size(); ++i)
@@ -44,8 +46,8 @@ public:
   }
 
   /// The rates, or the residual.
-  wanted_function column() const {
-    wanted_function f{.name = name_of_column(of_residual_)};
+  requested_function column() const {
+    requested_function f{.name = name_of_column(of_residual_)};
     f.results.push_back(derived(of_residual_ ? "residual" : "rate", {}));
     f.results[0].is_sparse = false;
     return f;
@@ -55,29 +57,29 @@ public:
   static std::string begin_of_names(bool of_residual) { return of_residual ? "residual_" : ""; }
 
 private:
-  using kind = wanted_derivative::kind;
+  using kind = requested_derivative::kind;
   using quantity = mechanics::quantity;
 
-  void add(std::vector<wanted_function>& wanted, std::size_t count, const std::string& end) const {
+  void add(std::vector<requested_function>& wanted, std::size_t count, const std::string& end) const {
     const auto called = [&](const char* what) {
-      return wanted_function{.name = begin_of_names(of_residual_) + what + end};
+      return requested_function{.name = begin_of_names(of_residual_) + what + end};
     };
-    wanted_function jacobian = called("jacobian"), directional = called("directional"),
-                    directional_jacobian = called("directional_jacobian"), gradient = called("gradient"),
-                    hessian = called("hessian");
+    requested_function jacobian = called("jacobian"), directional = called("directional"),
+                       directional_jacobian = called("directional_jacobian"), gradient = called("gradient"),
+                       hessian = called("hessian");
     std::vector<symbols> all;
     all.reserve(count);
     for (std::size_t i = 0; i < count; ++i) all.push_back(by_all_[i].are);
     // Together with derivatives by the parameters, those from the graph share more operations.
     const bool is_by_parameters = !by_all_[count - 1].is_basic();
-    const auto to_second_order = [&](wanted_result found, quantity by, std::vector<symbols> part) {
+    const auto to_second_order = [&](requested_result found, quantity by, std::vector<symbols> part) {
       if (of_residual_ || is_by_parameters) return found;
       found.request.wanted = by;
       found.derivative = {};
       found.part = std::move(part);
       return found;
     };
-    directional.results.push_back(to_second_order(derived("rate", {.is = kind::along, .along = all}),
+    directional.results.push_back(to_second_order(derived("rate", {.type = kind::directional, .along = all}),
                                                   quantity::directional_derivative, {symbols::state}));
     directional.results.back().is_sparse = false;
     for (std::size_t i = 0; i < count; ++i) {
@@ -85,33 +87,33 @@ private:
       const std::string begin = "by_" + by_all_[i].name;
       jacobian.results.push_back(jacobian_by(by_all_[i]));
       directional_jacobian.results.push_back(
-          derived(begin, {.is = kind::along_jacobian, .along = all, .by = by}));
-      gradient.results.push_back(to_second_order(derived(begin, {.is = kind::weighted, .by = by}),
+          derived(begin, {.type = kind::directional_jacobian, .along = all, .by = by}));
+      gradient.results.push_back(to_second_order(derived(begin, {.type = kind::weighted, .by = by}),
                                                  quantity::weighted_gradient, {by}));
       gradient.results.back().is_sparse = false;
       for (std::size_t k = 0; k < count; ++k) {
         const symbols and_by = by_all_[k].are;
         hessian.results.push_back(
             to_second_order(derived(begin + '_' + by_all_[k].name,
-                                    {.is = kind::weighted_jacobian, .by = by, .and_by = and_by}),
+                                    {.type = kind::weighted_jacobian, .by = by, .and_by = and_by}),
                             quantity::weighted_hessian, {by, and_by}));
       }
     }
-    for (const wanted_function& each : {jacobian, directional, directional_jacobian, gradient, hessian})
+    for (const requested_function& each : {jacobian, directional, directional_jacobian, gradient, hessian})
       wanted.push_back(each);
   }
 
   /// The Jacobian by one argument. That of the rates is taken from the linearized equations if they have it,
   /// as this costs less than the chain rule.
-  wanted_result jacobian_by(const casadi_argument& by) const {
-    wanted_result found = derived("by_" + by.name, {.is = kind::jacobian, .by = by.are});
+  requested_result jacobian_by(const casadi_argument& by) const {
+    requested_result found = derived("by_" + by.name, {.type = kind::jacobian, .by = by.are});
     if (of_residual_ || !by.is_basic()) return found;
     found.request.wanted = by.are == symbols::state ? quantity::state_jacobian : quantity::input_jacobian;
     found.derivative = {};
     return found;
   }
 
-  wanted_result derived(std::string name, wanted_derivative by) const {
+  requested_result derived(std::string name, requested_derivative by) const {
     return {.name = std::move(name),
             .request = {.what = deriving::request::kind::result, .wanted = quantity::rhs},
             .is_residual = of_residual_,

@@ -16,7 +16,7 @@ public:
   using step_writer::step_writer;
 
   std::string text() const {
-    std::string all = in(step_in_c) + in(second_order_of_step_in_c);
+    std::string all = in(casadi_templates::step) + in(casadi_templates::second_order_of_step);
     for (const casadi_function& each :
          {value(), jacobian(), forward(), jacobian_of_forward(), adjoint(), jacobian_of_adjoint()})
       all += each.text(library_);
@@ -74,15 +74,15 @@ private:
     const std::string place = std::to_string(to.out.size());
     to.out.push_back({name, one.shape});
     if (one.from.empty()) return {};
-    return filled(R"(  if (res[@place@]) {
+    return fill_template(R"(  if (res[@place@]) {
     static const int from[] = {@from@};
     for (i = 0; i < @size@; ++i) res[@place@][i] = @all@[from[i]];
   }
 )",
-                  {{"place", place},
-                   {"from", casadi_function::listed(one.from)},
-                   {"size", std::to_string(one.from.size())},
-                   {"all", all}});
+                         {{"place", place},
+                          {"from", casadi_function::listed(one.from)},
+                          {"size", std::to_string(one.from.size())},
+                          {"all", all}});
   }
 
   /// The C condition that one of these results is requested.
@@ -125,8 +125,8 @@ private:
       gather += add(f, "jac_next_" + given_[i].name, first_by(i), "after");
     }
     f.scratch = size_of_moved();
-    f.body =
-        "  const int by_all = " + any_of(more) + ";\n  int i;\n" + in(moved_in_c) + gather + "  return 0;\n";
+    f.body = "  const int by_all = " + any_of(more) + ";\n  int i;\n" + in(casadi_templates::moved) + gather +
+             "  return 0;\n";
     return f;
   }
 
@@ -166,8 +166,8 @@ private:
     for (std::size_t i = 0; i < given_.size(); ++i)
       gather += add(f, "jac_fwd_next_fwd_" + given_[i].name, first_by(i), "after");
     f.scratch = size_of_moved() + 3 * n() * columns_ + columns_ + n() + bend_.size();
-    f.body = "  int i, s, c, e, by_all = " + any_of(more) + ";\n" + in(moved_along_in_c) + gather +
-             "  return 0;\n";
+    f.body = "  int i, s, c, e, by_all = " + any_of(more) + ";\n" + in(casadi_templates::moved_along) +
+             gather + "  return 0;\n";
     return f;
   }
 
@@ -179,10 +179,11 @@ private:
     for (std::size_t i = 0; i < given_.size(); ++i) {
       if (!is_basic(i)) more.push_back(i);
       f.out.push_back({"adj_" + given_[i].name, casadi_sparsity::dense(given_[i].size)});
-      gather += filled("  if (res[@i@])\n    for (i = 0; i < @size@; ++i) res[@i@][i] = sum[@begin@ + i];\n",
-                       {{"i", std::to_string(i)},
-                        {"size", std::to_string(given_[i].size)},
-                        {"begin", std::to_string(begin_[i])}});
+      gather +=
+          fill_template("  if (res[@i@])\n    for (i = 0; i < @size@; ++i) res[@i@][i] = sum[@begin@ + i];\n",
+                        {{"i", std::to_string(i)},
+                         {"size", std::to_string(given_[i].size)},
+                         {"begin", std::to_string(begin_[i])}});
     }
     f.scratch = size_of_points() + 2 * n() + 2 * columns_;
     f.body = "  const int by_all = " + any_of(more) + ";\n" +
@@ -229,8 +230,8 @@ private:
       gather += add(f, begin + "adj_next", transposed_first_by(o), "after");
     }
     f.scratch = size_of_moved() + 2 * columns_ * columns_ + 2 * n() + columns_ + curve_.size();
-    f.body = "  const int by_all = " + any_of(more) + ";\n  int i;\n" + in(moved_in_c) + "  if ((" +
-             any_of(second) +
+    f.body = "  const int by_all = " + any_of(more) + ";\n  int i;\n" + in(casadi_templates::moved) +
+             "  if ((" + any_of(second) +
              in(") &&\n      @s@_curved(at, by_all, w, slopes, by, @weights@, rest, rest + @s@_columns * "
                 "@s@_columns))\n"
                 "    return 1;\n") +

@@ -1,13 +1,14 @@
 #pragma once
 
-#include <kanexpr/export/c/filled.hpp>
-#include <kanexpr/export/c/scalar.hpp>
-#include <kanexpr/export/casadi/step_in_c.hpp>
+#include <kanexpr/export/casadi/casadi_templates.hpp>
 #include <kanexpr/export/casadi/step_shapes.hpp>
+#include <kanexpr/export/text/fill_template.hpp>
+#include <kanexpr/export/text/scalar.hpp>
 
 #include <algorithm>
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kanexpr::exporting {
@@ -107,7 +108,7 @@ protected:
   }
 
   std::string in_time(std::string_view text) const {
-    return takes_time() ? filled(text, {{"s", name_}, {"t", number(t_)}}) : std::string();
+    return takes_time() ? fill_template(text, {{"s", name_}, {"t", number(t_)}}) : std::string();
   }
 
   /// The code that reads the direction, in the order of the arguments of the rates except the state.
@@ -119,9 +120,9 @@ protected:
     for (std::size_t i = 1; i < of_rates_.size(); ++i) {
       if (of_rates_[i].size == 0) continue;
       const auto for_each = [&](std::string_view what) {
-        text += filled(what, {{"size", number(of_rates_[i].size)},
-                              {"begin", number(begin)},
-                              {"from", given_at(first + (i < 3 ? i : 4))}});
+        text += fill_template(what, {{"size", number(of_rates_[i].size)},
+                                     {"begin", number(begin)},
+                                     {"from", given_at(first + (i < 3 ? i : 4))}});
       };
       for_each("  for (i = 0; i < @size@; ++i) direction[@begin@ + i] = @from@[i];\n");
       if (i >= basic) for_each("  for (i = 0; i < @size@; ++i) by_all |= direction[@begin@ + i] != 0;\n");
@@ -132,15 +133,15 @@ protected:
 
   /// The code for the point of stage s and the direction there.
   std::string directed_in_c() const {
-    std::string text = filled(R"(    const double *y = w + 2 * s * @s@_n;
+    std::string text = fill_template(R"(    const double *y = w + 2 * s * @s@_n;
     const double t = at->t + @s@_when[s] * at->h;
     for (i = 0; i < @s@_n; ++i)
       direction[i] = along_x[i] + (s > 0 ? @s@_a_of(s, i) * (at->h * rate_along[i] + along_h * (y - @s@_n)[i]) : 0);
 )",
-                              {{"s", name_}});
+                                     {{"s", name_}});
     if (takes_time())
-      text += filled("    direction[@s@_t - 1] = *@along_t@ + @s@_when[s] * along_h;\n",
-                     {{"s", name_}, {"along_t", given_at(given_.size() + 5)}});
+      text += fill_template("    direction[@s@_t - 1] = *@along_t@ + @s@_when[s] * along_h;\n",
+                            {{"s", name_}, {"along_t", given_at(given_.size() + 5)}});
     return text;
   }
 
@@ -156,44 +157,45 @@ protected:
     std::map<std::string, std::size_t> of_gradient;
     for (std::size_t i = 0; i < of_rates_.size(); ++i)
       of_gradient["by_" + of_rates_[i].name] = static_cast<std::size_t>(begin_[i < 3 ? i : 4]);
-    return filled(text, {{"s", name_},
-                         {"n", number(n())},
-                         {"h", number(h_)},
-                         {"t", number(t_)},
-                         {"columns", number(columns_)},
-                         {"basic", number(h_ + 1)},
-                         {"stages", number(stages())},
-                         {"coordinates", number(kernels_.coordinates.size())},
-                         {"slopes", number(slope_.size())},
-                         {"basic_slopes", number(slope_.basic)},
-                         {"curves", number(curve_.size())},
-                         {"basic_curves", number(curve_.basic)},
-                         {"bends", number(bend_.size())},
-                         {"basic_bends", number(bend_.basic)},
-                         {"slope_at", listed(slope_.places)},
-                         {"curve_at", listed(curve_.places)},
-                         {"bend_at", listed(bend_.places)},
-                         {"a", a},
-                         {"b", b},
-                         {"when", when},
-                         {"method", std::string(method_.title)},
-                         {"given", library_ + "_given"},
-                         {"time", takes_time() ? '*' + given_at(4) : "0"},
-                         {"kernels", kernels_.name},
-                         {"jacobian", call(slope_, "", "slope")},
-                         {"directional_jacobian", call(bend_, ", direction", "bend")},
-                         {"directional", call("directional", ", direction", "rate_along", {{"rate", 0}})},
-                         {"gradient", call("gradient", ", weight", "gradient", of_gradient)},
-                         {"hessian", call(curve_, ", weight", "curve")},
-                         {"all_bends", number(bend_.places.size())},
-                         {"take_direction", direction_in_c()},
-                         {"directed", directed_in_c()},
-                         {"turn", in_time("    gradient[@s@_h] = @s@_when[s] * gradient[@s@_t];\n")},
-                         {"turned", in_time(R"(    if (by_all)
+    return fill_template(text,
+                         {{"s", name_},
+                          {"n", number(n())},
+                          {"h", number(h_)},
+                          {"t", number(t_)},
+                          {"columns", number(columns_)},
+                          {"basic", number(h_ + 1)},
+                          {"stages", number(stages())},
+                          {"coordinates", number(kernels_.coordinates.size())},
+                          {"slopes", number(slope_.size())},
+                          {"basic_slopes", number(slope_.basic)},
+                          {"curves", number(curve_.size())},
+                          {"basic_curves", number(curve_.basic)},
+                          {"bends", number(bend_.size())},
+                          {"basic_bends", number(bend_.basic)},
+                          {"slope_at", listed(slope_.places)},
+                          {"curve_at", listed(curve_.places)},
+                          {"bend_at", listed(bend_.places)},
+                          {"a", a},
+                          {"b", b},
+                          {"when", when},
+                          {"method", std::string(method_.title)},
+                          {"given", library_ + "_given"},
+                          {"time", takes_time() ? '*' + given_at(4) : "0"},
+                          {"kernels", kernels_.name},
+                          {"jacobian", call(slope_, "", "slope")},
+                          {"directional_jacobian", call(bend_, ", direction", "bend")},
+                          {"directional", call("directional", ", direction", "rate_along", {{"rate", 0}})},
+                          {"gradient", call("gradient", ", weight", "gradient", of_gradient)},
+                          {"hessian", call(curve_, ", weight", "curve")},
+                          {"all_bends", number(bend_.places.size())},
+                          {"take_direction", direction_in_c()},
+                          {"directed", directed_in_c()},
+                          {"turn", in_time("    gradient[@s@_h] = @s@_when[s] * gradient[@s@_t];\n")},
+                          {"turned", in_time(R"(    if (by_all)
       for (d = @s@_h; d < columns; ++d)
         all[@s@_h * @s@_columns + d] += @s@_when[s] * moved[@s@_t * @s@_columns + d];
 )")},
-                         {"weights", given_at(given_.size() + 1)}});
+                          {"weights", given_at(given_.size() + 1)}});
   }
 
   std::string library_, name_;

@@ -1,5 +1,5 @@
 // kanexpr-export: exports a robot from a file, or a model from a header, to other languages.
-#include <kanexpr/export/by_words.hpp>
+#include <kanexpr/export/command_line.hpp>
 #include <kanexpr/export/shell.hpp>
 #include <kanexpr/robots/read_urdf.hpp>
 #include <kanexpr/robots/robot_builder.hpp>
@@ -23,10 +23,10 @@ namespace {
 using namespace kanexpr;
 namespace files = std::filesystem;
 
-using exporting::in_quotes;
+using exporting::shell_quoted;
 
 /// The program that an environment variable names, or the default.
-std::string program_of(const char* variable, const char* otherwise) {
+std::string program_from_environment(const char* variable, const char* otherwise) {
   const char* const chosen = std::getenv(variable);
   return chosen != nullptr && *chosen != '\0' ? chosen : otherwise;
 }
@@ -41,9 +41,9 @@ struct request {
   bool is_of(const char* ending) const { return file.ends_with(ending); }
   bool is_robot() const { return is_of(".urdf") || is_of(".sdf") || is_of(".world"); }
 
-  std::vector<std::string> words() const {
+  std::vector<std::string> arguments() const {
     std::vector<std::string> all{folder, name, "format=" + format, "scalar=" + scalar};
-    if (format == "fmi") all.push_back("compiler=" + program_of("CC", "cc"));
+    if (format == "fmi") all.push_back("compiler=" + program_from_environment("CC", "cc"));
     if (!step.empty()) all.push_back("step=" + step);
     for (const std::string& each : start) all.push_back("start=" + each);
     for (const std::string& each : bound) all.push_back("bind=" + each);
@@ -59,7 +59,7 @@ int refuse(const std::string& cause) {
   return 1;
 }
 
-robots::read_robot robot_of(const std::string& file) {
+robots::read_robot read_robot_file(const std::string& file) {
   if (file.ends_with(".urdf")) return robots::read_urdf(file, {});
 #ifdef KANEXPR_ROBOTS_READ_SDF
   return robots::read_sdf(file, {});
@@ -70,14 +70,15 @@ robots::read_robot robot_of(const std::string& file) {
 }
 
 /// Adds the start values from the file and those of the robot at rest, unless the command line sets them.
-void add_start_values(std::vector<std::string>& words, const request& r, const robots::robot_builder& of) {
+void add_start_values(std::vector<std::string>& arguments, const request& r,
+                      const robots::robot_builder& of) {
   const auto add = [&](const std::string& symbol, double value) {
-    for (const auto* told : {&r.start, &r.bound})
-      for (const std::string& each : *told)
+    for (const auto* given : {&r.start, &r.bound})
+      for (const std::string& each : *given)
         if (each.starts_with(symbol + '=')) return;
     char digits[32];
     const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
-    words.push_back("start=" + symbol + '=' + std::string(digits, end));
+    arguments.push_back("start=" + symbol + '=' + std::string(digits, end));
   };
   for (const auto& [symbol, value] : of.at_rest()) add(symbol, value);
   for (const auto& [symbol, value] : of.values()) add(symbol, value);
@@ -89,27 +90,28 @@ int write_robot(const request& r) {
   robots::model_options model;
   model.base = r.base == "floating" ? robots::base_kind::floating : robots::base_kind::fixed;
   model.bind = r.bind_robot == "parameters" ? robots::binding::parameters : robots::binding::numbers;
-  const robots::read_robot read = robot_of(r.file);
+  const robots::read_robot read = read_robot_file(r.file);
   if (!r.quiet)
     for (const std::string& note : read.notes) std::cerr << "kanexpr-export: note: " << note << '\n';
   if (!read) return refuse(read.cause());
   const robots::robot_builder of(read.robot, model);
   if (!of.cause().empty()) return refuse(r.file + ": " + of.cause());
-  std::vector<std::string> words = r.words();
-  if (r.format == "fmi") add_start_values(words, r, of);
-  const exporting::by_words given(words);
-  const outcome written = given.write([&] { return runtime::derive_in_own_graph(of); });
+  std::vector<std::string> arguments = r.arguments();
+  if (r.format == "fmi") add_start_values(arguments, r, of);
+  const exporting::command_line given(arguments);
+  runtime::staged_derivation derivation([&] { return runtime::derive_in_own_graph(of); });
+  const outcome written = given.write(derivation);
   return written ? 0 : refuse(written.cause());
 }
 
 /// Whether the text has the form name=expression.
-bool is_named(const std::string& expression) {
+bool has_name(const std::string& expression) {
   const std::size_t end =
       expression.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
   return end != 0 && end != std::string::npos && expression[end] == '=' && end + 1 < expression.size();
 }
 
-std::string compiler() { return program_of("CXX", "c++"); }
+std::string compiler() { return program_from_environment("CXX", "c++"); }
 
 bool is_clang() {
   return std::system((compiler() + " -dM -E -x c++ /dev/null 2>/dev/null | grep -q __clang__").c_str()) == 0;
@@ -120,22 +122,23 @@ std::string options(const request& r) {
   std::string all = is_clang() ? " -fconstexpr-steps=1000000000 -fbracket-depth=1024"
                                : " -fconstexpr-ops-limit=1000000000 -fconstexpr-loop-limit=10000000";
   all += " -std=c++20 -fconstexpr-depth=2000";
-  for (const std::string& each : r.include) all += " -I" + in_quotes(each);
+  for (const std::string& each : r.include) all += " -I" + shell_quoted(each);
   std::error_code unknown;
   const files::path here = files::read_symlink("/proc/self/exe", unknown).parent_path();
-  const files::path beside = here.parent_path() / "include";
-  if (files::exists(beside / "kanexpr" / "export.hpp", unknown)) all += " -I" + in_quotes(beside.string());
-  return all + " -isystem " + in_quotes(KANEXPR_EIGEN);
+  const files::path installed_headers = here.parent_path() / "include";
+  if (files::exists(installed_headers / "kanexpr" / "export.hpp", unknown))
+    all += " -I" + shell_quoted(installed_headers.string());
+  return all + " -isystem " + shell_quoted(KANEXPR_EIGEN);
 }
 
 /// The source of the program that exports a model. Expressions are looked up in the namespace of the system.
-std::string program_for(const request& r) {
-  std::string text = "#include <kanexpr/export/by_words.hpp>\n\n#include \"" +
-                     files::absolute(r.file).string() + "\"\n\nint main(int count, char** words) {\n";
+std::string source_of_exporter(const request& r) {
+  std::string text = "#include <kanexpr/export/command_line.hpp>\n\n#include \"" +
+                     files::absolute(r.file).string() + "\"\n\nint main(int count, char** arguments) {\n";
   const std::size_t end = r.system.substr(0, r.system.find('<')).rfind("::");
   if (end != std::string::npos && end > 0 && !r.expressions.empty())
     text += "  using namespace " + r.system.substr(0, end) + ";\n";
-  text += "  return kanexpr::exporting::write_by_words<" + r.system + ">(count, words, {";
+  text += "  return kanexpr::exporting::run_command_line<" + r.system + ">(count, arguments, {";
   for (const std::string& each : r.expressions) {
     const std::size_t equals = each.find('=');
     text += "kanexpr::exporting::expression<(" + each.substr(equals + 1) + ")>(\"" + each.substr(0, equals) +
@@ -149,24 +152,26 @@ int write_model(const request& r) {
     return refuse("specify the system of " + r.file + " to export, as in --system arm::System");
   std::error_code unknown;
   if (!files::is_regular_file(r.file, unknown)) return refuse(r.file + " cannot be read");
-  if (const exporting::by_words given(r.words()); !given.mistake().empty()) return refuse(given.mistake());
+  if (const exporting::command_line given(r.arguments()); !given.cause().empty())
+    return refuse(given.cause());
   for (const std::string& each : r.expressions)
-    if (!is_named(each)) return refuse(each + " is not of the form name=expression");
+    if (!has_name(each)) return refuse(each + " is not of the form name=expression");
   const exporting::temporary_folder with;
   if (with.path().empty()) return refuse("the temporary folder for the export program cannot be created");
   const std::string source = (with.path() / "write.cpp").string(), program = (with.path() / "write").string();
-  std::ofstream(source) << program_for(r);
+  std::ofstream(source) << source_of_exporter(r);
   if (std::system(
-          (compiler() + options(r) + ' ' + in_quotes(source) + " -o " + in_quotes(program)).c_str()) != 0)
+          (compiler() + options(r) + ' ' + shell_quoted(source) + " -o " + shell_quoted(program)).c_str()) !=
+      0)
     return refuse(r.file + " with the system " + r.system + " does not compile; " + compiler() +
                   " reports the errors");
-  std::string call = in_quotes(program);
-  for (const std::string& each : r.words()) call += ' ' + in_quotes(each);
+  std::string call = shell_quoted(program);
+  for (const std::string& each : r.arguments()) call += ' ' + shell_quoted(each);
   return std::system(call.c_str()) == 0 ? 0 : 1;
 }
 
 /// A sentence about an option that does not apply to the file; empty if all do.
-std::string misplaced(const CLI::App& given, const request& r) {
+std::string inapplicable_option(const CLI::App& given, const request& r) {
   for (const char* option : {"--system", "--include"})
     if (r.is_robot() && given.count(option) != 0)
       return std::string(option) + " applies to headers, but " + r.file + " is a robot file";
@@ -180,6 +185,8 @@ std::string misplaced(const CLI::App& given, const request& r) {
 
 int main(int count, char** arguments) {
   request r;
+  std::vector<std::string> names;
+  for (const exporting::export_format& each : exporting::formats) names.emplace_back(each.name);
   CLI::App app("Exports the equations of motion of a robot or a model to other languages.");
   app.add_option("file", r.file,
                  "a robot file (.urdf, .sdf or .world), or the header of a model, which $CXX compiles")
@@ -189,8 +196,8 @@ int main(int count, char** arguments) {
                  "the name of the exported system; default: the file name without its extension");
   app.add_option("-o,--output", r.folder, "the output folder")->required();
   app.add_option("--format", r.format, "the output format; default: c")
-      ->check(CLI::IsMember({"c", "casadi", "fmi"}))
-      ->option_text("c|casadi|fmi");
+      ->check(CLI::IsMember(names))
+      ->option_text(CLI::detail::join(names, "|"));
   app.add_option("--scalar", r.scalar, "the scalar type; default: double")
       ->check(CLI::IsMember({"double", "float"}))
       ->option_text("double|float");
@@ -230,7 +237,7 @@ int main(int count, char** arguments) {
       ->option_text("numbers|parameters");
   app.add_flag("-q,--quiet", r.quiet, "suppress the notes about the robot file");
   CLI11_PARSE(app, count, arguments);
-  if (const std::string wrong = misplaced(app, r); !wrong.empty()) return refuse(wrong);
+  if (const std::string wrong = inapplicable_option(app, r); !wrong.empty()) return refuse(wrong);
   if (r.name.empty()) r.name = std::filesystem::path(r.file).stem().string();
   return r.is_robot() ? write_robot(r) : write_model(r);
 }

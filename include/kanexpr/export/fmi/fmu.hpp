@@ -4,6 +4,8 @@
 #include <kanexpr/export/exported_system.hpp>
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace kanexpr::exporting {
 
@@ -62,7 +64,7 @@ struct fmu {
 };
 
 /// 128-bit content hash: FNV-1a with two offsets.
-inline std::string token_of(const std::vector<std::string>& texts) {
+inline std::string content_hash(const std::vector<std::string>& texts) {
   std::string digits;
   for (std::uint64_t hash : {0xcbf29ce484222325ull, 0x84222325cbf29ce4ull}) {
     for (const std::string& text : texts)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/outcome.hpp>
 #include <kanexpr/export/files.hpp>
 #include <kanexpr/export/shell.hpp>
 
@@ -55,12 +56,12 @@ inline library compiled_library(const std::string& name, const std::vector<file_
   const temporary_folder folder;
   if (folder.path().empty()) return {.mistake = "the temporary folder for compilation cannot be created"};
   const std::string made = (folder.path() / (name + library::ending())).string();
-  std::string command =
-      compiler + " -std=c99 -O2 -fno-math-errno -fvisibility=hidden -fPIC -shared -s -o " + in_quotes(made);
+  std::string command = compiler + " -std=c99 -O2 -fno-math-errno -fvisibility=hidden -fPIC -shared -s -o " +
+                        shell_quoted(made);
   std::vector<file_text> there = files;
   for (file_text& each : there) {
     each.path = folder.path() / each.path;
-    if (each.path.extension() == ".c") command += ' ' + in_quotes(each.path.string());
+    if (each.path.extension() == ".c") command += ' ' + shell_quoted(each.path.string());
   }
   if (const outcome written = write_files(there); !written) return {.mistake = written.cause()};
   if (std::system((command + " -lm").c_str()) != 0)

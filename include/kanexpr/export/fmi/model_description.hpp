@@ -1,10 +1,13 @@
 #pragma once
 
 #include <kanexpr/base/version.hpp>
-#include <kanexpr/export/c/filled.hpp>
-#include <kanexpr/export/c/scalar.hpp>
+#include <kanexpr/export/fmi/escaped_for_xml.hpp>
+#include <kanexpr/export/fmi/fmi_source.hpp>
 #include <kanexpr/export/fmi/fmu.hpp>
-#include <kanexpr/export/fmi/in_xml.hpp>
+#include <kanexpr/export/text/fill_template.hpp>
+#include <kanexpr/export/text/scalar.hpp>
+
+#include <string>
 
 namespace kanexpr::exporting {
 
@@ -14,24 +17,8 @@ public:
   explicit model_description(const fmu& of) : of_(of), system_(of.system) {}
 
   std::string text(const std::string& token) const {
-    return filled(
-        R"(<?xml version="1.0" encoding="UTF-8"?>
-<fmiModelDescription fmiVersion="3.0" modelName="@name@" instantiationToken="{@token@}"
-  generationTool="kanexpr @version@" variableNamingConvention="flat">
-  <ModelExchange modelIdentifier="@name@" needsCompletedIntegratorStep="@watched@"
-    providesDirectionalDerivatives="true" providesAdjointDerivatives="true"/>
-  <CoSimulation modelIdentifier="@name@" canHandleVariableCommunicationStepSize="true"
-    fixedInternalStepSize="@step@" providesDirectionalDerivatives="true" providesAdjointDerivatives="true"/>
-  <LogCategories>
-    <Category name="logStatusDiscard" description="results that cannot be computed at a state"/>
-    <Category name="logStatusError" description="invalid calls"/>
-  </LogCategories>
-  <ModelVariables>
-@variables@  </ModelVariables>
-  <ModelStructure>
-@structure@  </ModelStructure>
-</fmiModelDescription>
-)",
+    return fill_template(
+        fmi_source::model_description,
         {{"name", system_.name},
          {"token", token},
          {"version", version()},
@@ -42,19 +29,7 @@ public:
   }
 
   /// The text of buildDescription.xml, which is stored with the sources.
-  std::string build() const {
-    return filled(R"(<?xml version="1.0" encoding="UTF-8"?>
-<fmiBuildDescription fmiVersion="3.0">
-  <BuildConfiguration modelIdentifier="@name@">
-    <SourceFileSet language="C99">
-      <SourceFile name="@name@.c"/>
-      <SourceFile name="@name@_fmi.c"/>
-    </SourceFileSet>
-  </BuildConfiguration>
-</fmiBuildDescription>
-)",
-                  {{"name", system_.name}});
-  }
+  std::string build() const { return fill_template(fmi_source::build_description, {{"name", system_.name}}); }
 
 private:
   static std::string version() {
@@ -64,9 +39,9 @@ private:
   static std::string number(double value) { return scalar(precision::double_precision).number(value); }
 
   static std::string variable(const fmu_variable& v, int reference, const std::string& attributes) {
-    std::string text = "    <Float64 name=\"" + in_xml(v.name) + "\" valueReference=\"" +
+    std::string text = "    <Float64 name=\"" + escaped_for_xml(v.name) + "\" valueReference=\"" +
                        std::to_string(reference) + "\" " + attributes;
-    if (!v.of.empty()) text += " description=\"" + in_xml(v.of) + " in the model\"";
+    if (!v.of.empty()) text += " description=\"" + escaped_for_xml(v.of) + " in the model\"";
     return text + "/>\n";
   }
   static std::string start_of(const fmu_variable& v) { return " start=\"" + number(v.start) + '"'; }

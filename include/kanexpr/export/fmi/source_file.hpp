@@ -1,11 +1,13 @@
 #pragma once
 
-#include <kanexpr/export/c/filled.hpp>
-#include <kanexpr/export/c/scalar.hpp>
+#include <kanexpr/export/fmi/fmi_source.hpp>
 #include <kanexpr/export/fmi/fmu.hpp>
-#include <kanexpr/export/fmi/life_in_c.hpp>
-#include <kanexpr/export/fmi/motion_in_c.hpp>
 #include <kanexpr/export/fmi/unsupported_in_c.hpp>
+#include <kanexpr/export/text/fill_template.hpp>
+#include <kanexpr/export/text/scalar.hpp>
+
+#include <string>
+#include <vector>
 
 namespace kanexpr::exporting {
 
@@ -19,46 +21,24 @@ public:
     for (const char* header : {"math", "stdbool", "stddef", "stdint", "stdlib", "string"})
       text += std::string("#include <") + header + ".h>\n";
     text += "\nstatic const char token[] = \"{" + token + "}\";\n" + counts() + tables();
-    text += in_c_of_fmu::declarations;
+    text += fmi_source::declarations;
     const std::string evaluated = evaluations();
-    if (evaluated.find(" failed(") != evaluated.npos) text += in_c_of_fmu::failure;
+    if (evaluated.find(" failed(") != evaluated.npos) text += fmi_source::failure;
     text += evaluated;
-    text += in_c_of_fmu::motion;
-    text += in_c_of_fmu::life;
-    text += in_c_of_fmu::values;
-    return text + in_c_of_fmu::all_refusals();
+    text += fmi_source::events_and_steps;
+    text += fmi_source::lifecycle;
+    text += fmi_source::values;
+    return text + fmi_source::all_refusals();
   }
 
 private:
   std::string counts() const {
-    return filled(
-        R"(
-enum {
-  states = @name@_states,
-  parameters = @name@_parameters,
-  inputs = @name@_inputs,
-  outputs = @outputs@,
-  indicators = @indicators@,
-  measured_count = outputs + indicators,
-  change_count = @changes@,
-  drifts = @drifts@ /* whether constraints or norms drift during integration */
-};
-
-/* Value references: 0 is the time. */
-enum {
-  FIRST_STATE = 1,
-  FIRST_RATE = FIRST_STATE + states,
-  FIRST_PARAMETER = FIRST_RATE + states,
-  FIRST_INPUT = FIRST_PARAMETER + parameters,
-  FIRST_OUTPUT = FIRST_INPUT + inputs,
-  END = FIRST_OUTPUT + measured_count
-};
-)",
-        {{"name", name_},
-         {"outputs", std::to_string(of_.outputs.size())},
-         {"indicators", std::to_string(of_.indicators.size())},
-         {"changes", std::to_string(of_.changed.size())},
-         {"drifts", of_.function(fmu::correction) == nullptr ? "0" : "1"}});
+    return fill_template(fmi_source::counts,
+                         {{"name", name_},
+                          {"outputs", std::to_string(of_.outputs.size())},
+                          {"indicators", std::to_string(of_.indicators.size())},
+                          {"changes", std::to_string(of_.changed.size())},
+                          {"drifts", of_.function(fmu::correction) == nullptr ? "0" : "1"}});
   }
 
   /// An array; it gets one entry if there is none.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/checks/check_angular_velocity.hpp>
 #include <kanexpr/mechanics/checks/check_changing_inertia.hpp>
 #include <kanexpr/mechanics/checks/check_direction_cosines.hpp>
@@ -11,8 +13,14 @@
 #include <kanexpr/mechanics/checks/check_velocity.hpp>
 #include <kanexpr/mechanics/checks/prescribed.hpp>
 #include <kanexpr/mechanics/constraints/partition.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string_view>
 
 /// Checks of a system, run before the equations of motion are derived.
 namespace kanexpr::mechanics {

@@ -1,8 +1,14 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/inertia.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/generic_motion.hpp>
+#include <kanexpr/mechanics/motion/triple.hpp>
+
+#include <string_view>
 
 /// Compares declared angular velocities with those that follow from orientations.
 namespace kanexpr::mechanics {

@@ -1,9 +1,16 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/generic_motion.hpp>
+#include <kanexpr/mechanics/motion/triple.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <string_view>
 
 /// Inertias that are not constant in their bodies.
 namespace kanexpr::mechanics {

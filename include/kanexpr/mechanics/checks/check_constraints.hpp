@@ -1,11 +1,21 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/checks/linearity.hpp>
 #include <kanexpr/mechanics/checks/prescribed.hpp>
 #include <kanexpr/mechanics/checks/repeated_constraints.hpp>
 #include <kanexpr/mechanics/constraints/consistent_states.hpp>
 #include <kanexpr/mechanics/constraints/dependent_speeds.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string_view>
 
 /// Checks of constraints: of their contents, of their number, and for singularity in every configuration.
 namespace kanexpr::mechanics {

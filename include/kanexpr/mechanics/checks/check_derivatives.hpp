@@ -1,8 +1,12 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 
 namespace kanexpr::mechanics {

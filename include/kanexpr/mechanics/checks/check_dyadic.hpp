@@ -1,8 +1,14 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/checks/check_inertia.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/generic_motion.hpp>
+#include <kanexpr/mechanics/motion/triple.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 /// Physically impossible inertias that are sums over the axes of several frames, or that contain symbols.
 namespace kanexpr::mechanics {

@@ -1,9 +1,13 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/checks/negative.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/numeric/elementary.hpp>
+
+#include <string_view>
 
 /// Physically impossible inertias, as far as they are numbers.
 namespace kanexpr::mechanics {

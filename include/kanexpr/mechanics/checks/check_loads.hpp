@@ -1,10 +1,18 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/checks/check_repeated_loads.hpp>
 #include <kanexpr/mechanics/checks/check_weights.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/generic_states.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string_view>
 
 /// Checks of the loads of a system.
 namespace kanexpr::mechanics {

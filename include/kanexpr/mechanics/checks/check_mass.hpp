@@ -1,7 +1,10 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/mechanics/constraints/partition.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
 
 /// Mass matrices that are singular in every configuration.

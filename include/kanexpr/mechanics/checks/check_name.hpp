@@ -3,6 +3,8 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
+#include <string_view>
+
 namespace kanexpr::mechanics {
 
 /// Returns why a text is not a valid name, or an empty sentence. `kinds` denotes the named entities, such as

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 /// Expressions without a finite value, such as a division by zero.
 namespace kanexpr::mechanics {

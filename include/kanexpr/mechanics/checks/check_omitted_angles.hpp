@@ -1,8 +1,17 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/checks/check_angular_velocity.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
+#include <kanexpr/mechanics/motion/triple.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <string_view>
 
 /// Vectors given along the axes of a frame whose orientation omits an angle, and that depend on this angle.
 namespace kanexpr::mechanics {

@@ -2,6 +2,11 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string_view>
 
 namespace kanexpr::mechanics {
 

@@ -1,7 +1,13 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/generic_motion.hpp>
+#include <kanexpr/mechanics/motion/triple.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 /// Compares declared velocities, and points fixed in frames, with the rates of positions.
 namespace kanexpr::mechanics {

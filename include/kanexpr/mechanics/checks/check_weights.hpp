@@ -1,7 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/checks/declared_values.hpp>
 #include <kanexpr/mechanics/checks/summands.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/motion/triple.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 /// Gravity given as a weight, and weights listed in addition to gravity.
 namespace kanexpr::mechanics {

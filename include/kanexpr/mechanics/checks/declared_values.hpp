@@ -1,7 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/generic_motion.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 /// Declared vectors and scalars in the forms in which checks compare them: the symbols that they contain, and
 /// their values at a generic state.

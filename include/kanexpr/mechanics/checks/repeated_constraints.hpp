@@ -1,8 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/constraints/consistent_configurations.hpp>
 #include <kanexpr/mechanics/constraints/constraints.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 /// Configuration constraints that follow from the others only where all of them hold, such as the closure
 /// equations of a loop with special geometry. In other configurations they are independent and seem to leave

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/constraints/dependent_speeds.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/unit_quaternions.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
 

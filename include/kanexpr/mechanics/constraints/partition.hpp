@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/motion/generic_states.hpp>
 
 namespace kanexpr::mechanics {

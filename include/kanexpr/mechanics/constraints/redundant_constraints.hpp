@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/constraints/constraints.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
 

@@ -1,6 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/linear/solve.hpp>
 
 namespace kanexpr::mechanics {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/constraints/dependent_speeds.hpp>
 #include <kanexpr/mechanics/constraints/partition.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
 
 /// Linear equations for the rates of all coordinates and speeds: q̇, the equations of motion, and the

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/dynamics/composite.hpp>
 #include <kanexpr/mechanics/dynamics/generalized_force.hpp>
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton_of.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 /// Kane's dynamical equations M u̇ = f without constraints, one for each generalized speed, followed by those
 /// of the auxiliary speeds (Kane & Levinson 1985, section 6.1).

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/dynamics/energy.hpp>
 #include <kanexpr/mechanics/dynamics/gathered.hpp>
 #include <kanexpr/mechanics/dynamics/generalized_force.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/derivatives/accumulate.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
 
 /// Lagrange's equations d/dt ∂L/∂q̇ − ∂L/∂q = Q as M q̈ = f, without constraints (Goldstein, Classical

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/constraints/dependent_speeds.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
 /// Kane's equations of the independent speeds.
 ///

@@ -1,7 +1,11 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
 

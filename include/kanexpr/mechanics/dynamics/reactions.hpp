@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/dynamics/minimal.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
 /// Forces that do no work, from Kane's equations of the speeds that the motion does not have.
 namespace kanexpr::mechanics {

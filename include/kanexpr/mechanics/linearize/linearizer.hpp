@@ -1,8 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/linearize/linearization.hpp>
 #include <kanexpr/mechanics/linearize/variations.hpp>
 #include <kanexpr/symbolic/derivatives/accumulate.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/linear/solve.hpp>
 

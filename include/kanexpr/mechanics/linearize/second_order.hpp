@@ -1,8 +1,15 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/linearize/linearizer.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string_view>
 
 namespace kanexpr::mechanics {
 

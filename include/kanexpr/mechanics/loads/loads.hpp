@@ -1,10 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/force.hpp>
 #include <kanexpr/mechanics/loads/given_potential_energy.hpp>
 #include <kanexpr/mechanics/loads/spring_damper.hpp>
 #include <kanexpr/mechanics/loads/torque.hpp>
 #include <kanexpr/mechanics/loads/torsional_damper.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/inertia.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 /// Functions that add particles and rigid bodies to a mechanism.
 namespace kanexpr::mechanics {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/mechanics/model/vector.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
 

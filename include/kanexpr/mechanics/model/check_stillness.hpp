@@ -1,7 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string_view>
 
 namespace kanexpr::mechanics {
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
 namespace kanexpr::mechanics {
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 
 #include <string_view>

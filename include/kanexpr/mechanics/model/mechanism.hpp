@@ -1,8 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/model/body.hpp>
 #include <kanexpr/mechanics/model/frame.hpp>
 #include <kanexpr/mechanics/model/point.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 namespace kanexpr::mechanics {
 

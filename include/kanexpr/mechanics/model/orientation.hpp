@@ -1,7 +1,10 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/inertia.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
 

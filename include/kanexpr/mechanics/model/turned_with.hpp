@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/mechanics/model/fixed.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
 
 namespace kanexpr::mechanics {

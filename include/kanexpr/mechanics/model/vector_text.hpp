@@ -1,8 +1,12 @@
 #pragma once
 
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/print_vector.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/print/plain.hpp>
 #include <kanexpr/symbolic/print/typeset.hpp>
+
+#include <string>
 
 namespace kanexpr::mechanics {
 

@@ -1,10 +1,15 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/triple.hpp>
 #include <kanexpr/symbolic/derivatives/evaluate_rate.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 /// The motion of the frames of a mechanism, evaluated numerically at generic states.
 namespace kanexpr::mechanics {

@@ -1,9 +1,14 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/numeric/elementary.hpp>
 #include <kanexpr/symbolic/graph/evaluate.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/linear/solve.hpp>
 #include <kanexpr/symbolic/sizes/magnitudes.hpp>
 #include <kanexpr/symbolic/sizes/typical_sizes.hpp>

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/motion.hpp>
 #include <kanexpr/mechanics/skeleton/auxiliary.hpp>
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton_of.hpp>
 
 #include <utility>

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/motion.hpp>
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
 
 /// Velocities and accelerations of single points and frames, as vectors in the frames in which they are
 /// simplest.

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/motion.hpp>
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
 
 /// The relative motion of frames and points, formed only from the path between them.
 namespace kanexpr::mechanics {

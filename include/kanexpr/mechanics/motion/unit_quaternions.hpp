@@ -1,7 +1,10 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/generic_states.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 /// The quaternions of frames whose unit norm the kinematic differential equations preserve. The norm is not a
 /// constraint, because it does not restrict the speeds, but numerical integration must maintain it.

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/mechanics/skeleton/vector_substitution.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 
 /// The choice of axes in which the quantities of a frame are formed: axes in which they are constant or

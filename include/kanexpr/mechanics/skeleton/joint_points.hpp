@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 /// The position of a joint's point along its axis is arbitrary; it is chosen so that offset components
 /// vanish.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kanexpr/mechanics/model/central_inertia.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/axes.hpp>
 #include <kanexpr/mechanics/skeleton/base_parameters.hpp>
 #include <kanexpr/mechanics/skeleton/joint_points.hpp>
@@ -8,7 +10,9 @@
 #include <kanexpr/mechanics/skeleton/known_rates.hpp>
 #include <kanexpr/mechanics/skeleton/partial_velocities.hpp>
 #include <kanexpr/mechanics/skeleton/relative_angular_velocity.hpp>
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/mechanics/skeleton/time_derivative.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
 
 namespace kanexpr::mechanics {
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 
 namespace kanexpr::mechanics {

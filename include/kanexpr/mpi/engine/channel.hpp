@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/ensemble/archive.hpp>
 
 #include <chrono>

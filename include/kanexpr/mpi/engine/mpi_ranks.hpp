@@ -7,9 +7,11 @@
 
 #include <cstdlib>
 #include <exception>
+#include <memory>
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace kanexpr {

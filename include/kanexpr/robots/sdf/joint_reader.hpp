@@ -7,6 +7,7 @@
 #include <sdf/JointAxis.hh>
 
 #include <map>
+#include <string>
 #include <utility>
 #include <vector>
 

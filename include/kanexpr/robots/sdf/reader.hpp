@@ -16,6 +16,9 @@
 #include <algorithm>
 #include <exception>
 #include <map>
+#include <string>
+#include <string_view>
+#include <utility>
 
 namespace kanexpr::robots::sdf_files {
 

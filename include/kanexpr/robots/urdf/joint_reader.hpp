@@ -4,7 +4,12 @@
 #include <kanexpr/robots/urdf/document.hpp>
 
 #include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace kanexpr::robots::urdf {
 

@@ -3,6 +3,11 @@
 #include <kanexpr/robots/check_inertial.hpp>
 #include <kanexpr/robots/urdf/document.hpp>
 
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
 namespace kanexpr::robots::urdf {
 
 inline bool read_inertial(document& from, const element& e, const std::string& whose, link& into) {

@@ -7,6 +7,10 @@
 #include <kanexpr/robots/urdf/joint_reader.hpp>
 #include <kanexpr/robots/urdf/link_reader.hpp>
 
+#include <string>
+#include <string_view>
+#include <utility>
+
 namespace kanexpr::robots::urdf {
 
 /// Reads the elements of a <robot>.

@@ -1,11 +1,18 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/fitting.hpp>
 #include <kanexpr/lower/unit_quaternion.hpp>
 #include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/mechanics/motion/unit_quaternions.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/runtime/assemble.hpp>
+
+#include <Eigen/Core>
 
 namespace kanexpr::runtime {
 

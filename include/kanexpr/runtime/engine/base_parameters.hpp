@@ -1,13 +1,20 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/independent_columns.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/base_parameters.hpp>
 
+#include <Eigen/Core>
 #include <cstdio>
 #include <random>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace kanexpr::runtime {
 

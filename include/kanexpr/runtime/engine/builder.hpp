@@ -1,10 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derive/read/value.hpp>
 #include <kanexpr/mechanics/checks/check.hpp>
 #include <kanexpr/mechanics/model/bodies.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/model/check_position.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/frames.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
@@ -14,6 +17,10 @@
 #include <kanexpr/runtime/engine/derived_from_builder.hpp>
 #include <kanexpr/runtime/engine/own_graph.hpp>
 #include <kanexpr/runtime/engine/unused_symbols.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <memory>
+#include <string_view>
 
 namespace kanexpr::runtime {
 

@@ -5,6 +5,9 @@
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
 #include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <string_view>
 
 /// The constraints of a builder.
 namespace kanexpr::runtime {

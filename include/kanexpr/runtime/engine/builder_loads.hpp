@@ -1,8 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <string_view>
 
 /// The loads of a builder.
 namespace kanexpr::runtime {

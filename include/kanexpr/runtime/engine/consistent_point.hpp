@@ -1,8 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/symbolic/graph/evaluate.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/limits/limit.hpp>
 #include <kanexpr/symbolic/print/print.hpp>
 #include <kanexpr/symbolic/sizes/terms.hpp>

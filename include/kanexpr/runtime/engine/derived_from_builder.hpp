@@ -1,8 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/derive/image_reader.hpp>
+#include <kanexpr/derive/image_writer.hpp>
 #include <kanexpr/derive/read/reader.hpp>
 #include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/runtime/derived.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
 #include <memory>
 #include <optional>
@@ -23,6 +28,13 @@ public:
     reader_.know(equations_->known());
     equations_->constrain();
   }
+  derived_from_builder(const derived_from_builder& same, const deriving::image& from)
+      : graph_(std::make_shared<symbolic::graph>()), system_(*graph_), no_words_(same.no_words_) {
+    equations_.emplace(system_, mechanics::equations::set_aside{});
+    reader_.know(equations_->known());
+    deriving::image_reader read(from, *graph_, system_.mechanism);
+    each_part(*this, read);
+  }
 
   const mechanics::sentence& mistake() const override {
     if (mistake_) return mistake_;
@@ -33,10 +45,25 @@ public:
   deriving::reader& reader() override { return reader_; }
   mechanics::equations* equations() override { return equations_ ? &*equations_ : nullptr; }
 
+  void store(deriving::image& into) const override {
+    deriving::image_writer write(into, *graph_);
+    each_part(*this, write);
+  }
+  std::shared_ptr<derived> resumed(const deriving::image& from) const override {
+    return std::make_shared<derived_from_builder>(*this, from);
+  }
+
 private:
+  template <class Self, class Visit>
+  static void each_part(Self& self, Visit& visit) {
+    visit(self.system_);
+    visit(self.reader_);
+    visit(*self.equations_);
+  }
+
   std::shared_ptr<symbolic::graph> graph_;
   mechanics::multibody_system system_;
-  mechanics::sentence mistake_;
+  mechanics::sentence mistake_{};
   describe::system_record no_words_{};
   deriving::reader reader_{no_words_, system_}; ///< looks up symbols by name
   std::optional<mechanics::equations> equations_{};

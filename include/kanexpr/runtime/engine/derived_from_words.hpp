@@ -1,10 +1,14 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derive/entity_digests.hpp>
 #include <kanexpr/derive/request.hpp>
 #include <kanexpr/derive/stages.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/runtime/derived.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
+#include <memory>
 #include <span>
 
 namespace kanexpr::runtime {
@@ -14,13 +18,15 @@ class derived_from_words final : public derived {
 public:
   derived_from_words(const deriving::checked_words& from, std::span<const deriving::request> also,
                      std::span<const std::uint64_t> meant)
-      : mistake_(from.mistake), system_(from.record) {
+      : mistake_(from.mistake), record_(from.record), system_(from.record) {
     if (mistake_) return;
     if (!meant.empty()) mistake_ = deriving::entity_digests(from.record).unlike(meant);
     if (mistake_) return;
     deriving::go_on(system_, deriving::stage::constrained);
     deriving::visit(also, system_.reader());
   }
+  derived_from_words(const describe::system_record& record, const deriving::image& from)
+      : record_(record), system_(record, from) {}
 
   const mechanics::sentence& mistake() const override { return mistake_ ? mistake_ : system_.mistake(); }
   symbolic::graph& graph() override { return system_.graph(); }
@@ -28,8 +34,14 @@ public:
   deriving::reader& reader() override { return system_.reader(); }
   mechanics::equations* equations() override { return system_.is_derived() ? &system_.equations() : nullptr; }
 
+  void store(deriving::image& into) const override { system_.write(into); }
+  std::shared_ptr<derived> resumed(const deriving::image& from) const override {
+    return std::make_shared<derived_from_words>(record_, from);
+  }
+
 private:
-  mechanics::sentence mistake_; ///< a mistake in the words themselves
+  mechanics::sentence mistake_{}; ///< a mistake in the words themselves
+  const describe::system_record& record_;
   deriving::derived_system system_;
 };
 

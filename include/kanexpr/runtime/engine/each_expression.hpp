@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/members.hpp>
 #include <kanexpr/base/name.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <optional>

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/engine/consistent_point.hpp>
@@ -10,8 +12,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <kanexpr/base/letters_aside.hpp>
 
@@ -175,3 +180,5 @@ KANEXPR_ENGINE std::vector<std::string> linearization::inputs() { return at_->in
 } // namespace kanexpr::runtime
 
 #include <kanexpr/base/letters_back.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>

@@ -1,8 +1,17 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/derive/take_survey.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/runtime/engine/derived_from_words.hpp>
 #include <kanexpr/runtime/model.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace kanexpr {
 

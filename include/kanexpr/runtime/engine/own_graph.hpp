@@ -1,8 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/runtime/engine/each_expression.hpp>
 #include <kanexpr/symbolic/graph/copied.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
 namespace kanexpr::runtime {
 

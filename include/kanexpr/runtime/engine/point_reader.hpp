@@ -1,11 +1,19 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derive/read/reader.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/runtime/derived.hpp>
 #include <kanexpr/runtime/linearization_point.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/limits/replacement.hpp>
 
 #include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace kanexpr::runtime {
 

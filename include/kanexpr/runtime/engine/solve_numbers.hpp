@@ -4,7 +4,9 @@
 #include <kanexpr/mechanics/linearize/linearization.hpp>
 #include <kanexpr/numeric/equilibrated.hpp>
 #include <kanexpr/numeric/factorized.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 
 namespace kanexpr::runtime {

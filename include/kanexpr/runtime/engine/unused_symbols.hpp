@@ -1,8 +1,14 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/runtime/engine/each_expression.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
+
+#include <string_view>
 
 namespace kanexpr::runtime {
 

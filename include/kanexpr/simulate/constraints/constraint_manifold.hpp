@@ -1,13 +1,17 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/constrained_motion.hpp>
 #include <kanexpr/numeric/factorized.hpp>
 #include <kanexpr/simulate/constraints/constraints_of.hpp>
 #include <kanexpr/simulate/constraints/manifold.hpp>
 
+#include <Eigen/Core>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 
 namespace kanexpr::simulated {

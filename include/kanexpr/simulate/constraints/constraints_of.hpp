@@ -1,9 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/numeric/assembly.hpp>
 #include <kanexpr/simulate/constraints/unit_norms.hpp>
 #include <kanexpr/simulate/system_interface.hpp>
 
+#include <Eigen/Core>
 #include <vector>
 
 namespace kanexpr::simulated {

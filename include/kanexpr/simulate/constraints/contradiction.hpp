@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/digits.hpp>
 #include <kanexpr/compiled/symbol_range.hpp>
+#include <kanexpr/derive/survey.hpp>
 
 #include <Eigen/Core>
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/lower/unit_quaternion.hpp>
 #include <kanexpr/numeric/assembly.hpp>

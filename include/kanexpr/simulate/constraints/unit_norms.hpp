@@ -1,7 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/steps/unit_quaternions.hpp>
 
+#include <Eigen/Core>
 #include <vector>
 
 namespace kanexpr::simulated {

@@ -1,13 +1,16 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/simulate/settings.hpp>
 #include <kanexpr/simulate/system_interface.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <concepts>
 #include <functional>
 #include <optional>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 namespace kanexpr {

@@ -5,6 +5,7 @@
 #include <kanexpr/simulate/motions/runge_kutta_step.hpp>
 #include <kanexpr/simulate/motions/tolerances.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>

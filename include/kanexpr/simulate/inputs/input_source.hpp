@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/named_values.hpp>
 
 #include <algorithm>

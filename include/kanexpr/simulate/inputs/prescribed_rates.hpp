@@ -4,6 +4,7 @@
 #include <kanexpr/derive/survey.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/time_span.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <algorithm>
 #include <cmath>

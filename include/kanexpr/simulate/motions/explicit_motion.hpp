@@ -1,8 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/motions/input_sensitivity.hpp>
 #include <kanexpr/simulate/motions/motion.hpp>
+
+#include <Eigen/Core>
 
 namespace kanexpr::simulated {
 

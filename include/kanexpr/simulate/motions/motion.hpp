@@ -3,6 +3,8 @@
 #include <kanexpr/simulate/constraints/manifold.hpp>
 #include <kanexpr/simulate/motions/simulation_context.hpp>
 
+#include <Eigen/Core>
+
 namespace kanexpr::simulated {
 
 /// The functions of a motion that do not depend on the form of its equations. Its state comes first in the

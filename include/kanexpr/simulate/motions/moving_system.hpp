@@ -8,7 +8,10 @@
 #include <kanexpr/simulate/sundials/cvode.hpp>
 #include <kanexpr/simulate/sundials/ida.hpp>
 
+#include <Eigen/Core>
 #include <optional>
+#include <type_traits>
+#include <vector>
 
 namespace kanexpr::simulated {
 

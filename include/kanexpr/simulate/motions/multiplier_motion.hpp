@@ -1,8 +1,10 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/simulate/motions/input_sensitivity.hpp>
 #include <kanexpr/simulate/motions/motion.hpp>
 
+#include <Eigen/Core>
 #include <complex>
 
 namespace kanexpr::simulated {

@@ -2,6 +2,7 @@
 
 #include <kanexpr/simulate/motions/simulation_context.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/constraints/manifold.hpp>
@@ -7,11 +9,15 @@
 #include <kanexpr/simulate/settings.hpp>
 #include <kanexpr/simulate/sundials/initial_value_problem.hpp>
 #include <kanexpr/simulate/system_interface.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace kanexpr::simulated {

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/numeric/angle.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/constraints/manifold.hpp>
 #include <kanexpr/simulate/motions/trial_steps.hpp>
 #include <kanexpr/steps/assemble.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <memory>

@@ -4,6 +4,7 @@
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/motions/runge_kutta_step.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>

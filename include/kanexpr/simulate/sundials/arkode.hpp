@@ -5,6 +5,9 @@
 
 #include <arkode/arkode_arkstep.h>
 
+#include <utility>
+#include <vector>
+
 namespace kanexpr::solvers {
 
 struct arkode_calls {

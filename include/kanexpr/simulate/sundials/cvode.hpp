@@ -8,6 +8,9 @@
 #include <cvode/cvode_proj.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
+#include <utility>
+#include <vector>
+
 namespace kanexpr::solvers {
 
 struct cvode_calls {

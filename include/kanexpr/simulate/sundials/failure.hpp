@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+
 #include <string>
 
 namespace kanexpr::solvers {

@@ -7,7 +7,9 @@
 #include <kinsol/kinsol.h>
 #include <kinsol/kinsol_ls.h>
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <string>
 
 namespace kanexpr::solvers {
 

@@ -6,9 +6,11 @@
 
 #include <sunmatrix/sunmatrix_dense.h>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace kanexpr::solvers {
 

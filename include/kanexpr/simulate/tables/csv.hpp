@@ -4,6 +4,7 @@
 /// quoted if necessary (RFC 4180). Numbers have the fewest digits that reproduce the same bits; nan and inf
 /// are numbers. The format does not depend on the locale.
 
+#include <kanexpr/base/outcome.hpp>
 #include <kanexpr/simulate/compiled_simulations.hpp>
 #include <kanexpr/simulate/tables/file_path.hpp>
 #include <kanexpr/simulate/tables/table.hpp>
@@ -11,6 +12,8 @@
 #include <functional>
 #include <initializer_list>
 #include <iosfwd>
+#include <string>
+#include <utility>
 
 namespace kanexpr {
 

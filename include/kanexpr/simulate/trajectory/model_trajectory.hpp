@@ -1,10 +1,14 @@
 #pragma once
 
+#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/runtime/assemble.hpp>
 #include <kanexpr/runtime/values.hpp>
 #include <kanexpr/simulate/trajectory/samples.hpp>
 #include <kanexpr/simulate/trajectory/trajectory.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <optional>
 #include <string_view>

@@ -3,14 +3,18 @@
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/base/name_of_time.hpp>
 #include <kanexpr/compiled/state.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/tables/table.hpp>
 #include <kanexpr/simulate/trajectory/dense_output.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>

@@ -1,9 +1,15 @@
 #pragma once
 
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/simulate/trajectory/samples.hpp>
 #include <kanexpr/steps/assemble.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <concepts>
+#include <optional>
+#include <vector>
 
 namespace kanexpr {
 

@@ -2,12 +2,14 @@
 
 #include <kanexpr/compiled/code_table.hpp>
 #include <kanexpr/compiled/named_values.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/simulate/compiled_simulations.hpp>
 
 #include <Eigen/Core>
 
 #include <complex>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// The part of the search for operating points that does not depend on the system.

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/trim/trim.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// The search for operating points.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/angle.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
@@ -8,10 +9,12 @@
 #include <kanexpr/simulate/trim/trim_sizes.hpp>
 #include <kanexpr/simulate/trim/trim_values.hpp>
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <string_view>
 
 namespace kanexpr::trim {
 

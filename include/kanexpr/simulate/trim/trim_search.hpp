@@ -4,8 +4,10 @@
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulate/trim/trim_equations.hpp>
 
+#include <Eigen/Core>
 #include <cstdio>
 #include <limits>
+#include <string>
 
 namespace kanexpr::trim {
 

@@ -1,11 +1,15 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/table_interpreter.hpp>
 #include <kanexpr/simulate/constraints/unit_norms.hpp>
 #include <kanexpr/simulate/trim/trim.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <optional>
+#include <string_view>
 
 namespace kanexpr::trim {
 

@@ -1,6 +1,11 @@
 #pragma once
 
 #include <kanexpr/symbolic/algebra/quotient_of_sums.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+
+#include <map>
+#include <optional>
 
 namespace kanexpr::symbolic::algebra {
 

@@ -4,7 +4,12 @@
 #include <kanexpr/symbolic/algebra/fraction_reader.hpp>
 #include <kanexpr/symbolic/algebra/quotient_of_sums.hpp>
 #include <kanexpr/symbolic/algebra/rewritten.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/polynomials/polynomial_gcd.hpp>
+
+#include <optional>
+#include <utility>
+#include <vector>
 
 namespace kanexpr::symbolic {
 

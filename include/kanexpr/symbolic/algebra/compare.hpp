@@ -1,9 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/algebra/equality.hpp>
 #include <kanexpr/symbolic/algebra/trigonometric_form.hpp>
 #include <kanexpr/symbolic/graph/evaluate.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
+#include <map>
 #include <random>
 
 namespace kanexpr::symbolic {

@@ -1,7 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/algebra/expansion_reader.hpp>
 #include <kanexpr/symbolic/algebra/forms.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+
+#include <vector>
 
 namespace kanexpr::symbolic {
 

@@ -1,6 +1,10 @@
 #pragma once
 
 #include <kanexpr/symbolic/algebra/expression_reader.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+
+#include <map>
 
 namespace kanexpr::symbolic::algebra {
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/algebra/sum_of_terms.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/linear/expand_solves.hpp>
 #include <kanexpr/symbolic/polynomials/budget.hpp>
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <kanexpr/base/engine.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/algebra/rewritten.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/symbolic/polynomials/budget.hpp>
 

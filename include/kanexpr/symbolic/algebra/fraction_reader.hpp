@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kanexpr/symbolic/algebra/expression_reader.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/polynomials/polynomial_fraction.hpp>
 
 namespace kanexpr::symbolic::algebra {

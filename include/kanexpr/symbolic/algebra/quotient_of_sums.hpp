@@ -1,6 +1,11 @@
 #pragma once
 
 #include <kanexpr/symbolic/algebra/sum_of_terms.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+
+#include <utility>
+#include <vector>
 
 namespace kanexpr::symbolic::algebra {
 

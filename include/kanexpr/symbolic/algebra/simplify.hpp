@@ -4,6 +4,8 @@
 #include <kanexpr/symbolic/algebra/forms.hpp>
 #include <kanexpr/symbolic/algebra/trigonometric_form.hpp>
 #include <kanexpr/symbolic/cost.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/symbolic/linear/expand_solves.hpp>
 

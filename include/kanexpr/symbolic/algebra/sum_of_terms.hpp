@@ -1,7 +1,14 @@
 #pragma once
 
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/polynomials/polynomial_parts.hpp>
 #include <kanexpr/symbolic/print/term.hpp>
+
+#include <map>
+#include <utility>
+#include <vector>
 
 /// Conversion between expressions and polynomials in nodes of a graph. The order of construction follows from
 /// node numbers, so equal polynomials become the same node.

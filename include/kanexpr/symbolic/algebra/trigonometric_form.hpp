@@ -4,8 +4,13 @@
 #include <kanexpr/symbolic/algebra/forms.hpp>
 #include <kanexpr/symbolic/algebra/fraction_reader.hpp>
 #include <kanexpr/symbolic/algebra/rewritten.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
+#include <optional>
 #include <set>
+#include <utility>
 
 namespace kanexpr::symbolic {
 

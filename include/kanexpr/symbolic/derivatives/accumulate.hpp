@@ -1,9 +1,14 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/derivatives/turned_component.hpp>
 #include <kanexpr/symbolic/graph/canonical_order.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 namespace kanexpr::symbolic {
 

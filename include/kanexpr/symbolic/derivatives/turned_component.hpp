@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kanexpr/symbolic/graph/build.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 namespace kanexpr::symbolic {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <cmath>
 

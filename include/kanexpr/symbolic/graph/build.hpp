@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/rules.hpp>
 #include <kanexpr/symbolic/graph/solve_rules.hpp>
 

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/build.hpp>
 #include <kanexpr/symbolic/graph/canonical_order.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 namespace kanexpr::symbolic {
 

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <kanexpr/base/letter.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/build.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
 #include <concepts>
 #include <cstdint>

@@ -3,6 +3,8 @@
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/selection.hpp>
 #include <kanexpr/symbolic/graph/binary_functions.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <cmath>
 #include <numbers>

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/build.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/graph/meeting_angles.hpp>
 #include <kanexpr/symbolic/graph/monomials.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 /// Shortens sums in which sin² + cos² of an angle occurs or terms cancel after their products are multiplied
 /// out.

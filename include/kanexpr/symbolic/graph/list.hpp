@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 /// Lists as nodes, so that a node with two operands can represent an operation on many.
 namespace kanexpr::symbolic {

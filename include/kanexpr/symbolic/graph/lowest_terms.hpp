@@ -1,7 +1,9 @@
 #pragma once
 
 #include <kanexpr/symbolic/graph/build.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/monomials.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 namespace kanexpr::symbolic {
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
 namespace kanexpr::symbolic {
 

@@ -2,6 +2,8 @@
 
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/elementary.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/same_product.hpp>
 
 /// Builds expressions in their simplest local form.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 namespace kanexpr::symbolic::detail {
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/list.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/rules.hpp>
 #include <kanexpr/symbolic/numbers/inverse.hpp>
 

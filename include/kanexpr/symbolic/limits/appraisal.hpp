@@ -1,9 +1,14 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/limits/external.hpp>
 #include <kanexpr/symbolic/limits/replacement.hpp>
 
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace kanexpr::symbolic::taylor {
 

@@ -4,6 +4,7 @@
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/symbolic/graph/evaluate.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/limits/generic_values.hpp>
 
 namespace kanexpr::symbolic::taylor {

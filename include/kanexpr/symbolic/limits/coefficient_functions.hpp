@@ -1,6 +1,9 @@
 #pragma once
 
 #include <kanexpr/numeric/powers_of_two.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/limits/coefficient.hpp>
 
 #include <optional>

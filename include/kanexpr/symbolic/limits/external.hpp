@@ -1,7 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/list.hpp>
 #include <kanexpr/symbolic/limits/expansion.hpp>
+
+#include <vector>
 
 /// User-defined functions. Only their derivatives are known, so they get generic values even where their
 /// operands are numbers.

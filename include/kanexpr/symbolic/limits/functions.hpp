@@ -1,9 +1,13 @@
 #pragma once
 
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/limits/coefficient_functions.hpp>
 #include <kanexpr/symbolic/limits/expansion.hpp>
 
 #include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
 
 /// Functions of series, for ε > 0: Griewank & Walther, Evaluating Derivatives (2008), section 13.2.
 namespace kanexpr::symbolic::taylor {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/limits/bounded.hpp>
 #include <kanexpr/symbolic/limits/pivoting.hpp>
 

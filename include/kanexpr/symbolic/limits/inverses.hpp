@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/limits/functions.hpp>
+
+#include <optional>
 
 /// Functions of series that are integrals of algebraic functions.
 namespace kanexpr::symbolic::taylor {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/engine.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/symbolic/limits/replacement.hpp>
 

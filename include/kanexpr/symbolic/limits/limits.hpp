@@ -1,10 +1,16 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/limits/conditions.hpp>
 #include <kanexpr/symbolic/limits/directions.hpp>
 #include <kanexpr/symbolic/limits/limit.hpp>
 
+#include <map>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace kanexpr::symbolic {
 

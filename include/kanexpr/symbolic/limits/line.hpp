@@ -1,8 +1,17 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 #include <kanexpr/symbolic/limits/appraisal.hpp>
 #include <kanexpr/symbolic/limits/solve.hpp>
+
+#include <map>
+#include <utility>
+#include <vector>
 
 namespace kanexpr::symbolic::taylor {
 

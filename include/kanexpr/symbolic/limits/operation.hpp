@@ -1,9 +1,15 @@
 #pragma once
 
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/limits/inverses.hpp>
 
 #include <initializer_list>
+#include <optional>
+#include <vector>
 
 namespace kanexpr::symbolic::taylor {
 

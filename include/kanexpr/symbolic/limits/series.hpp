@@ -3,6 +3,7 @@
 #include <kanexpr/symbolic/limits/coefficient.hpp>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace kanexpr::symbolic::taylor {

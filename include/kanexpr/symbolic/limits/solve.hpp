@@ -1,8 +1,16 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/limits/operation.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
+
+#include <optional>
+#include <utility>
+#include <vector>
 
 /// Linear systems of series.
 namespace kanexpr::symbolic::taylor {

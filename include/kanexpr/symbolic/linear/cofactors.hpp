@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/solve_rules.hpp>
 
 namespace kanexpr::symbolic {

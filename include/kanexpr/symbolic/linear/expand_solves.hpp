@@ -1,7 +1,10 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/build.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/linear/cofactors.hpp>
 
 namespace kanexpr::symbolic {

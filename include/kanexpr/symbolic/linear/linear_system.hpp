@@ -1,6 +1,10 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 /// Linear systems as nodes of the graph: one factorization serves any number of right-hand sides, transposed
 /// systems and all derivatives.

@@ -1,7 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/lowest_terms.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/linear/solve_linear.hpp>
 
 namespace kanexpr::symbolic {

@@ -6,6 +6,7 @@
 
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace kanexpr::symbolic::polynomials {
 

@@ -2,6 +2,10 @@
 
 #include <kanexpr/symbolic/polynomials/polynomial_parts.hpp>
 
+#include <map>
+#include <utility>
+#include <vector>
+
 namespace kanexpr::symbolic::polynomials {
 
 /// A polynomial over a product of powers of other polynomials, identified by their indices in a list.

@@ -2,6 +2,10 @@
 
 #include <kanexpr/symbolic/polynomials/sparse_interpolation.hpp>
 
+#include <map>
+#include <utility>
+#include <vector>
+
 namespace kanexpr::symbolic::polynomials {
 
 /// Divides out the common numerical factor and monomial; the first term becomes positive.

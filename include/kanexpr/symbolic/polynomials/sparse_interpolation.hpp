@@ -3,8 +3,12 @@
 #include <kanexpr/symbolic/polynomials/polynomial_parts.hpp>
 #include <kanexpr/symbolic/polynomials/prime_field.hpp>
 
+#include <map>
+#include <optional>
 #include <random>
 #include <set>
+#include <utility>
+#include <vector>
 
 namespace kanexpr::symbolic::polynomials {
 

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/print/print.hpp>
 #include <kanexpr/symbolic/print/writer.hpp>
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kanexpr/base/engine.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
 
 #include <string>

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <algorithm>
 #include <compare>
@@ -8,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 /// Expressions as flat sums of flat products, as they are written by hand. All printed forms start from

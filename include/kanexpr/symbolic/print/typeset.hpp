@@ -1,8 +1,16 @@
 #pragma once
 
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/print/latex.hpp>
 #include <kanexpr/symbolic/print/latex_name.hpp>
 #include <kanexpr/symbolic/print/writer.hpp>
+
+#include <string>
+#include <vector>
 
 namespace kanexpr::symbolic {
 

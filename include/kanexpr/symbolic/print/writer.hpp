@@ -1,10 +1,15 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/linear/solve.hpp>
 #include <kanexpr/symbolic/print/term.hpp>
 
 #include <charconv>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace kanexpr::symbolic::printing {
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 /// Finds results that can become infinite or NaN although all values they depend on are finite and of
 /// ordinary size.

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/evaluate.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 namespace kanexpr::symbolic {
 

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 
 namespace kanexpr::symbolic {
 

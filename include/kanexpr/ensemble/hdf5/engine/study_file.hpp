@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/outcome.hpp>
 #include <kanexpr/ensemble/archive.hpp>
 #include <kanexpr/ensemble/content_hash.hpp>
 #include <kanexpr/ensemble/exclusive_file.hpp>
@@ -8,6 +9,7 @@
 #include <kanexpr/ensemble/hdf5/hdf5_file.hpp>
 
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>

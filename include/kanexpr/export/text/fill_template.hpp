@@ -7,9 +7,15 @@
 
 namespace kanexpr::exporting {
 
+/// The text of a template file, which is a raw string: all lines between its first, R"(, and its end.
+constexpr std::string_view template_text(std::string_view file) {
+  file.remove_prefix(1); // the line break after R"(
+  return file;
+}
+
 /// Replaces each `@name@` in a text by its meaning.
-inline std::string filled(std::string_view text,
-                          std::initializer_list<std::pair<std::string_view, std::string>> meanings) {
+inline std::string fill_template(std::string_view text,
+                                 std::initializer_list<std::pair<std::string_view, std::string>> meanings) {
   std::string all;
   while (!text.empty()) {
     const std::size_t begin = text.find('@');

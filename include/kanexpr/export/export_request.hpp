@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/derive/request.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/steps/tableaux.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -19,41 +20,41 @@ namespace kanexpr::exporting {
 enum class symbols : unsigned char { state, rates, inputs, parameters, time };
 
 /// A derivative of a column y with respect to symbols z.
-struct wanted_derivative {
+struct requested_derivative {
   enum class kind : unsigned char {
-    none,             ///< y itself
-    jacobian,         ///< ∂y/∂z, z of `by`
-    along,            ///< (∂y/∂z) w for a direction w
-    along_jacobian,   ///< ∂((∂y/∂z) w)/∂z', z' of `by`
-    weighted,         ///< ∂(wᵀy)/∂z for weights w, z of `by`
-    weighted_jacobian ///< ∂²(wᵀy)/∂z∂z', z of `by` and z' of `and_by`
+    none,                 ///< y itself
+    jacobian,             ///< ∂y/∂z, z of `by`
+    directional,          ///< (∂y/∂z) w for a direction w
+    directional_jacobian, ///< ∂((∂y/∂z) w)/∂z', z' of `by`
+    weighted,             ///< ∂(wᵀy)/∂z for weights w, z of `by`
+    weighted_jacobian     ///< ∂²(wᵀy)/∂z∂z', z of `by` and z' of `and_by`
   };
-  kind is = kind::none;
+  kind type = kind::none;
   std::vector<symbols> along{}; ///< all symbols for which the direction has entries
   symbols by{}, and_by{};
 };
 
-struct wanted_result {
+struct requested_result {
   std::string name{};
   deriving::request request{};
   symbolic::expression written{}; ///< replaces the request for an expression of a builder
   bool is_residual = false;       ///< the residual of the implicit form, in place of the request
-  wanted_derivative derivative{};
+  requested_derivative derivative{};
   std::vector<symbols> part{}; ///< symbols of the rows and the columns of a second-order result
   bool is_sparse = false;      ///< omits the entries that are identically zero
 };
 
 /// A step of fixed length, as made by `runge_kutta_4<System, corrections>`.
-struct wanted_step {
+struct requested_step {
   std::string method = "runge_kutta_4"; ///< name of the method; empty: only corrects the state
   int corrections = 1;
 };
 
 /// The results of one call.
-struct wanted_function {
+struct requested_function {
   std::string name{};
-  std::vector<wanted_result> results{};
-  std::optional<wanted_step> step{}; ///< replaces the results
+  std::vector<requested_result> results{};
+  std::optional<requested_step> step{}; ///< replaces the results
   std::string mistake{};
   std::vector<symbols> derivatives{}; ///< replace the results by the derivatives of all their entries
 };
@@ -85,8 +86,8 @@ inline std::string mistake_of_method(const std::string& name) {
 }
 
 /// A step by a given method, under a separate name: `fixed_step("step", {"runge_kutta_4", 2})`.
-inline wanted_function fixed_step(std::string name, const wanted_step& how) {
-  wanted_function wanted{.name = std::move(name), .step = how};
+inline requested_function fixed_step(std::string name, const requested_step& how) {
+  requested_function wanted{.name = std::move(name), .step = how};
   if (!how.method.empty()) wanted.mistake = mistake_of_method(how.method);
   if (how.corrections < 0) wanted.mistake = "the number of corrections of a step must be at least 0";
   return wanted;
@@ -94,9 +95,9 @@ inline wanted_function fixed_step(std::string name, const wanted_step& how) {
 
 /// A function that returns the named results, separated by spaces: "udot", "mass_matrix forcing", or one of
 /// the steps, such as "runge_kutta_4".
-inline wanted_function results(std::string_view names) {
+inline requested_function results(std::string_view names) {
   if (stepping::find_tableau(names) != nullptr) return fixed_step(std::string(names), {std::string(names)});
-  wanted_function wanted;
+  requested_function wanted;
   while (!names.empty()) {
     const std::size_t end = (std::min)(names.find(' '), names.size());
     const std::string_view name = names.substr(0, end);
@@ -121,23 +122,23 @@ inline wanted_function results(std::string_view names) {
 
 /// An expression of the model, under a separate name: `expression<position_of<P>>("tip")`.
 template <auto wanted, class Where = describe::file_of<wanted>>
-wanted_function expression(std::string name) {
-  wanted_function one;
+requested_function expression(std::string name) {
+  requested_function one;
   one.name = name;
   one.results.push_back({std::move(name), deriving::requested<wanted>::value});
   return one;
 }
 
 /// The same for an expression of a builder.
-inline wanted_function expression(std::string name, symbolic::expression written) {
-  wanted_function one;
+inline requested_function expression(std::string name, symbolic::expression written) {
+  requested_function one;
   one.name = name;
   one.results.push_back({std::move(name), {}, written});
   return one;
 }
 
 /// The functions exported by default: M and f, u̇, ẋ, and A and B.
-inline std::vector<wanted_function> default_results() {
+inline std::vector<requested_function> default_results() {
   return {results("mass_matrix forcing"), results("udot"), results("rhs"), results("explicit_form")};
 }
 

@@ -1,11 +1,17 @@
 #pragma once
 
-#include <kanexpr/export/archive.hpp>
+#include <kanexpr/base/outcome.hpp>
+#include <kanexpr/export/c/write_c.hpp>
+#include <kanexpr/export/fmi/archive.hpp>
+#include <kanexpr/export/fmi/fmu_maker.hpp>
 #include <kanexpr/export/fmi/library.hpp>
 #include <kanexpr/export/fmi/model_description.hpp>
 #include <kanexpr/export/fmi/source_file.hpp>
-#include <kanexpr/export/fmu_maker.hpp>
-#include <kanexpr/export/write_c.hpp>
+
+#include <cstdio>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace kanexpr {
 
@@ -26,23 +32,23 @@ private:
 
 namespace detail {
 
-inline written_fmu write_fmu(const made_fmu& made, const std::filesystem::path& folder,
-                             const std::string& compiler) {
+inline written_fmu write_fmu(runtime::staged_derivation& derivation, const std::filesystem::path& folder,
+                             const std::string& name, const fmu_options& chosen) {
+  const made_fmu made = fmu_maker(name, derivation, chosen).run();
   if (!made.mistake.empty()) return written_fmu(made.mistake);
   if (const std::string mistake = mistake_of_numbers(made.of.system, precision::double_precision);
       !mistake.empty())
     return written_fmu(mistake);
-  const std::string& name = made.of.system.name;
   const c_file model(made.of.system, precision::double_precision);
   const model_description description(made.of);
   const fmu_source source(made.of);
   const std::string header = model.header(),
                     code = "#define " + name + "_ANGLES_WITHOUT_END\n" + model.source();
   // computed from everything that defines the model
-  const std::string token = token_of({description.text({}), source.text({}), header, code});
+  const std::string token = content_hash({description.text({}), source.text({}), header, code});
   const std::vector<file_text> sources{
       {name + ".h", header}, {name + ".c", code}, {name + "_fmi.c", source.text(token)}};
-  const library compiled = compiled_library(name, sources, compiler);
+  const library compiled = compiled_library(name, sources, chosen.compiler);
   if (!compiled.mistake.empty()) return written_fmu(compiled.mistake);
   archive all;
   all.add("modelDescription.xml", description.text(token));
@@ -57,6 +63,16 @@ inline written_fmu write_fmu(const made_fmu& made, const std::filesystem::path& 
   return done;
 }
 
+/// The format "fmi".
+inline outcome write_fmi(runtime::staged_derivation& derivation, const export_options& given) {
+  fmu_options chosen{.outputs = given.functions, .bound = given.bound, .start = given.start};
+  if (given.step) chosen.step = *given.step;
+  if (given.compiler) chosen.compiler = *given.compiler;
+  const written_fmu written = write_fmu(derivation, given.folder, given.name, chosen);
+  if (!written.note().empty()) std::fprintf(stderr, "kanexpr-export: note: %s\n", written.note().c_str());
+  return written;
+}
+
 } // namespace detail
 
 } // namespace exporting
@@ -68,19 +84,15 @@ inline written_fmu write_fmu(const made_fmu& made, const std::filesystem::path& 
 template <class System>
 exporting::written_fmu write_fmu(const std::filesystem::path& folder, const std::string& name,
                                  const exporting::fmu_options& chosen = {}) {
-  return exporting::detail::write_fmu(exporting::fmu_maker(
-                                          name, [] { return kanexpr::derive<System>(); }, chosen)
-                                          .run(),
-                                      folder, chosen.compiler);
+  runtime::staged_derivation derivation([] { return derive<System>(); });
+  return exporting::detail::write_fmu(derivation, folder, name, chosen);
 }
 
 /// The same for a system built by a builder. Its expressions may be outputs and events.
 inline exporting::written_fmu write_fmu(const runtime::builder& of, const std::filesystem::path& folder,
                                         const std::string& name, const exporting::fmu_options& chosen = {}) {
-  return exporting::detail::write_fmu(exporting::fmu_maker(
-                                          name, [&] { return runtime::derive_in_own_graph(of); }, chosen)
-                                          .run(),
-                                      folder, chosen.compiler);
+  runtime::staged_derivation derivation([&] { return runtime::derive_in_own_graph(of); });
+  return exporting::detail::write_fmu(derivation, folder, name, chosen);
 }
 
 } // namespace kanexpr

@@ -1,9 +1,15 @@
 #pragma once
 
+#include <kanexpr/base/outcome.hpp>
+#include <kanexpr/export/c/write_c.hpp>
 #include <kanexpr/export/casadi/casadi_file.hpp>
+#include <kanexpr/export/casadi/casadi_templates.hpp>
 #include <kanexpr/export/casadi/common_shapes.hpp>
 #include <kanexpr/export/casadi/step_file.hpp>
-#include <kanexpr/export/write_c.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string>
+#include <vector>
 
 namespace kanexpr {
 
@@ -30,70 +36,59 @@ inline std::string mistake_of_casadi_name(const std::string& name) {
          name + "\" is not such a name";
 }
 
-inline bool holds_time(const exported_system& s) {
+inline bool depends_on_time(const exported_system& s) {
   for (const exported_function& f : s.functions)
     for (const lower::load& from : f.code.arguments)
       if (from.from == symbolic::symbol_kind::time) return true;
   return false;
 }
 
-inline std::string helpers_for_casadi(const std::string& library, int most) {
-  return filled(R"(
-/* The functions that CasADi loads from a library: external("@library@", "./@library@.so"). */
-
-static const double @library@_zeros[@most@] = {0};
-static const double *@library@_given(const double *argument) { return argument ? argument : @library@_zeros; }
-static double *@library@_or(double *wanted, double *otherwise) { return wanted ? wanted : otherwise; }
-/* True if all requested ones of the `count` results are finite; result k has entries[k] entries. */
-static int @library@_are_finite(double **results, int count, const int *entries) {
-  int k, i;
-  for (k = 0; k < count; ++k)
-    for (i = 0; results[k] && i < entries[k]; ++i)
-      if (!isfinite(results[k][i])) return 0;
-  return 1;
-}
-)",
-                {{"library", library}, {"most", std::to_string(most)}});
+inline std::string casadi_helpers(const std::string& library, int most) {
+  return fill_template(casadi_templates::helpers, {{"library", library}, {"most", std::to_string(most)}});
 }
 
-inline outcome write_casadi(const std::function<model()>& derive, const std::filesystem::path& folder,
+inline outcome write_casadi(runtime::staged_derivation& derivation, const std::filesystem::path& folder,
                             const std::string& name, const casadi_options& chosen) {
   for (const std::string& mistake : {mistake_of_casadi_name(name), mistake_of_method(chosen.step)})
     if (!mistake.empty()) return outcome(mistake);
   std::vector<casadi_argument> arguments, of_residual;
   options wanted{{casadi_kernels(false, arguments).column(), casadi_kernels(true, arguments).column()},
                  chosen.bound};
-  const exported columns = exporter(name + "_casadi", derive, wanted).run();
+  const exported columns = exporter(name + "_casadi", derivation, wanted).run();
   if (!columns.mistake.empty()) return outcome(columns.mistake);
   const exported_system& s = columns.system;
   const int states = static_cast<int>(s.coordinates.size() + s.speeds.size());
   arguments = {{"x", symbols::state, states},
                {"r", symbols::inputs, static_cast<int>(s.inputs.size())},
                {"p", symbols::parameters, static_cast<int>(s.parameters.size())}};
-  if (holds_time(s)) arguments.push_back({"t", symbols::time, 1});
+  if (depends_on_time(s)) arguments.push_back({"t", symbols::time, 1});
   of_residual = arguments;
   of_residual.insert(of_residual.begin() + 1, {"xdot", symbols::rates, states});
   wanted.functions = casadi_kernels(false, arguments).all();
-  for (const wanted_function& each : casadi_kernels(true, of_residual).all())
+  for (const requested_function& each : casadi_kernels(true, of_residual).all())
     wanted.functions.push_back(each);
-  exported all = exporter(name + "_casadi", derive, wanted).run();
+  exported all = exporter(name + "_casadi", derivation, wanted).run();
   if (!all.mistake.empty()) return outcome(all.mistake);
   if (const std::string mistake = mistake_of_numbers(all.system, precision::double_precision);
       !mistake.empty())
     return outcome(mistake);
   for (exported_function& f : all.system.functions)
     for (exported_function& other : all.system.functions)
-      if (other.name == f.name + "_by_all") common_shapes::give(f, other);
+      if (other.name == f.name + "_by_all") common_shapes::unify(f, other);
   const c_file file(all.system, precision::double_precision);
   int most = 1;
   for (const casadi_argument& each : arguments) most = (std::max)(most, each.size);
   return write_files(
       {{folder / (all.system.name + ".h"), file.header()},
        {folder / (all.system.name + ".c"),
-        file.source() + helpers_for_casadi(name, most) +
-            casadi_file(name, false, all.system, arguments).text() +
+        file.source() + casadi_helpers(name, most) + casadi_file(name, false, all.system, arguments).text() +
             casadi_file(name, true, all.system, of_residual).text() +
             casadi_step(name, *stepping::find_tableau(chosen.step), all.system, arguments).text()}});
+}
+
+/// The same as the format "casadi".
+inline outcome write_casadi(runtime::staged_derivation& derivation, const export_options& given) {
+  return write_casadi(derivation, given.folder, given.name, {.bound = given.bound});
 }
 
 } // namespace detail
@@ -109,14 +104,15 @@ inline outcome write_casadi(const std::function<model()>& derive, const std::fil
 template <class System>
 outcome write_casadi(const std::filesystem::path& folder, const std::string& name,
                      const exporting::casadi_options& chosen = {}) {
-  return exporting::detail::write_casadi([] { return derive<System>(); }, folder, name, chosen);
+  runtime::staged_derivation derivation([] { return derive<System>(); });
+  return exporting::detail::write_casadi(derivation, folder, name, chosen);
 }
 
 /// The same for a system built by a builder.
 inline outcome write_casadi(const runtime::builder& of, const std::filesystem::path& folder,
                             const std::string& name, const exporting::casadi_options& chosen = {}) {
-  return exporting::detail::write_casadi([&] { return runtime::derive_in_own_graph(of); }, folder, name,
-                                         chosen);
+  runtime::staged_derivation derivation([&] { return runtime::derive_in_own_graph(of); });
+  return exporting::detail::write_casadi(derivation, folder, name, chosen);
 }
 
 } // namespace kanexpr

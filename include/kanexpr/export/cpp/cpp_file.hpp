@@ -1,8 +1,9 @@
 #pragma once
 
-#include <kanexpr/export/c/filled.hpp>
-#include <kanexpr/export/c/in_c.hpp>
-#include <kanexpr/export/c/scalar.hpp>
+#include <kanexpr/export/cpp/cpp_templates.hpp>
+#include <kanexpr/export/text/fill_template.hpp>
+#include <kanexpr/export/text/names_in_c.hpp>
+#include <kanexpr/export/text/scalar.hpp>
 
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ namespace kanexpr::exporting {
 /// the model, and results with a status.
 class cpp_file {
 public:
-  cpp_file(const exported_system& s, precision number) : mapped_(in_c(s)), number_(number) {}
+  cpp_file(const exported_system& s, precision number) : mapped_(names_in_c(s)), number_(number) {}
 
   std::string text() const {
     const exported_system& s = mapped_.system;
@@ -24,41 +25,14 @@ public:
     const std::string own = namespaces.of(s.name);
     std::vector<std::string> states = s.coordinates;
     states.insert(states.end(), s.speeds.begin(), s.speeds.end());
-    std::string all = filled(R"(// Named access to the equations of motion of @name@ in @name@.c.
-#ifndef kanexpr_wrote_@name@_hpp
-#define kanexpr_wrote_@name@_hpp
-
-@own_header@
-
-#include <limits>
-
-namespace @own@ {
-
-/// Indicates whether a result exists; if not, `cause` is the first reason.
-struct status {
-  unsigned long long bits;
-  const char *cause;
-  explicit operator bool() const { return bits == 0; }
-};
-
-inline status status_of(unsigned long long bits, const char *const *causes) {
-  status found = {bits, ""};
-  for (int i = 0; bits != 0 && i < 64; ++i)
-    if ((bits >> i & 1) != 0) {
-      found.cause = causes[i];
-      break;
-    }
-  return found;
-}
-
-@state@@parameters@@inputs@@rates@)",
-                             {{"name", s.name},
-                              {"own_header", "#include \"" + s.name + ".h\""},
-                              {"own", own},
-                              {"state", structure("state", states, "0")},
-                              {"parameters", structure("parameters", s.parameters, not_set())},
-                              {"inputs", structure("inputs", s.inputs, not_set())},
-                              {"rates", structure("rates", s.speeds, not_set())}});
+    std::string all = fill_template(cpp_templates::header,
+                                    {{"name", s.name},
+                                     {"own_header", "#include \"" + s.name + ".h\""},
+                                     {"own", own},
+                                     {"state", structure("state", states, "0")},
+                                     {"parameters", structure("parameters", s.parameters, not_set())},
+                                     {"inputs", structure("inputs", s.inputs, not_set())},
+                                     {"rates", structure("rates", s.speeds, not_set())}});
     identifiers functions;
     functions.reserve_words();
     for (const char* taken : {"state", "parameters", "inputs", "rates", "status", "status_of"})
@@ -89,22 +63,12 @@ private:
       written.append("    ").append(entry).append(" = ").append(member).append(";\n");
     }
     const bool is_empty = symbols.empty();
-    return filled(R"(struct @name@ {
-@declared@  static @name@ from(const @number@ *@entries@) {
-    @name@ found;
-@read@    return found;
-  }
-  void put(@number@ *@entries@) const {
-@written@  }
-};
-
-)",
-                  {{"name", name},
-                   {"number", number_.type()},
-                   {"entries", is_empty ? "" : "entries"},
-                   {"declared", declared},
-                   {"read", read},
-                   {"written", written}});
+    return fill_template(cpp_templates::structure, {{"name", name},
+                                                    {"number", number_.type()},
+                                                    {"entries", is_empty ? "" : "entries"},
+                                                    {"declared", declared},
+                                                    {"read", read},
+                                                    {"written", written}});
   }
 
   /// Declares and fills a vector argument of a C function.
@@ -138,17 +102,8 @@ private:
       declared += ";\n";
       called += ", " + place + (each.columns > 1 ? "[0]" : "");
     }
-    return filled(
-        R"(
-struct @name@_result {
-@declared@  status made;
-};
-inline @name@_result @name@(@x@@h@, @p@, @r@@a@, @number@ t = 0) {
-  @name@_result found;
-@given@  found.made = status_of(@system@_@function@(t, given_x@with_h@, given_p, given_r@with_a@@called@), @causes@);
-@filled@  return found;
-}
-)",
+    return fill_template(
+        cpp_templates::function,
         {{"name", name},
          {"function", f.name},
          {"system", s.name},
@@ -168,7 +123,7 @@ inline @name@_result @name@(@x@@h@, @p@, @r@@a@, @number@ t = 0) {
          {"filled", filled_in}});
   }
 
-  system_in_c mapped_;
+  system_with_c_names mapped_;
   scalar number_;
 };
 

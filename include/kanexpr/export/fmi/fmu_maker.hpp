@@ -1,35 +1,45 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/named_values.hpp>
-#include <kanexpr/export/c/printable.hpp>
+#include <kanexpr/derive/survey.hpp>
 #include <kanexpr/export/exporter.hpp>
 #include <kanexpr/export/fmi/fmu.hpp>
+#include <kanexpr/export/text/printable.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
+#include <memory>
+#include <optional>
 #include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 namespace kanexpr::exporting {
 
 /// An assignment of a new value to an entry of the state at an event: `set<-0.8 * u>(u)`.
-struct changed_value {
+struct assignment_at_event {
   symbol_name what;
-  wanted_result to{};
+  requested_result to{};
 };
 
 template <auto value, class Where = describe::file_of<value>>
-changed_value set(const symbol_name& what) {
+assignment_at_event set(const symbol_name& what) {
   return {what, {what.name(), deriving::requested<value>::value}};
 }
-inline changed_value set(const symbol_name& what, symbolic::expression to) {
+inline assignment_at_event set(const symbol_name& what, symbolic::expression to) {
   return {what, {what.name(), {}, to}};
 }
 
 /// An event at which an expression of the model crosses zero, as in a simulation.
 struct exported_event {
   std::string name{};
-  wanted_result watched{};
+  requested_result watched{};
   crossing direction = crossing::either;
-  std::vector<changed_value> changes{};
+  std::vector<assignment_at_event> changes{};
   after_event then = after_event::go_on;
 };
 
@@ -37,19 +47,20 @@ struct exported_event {
 /// `exporting::when<h>("bounce", crossing::falling, {exporting::set<-0.8 * u>(u)})`.
 template <auto watched, class Where = describe::file_of<watched>>
 exported_event when(const std::string& name, crossing direction = crossing::either,
-                    std::vector<changed_value> changes = {}, after_event then = after_event::go_on) {
+                    std::vector<assignment_at_event> changes = {}, after_event then = after_event::go_on) {
   return {name, {name, deriving::requested<watched>::value}, direction, std::move(changes), then};
 }
 /// The same for an expression of a builder.
 inline exported_event when(const std::string& name, symbolic::expression passes_zero,
-                           crossing direction = crossing::either, std::vector<changed_value> changes = {},
+                           crossing direction = crossing::either,
+                           std::vector<assignment_at_event> changes = {},
                            after_event then = after_event::go_on) {
   return {name, {name, {}, passes_zero}, direction, std::move(changes), then};
 }
 
 /// The options of an FMU.
 struct fmu_options {
-  std::vector<wanted_function> outputs{}; ///< in addition to the state
+  std::vector<requested_function> outputs{}; ///< in addition to the state
   std::vector<bound_parameter> bound{};
   std::vector<named_value> start{}; ///< for every parameter; states and inputs default to 0
   std::vector<exported_event> events{};
@@ -66,40 +77,40 @@ struct made_fmu {
 /// Makes an FMU of a system.
 class fmu_maker {
 public:
-  fmu_maker(std::string name, std::function<model()> derive, const fmu_options& chosen)
-      : name_(std::move(name)), derive_(std::move(derive)), chosen_(chosen) {}
+  fmu_maker(std::string name, runtime::staged_derivation& derivation, const fmu_options& chosen)
+      : name_(std::move(name)), derivation_(derivation), chosen_(chosen) {}
 
   made_fmu run() {
     if (!(chosen_.step > 0 && numeric::is_finite(chosen_.step)))
       refuse("the internal step of a co-simulation must be positive");
     if (const std::string mistake = mistake_of_method(chosen_.method); !mistake.empty()) refuse(mistake);
-    gather();
+    collect_functions();
     if (made_.mistake.empty()) {
-      exported found = exporter(name_, derive_, wanted_).run();
+      exported found = exporter(name_, derivation_, wanted_).run();
       made_.of.system = std::move(found.system);
       made_.mistake = std::move(found.mistake);
     }
     if (made_.mistake.empty()) describe();
-    if (made_.mistake.empty()) take_starts();
+    if (made_.mistake.empty()) set_start_values();
     return std::move(made_);
   }
 
 private:
   /// Collects the functions to export.
-  void gather() {
-    const model first = derive_();
-    known_ = first.known();
+  void collect_functions() {
+    const model first = derivation_.resume();
+    survey_ = first.known();
     if (!first.mistake().empty()) return refuse(first.mistake());
     wanted_.bound = chosen_.bound;
     wanted_.functions = {results(fmu::rates), results(fmu::jacobian)};
-    wanted_function by_time = results(fmu::rates);
+    requested_function by_time = results(fmu::rates);
     by_time.name = fmu::rates_by_time, by_time.derivatives = {symbols::time};
     wanted_.functions.push_back(by_time);
-    wanted_function measured{.name = fmu::measured}, changes{.name = fmu::changes};
-    for (const wanted_function& each : chosen_.outputs) {
+    requested_function measured{.name = fmu::measured}, changes{.name = fmu::changes};
+    for (const requested_function& each : chosen_.outputs) {
       if (!each.mistake.empty()) return refuse(each.mistake);
       if (each.step) return refuse(each.name + " is a step and cannot be an output");
-      for (const wanted_result& one : each.results) {
+      for (const requested_result& one : each.results) {
         if (one.name.empty()) return refuse("an output of an FMU needs a name");
         measured.results.push_back(one);
       }
@@ -109,7 +120,7 @@ private:
       measured.results.push_back(each.watched);
     }
     for (const exported_event& each : chosen_.events)
-      for (const changed_value& one : each.changes) changes.results.push_back(one.to);
+      for (const assignment_at_event& one : each.changes) changes.results.push_back(one.to);
     if (!measured.results.empty()) {
       wanted_.functions.push_back(measured);
       measured.name = fmu::measured_derivatives;
@@ -118,7 +129,7 @@ private:
     }
     if (!changes.results.empty()) wanted_.functions.push_back(changes);
     wanted_.functions.push_back(fixed_step(fmu::step, {chosen_.method}));
-    if (known_->constraints > 0 || known_->quaternions > 0)
+    if (survey_->constraints > 0 || survey_->quaternions > 0)
       wanted_.functions.push_back(fixed_step(fmu::correction, {""}));
   }
 
@@ -126,13 +137,13 @@ private:
     fmu& f = made_.of;
     const exported_system& s = f.system;
     f.step_length = chosen_.step;
-    for (int i = 0; i < known_->coordinates + known_->speeds; ++i)
-      f.dependent.push_back(known_->dependent[i]);
+    for (int i = 0; i < survey_->coordinates + survey_->speeds; ++i)
+      f.dependent.push_back(survey_->dependent[i]);
     for (const std::vector<std::string>* names : {&s.coordinates, &s.speeds})
       for (const std::string& each : *names) f.states.push_back(variable(each));
-    for (int i = 0, last = 0; i < known_->coordinates; ++i)
-      if (known_->quaternion_of[i] > last) {
-        last = known_->quaternion_of[i];
+    for (int i = 0, last = 0; i < survey_->coordinates; ++i)
+      if (survey_->quaternion_of[i] > last) {
+        last = survey_->quaternion_of[i];
         f.states[static_cast<std::size_t>(i)].start = 1; // the identity rotation
       }
     for (const std::string& each : s.parameters) f.parameters.push_back(variable(each));
@@ -161,7 +172,7 @@ private:
       f.indicators.push_back(variable(each.name));
       f.directions.push_back(each.direction);
       f.ends.push_back(each.then == after_event::stop);
-      for (const changed_value& one : each.changes) {
+      for (const assignment_at_event& one : each.changes) {
         const int place = place_of(f.states, one.what.name());
         if (place < 0)
           return refuse("event " + each.name + " sets " + one.what.name() +
@@ -174,7 +185,7 @@ private:
     }
   }
 
-  void take_starts() {
+  void set_start_values() {
     fmu& f = made_.of;
     std::set<std::string> given;
     for (const named_value& each : chosen_.start) {
@@ -189,7 +200,7 @@ private:
       if (!numeric::is_finite(each.value)) return refuse("the start value of " + name + " is not finite");
       if (!given.insert(name).second) return refuse(name + " has two start values");
       if (const int state = place_of(f.states, name);
-          state >= known_->coordinates && f.dependent[static_cast<std::size_t>(state)])
+          state >= survey_->coordinates && f.dependent[static_cast<std::size_t>(state)])
         return refuse("speed " + name +
                       " is dependent and cannot have a start value; it follows from the constraints");
       found->start = each.value;
@@ -198,7 +209,7 @@ private:
       if (const std::string& name = called(each); !given.contains(name))
         return refuse("parameter " + name + " has no start value");
     if (const mechanics::sentence impossible =
-            compiled::check_masses(*known_, numbers_or_unknown(first_parameters()).data()))
+            compiled::check_masses(*survey_, values_or_nan(first_parameters()).data()))
       refuse(std::string(impossible.view()));
   }
 
@@ -206,8 +217,8 @@ private:
   std::vector<std::optional<double>> first_parameters() const {
     std::vector<std::optional<double>> all;
     using symbolic::symbol_kind;
-    for (int i = 0; i < known_->parameters; ++i) {
-      const std::string_view name = known_->names[known_->first_of(symbol_kind::parameter) + i].view();
+    for (int i = 0; i < survey_->parameters; ++i) {
+      const std::string_view name = survey_->names[survey_->first_of(symbol_kind::parameter) + i].view();
       all.emplace_back();
       for (const bound_parameter& each : chosen_.bound)
         if (each.name == name) all.back() = each.value;
@@ -237,10 +248,10 @@ private:
   }
 
   std::string name_;
-  std::function<model()> derive_;
+  runtime::staged_derivation& derivation_;
   const fmu_options& chosen_;
   options wanted_{};
-  std::shared_ptr<const deriving::survey> known_{};
+  std::shared_ptr<const deriving::survey> survey_{};
   std::set<std::string> names_{};
   made_fmu made_{};
 };

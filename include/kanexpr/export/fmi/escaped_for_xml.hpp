@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/export/c/printable.hpp>
+#include <kanexpr/export/text/printable.hpp>
 
 #include <string>
 #include <string_view>
@@ -8,7 +8,7 @@
 namespace kanexpr::exporting {
 
 /// Escapes text for use as an attribute value.
-inline std::string in_xml(std::string_view text) {
+inline std::string escaped_for_xml(std::string_view text) {
   std::string escaped;
   for (const char c : printable(text)) switch (c) {
     case '&': escaped += "&amp;"; break;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/export/c/identifiers.hpp>
 #include <kanexpr/export/exported_system.hpp>
+#include <kanexpr/export/text/identifiers.hpp>
 
 #include <algorithm>
 #include <string>
@@ -21,13 +21,13 @@ inline std::vector<symbolic::operation> written_functions() {
 }
 
 /// A system with the names that it has in a C file.
-struct system_in_c {
+struct system_with_c_names {
   exported_system system{};
   std::vector<std::pair<std::string, std::string>> changed{}; ///< model names and their replacements
 };
 
 /// Maps all names to C. Symbols and functions share one set of names, as all have the prefix `NAME_`.
-inline system_in_c in_c(exported_system s) {
+inline system_with_c_names names_in_c(exported_system s) {
   identifiers taken;
   for (const char* own : {"states", "coordinates", "speeds", "parameters", "inputs", "bits", "FUNCTION",
                           "INLINE", "SINES_OF_THE_LIBRARY", "ANGLES_WITHOUT_END", "has_bits_of_that_size",
@@ -68,7 +68,7 @@ inline system_in_c in_c(exported_system s) {
     }
   for (exported_function& f : s.functions)
     for (exported_result& of : f.results)
-      for (std::string& row : of.of_rows) {
+      for (std::string& row : of.row_symbols) {
         const auto found =
             std::find_if(symbols.begin(), symbols.end(), [&](const auto& each) { return each.first == row; });
         if (found != symbols.end()) row = found->second;

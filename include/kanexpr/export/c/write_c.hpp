@@ -1,19 +1,24 @@
 #pragma once
 
+#include <kanexpr/base/outcome.hpp>
 #include <kanexpr/export/c/c_file.hpp>
-#include <kanexpr/export/c/cpp_file.hpp>
-#include <kanexpr/export/c/python_file.hpp>
+#include <kanexpr/export/cpp/cpp_file.hpp>
 #include <kanexpr/export/exporter.hpp>
 #include <kanexpr/export/files.hpp>
+#include <kanexpr/export/format.hpp>
+#include <kanexpr/export/python/python_file.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/builder.hpp>
+
+#include <string>
+#include <vector>
 
 namespace kanexpr {
 
 namespace exporting {
 
 struct c_options {
-  std::vector<wanted_function> functions = default_results();
+  std::vector<requested_function> functions = default_results();
   std::vector<bound_parameter> bound{}; ///< parameters that are exported as numbers
   precision number = precision::double_precision;
   bool with_python = false; ///< also `name`.py, a module that calls the functions by ctypes
@@ -50,6 +55,16 @@ inline outcome write_c(const exported& of, const std::filesystem::path& folder, 
   return write_files(files);
 }
 
+/// The same as the format "c".
+inline outcome write_c(runtime::staged_derivation& derivation, const export_options& given) {
+  c_options chosen{.bound = given.bound,
+                   .number = given.number,
+                   .with_python = given.with_python,
+                   .with_cpp = given.with_cpp};
+  if (!given.functions.empty()) chosen.functions = given.functions;
+  return write_c(exporter(given.name, derivation, chosen).run(), given.folder, chosen);
+}
+
 } // namespace detail
 
 } // namespace exporting
@@ -66,8 +81,8 @@ outcome write_c(const std::filesystem::path& folder, const std::string& name,
 /// The same for a system built by a builder.
 inline outcome write_c(const runtime::builder& of, const std::filesystem::path& folder,
                        const std::string& name, const exporting::c_options& chosen = {}) {
-  exporting::exporter each(name, [&] { return runtime::derive_in_own_graph(of); }, chosen);
-  return exporting::detail::write_c(each.run(), folder, chosen);
+  runtime::staged_derivation derivation([&] { return runtime::derive_in_own_graph(of); });
+  return exporting::detail::write_c(exporting::exporter(name, derivation, chosen).run(), folder, chosen);
 }
 
 } // namespace kanexpr

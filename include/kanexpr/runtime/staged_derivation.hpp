@@ -1,0 +1,44 @@
+#pragma once
+
+#include <kanexpr/mechanics/quantity.hpp>
+#include <kanexpr/runtime/model.hpp>
+
+#include <array>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace kanexpr {
+
+namespace deriving {
+struct image;
+}
+
+namespace runtime {
+
+/// Derives a system once, stage by stage. Each model resumes from the stored stage, in a separate graph, and
+/// has the expressions of a model that is derived anew.
+class staged_derivation {
+public:
+  explicit staged_derivation(std::function<model()> derive) : derive_(std::move(derive)) {}
+
+  /// A model from which the results of a stage can be formed. It has the mistake of the system, if any.
+  model resume(mechanics::stage at = mechanics::stage::constrained);
+
+private:
+  /// The stored stage; null if it has a mistake or exceeds the size of an image.
+  std::shared_ptr<const deriving::image> stored(mechanics::stage at);
+
+  std::function<model()> derive_;
+  std::optional<model> first_{};
+  std::array<std::optional<std::shared_ptr<const deriving::image>>, 3> stored_{};
+};
+
+} // namespace runtime
+
+} // namespace kanexpr
+
+#ifndef KANEXPR_COMPILED_ENGINE
+#include <kanexpr/runtime/engine/staged_derivation.hpp>
+#endif
