@@ -30,7 +30,7 @@ public:
   }
   derived_from_builder(const derived_from_builder& same, const deriving::image& from)
       : graph_(std::make_shared<symbolic::graph>()), system_(*graph_), no_words_(same.no_words_) {
-    equations_.emplace(system_, mechanics::equations::set_aside{});
+    equations_.emplace(system_, mechanics::equations::for_restore{});
     reader_.know(equations_->known());
     deriving::image_reader read(from, *graph_, system_.mechanism);
     each_part(*this, read);
