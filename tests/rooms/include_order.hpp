@@ -26,10 +26,11 @@ inline std::string text_of(const std::filesystem::path& file) {
 
 inline headers headers_in(const std::filesystem::path& include) {
   headers found;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(include))
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(include)) {
     const std::filesystem::path extension = entry.path().extension();
     if (extension == ".hpp" || extension == ".ipp" || extension == ".in") // .in: a template of text
       found.emplace(entry.path().lexically_relative(include).generic_string(), text_of(entry.path()));
+  }
   return found;
 }
 
