@@ -380,7 +380,7 @@ TEST(inertia, stays_as_the_body_sees_it) {
   with("Clock", driven, 1, 2.5, 3);
   EXPECT_EQ(told(b), elsewhere("Clock", "T", "C"));
   b.changing_inertia("Nothing");
-  EXPECT_EQ(told(b), "changing_inertia names Nothing, and there is no such body");
+  EXPECT_EQ(told(b), "changing_inertia refers to body Nothing, which does not exist");
 }
 
 TEST(inertia, is_about_a_point_of_the_body) {
