@@ -1,6 +1,6 @@
 #pragma once
 
-/// Evaluate and integrate many systems side by side, in SIMD vectors of the processor and on several threads.
+/// Evaluate and integrate many systems side by side, in SIMD vectors and on several threads.
 
 #include <kanexpr/compiler.hpp>
 

@@ -151,13 +151,13 @@ struct System : loaded<force<P, -c * velocity_of<P, N>>> {};
 void f() { use<System>(); }
 } // namespace n18
 
-// expect: the argument of when<...>, with P, is a vector; it must be a scalar that can pass zero
+// expect: the argument of when<...>, with P, is a vector; it must be a scalar that can cross zero
 namespace n19 {
 struct System : loaded<weight> {};
 auto f() { return when<System, velocity_of<P>>("still"); }
 } // namespace n19
 
-// expect: the argument of when<...> is not an expression; it must be a scalar that can pass zero
+// expect: the argument of when<...> is not an expression; it must be a scalar that can cross zero
 namespace n20 {
 struct System : loaded<weight> {};
 auto f() { return when<System, nullptr>("never"); }

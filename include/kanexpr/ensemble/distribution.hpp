@@ -9,8 +9,9 @@
 namespace kanexpr {
 
 /// The distribution of a number, given by its quantile function: the value below which it lies with a
-/// probability between 0 and 1. Some are defined below; any other is constructed from its quantiles, for
-/// example by Boost.Math: `distribution("weibull(1.5, 2)", [w](double part) { return quantile(w, part); })`.
+/// probability between 0 and 1. Some are defined below; any other is constructed from its quantile
+/// function, for example one from Boost.Math: `distribution("weibull(1.5, 2)", [w](double part) { return
+/// quantile(w, part); })`.
 ///
 /// The first argument must contain all parameters with all digits: it distinguishes studies when one resumes
 /// from a checkpoint.

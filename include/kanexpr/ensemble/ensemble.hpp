@@ -55,7 +55,7 @@ private:
 template <class System, integrator by = integrator::adams>
 using ensemble = ensemble_of<ensembles::simulation_runner<System, by>>;
 
-/// Many motions of one system in steps of a fixed length, several of them in each vector of the processor:
+/// Simulates many runs of one system with steps of fixed length, several per SIMD vector:
 ///
 ///     const auto pendulums = ensemble_in_steps<runge_kutta_4<System>>({
 ///         .runs = grid({{q, evenly_spaced(-3, 3, 1000)}}),

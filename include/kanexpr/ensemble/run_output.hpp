@@ -198,8 +198,8 @@ at_end(std::string name = ensembles::output_expression<expression>::name("_end")
   return {{std::move(name), std::move(unit)}};
 }
 
-/// The maximum of an expression in each run, also between the steps of the integrator; q1_greatest for a
-/// symbol.
+/// The maximum of an expression over each run, including between the steps of the integrator. The default
+/// name for a symbol q1 is q1_greatest.
 template <auto expression>
 ensembles::expression_output<expression, ensembles::aggregate::greatest>
 greatest(std::string name = ensembles::output_expression<expression>::name("_greatest"),

@@ -23,7 +23,7 @@ namespace kanexpr::ensembles {
 /// Inputs by name, instead of a function (t, x).
 struct constant_inputs {};
 
-/// Performs runs by steps of a fixed length, one in each lane of a vector of the processor.
+/// Performs runs by steps of a fixed length, one in each lane of a SIMD vector.
 template <class Step, class Law, class Number>
 class step_runner {
 public:

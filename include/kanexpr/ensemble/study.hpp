@@ -64,7 +64,7 @@ template <class System>
 using study = study_of<ensembles::simulation_kind<System>>;
 
 /// A study whose runs are performed by steps of a fixed length: `.span = {.step = 1e-3, .steps = 500}`. In
-/// single precision, `study_in_steps<Step, float>`, twice as many runs fit into a vector of the processor.
+/// single precision, `study_in_steps<Step, float>`, twice as many runs fit into a SIMD vector.
 template <class Step, class Number = double>
 using study_in_steps = study_of<ensembles::step_kind<Step, Number>>;
 

@@ -55,7 +55,7 @@ simulation<model> simulate(const Builder& built, const given_state<model>& x,
   return simulate<by>(derive(built), x, p, span, options);
 }
 
-/// Returns the event in which an expression of a model passes zero: `when(m, dot(x) - v, "slips")`.
+/// Returns the event in which an expression of a model crosses zero: `when(m, dot(x) - v, "slips")`.
 inline event<model> when(model m, symbolic::expression passes_zero, std::string name,
                          crossing direction = crossing::either, event_handler<model> handler = {}) {
   if (!passes_zero.is_given() || !passes_zero.lives_in(m.graph()))

@@ -75,8 +75,8 @@ public:
     return !is_refused_;
   }
 
-  /// Makes the time and state that were reached the last sample; goes back to the last sample if it was
-  /// rejected or no further sample fits.
+  /// Records the time and state that were reached as the last sample. If that sample is rejected or does not
+  /// fit, resets t and x to the last recorded sample.
   void finish(double& t, state& x) {
     if (!last_) return;
     const bool is_taken = numeric::equal(last_->t, t) && last_->x == x;

@@ -16,7 +16,7 @@ enum class symbol_list : unsigned char {
   times,
 };
 
-/// Returns the name of the list in a sentence.
+/// Returns the name of the list as it appears in error messages.
 constexpr std::string_view called(symbol_list list) {
   switch (list) {
   case symbol_list::coordinates: return "coordinates";

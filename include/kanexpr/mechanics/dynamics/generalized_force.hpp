@@ -142,7 +142,7 @@ private:
     return change;
   }
 
-  /// The inertia moment about the link's station.
+  /// The inertia torque of the link about its station.
   constexpr components inertia_demand(motion& k, const symmetric& i, int f) {
     if (i.is_zero()) return components(*m_.g);
     const components w = k.angular_velocity(f), alpha = k.angular_acceleration(f);

@@ -53,7 +53,7 @@ private:
   std::optional<after_event> always_{};
 };
 
-/// An event occurs where a function passes zero. Without a handler it is only recorded.
+/// An event occurs where a function crosses zero. Without a handler it is only recorded.
 template <class System>
 struct event {
   using function = std::function<double(double t, const state<System>&, const parameter_values<System>&,
@@ -66,7 +66,7 @@ struct event {
   function value;
   crossing direction;
   event_handler<System> handler;
-  std::string text{}; ///< identifies what passes zero, for a study; empty for a function
+  std::string text{}; ///< identifies what crosses zero, for a study; empty for a function
 };
 
 namespace simulated {
@@ -81,14 +81,14 @@ struct watched {
     if (passes_zero) return mechanics::sentence{};
     return mechanics::sentence({"the argument of when<...>", words.size > 0 ? ", with " : "",
                                 deriving::name_in(words), words.size > 0 ? "," : "",
-                                deriving::is_a(words.kind), "it must be a scalar that can pass zero"});
+                                deriving::is_a(words.kind), "it must be a scalar that can cross zero"});
   }();
   static_assert(deriving::report<watched>());
 };
 
 } // namespace simulated
 
-/// Returns the event in which an expression of the model passes zero or an equation holds: `when<System,
+/// Returns the event in which an expression of the model crosses zero or an equation holds: `when<System,
 /// dot(position_of<Ball, O>, N::y)>("contact", crossing::falling, bounce)`.
 template <class System, auto expression>
 event<System> when(std::string name, crossing direction = crossing::either,

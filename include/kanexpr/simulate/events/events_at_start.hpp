@@ -23,7 +23,7 @@ public:
 
   void set(const tolerances& of_entries) { tolerances_ = of_entries; }
 
-  /// Finds the functions that pass zero at the start: those that are zero there, within the tolerances, and
+  /// Finds the functions that cross zero at the start: those that are zero there, within the tolerances, and
   /// leave zero in the direction of their event. An event of either direction must be seen on both sides of
   /// zero. Returns false if a function cannot be evaluated.
   bool begin(double t, const state& x, double span, std::vector<int>& passed) {
@@ -66,7 +66,7 @@ public:
   /// Sets how far ahead the rates of the functions are evaluated: a small fraction of a step.
   void set_look_ahead(double step) { least_ahead_ = 1e-3 * step; }
 
-  /// Whether a function passes zero against the sign of its rate.
+  /// Whether a function crosses zero against the sign of its rate.
   bool contradict(double t, const state& x, const std::vector<int>& passed) {
     const std::vector<double> slopes = slopes_at(t, x);
     for (std::size_t i = 0; i < passed.size(); ++i)
@@ -74,7 +74,7 @@ public:
     return false;
   }
 
-  /// Returns the index of a function that was found to pass zero but stays there, since small changes of its
+  /// Returns the index of a function that was found to cross zero but stays there, since small changes of its
   /// arguments do not change it; −1 if there is none.
   int stationary_event(double t, const state& x, const std::vector<int>& passed) {
     if (!evaluate(t, x, here_)) return -1;
@@ -86,14 +86,14 @@ public:
     return -1;
   }
 
-  /// Whether a function that has passed zero was exactly zero where `resting` evaluated it.
+  /// Whether a function that has crossed zero was exactly zero where `resting` evaluated it.
   bool is_zero(const std::vector<int>& passed) const {
     for (std::size_t i = 0; i < passed.size(); ++i)
       if (passed[i] != 0 && numeric::equal(here_[i], 0.0)) return true;
     return false;
   }
 
-  /// Records the functions that have just passed zero, after handlers that left the state `x`: a function
+  /// Records the functions that have just crossed zero, after handlers that left the state `x`: a function
   /// that they reversed or brought to rest is expected to return; one that continues may not have reached
   /// zero yet.
   void record_passed(double t, const state& before, const state& x, const std::vector<int>& passed) {

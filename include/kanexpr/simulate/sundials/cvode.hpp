@@ -40,7 +40,7 @@ public:
   }
 
   /// CVODE cannot project Adams' formulas itself. The reported state is projected instead, and the drift of
-  /// the formulas is led back.
+  /// the formulas is gradually corrected.
   bool reports_projected_states() const override {
     return formulas_ == formulas::adams && problem_.has_manifold();
   }

@@ -45,7 +45,7 @@ public:
   }
 
   /// The reported state is projected onto the invariants that are not among the equations, and the drift of
-  /// the formulas is led back.
+  /// the formulas is gradually corrected.
   bool reports_projected_states() const override { return problem_.has_manifold(); }
 
   int degree() const override { return number<int>(IDAGetLastOrder); }

@@ -44,7 +44,7 @@ public:
   /// different state.
   virtual double* rates() { return nullptr; }
 
-  /// Returns for each watched function 1 if it passed zero rising, −1 if falling, 0 if it did not pass zero.
+  /// Returns for each watched function 1 if it crossed zero rising, −1 if falling, 0 if it did not pass zero.
   virtual std::vector<int> events() const = 0;
 
   /// Evaluates a derivative of the solution's polynomial over the last step, of any order.

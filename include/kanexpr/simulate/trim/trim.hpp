@@ -24,8 +24,9 @@ struct requirements {
   int most_iterations = 0;
 };
 
-/// The interface of a system in the search: [constraints; ẋ] at the time t and [x; p; r], as tables or as a
-/// compiled function in a library. The function returns what could not be solved, as a sentence.
+/// What the search for an operating point needs from a system: functions that evaluate [constraints; ẋ] at
+/// time t and [x; p; r], given as tables or as a compiled function in a library. The compiled function
+/// returns a sentence that names the singular linear system, or an empty one.
 struct system_functions {
   using library = std::string_view (*)(double t, const std::complex<double>* at, std::complex<double>* all);
 

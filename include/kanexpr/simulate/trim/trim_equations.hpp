@@ -92,7 +92,8 @@ public:
     return of;
   }
 
-  /// Returns what could not be solved in the last residual, as a sentence.
+  /// Returns a sentence that names the linear system that was singular in the last residual; empty if none
+  /// was.
   std::string_view unsolved() const { return unsolved_; }
   /// Returns [x; p; r] with the unknowns inserted.
   Eigen::VectorXd values(const Eigen::VectorXd& z) {
