@@ -65,8 +65,8 @@ find(passes "kanexpr::animate is disabled: the animation page was not installed"
 find(fails "kanexpr::animate is disabled: the animation page was not installed" most REQUIRED
   COMPONENTS animate)
 find(fails "kanexpr has no component simulation" most REQUIRED COMPONENTS simulation)
-find(passes "there is simulate" most 0.1...<0.2 REQUIRED OPTIONAL_COMPONENTS simulate animate)
-find(fails "compatible with requested version range" most 0.2...<1 REQUIRED)
+find(passes "there is simulate" most 0.2...<0.3 REQUIRED OPTIONAL_COMPONENTS simulate animate)
+find(fails "compatible with requested version range" most 0.3...<1 REQUIRED)
 file(WRITE ${BINARY}/rich/page/kanexpr.html "a page")
 run(passes "share/kanexpr/kanexpr.html" ${CMAKE_COMMAND} --install ${BINARY}/rich --prefix ${BINARY}/all)
 find(passes "there is animate" all REQUIRED COMPONENTS simulate animate)

@@ -47,8 +47,8 @@ inline void listen_to(int signal, bool begins) {
 /// objects may exist on any threads and end in any order; a signal stops all that listen to it.
 class stop_on_signal {
 public:
-  explicit stop_on_signal(std::initializer_list<int> signals = {SIGINT, SIGTERM, SIGUSR1}) {
-    for (const int each : signals) {
+  explicit stop_on_signal(std::initializer_list<int> watched = {SIGINT, SIGTERM, SIGUSR1}) {
+    for (const int each : watched) {
       before_.emplace(each, received(each));
       ensembles::listen_to(each, true);
     }

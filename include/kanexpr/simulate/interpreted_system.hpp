@@ -169,7 +169,7 @@ private:
     std::optional<interpreted_results<Number>> velocities_{}, configuration_{};
   };
 
-  void check(const state& at, const inputs& given, compiled::symbols_of which) const override {
+  void validate(const state& at, const inputs& given, compiled::symbols_of which) const override {
     const bool is_state = which == compiled::symbols_of::state;
     const runtime::value_vector* const left =
         is_state ? static_cast<const runtime::value_vector*>(&at) : &given;

@@ -26,7 +26,7 @@ public:
     const state at = state_of(x);
     const inputs given = inputs_of(r);
     const double value = options_.events[which].value(t, at, p_, given);
-    check(at, given, compiled::symbols_of::state);
+    validate(at, given, compiled::symbols_of::state);
     return value;
   }
   after_event handle(std::size_t which, double t, double* x, const double* r) const final {
@@ -34,7 +34,7 @@ public:
     const inputs given = inputs_of(r);
     moment<System> now{t, at, p_, given};
     const after_event what = options_.events[which].handler(now);
-    check(at, given, compiled::symbols_of::state);
+    validate(at, given, compiled::symbols_of::state);
     std::copy_n(at.data(), at.size(), x);
     return what;
   }
@@ -56,7 +56,7 @@ protected:
         any_state_(std::move(any_state)), no_inputs_(std::move(no_inputs)) {}
 
   /// Checks the names that a user function looked up in the vectors, and the size of the one that it left.
-  virtual void check(const state&, const inputs&, compiled::symbols_of) const {}
+  virtual void validate(const state&, const inputs&, compiled::symbols_of) const {}
 
   const parameter_values<System> p_;
 
@@ -65,7 +65,7 @@ private:
     const state at = state_of(x);
     inputs given = no_inputs_;
     source.give(t, at, given);
-    check(at, given, compiled::symbols_of::inputs);
+    validate(at, given, compiled::symbols_of::inputs);
     std::copy_n(given.data(), given.size(), r);
   }
   state state_of(const double* x) const {

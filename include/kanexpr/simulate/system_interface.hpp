@@ -89,9 +89,10 @@ struct system_description {
 /// The interface of a system in a simulation: its survey, and functions over plain arrays in the order of its
 /// vectors. Implementations add its parameters and options. Code that uses only this interface does not
 /// depend on the model and is compiled without it.
-class system_interface : public system_description {
+class system_interface {
 public:
-  explicit system_interface(const system_description& of) : system_description(of) {}
+  explicit system_interface(const system_description& of)
+      : known(of.known), record(of.record), name(of.name), create_manifold(of.create_manifold) {}
   virtual ~system_interface() = default;
 
   int states() const { return known.coordinates + known.speeds; }
@@ -117,6 +118,11 @@ public:
   /// Store a sample and a polynomial.
   virtual void store_sample(double t, const double* x, const double* r) = 0;
   virtual void store_polynomial(piece p) = 0;
+
+  const deriving::survey& known;
+  const describe::system_record& record;
+  std::string_view name;
+  manifold_factory create_manifold; ///< null if there are no constraints and no quaternions
 };
 
 } // namespace simulated

@@ -26,7 +26,7 @@ int main() {
   const given::parameters values{{l, 0.7}, {m, 2}};
   const auto kinetic = given::kinetic_energy(at, values);
   if (kinetic.status ||
-      !kinetic.status.cause().starts_with("energies, momenta, the mass centre and the regressor"))
+      !kinetic.status.cause().starts_with("energies, momenta, the mass center and the regressor"))
     return 2;
   const auto rates = given::udot(at, values);
   if (!rates.status || !(rates(0) < 0)) return 3;

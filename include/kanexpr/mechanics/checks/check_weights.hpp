@@ -29,7 +29,7 @@ public:
     at_generic_motion(m_, held_, wanted(), [&](const generic_motion& motion) {
       if (!motion.is_defined(acting_.gravity)) return;
       for (const candidate& c : candidates_)
-        if (motion.is_defined(c.on->mass)) check(c, motion);
+        if (motion.is_defined(c.on->mass)) check_candidate(c, motion);
     });
   }
 
@@ -85,7 +85,7 @@ private:
     return all;
   }
 
-  constexpr void check(const candidate& c, const generic_motion& motion) {
+  constexpr void check_candidate(const candidate& c, const generic_motion& motion) {
     const body& b = *c.on;
     const triple weight = motion[b.mass].value * motion.vector_of(acting_.gravity);
     sequence<triple> summands;

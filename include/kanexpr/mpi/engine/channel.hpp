@@ -30,7 +30,7 @@ class channel {
 
 public:
   channel() {
-    check(MPI_Comm_dup(MPI_COMM_WORLD, &all_));
+    throw_if_failed(MPI_Comm_dup(MPI_COMM_WORLD, &all_));
     MPI_Comm_set_errhandler(all_, MPI_ERRORS_RETURN);
     MPI_Comm_rank(all_, &rank_);
     MPI_Comm_size(all_, &ranks_);
@@ -49,7 +49,8 @@ public:
     std::string bytes = all.bytes();
     bytes.resize((bytes.size() / word + 1) * word);
     const std::scoped_lock lock(mutex_);
-    check(MPI_Send(bytes.data(), static_cast<int>(bytes.size() / word), MPI_UINT64_T, to, tag, all_));
+    throw_if_failed(
+        MPI_Send(bytes.data(), static_cast<int>(bytes.size() / word), MPI_UINT64_T, to, tag, all_));
   }
 
   template <class Content>
@@ -67,11 +68,11 @@ public:
     MPI_Message handle;
     MPI_Status status;
     const std::scoped_lock lock(mutex_);
-    check(MPI_Improbe(from, tag, all_, &is_there, &handle, &status));
+    throw_if_failed(MPI_Improbe(from, tag, all_, &is_there, &handle, &status));
     if (is_there == 0) return std::nullopt;
-    check(MPI_Get_count(&status, MPI_UINT64_T, &words));
+    throw_if_failed(MPI_Get_count(&status, MPI_UINT64_T, &words));
     std::string bytes(static_cast<std::size_t>(words) * word, '\0');
-    check(MPI_Mrecv(bytes.data(), words, MPI_UINT64_T, &handle, MPI_STATUS_IGNORE));
+    throw_if_failed(MPI_Mrecv(bytes.data(), words, MPI_UINT64_T, &handle, MPI_STATUS_IGNORE));
     message<Content> found{status.MPI_SOURCE, {}};
     ensembles::loader all(bytes);
     all(found.content);
@@ -87,7 +88,7 @@ public:
   }
 
 private:
-  static void check(int code) {
+  static void throw_if_failed(int code) {
     if (code == MPI_SUCCESS) return;
     char text[MPI_MAX_ERROR_STRING] = {};
     int length = 0;
