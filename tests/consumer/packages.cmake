@@ -52,7 +52,7 @@ run(passes "kanexpr::animate is disabled: nlohmann-json 3.2 was not found" ${CMA
 run(passes "kanexpr::robots is disabled: tinyxml2 was not found" ${CMAKE_COMMAND} ${BINARY}/poor)
 run(passes "" ${CMAKE_COMMAND} --install ${BINARY}/poor --prefix ${BINARY}/little)
 foreach(part engine simulate robots robots_sdf)
-  find(fails "kanexpr::${part} is left out: kanexpr was installed without it" little REQUIRED COMPONENTS ${part})
+  find(fails "kanexpr::${part} is disabled: kanexpr was installed without it" little REQUIRED COMPONENTS ${part})
 endforeach()
 
 # All that can be, but for the page, and then with it
