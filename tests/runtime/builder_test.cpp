@@ -257,7 +257,8 @@ TEST(interpreter, knows_every_operation) {
   for (int i = 0; i < wanted.rows; ++i) wanted.entries[i] = all[i];
   double found[std::size(all)];
   code_for(b, wanted).evaluate([&](const kanexpr::lower::load& l) { return at[l.position]; }, found);
-  for (std::size_t i = 0; i < std::size(all); ++i) EXPECT_EQ(found[i], expected[i]) << "expression " << i;
+  for (std::size_t i = 0; i < std::size(all); ++i)
+    EXPECT_DOUBLE_EQ(found[i], expected[i]) << "expression " << i;
 }
 
 TEST(interpreter, evaluates_in_other_scalar_types) {

@@ -229,6 +229,7 @@ struct varied_step {
     constexpr int inputs = varied::inputs;
     varied at(x), next(x);
     const varied before(x);
+    constexpr auto k = stepping::coefficients_of<tableau, Number>;
     Number reach = Number(0);
     for (int stage = 0; stage < stages; ++stage) {
       const auto [rate, by_state, by_inputs] = typename rates::evaluated{}(Number(t + reach), at.x, p, r);
@@ -241,11 +242,11 @@ struct varied_step {
         by_all.template rightCols<inputs>() += by_inputs;
       }
       if (stage + 1 < stages) {
-        reach = Number(Number(tableau.a(stage + 1)) * h);
+        reach = Number(Number(k.a[stage + 1]) * h);
         stepping::advance(at.x, 0, x, reach, rate);
         at.by_all = before.by_all + reach * by_all;
       }
-      const Number weight = Number(Number(tableau.b(stage)) * h);
+      const Number weight = Number(Number(k.b[stage]) * h);
       stepping::advance(next.x, 0, next.x, weight, rate);
       next.by_all += weight * by_all;
     }

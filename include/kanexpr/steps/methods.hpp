@@ -89,14 +89,14 @@ struct method {
   [[gnu::always_inline]] static status advance(const Equations& equations, const Time& t, const State& x,
                                                const Time& h, State& next) {
     using math = lower::scalar_math<typename State::Scalar>;
+    constexpr auto k = coefficients_of<of, Time>;
     State at = x;
     for (int stage = 0; stage < of.stages; ++stage) {
-      const Time when = static_cast<Time>(t + Time(of.c(stage)) * h);
+      const Time when = static_cast<Time>(t + Time(k.c[stage]) * h);
       const auto rate = equations.template get<mechanics::quantity::rhs>(when, at);
       if (const status s = status_of(rate); !s) return s;
-      const double reach = stage + 1 < of.stages ? of.a(stage + 1) : 0;
-      stepping::advance(at, 0, x, math::from(Time(reach) * h), rate);
-      stepping::advance(next, 0, next, math::from(Time(of.b(stage)) * h), rate);
+      stepping::advance(at, 0, x, math::from(Time(k.a[stage + 1]) * h), rate);
+      stepping::advance(next, 0, next, math::from(Time(k.b[stage]) * h), rate);
     }
     return {};
   }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string_view>
+#include <type_traits>
 
 /// The coefficients of the fixed-step methods. To add a method, add its coefficients here and its class
 /// template in fixed_step.hpp; derivatives of steps and exported steps follow from the coefficients.
@@ -23,9 +24,6 @@ struct tableau {
   int stages = 0;
   std::array<stage, most_stages> stage_at{};
 
-  constexpr double a(int s) const { return at(s).a[0]; }
-  constexpr double b(int s) const { return at(s).b[0]; }
-  constexpr double c(int s) const { return at(s).c; }
   constexpr const stage& at(int s) const { return stage_at[static_cast<std::size_t>(s)]; }
 };
 
@@ -58,5 +56,24 @@ constexpr const tableau* find_tableau(std::string_view name) {
     if (each->name == name) return each;
   return nullptr;
 }
+
+/// The coefficients of an explicit method in the precision of a scalar type, so that a microcontroller
+/// converts no numbers at run time. After the last stage, a is zero.
+template <class Real>
+struct coefficients {
+  Real a[tableau::most_stages + 1]{}, b[tableau::most_stages]{}, c[tableau::most_stages]{};
+};
+
+template <const tableau& of, class Scalar>
+inline constexpr auto coefficients_of = [] {
+  using real = std::conditional_t<std::is_same_v<Scalar, float>, float, double>;
+  coefficients<real> all;
+  for (int s = 0; s < of.stages; ++s) {
+    all.a[s] = static_cast<real>(of.at(s).a[0]);
+    all.b[s] = static_cast<real>(of.at(s).b[0]);
+    all.c[s] = static_cast<real>(of.at(s).c);
+  }
+  return all;
+}();
 
 } // namespace kanexpr::stepping
