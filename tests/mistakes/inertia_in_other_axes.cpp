@@ -1,5 +1,5 @@
-// expect: the inertia of Rotor is given along the axes of A and changes as seen from B, the body frame; if this
-// expect: is intended, write changing_inertia<...>
+// expect: the inertia of Rotor is given along the axes of A and changes as seen from B, the body frame; if
+// expect: this is intended, write changing_inertia<...>
 #include "pendulum.hpp"
 
 struct B : rotated<B, A, s, A::x> {};

@@ -229,7 +229,7 @@ struct varied_step {
     constexpr int inputs = varied::inputs;
     varied at(x), next(x);
     const varied before(x);
-    constexpr auto k = stepping::coefficients_of<tableau, Number>;
+    constexpr const auto& k = stepping::coefficients_of<tableau, Number>;
     Number reach = Number(0);
     for (int stage = 0; stage < stages; ++stage) {
       const auto [rate, by_state, by_inputs] = typename rates::evaluated{}(Number(t + reach), at.x, p, r);

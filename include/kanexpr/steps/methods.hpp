@@ -89,13 +89,14 @@ struct method {
   [[gnu::always_inline]] static status advance(const Equations& equations, const Time& t, const State& x,
                                                const Time& h, State& next) {
     using math = lower::scalar_math<typename State::Scalar>;
-    constexpr auto k = coefficients_of<of, Time>;
+    constexpr const auto& k = coefficients_of<of, Time>;
     State at = x;
+    Time reach = Time(0) * h;
     for (int stage = 0; stage < of.stages; ++stage) {
-      const Time when = static_cast<Time>(t + Time(k.c[stage]) * h);
-      const auto rate = equations.template get<mechanics::quantity::rhs>(when, at);
+      const auto rate = equations.template get<mechanics::quantity::rhs>(static_cast<Time>(t + reach), at);
       if (const status s = status_of(rate); !s) return s;
-      stepping::advance(at, 0, x, math::from(Time(k.a[stage + 1]) * h), rate);
+      reach = Time(k.a[stage + 1]) * h;
+      stepping::advance(at, 0, x, math::from(reach), rate);
       stepping::advance(next, 0, next, math::from(Time(k.b[stage]) * h), rate);
     }
     return {};

@@ -68,7 +68,7 @@ struct step_of_second_order {
   /// Returns, for each stage, its time offset and the weight of its rate in the result, both multiplied by h.
   template <class Number>
   static constexpr void lengths(const Number& h, Number (&reach)[stages], Number (&weight)[stages]) {
-    constexpr auto k = stepping::coefficients_of<Step::tableau, Number>;
+    constexpr const auto& k = stepping::coefficients_of<Step::tableau, Number>;
     for (int s = 0; s < stages; ++s)
       reach[s] = Number(Number(k.a[s]) * h), weight[s] = Number(Number(k.b[s]) * h);
   }
