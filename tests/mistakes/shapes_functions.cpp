@@ -90,8 +90,8 @@ void f() { use<System>(); }
 } // namespace n14
 
 // expect: the damping of the damper between Q and O uses a function that models do not have; they have sqrt,
-// expect: sin, cos, tan, asin, acos, atan, exp, log, sinh, cosh, tanh, abs, sign, cbrt, erf, wrap_to_pi, atan2,
-// expect: pow, hypot, min, max and clamp
+// expect: sin, cos, tan, asin, acos, atan, exp, log, sinh, cosh, tanh, abs, sign, cbrt, erf,
+// expect: wrap_to_pi, atan2, pow, hypot, min, max and clamp
 namespace n15 {
 struct System : loaded<damper<Q, O, exp2(u)>> {};
 void f() { use<System>(); }
