@@ -64,7 +64,7 @@ private:
   }
 
   /// Fails with a mistake; returns whether there is none.
-  bool passes(std::string mistake) { return mistake.empty() || fail(std::move(mistake)); }
+  bool passes(const std::string& mistake) { return mistake.empty() || fail(mistake); }
 
   bool begin() {
     solvers::stepper_options o = stepper_options();

@@ -36,6 +36,7 @@ public:
     if (!out_) return file_.failure("cannot be opened");
     rows_ = 0;
     std::vector<std::string> names;
+    names.reserve(layout.columns.size());
     for (const column_label& each : layout.columns) names.push_back(each.name);
     writer_.emplace(out_, names, path_);
     return state();

@@ -157,6 +157,7 @@ std::vector<std::jthread> start_threads(std::size_t count, const Work& work) {
   try {
     while (threads.size() < count) threads.emplace_back(work, threads.size());
   } catch (const std::system_error&) {
+    return threads;
   }
   return threads;
 }

@@ -43,7 +43,8 @@ inline runs drawn_runs(std::size_t count, std::vector<drawn> what, std::uint64_t
   identity += "}, " + std::to_string(seed) + ')';
   if (count == 0) return runs::mistaken("a study requires at least one run");
   if (count > max_runs) return runs::mistaken(name + " has more than 2^53 runs");
-  const auto draw = [=](std::size_t run, double* values) {
+  auto draw = [=, what = std::move(what), numbers = std::move(numbers),
+               orders = std::move(orders)](std::size_t run, double* values) {
     for (std::size_t i = 0; i < what.size(); ++i) {
       double part = numbers[i].number(run);
       if (stratified)
@@ -52,7 +53,7 @@ inline runs drawn_runs(std::size_t count, std::vector<drawn> what, std::uint64_t
       values[i] = what[i].from.quantile(part);
     }
   };
-  return {count, std::move(names), draw, std::move(identity)};
+  return {count, std::move(names), std::move(draw), std::move(identity)};
 }
 
 /// The name and the bits of a column.

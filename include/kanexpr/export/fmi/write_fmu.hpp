@@ -68,7 +68,7 @@ inline outcome write_fmi(runtime::staged_derivation& derivation, const export_op
   fmu_options chosen{.outputs = given.functions, .bound = given.bound, .start = given.start};
   if (given.step) chosen.step = *given.step;
   if (given.compiler) chosen.compiler = *given.compiler;
-  const written_fmu written = write_fmu(derivation, given.folder, given.name, chosen);
+  written_fmu written = write_fmu(derivation, given.folder, given.name, chosen);
   if (!written.note().empty()) std::fprintf(stderr, "kanexpr-export: note: %s\n", written.note().c_str());
   return written;
 }

@@ -33,6 +33,7 @@ inline bool write_attribute(hid_t of, const char* name, const std::string& text)
 }
 inline bool write_attribute(hid_t of, const char* name, const std::vector<std::string>& texts) {
   std::vector<const char*> all;
+  all.reserve(texts.size());
   for (const std::string& each : texts) all.push_back(each.c_str());
   return write_attribute(of, name, text_type().id(), static_cast<const void*>(all.data()), all.size());
 }

@@ -37,6 +37,7 @@ public:
   }
   std::vector<std::string> units() const {
     std::vector<std::string> all;
+    all.reserve(labels_.size());
     for (const column_label& each : labels_) all.push_back(each.unit);
     return all;
   }
