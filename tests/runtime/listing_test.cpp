@@ -2,6 +2,7 @@
 #include <kanexpr/runtime/listing.hpp>
 #include <kanexpr/symbolic.hpp>
 #include <kanexpr/symbolic/graph/composed.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
 
 #include "models/bicycle.hpp"
 #include "models/double_pendulum.hpp"

@@ -2,6 +2,7 @@
 
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <complex>

@@ -4,6 +4,7 @@
 #include <kanexpr/lower/statements.hpp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>

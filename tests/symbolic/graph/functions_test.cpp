@@ -1,4 +1,5 @@
 // What the table says of each function, against its values.
+#include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
 
 #include <gtest/gtest.h>

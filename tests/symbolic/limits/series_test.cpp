@@ -3,6 +3,7 @@
 
 #include "evaluate_graph.hpp"
 
+#include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/limits/operation.hpp>
 
 #include <gtest/gtest.h>

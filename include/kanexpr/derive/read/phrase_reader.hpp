@@ -13,6 +13,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <string_view>

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/describe/record.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
 
 #include <string_view>
 

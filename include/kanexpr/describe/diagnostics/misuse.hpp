@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <string_view>

@@ -9,6 +9,7 @@
 #include <kanexpr/export/text/names_in_c.hpp>
 #include <kanexpr/export/text/printable.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
 
 #include <algorithm>
 #include <numbers>

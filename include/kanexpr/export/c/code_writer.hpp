@@ -3,6 +3,7 @@
 #include <kanexpr/export/exported_system.hpp>
 #include <kanexpr/export/text/identifiers.hpp>
 #include <kanexpr/export/text/scalar.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 

@@ -2,6 +2,7 @@
 
 #include <kanexpr/export/exported_system.hpp>
 #include <kanexpr/export/text/identifiers.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
 
 #include <algorithm>
 #include <string>

@@ -4,6 +4,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/evaluate.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>

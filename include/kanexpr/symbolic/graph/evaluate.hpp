@@ -4,6 +4,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/numeric/constant_elimination_math.hpp>
 #include <kanexpr/numeric/elementary.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/list.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>

@@ -4,6 +4,7 @@
 #include <kanexpr/numeric/selection.hpp>
 #include <kanexpr/symbolic/graph/binary_functions.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <cmath>

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/elementary.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/same_product.hpp>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>

@@ -3,6 +3,7 @@
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/numeric/elementary.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>

@@ -1,0 +1,127 @@
+#pragma once
+
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/compiled/call.hpp>
+#include <kanexpr/compiled/callable.hpp>
+#include <kanexpr/compiled/one_system_of_a_name.hpp>
+#include <kanexpr/compiled/state.hpp>
+#include <kanexpr/compiled/status.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/derive/cut.hpp>
+#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/lower/constant.hpp>
+#include <kanexpr/lower/regular.hpp>
+#include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/lower/unrolled_tape.hpp>
+#include <kanexpr/numeric/fixed_matrix.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <Eigen/Core>
+#include <array>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+#include <utility>
+
+/// What a compiled function is made from: its tape, and the arguments that the tape loads.
+namespace kanexpr {
+
+namespace compiled {
+
+/// The code for a set of results of a system, derived once for each set.
+template <class System, auto... wanted>
+struct cut_for {
+  static constexpr mechanics::sentence mistake() { return cut.mistake; }
+
+protected:
+  static constexpr deriving::cut_code cut = deriving::code_for<System, wanted...>();
+};
+
+/// The tape of a set of results. A mistake in them is a compile-time error.
+template <class System, auto... wanted>
+struct code : private cut_for<System, wanted...> {
+  using system = System;
+
+private:
+  using cut_for<System, wanted...>::cut;
+
+public:
+  static constexpr auto tape = lower::trimmed<cut.tape.sizes>(cut.tape);
+  static constexpr auto causes = deriving::trimmed<cut.causes.sizes>(cut.causes);
+  static constexpr mechanics::sentence mistake = cut.mistake;
+  static constexpr bool follows_from_unparsed = cut.follows_from_unparsed;
+  static constexpr bool tells_finiteness = cut.tells_finiteness;
+  static_assert(deriving::report<code>());
+};
+
+/// Selects the arguments of a call that the code loads.
+template <class System, class Number, class State, class Parameters, class Inputs, class Accelerations>
+struct arguments {
+  const Number& t;
+  const State& x;
+  const Parameters& p;
+  const Inputs& r;
+  const Accelerations& a;
+
+  template <symbolic::symbol_kind from, int position>
+  [[gnu::always_inline]] Number operator()() const noexcept {
+    using symbolic::symbol_kind;
+    if constexpr (from == symbol_kind::time)
+      return t;
+    else if constexpr (from == symbol_kind::coordinate)
+      return lower::scalar_math<Number>::from(x[position]);
+    else if constexpr (from == symbol_kind::speed)
+      return lower::scalar_math<Number>::from(x[survey_of<System>.coordinates + position]);
+    else if constexpr (from == symbol_kind::parameter)
+      return lower::scalar_math<Number>::from(p[position]);
+    else if constexpr (from == symbol_kind::speed_rate)
+      return lower::scalar_math<Number>::from(a[position]);
+    else
+      return lower::scalar_math<Number>::from(r[position]);
+  }
+};
+
+/// The arguments of a function that takes weights or a direction.
+template <class System, class Number, class State, class Parameters, class Inputs, class Weights,
+          class Direction>
+struct weighted_arguments : arguments<System, Number, State, Parameters, Inputs, not_given> {
+  const Weights& weights;
+  const Direction& direction;
+
+  template <symbolic::symbol_kind from, int position>
+  [[gnu::always_inline]] Number operator()() const noexcept {
+    if constexpr (from == symbolic::symbol_kind::weight)
+      return lower::scalar_math<Number>::from(weights[position]);
+    else if constexpr (from == symbolic::symbol_kind::direction)
+      return lower::scalar_math<Number>::from(direction[position]);
+    else
+      return arguments<System, Number, State, Parameters, Inputs, not_given>::template
+      operator()<from, position>();
+  }
+};
+
+/// Returns a placeholder for a result that cannot be computed; a result that is a scalar or vector for every
+/// system remains one.
+template <class Number, auto wanted>
+auto no_result_of() {
+  constexpr deriving::extent size =
+      deriving::extent_of(deriving::requested<wanted>::value, deriving::survey{});
+  if constexpr (size.rows == 1 && size.columns == 1)
+    return lower::scalar_math<Number>::from(0);
+  else if constexpr (size.rows > 0 && size.columns > 0)
+    return with_status<Eigen::Matrix<Number, size.rows, size.columns>>();
+  else
+    return no_result<Number>();
+}
+
+template <auto wanted, class System>
+inline constexpr deriving::extent extent_of =
+    deriving::extent_of(deriving::requested<wanted>::value, survey_of<System>);
+
+template <class System, auto... wanted>
+struct derives {};
+
+} // namespace compiled
+
+} // namespace kanexpr
