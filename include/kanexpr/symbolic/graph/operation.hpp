@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/base/equal.hpp>
+
 namespace kanexpr::symbolic {
 
 /// The operation that a node applies to its operands.
