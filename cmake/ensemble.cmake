@@ -11,5 +11,5 @@ target_link_libraries(kanexpr_ensemble INTERFACE kanexpr_simulate Threads::Threa
 install(TARGETS kanexpr_ensemble EXPORT kanexpr-ensemble-targets)
 install(EXPORT kanexpr-ensemble-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 
-kanexpr_add_engine_of(ensemble ENSEMBLES)
+kanexpr_add_engine_of(ensemble ENSEMBLES ensembles)
 target_link_libraries(kanexpr_ensemble_engine PUBLIC kanexpr_simulate_engine)

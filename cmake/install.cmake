@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 set(kanexpr_package_dir ${CMAKE_INSTALL_DATADIR}/cmake/kanexpr)
 
 install(DIRECTORY include/kanexpr DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp"
-  PATTERN "*.ipp" PATTERN "*.in" PATTERN "engine/*.cpp" PATTERN page EXCLUDE)
+  PATTERN "*.ipp" PATTERN "*.in" PATTERN "*.cpp" PATTERN page EXCLUDE)
 install(TARGETS kanexpr EXPORT kanexpr-targets INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT kanexpr-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 

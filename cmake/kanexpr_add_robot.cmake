@@ -63,7 +63,7 @@ function(kanexpr_find_robot_command command)
     message(FATAL_ERROR "kanexpr_add_robot requires CLI11, which was not found")
   endif()
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/kanexpr_robot.cpp CONTENT
-    "#include <kanexpr/robots/engine/kanexpr_robot.cpp>\n" @ONLY)
+    "#include <kanexpr/robots/kanexpr_robot.cpp>\n" @ONLY)
   add_executable(kanexpr-robot ${CMAKE_CURRENT_BINARY_DIR}/kanexpr_robot.cpp)
   target_link_libraries(kanexpr-robot PRIVATE kanexpr::robots $<TARGET_NAME_IF_EXISTS:kanexpr::robots_sdf> CLI11::CLI11)
 endfunction()

@@ -13,4 +13,4 @@ target_link_libraries(kanexpr_simulate INTERFACE kanexpr
 install(TARGETS kanexpr_simulate EXPORT kanexpr-simulate-targets)
 install(EXPORT kanexpr-simulate-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 
-kanexpr_add_engine_of(simulate SIMULATIONS)
+kanexpr_add_engine_of(simulate SIMULATIONS simulations)

@@ -1,7 +1,7 @@
 #include "output.hpp"
 
 #include <kanexpr/animate/write_page.hpp>
-#include <kanexpr/simulate/tables/csv.hpp>
+#include <kanexpr/simulations/tables/csv.hpp>
 
 #include <CLI/CLI.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/animated.hpp>
-#include <kanexpr/simulate/tables/table.hpp>
+#include <kanexpr/simulations/tables/table.hpp>
 
 #include <string>
 

@@ -21,7 +21,7 @@
 #include <models/simple_pendulum.hpp>
 #include <models/spinning_top.hpp>
 
-#include <kanexpr/derive/cost.hpp>
+#include <kanexpr/derivation/cost.hpp>
 
 #include <cstdio>
 
@@ -31,7 +31,7 @@ using kanexpr::mechanics::quantity;
 
 template <class System>
 void line(const char* system, const char* function, std::initializer_list<quantity> wanted) {
-  const kanexpr::symbolic::cost c = kanexpr::deriving::cost_of<System>(wanted);
+  const kanexpr::symbolic::cost c = kanexpr::derivation::cost_of<System>(wanted);
   std::printf("%s\t%s\t%d\t%d\t%d\t%d\t%d\n", system, function, c.multiplications, c.additions, c.divisions,
               c.trigonometric, c.nodes);
 }

@@ -5,7 +5,7 @@
 #include <models/iiwa.hpp>
 #include <models/rolling_disc.hpp>
 
-#include <kanexpr/derive/derived_system.hpp>
+#include <kanexpr/derivation/derived_system.hpp>
 
 #include <benchmark/benchmark.h>
 
@@ -17,7 +17,7 @@ template <class System>
 void derive(benchmark::State& state) {
   int nodes = 0;
   for (auto _ : state) {
-    kanexpr::deriving::derived_system system(System::record);
+    kanexpr::derivation::derived_system system(System::record);
     system.derive();
     for (const quantity each : {quantity::mass_matrix, quantity::forcing, quantity::acceleration_bias})
       benchmark::DoNotOptimize(system.equations().get(each).entries.begin());

@@ -1,5 +1,5 @@
 // write FOLDER NAME OPTIONS...: writes a model in C, as kanexpr-export does.
-#include <kanexpr/export/command_line.hpp>
+#include <kanexpr/exporting/command_line.hpp>
 
 #include <models/iiwa.hpp>
 

@@ -5,7 +5,7 @@
 #include <models/bicycle.hpp>
 #include <models/iiwa.hpp>
 #include <models/simple_pendulum.hpp>
-#include <simulate/falling_ball.hpp>
+#include <simulation/falling_ball.hpp>
 
 #include <fstream>
 #include <iostream>

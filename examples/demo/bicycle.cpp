@@ -3,7 +3,7 @@
 #include "demo/time_of.hpp"
 
 #include <kanexpr/simulate.hpp>
-#include <kanexpr/simulate/progress.hpp>
+#include <kanexpr/simulations/progress.hpp>
 
 demo::compiled demo::compiled_bicycle() {
   using eom = kanexpr::equations_of_motion<bicycle::BoundSystem>;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/simulate/simulation.hpp>
+#include <kanexpr/simulations/simulation.hpp>
 #include <models/bicycle.hpp>
 
 #include <string>

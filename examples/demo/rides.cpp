@@ -1,7 +1,7 @@
 #include "demo/parts.hpp"
 #include "demo/ride.hpp"
 
-#include <kanexpr/simulate/tables/csv.hpp>
+#include <kanexpr/simulations/tables/csv.hpp>
 
 #include <algorithm>
 #include <chrono>

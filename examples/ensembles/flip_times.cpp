@@ -2,8 +2,8 @@
 // differ wildly: the picture is a fractal. Runs end at an event; some are compared with steps of a fixed
 // length.
 #include <kanexpr/ensemble.hpp>
-#include <kanexpr/simulate/progress.hpp>
-#include <kanexpr/simulate/tables/csv.hpp>
+#include <kanexpr/simulations/progress.hpp>
+#include <kanexpr/simulations/tables/csv.hpp>
 #include <models/double_pendulum.hpp>
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 // the motion. A thousand records tell how far the estimates spread, beside the bound of Cramér and Rao, below
 // which no unbiased estimate can spread.
 #include <kanexpr/ensemble.hpp>
-#include <kanexpr/simulate/progress.hpp>
-#include <kanexpr/simulate/tables/csv.hpp>
+#include <kanexpr/simulations/progress.hpp>
+#include <kanexpr/simulations/tables/csv.hpp>
 #include <models/simple_pendulum.hpp>
 
 #include <Eigen/Cholesky>

@@ -2,8 +2,8 @@
 // push, a rate of lean, by the nonlinear equations, with the critical speeds of the linear ones.
 #include <bicycle_modes.hpp>
 #include <kanexpr/ensemble.hpp>
-#include <kanexpr/simulate/progress.hpp>
-#include <kanexpr/simulate/tables/csv.hpp>
+#include <kanexpr/simulations/progress.hpp>
+#include <kanexpr/simulations/tables/csv.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 // is the bicycle that the controller knows.
 #include <controllers/balanced_bicycle.hpp>
 #include <kanexpr/ensemble.hpp>
-#include <kanexpr/simulate/progress.hpp>
-#include <kanexpr/simulate/tables/csv.hpp>
+#include <kanexpr/simulations/progress.hpp>
+#include <kanexpr/simulations/tables/csv.hpp>
 
 #include <algorithm>
 #include <cstdio>

@@ -3,7 +3,7 @@
 #include "output.hpp"
 #include "print.hpp"
 
-#include <kanexpr/simulate/trajectory/trajectory.hpp>
+#include <kanexpr/simulations/trajectory/trajectory.hpp>
 #include <loops/balanced_cart.hpp>
 #include <pictures/n_pendulum_cart.hpp>
 

@@ -3,7 +3,7 @@
 #include "output.hpp"
 
 #include <kanexpr/simulate.hpp>
-#include <kanexpr/simulate/progress.hpp>
+#include <kanexpr/simulations/progress.hpp>
 
 #include <cstdio>
 

@@ -2,7 +2,7 @@
 // torques that the compiled equations give for the wanted accelerations. The same controller runs on a board.
 #include "output.hpp"
 
-#include <kanexpr/simulate/trajectory/trajectory.hpp>
+#include <kanexpr/simulations/trajectory/trajectory.hpp>
 #include <loops/computed_torque.hpp>
 #include <pictures/iiwa.hpp>
 

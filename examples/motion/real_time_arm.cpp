@@ -4,7 +4,7 @@
 #include "output.hpp"
 
 #include <kanexpr/fixed_step.hpp>
-#include <kanexpr/simulate/trajectory/trajectory.hpp>
+#include <kanexpr/simulations/trajectory/trajectory.hpp>
 #include <pictures/double_pendulum.hpp>
 
 #include <algorithm>

@@ -4,8 +4,8 @@
 
 #include <kanexpr/compiler.hpp>
 
-#include <kanexpr/batch/batch.hpp>
-#include <kanexpr/batch/many.hpp>
-#include <kanexpr/batch/many_results.hpp>
-#include <kanexpr/batch/rollout.hpp>
+#include <kanexpr/batches/batch.hpp>
+#include <kanexpr/batches/many.hpp>
+#include <kanexpr/batches/many_results.hpp>
+#include <kanexpr/batches/rollout.hpp>
 #include <kanexpr/version.hpp>

@@ -4,8 +4,8 @@
 
 #include <kanexpr/compiler.hpp>
 
-#include <kanexpr/ensemble/csv_file.hpp>
-#include <kanexpr/ensemble/ensemble.hpp>
-#include <kanexpr/ensemble/stop_on_signal.hpp>
+#include <kanexpr/ensembles/csv_file.hpp>
+#include <kanexpr/ensembles/ensemble.hpp>
+#include <kanexpr/ensembles/stop_on_signal.hpp>
 #include <kanexpr/fixed_step.hpp>
 #include <kanexpr/simulate.hpp>

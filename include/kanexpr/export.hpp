@@ -4,6 +4,6 @@
 
 #include <kanexpr/symbolic.hpp>
 
-#include <kanexpr/export/c/write_c.hpp>
-#include <kanexpr/export/casadi/write_casadi.hpp>
-#include <kanexpr/export/fmi/write_fmu.hpp>
+#include <kanexpr/exporting/c/write_c.hpp>
+#include <kanexpr/exporting/casadi/write_casadi.hpp>
+#include <kanexpr/exporting/fmi/write_fmu.hpp>

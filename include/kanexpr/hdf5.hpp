@@ -4,4 +4,4 @@
 
 #include <kanexpr/compiler.hpp>
 
-#include <kanexpr/ensemble/hdf5/hdf5_file.hpp>
+#include <kanexpr/ensembles/hdf5/hdf5_file.hpp>

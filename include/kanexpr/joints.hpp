@@ -5,19 +5,19 @@
 
 #include <kanexpr/describe.hpp>
 
-#include <kanexpr/joints/constraints.hpp>
-#include <kanexpr/joints/ground.hpp>
-#include <kanexpr/joints/joints.hpp>
-#include <kanexpr/joints/motor.hpp>
-#include <kanexpr/joints/reactions.hpp>
+#include <kanexpr/describe/joints/constraints.hpp>
+#include <kanexpr/describe/joints/ground.hpp>
+#include <kanexpr/describe/joints/joints.hpp>
+#include <kanexpr/describe/joints/motor.hpp>
+#include <kanexpr/describe/joints/reactions.hpp>
 
 // The joints
-#include <kanexpr/joints/cylindrical.hpp>
-#include <kanexpr/joints/floating.hpp>
-#include <kanexpr/joints/pin.hpp>
-#include <kanexpr/joints/planar.hpp>
-#include <kanexpr/joints/prismatic.hpp>
-#include <kanexpr/joints/screw.hpp>
-#include <kanexpr/joints/spherical.hpp>
-#include <kanexpr/joints/universal.hpp>
-#include <kanexpr/joints/weld.hpp>
+#include <kanexpr/describe/joints/cylindrical.hpp>
+#include <kanexpr/describe/joints/floating.hpp>
+#include <kanexpr/describe/joints/pin.hpp>
+#include <kanexpr/describe/joints/planar.hpp>
+#include <kanexpr/describe/joints/prismatic.hpp>
+#include <kanexpr/describe/joints/screw.hpp>
+#include <kanexpr/describe/joints/spherical.hpp>
+#include <kanexpr/describe/joints/universal.hpp>
+#include <kanexpr/describe/joints/weld.hpp>

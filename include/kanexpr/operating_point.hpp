@@ -4,4 +4,4 @@
 /// kanexpr::simulate.
 
 #include <kanexpr/kanexpr.hpp>
-#include <kanexpr/simulate/operating_point.hpp>
+#include <kanexpr/simulations/operating_point.hpp>

@@ -3,6 +3,6 @@
 /// Simulate a system with SUNDIALS. Link kanexpr::simulate.
 
 #include <kanexpr/kanexpr.hpp>
-#include <kanexpr/simulate/progress.hpp>
-#include <kanexpr/simulate/simulate.hpp>
-#include <kanexpr/simulate/tables/csv.hpp>
+#include <kanexpr/simulations/progress.hpp>
+#include <kanexpr/simulations/simulate.hpp>
+#include <kanexpr/simulations/tables/csv.hpp>

@@ -1,8 +1,8 @@
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/base/sentence.hpp>
-#include <kanexpr/ensemble/ensemble_results.hpp>
+#include <kanexpr/ensembles/ensemble_results.hpp>
 #include <kanexpr/numeric/assembly.hpp>
-#include <kanexpr/simulate/tables/csv.hpp>
+#include <kanexpr/simulations/tables/csv.hpp>
 
 #include <gtest/gtest.h>
 

@@ -13,7 +13,7 @@
 #include <random>
 #include <vector>
 
-namespace steps {
+namespace step_checks {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
@@ -133,4 +133,4 @@ void reduces_to_explicit_form(const point<System>& around) {
   EXPECT_EQ(compared, 100);
 }
 
-} // namespace steps
+} // namespace step_checks

@@ -7,15 +7,16 @@
 
 namespace {
 
-using steps::MatrixXd;
+using step_checks::MatrixXd;
 
 template <class System>
 void is_that_of_residual() {
   using eom = kanexpr::equations_of_motion<System>;
   std::mt19937_64 source(4);
   for (int round = 0; round < 50; ++round) {
-    const auto at = steps::random_point(source, steps::plain_point<System>(), 1);
-    const MatrixXd expected = steps::derivatives(eom::configuration_residual, at).leftCols(eom::coordinates);
+    const auto at = step_checks::random_point(source, step_checks::plain_point<System>(), 1);
+    const MatrixXd expected =
+        step_checks::derivatives(eom::configuration_residual, at).leftCols(eom::coordinates);
     const auto [whole, of_dependent] = eom::together(
         eom::configuration_jacobian_by_all, eom::configuration_jacobian_by_dependent)(at.x, at.p, at.r);
     EXPECT_GT(expected.norm(), 0.1);

@@ -52,12 +52,12 @@ void expect_derivatives_of_the_energy() {
   using eom = kanexpr::equations_of_motion<System>;
   std::mt19937_64 source(5);
   for (int round = 0; round < 20; ++round) {
-    const auto at = steps::random_point(source, steps::plain_point<System>(), 2);
+    const auto at = step_checks::random_point(source, step_checks::plain_point<System>(), 2);
     const auto energy = [](const auto&... arguments) {
       return Eigen::VectorXcd::Constant(1, eom::kinetic_energy(arguments...)).eval();
     };
     const VectorXd expected =
-        steps::derivatives<System>(energy, at).middleCols(eom::coordinates, eom::speeds).transpose();
+        step_checks::derivatives<System>(energy, at).middleCols(eom::coordinates, eom::speeds).transpose();
     const VectorXd found = [&] {
       no_heap::guard guard;
       return eom::generalized_momenta(at.t, at.x, at.p, at.r);

@@ -51,15 +51,15 @@ template <class System, class Check>
 void at_random_points(Check check) {
   std::mt19937_64 source(17);
   for (int round = 0; round < 20; ++round)
-    check(steps::random_point(source, steps::plain_point<System>(), 2), source);
+    check(step_checks::random_point(source, step_checks::plain_point<System>(), 2), source);
 }
 
 // What the inputs do not have to do, the rest of the model does.
 template <class System>
 void forces_are_those_that_M_and_f_leave() {
   using eom = kanexpr::equations_of_motion<System>;
-  at_random_points<System>([](const steps::point<System>& at, std::mt19937_64& source) {
-    const VectorXd rates = steps::random_numbers(source, eom::speeds, 2);
+  at_random_points<System>([](const step_checks::point<System>& at, std::mt19937_64& source) {
+    const VectorXd rates = step_checks::random_numbers(source, eom::speeds, 2);
     const Eigen::Matrix<double, eom::speeds, 1> a = rates;
     const VectorXd found = [&] {
       no_heap::guard guard;
@@ -79,7 +79,7 @@ TEST(inverse_dynamics, is_what_the_mass_matrix_and_forcing_leave) {
 template <class System>
 void balance_in_motion() {
   using eom = kanexpr::equations_of_motion<System>;
-  at_random_points<System>([](const steps::point<System>& at, std::mt19937_64&) {
+  at_random_points<System>([](const step_checks::point<System>& at, std::mt19937_64&) {
     const auto rates = eom::udot(at.t, at.x, at.p, at.r);
     const VectorXd found = eom::inverse_dynamics(at.t, at.x, at.p, at.r, rates),
                    forces = eom::active_forces(at.t, at.x, at.p, at.r);
@@ -94,10 +94,10 @@ TEST(inverse_dynamics, vanishes_in_motion_with_constraints) {
 template <class System>
 void inputs_bring_about_the_rates() {
   using eom = kanexpr::equations_of_motion<System>;
-  at_random_points<System>([](const steps::point<System>& at, std::mt19937_64& source) {
+  at_random_points<System>([](const step_checks::point<System>& at, std::mt19937_64& source) {
     const auto rates = eom::udot(at.t, at.x, at.p, at.r);
     typename eom::inputs others = at.r;
-    others += steps::random_numbers(source, others.size(), 5);
+    others += step_checks::random_numbers(source, others.size(), 5);
     const auto found = eom::required_inputs(at.t, at.x, at.p, others, rates);
     EXPECT_TRUE(kanexpr::status_of(found));
     EXPECT_LE((found - at.r).norm(), 1e-10 * (1 + at.r.norm()));
@@ -112,14 +112,14 @@ TEST(required_inputs, are_those_that_act) {
 
 TEST(required_inputs, need_no_inputs) {
   using eom = kanexpr::equations_of_motion<double_pendulum::System>;
-  const steps::point<double_pendulum::System> at = steps::plain_point<double_pendulum::System>();
+  const step_checks::point<double_pendulum::System> at = step_checks::plain_point<double_pendulum::System>();
   const auto rates = eom::udot(at.x, at.p, at.r);
   EXPECT_EQ(eom::required_inputs(at.x, at.p, {}, rates), eom::required_inputs(at.x, at.p, at.r, rates));
 }
 
 TEST(required_inputs, tell_where_they_do_not_act) {
   using eom = kanexpr::equations_of_motion<tug::System>;
-  const steps::point<tug::System> at = steps::plain_point<tug::System>();
+  const step_checks::point<tug::System> at = step_checks::plain_point<tug::System>();
   const auto found = eom::required_inputs(at.x, at.p, at.r, Eigen::Vector3d(1, 0, 0));
   EXPECT_FALSE(found.status);
   EXPECT_EQ(found.status.cause(),
@@ -129,11 +129,12 @@ TEST(required_inputs, tell_where_they_do_not_act) {
 template <class System>
 void gravity_is_the_slope_of_its_energy() {
   using eom = kanexpr::equations_of_motion<System>;
-  at_random_points<System>([](const steps::point<System>& at, std::mt19937_64&) {
+  at_random_points<System>([](const step_checks::point<System>& at, std::mt19937_64&) {
     const auto energy = [](const auto&... arguments) {
       return Eigen::VectorXcd::Constant(1, eom::potential_energy(arguments...)).eval();
     };
-    const VectorXd slope = steps::derivatives<System>(energy, at).leftCols(eom::coordinates).transpose();
+    const VectorXd slope =
+        step_checks::derivatives<System>(energy, at).leftCols(eom::coordinates).transpose();
     const VectorXd found = eom::gravity_compensation(at.t, at.x, at.p);
     EXPECT_LE((found - slope).norm(), 1e-12 * (1 + slope.norm()));
   });
@@ -146,7 +147,7 @@ TEST(gravity_compensation, is_the_slope_of_the_potential_energy) {
 template <class System>
 void holds_at_rest() {
   using eom = kanexpr::equations_of_motion<System>;
-  at_random_points<System>([](steps::point<System> at, std::mt19937_64&) {
+  at_random_points<System>([](step_checks::point<System> at, std::mt19937_64&) {
     at.x.tail(eom::speeds).setZero();
     at.r.setZero();
     const Eigen::Matrix<double, eom::speeds, 1> none = Eigen::Matrix<double, eom::speeds, 1>::Zero();
@@ -166,7 +167,7 @@ template <class System>
 void coriolis_is_of_the_inertia_forces() {
   using eom = kanexpr::equations_of_motion<System>;
   constexpr int n = eom::speeds;
-  at_random_points<System>([](const steps::point<System>& at, std::mt19937_64&) {
+  at_random_points<System>([](const step_checks::point<System>& at, std::mt19937_64&) {
     const MatrixXd C = eom::coriolis(at.t, at.x, at.p);
     const VectorXd u = at.x.tail(n);
     const Eigen::Matrix<double, n, 1> none = Eigen::Matrix<double, n, 1>::Zero();

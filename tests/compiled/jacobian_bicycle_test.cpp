@@ -12,6 +12,8 @@ using lin = kanexpr::linearization<bicycle::BoundSystem>;
 constexpr kanexpr::symbolic::cost cost = lin::cost(lin::jacobian);
 static_assert(cost.multiplications + cost.additions <= 4444);
 
-TEST(jacobian_of_bicycle, is_that_of_rhs) { steps::jacobian_is_that_of_rhs<bicycle::BoundSystem>({}, 0.6); }
+TEST(jacobian_of_bicycle, is_that_of_rhs) {
+  step_checks::jacobian_is_that_of_rhs<bicycle::BoundSystem>({}, 0.6);
+}
 
 } // namespace

@@ -6,7 +6,7 @@
 
 namespace {
 
-using steps::jacobian_is_that_of_rhs;
+using step_checks::jacobian_is_that_of_rhs;
 
 TEST(jacobian_of_constrained, pendulum_nonminimal) { jacobian_is_that_of_rhs<pendulum_nonminimal::System>(); }
 TEST(jacobian_of_constrained, rolling_disc) { jacobian_is_that_of_rhs<rolling_disc_constrained::System>(); }

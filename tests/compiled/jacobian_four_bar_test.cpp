@@ -7,21 +7,21 @@
 namespace {
 
 using namespace four_bar;
-using steps::point;
+using step_checks::point;
 
 point<System> linkage() {
-  point<System> at = steps::plain_point<System>();
+  point<System> at = step_checks::plain_point<System>();
   at.p[l0] = 2, at.p[l1] = 0.7, at.p[l2] = 1.8, at.p[l3] = 1.2;
   at.x[q1] = 0.9, at.x[q2] = -0.6, at.x[q3] = -1.2;
   return at;
 }
 
-TEST(jacobian_of_linkage, is_that_of_rhs) { steps::jacobian_is_that_of_rhs(linkage()); }
-TEST(jacobian_of_linkage, reduces_to_the_linearization) { steps::reduces_to_explicit_form(linkage()); }
+TEST(jacobian_of_linkage, is_that_of_rhs) { step_checks::jacobian_is_that_of_rhs(linkage()); }
+TEST(jacobian_of_linkage, reduces_to_the_linearization) { step_checks::reduces_to_explicit_form(linkage()); }
 
 // A crank that is turned up to where coupler and rocker are in line.
 TEST(jacobian_of_linkage, tells_where_there_is_none) {
-  point<System> at = steps::plain_point<System>();
+  point<System> at = step_checks::plain_point<System>();
   at.x[q1] = 0.3;
   const auto [by_state, by_inputs] = kanexpr::linearization<System>::jacobian(at.x, at.p, at.r);
   EXPECT_FALSE(by_state.status);

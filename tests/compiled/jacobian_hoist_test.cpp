@@ -44,23 +44,23 @@ struct DrawnBack : on_rope<configuration_constraints<apart == 0>, dependent<y, v
 
 namespace {
 
-using steps::point;
+using step_checks::point;
 
 template <class System = hoist::System>
 point<System> hanging() {
-  point<System> at = steps::plain_point<System>();
+  point<System> at = step_checks::plain_point<System>();
   at.r[hoist::rope] = 2;
   at.x[hoist::y] = -3;
   return at;
 }
 
-TEST(jacobian_of_hoist, is_that_of_rhs) { steps::jacobian_is_that_of_rhs(hanging()); }
+TEST(jacobian_of_hoist, is_that_of_rhs) { step_checks::jacobian_is_that_of_rhs(hanging()); }
 TEST(jacobian_of_hoist, is_that_of_rhs_where_it_is_drawn_back) {
-  steps::jacobian_is_that_of_rhs(hanging<hoist::DrawnBack>());
+  step_checks::jacobian_is_that_of_rhs(hanging<hoist::DrawnBack>());
 }
 
 TEST(jacobian_of_hoist, reduces_to_the_linearization_where_inputs_bind) {
-  steps::reduces_to_explicit_form(hanging());
+  step_checks::reduces_to_explicit_form(hanging());
 }
 
 } // namespace

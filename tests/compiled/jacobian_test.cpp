@@ -9,7 +9,7 @@
 
 namespace {
 
-using steps::jacobian_is_that_of_rhs;
+using step_checks::jacobian_is_that_of_rhs;
 
 TEST(jacobian, simple_pendulum) { jacobian_is_that_of_rhs<simple_pendulum::System>(); }
 TEST(jacobian, double_pendulum) { jacobian_is_that_of_rhs<double_pendulum::System>(); }
@@ -23,7 +23,7 @@ static_assert(lin::cost(lin::jacobian) == lin::cost(lin::explicit_form));
 
 TEST(jacobian, is_the_linearization_without_constraints) {
   std::mt19937_64 source(3);
-  const auto at = steps::random_point(source, steps::plain_point<double_pendulum::System>(), 3);
+  const auto at = step_checks::random_point(source, step_checks::plain_point<double_pendulum::System>(), 3);
   const auto [A, B] = lin::explicit_form(at.x, at.p, at.r);
   const auto [by_state, by_inputs] = lin::jacobian(at.x, at.p, at.r);
   EXPECT_EQ(A, by_state);

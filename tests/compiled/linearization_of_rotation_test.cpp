@@ -13,9 +13,9 @@ struct Turning : kane_system<inertial<N>, coordinates<e0, e1, e2, e3>, speeds<u1
 TEST(linearization, of_a_rotation_is_that_of_complex_steps) {
   std::mt19937_64 source(5);
   for (int i = 0; i < 10; ++i) {
-    const auto at = steps::random_point<Turning>(source, steps::plain_point<Turning>(), 1);
+    const auto at = step_checks::random_point<Turning>(source, step_checks::plain_point<Turning>(), 1);
     const auto [A, B] = linearization<Turning>::explicit_form(at.x, at.p, at.r);
-    const Eigen::MatrixXd expected = steps::derivatives<Turning>(equations_of_motion<Turning>::rhs, at);
+    const Eigen::MatrixXd expected = step_checks::derivatives<Turning>(equations_of_motion<Turning>::rhs, at);
     EXPECT_LE((A - expected).norm(), 1e-12 * expected.norm());
   }
 }

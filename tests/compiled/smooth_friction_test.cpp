@@ -2,7 +2,7 @@
 #include <kanexpr/batch.hpp>
 #include <kanexpr/symbolic.hpp>
 
-#include "export/curved.hpp"
+#include "exporting/curved.hpp"
 #include "models/simple_pendulum.hpp"
 
 #include <unsupported/Eigen/AutoDiff>

@@ -19,7 +19,8 @@ void balance_and_reduce(double reach = 1) {
   std::mt19937_64 source(9);
   int compared = 0;
   for (int tried = 0; compared < 100 && tried < 400; ++tried) {
-    const steps::point<System> at = steps::random_point(source, steps::plain_point<System>(), reach);
+    const step_checks::point<System> at =
+        step_checks::random_point(source, step_checks::plain_point<System>(), reach);
     const auto [udot, lambda, J, A] = motion(at.t, at.x, at.p, at.r);
     if (!udot.status || !(udot.norm() < 1e3)) continue; // nearly singular
     const auto unreduced = [&](const VectorXd& rates) {
@@ -29,7 +30,7 @@ void balance_and_reduce(double reach = 1) {
     const VectorXd held = J.transpose() * lambda;
     EXPECT_LE((unreduced(udot) + held).norm(), 1e-11 * held.norm());
 
-    const VectorXd a = steps::random_numbers(source, udot.size(), 5);
+    const VectorXd a = step_checks::random_numbers(source, udot.size(), 5);
     const VectorXd force = unreduced(a);
     const auto [active, inertia] = reduced(at.t, at.x, at.p, at.r, a);
     VectorXd independent(A.cols()), dependent(A.rows());

@@ -3,7 +3,7 @@
 #include "compiled/complex_steps.hpp"
 #include "compiled/unreduced_forces.hpp"
 
-#include <kanexpr/derive/cost.hpp>
+#include <kanexpr/derivation/cost.hpp>
 #include <models/double_pendulum.hpp>
 #include <models/four_bar.hpp>
 #include <models/n_pendulum_cart.hpp>
@@ -38,8 +38,8 @@ struct System
 namespace {
 
 using kanexpr::equations_of_motion;
-using steps::plain_point;
-using steps::random_point;
+using step_checks::plain_point;
+using step_checks::random_point;
 
 TEST(unreduced_forces, four_bar) { forces::balance_and_reduce<four_bar::System>(); }
 TEST(unreduced_forces, pendulum_nonminimal) { forces::balance_and_reduce<pendulum_nonminimal::System>(); }
@@ -50,7 +50,7 @@ TEST(unreduced_forces, without_constraints) {
   std::mt19937_64 source(2);
   for (int round = 0; round < 20; ++round) {
     const auto at = random_point(source, plain_point<double_pendulum::System>(), 3);
-    const Eigen::Vector2d a = steps::random_numbers(source, 2, 5);
+    const Eigen::Vector2d a = step_checks::random_numbers(source, 2, 5);
     const auto [M, f] = eom::together(eom::mass_matrix, eom::forcing)(at.x, at.p, at.r);
     const Eigen::Vector2d expected = f - M * a;
     EXPECT_LE((eom::unreduced_forces(at.x, at.p, at.r, a) - expected).norm(),
@@ -71,7 +71,7 @@ TEST(unreduced_forces, have_no_auxiliary_speeds) {
 // Inverse dynamics: every further link takes as many operations as the one before.
 template <int links>
 int operations() {
-  const kanexpr::symbolic::cost c = kanexpr::deriving::cost_of<n_pendulum_cart::System<links>>(
+  const kanexpr::symbolic::cost c = kanexpr::derivation::cost_of<n_pendulum_cart::System<links>>(
       {kanexpr::mechanics::quantity::unreduced_forces});
   return c.multiplications + c.additions;
 }

@@ -267,7 +267,7 @@ struct reading {
   mechanics::multibody_system system{graph};
   const mechanics::mechanism& m = system.mechanism;
   const mechanics::given_constraints& c = system.constraints;
-  deriving::reader reader{System::record, system};
+  derivation::reader reader{System::record, system};
   reading() { reader.read(); }
   std::string print(symbolic::expression e) const { return symbolic::print(e); }
   std::string inputs() const {
@@ -351,12 +351,12 @@ TEST(words, on_purpose) {
 TEST(words, are_shown_in_pieces_that_lose_no_letter) {
   using named = kane_system<inertial<N>, coordinates<q1>, speeds<u1>, kinematics<dot(q1) == u1>,
                             bodies<a_body_whose_name_is_longer_than_a_piece_of_a_sentence>>;
-  const mechanics::sentence told = deriving::first_stage<named>().mistake;
+  const mechanics::sentence told = derivation::first_stage<named>().mistake;
   std::string whole(told.view()), shown;
   EXPECT_EQ(whole, "body a_body_whose_name_is_longer_than_a_piece_of_a_sentence has no mass");
-  for (int piece = 0; piece < deriving::count_pieces(told); ++piece) {
-    const int begin = deriving::piece_begin(told, piece), end = deriving::piece_end(told, begin);
-    EXPECT_LE(end - begin, deriving::longest_piece);
+  for (int piece = 0; piece < derivation::count_pieces(told); ++piece) {
+    const int begin = derivation::piece_begin(told, piece), end = derivation::piece_end(told, begin);
+    EXPECT_LE(end - begin, derivation::longest_piece);
     shown += told.view().substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
   }
   std::erase(whole, ' '), std::erase(shown, ' ');

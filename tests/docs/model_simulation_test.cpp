@@ -1,8 +1,8 @@
 // Simulations of models that are derived while the program runs: docs/guide/builder.md and
 // docs/simulation.md.
 #include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/simulate/model.hpp>
-#include <kanexpr/simulate/tables/csv.hpp>
+#include <kanexpr/simulations/model.hpp>
+#include <kanexpr/simulations/tables/csv.hpp>
 
 #include <gtest/gtest.h>
 

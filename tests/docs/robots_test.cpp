@@ -4,7 +4,7 @@
 #include <kanexpr/animate/mesh_files.hpp>
 #include <kanexpr/robots.hpp>
 #include <kanexpr/simulate.hpp>
-#include <kanexpr/simulate/model.hpp>
+#include <kanexpr/simulations/model.hpp>
 
 #include <gtest/gtest.h>
 

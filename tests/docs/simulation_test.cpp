@@ -4,13 +4,13 @@
 #include "models/pendulum_nonminimal.hpp"
 #include "models/rotating_tube.hpp"
 #include "models/simple_pendulum.hpp"
-#include "simulate/falling_ball.hpp"
+#include "simulations/falling_ball.hpp"
 
 #include <kanexpr/control.hpp>
 #include <kanexpr/fixed_step.hpp>
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/simulate.hpp>
-#include <kanexpr/simulate/prescribe.hpp>
+#include <kanexpr/simulations/prescribe.hpp>
 #include <kanexpr/symbolic.hpp>
 
 #include <gtest/gtest.h>

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace taylor {
+namespace limits {
 
 struct jet {
   double c0 = 0, c1 = 0, c2 = 0;
@@ -94,4 +94,4 @@ inline jet3x3 rotation_by_quaternion(const jet& w, const jet3& v) {
   return r;
 }
 
-} // namespace taylor
+} // namespace limits

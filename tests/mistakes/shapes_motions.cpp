@@ -1,7 +1,7 @@
 // Motions and derivatives that are asked for in other ways.
 #include "shapes.hpp"
-#include <kanexpr/ensemble/run_output.hpp>
-#include <kanexpr/simulate/events/event.hpp>
+#include <kanexpr/ensembles/run_output.hpp>
+#include <kanexpr/simulations/events/event.hpp>
 
 // expect: an expression with P uses position_of with something other than two points; write
 // expect: position_of<point, from>

@@ -1,7 +1,7 @@
 // expect: System is given the state of System in place of its inputs
 #include "pendulum.hpp"
 
-#include <kanexpr/simulate/inputs/input_source.hpp>
+#include <kanexpr/simulations/inputs/input_source.hpp>
 
 struct System : pendulum_with<Bob> {};
 

@@ -1,6 +1,6 @@
 // A study that ranks perform together, of which one may crash: `study FILE [word=value]…` writes the table.
-#include <kanexpr/ensemble/stop_on_signal.hpp>
-#include <kanexpr/ensemble/thread_pool.hpp>
+#include <kanexpr/ensembles/stop_on_signal.hpp>
+#include <kanexpr/ensembles/thread_pool.hpp>
 #include <kanexpr/mpi/mpi_ranks.hpp>
 
 #include <chrono>

@@ -58,7 +58,7 @@ class order {
 public:
   /// From the rows of a table: | `room/` | `folder`, `file.hpp`, … | page |
   explicit order(const std::string& markdown) {
-    const std::regex row("\\| `([a-z]+)/` \\|([^\\n]*)\\|");
+    const std::regex row("\\| `([a-z/]+)/` \\|([^\\n]*)\\|");
     for (std::sregex_iterator i(markdown.begin(), markdown.end(), row), end; i != end; ++i) {
       const std::string room = i->str(1);
       for (const std::string& within : matches(i->str(2), "`([a-z0-9_./]+)`")) add(room + "/" + within);
@@ -75,7 +75,8 @@ public:
   std::optional<std::size_t> height(const std::string& header) const {
     const std::string folder = header.substr(0, header.rfind('/'));
     if (folder == "kanexpr") return places_.size();
-    for (const std::string& place : {header, folder})
+    const bool defines = header.ends_with(".ipp"); // what the headers of its folder declare
+    for (const std::string& place : {header, defines ? folder + compiled : folder})
       if (const auto found = std::ranges::find(places_, place); found != places_.end())
         return static_cast<std::size_t>(found - places_.begin());
     return std::nullopt;
@@ -84,8 +85,10 @@ public:
 private:
   void add(const std::string& place) {
     places_.push_back("kanexpr/" + place);
-    places_.push_back("kanexpr/" + place + "/engine"); // defines what the place declares
+    places_.push_back("kanexpr/" + place + compiled);
   }
+
+  static constexpr const char* compiled = "/*.ipp";
 
   std::vector<std::string> places_, rooms_;
 };

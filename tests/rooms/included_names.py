@@ -67,7 +67,7 @@ def add(text, header):
 
 def headers_in(project):
     root = project / "include"
-    return {str(path.relative_to(root)): path.read_text() for path in root.rglob("*.hpp")}
+    return {str(path.relative_to(root)): path.read_text() for path in root.rglob("*.[hi]pp")}
 
 
 def test():

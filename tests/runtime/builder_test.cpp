@@ -6,7 +6,7 @@
 #include <kanexpr/mechanics/motion/observe.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
-#include <kanexpr/symbolic/print/print.hpp>
+#include <kanexpr/symbolic/printing/print.hpp>
 
 #include <cmath>
 #include <numbers>

@@ -8,8 +8,8 @@
 #include <kanexpr/symbolic.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/limits/limit.hpp>
-#include <kanexpr/symbolic/print/latex.hpp>
-#include <kanexpr/symbolic/print/print.hpp>
+#include <kanexpr/symbolic/printing/latex.hpp>
+#include <kanexpr/symbolic/printing/print.hpp>
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 
 #include <kanexpr/steps/linearized_step.hpp>
 
-namespace steps {
+namespace step_checks {
 
 // [∂x⁺/∂x ∂x⁺/∂r] of a step.
 template <class Step, class System>
@@ -52,4 +52,4 @@ void expect_derivatives(const point<System>& around = plain_point<System>(), dou
   EXPECT_EQ(compared, 10);
 }
 
-} // namespace steps
+} // namespace step_checks

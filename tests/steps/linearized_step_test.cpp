@@ -7,7 +7,7 @@ namespace {
 
 using kanexpr::runge_kutta_4;
 using kanexpr::semi_implicit_euler;
-using steps::expect_derivatives;
+using step_checks::expect_derivatives;
 
 TEST(linearized_step, of_unconstrained_systems) {
   expect_derivatives<runge_kutta_4<double_pendulum::System>, double_pendulum::System>();
@@ -17,7 +17,7 @@ TEST(linearized_step, of_unconstrained_systems) {
 
 TEST(linearized_step, tells_what_a_step_tells) {
   using System = double_pendulum::System;
-  steps::point<System> at = steps::plain_point<System>();
+  step_checks::point<System> at = step_checks::plain_point<System>();
   at.p[double_pendulum::m2] = std::numeric_limits<double>::quiet_NaN();
   double t = 0;
   kanexpr::state<System> x = at.x;

@@ -51,7 +51,7 @@ TEST(fixed_step, refuses_to_touch_a_singular_position) {
       double t = 0, kept = first;
       status s;
       while (s && t < 0.5) kept = bead::energy(x), s = runge_kutta_4<bead::System>{}(t, x, h);
-      EXPECT_EQ(s.cause(), stepping::singular_position) << h << ' ' << i;
+      EXPECT_EQ(s.cause(), steps::singular_position) << h << ' ' << i;
       EXPECT_LT(x[bead::y], 0);
       EXPECT_NEAR(kept / first, 1, 1e-3);
     }

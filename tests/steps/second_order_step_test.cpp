@@ -10,8 +10,8 @@
 
 namespace {
 
-using steps::MatrixXd;
-using steps::VectorXd;
+using step_checks::MatrixXd;
+using step_checks::VectorXd;
 
 /// A bead on a turned rail, whose speed is no rate of a coordinate.
 namespace bead {
@@ -42,7 +42,7 @@ struct System
 
 /// ∂²(λᵀx⁺)/∂z².
 template <class Step, class System>
-MatrixXd by_complex_steps(const steps::point<System>& at, double h, const VectorXd& w) {
+MatrixXd by_complex_steps(const step_checks::point<System>& at, double h, const VectorXd& w) {
   using complex = std::complex<double>;
   constexpr double tiny = 1e-30;
   const Eigen::Index n = at.x.size(), inputs = at.r.size();
@@ -60,14 +60,14 @@ MatrixXd by_complex_steps(const steps::point<System>& at, double h, const Vector
 }
 
 template <class Step, class System>
-void expect_second_derivatives(const steps::point<System>& around, double h) {
+void expect_second_derivatives(const step_checks::point<System>& around, double h) {
   using second = kanexpr::second_order_step<Step>;
   using rates = kanexpr::second_order<System>;
   std::mt19937_64 source(5);
   for (int round = 0; round < 10; ++round) {
-    const steps::point<System> at = steps::random_point(source, around, 0.5);
-    const typename rates::template weights<> w = steps::random_numbers(source, at.x.size(), 1);
-    const typename rates::template direction<> v = steps::random_numbers(source, rates::size, 1);
+    const step_checks::point<System> at = step_checks::random_point(source, around, 0.5);
+    const typename rates::template weights<> w = step_checks::random_numbers(source, at.x.size(), 1);
+    const typename rates::template direction<> v = step_checks::random_numbers(source, rates::size, 1);
     const auto [hessian, product] = [&] {
       no_heap::guard guard;
       return std::pair(second::hessian(at.t, at.x, h, at.p, at.r, w),
@@ -82,8 +82,8 @@ void expect_second_derivatives(const steps::point<System>& around, double h) {
   }
 }
 
-steps::point<bead::System> bead_away_from_the_axis() {
-  auto at = steps::plain_point<bead::System>();
+step_checks::point<bead::System> bead_away_from_the_axis() {
+  auto at = step_checks::plain_point<bead::System>();
   at.x[bead::q2] = 2;
   return at;
 }
@@ -100,7 +100,7 @@ TEST(second_order_step, of_semi_implicit_euler) {
 // Here q̇ has no second derivatives.
 TEST(second_order_step, of_rates_as_speeds) {
   expect_second_derivatives<kanexpr::semi_implicit_euler<simple_pendulum::System, 0>>(
-      steps::plain_point<simple_pendulum::System>(), 0.1);
+      step_checks::plain_point<simple_pendulum::System>(), 0.1);
 }
 
 TEST(second_order_step, tells_what_is_not_finite) {

@@ -50,7 +50,7 @@ struct subject {
     std::copy_n(found.data(), found.size(), result);
   }
 
-  kanexpr::deriving::survey known;
+  kanexpr::derivation::survey known;
   kanexpr::runtime::interpreted<double> udot, mass_matrix_and_forcing, udot_derivatives;
 };
 

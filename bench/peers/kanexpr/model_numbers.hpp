@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/derive/read/reader.hpp>
+#include <kanexpr/derivation/read/reader.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 
 #include <array>
@@ -98,7 +98,7 @@ private:
 inline bool write_tree(std::ostream& out, const describe::system_record& record) {
   symbolic::graph graph;
   mechanics::multibody_system system(graph);
-  deriving::reader reader(record, system);
+  derivation::reader reader(record, system);
   reader.read();
   return !reader.mistake() && tree(system).write(out);
 }

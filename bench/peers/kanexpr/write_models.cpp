@@ -9,7 +9,7 @@
 #include <models/quadruped.hpp>
 
 #include <kanexpr/assemble.hpp>
-#include <kanexpr/derive/cost.hpp>
+#include <kanexpr/derivation/cost.hpp>
 
 #include <cmath>
 #include <fstream>
@@ -82,7 +82,7 @@ bool write_operations(const std::string& path) {
   std::ofstream out = opened(path);
   using kanexpr::mechanics::quantity;
   const auto write = [&](const char* result, std::initializer_list<quantity> wanted) {
-    const kanexpr::symbolic::cost cost = kanexpr::deriving::cost_of<System>(wanted);
+    const kanexpr::symbolic::cost cost = kanexpr::derivation::cost_of<System>(wanted);
     out << result << ' ' << cost.multiplications + cost.additions << '\n';
   };
   if (kanexpr::compiled::survey_of<System>.constraints != 0)

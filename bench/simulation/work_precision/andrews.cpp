@@ -1,4 +1,4 @@
-#include "simulation/work_precision.hpp"
+#include "simulations/work_precision.hpp"
 
 #include <models/andrews.hpp>
 #include <systems/andrews_reference.hpp>

@@ -3,7 +3,7 @@
 #include <kanexpr/animate/filming.hpp>
 #include <kanexpr/animate/scene.hpp>
 #include <kanexpr/base/status.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/table_interpreter.hpp>
 
@@ -40,7 +40,7 @@ public:
 
 private:
   void name_columns() {
-    const deriving::survey& known = scene_.known;
+    const derivation::survey& known = scene_.known;
     for (int i = 0; i < known.coordinates + known.speeds; ++i) {
       std::string name(known.names[i].view());
       if (known.takes_rates_as_speeds && i >= known.coordinates)

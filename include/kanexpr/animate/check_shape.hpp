@@ -4,7 +4,7 @@
 #include <kanexpr/base/mesh_kind.hpp>
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/state.hpp>
-#include <kanexpr/derive/read/wording.hpp>
+#include <kanexpr/derivation/read/wording.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
@@ -54,12 +54,12 @@ constexpr title title_of() {
 /// Checks that a size is a scalar that depends only on parameters.
 constexpr sentence check_size(const phrase& given, std::string_view size, std::string_view whom) {
   if (given.kind != shape::scalar)
-    return sentence({"the ", size, " of the ", whom, deriving::is_a(given.kind), "it must be a scalar"});
+    return sentence({"the ", size, " of the ", whom, derivation::is_a(given.kind), "it must be a scalar"});
   for (int i = 0; i < given.size; ++i) {
     const describe::token& t = given.tokens[i];
     std::string_view kind, name;
     if (t.symbol != nullptr && t.symbol->kind != symbolic::symbol_kind::parameter) {
-      kind = deriving::kind_of(*t.symbol);
+      kind = derivation::kind_of(*t.symbol);
       name = t.symbol->called.view();
     } else if (t.point != nullptr) {
       kind = "point ";
@@ -77,7 +77,7 @@ constexpr sentence check_size(const phrase& given, std::string_view size, std::s
 
 constexpr sentence check_vector(const phrase& given, std::string_view what, std::string_view whom) {
   if (given.kind == shape::vector) return {};
-  return sentence({what, whom, deriving::is_a(given.kind), "it must be a vector"});
+  return sentence({what, whom, derivation::is_a(given.kind), "it must be a vector"});
 }
 
 constexpr bool is_colour(std::string_view given) {
@@ -133,7 +133,7 @@ constexpr sentence check_option(std::string_view whom) {
   if constexpr (requires { Option::spin; }) {
     if constexpr (!requires { Shape::axis; }) return sentence({"the ", whom, " is spinning but has no axis"});
     if (Option::spin.kind != shape::scalar)
-      return sentence({"the spin of the ", whom, deriving::is_a(Option::spin.kind), "it must be a scalar"});
+      return sentence({"the spin of the ", whom, derivation::is_a(Option::spin.kind), "it must be a scalar"});
   }
   return {};
 }

@@ -48,7 +48,7 @@ struct numbers_of<picture<System, Words...>> {
 
 } // namespace animate
 
-namespace deriving {
+namespace derivation {
 
 template <class Picture, animate::numbers_of<Picture> wanted>
 struct requested<wanted> {
@@ -57,6 +57,6 @@ struct requested<wanted> {
                                  .whom = "the picture"};
 };
 
-} // namespace deriving
+} // namespace derivation
 
 } // namespace kanexpr

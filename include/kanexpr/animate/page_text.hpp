@@ -98,7 +98,7 @@ inline std::string page_text(const animation& a, const std::string& title, const
   nlohmann::json all{{"title", title},
                      {"text", text},
                      {"times", list_of(a.times)},
-                     {"nameOfTime", simulated::name_of_time(has_column(a))},
+                     {"nameOfTime", simulations::name_of_time(has_column(a))},
                      {"up", list_of(a.up)},
                      {"carried", a.carried},
                      {"shapes", nlohmann::json::array()},

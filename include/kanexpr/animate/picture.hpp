@@ -17,7 +17,7 @@ namespace animate {
 template <class Picture>
 struct valid_picture {
   static constexpr sentence mistake = Picture::mistake;
-  static_assert(deriving::report<valid_picture>());
+  static_assert(derivation::report<valid_picture>());
   static constexpr bool value = !static_cast<bool>(mistake);
 };
 

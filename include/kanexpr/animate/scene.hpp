@@ -4,7 +4,7 @@
 #include <kanexpr/animate/compiled_pages.hpp>
 #include <kanexpr/animate/word_record.hpp>
 #include <kanexpr/compiled/code_table.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 
 #include <span>
 
@@ -15,7 +15,7 @@ class scene {
 public:
   virtual ~scene() = default;
 
-  const deriving::survey& known;
+  const derivation::survey& known;
   std::span<const word_record> words;
   const compiled::code_table& table; ///< evaluates all numbers of the picture
   int numbers, first_rate, rates;    ///< their count, and the range of those that are integrated
@@ -28,7 +28,7 @@ public:
   virtual bool between(double t, double* x, double* r) const = 0;
 
 protected:
-  scene(const deriving::survey& of, std::span<const word_record> shown, const compiled::code_table& code,
+  scene(const derivation::survey& of, std::span<const word_record> shown, const compiled::code_table& code,
         int all, int first, int integrated)
       : known(of), words(shown), table(code), numbers(all), first_rate(first), rates(integrated) {}
 };

@@ -6,9 +6,9 @@
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/compiled/surveyed.hpp>
-#include <kanexpr/derive/model_error.hpp>
-#include <kanexpr/derive/request.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/model_error.hpp>
+#include <kanexpr/derivation/request.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
@@ -34,7 +34,7 @@ constexpr std::string_view result_name() {
 template <class System, class Code>
 constexpr mechanics::sentence lacks(std::string_view result, symbolic::symbol_kind kind,
                                     std::string_view what, std::string_view way) {
-  constexpr const deriving::survey& s = survey_of<System>;
+  constexpr const derivation::survey& s = survey_of<System>;
   using symbolic::symbol_kind;
   const bool rate = kind == symbol_kind::speed_rate, second = rate && s.takes_rates_as_speeds;
   const symbol_kind named = second ? symbol_kind::coordinate : rate ? symbol_kind::speed : kind;
@@ -77,7 +77,7 @@ struct external_calls {
                                 type_name<Number>(), ", which ", refusing, " does not accept"});
   }(std::make_integer_sequence<int, Code::tape.sizes.externals>{});
   static constexpr bool possible = !static_cast<bool>(mistake);
-  static_assert(deriving::report<external_calls>());
+  static_assert(derivation::report<external_calls>());
 };
 
 template <class Code, class Number, bool is_interpreted, auto wanted, auto...>
@@ -107,7 +107,7 @@ struct call {
   static constexpr mechanics::sentence mistake = [] {
     using symbolic::symbol_kind;
     constexpr std::string_view system = type_name<System>(), result = result_name<first>();
-    constexpr const deriving::survey& known = survey_of<System>;
+    constexpr const derivation::survey& known = survey_of<System>;
     mechanics::sentence found;
     if (!sound) return found;
     const auto keep = [&](const mechanics::sentence& p) {
@@ -132,19 +132,19 @@ struct call {
       keep(mechanics::sentence({result, " needs the time: call it as ", result, "(t, x, p, r)"}));
     return found;
   }();
-  static_assert(deriving::report<call>());
+  static_assert(derivation::report<call>());
 
   static constexpr bool possible = sound && !static_cast<bool>(mistake);
 };
 
 /// The arguments that follow the inputs in a call of a function that takes weights or a direction. `Weights`
 /// and `Direction` are `not_given` if the function does not take them.
-template <class System, class Code, class Weights, class Direction, deriving::given_behind given, auto first,
-          auto... more>
+template <class System, class Code, class Weights, class Direction, derivation::given_behind given,
+          auto first, auto... more>
 struct weighted_call {
   static constexpr mechanics::sentence mistake = [] {
     constexpr std::string_view system = type_name<System>(), result = result_name<first>();
-    constexpr const deriving::survey& known = survey_of<System>;
+    constexpr const derivation::survey& known = survey_of<System>;
     constexpr int state = known.coordinates + known.speeds;
     mechanics::sentence found;
     if (static_cast<bool>(known.mistake) || static_cast<bool>(Code::mistake)) return found;
@@ -165,7 +165,7 @@ struct weighted_call {
     keep(check_size("direction", system, entries_of<Direction>(), state + known.inputs));
     return found;
   }();
-  static_assert(deriving::report<weighted_call>());
+  static_assert(derivation::report<weighted_call>());
   static constexpr bool possible = !static_cast<bool>(mistake);
 };
 

@@ -8,8 +8,8 @@
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derive/cut.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/cut.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/regular.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
@@ -35,7 +35,7 @@ struct cut_for {
   static constexpr mechanics::sentence mistake() { return cut.mistake; }
 
 protected:
-  static constexpr deriving::cut_code cut = deriving::code_for<System, wanted...>();
+  static constexpr derivation::cut_code cut = derivation::code_for<System, wanted...>();
 };
 
 /// The tape of a set of results. A mistake in them is a compile-time error.
@@ -48,11 +48,11 @@ private:
 
 public:
   static constexpr auto tape = lower::trimmed<cut.tape.sizes>(cut.tape);
-  static constexpr auto causes = deriving::trimmed<cut.causes.sizes>(cut.causes);
+  static constexpr auto causes = derivation::trimmed<cut.causes.sizes>(cut.causes);
   static constexpr mechanics::sentence mistake = cut.mistake;
   static constexpr bool follows_from_unparsed = cut.follows_from_unparsed;
   static constexpr bool tells_finiteness = cut.tells_finiteness;
-  static_assert(deriving::report<code>());
+  static_assert(derivation::report<code>());
 };
 
 /// Selects the arguments of a call that the code loads.
@@ -105,8 +105,8 @@ struct weighted_arguments : arguments<System, Number, State, Parameters, Inputs,
 /// system remains one.
 template <class Number, auto wanted>
 auto no_result_of() {
-  constexpr deriving::extent size =
-      deriving::extent_of(deriving::requested<wanted>::value, deriving::survey{});
+  constexpr derivation::extent size =
+      derivation::extent_of(derivation::requested<wanted>::value, derivation::survey{});
   if constexpr (size.rows == 1 && size.columns == 1)
     return lower::scalar_math<Number>::from(0);
   else if constexpr (size.rows > 0 && size.columns > 0)
@@ -116,8 +116,8 @@ auto no_result_of() {
 }
 
 template <auto wanted, class System>
-inline constexpr deriving::extent extent_of =
-    deriving::extent_of(deriving::requested<wanted>::value, survey_of<System>);
+inline constexpr derivation::extent extent_of =
+    derivation::extent_of(derivation::requested<wanted>::value, survey_of<System>);
 
 template <class System, auto... wanted>
 struct derives {};

@@ -29,8 +29,8 @@ const code_table& table_for() {
   using code = compiled::code<System, wanted...>;
   static_assert(sizeof(call<System, code, Time, State, Parameters, Inputs, not_given, wanted...>) != 0);
   static_cast<void>(can_call_externals<code, typename State::Scalar, true, wanted...>());
-  deriving::report_in_code<surveyed<System>>();
-  deriving::report_in_code<code>();
+  derivation::report_in_code<surveyed<System>>();
+  derivation::report_in_code<code>();
   link_as_one_system<System>();
   return table_of<System, wanted...>;
 }

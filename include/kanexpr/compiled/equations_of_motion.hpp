@@ -3,7 +3,7 @@
 #include <kanexpr/compiled/function.hpp>
 #include <kanexpr/compiled/named_results.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derive/derivatives_request.hpp>
+#include <kanexpr/derivation/derivatives_request.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 namespace kanexpr {
@@ -39,13 +39,13 @@ struct equations_of_motion : compiled::named_results<function, System> {
          compiled::placed<System, symbolic::symbol_kind::coordinate_rate, called, index>::place];
   }
 
-  using with_respect_to = deriving::with_respect_to;
+  using with_respect_to = derivation::with_respect_to;
   /// The derivatives of a result, with its entries in row-major order, with respect to all entries of the
   /// state as if they were unconstrained: `eom::derivatives<eom::quantity::inverse_dynamics>(x, p, r, a)`.
   /// The second template argument selects the inputs, or the rates of the speeds passed to the result, in
   /// place of the state: `eom::derivatives<…, eom::with_respect_to::rates>`.
   template <mechanics::quantity of, with_respect_to symbols = with_respect_to::state>
-  static constexpr function<System, deriving::derivatives_of_result{of, symbols}> derivatives{};
+  static constexpr function<System, derivation::derivatives_of_result{of, symbols}> derivatives{};
 
   /// Evaluates several results in one call, which computes common subexpressions only once: `auto [M, f] =
   /// together(mass_matrix, forcing)(x, p);`

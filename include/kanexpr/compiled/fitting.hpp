@@ -3,7 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/compiled/symbol_range.hpp>
-#include <kanexpr/derive/model_error.hpp>
+#include <kanexpr/derivation/model_error.hpp>
 
 #include <Eigen/Core>
 
@@ -42,7 +42,7 @@ struct fitting {
     if (survey_of<System>.mistake) return mechanics::sentence{};
     return check_size(wanted.vector, type_name<System>(), given, wanted.size);
   }();
-  static_assert(deriving::report<fitting>());
+  static_assert(derivation::report<fitting>());
   static constexpr bool possible =
       !static_cast<bool>(mistake) && !static_cast<bool>(survey_of<System>.mistake);
 };
@@ -58,7 +58,7 @@ constexpr mechanics::sentence check_scalar() {
 template <class System, class Scalar>
 struct holding {
   static constexpr mechanics::sentence mistake = check_scalar<System, Scalar>();
-  static_assert(deriving::report<holding>());
+  static_assert(derivation::report<holding>());
 };
 
 constexpr std::string_view plural_of(symbols_of which) {
@@ -84,7 +84,7 @@ constexpr mechanics::sentence check_exchanged(std::string_view caller) {
 template <class System, symbols_of wanted, class Other, symbols_of given>
 struct exchanged {
   static constexpr mechanics::sentence mistake = check_exchanged<System, wanted, Other, given>({});
-  static_assert(deriving::report<exchanged>());
+  static_assert(derivation::report<exchanged>());
   static constexpr bool possible =
       !static_cast<bool>(mistake) && !static_cast<bool>(survey_of<System>.mistake);
 };

@@ -9,8 +9,8 @@
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derive/cut.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/cut.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/regular.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
@@ -107,11 +107,11 @@ private:
   using constant_call =
       compiled::call<System, code, double, state<System>, Parameters, Inputs, none, wanted...>;
   static constexpr none nothing{};
-  static constexpr bool is_weighted = (deriving::requested<wanted>::value.is_weighted() || ...);
+  static constexpr bool is_weighted = (derivation::requested<wanted>::value.is_weighted() || ...);
 
   template <int first, auto one, class Slots>
   static constexpr auto constant_result(const Slots& slot) {
-    constexpr deriving::extent size = compiled::extent_of<one, System>;
+    constexpr derivation::extent size = compiled::extent_of<one, System>;
     numeric::fixed_matrix<double, size.rows, size.columns> result;
     for (int i = 0; i < size.rows; ++i)
       for (int j = 0; j < size.columns; ++j)
@@ -130,7 +130,8 @@ private:
                                               const Direction& v = {}) noexcept {
     using Number = typename State::Scalar;
     if constexpr (is_weighted) {
-      constexpr deriving::given_behind given = deriving::given_to({&deriving::requested<wanted>::value...});
+      constexpr derivation::given_behind given =
+          derivation::given_to({&derivation::requested<wanted>::value...});
       if constexpr (given.weights)
         return evaluate_weighted<with_statuses, given>(time, x, p, r, a, v);
       else
@@ -138,8 +139,8 @@ private:
     } else if constexpr (!compiled::call<System, code, Time, State, Parameters, Inputs, Accelerations,
                                          wanted...>::possible ||
                          !compiled::can_call_externals<code, Number, false, wanted...>()) {
-      deriving::report_in_code<compiled::surveyed<System>>();
-      deriving::report_in_code<code>();
+      derivation::report_in_code<compiled::surveyed<System>>();
+      derivation::report_in_code<code>();
       return no_results<Number>();
     } else {
       compiled::link_as_one_system<System>();
@@ -152,7 +153,7 @@ private:
   }
 
   /// Evaluates results that take weights or a direction.
-  template <bool with_statuses, deriving::given_behind given, class Time, class State, class Parameters,
+  template <bool with_statuses, derivation::given_behind given, class Time, class State, class Parameters,
             class Inputs, class Weights, class Direction>
   [[gnu::always_inline]] static auto evaluate_weighted(const Time& time, const State& x, const Parameters& p,
                                                        const Inputs& r, const Weights& w,
@@ -161,8 +162,8 @@ private:
     if constexpr (!compiled::call<System, code, Time, State, Parameters, Inputs, none, wanted...>::possible ||
                   !compiled::weighted_call<System, code, Weights, Direction, given, wanted...>::possible ||
                   !compiled::can_call_externals<code, Number, false, wanted...>()) {
-      deriving::report_in_code<compiled::surveyed<System>>();
-      deriving::report_in_code<code>();
+      derivation::report_in_code<compiled::surveyed<System>>();
+      derivation::report_in_code<code>();
       return no_results<Number>();
     } else {
       compiled::link_as_one_system<System>();
@@ -242,7 +243,7 @@ private:
 
   template <class Number, int first, auto one>
   [[gnu::always_inline]] static auto collect(const lower::unrolled_tape<code, Number>& done) noexcept {
-    constexpr deriving::extent size = compiled::extent_of<one, System>;
+    constexpr derivation::extent size = compiled::extent_of<one, System>;
     if constexpr (size.scalar) {
       return Number(done.template result<first>());
     } else {
@@ -261,7 +262,7 @@ private:
   }
 
   static constexpr int first_of(std::size_t which) {
-    const deriving::extent sizes[]{compiled::extent_of<wanted, System>...};
+    const derivation::extent sizes[]{compiled::extent_of<wanted, System>...};
     int first = 0;
     for (std::size_t i = 0; i < which; ++i) first += sizes[i].rows * sizes[i].columns;
     return first;
@@ -281,7 +282,7 @@ private:
   template <int first, auto one, class Number, class Result>
   [[gnu::always_inline]] static void put(const lower::unrolled_tape<code, Number>& done,
                                          Result& into) noexcept {
-    constexpr deriving::extent size = compiled::extent_of<one, System>;
+    constexpr derivation::extent size = compiled::extent_of<one, System>;
     if constexpr (requires { into.status; })
       into.status = status_of<Number>(done, std::make_integer_sequence<int, checks>{});
     if constexpr (!size.scalar)

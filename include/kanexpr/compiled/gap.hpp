@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/symbol_range.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/numeric/elementary.hpp>
 
@@ -38,7 +38,7 @@ constexpr double number_for_unknown(std::string_view name) {
 }
 
 constexpr gap gap_in(double value) {
-  namespace of = elementary::detail;
+  namespace of = numeric::elementary::detail;
   if (of::is_finite(value)) return gap::none;
   if (!of::is_nan(value)) return gap::infinite;
   const std::uint64_t reason = of::bits(value) >> 48 & 7;
@@ -73,7 +73,7 @@ constexpr mechanics::sentence unknown_told_of(double value, const symbol_range& 
 }
 
 /// Describes the gap in the value of a symbol as a sentence; empty if there is none.
-constexpr mechanics::sentence told_of(gap found, const deriving::survey& known, int place,
+constexpr mechanics::sentence told_of(gap found, const derivation::survey& known, int place,
                                       std::string_view system) {
   const auto symbol = [&] { return symbol_called(known, place); };
   switch (found) {
@@ -92,8 +92,8 @@ constexpr mechanics::sentence told_of(gap found, const deriving::survey& known, 
 /// Returns a sentence that names the first entry of a vector of values that is not finite; empty if all are
 /// finite.
 template <class Vector>
-mechanics::sentence first_gap(const Vector& values, const deriving::survey& known, const symbol_range& range,
-                              std::string_view system) {
+mechanics::sentence first_gap(const Vector& values, const derivation::survey& known,
+                              const symbol_range& range, std::string_view system) {
   for (int i = 0; i < range.size && i < static_cast<int>(values.size()); ++i)
     if (const gap found = gap_in(values[i]); found != gap::none) {
       if constexpr (std::is_same_v<typename Vector::Scalar, double>)

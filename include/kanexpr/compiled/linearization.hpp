@@ -2,8 +2,8 @@
 
 #include <kanexpr/compiled/finite_function.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derive/linearization_request.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/linearization_request.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 
 #include <Eigen/Core>
@@ -20,7 +20,7 @@ namespace kanexpr {
 template <class System>
 struct linearization {
   using quantity = mechanics::quantity;
-  static constexpr const deriving::survey& known = compiled::survey_of<System>;
+  static constexpr const derivation::survey& known = compiled::survey_of<System>;
 
   using state = kanexpr::state<System>;
   using parameters = parameter_values<System>;
@@ -39,12 +39,12 @@ struct linearization {
       implicit_form{};
 
   /// The same matrices at known rates of the speeds: f(x, p, r, udot).
-  static constexpr finite_function<System, deriving::at_given_rates{quantity::state_matrix},
-                                   deriving::at_given_rates{quantity::input_matrix}>
+  static constexpr finite_function<System, derivation::at_given_rates{quantity::state_matrix},
+                                   derivation::at_given_rates{quantity::input_matrix}>
       explicit_form_at{};
-  static constexpr finite_function<System, deriving::at_given_rates{quantity::implicit_mass_matrix},
-                                   deriving::at_given_rates{quantity::implicit_state_matrix},
-                                   deriving::at_given_rates{quantity::implicit_input_matrix}>
+  static constexpr finite_function<System, derivation::at_given_rates{quantity::implicit_mass_matrix},
+                                   derivation::at_given_rates{quantity::implicit_state_matrix},
+                                   derivation::at_given_rates{quantity::implicit_input_matrix}>
       implicit_form_at{};
 
   /// The derivatives of ẋ = [q̇; u̇], as returned by `equations_of_motion<System>::rhs`, with respect to the
@@ -59,8 +59,8 @@ struct linearization {
   /// velocities and accelerations: `outputs<q1, acceleration_of<P>>(x, p, r)`. A vector contributes one row
   /// per component.
   template <auto... measured>
-  static constexpr finite_function<System, deriving::sensitivity<false, measured...>{},
-                                   deriving::sensitivity<true, measured...>{}>
+  static constexpr finite_function<System, derivation::sensitivity<false, measured...>{},
+                                   derivation::sensitivity<true, measured...>{}>
       outputs{};
 
   /// The indices in [q; u] of the states of the linearized equations.

@@ -5,7 +5,7 @@
 #include <kanexpr/compiled/linked_model.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/compiled/status.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
@@ -53,7 +53,7 @@ struct lacking {
 template <class System, mechanics::quantity... wanted>
 struct lacking<function<System, wanted...>> {
   static constexpr mechanics::sentence why = [] {
-    using stages = deriving::stages_of<System>;
+    using stages = derivation::stages_of<System>;
     constexpr bool by_equations = ((mechanics::row_of(wanted).needs != mechanics::stage::constrained) || ...);
     if (stages::constrained.mistake) return mechanics::sentence();
     if constexpr (by_equations)
@@ -115,8 +115,8 @@ linked_instance_at_rates<Number, Function, alignment>::evaluate(const Number& t,
 /// Whether the survey in the generated header matches the system.
 template <class System>
 constexpr bool is_up_to_date() {
-  const deriving::survey &written = surveyed<System>::survey,
-                         &derived = deriving::stages_of<System>::constrained.known;
+  const derivation::survey &written = surveyed<System>::survey,
+                           &derived = derivation::stages_of<System>::constrained.known;
   bool same = written.takes_rates_as_speeds == derived.takes_rates_as_speeds &&
               written.coordinates == derived.coordinates && written.speeds == derived.speeds &&
               written.parameters == derived.parameters && written.inputs == derived.inputs &&

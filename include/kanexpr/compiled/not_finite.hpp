@@ -4,8 +4,8 @@
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derive/causes.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/causes.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 
 /// Finds the reason why a result is not finite: a parameter, an input or an entry of the state that is not.
@@ -29,9 +29,9 @@ mechanics::sentence gap_among(const Parameters& p, const Inputs& r) {
 /// Returns a sentence such as "m has no finite value" for every symbol of a system.
 template <class System>
 constexpr auto causes_of_gaps() {
-  constexpr const deriving::survey& known = survey_of<System>;
-  deriving::cause_list<deriving::cause_sizes{known.symbols(),
-                                             known.symbols() * mechanics::sentence::capacity}>
+  constexpr const derivation::survey& known = survey_of<System>;
+  derivation::cause_list<derivation::cause_sizes{known.symbols(),
+                                                 known.symbols() * mechanics::sentence::capacity}>
       all{};
   for (int i = 0; i < known.symbols(); ++i)
     all.push(mechanics::sentence({known.names[i].view(), " has no finite value"}));
@@ -41,7 +41,8 @@ constexpr auto causes_of_gaps() {
 /// The same causes, stored permanently because statuses do not own their sentences.
 template <class System>
 struct not_finite {
-  static constexpr auto causes = deriving::trimmed<causes_of_gaps<System>().sizes>(causes_of_gaps<System>());
+  static constexpr auto causes =
+      derivation::trimmed<causes_of_gaps<System>().sizes>(causes_of_gaps<System>());
 
   /// Returns the cause of a failure: an argument that is not finite, or, if there is none, the given failure.
   template <class State, class Parameters, class Inputs>

@@ -19,7 +19,7 @@ namespace compiled {
 
 template <class System, auto wanted>
 struct result_shape {
-  static constexpr deriving::extent size = extent_of<wanted, System>;
+  static constexpr derivation::extent size = extent_of<wanted, System>;
   static constexpr int rows = size.rows, columns = size.columns;
   static constexpr bool is_scalar = size.scalar;
 };

@@ -3,8 +3,8 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/compiled/symbol_range.hpp>
-#include <kanexpr/derive/model_error.hpp>
-#include <kanexpr/derive/read/wording.hpp>
+#include <kanexpr/derivation/model_error.hpp>
+#include <kanexpr/derivation/read/wording.hpp>
 #include <kanexpr/describe/symbol.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
@@ -25,10 +25,10 @@ struct placed {
     if (kind == symbolic::symbol_kind::coordinate_rate)
       return mechanics::sentence({"the state of ", type_name<System>(),
                                   " does not contain the rate of coordinate ", symbol.called.view()});
-    const std::string_view what = deriving::kind_of(symbol);
+    const std::string_view what = derivation::kind_of(symbol);
     return mechanics::sentence({"the system ", type_name<System>(), " has no ", what, symbol.called.view()});
   }();
-  static_assert(deriving::report<placed>());
+  static_assert(derivation::report<placed>());
 };
 
 /// A symbol of a kind that a vector does not contain, such as a parameter looked up in the state.
@@ -41,7 +41,7 @@ struct misplaced {
     return mechanics::sentence({s != nullptr ? s->called.view() : "the expression",
                                 " is not an entry of the ", vector.view(), " of ", type_name<System>()});
   }();
-  static_assert(deriving::report<misplaced>());
+  static_assert(derivation::report<misplaced>());
   static constexpr int place = 0;
 };
 

@@ -5,7 +5,7 @@
 #include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/describe/extended.hpp>
-#include <kanexpr/joints/reactions.hpp>
+#include <kanexpr/describe/joints/reactions.hpp>
 
 #include <Eigen/Core>
 

@@ -2,7 +2,7 @@
 
 #include <kanexpr/compiled/function.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/model/inertial_parameter.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 
@@ -28,7 +28,7 @@ namespace kanexpr {
 template <class System>
 struct regressor {
   using quantity = mechanics::quantity;
-  static constexpr const deriving::survey& known = compiled::survey_of<System>;
+  static constexpr const derivation::survey& known = compiled::survey_of<System>;
 
   /// The number of entries of π.
   static constexpr int size = known.inertial_parameters;
@@ -47,7 +47,8 @@ struct regressor {
   static constexpr std::array<symbolic::name, static_cast<std::size_t>(size)> names = [] {
     std::array<symbolic::name, static_cast<std::size_t>(size)> all{};
     if constexpr (size > 0) {
-      const deriving::derived_system system(System::record, deriving::stages_of<System>::constrained.stored);
+      const derivation::derived_system system(System::record,
+                                              derivation::stages_of<System>::constrained.stored);
       std::size_t next = 0;
       for (const symbolic::name& each : mechanics::names_of_inertial_parameters(system.mechanism()))
         all[next++] = each;

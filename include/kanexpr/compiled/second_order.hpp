@@ -2,8 +2,8 @@
 
 #include <kanexpr/compiled/function.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derive/sensitivity_request.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/sensitivity_request.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@ namespace kanexpr {
 template <class System>
 struct second_order {
   using quantity = mechanics::quantity;
-  static constexpr const deriving::survey& known = compiled::survey_of<System>;
+  static constexpr const derivation::survey& known = compiled::survey_of<System>;
 
   using state = kanexpr::state<System>;
   using parameters = parameter_values<System>;
@@ -51,6 +51,6 @@ struct second_order {
 /// The derivatives of the rates ẋ = [q̇; u̇] with respect to parameters of the system, one column per
 /// parameter: `sensitivity<System, m, l>(x, p, r)`. The rows of u̇ come last.
 template <class System, auto... parameters>
-inline constexpr function<System, deriving::sensitivity_to<parameters...>{}> sensitivity{};
+inline constexpr function<System, derivation::sensitivity_to<parameters...>{}> sensitivity{};
 
 } // namespace kanexpr

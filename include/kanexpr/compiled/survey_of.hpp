@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 
 namespace kanexpr::compiled {
 
@@ -10,6 +10,6 @@ template <class System>
 struct surveyed;
 
 template <class System>
-inline constexpr const deriving::survey& survey_of = surveyed<System>::survey;
+inline constexpr const derivation::survey& survey_of = surveyed<System>::survey;
 
 } // namespace kanexpr::compiled

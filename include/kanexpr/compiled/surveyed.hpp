@@ -2,9 +2,9 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derive/model_error.hpp>
-#include <kanexpr/derive/stages.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/model_error.hpp>
+#include <kanexpr/derivation/stages.hpp>
+#include <kanexpr/derivation/survey.hpp>
 
 namespace kanexpr::compiled {
 
@@ -12,11 +12,11 @@ namespace kanexpr::compiled {
 template <class System>
 struct surveyed {
   using system = System;
-  static constexpr deriving::survey survey = deriving::stages_of<System>::constrained.known;
-  static constexpr mechanics::sentence mistake = deriving::stages_of<System>::constrained.mistake;
+  static constexpr derivation::survey survey = derivation::stages_of<System>::constrained.known;
+  static constexpr mechanics::sentence mistake = derivation::stages_of<System>::constrained.mistake;
   static constexpr bool follows_from_unparsed =
-      deriving::stages_of<System>::constrained.follows_from_unparsed;
-  static_assert(deriving::report<surveyed>());
+      derivation::stages_of<System>::constrained.follows_from_unparsed;
+  static_assert(derivation::report<surveyed>());
 };
 
 } // namespace kanexpr::compiled

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <string_view>
@@ -19,7 +19,7 @@ struct symbol_range {
   constexpr bool holds(int place) const { return place >= first && place < first + size; }
 };
 
-constexpr symbol_range range_of(symbols_of which, const deriving::survey& s) {
+constexpr symbol_range range_of(symbols_of which, const derivation::survey& s) {
   using symbolic::symbol_kind;
   switch (which) {
   case symbols_of::parameters:
@@ -33,7 +33,7 @@ constexpr symbol_range range_of(symbols_of which, const deriving::survey& s) {
 
 /// Returns the name of the symbol at an index of a survey, such as "coordinate q1", "speed u1" (with
 /// Lagrange's method "the rate of coordinate q1"), "parameter m" or "input T".
-constexpr mechanics::sentence symbol_called(const deriving::survey& known, int place) {
+constexpr mechanics::sentence symbol_called(const derivation::survey& known, int place) {
   using symbolic::symbol_kind;
   const std::string_view name = known.names[place].view();
   if (place >= known.first_of(symbol_kind::input)) return mechanics::sentence({"input ", name});

@@ -31,7 +31,7 @@ public:
 
   /// A state is initialized to zero; unset parameters and inputs are NaN.
   value_vector() {
-    deriving::report_in_code<surveyed<System>>();
+    derivation::report_in_code<surveyed<System>>();
     fill(from(which == symbols_of::state ? 0 : number_for(gap::never_set)));
   }
 

@@ -3,7 +3,7 @@
 #include <kanexpr/base/engine.hpp>
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/symbol_range.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/describe/symbol_name.hpp>
 #include <kanexpr/describe/system.hpp>
 
@@ -15,13 +15,13 @@ namespace kanexpr::compiled {
 
 /// Checks the parameters of a system for negative masses and impossible inertias. Returns a sentence that
 /// names the first one; empty if there is none. Parameters that are NaN are treated as unknown.
-mechanics::sentence check_masses(const deriving::survey& known, const double* parameters);
+mechanics::sentence check_masses(const derivation::survey& known, const double* parameters);
 
 /// Stores values specified by name at their indices and keeps the first mistake. A model derived at run time
 /// has no name, so its sentences read "the model has no parameter ll".
 class values_reader {
 public:
-  values_reader(const deriving::survey& known, const describe::system_record& told, std::string_view system,
+  values_reader(const derivation::survey& known, const describe::system_record& told, std::string_view system,
                 const symbol_range& range, double* values)
       : known_(known), told_(told), system_(system), range_(range), values_(values) {}
 
@@ -40,17 +40,17 @@ private:
   bool is_bound(std::string_view name) const;
   void fail(std::initializer_list<std::string_view> pieces);
 
-  const deriving::survey& known_;
+  const derivation::survey& known_;
   const describe::system_record& told_;
   std::string_view system_;
   symbol_range range_;
   double* values_;
-  std::array<bool, deriving::survey::room> named_{};
+  std::array<bool, derivation::survey::room> named_{};
   mechanics::sentence mistake_{};
 };
 
 } // namespace kanexpr::compiled
 
 #ifndef KANEXPR_COMPILED_ENGINE
-#include <kanexpr/compiled/engine/values_reader.hpp>
+#include <kanexpr/compiled/values_reader.ipp>
 #endif

@@ -2,7 +2,7 @@
 
 #include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/compiled/surveyed.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <fstream>
@@ -34,12 +34,12 @@ public:
   }
 
 private:
-  void add(const deriving::survey& known, std::string_view spelled) {
+  void add(const derivation::survey& known, std::string_view spelled) {
     out_ << "\ntemplate <>\nstruct kanexpr::compiled::surveyed<" << spelled
          << "> {\n  using system = " << spelled
          << ";\n  static constexpr bool is_linked = true;\n"
-            "  static constexpr kanexpr::deriving::survey survey = [] {\n"
-            "    kanexpr::deriving::survey s;\n";
+            "  static constexpr kanexpr::derivation::survey survey = [] {\n"
+            "    kanexpr::derivation::survey s;\n";
     set("takes_rates_as_speeds", known.takes_rates_as_speeds);
     set("coordinates", known.coordinates);
     set("speeds", known.speeds);
@@ -70,7 +70,7 @@ private:
          << spelled << ", wanted...>); })\nstruct kanexpr::function<" << spelled
          << ", wanted...> : kanexpr::compiled::not_derived_here {};\n";
   }
-  void add(const deriving::inertial_values& known) {
+  void add(const derivation::inertial_values& known) {
     set("inertial.steps", known.steps);
     for (int i = 0; i < known.steps; ++i) {
       out_ << "    s.inertial.operation[" << i << "] = static_cast<kanexpr::symbolic::operation>("
@@ -86,7 +86,7 @@ private:
       out_ << "    s.inertial.names[" << i << "] = \"" << known.names[i].view() << "\";\n";
     set("inertial.count", known.count);
     for (int i = 0; i < known.count; ++i) {
-      const deriving::inertial_values::of_body& body = known.bodies[i];
+      const derivation::inertial_values::of_body& body = known.bodies[i];
       const std::string member = "inertial.bodies[" + std::to_string(i) + "].";
       set((member + "called").c_str(), body.called);
       set((member + "about").c_str(), body.about);

@@ -200,7 +200,7 @@ private:
 
   template <class Parameters, class Inputs>
   sight seen(const Parameters& p, const Inputs& r) const {
-    constexpr function<System, measured..., deriving::sensitivity<false, measured...>{}> look{};
+    constexpr function<System, measured..., derivation::sensitivity<false, measured...>{}> look{};
     const auto found = look(t, x, p, r);
     sight now{};
     int row = 0;

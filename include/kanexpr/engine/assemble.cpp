@@ -1,2 +1,2 @@
-#include <kanexpr/runtime/engine/assemble.hpp>
-#include <kanexpr/runtime/engine/base_parameters.hpp>
+#include <kanexpr/runtime/assemble.ipp>
+#include <kanexpr/runtime/base_parameters.ipp>

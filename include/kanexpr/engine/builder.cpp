@@ -1,3 +1,3 @@
-#include <kanexpr/runtime/engine/builder.hpp>
-#include <kanexpr/runtime/engine/builder_constraints.hpp>
-#include <kanexpr/runtime/engine/builder_loads.hpp>
+#include <kanexpr/runtime/builder.ipp>
+#include <kanexpr/runtime/builder_constraints.ipp>
+#include <kanexpr/runtime/builder_loads.ipp>

@@ -1,2 +1,2 @@
-#include <kanexpr/runtime/engine/linearization.hpp>
-#include <kanexpr/runtime/engine/linearization_point.hpp>
+#include <kanexpr/runtime/linearization.ipp>
+#include <kanexpr/runtime/linearization_point.ipp>

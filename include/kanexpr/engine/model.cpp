@@ -1,2 +1,2 @@
-#include <kanexpr/runtime/engine/model.hpp>
-#include <kanexpr/runtime/engine/staged_derivation.hpp>
+#include <kanexpr/runtime/model.ipp>
+#include <kanexpr/runtime/staged_derivation.ipp>

@@ -1,1 +1,1 @@
-#include <kanexpr/compiled/engine/values_reader.hpp>
+#include <kanexpr/compiled/values_reader.ipp>

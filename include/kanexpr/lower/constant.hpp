@@ -33,7 +33,7 @@ constexpr void run_linear_step(const linear_step& e, const int* operands,
   if (e.op == operation::factorization)
     numeric::factorize<math>(e.order, out);
   else if (numeric::equal(factors[numeric::factors{e.order}.least_pivot()], 0.0))
-    for (int i = 0; i < e.order; ++i) out[i] = elementary::detail::not_a_number;
+    for (int i = 0; i < e.order; ++i) out[i] = numeric::elementary::detail::not_a_number;
   else if (e.op == operation::solve)
     numeric::solve_factorized<math>(e.order, factors, out);
   else

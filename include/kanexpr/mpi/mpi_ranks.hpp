@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/ensemble/executor.hpp>
+#include <kanexpr/ensembles/executor.hpp>
 #include <kanexpr/mpi/compiled_mpi.hpp>
 
 #include <memory>
@@ -44,5 +44,5 @@ private:
 } // namespace kanexpr
 
 #ifndef KANEXPR_COMPILED_MPI
-#include <kanexpr/mpi/engine/mpi_ranks.hpp>
+#include <kanexpr/mpi/mpi_ranks.ipp>
 #endif

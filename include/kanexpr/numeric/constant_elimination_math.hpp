@@ -17,7 +17,7 @@ struct constant_elimination_math {
   static constexpr Number reciprocal(Number x) {
     return equal(x, Number(0)) ? Number(0) : 1 / x;
   }
-  static constexpr double root(double x) { return elementary::sqrt(x); }
+  static constexpr double root(double x) { return numeric::elementary::sqrt(x); }
   template <class Number>
   static constexpr void exchange_if_positive(Number d, Number& a, Number& b) {
     if (!(d > 0)) return;

@@ -26,7 +26,7 @@
 #pragma GCC optimize("no-fast-math")
 #endif
 
-namespace kanexpr::elementary {
+namespace kanexpr::numeric::elementary {
 
 namespace detail {
 
@@ -416,7 +416,7 @@ constexpr double positive_pow(double x, double y) noexcept {
   return numeric::equal(y, 0.5) ? sqrt(x) : detail::copy_sign(detail::positive_pow(abs(x), y), sign);
 }
 
-} // namespace kanexpr::elementary
+} // namespace kanexpr::numeric::elementary
 
 #if defined(__clang__)
 #pragma float_control(pop)

@@ -17,9 +17,9 @@ constexpr bool is_exponent_of_zero(int exponent) { return exponent < exponent_of
 
 /// Avoids the warnings of compilers that assume finite numbers.
 template <class Number>
-inline constexpr Number infinity = static_cast<Number>(elementary::detail::infinity);
+inline constexpr Number infinity = static_cast<Number>(numeric::elementary::detail::infinity);
 template <class Number>
-inline constexpr Number not_a_number = static_cast<Number>(elementary::detail::not_a_number);
+inline constexpr Number not_a_number = static_cast<Number>(numeric::elementary::detail::not_a_number);
 
 /// Returns the bits of a number, or of the double it converts to, without the sign.
 template <class Number>
@@ -60,7 +60,7 @@ constexpr Number power_of_two(int k) {
   if constexpr (std::is_same_v<Number, float>)
     return std::bit_cast<float>(static_cast<std::uint32_t>(k + 127) << 23);
   else
-    return static_cast<Number>(elementary::detail::power_of_two(k));
+    return static_cast<Number>(numeric::elementary::detail::power_of_two(k));
 }
 
 /// Returns x 2ᵏ, or infinity, without overflowing arithmetic, if the product is too large.

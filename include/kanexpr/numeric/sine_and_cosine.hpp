@@ -225,8 +225,8 @@ template <class Value>
   if (detail::is_out_of_reach(angle)) [[unlikely]] {
     if (std::is_constant_evaluated()) {
       if constexpr (detail::lanes<Value>::count == 1) {
-        sine = static_cast<Value>(elementary::sin(static_cast<double>(angle)));
-        cosine = static_cast<Value>(elementary::cos(static_cast<double>(angle)));
+        sine = static_cast<Value>(numeric::elementary::sin(static_cast<double>(angle)));
+        cosine = static_cast<Value>(numeric::elementary::cos(static_cast<double>(angle)));
       }
     } else {
       // The arguments of the library function must be in memory; the values computed here should stay in

@@ -11,12 +11,12 @@ namespace kanexpr::robots {
 
 /// Reads a robot from a text in the Simulation Description Format (SDF).
 inline read_robot read_sdf_text(const std::string& text, const reading_options& options = {}) {
-  return detail::read_text<sdf_files::reader>(text, {}, options);
+  return detail::read_text<sdf::reader>(text, {}, options);
 }
 
 /// Reads a robot from an SDF file.
 inline read_robot read_sdf(const std::string& path, const reading_options& options = {}) {
-  return detail::read_file<sdf_files::reader>(path, options);
+  return detail::read_file<sdf::reader>(path, options);
 }
 
 } // namespace kanexpr::robots

@@ -60,5 +60,5 @@ independence check_independence(model& m, const Eigen::VectorXd& x, const Parame
 } // namespace kanexpr
 
 #ifndef KANEXPR_COMPILED_ENGINE
-#include <kanexpr/runtime/engine/assemble.hpp>
+#include <kanexpr/runtime/assemble.ipp>
 #endif

@@ -78,5 +78,5 @@ base_parameters find_base_parameters(model& m, const Parameters& p = {},
 } // namespace kanexpr
 
 #ifndef KANEXPR_COMPILED_ENGINE
-#include <kanexpr/runtime/engine/base_parameters.hpp>
+#include <kanexpr/runtime/base_parameters.ipp>
 #endif

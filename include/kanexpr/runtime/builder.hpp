@@ -292,9 +292,9 @@ private:
 } // namespace kanexpr::runtime
 
 #ifndef KANEXPR_COMPILED_ENGINE
-#include <kanexpr/runtime/engine/builder.hpp>
-#include <kanexpr/runtime/engine/builder_constraints.hpp>
-#include <kanexpr/runtime/engine/builder_loads.hpp>
+#include <kanexpr/runtime/builder.ipp>
+#include <kanexpr/runtime/builder_constraints.ipp>
+#include <kanexpr/runtime/builder_loads.ipp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #endif

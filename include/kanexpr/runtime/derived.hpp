@@ -15,10 +15,10 @@ namespace mechanics {
 struct mechanism;
 class equations;
 } // namespace mechanics
-namespace deriving {
+namespace derivation {
 class reader;
 struct image;
-} // namespace deriving
+} // namespace derivation
 
 namespace runtime {
 
@@ -34,14 +34,14 @@ public:
   virtual const mechanics::sentence& mistake() const = 0;
   virtual symbolic::graph& graph() = 0;
   virtual const mechanics::mechanism& mechanism() const = 0;
-  virtual deriving::reader& reader() = 0;
+  virtual derivation::reader& reader() = 0;
   /// The equations of motion; null if a mistake was found before they were derived.
   virtual mechanics::equations* equations() = 0;
 
   /// Stores the derivation. Requires that there is no mistake.
-  virtual void store(deriving::image& into) const = 0;
+  virtual void store(derivation::image& into) const = 0;
   /// The same system in a separate graph, resumed from what it stored.
-  virtual std::shared_ptr<derived> resumed(const deriving::image& from) const = 0;
+  virtual std::shared_ptr<derived> resumed(const derivation::image& from) const = 0;
 
   /// The mistake in the last request; the system itself is sound.
   mechanics::sentence refused{};

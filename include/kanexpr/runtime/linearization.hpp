@@ -69,5 +69,5 @@ private:
 #include <kanexpr/base/letters_back.hpp>
 
 #ifndef KANEXPR_COMPILED_ENGINE
-#include <kanexpr/runtime/engine/linearization.hpp>
+#include <kanexpr/runtime/linearization.ipp>
 #endif

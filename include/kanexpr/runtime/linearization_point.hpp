@@ -59,5 +59,5 @@ private:
 } // namespace kanexpr
 
 #ifndef KANEXPR_COMPILED_ENGINE
-#include <kanexpr/runtime/engine/linearization_point.hpp>
+#include <kanexpr/runtime/linearization_point.ipp>
 #endif

@@ -8,7 +8,7 @@
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
-#include <kanexpr/symbolic/print/writer.hpp>
+#include <kanexpr/symbolic/printing/writer.hpp>
 
 #include <string>
 #include <string_view>

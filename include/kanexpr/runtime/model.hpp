@@ -3,11 +3,11 @@
 #include <kanexpr/base/engine.hpp>
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
-#include <kanexpr/derive/check_words.hpp>
-#include <kanexpr/derive/entity_digests.hpp>
-#include <kanexpr/derive/linearization_request.hpp>
-#include <kanexpr/derive/sensitivity_request.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/check_words.hpp>
+#include <kanexpr/derivation/entity_digests.hpp>
+#include <kanexpr/derivation/linearization_request.hpp>
+#include <kanexpr/derivation/sensitivity_request.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/print_vector.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
@@ -17,8 +17,8 @@
 #include <kanexpr/runtime/linearization_point.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
-#include <kanexpr/symbolic/print/latex.hpp>
-#include <kanexpr/symbolic/print/print.hpp>
+#include <kanexpr/symbolic/printing/latex.hpp>
+#include <kanexpr/symbolic/printing/print.hpp>
 
 #include <memory>
 #include <span>
@@ -28,7 +28,7 @@
 
 namespace kanexpr {
 
-namespace deriving {
+namespace derivation {
 struct survey;
 }
 namespace runtime {
@@ -42,7 +42,7 @@ class model {
 public:
   /// `also` are expressions with points and frames that the system itself does not use. `meant` are the
   /// digests of the entities in the file that refers to the system.
-  explicit model(const deriving::checked_words& from, std::span<const deriving::request> also = {},
+  explicit model(const derivation::checked_words& from, std::span<const derivation::request> also = {},
                  std::span<const std::uint64_t> meant = {});
   explicit model(std::shared_ptr<runtime::derived> system) : system_(std::move(system)) {}
 
@@ -84,7 +84,7 @@ public:
   /// l>()`.
   template <auto... parameters>
   symbolic::matrix sensitivity() {
-    return get(deriving::requested<deriving::sensitivity_to<parameters...>{}>::value);
+    return get(derivation::requested<derivation::sensitivity_to<parameters...>{}>::value);
   }
 
   /// Linearizes the system about an operating point, merged from up to three sets of values:
@@ -95,10 +95,10 @@ public:
   /// An expression of the model in which rates remain symbols, for `linearization::outputs`.
   template <auto... measured, class Where = describe::file_of<measured...>>
   symbolic::matrix measured_by() {
-    const deriving::request all[]{deriving::requested<measured>::value...};
+    const derivation::request all[]{derivation::requested<measured>::value...};
     return measured_by(all);
   }
-  symbolic::matrix measured_by(std::span<const deriving::request> measured);
+  symbolic::matrix measured_by(std::span<const derivation::request> measured);
 
   /// Replaces the rates q̇ and u̇ in an expression by those of the equations of motion; leaves it unchanged
   /// if the system has a mistake.
@@ -112,9 +112,9 @@ public:
   /// An expression of the model: `model.get<magnitude(velocity_of<P>)>()`; for a vector, its components.
   template <auto wanted, class Where = describe::file_of<wanted>>
   symbolic::matrix get() {
-    return get(deriving::requested<wanted>::value);
+    return get(derivation::requested<wanted>::value);
   }
-  symbolic::matrix get(const deriving::request& wanted);
+  symbolic::matrix get(const derivation::request& wanted);
 
   /// A vector of the model as a sum over its frames.
   template <auto wanted, class Where = describe::file_of<wanted>>
@@ -143,7 +143,7 @@ public:
   bool owns(const symbolic::matrix& result) const;
 
   /// The symbols of the model in order, and which of them are dependent.
-  std::shared_ptr<const deriving::survey> known() const;
+  std::shared_ptr<const derivation::survey> known() const;
 
   symbolic::graph& graph() { return system_->graph(); }
   const mechanics::mechanism& mechanism() const { return system_->mechanism(); }
@@ -163,19 +163,19 @@ private:
 };
 
 /// Derives a system at run time.
-template <class System, auto... also, std::uint64_t described = deriving::digests_as_read<System>[0]>
+template <class System, auto... also, std::uint64_t described = derivation::digests_as_read<System>[0]>
 model derive() {
-  const std::span<const std::uint64_t> meant(deriving::digests_as_meant<System, described>);
+  const std::span<const std::uint64_t> meant(derivation::digests_as_meant<System, described>);
   if constexpr (sizeof...(also) == 0) {
-    return model(deriving::words_of<System>, {}, meant.subspan(1));
+    return model(derivation::words_of<System>, {}, meant.subspan(1));
   } else {
-    const deriving::request all[]{deriving::requested<also>::value...};
-    return model(deriving::words_of<System>, all, meant.subspan(1));
+    const derivation::request all[]{derivation::requested<also>::value...};
+    return model(derivation::words_of<System>, all, meant.subspan(1));
   }
 }
 
 } // namespace kanexpr
 
 #ifndef KANEXPR_COMPILED_ENGINE
-#include <kanexpr/runtime/engine/model.hpp>
+#include <kanexpr/runtime/model.ipp>
 #endif

@@ -11,7 +11,7 @@
 
 namespace kanexpr {
 
-namespace deriving {
+namespace derivation {
 struct image;
 }
 
@@ -28,11 +28,11 @@ public:
 
 private:
   /// The stored stage; null if it has a mistake or exceeds the size of an image.
-  std::shared_ptr<const deriving::image> stored(mechanics::stage at);
+  std::shared_ptr<const derivation::image> stored(mechanics::stage at);
 
   std::function<model()> derive_;
   std::optional<model> first_{};
-  std::array<std::optional<std::shared_ptr<const deriving::image>>, 3> stored_{};
+  std::array<std::optional<std::shared_ptr<const derivation::image>>, 3> stored_{};
 };
 
 } // namespace runtime
@@ -40,5 +40,5 @@ private:
 } // namespace kanexpr
 
 #ifndef KANEXPR_COMPILED_ENGINE
-#include <kanexpr/runtime/engine/staged_derivation.hpp>
+#include <kanexpr/runtime/staged_derivation.ipp>
 #endif

@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/code_table.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/evaluate_steps.hpp>
 #include <kanexpr/lower/regular.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
@@ -15,7 +15,7 @@ namespace kanexpr::runtime {
 template <class Number>
 class table_interpreter {
 public:
-  table_interpreter(const compiled::code_table& table, const deriving::survey& known)
+  table_interpreter(const compiled::code_table& table, const derivation::survey& known)
       : table_(table), known_(known), slots_(static_cast<std::size_t>(table.tape.slot_count())),
         aside_(static_cast<std::size_t>(lower::aside_of(table.tape))) {
     for (int i = 0; i < table.tape.numbers.size(); ++i)
@@ -56,7 +56,7 @@ private:
   }
 
   const compiled::code_table& table_;
-  const deriving::survey& known_;
+  const derivation::survey& known_;
   std::vector<Number> slots_, aside_;
 };
 

@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/named_values.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/runtime/model.hpp>
 
 #include <Eigen/Core>
@@ -30,7 +30,7 @@ public:
   using Eigen::VectorXd::operator[];
 
   value_vector() = default;
-  value_vector(std::shared_ptr<const deriving::survey> known, symbols_of which)
+  value_vector(std::shared_ptr<const derivation::survey> known, symbols_of which)
       : known_(std::move(known)), which_(which) {
     setConstant(range().size, which == symbols_of::state ? 0 : number_for(compiled::gap::never_set));
   }
@@ -73,7 +73,7 @@ public:
   }
 
   /// The symbols of the model; null if the vector was not constructed from one.
-  const std::shared_ptr<const deriving::survey>& known() const { return known_; }
+  const std::shared_ptr<const derivation::survey>& known() const { return known_; }
 
 private:
   static constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -95,7 +95,7 @@ private:
     return found;
   }
 
-  std::shared_ptr<const deriving::survey> known_{};
+  std::shared_ptr<const derivation::survey> known_{};
   symbols_of which_ = symbols_of::state;
   mutable std::string unknown_{};
   double nothing_ = not_a_number; ///< receives assignments to unknown symbols
@@ -124,7 +124,7 @@ public:
   mechanics::sentence mistake{};   ///< the first mistake in the values, as a sentence; empty if there is none
 
   /// Assigns the values to the symbols of a model.
-  void read(const std::shared_ptr<const deriving::survey>& known) {
+  void read(const std::shared_ptr<const derivation::survey>& known) {
     const compiled::symbol_range range = compiled::range_of(which, *known);
     static constexpr describe::system_record nothing_bound{};
     values = Vector(value_vector(known, which));

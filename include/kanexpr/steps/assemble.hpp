@@ -7,7 +7,7 @@
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/assembly.hpp>
@@ -28,7 +28,7 @@ namespace compiled {
 template <class System, class Parameters, class Inputs, class Number = double>
 class constraints_at {
 public:
-  static constexpr const deriving::survey& known = survey_of<System>;
+  static constexpr const derivation::survey& known = survey_of<System>;
   using quantity = mechanics::quantity;
   using quaternions = unit_quaternions<System>;
   using state = kanexpr::state<System, Number>;

@@ -4,7 +4,7 @@
 #include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/steps/methods.hpp>
 #include <kanexpr/steps/unit_quaternions.hpp>
 
@@ -20,7 +20,7 @@ using symbolic::added;
 /// for the dependent speeds. The independent coordinates and speeds are unchanged.
 template <class System, int newton_steps>
 class correction {
-  static constexpr const deriving::survey& known = survey_of<System>;
+  static constexpr const derivation::survey& known = survey_of<System>;
   static constexpr int unknowns = known.configuration_constraints;
   using eom = equations_of_motion<System>;
   using quantity = mechanics::quantity;
@@ -32,7 +32,7 @@ public:
   template <class Time, class Number, class Parameters, class Inputs>
   static kanexpr::status apply(const Time& t, state<System, Number>& x, const Parameters& p,
                                const Inputs& r) {
-    return stepping::correct(at_inputs<Parameters, Inputs>{p, r}, newton_steps, t, x);
+    return steps::correct(at_inputs<Parameters, Inputs>{p, r}, newton_steps, t, x);
   }
 
   /// Returns the index in the state of a dependent coordinate or, after the coordinates, a dependent speed.
@@ -68,7 +68,7 @@ private:
     }
     template <class Number>
     [[gnu::always_inline]] kanexpr::status normalize(state<System, Number>& x) const {
-      return quaternions::normalize(x, stepping::near_one);
+      return quaternions::normalize(x, steps::near_one);
     }
     static constexpr bool quaternions_are_bound() { return quaternions::are_bound; }
     static constexpr int dependent(int i) { return place(i); }

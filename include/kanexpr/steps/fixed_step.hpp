@@ -58,9 +58,9 @@ struct compiled_equations {
   template <class Number>
   [[gnu::always_inline]] status same_side(const Number& before, const Number& after) const {
     using math = lower::scalar_math<Number>;
-    return math::exceeds(stepping::pivot_margin(before, after), math::from(0))
+    return math::exceeds(steps::pivot_margin(before, after), math::from(0))
                ? status()
-               : status(stepping::singular_position);
+               : status(steps::singular_position);
   }
   template <class Time, class State>
   [[gnu::always_inline]] status corrected(const Time& t, State& x) const {
@@ -85,7 +85,7 @@ template <class Method, class System, int corrections, class Time, class Number,
           class Inputs>
 [[gnu::always_inline]] inline status advanced(Time& t, state<System, Number>& x, const Time& h,
                                               const Parameters& p, const Inputs& r) {
-  const status s = stepping::stepped<Method>(
+  const status s = steps::stepped<Method>(
       compiled_equations<System, corrections, Parameters, const Inputs&>{p, r}, t, x, h);
   if (!s) return not_finite<System>::cause_of(s, x, p, inputs_at(r, t, x));
   t = static_cast<Time>(t + h);
@@ -93,12 +93,12 @@ template <class Method, class System, int corrections, class Time, class Number,
 }
 
 /// A fixed-length step of a method.
-template <const stepping::tableau& of, class System, int steps_of_correction>
+template <const steps::tableau& of, class System, int steps_of_correction>
 struct fixed_step {
   using system = System;
   using eom = equations_of_motion<System>;
-  using method = stepping::method<of>;
-  static constexpr const stepping::tableau& tableau = of;
+  using method = steps::method<of>;
+  static constexpr const steps::tableau& tableau = of;
   static constexpr int corrections = steps_of_correction, stages = of.stages;
 
   template <class Time, class Number, class Parameters = not_given, class Inputs = not_given>
@@ -110,7 +110,7 @@ struct fixed_step {
   /// Returns the number of operations of one step, excluding the sums of the method itself.
   static constexpr symbolic::cost cost() {
     const symbolic::cost ends = added(cost_of_sides<System>(), correction<System, corrections>::cost());
-    if constexpr (&of == &stepping::semi_implicit_euler)
+    if constexpr (&of == &steps::semi_implicit_euler)
       return added(added(eom::udot.cost(), eom::qdot.cost()), ends);
     else
       return added(ends, eom::rhs.cost(), stages);
@@ -123,17 +123,17 @@ struct fixed_step {
 /// (Hairer, Lubich & Wanner, Geometric Numerical Integration, 2006, I.1.2). It has order 1; the energy error
 /// of a conservative system stays bounded.
 template <class System, int corrections = 1>
-struct semi_implicit_euler : compiled::fixed_step<stepping::semi_implicit_euler, System, corrections> {};
+struct semi_implicit_euler : compiled::fixed_step<steps::semi_implicit_euler, System, corrections> {};
 
 /// The classic fourth-order Runge-Kutta method (Hairer, Nørsett & Wanner, Solving Ordinary Differential
 /// Equations I, 1993, II.1). It evaluates the equations at t, twice at t + h/2, and at t + h.
 template <class System, int corrections = 1>
-struct runge_kutta_4 : compiled::fixed_step<stepping::runge_kutta_4, System, corrections> {};
+struct runge_kutta_4 : compiled::fixed_step<steps::runge_kutta_4, System, corrections> {};
 
 /// Ralston's third-order method, which has the smallest error bound among the three-stage methods (Ralston,
 /// Mathematics of Computation 16, 1962). It evaluates the equations at t, t + h/2 and t + 3h/4, at three
 /// quarters of the cost of `runge_kutta_4`.
 template <class System, int corrections = 1>
-struct ralston_3 : compiled::fixed_step<stepping::ralston_3, System, corrections> {};
+struct ralston_3 : compiled::fixed_step<steps::ralston_3, System, corrections> {};
 
 } // namespace kanexpr

@@ -7,7 +7,7 @@
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/least_multipliers.hpp>
 
@@ -22,7 +22,7 @@ namespace compiled {
 /// velocity constraints, followed by the redundant ones.
 template <class System, class Number, class Parameters, class Inputs>
 class bound_equations {
-  static constexpr const deriving::survey& known = survey_of<System>;
+  static constexpr const derivation::survey& known = survey_of<System>;
   using quantity = mechanics::quantity;
   static constexpr int m = known.constraints, redundant = known.redundant_constraints;
 

@@ -4,7 +4,7 @@
 #include <kanexpr/compiled/linearization.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/steps/fixed_step.hpp>
@@ -53,13 +53,13 @@ struct varied_state {
 template <class System>
 struct rates_with_derivatives {
   using quantity = mechanics::quantity;
-  using by = deriving::with_respect_to;
+  using by = derivation::with_respect_to;
   static constexpr int size = linearized_state<System, double>::size;
   static constexpr bool has_quaternions = survey_of<System>.quaternions > 0;
   using evaluated = std::conditional_t<
       has_quaternions,
-      function<System, quantity::rhs, deriving::derivatives_of_result{quantity::rhs, by::state},
-               deriving::derivatives_of_result{quantity::rhs, by::inputs}>,
+      function<System, quantity::rhs, derivation::derivatives_of_result{quantity::rhs, by::state},
+               derivation::derivatives_of_result{quantity::rhs, by::inputs}>,
       function<System, quantity::rhs, quantity::state_jacobian, quantity::input_jacobian>>;
   /// ẋ precedes the matrix.
   using by_state = known_entries<typename evaluated::code, size, size, size>;
@@ -69,12 +69,12 @@ struct rates_with_derivatives {
 template <class System, int corrections>
 struct varied_correction {
   using quantity = mechanics::quantity;
-  using by = deriving::with_respect_to;
-  static constexpr const deriving::survey& known = survey_of<System>;
+  using by = derivation::with_respect_to;
+  static constexpr const derivation::survey& known = survey_of<System>;
   using correct = correction<System, corrections>;
   template <quantity of>
-  using varied = function<System, of, deriving::derivatives_of_result{of, by::state},
-                          deriving::derivatives_of_result{of, by::inputs}>;
+  using varied = function<System, of, derivation::derivatives_of_result{of, by::state},
+                          derivation::derivatives_of_result{of, by::inputs}>;
 
   template <class Time, class Number, class Parameters, class Inputs>
   static status apply(const Time& t, varied_state<System, Number>& next, const Parameters& p,
@@ -159,7 +159,7 @@ private:
     using quaternions = unit_quaternions<System>;
     if constexpr (quaternions::count == 0) return {};
     const state<System, Number> before = next.x;
-    if (const status s = quaternions::normalize(next.x, stepping::near_one); !s) return s;
+    if (const status s = quaternions::normalize(next.x, steps::near_one); !s) return s;
     quaternions::each([&](int, const auto& places) {
       Number along_square = lower::scalar_math<Number>::from(0);
       for (const int place : places)
@@ -182,11 +182,11 @@ linearized_state<System, Number> concluded(const Number& t, const state<System, 
   const Number after = Number(t + h);
   status s = varied_correction<System, corrections>::apply(after, next, p, r);
   for (int i = 0; s && i < result::size; ++i)
-    if (!lower::scalar_math<Number>::is_finite(next.x(i))) s = status(stepping::state_not_finite);
+    if (!lower::scalar_math<Number>::is_finite(next.x(i))) s = status(steps::state_not_finite);
   if constexpr (survey_of<System>.constraints != 0)
     if (s) {
       const compiled_equations<System, corrections, Parameters, const Inputs&> of{p, r};
-      s = stepping::same_side(of, t, x, after, next.x);
+      s = steps::same_side(of, t, x, after, next.x);
     }
   return {next.x, next.by_all.template leftCols<result::size>(),
           next.by_all.template rightCols<varied_state<System, Number>::inputs>(), s};
@@ -207,7 +207,7 @@ constexpr symbolic::cost cost_of_advance(int entries) { return arithmetic(entrie
 template <class Step>
 struct varied_step {
   using System = typename Step::system;
-  static constexpr const stepping::tableau& tableau = Step::tableau;
+  static constexpr const steps::tableau& tableau = Step::tableau;
   static constexpr int corrections = Step::corrections, stages = tableau.stages;
 
   static constexpr symbolic::cost cost() {
@@ -229,7 +229,7 @@ struct varied_step {
     constexpr int inputs = varied::inputs;
     varied at(x), next(x);
     const varied before(x);
-    constexpr const auto& k = stepping::coefficients_of<tableau, Number>;
+    constexpr const auto& k = steps::coefficients_of<tableau, Number>;
     Number reach = Number(0);
     for (int stage = 0; stage < stages; ++stage) {
       const auto [rate, by_state, by_inputs] = typename rates::evaluated{}(Number(t + reach), at.x, p, r);
@@ -243,11 +243,11 @@ struct varied_step {
       }
       if (stage + 1 < stages) {
         reach = Number(Number(k.a[stage + 1]) * h);
-        stepping::advance(at.x, 0, x, reach, rate);
+        steps::advance(at.x, 0, x, reach, rate);
         at.by_all = before.by_all + reach * by_all;
       }
       const Number weight = Number(Number(k.b[stage]) * h);
-      stepping::advance(next.x, 0, next.x, weight, rate);
+      steps::advance(next.x, 0, next.x, weight, rate);
       next.by_all += weight * by_all;
     }
     return concluded<System, corrections>(t, x, h, next, p, r);
@@ -258,10 +258,10 @@ template <class System, int corrections>
 struct varied_step<semi_implicit_euler<System, corrections>> {
   using eom = equations_of_motion<System>;
   using quantity = mechanics::quantity;
-  using by = deriving::with_respect_to;
+  using by = derivation::with_respect_to;
   template <quantity of>
-  using varied = function<System, of, deriving::derivatives_of_result{of, by::state},
-                          deriving::derivatives_of_result{of, by::inputs}>;
+  using varied = function<System, of, derivation::derivatives_of_result{of, by::state},
+                          derivation::derivatives_of_result{of, by::inputs}>;
   static constexpr int n = eom::coordinates, speeds = eom::speeds, size = varied_state<System, double>::size,
                        inputs = varied_state<System, double>::inputs;
 
@@ -282,12 +282,12 @@ struct varied_step<semi_implicit_euler<System, corrections>> {
     state_type next(x);
     const auto [udot, u_by_state, u_by_inputs] = varied<quantity::udot>{}(t, x, p, r);
     if (const status s = status_of(udot); !s) return {x, {}, {}, s};
-    stepping::advance(next.x, n, x, h, udot);
+    steps::advance(next.x, n, x, h, udot);
     next.by_all.template bottomLeftCorner<speeds, size>() += h * u_by_state;
     next.by_all.template bottomRightCorner<speeds, inputs>() += h * u_by_inputs;
     const auto [qdot, q_by_state, q_by_inputs] = varied<quantity::qdot>{}(t, next.x, p, r);
     if (const status s = status_of(qdot); !s) return {x, {}, {}, s};
-    stepping::advance(next.x, 0, x, h, qdot);
+    steps::advance(next.x, 0, x, h, qdot);
     const typename state_type::derivatives here = next.by_all;
     next.by_all.template topRows<n>() += h * q_by_state.lazyProduct(here);
     next.by_all.template topRightCorner<n, inputs>() += h * q_by_inputs;
@@ -328,7 +328,7 @@ private:
   static linearized_state<System, Number> stepped(const Number& t, const state<System, Number>& x,
                                                   const Number& h, const Parameters& p, const Inputs& r) {
     if (!lower::scalar_math<Number>::is_finite(Number(t + h)))
-      return {x, {}, {}, status(stepping::step_not_finite)};
+      return {x, {}, {}, status(steps::step_not_finite)};
     linearized_state<System, Number> next = compiled::varied_step<Step>::attempted(t, x, h, p, r);
     if (!next.status) next.status = compiled::not_finite<System>::cause_of(next.status, x, p, r);
     return next;

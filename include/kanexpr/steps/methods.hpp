@@ -26,7 +26,7 @@
 ///     dependent(i)               the index in the state of the i-th dependent entry, coordinates first
 ///
 /// In generated code, every status reports success, and the requested quantities are recorded.
-namespace kanexpr::stepping {
+namespace kanexpr::steps {
 
 /// Two sentences, one of which is a suffix of the other, so that a controller stores only one.
 inline constexpr std::string_view state_not_finite = "the state after the step is not finite",
@@ -96,8 +96,8 @@ struct method {
       const auto rate = equations.template get<mechanics::quantity::rhs>(static_cast<Time>(t + reach), at);
       if (const status s = status_of(rate); !s) return s;
       reach = Time(k.a[stage + 1]) * h;
-      stepping::advance(at, 0, x, math::from(reach), rate);
-      stepping::advance(next, 0, next, math::from(Time(k.b[stage]) * h), rate);
+      steps::advance(at, 0, x, math::from(reach), rate);
+      steps::advance(next, 0, next, math::from(Time(k.b[stage]) * h), rate);
     }
     return {};
   }
@@ -115,10 +115,10 @@ struct method<semi_implicit_euler> {
     const auto udot = held.template get<quantity::udot>(t, x);
     if (const status s = status_of(udot); !s) return s;
     const int coordinates = static_cast<int>(x.size()) - static_cast<int>(udot.size());
-    stepping::advance(next, coordinates, x, length, udot);
+    steps::advance(next, coordinates, x, length, udot);
     const auto qdot = held.template get<quantity::qdot>(t, next); // at the coordinates before the step
     if (const status s = status_of(qdot); !s) return s;
-    stepping::advance(next, 0, x, length, qdot);
+    steps::advance(next, 0, x, length, qdot);
     return {};
   }
 };
@@ -153,4 +153,4 @@ template <class Method, class Equations, class Time, class State>
   return {};
 }
 
-} // namespace kanexpr::stepping
+} // namespace kanexpr::steps

@@ -4,7 +4,7 @@
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/constrained_motion.hpp>
@@ -21,7 +21,7 @@ namespace kanexpr::compiled {
 /// The equations that `constrained_motion` evaluates, at a time with constant inputs.
 template <class System, class Number>
 class unreduced_equations {
-  static constexpr const deriving::survey& known = survey_of<System>;
+  static constexpr const derivation::survey& known = survey_of<System>;
   using quantity = mechanics::quantity;
   using quaternions = unit_quaternions<System>;
   using all = vectors<System, Number>;
@@ -189,7 +189,7 @@ struct passing_step {
     } else {
       const watching_equations<System, corrections, Parameters, const Inputs&> of{{p, r}};
       state<System, Number> next = x;
-      status s = stepping::stepped<Method>(of, t, next, h);
+      status s = steps::stepped<Method>(of, t, next, h);
       if (!s || of.is_near) s = passed_by(s, t, x, h, p, r, next);
       if (!s) return not_finite<System>::cause_of(s, x, p, inputs_at(r, t, x));
       t = static_cast<Time>(t + h), x = next;
@@ -208,7 +208,7 @@ private:
       const auto parameters = own_vector<typename unreduced_equations<System, Number>::parameters>(p);
       const passing_equations<System, Number, Inputs> of(static_cast<Number>(t), x, parameters, r);
       state<System, Number> there = x;
-      if (of.holds(t, x) && stepping::stepped<Method>(of, t, there, h)) {
+      if (of.holds(t, x) && steps::stepped<Method>(of, t, there, h)) {
         next = there;
         return {};
       }

@@ -41,9 +41,9 @@ struct weighted_rates {
 
   /// Whether the derivatives of q̇ are constant, so that q̇ has no second derivatives.
   static constexpr bool has_linear_kinematics = [] {
-    using by = deriving::with_respect_to;
-    using kinematics = function<System, deriving::derivatives_of_result{quantity::qdot, by::state},
-                                deriving::derivatives_of_result{quantity::qdot, by::inputs}>;
+    using by = derivation::with_respect_to;
+    using kinematics = function<System, derivation::derivatives_of_result{quantity::qdot, by::state},
+                                derivation::derivatives_of_result{quantity::qdot, by::inputs}>;
     return kinematics::code::tape.sizes.loads == 0;
   }();
 };
@@ -68,7 +68,7 @@ struct step_of_second_order {
   /// Returns, for each stage, its time offset and the weight of its rate in the result, both multiplied by h.
   template <class Number>
   static constexpr void lengths(const Number& h, Number (&reach)[stages], Number (&weight)[stages]) {
-    constexpr const auto& k = stepping::coefficients_of<Step::tableau, Number>;
+    constexpr const auto& k = steps::coefficients_of<Step::tableau, Number>;
     for (int s = 0; s < stages; ++s)
       reach[s] = Number(Number(k.a[s]) * h), weight[s] = Number(Number(k.b[s]) * h);
   }
@@ -94,7 +94,7 @@ struct step_of_second_order {
       if (s + 1 == stages) break;
       derivatives by_all = linear::by_state::product(by_x, at[s].by_all);
       by_all.template rightCols<inputs>() += by_r;
-      stepping::advance(at[s + 1].x, 0, x, reach[s + 1], rate);
+      steps::advance(at[s + 1].x, 0, x, reach[s + 1], rate);
       at[s + 1].by_all = before.by_all + reach[s + 1] * by_all;
     }
     all.setZero();
@@ -129,8 +129,8 @@ struct step_of_second_order {
       const auto [rate, change] = typename rates::rates_along{}(Number(t + reach[s]), at[s], p, r, along[s]);
       all.status = status_of(rate);
       if (!all.status) return all;
-      stepping::advance(at[s + 1], 0, x, reach[s + 1], rate);
-      stepping::advance(along[s + 1], 0, v, reach[s + 1], change);
+      steps::advance(at[s + 1], 0, x, reach[s + 1], rate);
+      steps::advance(along[s + 1], 0, v, reach[s + 1], change);
     }
     all.setZero();
     weights after = weights::Zero(), change_after = weights::Zero();
@@ -167,10 +167,10 @@ template <class System>
 struct step_of_second_order<semi_implicit_euler<System, 0>> {
   using rates = weighted_rates<System>;
   using quantity = mechanics::quantity;
-  using by = deriving::with_respect_to;
+  using by = derivation::with_respect_to;
   static constexpr int n = rates::coordinates, speeds = rates::speeds, states = rates::states,
                        inputs = rates::inputs, size = rates::size;
-  using kinematics = function<System, deriving::derivatives_of_result{quantity::qdot, by::state}>;
+  using kinematics = function<System, derivation::derivatives_of_result{quantity::qdot, by::state}>;
 
   template <class Number, class Parameters, class Inputs, class Weights>
   static with_status<typename rates::template square<Number>>
@@ -182,7 +182,7 @@ struct step_of_second_order<semi_implicit_euler<System, 0>> {
     all.status = status_of(rate);
     if (!all.status) return all;
     state<System, Number> moving = x;
-    stepping::advance(moving, n, x, h, rate.template tail<speeds>());
+    steps::advance(moving, n, x, h, rate.template tail<speeds>());
     const auto of_speeds = weights_of_speeds(t, moving, h, p, r, w);
     all.status = of_speeds.status;
     if (!all.status) return all;
@@ -216,14 +216,14 @@ struct step_of_second_order<semi_implicit_euler<System, 0>> {
     all.status = status_of(rate);
     if (!all.status) return all;
     state<System, Number> moving = x;
-    stepping::advance(moving, n, x, h, rate.template tail<speeds>());
+    steps::advance(moving, n, x, h, rate.template tail<speeds>());
     const auto of_speeds = weights_of_speeds(t, moving, h, p, r, w);
     all.status = of_speeds.status;
     if (!all.status) return all;
     direction turned = direction::Zero();
     if constexpr (!rates::has_linear_kinematics) {
       direction along = v;
-      stepping::advance(along, n, v, h, change.template tail<speeds>());
+      steps::advance(along, n, v, h, change.template tail<speeds>());
       const auto found =
           second_order<System>::hessian_product(t, moving, p, r, weights_of_coordinates<Number>(h, w), along);
       all.status = status_of(found);
@@ -311,7 +311,7 @@ private:
                           const Parameters& p, const Inputs& r) {
     using math = lower::scalar_math<Number>;
     for (int i = 0; found.status && i < found.size(); ++i)
-      if (!math::is_finite(found.coeff(i))) found.status = status(stepping::step_not_finite);
+      if (!math::is_finite(found.coeff(i))) found.status = status(steps::step_not_finite);
     if constexpr (compiled::survey_of<System>.constraints != 0)
       if (found.status) { // a rejected step has no derivatives
         Number now = t;

@@ -6,7 +6,7 @@
 
 /// The coefficients of the fixed-step methods. To add a method, add its coefficients here and its class
 /// template in fixed_step.hpp; derivatives of steps and exported steps follow from the coefficients.
-namespace kanexpr::stepping {
+namespace kanexpr::steps {
 
 /// A method in which each stage depends only on the preceding one: stage s evaluates the rates k_s at t + c_s
 /// h and x + h a_s k_{s-1}, and the step is x + h Σ b_s k_s. A partitioned method has separate coefficients a
@@ -76,4 +76,4 @@ inline constexpr auto coefficients_of = [] {
   return all;
 }();
 
-} // namespace kanexpr::stepping
+} // namespace kanexpr::steps

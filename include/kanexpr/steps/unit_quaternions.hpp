@@ -5,8 +5,8 @@
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derive/causes.hpp>
-#include <kanexpr/derive/survey.hpp>
+#include <kanexpr/derivation/causes.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/unit_quaternion.hpp>
 #include <kanexpr/symbolic/cost.hpp>
 
@@ -17,7 +17,7 @@
 namespace kanexpr::compiled {
 
 /// Returns, for example, "the quaternion e0, e1, e2 and e3".
-constexpr mechanics::sentence quaternion_called(const deriving::survey& known, int k) {
+constexpr mechanics::sentence quaternion_called(const derivation::survey& known, int k) {
   mechanics::sentence p = mechanics::sentence({"the quaternion "});
   int left = 0;
   for (int i = 0; i < known.coordinates; ++i) left += known.quaternion_of[i] == k + 1;
@@ -31,14 +31,14 @@ constexpr mechanics::sentence quaternion_called(const deriving::survey& known, i
 }
 
 /// Returns the reason why a quaternion cannot be normalized.
-constexpr mechanics::sentence far_from_norm_1(const deriving::survey& known, int k) {
+constexpr mechanics::sentence far_from_norm_1(const derivation::survey& known, int k) {
   return mechanics::sentence({"the norm of ", quaternion_called(known, k).view(), " is far from 1"});
 }
 
 /// The quaternions of a system; the motion keeps their norms at 1.
 template <class System>
 class unit_quaternions {
-  static constexpr const deriving::survey& known = survey_of<System>;
+  static constexpr const derivation::survey& known = survey_of<System>;
 
 public:
   static constexpr int count = known.quaternions;
@@ -132,7 +132,7 @@ private:
   }();
 
   template <int place>
-  static constexpr auto far_from_one = deriving::only_cause([] { return far_from_norm_1(known, place); });
+  static constexpr auto far_from_one = derivation::only_cause([] { return far_from_norm_1(known, place); });
 
   template <class State, int... place>
   [[gnu::always_inline]] static kanexpr::status for_each(State& x, const lower::norm_range& from,

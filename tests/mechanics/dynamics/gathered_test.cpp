@@ -1,6 +1,6 @@
 // Models whose positions are written by components with sines and cosines in them: M, f and u̇ are as short as
 // by hand, by Kane's method and by Lagrange's, in the compiler and in the program.
-#include <kanexpr/derive/cost.hpp>
+#include <kanexpr/derivation/cost.hpp>
 #include <kanexpr/kanexpr.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/interpreter.hpp>
@@ -255,7 +255,7 @@ struct LagrangeSystem : lagrange_system<inertial<N>, coordinates<q>, parameters<
 template <class System>
 void check() {
   using equations = equations_of_motion<System>;
-  EXPECT_EQ(deriving::cost_of<System>({mechanics::quantity::udot}), equations::cost(equations::udot));
+  EXPECT_EQ(derivation::cost_of<System>({mechanics::quantity::udot}), equations::cost(equations::udot));
   const symbolic::cost c = equations::cost(equations::mass_matrix), f = equations::cost(equations::forcing),
                        rates = equations::cost(equations::udot);
   EXPECT_LE(c.nodes, 5);

@@ -8,9 +8,9 @@
 namespace {
 
 using namespace workbench;
-using taylor::jet;
-using taylor::jet3;
-using taylor::jet3x3;
+using limits::jet;
+using limits::jet3;
+using limits::jet3x3;
 
 VectorXd found(bench& b, mechanics::equations& e, quantity q) { return b.numbers(e.get(q)); }
 
@@ -68,7 +68,7 @@ TEST(mass, obeys_the_law_of_momentum_in_space) {
 
   const course at(b, udot);
   const auto where = [&](const jet(&q)[3]) {
-    const jet3x3 turn = taylor::rotation(jet3(0, 0, 1), q[0]) * taylor::rotation(jet3(1, 0, 0), q[1]);
+    const jet3x3 turn = limits::rotation(jet3(0, 0, 1), q[0]) * limits::rotation(jet3(1, 0, 0), q[1]);
     return turn * jet3(0, 0.3, q[2]);
   };
   const jet m = 4 - at.t * (0.2 + sin(at.q[1])) + at.q[2] * at.q[2];
@@ -103,8 +103,8 @@ TEST(inertia, obeys_the_law_of_angular_momentum) {
     const VectorXd udot = found(b, e, quantity::udot);
 
     const auto turned = [&](const jet(&q)[3]) {
-      return taylor::rotation(jet3(0, 0, 1), q[0]) * taylor::rotation(jet3(1, 0, 0), q[1]) *
-             taylor::rotation(jet3(0, 0, 1), q[2]);
+      return limits::rotation(jet3(0, 0, 1), q[0]) * limits::rotation(jet3(1, 0, 0), q[1]) *
+             limits::rotation(jet3(0, 0, 1), q[2]);
     };
     const auto angular_velocity = [&](const jet(&q)[3]) {
       jet3 twice;

@@ -15,16 +15,16 @@ using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-using taylor::jet;
-using taylor::jet3;
-using taylor::jet3x3;
+using limits::jet;
+using limits::jet3;
+using limits::jet3x3;
 using jets = recipe::values<jet>;
 
 inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
 inline int letter(char c) { return c - 'x'; }
 
 inline jet3x3 rotation(int axis, const jet& angle) {
-  return taylor::rotation(jet3(Vector3d::Unit(axis)), angle);
+  return limits::rotation(jet3(Vector3d::Unit(axis)), angle);
 }
 
 inline jet3x3 rotation(const recipe::frame& f, const jets& now) {
@@ -34,19 +34,19 @@ inline jet3x3 rotation(const recipe::frame& f, const jets& now) {
   case turn::ground: break;
   case turn::about_basis: {
     const double way = f.backwards ? -1 : 1;
-    return taylor::rotation(jet3(way * Vector3d::Unit(f.axis)), now(f.angle[0]));
+    return limits::rotation(jet3(way * Vector3d::Unit(f.axis)), now(f.angle[0]));
   }
   case turn::about_axis: {
     Vector3d axis;
     for (int i = 0; i < 3; ++i) axis(i) = f.direction[at(i)].value;
-    return taylor::rotation(jet3(axis.normalized()), now(f.angle[0]));
+    return limits::rotation(jet3(axis.normalized()), now(f.angle[0]));
   }
   case turn::body_fixed:
   case turn::cosines: return about(0) * about(1) * about(2);
   case turn::space_fixed: return about(2) * about(1) * about(0);
   case turn::quaternion: {
     const std::size_t k = at(f.quaternion);
-    return taylor::rotation_by_quaternion(now.q[k], {now.q[k + 1], now.q[k + 2], now.q[k + 3]});
+    return limits::rotation_by_quaternion(now.q[k], {now.q[k + 1], now.q[k + 2], now.q[k + 3]});
   }
   }
   return {};

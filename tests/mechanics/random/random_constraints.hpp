@@ -69,9 +69,9 @@ private:
 };
 
 // What has to vanish, along a motion: its value, and its rate for speeds that do not change.
-inline taylor::jet vanishing(const constraint& c, const newton_euler::motion& k) {
+inline limits::jet vanishing(const constraint& c, const newton_euler::motion& k) {
+  using limits::jet;
   using newton_euler::at;
-  using taylor::jet;
   switch (c.what) {
   case bound::point: return dot(k.here.velocities[at(c.one)], k.here.in_ground(c.direction, k.now));
   case bound::points:

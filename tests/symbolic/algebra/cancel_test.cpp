@@ -4,7 +4,7 @@
 #include <kanexpr/symbolic/algebra/forms.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
-#include <kanexpr/symbolic/print/print.hpp>
+#include <kanexpr/symbolic/printing/print.hpp>
 
 #include <gtest/gtest.h>
 

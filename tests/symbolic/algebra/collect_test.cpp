@@ -2,8 +2,8 @@
 #include "symbolic/random_formula.hpp"
 
 #include <kanexpr/symbolic/algebra/forms.hpp>
-#include <kanexpr/symbolic/print/print.hpp>
-#include <kanexpr/symbolic/print/term.hpp>
+#include <kanexpr/symbolic/printing/print.hpp>
+#include <kanexpr/symbolic/printing/term.hpp>
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <kanexpr/symbolic/graph/evaluate.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
-#include <kanexpr/symbolic/print/print.hpp>
+#include <kanexpr/symbolic/printing/print.hpp>
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <kanexpr/symbolic/algebra/forms.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
-#include <kanexpr/symbolic/print/print.hpp>
+#include <kanexpr/symbolic/printing/print.hpp>
 
 #include <gtest/gtest.h>
 

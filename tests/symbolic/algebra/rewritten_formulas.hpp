@@ -3,7 +3,7 @@
 #include "symbolic/random_formula.hpp"
 
 #include <kanexpr/symbolic/algebra/rewritten.hpp>
-#include <kanexpr/symbolic/print/print.hpp>
+#include <kanexpr/symbolic/printing/print.hpp>
 
 #include <gtest/gtest.h>
 

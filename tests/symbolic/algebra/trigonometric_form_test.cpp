@@ -3,7 +3,7 @@
 #include "symbolic/algebra/rewritten_formulas.hpp"
 
 #include <kanexpr/symbolic/algebra/forms.hpp>
-#include <kanexpr/symbolic/print/print.hpp>
+#include <kanexpr/symbolic/printing/print.hpp>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include <kanexpr/symbolic/derivatives/accumulate.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
-#include <kanexpr/symbolic/print/print.hpp>
+#include <kanexpr/symbolic/printing/print.hpp>
 
 #include <gtest/gtest.h>
 

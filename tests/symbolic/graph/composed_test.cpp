@@ -5,8 +5,8 @@
 #include <kanexpr/symbolic/derivatives/accumulate.hpp>
 #include <kanexpr/symbolic/derivatives/evaluate_rate.hpp>
 #include <kanexpr/symbolic/graph/compose.hpp>
-#include <kanexpr/symbolic/print/latex.hpp>
-#include <kanexpr/symbolic/print/print.hpp>
+#include <kanexpr/symbolic/printing/latex.hpp>
+#include <kanexpr/symbolic/printing/print.hpp>
 #include <kanexpr/symbolic/sizes/finiteness.hpp>
 #include <kanexpr/symbolic/sizes/magnitudes.hpp>
 #include <kanexpr/symbolic/sizes/units.hpp>

@@ -42,7 +42,7 @@ constexpr bool defined_or_not() {
   evaluation at(g, outputs);
   at.at([](int) { return 2.0; });
   const auto near = [&](int i, double expected) {
-    return kanexpr::elementary::abs(at[outputs[i]] - expected) < 1e-15;
+    return kanexpr::numeric::elementary::abs(at[outputs[i]] - expected) < 1e-15;
   };
   const bool regular =
       near(0, 1) && near(1, 2 / 3.0 + 2) && near(2, -1 / 3.0) && near(3, 3) && near(4, 2 / 3.0);
@@ -71,7 +71,7 @@ constexpr double worst_error(int n) {
   for (int id : nodes_of(solve_transposed(factors, c))) outputs.push(id);
   double worst = 0;
   for (double x : values_at(g, outputs, [](int) { return 0.7; })) {
-    const double error = kanexpr::elementary::abs(x - 1);
+    const double error = kanexpr::numeric::elementary::abs(x - 1);
     if (!(error <= worst)) worst = error;
   }
   return worst;

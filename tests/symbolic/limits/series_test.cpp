@@ -13,7 +13,7 @@
 namespace {
 
 using namespace kanexpr::symbolic;
-using namespace kanexpr::symbolic::taylor;
+using namespace kanexpr::symbolic::limits;
 using graph_evaluation::are_close;
 using graph_evaluation::arithmetic;
 using real = long double;

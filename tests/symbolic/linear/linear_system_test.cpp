@@ -4,8 +4,8 @@
 
 #include <kanexpr/symbolic/derivatives/accumulate.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
-#include <kanexpr/symbolic/print/latex.hpp>
-#include <kanexpr/symbolic/print/print.hpp>
+#include <kanexpr/symbolic/printing/latex.hpp>
+#include <kanexpr/symbolic/printing/print.hpp>
 
 #include <gtest/gtest.h>
 

@@ -147,7 +147,7 @@ private:
       const triad spread = outer(r, moves), back = outer(moves, r);
       add(rate, {mass * (spread.x + back.x), mass * (spread.y + back.y), mass * (spread.z + back.z)});
       add(rate, {{-mass * stretch, 0, 0}, {0, -mass * stretch, 0}, {0, 0, -mass * stretch}});
-      size += elementary::abs(mass) * dot(r, r);
+      size += numeric::elementary::abs(mass) * dot(r, r);
       turns += length(r) > 0 ? length(moves) / length(r) : 0;
     }
     // the solved rates have fewer correct digits than the quantities from which they are computed

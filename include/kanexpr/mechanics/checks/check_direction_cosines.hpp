@@ -41,10 +41,11 @@ struct numeric_axes {
   constexpr bool orthonormal() const {
     for (const auto& axis : entry)
       for (double e : axis)
-        if (elementary::abs(e) > 2) return false; // the square might overflow
+        if (numeric::elementary::abs(e) > 2) return false; // the square might overflow
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j <= i; ++j)
-        if (known[i] && known[j] && elementary::abs(dot(i, j) - (i == j ? 1 : 0)) > 1e-6) return false;
+        if (known[i] && known[j] && numeric::elementary::abs(dot(i, j) - (i == j ? 1 : 0)) > 1e-6)
+          return false;
     return true;
   }
   constexpr bool right_handed() const {
@@ -86,10 +87,10 @@ constexpr bool has_unit_length(const mechanism& m, const sequence<expression>& q
   for (const numbers& e : at_any_angles(m, quaternion, 1)) {
     double square = 0;
     for (int i = 0; i < 4; ++i) {
-      if (elementary::abs(e(0, i)) > 2) return false; // the square might overflow
+      if (numeric::elementary::abs(e(0, i)) > 2) return false; // the square might overflow
       square += e(0, i) * e(0, i);
     }
-    if (!(elementary::abs(square - 1) < 1e-6)) return false;
+    if (!(numeric::elementary::abs(square - 1) < 1e-6)) return false;
   }
   return true;
 }
@@ -106,7 +107,7 @@ constexpr sentence check_direction_cosines(const mechanism& m, const frame& f) {
       const symbolic::number n = g.number_at(f.direction[i].node());
       if (symbolic::is_finite(n)) square += n.value() * n.value();
     }
-    if (!(elementary::abs(square - 1) < 1e-6))
+    if (!(numeric::elementary::abs(square - 1) < 1e-6))
       return sentence({"the axis of frame ", f.called.view(), " is too long or too short to be normalized"});
   }
   if (f.kind != orientation::matrix) return {};

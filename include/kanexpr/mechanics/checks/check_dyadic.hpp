@@ -74,7 +74,7 @@ private:
     numeric_inertia scaled = inertia;
     scaled.scale(1 / largest);
     for (int i = 0; i < 3; ++i)
-      if (elementary::abs(scaled.at[i][(i + 1) % 3] - scaled.at[(i + 1) % 3][i]) > 1e-9)
+      if (numeric::elementary::abs(scaled.at[i][(i + 1) % 3] - scaled.at[(i + 1) % 3][i]) > 1e-9)
         return sentence({"the inertia of ", b.called.view(), " is not symmetric"});
     numeric_way way = way_in_body(motion, d);
     if (!is_first && !b.effective && is_same(inertia, d.before, largest)) {
@@ -113,12 +113,13 @@ private:
 
   static constexpr bool is_same(const numeric_inertia& a, const numeric_inertia& b, double largest) {
     for (int i = 0; i < 9; ++i)
-      if (!(elementary::abs(a.at[i / 3][i % 3] - b.at[i / 3][i % 3]) < 1e-9 * largest)) return false;
+      if (!(numeric::elementary::abs(a.at[i / 3][i % 3] - b.at[i / 3][i % 3]) < 1e-9 * largest)) return false;
     return true;
   }
   static constexpr bool is_same(const numeric_way& a, const numeric_way& b) {
     const triple left{a.r[0], a.r[1], a.r[2]}, right{b.r[0], b.r[1], b.r[2]};
-    return elementary::abs(a.mass - b.mass) < 1e-9 * a.mass && length(left - right) < 1e-9 * length(left);
+    return numeric::elementary::abs(a.mass - b.mass) < 1e-9 * a.mass &&
+           length(left - right) < 1e-9 * length(left);
   }
 
   const mechanism& m_;

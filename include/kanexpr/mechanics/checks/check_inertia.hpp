@@ -30,7 +30,7 @@ struct numeric_inertia {
     double most = 0;
     for (const auto& row : at)
       for (double e : row)
-        if (elementary::abs(e) > most) most = elementary::abs(e);
+        if (numeric::elementary::abs(e) > most) most = numeric::elementary::abs(e);
     return most;
   }
   constexpr void scale(double by) {
@@ -46,7 +46,7 @@ struct numeric_inertia {
   constexpr double trace() const { return at[0][0] + at[1][1] + at[2][2]; }
   constexpr bool symmetric() const {
     for (int i = 0; i < 3; ++i)
-      if (elementary::abs(at[i][(i + 1) % 3] - at[(i + 1) % 3][i]) > 1e-12) return false;
+      if (numeric::elementary::abs(at[i][(i + 1) % 3] - at[(i + 1) % 3][i]) > 1e-12) return false;
     return true;
   }
   /// Whether factor·I + shift·E is positive definite, by its leading minors.
@@ -92,7 +92,7 @@ struct numeric_way {
       for (int i = 0; i < 3 && !p.value.is_zero(); ++i) {
         if (p.frame != axes || !p.value[i].is_constant()) return;
         r[i] = m.g->number_at(p.value[i].node()).value();
-        if (elementary::abs(r[i]) > 1e30) return; // the square might overflow
+        if (numeric::elementary::abs(r[i]) > 1e30) return; // the square might overflow
       }
     known = mass < 1e30;
   }
@@ -109,7 +109,7 @@ constexpr sentence check_principal_values(std::string_view called, std::string_v
   bool is_given[3]{},
       is_planar = false; // in planar models only one moment matters, and the others are often left zero
   for (int i = 0; i < 3; ++i) {
-    is_given[i] = elementary::abs(inertia.at[i][i]) > 1e-12;
+    is_given[i] = numeric::elementary::abs(inertia.at[i][i]) > 1e-12;
     is_planar = is_planar || !is_given[i];
   }
   if (way.known) inertia.move_to_center(way.mass / largest, way.r);

@@ -67,7 +67,7 @@ private:
     for (const numbers& state : at_generic_states(all)) {
       double whole = 0, most = 0;
       for (int i = 0; i < state.entries.size(); ++i) {
-        const double size = elementary::abs(state.entries[i]);
+        const double size = numeric::elementary::abs(state.entries[i]);
         if (i < 3) whole += size;
         if (i >= 3 && size > most) most = size;
       }

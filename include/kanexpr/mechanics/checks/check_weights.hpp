@@ -118,7 +118,7 @@ private:
     return found;
   }
   static constexpr void add(sequence<triple>& all, double size, triple along) {
-    if (elementary::detail::is_finite(size) && !numeric::equal(size, 0.0)) all.push(size * along);
+    if (numeric::elementary::detail::is_finite(size) && !numeric::equal(size, 0.0)) all.push(size * along);
   }
 
   constexpr bool is_position_defined(int place, const generic_motion& motion) const {

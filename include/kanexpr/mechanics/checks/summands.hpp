@@ -53,12 +53,12 @@ private:
   }
 
   static constexpr bool is_finite(symbolic::rated x) {
-    return elementary::detail::is_finite(x.value) && elementary::detail::is_finite(x.rate);
+    return numeric::elementary::detail::is_finite(x.value) && numeric::elementary::detail::is_finite(x.rate);
   }
   /// Multiplies two numbers; a constant expression must not compute with NaN or infinity.
   static constexpr symbolic::rated product(symbolic::rated a, symbolic::rated b) {
     return is_finite(a) && is_finite(b) ? symbolic::rated_value_of(symbolic::operation::multiply, a, b)
-                                        : symbolic::rated{elementary::detail::infinity, 0};
+                                        : symbolic::rated{numeric::elementary::detail::infinity, 0};
   }
   static constexpr sequence<summand> scaled_by(symbolic::rated factor, sequence<summand> all) {
     for (summand& s : all) s.value = product(factor, s.value);

@@ -87,7 +87,7 @@ private:
   constexpr double length_of_row(int i) const {
     double square = 0;
     for (int j = 0; j < columns(); ++j) square += rows_(i, j) * rows_(i, j);
-    return elementary::sqrt(square);
+    return numeric::elementary::sqrt(square);
   }
 
   /// Evaluates the derivatives with respect to all coordinates, in units of the coordinates, and the
@@ -117,7 +117,7 @@ private:
   constexpr double residual() const {
     double square = 0;
     for (int i = 0; i < rows_.rows; ++i) square += rows_(i, columns()) * rows_(i, columns());
-    return elementary::sqrt(square);
+    return numeric::elementary::sqrt(square);
   }
 
   /// Takes the step δ of (Jᵀ J + damping) δ = −Jᵀ f.

@@ -39,8 +39,8 @@ public:
   /// Whether an expression vanishes relative to its terms.
   constexpr bool vanishes(expression e) const {
     const double value = evaluate_[e.node()];
-    return !elementary::detail::is_finite(value) ||
-           elementary::abs(value) <= 1e-7 * symbolic::magnitudes(*m_.g, evaluate_)[e.node()];
+    return !numeric::elementary::detail::is_finite(value) ||
+           numeric::elementary::abs(value) <= 1e-7 * symbolic::magnitudes(*m_.g, evaluate_)[e.node()];
   }
 
 private:

@@ -3,8 +3,8 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/print_vector.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
-#include <kanexpr/symbolic/print/plain.hpp>
-#include <kanexpr/symbolic/print/typeset.hpp>
+#include <kanexpr/symbolic/printing/plain.hpp>
+#include <kanexpr/symbolic/printing/typeset.hpp>
 
 #include <string>
 

@@ -97,7 +97,8 @@ public:
   constexpr const symbolic::rated& operator[](expression e) const { return at(e.node()); }
   /// Whether an expression is finite here; a constant expression must not compute with NaN or infinity.
   constexpr bool is_defined(expression e) const {
-    return elementary::detail::is_finite((*this)[e].value) && elementary::detail::is_finite((*this)[e].rate);
+    return numeric::elementary::detail::is_finite((*this)[e].value) &&
+           numeric::elementary::detail::is_finite((*this)[e].rate);
   }
   constexpr bool is_defined(const vector& v) const {
     for (const vector::part& p : v.parts)
@@ -184,7 +185,7 @@ private:
       if (!m_.coordinates.contains(e)) return;
       square += symbols_[e.node()].value * symbols_[e.node()].value;
     }
-    for (const expression& e : quaternion) symbols_[e.node()].value /= elementary::sqrt(square);
+    for (const expression& e : quaternion) symbols_[e.node()].value /= numeric::elementary::sqrt(square);
   }
 
   /// Solves the kinematic equations, which are linear in the rates; most contain a single rate.
@@ -243,7 +244,7 @@ private:
     for (int f = 0; f < frames_.size(); ++f) {
       turn(f);
       const triple w = frames_[f].angular_velocity - frames_[f].by_orientation;
-      if (!elementary::detail::is_finite(w.x + w.y + w.z)) return false;
+      if (!numeric::elementary::detail::is_finite(w.x + w.y + w.z)) return false;
     }
     return true;
   }
@@ -296,7 +297,7 @@ private:
   }
 
   static constexpr triad about_basis(int axis, double angle) {
-    const double s = elementary::sin(angle), c = elementary::cos(angle);
+    const double s = numeric::elementary::sin(angle), c = numeric::elementary::cos(angle);
     if (axis == 0) return {{1, 0, 0}, {0, c, s}, {0, -s, c}};
     if (axis == 1) return {{c, 0, -s}, {0, 1, 0}, {s, 0, c}};
     return {{c, s, 0}, {-s, c, 0}, {0, 0, 1}};
@@ -311,7 +312,7 @@ private:
   static constexpr bool is_orthonormal(const triad& t) {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j <= i; ++j)
-        if (!(elementary::abs(dot(t[i], t[j]) - (i == j ? 1 : 0)) < 1e-9)) return false;
+        if (!(numeric::elementary::abs(dot(t[i], t[j]) - (i == j ? 1 : 0)) < 1e-9)) return false;
     return true;
   }
 

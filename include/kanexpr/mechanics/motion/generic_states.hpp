@@ -27,7 +27,7 @@ struct numbers {
   constexpr double operator()(int i, int j) const { return entries[i * columns + j]; }
   constexpr bool finite() const {
     for (double e : entries)
-      if (!elementary::detail::is_finite(e)) return false;
+      if (!numeric::elementary::detail::is_finite(e)) return false;
     return true;
   }
 };
@@ -89,7 +89,7 @@ public:
       for (const expression& e : f.quaternion)
         if (const int i = symbols_.find(e.node()); i >= 0) square += value_[i] * value_[i];
       for (const expression& e : f.quaternion)
-        if (const int i = symbols_.find(e.node()); i >= 0) value_[i] /= elementary::sqrt(square);
+        if (const int i = symbols_.find(e.node()); i >= 0) value_[i] /= numeric::elementary::sqrt(square);
     }
   }
   constexpr double operator[](int symbol) const { return value_[symbols_.find(symbol)]; }
@@ -140,7 +140,7 @@ constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const m
         is_nothing.push(terms.is_nothing_of(outputs[i], found.entries[i]));
     }
     for (int i = 0; i < outputs.size(); ++i)
-      if (is_nothing[i] || elementary::abs(found.entries[i]) < (std::numeric_limits<double>::min)())
+      if (is_nothing[i] || numeric::elementary::abs(found.entries[i]) < (std::numeric_limits<double>::min)())
         found.entries[i] = 0;
     values.push(found);
   }
@@ -157,9 +157,9 @@ public:
     largest_ = states[0];
     for (const numbers& a : states)
       for (int i = 0; i < a.entries.size(); ++i) {
-        const double size = elementary::abs(a.entries[i]);
+        const double size = numeric::elementary::abs(a.entries[i]);
         double& so_far = largest_.entries[i];
-        so_far = elementary::abs(so_far);
+        so_far = numeric::elementary::abs(so_far);
         if (size > so_far) so_far = size;
       }
     rows_.resize(largest_.rows, 0.0), columns_.resize(largest_.columns, 0.0);
@@ -252,7 +252,7 @@ private:
     for (int j = 0; j < a.size(); ++j) sum += a[j] * b[j];
     return sum;
   }
-  static constexpr double norm(const sequence<double>& a) { return elementary::sqrt(dot(a, a)); }
+  static constexpr double norm(const sequence<double>& a) { return numeric::elementary::sqrt(dot(a, a)); }
 
   double least_; ///< smallest remainder, relative to the row
   sequence<sequence<double>> basis_{};

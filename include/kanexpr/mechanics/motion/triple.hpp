@@ -18,7 +18,7 @@ constexpr double dot(triple a, triple b) { return a.x * b.x + a.y * b.y + a.z * 
 constexpr triple cross(triple a, triple b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-constexpr double length(triple a) { return elementary::sqrt(dot(a, a)); }
+constexpr double length(triple a) { return numeric::elementary::sqrt(dot(a, a)); }
 
 /// Three vectors: the basis of one frame in the axes of another, or the columns of a dyadic.
 struct triad {

@@ -36,7 +36,7 @@ public:
       e_.push(between(-1 - place));
       square += e_.back() * e_.back();
     }
-    for (double& e : e_) e /= elementary::sqrt(square);
+    for (double& e : e_) e /= numeric::elementary::sqrt(square);
   }
 
   /// Whether e·ė = 0 follows from the equations.

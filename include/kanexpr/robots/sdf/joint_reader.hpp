@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-namespace kanexpr::robots::sdf_files {
+namespace kanexpr::robots::sdf {
 
 using ignition::math::Pose3d;
 
@@ -30,7 +30,7 @@ public:
       : from_(from), links_(links), into_(into) {}
 
   /// `scope` is the prefix of the names in the model that contains the joint.
-  bool read(const sdf::Joint& j, const std::string& scope) {
+  bool read(const ::sdf::Joint& j, const std::string& scope) {
     const std::string called = scope + j.Name(), whose = "joint " + shown(called);
     std::string child, parent;
     if (!j.ResolveChildLink(child).empty() || !j.ResolveParentLink(parent).empty())
@@ -42,15 +42,15 @@ public:
     if (from < 0 || to < 0)
       return from_.fail(line_of(j), whose + " has a parent or a child that is not a link");
     begin_ = {called, from, to, links_.poses[static_cast<std::size_t>(to)], sits.Pos()};
-    const bool has_two = j.Type() == sdf::JointType::UNIVERSAL || j.Type() == sdf::JointType::REVOLUTE2;
+    const bool has_two = j.Type() == ::sdf::JointType::UNIVERSAL || j.Type() == ::sdf::JointType::REVOLUTE2;
     if (j.Axis(1) && !has_two) from_.note(line_of(j), "the second axis of " + whose + " is ignored");
     switch (j.Type()) {
-    case sdf::JointType::FIXED: return add(joint_kind::fixed, called, to, begin_.child);
-    case sdf::JointType::REVOLUTE:
-    case sdf::JointType::CONTINUOUS: return add_turn(j, 0, scope, called, to);
-    case sdf::JointType::PRISMATIC: return add_slide(j, scope);
-    case sdf::JointType::UNIVERSAL:
-    case sdf::JointType::REVOLUTE2: {
+    case ::sdf::JointType::FIXED: return add(joint_kind::fixed, called, to, begin_.child);
+    case ::sdf::JointType::REVOLUTE:
+    case ::sdf::JointType::CONTINUOUS: return add_turn(j, 0, scope, called, to);
+    case ::sdf::JointType::PRISMATIC: return add_slide(j, scope);
+    case ::sdf::JointType::UNIVERSAL:
+    case ::sdf::JointType::REVOLUTE2: {
       const int cross = add_link(called + "_cross", at_joint());
       return add_turn(j, 0, scope, called, cross) && add_turn(j, 1, scope, called + "_2", to);
     }
@@ -87,10 +87,10 @@ private:
     int line = 1;
   };
 
-  static std::string kind_of(sdf::JointType type) {
-    if (type == sdf::JointType::BALL) return "a ball joint";
-    if (type == sdf::JointType::SCREW) return "a screw joint";
-    return type == sdf::JointType::GEARBOX ? "a gearbox joint" : "a joint of unknown type";
+  static std::string kind_of(::sdf::JointType type) {
+    if (type == ::sdf::JointType::BALL) return "a ball joint";
+    if (type == ::sdf::JointType::SCREW) return "a screw joint";
+    return type == ::sdf::JointType::GEARBOX ? "a gearbox joint" : "a joint of unknown type";
   }
 
   /// Returns the index of a link. If a joint refers to the ground, the ground becomes the link "world".
@@ -127,11 +127,11 @@ private:
     return true;
   }
 
-  bool add_slide(const sdf::Joint& j, const std::string& scope) {
+  bool add_slide(const ::sdf::Joint& j, const std::string& scope) {
     return add(joint_kind::prismatic, begin_.called, begin_.to, begin_.child) && take_axis(j, 0, scope);
   }
   /// Adds a revolute joint, and a link on its axis if the axis does not pass through the origin of the child.
-  bool add_turn(const sdf::Joint& j, unsigned which, const std::string& scope, const std::string& called,
+  bool add_turn(const ::sdf::Joint& j, unsigned which, const std::string& scope, const std::string& called,
                 int to) {
     const bool to_cross = to != begin_.to;
     vector3 axis{};
@@ -146,8 +146,8 @@ private:
            add(joint_kind::fixed, called + "_fixed", to, begin_.child);
   }
 
-  bool axis_of(const sdf::Joint& j, unsigned which, vector3& into) {
-    const sdf::JointAxis* axis = j.Axis(which);
+  bool axis_of(const ::sdf::Joint& j, unsigned which, vector3& into) {
+    const ::sdf::JointAxis* axis = j.Axis(which);
     ignition::math::Vector3d along;
     std::string child;
     if (!axis || !j.ResolveChildLink(child).empty() || !axis->ResolveXyz(along, child).empty())
@@ -157,11 +157,11 @@ private:
            from_.fail(line_of(j), "the axis of joint " + shown(j.Name()) + " has zero length");
   }
 
-  bool take_axis(const sdf::Joint& j, unsigned which, const std::string& scope) {
+  bool take_axis(const ::sdf::Joint& j, unsigned which, const std::string& scope) {
     joint& into = into_.joints.back();
     const std::string whose = "joint " + shown(into.name);
     if (!axis_of(j, which, into.axis)) return false;
-    const sdf::JointAxis& axis = *j.Axis(which);
+    const ::sdf::JointAxis& axis = *j.Axis(which);
     const double none = std::numeric_limits<double>::infinity();
     const auto within = [&](double x) { return std::abs(x) < 1e16 ? x : x < 0 ? -none : none; };
     into.limits = {within(axis.Lower()), within(axis.Upper()),
@@ -180,8 +180,8 @@ private:
 
   /// Reads the mimic of a joint. Mimics were introduced in SDF 1.11; older versions of libsdformat keep the
   /// element without reading it.
-  bool take_mimic(const sdf::JointAxis& axis, const std::string& scope) {
-    const sdf::ElementPtr mimic = axis.Element() ? axis.Element()->FindElement("mimic") : nullptr;
+  bool take_mimic(const ::sdf::JointAxis& axis, const std::string& scope) {
+    const ::sdf::ElementPtr mimic = axis.Element() ? axis.Element()->FindElement("mimic") : nullptr;
     if (!mimic) return true;
     const int line = mimic->LineNumber().value_or(1);
     const std::string whose = "the mimic of joint " + shown(into_.joints.back().name);
@@ -194,7 +194,7 @@ private:
     for (const auto& [word, into] : {std::pair<const char*, double*>("multiplier", &read.multiplier),
                                      {"offset", &read.offset},
                                      {"reference", &reference}}) {
-      const sdf::ElementPtr e = mimic->FindElement(word);
+      const ::sdf::ElementPtr e = mimic->FindElement(word);
       if (!e || !e->GetValue()) continue;
       const std::string given = e->GetValue()->GetAsString();
       const auto number = urdf::number_in(given);
@@ -215,4 +215,4 @@ private:
   std::vector<std::pair<std::size_t, following>> mimics_{};
 };
 
-} // namespace kanexpr::robots::sdf_files
+} // namespace kanexpr::robots::sdf

@@ -14,7 +14,7 @@
 #include <string_view>
 #include <utility>
 
-namespace kanexpr::robots::sdf_files {
+namespace kanexpr::robots::sdf {
 
 /// Notes the elements of a file that affect the motion but are not supported, and angles that may be in
 /// degrees.
@@ -23,14 +23,14 @@ public:
   explicit left_out(urdf::document& from) : from_(from) {}
 
   /// Checks an element and its descendants.
-  void note_in(const sdf::ElementPtr& e) {
+  void note_in(const ::sdf::ElementPtr& e) {
     if (e->GetExplicitlySetInFile()) note(*e);
     note_second_ones(*e);
-    for (sdf::ElementPtr each = e->GetFirstElement(); each; each = each->GetNextElement()) note_in(each);
+    for (::sdf::ElementPtr each = e->GetFirstElement(); each; each = each->GetNextElement()) note_in(each);
   }
 
 private:
-  void note(sdf::Element& e) {
+  void note(::sdf::Element& e) {
     if (e.GetName() == "plugin") return say(e, "plugin " + shown(name_of(e)) + " is ignored");
     if (!e.GetValue()) return;
     const std::string text = e.GetValue()->GetAsString();
@@ -44,34 +44,34 @@ private:
     }
   }
   /// Notes repeated elements that are expected only once; only the first one is read.
-  void note_second_ones(sdf::Element& in) {
+  void note_second_ones(::sdf::Element& in) {
     constexpr std::string_view once[]{"pose",  "inertial", "mass",  "inertia", "gravity",  "static", "parent",
                                       "child", "axis",     "axis2", "xyz",     "dynamics", "damping"};
     std::set<std::string> seen;
-    for (sdf::ElementPtr e = in.GetFirstElement(); e; e = e->GetNextElement())
+    for (::sdf::ElementPtr e = in.GetFirstElement(); e; e = e->GetNextElement())
       if (std::ranges::find(once, e->GetName()) != std::end(once) && !seen.insert(e->GetName()).second)
         say(*e, called(in) + " has a second <" + e->GetName() + ">, which is ignored");
   }
-  void say(sdf::Element& e, const std::string& what) { from_.note(e.LineNumber().value_or(1), what); }
+  void say(::sdf::Element& e, const std::string& what) { from_.note(e.LineNumber().value_or(1), what); }
 
-  static std::string name_of(sdf::Element& e) {
+  static std::string name_of(::sdf::Element& e) {
     return e.HasAttribute("name") ? e.GetAttribute("name")->GetAsString() : "";
   }
-  static std::string called(sdf::Element& e) {
+  static std::string called(::sdf::Element& e) {
     const std::string name = name_of(e);
     return e.GetName() + (name.empty() ? "" : " " + shown(name));
   }
-  static std::string owner_of(sdf::Element& e) {
-    const sdf::ElementPtr in = e.GetParent();
+  static std::string owner_of(::sdf::Element& e) {
+    const ::sdf::ElementPtr in = e.GetParent();
     return in ? called(*in) : "";
   }
 
-  static bool changes_motion(sdf::Element& e) {
+  static bool changes_motion(::sdf::Element& e) {
     constexpr std::pair<std::string_view, std::string_view> words[]{{"link", "kinematic"},
                                                                     {"velocity_decay", "linear"},
                                                                     {"velocity_decay", "angular"},
                                                                     {"wind", "linear_velocity"}};
-    const sdf::ElementPtr in = e.GetParent();
+    const ::sdf::ElementPtr in = e.GetParent();
     return in && std::ranges::find(words, std::pair<std::string_view, std::string_view>(
                                               in->GetName(), e.GetName())) != std::end(words);
   }
@@ -81,7 +81,7 @@ private:
     return true;
   }
 
-  static bool is_in_degrees(sdf::Element& e) {
+  static bool is_in_degrees(::sdf::Element& e) {
     return e.HasAttribute("degrees") && e.Get<bool>("degrees", false).first;
   }
   static bool is_more_than_a_turn(std::string_view pose) {
@@ -95,4 +95,4 @@ private:
   urdf::document& from_;
 };
 
-} // namespace kanexpr::robots::sdf_files
+} // namespace kanexpr::robots::sdf

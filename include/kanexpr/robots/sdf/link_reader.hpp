@@ -22,7 +22,7 @@
 #include <utility>
 #include <vector>
 
-namespace kanexpr::robots::sdf_files {
+namespace kanexpr::robots::sdf {
 
 /// Returns the line in the file; 1 for elements that libsdformat created.
 template <class Entity>
@@ -31,17 +31,17 @@ int line_of(const Entity& e) {
 }
 
 /// Returns the shape of a geometry if it is supported.
-inline std::optional<shape> shape_of(const sdf::Geometry& g) {
+inline std::optional<shape> shape_of(const ::sdf::Geometry& g) {
   shape s;
-  if (const sdf::Box* box = g.BoxShape()) {
+  if (const ::sdf::Box* box = g.BoxShape()) {
     s.size = vector_of(box->Size());
-  } else if (const sdf::Cylinder* cylinder = g.CylinderShape()) {
+  } else if (const ::sdf::Cylinder* cylinder = g.CylinderShape()) {
     s.is = shape_kind::cylinder, s.size = {cylinder->Radius(), cylinder->Length(), 0};
-  } else if (const sdf::Capsule* capsule = g.CapsuleShape()) {
+  } else if (const ::sdf::Capsule* capsule = g.CapsuleShape()) {
     s.is = shape_kind::capsule, s.size = {capsule->Radius(), capsule->Length(), 0};
-  } else if (const sdf::Sphere* sphere = g.SphereShape()) {
+  } else if (const ::sdf::Sphere* sphere = g.SphereShape()) {
     s.is = shape_kind::sphere, s.size = {sphere->Radius(), 0, 0};
-  } else if (const sdf::Mesh* mesh = g.MeshShape()) {
+  } else if (const ::sdf::Mesh* mesh = g.MeshShape()) {
     s.is = shape_kind::mesh, s.size = vector_of(mesh->Scale()), s.file = mesh->Uri();
   } else {
     return {};
@@ -53,7 +53,7 @@ class link_reader {
 public:
   explicit link_reader(urdf::document& from) : from_(from) {}
 
-  bool read(const sdf::Link& l, const std::string& called, link& into) {
+  bool read(const ::sdf::Link& l, const std::string& called, link& into) {
     into.name = called;
     if (!take_inertial(l, into)) return false;
     for (std::uint64_t i = 0; i < l.VisualCount(); ++i) take_shape(*l.VisualByIndex(i), into, into.visual);
@@ -63,7 +63,7 @@ public:
   }
 
 private:
-  bool take_inertial(const sdf::Link& l, link& into) {
+  bool take_inertial(const ::sdf::Link& l, link& into) {
     const std::string whose = "link " + shown(into.name);
     const auto& mass = l.Inertial().MassMatrix();
     inertial read;
@@ -78,8 +78,8 @@ private:
     return true;
   }
 
-  void note_defaults(const sdf::Link& l, const std::string& whose) {
-    const sdf::ElementPtr given =
+  void note_defaults(const ::sdf::Link& l, const std::string& whose) {
+    const ::sdf::ElementPtr given =
         l.Element() && l.Element()->HasElement("inertial") ? l.Element()->GetElement("inertial") : nullptr;
     if (!given)
       return from_.note(
@@ -105,4 +105,4 @@ private:
   urdf::document& from_;
 };
 
-} // namespace kanexpr::robots::sdf_files
+} // namespace kanexpr::robots::sdf

@@ -8,13 +8,13 @@
 #include <sstream>
 #include <string>
 
-namespace kanexpr::robots::sdf_files {
+namespace kanexpr::robots::sdf {
 
 /// Captures the messages that libsdformat would print. (libsdformat passes text that is not SDF to urdfdom,
 /// which still prints a line.)
 class messages {
 public:
-  messages() : stream_(sdf::Console::Instance()->GetMsgStream()), to_(stream_.GetStream()) {
+  messages() : stream_(::sdf::Console::Instance()->GetMsgStream()), to_(stream_.GetStream()) {
     stream_.SetStream(&kept_);
   }
   ~messages() { stream_.SetStream(to_); }
@@ -39,8 +39,8 @@ public:
 
 private:
   std::ostringstream kept_{};
-  sdf::Console::ConsoleStream& stream_;
+  ::sdf::Console::ConsoleStream& stream_;
   std::ostream* to_;
 };
 
-} // namespace kanexpr::robots::sdf_files
+} // namespace kanexpr::robots::sdf

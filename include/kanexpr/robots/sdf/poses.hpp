@@ -10,7 +10,7 @@
 #include <kanexpr/base/letters_aside.hpp>
 
 /// Converts poses of libsdformat, which use quaternions, to poses of robots, whose right angles are exact.
-namespace kanexpr::robots::sdf_files {
+namespace kanexpr::robots::sdf {
 
 inline vector3 vector_of(const ignition::math::Vector3d& v) {
   return {v.X() + 0.0, v.Y() + 0.0, v.Z() + 0.0};
@@ -33,6 +33,6 @@ inline pose pose_of(const ignition::math::Pose3d& p, double tolerance) {
   return {turn_of(p.Rot(), tolerance), place_of(p.Pos(), tolerance)};
 }
 
-} // namespace kanexpr::robots::sdf_files
+} // namespace kanexpr::robots::sdf
 
 #include <kanexpr/base/letters_back.hpp>

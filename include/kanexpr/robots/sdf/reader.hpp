@@ -20,7 +20,7 @@
 #include <string_view>
 #include <utility>
 
-namespace kanexpr::robots::sdf_files {
+namespace kanexpr::robots::sdf {
 
 /// Reads the only model of a file.
 class reader {
@@ -34,15 +34,15 @@ public:
     if (std::string_view(root->Name()) != "sdf")
       return from_.fail(*root, "the root element is <" + shown(root->Name()) + ">, expected <sdf>");
     const messages said;
-    sdf::ParserConfig strict;
-    strict.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::WARN);
-    sdf::Root file;
+    ::sdf::ParserConfig strict;
+    strict.SetUnrecognizedElementsPolicy(::sdf::EnforcementPolicy::WARN);
+    ::sdf::Root file;
     try {
       if (!is_sound(file.LoadSdfString(text, strict))) return false;
     } catch (const std::exception& e) { // for example, an invalid number in the version
       return from_.fail(std::string("libsdformat failed: ") + shown(e.what()));
     }
-    const sdf::Model* const model = model_of(file);
+    const ::sdf::Model* const model = model_of(file);
     if (!model) return false;
     robot.name = model->Name();
     said.note_in(from_);
@@ -59,20 +59,20 @@ public:
 private:
   /// Returns true if libsdformat found no errors. Inertias that are not physical are accepted here, although
   /// libsdformat rejects them in a world.
-  bool is_sound(const sdf::Errors& errors) {
-    const auto is_inertia = [](const sdf::Error& e) {
-      return e.Code() == sdf::ErrorCode::LINK_INERTIA_INVALID;
+  bool is_sound(const ::sdf::Errors& errors) {
+    const auto is_inertia = [](const ::sdf::Error& e) {
+      return e.Code() == ::sdf::ErrorCode::LINK_INERTIA_INVALID;
     };
     const auto worst = std::ranges::find_if_not(errors, is_inertia);
     if (worst == errors.end()) return true;
     const auto first = std::ranges::find_if(errors, is_inertia);
-    const sdf::Error& e = first == errors.end() ? *worst : *first;
+    const ::sdf::Error& e = first == errors.end() ? *worst : *first;
     const std::string message = e.Message();
     const std::string said = "libsdformat reports: " + shown(message.substr(0, message.find('\n')), 200);
     return e.LineNumber() ? from_.fail(*e.LineNumber(), said) : from_.fail(said);
   }
 
-  const sdf::Model* model_of(const sdf::Root& file) {
+  const ::sdf::Model* model_of(const ::sdf::Root& file) {
     if (file.Model()) return file.Model();
     const bool one_world = file.WorldCount() == 1;
     const std::uint64_t models = one_world ? file.WorldByIndex(0)->ModelCount() : 0;
@@ -82,10 +82,10 @@ private:
     return nullptr;
   }
 
-  bool read_links(const sdf::Model& m, const std::string& scope, const Pose3d& stands) {
+  bool read_links(const ::sdf::Model& m, const std::string& scope, const Pose3d& stands) {
     if (m.Static()) return from_.fail(line_of(m), "the model " + shown(m.Name()) + " is static");
     for (std::uint64_t i = 0; i < m.LinkCount(); ++i) {
-      const sdf::Link& l = *m.LinkByIndex(i);
+      const ::sdf::Link& l = *m.LinkByIndex(i);
       Pose3d at;
       if (!l.SemanticPose().Resolve(at, "__model__").empty())
         return from_.fail(line_of(l), "the pose of link " + shown(l.Name()) + " cannot be resolved");
@@ -98,7 +98,7 @@ private:
       robot.links.push_back(std::move(read));
     }
     for (std::uint64_t i = 0; i < m.ModelCount(); ++i) {
-      const sdf::Model& inner = *m.ModelByIndex(i);
+      const ::sdf::Model& inner = *m.ModelByIndex(i);
       Pose3d at;
       if (!inner.SemanticPose().Resolve(at, "__model__").empty())
         return from_.fail(line_of(inner), "the pose of model " + shown(inner.Name()) + " cannot be resolved");
@@ -107,7 +107,7 @@ private:
     return true;
   }
 
-  bool read_joints(const sdf::Model& m, const std::string& scope) {
+  bool read_joints(const ::sdf::Model& m, const std::string& scope) {
     for (std::uint64_t i = 0; i < m.JointCount(); ++i)
       if (!joints_.read(*m.JointByIndex(i), scope)) return false;
     for (std::uint64_t i = 0; i < m.ModelCount(); ++i)
@@ -117,7 +117,7 @@ private:
 
   /// Completes the robot and checks it. Its root must be upright: if the root link is rotated, an upright
   /// link named after the model is added below it.
-  bool is_robot(const sdf::Model& m) {
+  bool is_robot(const ::sdf::Model& m) {
     const found_root found = root_of(robot);
     if (!found.mistake.what.empty()) return from_.fail(line_of(m), found.mistake.what);
     robot.root = found.link;
@@ -146,4 +146,4 @@ private:
   joint_reader joints_{from_, links_, robot};
 };
 
-} // namespace kanexpr::robots::sdf_files
+} // namespace kanexpr::robots::sdf

@@ -27,8 +27,10 @@ inline bool differ_numerically(const graph& g, const sequence<int>& both) {
     std::map<int, double> state;
     values.at([&](int id) { return state.try_emplace(id, any(random)).first->second; });
     const double a = values[both[0]], b = values[both[1]];
-    if (!elementary::detail::is_finite(a) || !elementary::detail::is_finite(b)) continue;
-    if (elementary::abs(a - b) <= apart * (elementary::abs(a) + elementary::abs(b))) return false;
+    if (!numeric::elementary::detail::is_finite(a) || !numeric::elementary::detail::is_finite(b)) continue;
+    if (numeric::elementary::abs(a - b) <=
+        apart * (numeric::elementary::abs(a) + numeric::elementary::abs(b)))
+      return false;
     ++seen;
   }
   return seen == wanted;

@@ -5,7 +5,7 @@
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/polynomials/polynomial_parts.hpp>
-#include <kanexpr/symbolic/print/term.hpp>
+#include <kanexpr/symbolic/printing/term.hpp>
 
 #include <map>
 #include <utility>
@@ -29,7 +29,8 @@ polynomial<Coefficient> atom(expression e) {
   if (n.op == operation::negate) return -atom<Coefficient>(expression(e.owner(), n.a));
   if (n.op == operation::constant) {
     const number& value = g.number_at(e.node());
-    if (value.exact() || elementary::detail::is_finite(value.real)) return Coefficient(exact_value(value));
+    if (value.exact() || numeric::elementary::detail::is_finite(value.real))
+      return Coefficient(exact_value(value));
   }
   return {{{e.node(), 1}}, Coefficient(1)};
 }

@@ -21,8 +21,8 @@ struct rated {
 /// for them.
 constexpr rated rated_value_of(operation op, rated a, rated b) {
   const double value = value_of(op, a.value, b.value);
-  if (!is_selection(op) && !elementary::detail::is_finite(value))
-    return {value, elementary::detail::not_a_number}; // constant expressions cannot compute with NaN
+  if (!is_selection(op) && !numeric::elementary::detail::is_finite(value))
+    return {value, numeric::elementary::detail::not_a_number}; // constant expressions cannot compute with NaN
   const auto along = [&](double by_a) { return rated{value, numeric::equal(by_a, 0.0) ? 0 : by_a * a.rate}; };
   switch (form_of(op)) {
   case form::negate: return along(-1);
@@ -32,11 +32,13 @@ constexpr rated rated_value_of(operation op, rated a, rated b) {
   case form::divide: return {value, (a.rate - value * b.rate) / b.value};
   case form::power:
     return {value,
-            (numeric::equal(a.rate, 0.0) ? 0 : b.value * elementary::pow(a.value, b.value - 1) * a.rate) +
-                (numeric::equal(b.rate, 0.0) ? 0 : value * elementary::log(a.value) * b.rate)};
+            (numeric::equal(a.rate, 0.0)
+                 ? 0
+                 : b.value * numeric::elementary::pow(a.value, b.value - 1) * a.rate) +
+                (numeric::equal(b.rate, 0.0) ? 0 : value * numeric::elementary::log(a.value) * b.rate)};
   case form::function:
     return along(properties_of(op).is_smooth_at(a.value) ? slope_of(op, a.value, value)
-                                                         : elementary::detail::not_a_number);
+                                                         : numeric::elementary::detail::not_a_number);
   case form::binary_function:
     return {value, with_binary_function(op, [&]<operation function>() {
               return binary_rate_of<function>(a.value, b.value, value, a.rate, b.rate);
@@ -52,7 +54,7 @@ constexpr rated rated_value_of(operation op, rated a, rated b) {
   case form::singularity_measure:
   case form::call: break; // not operations on two numbers
   }
-  return {value, elementary::detail::not_a_number};
+  return {value, numeric::elementary::detail::not_a_number};
 }
 
 /// Evaluates outputs and their time derivatives without building expressions for the derivatives.
@@ -84,7 +86,8 @@ public:
   constexpr const rated& operator[](int id) const { return at_[id]; }
 
 private:
-  static constexpr rated undefined{elementary::detail::not_a_number, elementary::detail::not_a_number};
+  static constexpr rated undefined{numeric::elementary::detail::not_a_number,
+                                   numeric::elementary::detail::not_a_number};
 
   // A constant expression must not divide by zero.
   static constexpr rated defined(operation op, rated a, rated b) {
@@ -108,7 +111,7 @@ private:
     return found;
   }
   static constexpr bool is_finite(rated x) {
-    return elementary::detail::is_finite(x.value) && elementary::detail::is_finite(x.rate);
+    return numeric::elementary::detail::is_finite(x.value) && numeric::elementary::detail::is_finite(x.rate);
   }
 
   const graph& g_;

@@ -22,7 +22,7 @@ constexpr double value_of(operation op, double a, double b) {
   case form::subtract: return a - b;
   case form::multiply: return a * b;
   case form::divide: return a / b;
-  case form::power: return elementary::pow(a, b);
+  case form::power: return numeric::elementary::pow(a, b);
   case form::function: return properties_of(op).value(a);
   case form::binary_function: return binary_properties_of(op).value(a, b);
   case form::selection: return selected(op, a, b);
@@ -36,7 +36,7 @@ constexpr double value_of(operation op, double a, double b) {
   case form::singularity_measure:
   case form::call: break; // not operations on two numbers
   }
-  return elementary::detail::not_a_number;
+  return numeric::elementary::detail::not_a_number;
 }
 
 /// Like `value_of`, but accepts undefined operands and a zero divisor, which constant expressions reject. The
@@ -44,7 +44,7 @@ constexpr double value_of(operation op, double a, double b) {
 constexpr double defined_value_of(operation op, double a, double b) {
   if (is_selection(op)) return selected(op, a, b);
   if (!numeric::is_number(a) || !numeric::is_number(b) || (op == operation::divide && numeric::equal(b, 0.0)))
-    return elementary::detail::not_a_number;
+    return numeric::elementary::detail::not_a_number;
   return value_of(op, a, b);
 }
 
@@ -82,7 +82,7 @@ public:
   constexpr const sequence<int>& live() const { return live_; }
 
 private:
-  static constexpr double undefined = elementary::detail::not_a_number;
+  static constexpr double undefined = numeric::elementary::detail::not_a_number;
 
   /// Appends the values of a list and returns whether all are defined.
   constexpr bool gather(int list) {
@@ -136,7 +136,7 @@ private:
       return numeric::singularity_measure_of<numeric::constant_elimination_math>(order, f, &more_[squares]);
     double inverse = 1;
     for (int i = 0; i < order; ++i) inverse *= f[numeric::factors{order}.at(i, i)];
-    return 1 / elementary::abs(inverse);
+    return 1 / numeric::elementary::abs(inverse);
   }
 
   const graph& g_;

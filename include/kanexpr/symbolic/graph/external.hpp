@@ -45,10 +45,10 @@ constexpr double generic_value_of(const external_function& f, const double* oper
   }
   for (int k = 0; k < f.order; ++k) factor *= weights[k];
   switch (f.order % 4) {
-  case 0: return (f.order == 0 ? 1.25 : 0) + factor * elementary::sin(phase);
-  case 1: return factor * elementary::cos(phase);
-  case 2: return -(factor * elementary::sin(phase));
-  default: return -(factor * elementary::cos(phase));
+  case 0: return (f.order == 0 ? 1.25 : 0) + factor * numeric::elementary::sin(phase);
+  case 1: return factor * numeric::elementary::cos(phase);
+  case 2: return -(factor * numeric::elementary::sin(phase));
+  default: return -(factor * numeric::elementary::cos(phase));
   }
 }
 

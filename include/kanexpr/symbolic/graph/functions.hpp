@@ -60,7 +60,7 @@ struct scalar_function<operation::sin> {
   }
   template <class Number>
   static constexpr Number slope(const Number& x, const Number&) {
-    using elementary::cos;
+    using numeric::elementary::cos;
     return cos(x);
   }
 };
@@ -74,7 +74,7 @@ struct scalar_function<operation::cos> {
   }
   template <class Number>
   static constexpr Number slope(const Number& x, const Number&) {
-    using elementary::sin;
+    using numeric::elementary::sin;
     return -sin(x);
   }
 };
@@ -101,7 +101,7 @@ struct scalar_function<operation::asin> {
   }
   template <class Number>
   static constexpr Number slope(const Number& x, const Number&) {
-    using elementary::sqrt;
+    using numeric::elementary::sqrt;
     return 1 / sqrt(1 - x * x);
   }
 };
@@ -115,7 +115,7 @@ struct scalar_function<operation::acos> {
   }
   template <class Number>
   static constexpr Number slope(const Number& x, const Number&) {
-    using elementary::sqrt;
+    using numeric::elementary::sqrt;
     return -(1 / sqrt(1 - x * x));
   }
 };
@@ -168,7 +168,7 @@ struct scalar_function<operation::sinh> {
   }
   template <class Number>
   static constexpr Number slope(const Number& x, const Number&) {
-    using elementary::cosh;
+    using numeric::elementary::cosh;
     return cosh(x);
   }
 };
@@ -182,7 +182,7 @@ struct scalar_function<operation::cosh> {
   }
   template <class Number>
   static constexpr Number slope(const Number& x, const Number&) {
-    using elementary::sinh;
+    using numeric::elementary::sinh;
     return sinh(x);
   }
 };
@@ -209,7 +209,7 @@ struct scalar_function<operation::abs> {
   }
   template <class Number>
   static constexpr Number slope(const Number& x, const Number&) {
-    using elementary::sign;
+    using numeric::elementary::sign;
     return sign(x);
   }
 };
@@ -253,7 +253,7 @@ struct scalar_function<operation::erf> {
   }
   template <class Number>
   static constexpr Number slope(const Number& x, const Number&) {
-    using elementary::exp;
+    using numeric::elementary::exp;
     return 2 * std::numbers::inv_sqrtpi * exp(-(x * x));
   }
 };

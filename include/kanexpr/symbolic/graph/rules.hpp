@@ -179,7 +179,7 @@ constexpr int divide(graph& g, int a, int b) {
 
 /// Rounds function values near zero: the cosine of the double next to π/2 is zero.
 constexpr number beside_argument(double value, double argument) {
-  return real(elementary::abs(value) <= 0x1p-51 * elementary::abs(argument) &&
+  return real(numeric::elementary::abs(value) <= 0x1p-51 * numeric::elementary::abs(argument) &&
                       !numeric::equal(value, argument)
                   ? 0
                   : value);
@@ -187,10 +187,10 @@ constexpr number beside_argument(double value, double argument) {
 
 /// The exact root of a fraction if it is rational, otherwise a double.
 constexpr number root_of(const number& n) {
-  const number folded = real(elementary::sqrt(n.value()));
+  const number folded = real(numeric::elementary::sqrt(n.value()));
   if (!n.exact() || folded.exact()) return folded;
-  const number above = real(elementary::sqrt(static_cast<double>(n.numerator)));
-  const number below = real(elementary::sqrt(static_cast<double>(n.denominator)));
+  const number above = real(numeric::elementary::sqrt(static_cast<double>(n.numerator)));
+  const number below = real(numeric::elementary::sqrt(static_cast<double>(n.denominator)));
   return above.exact() && below.exact() ? above / below : folded;
 }
 
@@ -257,7 +257,8 @@ constexpr int power(graph& g, int base, int exponent) {
       if (n.denominator == 2) return integer_power(g, apply(g, operation::sqrt, base), n.numerator);
     }
     if (n == number{0, 0, 0.5}) return apply(g, operation::sqrt, base);
-    if (g.is_constant(base)) return g.constant(real(elementary::pow(g.number_at(base).value(), n.value())));
+    if (g.is_constant(base))
+      return g.constant(real(numeric::elementary::pow(g.number_at(base).value(), n.value())));
   }
   return g.find_or_append({operation::power, base, exponent});
 }

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-namespace kanexpr::symbolic::taylor {
+namespace kanexpr::symbolic::limits {
 
 /// The values of the nodes that the outputs need when symbols are replaced simultaneously, with a record of
 /// the nodes that are undefined there.
@@ -86,7 +86,7 @@ private:
   void calculate(operation op, const generic_values& a, const generic_values& b, appraised& known) const {
     known.values = apply(op, a, b);
     const bool is_unreal = known.values.is_number() && !known.values.defined();
-    known.singular = known.singular || is_unreal || taylor::is_singular(op, a, b);
+    known.singular = known.singular || is_unreal || limits::is_singular(op, a, b);
   }
 
   void call(int id, appraised& known) const {
@@ -124,4 +124,4 @@ private:
   generic_values undefined_{bounded::undefined()};
 };
 
-} // namespace kanexpr::symbolic::taylor
+} // namespace kanexpr::symbolic::limits

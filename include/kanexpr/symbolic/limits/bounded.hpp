@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 
-namespace kanexpr::symbolic::taylor {
+namespace kanexpr::symbolic::limits {
 
 /// A value with a bound on its accumulated rounding error; NaN if undefined.
 ///
@@ -47,10 +47,12 @@ inline bool is_singular(operation op, const bounded& a, const bounded& b) {
   if (op == operation::asin || op == operation::acos)
     return std::abs(a.value) > 1 && std::abs(a.value) - 1 <= 4 * a.error;
   if (op == operation::tan)
-    return a.error > 0 && std::abs(elementary::cos(a.value)) <= 4 * (a.error + bounded::unit_roundoff);
+    return a.error > 0 &&
+           std::abs(numeric::elementary::cos(a.value)) <= 4 * (a.error + bounded::unit_roundoff);
   if (op == operation::wrap_to_pi) // may be on either side of a jump
     return a.error > 0 &&
-           elementary::detail::half_turn - std::abs(elementary::wrap_to_pi(a.value)) <= 4 * a.error;
+           numeric::elementary::detail::half_turn - std::abs(numeric::elementary::wrap_to_pi(a.value)) <=
+               4 * a.error;
   if (is_binary_function(op))
     return !binary_properties_of(op).is_smooth_at(a.vanishes() ? 0 : a.value, b.vanishes() ? 0 : b.value);
   if (is_selection(op)) return a.vanishes() && !numeric::equal(a.error, 0.0); // the sign is uncertain
@@ -132,4 +134,4 @@ inline bounded operator-(const bounded& a, const bounded& b) { return apply(oper
 inline bounded operator*(const bounded& a, const bounded& b) { return apply(operation::multiply, a, b); }
 inline bounded operator/(const bounded& a, const bounded& b) { return apply(operation::divide, a, b); }
 
-} // namespace kanexpr::symbolic::taylor
+} // namespace kanexpr::symbolic::limits

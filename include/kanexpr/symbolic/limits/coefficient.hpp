@@ -7,7 +7,7 @@
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/limits/generic_values.hpp>
 
-namespace kanexpr::symbolic::taylor {
+namespace kanexpr::symbolic::limits {
 
 /// A coefficient of a series: a number, exact if possible, or an expression. It counts as zero if it vanishes
 /// at generic values of its symbols or within the rounding bound.
@@ -107,4 +107,4 @@ inline coefficient operator/(const coefficient& a, const coefficient& b) {
 }
 inline coefficient operator-(const coefficient& a) { return coefficient{} - a; }
 
-} // namespace kanexpr::symbolic::taylor
+} // namespace kanexpr::symbolic::limits

@@ -10,7 +10,7 @@
 #include <optional>
 
 /// Functions of coefficients; they return nothing if the value of a number is not real or not finite.
-namespace kanexpr::symbolic::taylor {
+namespace kanexpr::symbolic::limits {
 
 namespace detail {
 
@@ -75,7 +75,7 @@ inline std::optional<coefficient> power(const coefficient& base, const coefficie
     const number n = exponent.value();
     if (n.integer() && n.numerator <= largest && n.numerator >= -largest)
       return coefficient(detail::integer_power(base.value(), n.numerator), base.is_exact(), at);
-    const double value = elementary::pow(base.value().value(), n.value());
+    const double value = numeric::elementary::pow(base.value().value(), n.value());
     if (!numeric::is_finite(value)) return std::nullopt;
     return coefficient(real(value), false, at);
   }
@@ -85,4 +85,4 @@ inline std::optional<coefficient> power(const coefficient& base, const coefficie
   return coefficient(power(of, exponent.in(g)), at);
 }
 
-} // namespace kanexpr::symbolic::taylor
+} // namespace kanexpr::symbolic::limits

@@ -5,11 +5,11 @@
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/limits/line.hpp>
-#include <kanexpr/symbolic/print/print.hpp>
+#include <kanexpr/symbolic/printing/print.hpp>
 
 #include <string>
 
-namespace kanexpr::symbolic::taylor {
+namespace kanexpr::symbolic::limits {
 
 /// Describes why an expression has no limit, in a sentence that names the part that fails.
 class conditions {
@@ -166,4 +166,4 @@ private:
   const appraisal& point_;
 };
 
-} // namespace kanexpr::symbolic::taylor
+} // namespace kanexpr::symbolic::limits

@@ -5,7 +5,7 @@
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/limits/appraisal.hpp>
 
-namespace kanexpr::symbolic::taylor {
+namespace kanexpr::symbolic::limits {
 
 /// Straight lines toward a point, given by the steps of the replaced symbols: from two opposite sides and,
 /// for several symbols, such that the signs of any two symbols differ on some line and each is the larger one
@@ -46,4 +46,4 @@ private:
   int patterns_ = 0; ///< number of sign patterns
 };
 
-} // namespace kanexpr::symbolic::taylor
+} // namespace kanexpr::symbolic::limits

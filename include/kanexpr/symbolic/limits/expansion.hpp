@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace kanexpr::symbolic::taylor {
+namespace kanexpr::symbolic::limits {
 
 /// The reason why an operation has no series.
 enum class obstacle {
@@ -41,4 +41,4 @@ inline expansion quotient(const series& a, const series& b) {
   return a / b;
 }
 
-} // namespace kanexpr::symbolic::taylor
+} // namespace kanexpr::symbolic::limits

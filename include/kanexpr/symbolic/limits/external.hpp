@@ -11,7 +11,7 @@
 
 /// User-defined functions. Only their derivatives are known, so they get generic values even where their
 /// operands are numbers.
-namespace kanexpr::symbolic::taylor {
+namespace kanexpr::symbolic::limits {
 
 inline generic_values called(const external_function& f, const std::vector<generic_values>& operands) {
   return generic_values::by(false, [&](int i) {
@@ -66,4 +66,4 @@ inline expansion call_expanded(graph& g, const external_function& f, const std::
   return called(g, f, operands, terms, most);
 }
 
-} // namespace kanexpr::symbolic::taylor
+} // namespace kanexpr::symbolic::limits

@@ -10,7 +10,7 @@
 #include <vector>
 
 /// Functions of series, for ε > 0: Griewank & Walther, Evaluating Derivatives (2008), section 13.2.
-namespace kanexpr::symbolic::taylor {
+namespace kanexpr::symbolic::limits {
 
 namespace detail {
 
@@ -143,7 +143,7 @@ inline expansion wrap_to_pi(const series& s) {
   const std::optional<coefficient> first = apply(operation::wrap_to_pi, s[0]);
   if (!first || s.is_constant()) return detail::constant_or(first, obstacle::not_real);
   const series rest = s - series(s[0]);
-  const coefficient half_turn(real(elementary::detail::half_turn));
+  const coefficient half_turn(real(numeric::elementary::detail::half_turn));
   const double gap = first->is_number() ? half_turn.value().value() - std::abs(first->value().value()) : 1;
   if (gap > 4 * s[0].at()[0].error) return rest + series(*first);
   if (!rest.has_terms()) return rest.is_zero() ? rest + series(*first) : expansion(obstacle::truncated);
@@ -151,4 +151,4 @@ inline expansion wrap_to_pi(const series& s) {
   return rest + series(rest.lead().value().negative() ? half_turn : -half_turn);
 }
 
-} // namespace kanexpr::symbolic::taylor
+} // namespace kanexpr::symbolic::limits

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace kanexpr::symbolic::taylor {
+namespace kanexpr::symbolic::limits {
 
 /// The values of an expression at generic values of its symbols; an expression that vanishes there is assumed
 /// to vanish everywhere. A number has only one value.
@@ -119,4 +119,4 @@ inline std::optional<std::vector<generic_values>> solved(const std::vector<gener
   return solution;
 }
 
-} // namespace kanexpr::symbolic::taylor
+} // namespace kanexpr::symbolic::limits

@@ -6,7 +6,7 @@
 #include <optional>
 
 /// Functions of series that are integrals of algebraic functions.
-namespace kanexpr::symbolic::taylor {
+namespace kanexpr::symbolic::limits {
 
 /// f + ∫ rate; fails if the rate has a pole.
 inline expansion integral_from(const std::optional<coefficient>& f, const expansion& rate) {
@@ -80,4 +80,4 @@ inline expansion atan2(const series& y, const series& x) {
   return integral_from(first, quotient(turn, square + y * y));
 }
 
-} // namespace kanexpr::symbolic::taylor
+} // namespace kanexpr::symbolic::limits

@@ -14,7 +14,7 @@
 
 namespace kanexpr::symbolic {
 
-namespace taylor {
+namespace limits {
 
 struct limit {
   expression value{};
@@ -129,17 +129,17 @@ private:
   std::map<int, limit> found_{};
 };
 
-} // namespace taylor
+} // namespace limits
 
 KANEXPR_ENGINE point_values limits_at(graph& g, const matrix& m, const std::vector<replacement>& point) {
   const sequence<int> outputs = nodes_of(m.entries);
-  const taylor::appraisal at(g, outputs, point);
+  const limits::appraisal at(g, outputs, point);
   substitution plain(g);
   for (const replacement& each : point) plain.replace(each.symbol, each.by);
   sequence<int> without_value;
   for (int id : outputs)
     if (at.is_singular(id) && !without_value.contains(id)) without_value.push(id);
-  const taylor::limits limits(g, at, plain, without_value);
+  const limits::limits limits(g, at, plain, without_value);
   point_values found{m, {}};
   for (int i = 0; i < outputs.size(); ++i) {
     expression& value = found.values.entries[i];
@@ -147,7 +147,7 @@ KANEXPR_ENGINE point_values limits_at(graph& g, const matrix& m, const std::vect
       value = plain.in(value);
       continue;
     }
-    const taylor::limit& limit = limits[outputs[i]];
+    const limits::limit& limit = limits[outputs[i]];
     value = limit.value;
     if (!limit.condition.empty()) found.singular.push_back({i / m.columns, i % m.columns, limit.condition});
   }

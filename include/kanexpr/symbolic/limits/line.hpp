@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace kanexpr::symbolic::taylor {
+namespace kanexpr::symbolic::limits {
 
 /// The series of the nodes that the outputs need when the replaced symbols approach their point along a line:
 /// a symbol replaced by x becomes x + ε d, with ε > 0.
@@ -124,4 +124,4 @@ private:
   std::map<int, int> failing_{};
 };
 
-} // namespace kanexpr::symbolic::taylor
+} // namespace kanexpr::symbolic::limits

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-namespace kanexpr::symbolic::taylor {
+namespace kanexpr::symbolic::limits {
 
 /// Whether the leading term decides the result of an operation but vanishes for some values of the symbols.
 inline bool is_piecewise(operation op, const series& a, const series& b) {
@@ -133,4 +133,4 @@ inline expansion apply(operation op, const series& a, const series& b) {
   return obstacle::truncated;
 }
 
-} // namespace kanexpr::symbolic::taylor
+} // namespace kanexpr::symbolic::limits

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-namespace kanexpr::symbolic::taylor {
+namespace kanexpr::symbolic::limits {
 
 /// Solves A x = b by elimination with row exchanges, for a square A stored by rows and x holding b on entry;
 /// returns false if a column has no pivot. Overwrites both.
@@ -34,4 +34,4 @@ bool eliminate(std::vector<Number>& a, std::vector<Number>& x, Worth worth) {
   return true;
 }
 
-} // namespace kanexpr::symbolic::taylor
+} // namespace kanexpr::symbolic::limits

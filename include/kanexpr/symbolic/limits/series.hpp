@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace kanexpr::symbolic::taylor {
+namespace kanexpr::symbolic::limits {
 
 /// A truncated Laurent series in ε: terms from a first order, where the coefficient is nonzero, up to an
 /// order from which on the series is unknown. A polynomial is known to all orders.
@@ -154,4 +154,4 @@ inline series integral(const series& a, const coefficient& constant) {
                            [&](int k) { return k == 0 ? coefficient{} : a[k - 1] / coefficient(k); });
 }
 
-} // namespace kanexpr::symbolic::taylor
+} // namespace kanexpr::symbolic::limits

@@ -13,7 +13,7 @@
 #include <vector>
 
 /// Linear systems of series.
-namespace kanexpr::symbolic::taylor {
+namespace kanexpr::symbolic::limits {
 
 /// A x = b with A by rows, or Aᵀ x = b.
 class series_system {
@@ -140,4 +140,4 @@ private:
   std::vector<series> a_, b_;
 };
 
-} // namespace kanexpr::symbolic::taylor
+} // namespace kanexpr::symbolic::limits

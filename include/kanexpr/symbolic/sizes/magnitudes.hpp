@@ -25,7 +25,7 @@ public:
 
   /// Whether a value has no reliable digits, even if its constants are accurate to only ten digits.
   constexpr bool is_nothing_of(int id, double value) const {
-    return elementary::abs(value) <= negligible * size_[id];
+    return numeric::elementary::abs(value) <= negligible * size_[id];
   }
 
 private:
@@ -33,7 +33,7 @@ private:
 
   constexpr double size_of(int id, const evaluation& value) {
     const node& n = g_[id];
-    const double v = elementary::abs(value[id]);
+    const double v = numeric::elementary::abs(value[id]);
     switch (form_of(n.op)) {
     case form::pair:
     case form::factorization: return 0;
@@ -44,7 +44,8 @@ private:
     case form::add:
     case form::subtract: return size_[n.a] + size_[n.b];
     case form::multiply:
-      return size_[n.a] * elementary::abs(value[n.b]) + elementary::abs(value[n.a]) * size_[n.b];
+      return size_[n.a] * numeric::elementary::abs(value[n.b]) +
+             numeric::elementary::abs(value[n.a]) * size_[n.b];
     case form::divide: return over(size_[n.a], value[n.b]) + v * over(size_[n.b], value[n.b]);
     case form::power: return v * (1 + over(size_[n.a], value[n.a]));
     case form::function: return size_of_function(n.op, size_[n.a], value[n.a], value[id]);
@@ -61,22 +62,23 @@ private:
   /// The size of f(x) plus that of its derivative times the terms of x; the derivative of a sine counts as 1
   /// everywhere.
   static constexpr double size_of_function(operation op, double terms, double x, double f) {
-    const double v = elementary::abs(f);
+    const double v = numeric::elementary::abs(f);
     if (op == operation::abs) return terms;
     if (op == operation::sqrt) return over(terms, v);
     if (op == operation::cos) return v + terms * (terms < 1 ? terms : 1);
     if (properties_of(op).is_trigonometric || op == operation::sign) return v + terms;
-    return v + (properties_of(op).is_smooth_at(x) ? elementary::abs(slope_of(op, x, f)) * terms : 0);
+    return v + (properties_of(op).is_smooth_at(x) ? numeric::elementary::abs(slope_of(op, x, f)) * terms : 0);
   }
 
   /// f(a, b) plus its derivatives times the terms of a and b; the derivatives of an angle count as 1 and 0.
   constexpr double size_of_binary_function(const node& n, const evaluation& value, double f) const {
     const binary_function_properties& of = binary_properties_of(n.op);
-    const double v = elementary::abs(f), a = value[n.a], b = value[n.b];
+    const double v = numeric::elementary::abs(f), a = value[n.a], b = value[n.b];
     if (of.is_trigonometric) return v + size_[n.a];
     if (!of.is_smooth_at(a, b)) return v;
     const binary_slopes<double> by = binary_slopes_of(n.op, a, b, f);
-    return v + elementary::abs(by.by_a) * size_[n.a] + elementary::abs(by.by_b) * size_[n.b];
+    return v + numeric::elementary::abs(by.by_a) * size_[n.a] +
+           numeric::elementary::abs(by.by_b) * size_[n.b];
   }
 
   /// The derivatives of a call times the terms of its operands.
@@ -86,12 +88,13 @@ private:
     for (int each : operands) at.push(value[each]);
     double sum = 0;
     for (int i = 0; i < operands.size(); ++i)
-      sum += elementary::abs(generic_value_of(g_.external_at(id).slope(i), at.begin())) * size_[operands[i]];
+      sum += numeric::elementary::abs(generic_value_of(g_.external_at(id).slope(i), at.begin())) *
+             size_[operands[i]];
     return sum;
   }
 
   static constexpr double over(double a, double b) {
-    return numeric::equal(b, 0.0) ? 0 : a / elementary::abs(b);
+    return numeric::equal(b, 0.0) ? 0 : a / numeric::elementary::abs(b);
   }
 
   /// |A⁻¹| (|A| |x| + |b|) for the solution x.
@@ -111,7 +114,7 @@ private:
     numeric::solve_factorized<numeric::constant_elimination_math>(order, &f[0], &x[0]);
     for (int i = 0; i < order; ++i) {
       terms[i] = size_[right[i]];
-      for (int j = 0; j < order; ++j) terms[i] += size_[entry(i, j)] * elementary::abs(x[j]);
+      for (int j = 0; j < order; ++j) terms[i] += size_[entry(i, j)] * numeric::elementary::abs(x[j]);
     }
     const int first = solutions_.size();
     solved_.push(id), places_.push(first);
@@ -120,7 +123,7 @@ private:
       sequence<double> unit(order, 0.0);
       unit[j] = 1;
       numeric::solve_factorized<numeric::constant_elimination_math>(order, &f[0], &unit[0]);
-      for (int i = 0; i < order; ++i) solutions_[first + i] += elementary::abs(unit[i]) * terms[j];
+      for (int i = 0; i < order; ++i) solutions_[first + i] += numeric::elementary::abs(unit[i]) * terms[j];
     }
   }
   constexpr int first_of(int solution) const {

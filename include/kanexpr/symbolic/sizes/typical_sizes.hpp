@@ -42,7 +42,7 @@ private:
   static constexpr bool is_usual(double size) { return size > 1e-4 && size < 1e4; }
   constexpr bool holds_unusual_number() const {
     for (const number& n : g_.numbers()) {
-      const double size = elementary::abs(n.value());
+      const double size = numeric::elementary::abs(n.value());
       if (!numeric::equal(size, 0.0) && !is_usual(size)) return true;
     }
     return false;
@@ -64,7 +64,7 @@ private:
       const int at = symbols_.find(id);
       return at >= 0 ? of_size(sizes_[at]) : estimate_of{1, id, 1};
     }
-    if (n.op == operation::constant) return of_size(elementary::abs(g_.number_at(id).value()));
+    if (n.op == operation::constant) return of_size(numeric::elementary::abs(g_.number_at(id).value()));
     if (n.op >= operation::pair) return {};
     const estimate_of& a = known_[n.a];
     switch (form_of(n.op)) {
@@ -79,8 +79,8 @@ private:
     case form::function:
       switch (properties_of(n.op).unit) {
       case unit_rule::kept: return a;
-      case unit_rule::root: return {elementary::sqrt(a.factor), a.unknown, a.power / 2};
-      case unit_rule::cube_root: return {elementary::cbrt(a.factor), a.unknown, a.power / 3};
+      case unit_rule::root: return {numeric::elementary::sqrt(a.factor), a.unknown, a.power / 2};
+      case unit_rule::cube_root: return {numeric::elementary::cbrt(a.factor), a.unknown, a.power / 3};
       case unit_rule::numbers:
       case unit_rule::dropped: return of_size(1);
       }
@@ -175,7 +175,7 @@ private:
       return;
     const double ratio = size / open.factor;
     symbols_.push(open.unknown);
-    sizes_.push(numeric::equal(open.power, 1.0) ? ratio : elementary::pow(ratio, 1 / open.power));
+    sizes_.push(numeric::equal(open.power, 1.0) ? ratio : numeric::elementary::pow(ratio, 1 / open.power));
     found_ = true;
   }
 

@@ -56,7 +56,7 @@ private:
         both.push({b[j].base, power * b[j].power}), ++j;
       } else {
         const double sum = a[i].power + power * b[j].power;
-        if (elementary::abs(sum) > 1e-9) both.push({a[i].base, sum});
+        if (numeric::elementary::abs(sum) > 1e-9) both.push({a[i].base, sum});
         ++i, ++j;
       }
     return both;

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <kanexpr/batches/with_scalar.hpp>
+#include <kanexpr/lower/pack.hpp>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <type_traits>
+
+namespace kanexpr {
+
+namespace batches {
+
+/// The number of scalars in one vector register.
+template <class Number>
+inline constexpr std::size_t default_lanes =
+    (std::max)(numeric::widest_vector / sizeof(Number), std::size_t{1});
+
+/// Returns the number in a lane; a plain number is returned unchanged.
+template <class Pack>
+auto lane_of(const Pack& pack, [[maybe_unused]] std::size_t lane) {
+  if constexpr (lower::vector_extension<Pack>)
+    return pack[lane];
+  else
+    return pack;
+}
+template <class Pack, class Number>
+void set_lane(Pack& pack, [[maybe_unused]] std::size_t lane, const Number& number) {
+  if constexpr (lower::vector_extension<Pack>)
+    pack[lane] = number;
+  else
+    pack = number;
+}
+
+} // namespace batches
+
+/// Several systems side by side: the arguments and results of a compiled function hold `width` numbers per
+/// entry, so `x[q1]` of a `batch<4>::state<System>` is the coordinate of four systems. Each lane has the same
+/// bits as a separate evaluation. A status covers all lanes: it is good only if every lane is.
+///
+/// The default width fills one vector register of the processor for which the file is compiled.
+template <std::size_t width = batches::default_lanes<double>, class Number = double>
+struct batch {
+  static_assert(std::has_single_bit(width), "the number of lanes of a batch must be a power of two");
+  static_assert(std::is_same_v<Number, double> || std::is_same_v<Number, float>,
+                "the numbers of a batch must be of type double or float");
+
+  static constexpr std::size_t lanes = width;
+  using element = Number;
+  /// A pack of `width` numbers, one of the compiler's vector types.
+  using number = typename numeric::detail::vector_of<Number, width>::type;
+
+  template <class System>
+  using state = kanexpr::state<System, number>;
+  template <class System>
+  using parameters = parameter_values<System, number>;
+  template <class System>
+  using inputs = input_values<System, number>;
+
+  /// Returns the state, parameters, inputs or result of the system in a lane.
+  template <class Vector>
+  static auto get(const Vector& all, std::size_t lane) {
+    batches::with_scalar<Vector, Number> one;
+    for (Eigen::Index i = 0; i < all.size(); ++i) one.data()[i] = batches::lane_of(all.data()[i], lane);
+    return one;
+  }
+  /// Stores the state, parameters, inputs or result of one system in a lane.
+  template <class Vector>
+  static void set(Vector& all, std::size_t lane, const batches::with_scalar<Vector, Number>& one) {
+    for (Eigen::Index i = 0; i < all.size(); ++i) batches::set_lane(all.data()[i], lane, one.data()[i]);
+  }
+};
+
+} // namespace kanexpr

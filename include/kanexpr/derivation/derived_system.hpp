@@ -1,0 +1,99 @@
+#pragma once
+
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/derivation/image_reader.hpp>
+#include <kanexpr/derivation/image_writer.hpp>
+#include <kanexpr/derivation/read/reader.hpp>
+#include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+
+#include <concepts>
+#include <optional>
+#include <utility>
+
+namespace kanexpr::derivation {
+
+/// Reads a system from the types of a model and derives the equations that provide its results. It cannot be
+/// moved. The first mistake stops the derivation.
+class derived_system {
+  // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
+  // declared later in the class
+  template <class Self, class Visit>
+  static constexpr void each_part(Self& self, Visit& visit) {
+    visit(self.system_);
+    visit(self.reader_);
+    visit(*self.equations_);
+  }
+
+public:
+  constexpr explicit derived_system(const system_record& from) : system_(graph_), reader_(from, system_) {
+    reader_.read();
+  }
+  /// Resumes a stored derivation of the same record. It is a template, like `write`, so that files that do
+  /// not derive anything do not instantiate the code it needs.
+  template <std::same_as<image> Image>
+  constexpr derived_system(const system_record& from, const Image& stored)
+      : system_(graph_), reader_(from, system_) {
+    equations_.emplace(system_, mechanics::equations::for_restore{});
+    reader_.know(equations_->known());
+    image_reader read(stored, graph_, system_.mechanism);
+    each_part(*this, read);
+  }
+  derived_system(const derived_system&) = delete;
+  derived_system& operator=(const derived_system&) = delete;
+
+  /// Checks the system for mistakes after it was read.
+  constexpr void check_model() {
+    if (!mistake()) mistake_ = mechanics::check_system(system_);
+    if (!mistake()) reader_.check_listed_are_used();
+  }
+
+  /// Reads the loads that depend on motion and the constraints, and forms the starting point of the
+  /// equations.
+  constexpr void derive() {
+    if (mistake()) return;
+    mechanics::known_motion known(system_.mechanism);
+    reader_.know(known);
+    reader_.read_lagrangian();
+    if (reader_.read_moving_loads() && !mistake())
+      mistake_ = mechanics::check_loads(system_.mechanism, system_.loads, mechanics::contents(graph_));
+    reader_.read_constraints();
+    equations_.emplace(system_, std::move(known));
+    reader_.know(equations_->known());
+    if (!mistake()) equations_->constrain();
+  }
+
+  /// Stores the derivation. Requires that there is no mistake and that `derive` was called.
+  template <std::same_as<image> Image>
+  constexpr void write(Image& into) const {
+    image_writer write(into, graph_);
+    each_part(*this, write);
+  }
+
+  constexpr const sentence& mistake() const {
+    if (reader_.mistake()) return reader_.mistake();
+    if (mistake_ || !equations_.has_value()) return mistake_;
+    return equations_->mistake();
+  }
+
+  constexpr bool is_derived() const { return equations_.has_value(); }
+
+  constexpr symbolic::graph& graph() { return graph_; }
+  constexpr const symbolic::graph& graph() const { return graph_; }
+  constexpr const mechanics::mechanism& mechanism() const { return system_.mechanism; }
+  constexpr derivation::reader& reader() { return reader_; }
+
+  /// Requires that there is no mistake and that `derive` was called.
+  constexpr mechanics::equations& equations() { return *equations_; }
+
+private:
+  symbolic::graph graph_{};
+  mechanics::multibody_system system_;
+  derivation::reader reader_;
+  sentence mistake_{};
+  std::optional<mechanics::equations> equations_{};
+};
+
+} // namespace kanexpr::derivation

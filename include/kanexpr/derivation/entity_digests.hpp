@@ -1,0 +1,181 @@
+#pragma once
+
+#include <kanexpr/base/digest.hpp>
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/derivation/check_words.hpp>
+#include <kanexpr/describe/external.hpp>
+#include <kanexpr/describe/system.hpp>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace kanexpr::derivation {
+
+/// One hash per entity of a system; each covers everything that describes the entity. Two source files may
+/// have different entities of the same name, of which the linker keeps one; a program that derives a system
+/// at run time detects this by comparing with the hashes that the compiler computed in the intended file.
+class entity_digests {
+  using frame_record = describe::frame_record;
+  using point_record = describe::point_record;
+  using phrase = describe::phrase;
+  template <class Record>
+  using listing = describe::listing<Record>;
+  template <class Content>
+  using sequence = symbolic::sequence<Content>;
+
+public:
+  /// The order is: the system, bodies, joints and loads, then the entities that these mention, in order of
+  /// first mention. Therefore the first difference between two descriptions identifies an entity that is
+  /// itself described differently.
+  constexpr explicit entity_digests(const describe::system_record& of) {
+    take_system(of);
+    for (int i = 0; i < of.bodies.size; ++i) take(of.bodies[i]);
+    for (int i = 0; i < of.joints.size; ++i) take(of.joints[i]);
+    for (int i = 0; i < of.loads.size; ++i) take(of.loads[i]);
+    for (int f = 0, p = 0; f < frames_.size() || p < points_.size();) {
+      while (f < frames_.size()) take(*frames_[f++]);
+      while (p < points_.size()) take(*points_[p++]);
+    }
+  }
+
+  constexpr int size() const { return contents_.size(); }
+  constexpr std::uint64_t operator[](int i) const { return contents_[i]; }
+
+  /// Returns a sentence that names the first entity that the intended file describes differently; empty if
+  /// there is none.
+  constexpr sentence unlike(std::span<const std::uint64_t> meant) const {
+    for (int i = 0; i < size() && static_cast<std::size_t>(i) < meant.size(); ++i)
+      if (contents_[i] != meant[static_cast<std::size_t>(i)])
+        return sentence({"two source files have different ", kinds_[i], names_[i]});
+    return {};
+  }
+
+private:
+  constexpr void begin() { now_ = {}; }
+  constexpr void end(std::string_view called, std::string_view kind = "entities called ") {
+    contents_.push(now_.value()), names_.push(called), kinds_.push(kind);
+  }
+
+  template <class Record>
+  constexpr void mention(sequence<const Record*>& known, const Record* one) {
+    int place = one == nullptr ? -1 : known.find(one);
+    if (place < 0 && one != nullptr) place = known.size(), known.push(one);
+    now_.take(place);
+  }
+  constexpr void mention(const frame_record* one) { mention(frames_, one); }
+  constexpr void mention(const point_record* one) { mention(points_, one); }
+
+  constexpr void take(const phrase& p) {
+    now_.take(256 * p.size + static_cast<int>(p.kind));
+    for (int i = 0; i < p.size; ++i) {
+      const describe::token& t = p.tokens[i];
+      now_.take((static_cast<std::uint64_t>(t.what) << 40) ^ (static_cast<std::uint64_t>(t.operation) << 32) ^
+                static_cast<std::uint32_t>(t.index));
+      if (t.what == describe::token_kind::number)
+        now_.take(t.number.numerator), now_.take(t.number.denominator), now_.take(t.number.real);
+      if (t.symbol != nullptr) now_.take(t.symbol->kind), now_.take(t.symbol->called.view());
+      if (t.frame != nullptr) mention(t.frame);
+      if (t.point != nullptr) mention(t.point);
+      if (t.external != nullptr) now_.take(t.external->called);
+    }
+  }
+  constexpr void take(const listing<phrase>& all) {
+    now_.take(all.size);
+    for (int i = 0; i < all.size; ++i) take(all[i]);
+  }
+
+  constexpr void take_system(const describe::system_record& r) {
+    begin();
+    now_.take(r.derived_by);
+    mention(r.inertial);
+    for (const listing<phrase>* each :
+         {&r.coordinates, &r.speeds, &r.parameters, &r.inputs, &r.added_inputs, &r.kinematics,
+          &r.configuration_constraints, &r.velocity_constraints, &r.acceleration_constraints, &r.dependent,
+          &r.auxiliary, &r.values, &r.used_elsewhere, &r.lagrangian})
+      take(*each);
+    for (int i = 0; i < r.redundant.size; ++i) now_.take(r.redundant[i]);
+    for (int each : {r.bodies.size, r.joints.size, r.loads.size, r.reactions.size}) now_.take(each);
+    end("", "systems with the same name");
+  }
+  constexpr void take(const describe::body_record& r) {
+    begin();
+    now_.take(r.called);
+    now_.take(4 * r.rigid + 2 * r.inertia_changes + r.effective);
+    mention(r.center), mention(r.frame), mention(r.inertia_axes), mention(r.about);
+    take(r.mass), take(r.inertia_dyadic);
+    for (const phrase& each : r.inertia) take(each);
+    end(r.called);
+  }
+  constexpr void take(const describe::joint_record& r) {
+    begin();
+    now_.take(r.called);
+    mention(r.frame), mention(r.point), mention(r.home), mention(r.parent_frame), mention(r.parent_point);
+    take(r.axes), take(r.coordinates), take(r.speeds), take(r.kinematics), take(r.place);
+    end(r.called);
+    if (r.body != nullptr) take(*r.body);
+  }
+  constexpr void take(const describe::load_record& r) {
+    begin();
+    now_.take(r.what);
+    mention(r.point), mention(r.other_point), mention(r.frame), mention(r.other_frame);
+    take(r.value), take(r.angle), take(r.rest);
+    end("", "loads with the same name");
+  }
+  constexpr void take(const frame_record& r) {
+    begin();
+    now_.take(r.called);
+    now_.take(2 * static_cast<int>(r.orientation) + r.turns_apart);
+    mention(r.parent), mention(r.reference);
+    for (char letter : r.sequence) now_.take(static_cast<int>(letter));
+    if (r.parent != nullptr)
+      for (const phrase& each : r.given) take(each);
+    take(r.axis), take(r.angular_velocity);
+    end(r.called);
+  }
+  constexpr void take(const point_record& r) {
+    begin();
+    now_.take(r.called);
+    now_.take(2 * r.moves_apart + r.from_parent);
+    mention(r.parent), mention(r.origin_of), mention(r.fixed_in), mention(r.reference);
+    take(r.offset), take(r.velocity);
+    end(r.called);
+  }
+
+  symbolic::digest now_{};
+  sequence<const frame_record*> frames_{};
+  sequence<const point_record*> points_{};
+  sequence<std::uint64_t> contents_{};
+  sequence<std::string_view> names_{}, kinds_{};
+};
+
+/// The hashes of a system as this source file defines it: a combined one, followed by one per entity.
+template <class System>
+constexpr auto digests_in_this_file() {
+  if constexpr (requires { System::record; }) {
+    constexpr int size = words_of<System>.mistake ? 0 : entity_digests(System::record).size();
+    std::array<std::uint64_t, static_cast<std::size_t>(size + 1)> all{};
+    if constexpr (size > 0) {
+      const entity_digests found(System::record);
+      symbolic::digest whole;
+      for (int i = 0; i < size; ++i) all[static_cast<std::size_t>(i + 1)] = found[i], whole.take(found[i]);
+      all[0] = whole.value();
+    }
+    return all;
+  } else {
+    return std::array<std::uint64_t, 1>{};
+  }
+}
+
+/// The hashes for use at compile time, when no other file is known.
+template <class System>
+inline constexpr auto digests_as_read = digests_in_this_file<System>();
+
+/// The hashes for use at run time. The combined hash is part of the name, so that the linker does not
+/// substitute the hashes of another file.
+template <class System, std::uint64_t of_all>
+inline constexpr auto digests_as_meant = digests_as_read<System>;
+
+} // namespace kanexpr::derivation

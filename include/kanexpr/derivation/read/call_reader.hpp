@@ -1,0 +1,100 @@
+#pragma once
+
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/derivation/read/reading.hpp>
+#include <kanexpr/derivation/read/senseless.hpp>
+#include <kanexpr/derivation/read/value.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/compose.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+
+#include <string_view>
+
+namespace kanexpr::derivation {
+
+/// Applies functions of several operands: functions composed of other operations, tables, and user functions.
+class call_reader {
+public:
+  constexpr explicit call_reader(reading& all) : reading_(all), m_(all.into.mechanism) {}
+
+  static constexpr const symbolic::composition_word& word_of(const describe::token& t) {
+    return symbolic::word_of(static_cast<symbolic::composition>(t.index));
+  }
+
+  constexpr void compose(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+    const symbolic::composition_word& f = word_of(t);
+    const int given = static_cast<int>(t.number.numerator);
+    sequence<expression> operands;
+    for (int i = stack.size() - given; i < stack.size(); ++i) {
+      if (stack[i].kind != shape::scalar)
+        return reading_.fail({reading_.part, whom, " applies ", f.name, " to ", a_kind(stack[i].kind)});
+      operands.push(stack[i].scalar);
+    }
+    if (f.operands == symbolic::any_number && !check_table(f, operands, whom)) return;
+    if (given != f.operands && f.operands != symbolic::any_number)
+      return reading_.fail({reading_.part, whom, " calls ", f.name, " with ",
+                            mechanics::counted(given).view(), given == 1 ? " argument" : " arguments",
+                            "; it takes ", mechanics::counted(f.operands).view()});
+    if (f.is == symbolic::composition::clamp && symbolic::is_out_of_order(operands[1], operands[2]))
+      return reading_.fail(
+          {reading_.part, whom, " contains clamp with limits out of order; write clamp(x, least, most)"});
+    for (int i = 0; i < given; ++i) stack.pop();
+    stack.push(value::of(symbolic::compose(f.is, operands)));
+  }
+
+  /// Calls a user function.
+  constexpr void call(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+    const describe::external_record& f = *t.external;
+    const int given = static_cast<int>(t.number.numerator);
+    sequence<expression> operands;
+    for (int i = stack.size() - given; i < stack.size(); ++i) {
+      if (stack[i].kind != shape::scalar)
+        return reading_.fail({reading_.part, whom, " applies ", f.called, " to ", a_kind(stack[i].kind)});
+      operands.push(stack[i].scalar);
+    }
+    if (f.operands != 0)
+      return reading_.fail({reading_.part, whom, " calls ", f.called, " with ",
+                            mechanics::counted(given).view(), given == 1 ? " argument" : " arguments",
+                            "; it takes ", mechanics::counted(f.operands).view()});
+    if (f.function == nullptr)
+      return reading_.fail(
+          {reading_.part, whom, " calls ", f.called, f.mistake.whose, f.mistake.what, f.mistake.numbers});
+    for (const symbolic::external_function* other : m_.g->externals())
+      if (other != f.function && other->called == f.function->called)
+        return reading_.fail({reading_.part, whom, " calls ", f.called,
+                              ", but a different function of the model has the same name"});
+    for (int i = 0; i < given; ++i) stack.pop();
+    stack.push(value::of(symbolic::call(*f.function, operands)));
+  }
+
+private:
+  /// Checks the points of a table, which follow its argument: there must be at least two, in increasing
+  /// order, and the last value of a periodic table must equal the first.
+  constexpr bool check_table(const symbolic::composition_word& f, const sequence<expression>& x,
+                             std::string_view whom) {
+    const int points = (x.size() - 1) / 2;
+    const auto say = [&](std::initializer_list<std::string_view> what) {
+      const mechanics::sentence rest(what);
+      reading_.fail({reading_.part, whom, " contains ", f.name, "<...> ", rest.view()});
+    };
+    if (x.size() % 2 == 0 || points < 2)
+      say({"with ", mechanics::counted(x.size() - 1).view(), x.size() == 2 ? " scalar" : " scalars",
+           "; it takes two or more points, each an argument and a value"});
+    for (int i = 0; i + 1 < points && !reading_.mistake; ++i) {
+      const expression from = x[2 * i + 1], to = x[2 * i + 3];
+      if (from.is_constant() && to.is_constant() && !(number_at(from) < number_at(to)))
+        say({"whose arguments do not increase at point ", mechanics::counted(i + 2).view()});
+    }
+    if (!reading_.mistake && f.is == symbolic::composition::periodic && !(x[2] == x.back()))
+      say({"whose last value differs from the first"});
+    return !reading_.mistake;
+  }
+  constexpr double number_at(const expression& e) const { return m_.g->number_at(e.node()).value(); }
+
+  reading& reading_;
+  mechanism& m_;
+};
+
+} // namespace kanexpr::derivation

@@ -1,0 +1,264 @@
+#pragma once
+
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/derivation/read/freed_joints.hpp>
+#include <kanexpr/derivation/read/phrase_reader.hpp>
+#include <kanexpr/describe/frame.hpp>
+#include <kanexpr/mechanics/checks/check.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/fixed.hpp>
+#include <kanexpr/mechanics/model/frames.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/model/points.hpp>
+#include <kanexpr/mechanics/model/turned_with.hpp>
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <string_view>
+
+namespace kanexpr::derivation {
+
+/// Reads the frames and points of a model, each at its first mention, after all entities on which it depends.
+class entity_reader {
+public:
+  constexpr entity_reader(reading& all, phrase_reader& phrases)
+      : reading_(all), m_(all.into.mechanism), phrases_(phrases), freed_(all) {}
+
+  /// Reads the entities that a phrase mentions.
+  constexpr void visit(const describe::token* tokens, int size, std::string_view whom = "an expression") {
+    phrases_.check_written({shape::scalar, tokens, size}, whom);
+    mechanics::known_motion* const known = reading_.known;
+    if (reading_.from.inertial != nullptr)
+      reading_.known = nullptr; // only a system given by words can mention additional entities
+    for (int i = 0; i < size && !reading_.mistake; ++i) {
+      if (tokens[i].frame != nullptr) frame(tokens[i].frame, whom);
+      if (tokens[i].point != nullptr) point(tokens[i].point, whom);
+    }
+    reading_.known = known;
+  }
+
+  /// Adds entities that phrases mention but the system itself does not use to a derived system. If there is a
+  /// mistake, they are discarded, because the system is valid without them.
+  constexpr void add_late_entities() {
+    if (reading_.known == nullptr) return;
+    const mechanics::skeleton& s = reading_.known->skeleton_used();
+    const int frames = s.rigid_with.size(), points = s.station_of_point.size();
+    if (!reading_.mistake && reading_.known->lacks_any()) {
+      reading_.mistake = mechanics::check_added_entities(reading_.into, frames, points);
+      if (!reading_.mistake) reading_.known->extend();
+    }
+    if (reading_.mistake) forget_after(frames, points);
+  }
+
+  /// The state that is kept if there is no mistake and nothing is being read.
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.frames_);
+    visit(self.places_of_frames_);
+    visit(self.points_);
+  }
+
+  /// Returns the index of a frame that `whom` mentions; reads the frame and its ancestors if necessary.
+  constexpr int frame(const frame_record* r, std::string_view whom) {
+    for (int i = 0; i < frames_.size(); ++i)
+      if (frames_[i] == r) return places_of_frames_[i];
+    if (reading_.known != nullptr)
+      reading_.fail({"frame ", r->called, " of ", whom, " is not part of the derived system"});
+    check_frame(*r, whom);
+    if (reading_.mistake) return mechanism::inertial;
+    const int describing_before = reading_.describing;
+    reading_.describing = none;
+    open_frames_.push(r);
+    const frame_record& record = *freed_.record_of(r);
+    const int parent = record.parent != nullptr ? frame(record.parent, record.called) : none;
+    if (reading_.mistake) return mechanism::inertial;
+    const frame_record* const parent_before = reading_.parent;
+    reading_.parent = record.parent;
+    const int place = add_frame(record, parent);
+    reading_.parent = parent_before;
+    open_frames_.pop();
+    frames_.push(r);
+    places_of_frames_.push(place);
+    if (record.reference != nullptr && !reading_.mistake) {
+      reading_.describing = place;
+      const int reference = frame(record.reference, record.called);
+      const mechanics::vector w = phrases_.vector_of(
+          record.angular_velocity, {"the angular velocity of frame ", record.called}, record.called);
+      freed_.check_is_held(record);
+      if (!reading_.mistake) mechanics::declare_angular_velocity(m_, place, reference, w, record.turns_apart);
+    }
+    reading_.describing = describing_before;
+    return place;
+  }
+
+  constexpr int point(const point_record* r, std::string_view whom) {
+    const int present = points_.find(r);
+    if (present >= 0) return present;
+    if (reading_.known != nullptr)
+      reading_.fail({"point ", r->called, " of ", whom, " is not part of the derived system"});
+    check_point(*r, whom);
+    if (reading_.mistake) return 0;
+    const point_record& record = *freed_.record_of(r);
+    mechanics::point p;
+    p.called = symbolic::name(record.called);
+    if (record.parent != nullptr) {
+      open_points_.push(r);
+      p.parent = point(record.parent, record.called);
+      open_points_.pop();
+      p.offset = phrases_.vector_of(record.offset, {"the offset of point ", record.called}, record.called);
+      const frame_record* const on = freed_.frame_below(record);
+      if (on != nullptr && !reading_.mistake)
+        p.offset = mechanics::turned_with(m_, p.offset, frame(on, record.called));
+    } else if (frame(record.origin_of, record.called) != mechanism::inertial) {
+      reading_.fail(
+          {"origin ", r->called, " is not fixed in the inertial frame; a point that moves needs an offset"});
+    }
+    if (record.fixed_in != nullptr) p.fixed_in = frame(record.fixed_in, record.called);
+    if (record.reference != nullptr) {
+      const int reference = frame(record.reference, record.called);
+      const mechanics::vector v =
+          phrases_.vector_of(record.velocity, {"the velocity of point ", record.called}, record.called);
+      p.moves_apart = record.moves_apart;
+      if (reference == mechanism::inertial && !record.from_parent) freed_.check_is_held(record);
+      if (record.from_parent)
+        mechanics::declare_velocity_from_parent(p, reference, v);
+      else
+        mechanics::declare_velocity(p, reference, v);
+    }
+    if (reading_.mistake) return 0;
+    points_.push(r);
+    return m_.points.push(p);
+  }
+
+private:
+  constexpr bool is_listed(const frame_record& of_joint) const {
+    for (int i = 0; i < reading_.from.joints.size; ++i)
+      if (reading_.from.joints[i].frame == &of_joint) return true;
+    return false;
+  }
+
+  constexpr void forget_after(int frames, int points) {
+    for (; !frames_.empty() && places_of_frames_.back() >= frames; frames_.pop()) places_of_frames_.pop();
+    while (m_.frames.size() > frames) m_.frames.pop();
+    while (points_.size() > points) points_.pop();
+    while (m_.points.size() > points) m_.points.pop();
+    open_frames_.clear();
+    open_points_.clear();
+  }
+
+  /// Reports a type that is used as a frame or point but is neither.
+  constexpr void fail_by_kind(std::string_view kind, std::string_view called, std::string_view whom,
+                              std::string_view instead, std::string_view its_own) {
+    if (instead.empty())
+      return reading_.fail(
+          {called, ", which ", whom, " uses as a ", kind, ", is not a ", kind, ", or is defined later"});
+    const bool has_own = !its_own.empty();
+    reading_.fail({called, ", which ", whom, " uses as a ", kind, ", is ", instead, has_own ? "; its " : "",
+                   has_own ? kind : "", has_own ? " is " : "", its_own});
+  }
+
+  constexpr void check_frame(const frame_record& r, std::string_view whom) {
+    if (r.unparsed) return reading_.fail_by_unparsed(r.called, whom);
+    if (!reading_.check_base_conflict(r.conflict, r.called)) return;
+    if (r.calls_itself.empty()) return fail_by_kind("frame", r.called, whom, r.instead, r.its_own);
+    if (r.called != r.calls_itself) return reading_.fail_by_self("frame ", r.called, r.calls_itself);
+    if (r.is_of_joint && !is_listed(r))
+      return reading_.fail({"joint ", r.called, ", which ", whom, " uses, is not listed in joints<...>"});
+    if (!r.fits) return reading_.wrong_count("frame ", r.called, r.fits);
+    if (&r == reading_.from.inertial && r.orientation != describe::orientation_word::inertial)
+      reading_.fail(
+          {"inertial<...> names frame ", r.called, ", which is oriented relative to ", r.parent->called});
+    if (r.orientation == describe::orientation_word::inertial && &r != reading_.from.inertial)
+      reading_.fail({"frame ", r.called, ", which ", whom, " uses, is not connected to the inertial frame ",
+                     reading_.from.inertial->called});
+    if (&r == reading_.from.inertial && r.reference != nullptr)
+      reading_.fail({"the inertial frame ", r.called, " has a declared angular velocity"});
+    if (open_frames_.contains(&r)) reading_.fail({"frame ", r.called, " is oriented relative to itself"});
+    for (const sequence<const frame_record*>* list : {&frames_, &open_frames_})
+      for (const frame_record* f : *list)
+        if (f->called == r.called) reading_.fail({"two frames are called ", r.called});
+  }
+
+  constexpr void check_point(const point_record& r, std::string_view whom) {
+    if (r.unparsed) return reading_.fail_by_unparsed(r.called, whom);
+    if (!reading_.check_base_conflict(r.conflict, r.called)) return;
+    if (r.calls_itself.empty()) return fail_by_kind("point", r.called, whom, r.instead, r.its_own);
+    if (r.called != r.calls_itself) return reading_.fail_by_self("point ", r.called, r.calls_itself);
+    if (!r.fits) return reading_.wrong_count("point ", r.called, r.fits);
+    if (r.parent == nullptr && (r.fixed_in != nullptr || r.reference != nullptr))
+      reading_.fail(
+          {"point ", r.called, " is an origin, fixed in the inertial frame, but has a declared motion"});
+    if (open_points_.contains(&r)) reading_.fail({"point ", r.called, " is offset from itself"});
+    for (const sequence<const point_record*>* list : {&points_, &open_points_})
+      for (const point_record* p : *list)
+        if (p->called == r.called) reading_.fail({"two points are called ", r.called});
+    if (r.fixed_in != nullptr && r.reference != nullptr)
+      reading_.fail(
+          {"point ", r.called, " is fixed in ", r.fixed_in->called, ", but also has a declared velocity"});
+  }
+
+  constexpr int add_frame(const frame_record& r, int parent) {
+    using describe::orientation_word;
+    const symbolic::name called(r.called);
+    sequence<expression> given;
+    for (const phrase& p : r.given) {
+      if (p.kind == shape::nothing) continue;
+      const bool is_left_out = r.reference != nullptr && p.is_whole_zero();
+      given.push(is_left_out ? m_.zero() : phrases_.scalar_of(p, {r.given_as, r.called}, r.called));
+    }
+    if (reading_.mistake) return mechanism::inertial;
+    switch (r.orientation) {
+    case orientation_word::inertial: return mechanics::add_inertial_frame(m_, called);
+    case orientation_word::rotated: {
+      const mechanics::vector axis = phrases_.vector_of(r.axis, {"the axis of frame ", r.called}, r.called);
+      if (reading_.mistake) return mechanism::inertial;
+      const components a = mechanics::express(m_, axis, parent);
+      if (a.is_zero()) reading_.fail({"frame ", r.called, " is rotated about an axis of zero length"});
+      if (!mechanics::is_fixed(a))
+        reading_.fail(
+            {"frame ", r.called, " is rotated about an axis that is not fixed in ", r.parent->called});
+      return reading_.mistake ? mechanism::inertial
+                              : mechanics::add_rotated_frame(m_, called, parent, given[0], a);
+    }
+    case orientation_word::body_fixed:
+    case orientation_word::space_fixed:
+      if (!mechanics::is_sequence({r.sequence, 3})) {
+        reading_.fail(
+            {"frame ", r.called,
+             " has an invalid rotation sequence; use three axes, no two consecutive ones equal: zxz"});
+        return mechanism::inertial;
+      }
+      return mechanics::add_frame_by_sequence(m_, called, parent, {r.sequence, 3}, given,
+                                              r.orientation == orientation_word::space_fixed);
+    case orientation_word::quaternion:
+      return mechanics::add_frame_by_quaternion(m_, called, parent, given[0], given[1], given[2], given[3]);
+    case orientation_word::modified_rodrigues:
+      return mechanics::add_frame_by_modified_rodrigues(m_, called, parent, {given[0], given[1], given[2]});
+    case orientation_word::direction_cosines: {
+      matrix3 to_parent(*m_.g);
+      for (int i = 0; i < 9; ++i) to_parent(i / 3, i % 3) = given[i];
+      return mechanics::add_frame_by_matrix(m_, called, parent, to_parent);
+    }
+    }
+    return mechanism::inertial;
+  }
+
+  reading& reading_;
+  mechanism& m_;
+  phrase_reader& phrases_;
+  freed_joints freed_;
+  sequence<const frame_record*> frames_{};
+  sequence<int> places_of_frames_{}; ///< a sequence of rotations has intermediate frames
+  sequence<const point_record*> points_{};
+  sequence<const frame_record*> open_frames_{}; ///< currently being read
+  sequence<const point_record*> open_points_{};
+};
+
+constexpr entity_lookup lookup_in(entity_reader& all) {
+  return {
+      all,
+      [](entity_reader& with, const frame_record* r, std::string_view whom) { return with.frame(r, whom); },
+      [](entity_reader& with, const point_record* r, std::string_view whom) { return with.point(r, whom); }};
+}
+
+} // namespace kanexpr::derivation

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/derivation/read/body_reader.hpp>
+#include <kanexpr/derivation/read/kinematics_reader.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+
+#include <string_view>
+
+namespace kanexpr::derivation {
+
+using describe::joint_record;
+
+/// Reads the contributions of joints to a model, except for their symbols, which follow those of the model's
+/// lists.
+class joint_reader {
+public:
+  constexpr joint_reader(reading& all, entity_reader& entities, body_reader& bodies,
+                         kinematics_reader& kinematics, phrase_reader& phrases)
+      : reading_(all), phrases_(phrases), entities_(entities), bodies_(bodies), kinematics_(kinematics) {}
+
+  /// Checks all joints; called before any part of them is read.
+  constexpr void check_all() {
+    for (int i = 0; i < reading_.from.joints.size && !reading_.mistake; ++i) {
+      const joint_record& r = reading_.from.joints[i];
+      check_joint(r);
+      for (int j = 0; j < i; ++j)
+        if (&reading_.from.joints[j] == &r)
+          reading_.fail({"joint ", r.called, " is listed twice"});
+        else if (reading_.from.joints[j].called == r.called)
+          reading_.fail({"two joints are called ", r.called});
+    }
+    for (int i = 0; i < reading_.from.reactions.size && !reading_.mistake; ++i)
+      check_reaction(reading_.from.reactions[i]);
+  }
+
+  /// Reads a joint and its body, which are part of the system even if nothing else mentions them. A joint
+  /// that contributes neither motion nor mass is an exception: its point would only be one more candidate
+  /// wherever a reference point is chosen.
+  constexpr void read(const joint_record& r) {
+    check_axes(r);
+    if (!reading_.mistake && r.place.kind != shape::nothing) check_place(r);
+    if (r.speeds.size == 0 && r.body == nullptr) return;
+    if (!reading_.mistake) entities_.frame(r.frame, "joints<...>");
+    if (!reading_.mistake) entities_.point(r.point, "joints<...>");
+    if (!reading_.mistake && r.body != nullptr) bodies_.read(*r.body);
+  }
+
+  constexpr void read_kinematics() {
+    for (int i = 0; i < reading_.from.joints.size; ++i) {
+      const describe::listing<phrase>& equations = reading_.from.joints[i].kinematics;
+      for (int j = 0; j < equations.size && !reading_.mistake; ++j) kinematics_.read(equations[j]);
+    }
+  }
+
+private:
+  constexpr void check_joint(const joint_record& r) {
+    if (r.unparsed) return reading_.fail_by_unparsed(r.called, "joints<...>");
+    if (!reading_.check_base_conflict(r.conflict, r.called)) return;
+    if (r.calls_itself.empty())
+      return reading_.fail({"joints<...> lists ", short_name(r.called).view(), ", which is ",
+                            r.instead.empty() ? "not a joint" : r.instead});
+    if (r.called != r.calls_itself) return reading_.fail_by_self("joint ", r.called, r.calls_itself);
+    if (!r.mistake.empty())
+      return reading_.fail({"joint ", r.called, " ", r.mistake, r.form.empty() ? "" : "; write ", r.form});
+    if (r.parent_frame->calls_itself.empty())
+      check_parent(r, r.parent_frame->called, r.parent_frame->instead);
+    else if (r.parent_point->calls_itself.empty())
+      check_parent(r, r.parent_point->called, r.parent_point->instead);
+  }
+
+  constexpr void check_parent(const joint_record& r, std::string_view parent, std::string_view instead) {
+    if (instead.empty())
+      return reading_.fail({"joint ", r.called, " is attached to ", short_name(parent).view(),
+                            ", which is not a joint, or is defined later"});
+    reading_.fail({"joint ", r.called, " is attached to ", parent, ", which is ", instead,
+                   "; write frame_and_point<frame, point>"});
+  }
+
+  constexpr void check_axes(const joint_record& r) {
+    sequence<mechanics::components> axes;
+    for (int i = 0; i < r.axes.size; ++i) {
+      const mechanics::vector given =
+          phrases_.vector_of(r.axes[i], {"the axis of joint ", r.called}, r.called);
+      const int home = entities_.frame(r.home, r.called);
+      if (reading_.mistake) return;
+      axes.push(mechanics::express(reading_.into.mechanism, given, home));
+      if (axes.back().is_zero()) return reading_.fail({"joint ", r.called, " has an axis of zero length"});
+      if (!mechanics::is_fixed(axes.back()))
+        return reading_.fail(
+            {"joint ", r.called, " has an axis that is not fixed in ", r.parent_frame->called});
+    }
+    if (axes.size() == 2 && cross(axes[0], axes[1]).is_zero())
+      reading_.fail({"joint ", r.called, " has two parallel axes"});
+  }
+
+  /// Checks that the location of a joint turns with its parent.
+  constexpr void check_place(const joint_record& r) {
+    const mechanics::vector given =
+        phrases_.vector_of(r.place, {"the position of joint ", r.called}, r.called);
+    const int parent = entities_.frame(r.parent_frame, r.called);
+    if (!reading_.mistake && !mechanics::is_along_still_axes(reading_.into.mechanism, given, parent))
+      reading_.fail(
+          {"joint ", r.called, " is placed along axes that are not fixed in ", r.parent_frame->called});
+  }
+
+  constexpr void check_reaction(const describe::reaction_record& r) {
+    if (r.joint == nullptr)
+      return reading_.fail(
+          {"reactions are requested for ", short_name(r.called).view(), ", which is not a joint"});
+    for (int i = 0; i < reading_.from.joints.size; ++i)
+      if (&reading_.from.joints[i] == r.joint) return;
+    reading_.fail({"reactions are requested for joint ", r.called, ", which is not listed in joints<...>"});
+  }
+
+  reading& reading_;
+  phrase_reader& phrases_;
+  entity_reader& entities_;
+  body_reader& bodies_;
+  kinematics_reader& kinematics_;
+};
+
+} // namespace kanexpr::derivation

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <kanexpr/derivation/read/entity_reader.hpp>
+#include <kanexpr/describe/lagrange_system.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <string_view>
+
+namespace kanexpr::derivation {
+
+/// Reads the parts that are specific to Lagrange's method: the rates of the coordinates as speeds, and the
+/// Lagrangian if the model specifies it. The symbols of the Lagrangian are read with all others; it is
+/// evaluated when velocities are known.
+class lagrange_reader {
+public:
+  constexpr lagrange_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases,
+                            entity_reader& entities)
+      : reading_(all), m_(all.into.mechanism), symbols_(symbols), phrases_(phrases), entities_(entities) {}
+
+  /// Evaluates the Lagrangian; requires that `know` was called.
+  constexpr void read_lagrangian() {
+    if (reading_.mistake || !reading_.into.loads.has_lagrangian) return;
+    reading_.into.loads.lagrangian =
+        phrases_.scalar_of(reading_.from.lagrangian[0], {"", the_lagrangian}, the_lagrangian);
+  }
+
+  /// Takes the rates of the coordinates as speeds; requires that the list of coordinates was read.
+  constexpr void read_rates() {
+    if (!reading_.takes_rates_as_speeds()) return;
+    m_.derived_by = mechanics::method::lagrange;
+    m_.take_rates_as_speeds();
+    for (const expression& u : m_.speeds)
+      symbols_.claim_name(m_.g->symbol_at(u.node()).called, symbol_list::rates_of_coordinates);
+  }
+
+  constexpr void visit_lagrangian() {
+    if (reading_.mistake || reading_.from.lagrangian.size == 0) return;
+    if (reading_.from.lagrangian.size > 1) return reading_.fail({"lagrangian<...> takes one expression"});
+    const phrase& p = reading_.from.lagrangian[0];
+    if (p.kind != shape::scalar && p.kind != shape::vector &&
+        p.kind != shape::dyadic) // see `read_lagrangian`
+      return reading_.fail({the_lagrangian, is_a(p.kind), "it must be a scalar"});
+    reading_.into.loads.has_lagrangian = true;
+    entities_.visit(p.tokens, p.size, the_lagrangian);
+    for (int i = 0; i < p.size && !reading_.mistake; ++i)
+      if (p.tokens[i].symbol != nullptr) symbols_.symbol(*p.tokens[i].symbol, the_lagrangian);
+  }
+
+private:
+  static constexpr std::string_view the_lagrangian = "the Lagrangian";
+
+  reading& reading_;
+  mechanism& m_;
+  symbol_reader& symbols_;
+  phrase_reader& phrases_;
+  entity_reader& entities_;
+};
+
+} // namespace kanexpr::derivation

@@ -1,0 +1,155 @@
+#pragma once
+
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/derivation/read/constraint_reader.hpp>
+#include <kanexpr/derivation/read/joint_reader.hpp>
+#include <kanexpr/derivation/read/lagrange_reader.hpp>
+#include <kanexpr/derivation/read/load_reader.hpp>
+#include <kanexpr/derivation/read/value_reader.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string_view>
+
+namespace kanexpr::derivation {
+
+/// Reads the records of a model into a system, starting from bodies and loads and following references to
+/// everything that they use. The first mistake stops the reading and is kept as a sentence. Each part of a
+/// model has its own reader; the readers share a `reading`.
+class reader {
+public:
+  constexpr reader(const system_record& from, mechanics::multibody_system& into) : reading_(from, into) {}
+  reader(const reader&) = delete;
+  reader& operator=(const reader&) = delete;
+
+  /// The known symbols and entities, if there is no mistake.
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.symbols_);
+    visit(self.entities_);
+  }
+
+  constexpr const sentence& mistake() const { return reading_.mistake; }
+  /// Whether the mistake concerns a type about which the compiler has already reported an error.
+  constexpr bool follows_from_unparsed() const { return reading_.follows_from_unparsed; }
+  /// Discards the mistake of a requested expression; everything that was read before remains valid.
+  constexpr void forget_mistake() { reading_.mistake = {}, reading_.follows_from_unparsed = false; }
+  /// Also discards the symbols that it added.
+  constexpr symbol_reader::count symbols_known() const { return symbols_.symbols_known(); }
+  constexpr void forget_mistake(const symbol_reader::count& known) {
+    forget_mistake();
+    symbols_.forget_all_but(known);
+  }
+  /// Records this sentence as the mistake, if it is the first.
+  constexpr void refuse(std::string_view because) { reading_.fail({because}); }
+
+  /// Reads the moving parts, and the loads and constraints as far as they do not depend on velocities.
+  constexpr void read() {
+    const system_record& from = reading_.from;
+    if (from.inertial == nullptr) return reading_.fail({"inertial<...> takes one frame"});
+    read_lists();
+    if (reading_.mistake) return;
+    entities_.frame(from.inertial, "the system");
+    lagrange_.visit_lagrangian();
+    for (int i = 0; i < from.bodies.size && !reading_.mistake; ++i) bodies_.read(from.bodies[i]);
+    for (int i = 0; i < from.joints.size && !reading_.mistake; ++i) joints_.read(from.joints[i]);
+    for (int i = 0; i < from.loads.size && !reading_.mistake; ++i) loads_.read_load(from.loads[i]);
+    for (int i = 0; i < from.kinematics.size && !reading_.mistake; ++i) kinematics_.read(from.kinematics[i]);
+    if (!reading_.takes_rates_as_speeds()) joints_.read_kinematics();
+    kinematics_.add_simple();
+    constraints_.visit_constraints();
+    for (int i = 0; i < from.used_elsewhere.size && !reading_.mistake; ++i)
+      symbols_.mention_elsewhere(from.used_elsewhere[i]);
+    if (!reading_.mistake) symbols_.place_added_inputs();
+    symbols_.check_values_are_used();
+  }
+
+  /// Checks that every listed symbol is used. Requires that `read` was called.
+  constexpr void check_listed_are_used() { symbols_.check_listed_are_used(); }
+
+  /// Allows phrases to use positions, velocities and derivatives from now on.
+  constexpr void know(mechanics::known_motion& of) { reading_.known = &of; }
+  constexpr void read_lagrangian() { lagrange_.read_lagrangian(); }
+  /// Reads the loads that depend on motion; returns whether there are any.
+  constexpr bool read_moving_loads() { return loads_.read_moving_loads(); }
+  constexpr void read_constraints() { constraints_.read_constraints(); }
+
+  /// Reads the entities that a phrase mentions; `add_late_entities` adds them to a derived system.
+  constexpr void visit(const describe::token* tokens, int size) { entities_.visit(tokens, size); }
+  constexpr void add_late_entities() { entities_.add_late_entities(); }
+  /// Returns the value of a phrase of `whom`.
+  constexpr value evaluate(const phrase& p, std::string_view whom) { return phrases_.evaluate(p, whom); }
+  constexpr expression symbol(const symbol_record& r, std::string_view whom) {
+    return symbols_.symbol(r, whom);
+  }
+  /// Adds a parameter that the model itself does not mention, after all others.
+  constexpr void admit_parameter(const symbol_record& r) { symbols_.admit_parameter(r); }
+
+private:
+  constexpr void read_coordinates(const describe::listing<phrase>& listed) {
+    for (int i = 0; i < listed.size; ++i)
+      if (const symbol_record* s =
+              symbols_.listed_symbol(listed[i], symbolic::symbol_kind::coordinate, symbol_list::coordinates))
+        m_.coordinate(s->called);
+  }
+  constexpr void read_speeds(const describe::listing<phrase>& listed) {
+    for (int i = 0; i < listed.size; ++i)
+      if (const symbol_record* s =
+              symbols_.listed_symbol(listed[i], symbolic::symbol_kind::speed, symbol_list::speeds))
+        m_.speed(s->called);
+  }
+  constexpr void read_auxiliary_speeds(const describe::listing<phrase>& listed, bool of_reaction) {
+    for (int i = 0; i < listed.size; ++i)
+      if (const symbol_record* s = symbols_.listed_symbol(listed[i], symbolic::symbol_kind::speed,
+                                                          symbol_list::auxiliary_speeds)) {
+        if (of_reaction)
+          m_.auxiliary_speed(s->called);
+        else
+          symbols_.place_auxiliary_speed(*s);
+      }
+  }
+
+  constexpr void read_lists() {
+    const system_record& from = reading_.from;
+    joints_.check_all();
+    if (reading_.mistake) return;
+    read_coordinates(from.coordinates);
+    for (int i = 0; i < from.joints.size; ++i) read_coordinates(from.joints[i].coordinates);
+    lagrange_.read_rates();
+    read_speeds(from.speeds);
+    if (!reading_.takes_rates_as_speeds())
+      for (int i = 0; i < from.joints.size; ++i) read_speeds(from.joints[i].speeds);
+    read_auxiliary_speeds(from.auxiliary, false);
+    for (int i = 0; i < from.reactions.size; ++i) read_auxiliary_speeds(from.reactions[i].speeds, true);
+    for (int i = 0; i < from.values.size; ++i) values_.read(from.values[i]);
+    for (int i = 0; i < from.parameters.size; ++i)
+      if (const symbol_record* s = symbols_.listed_symbol(
+              from.parameters[i], symbolic::symbol_kind::parameter, symbol_list::parameters))
+        symbols_.place_parameter(*s);
+    for (int i = 0; i < from.inputs.size; ++i)
+      if (const symbol_record* s =
+              symbols_.listed_symbol(from.inputs[i], symbolic::symbol_kind::input, symbol_list::inputs))
+        symbols_.place_listed_input(*s);
+    for (int i = 0; i < from.inputs.size && !reading_.mistake; ++i)
+      symbols_.check_derivative(*from.inputs[i].tokens[0].symbol);
+    for (int i = 0; i < from.dependent.size && !reading_.mistake; ++i)
+      constraints_.read_dependent(from.dependent[i]);
+    for (int i = 0; i < from.redundant.size; ++i) reading_.into.constraints.redundant.push(from.redundant[i]);
+  }
+
+  reading reading_;
+  mechanism& m_ = reading_.into.mechanism;
+  symbol_reader symbols_{reading_};
+  phrase_reader phrases_{reading_, symbols_, lookup_in(entities_)};
+  entity_reader entities_{reading_, phrases_};
+  value_reader values_{reading_, symbols_, phrases_};
+  lagrange_reader lagrange_{reading_, symbols_, phrases_, entities_};
+  body_reader bodies_{reading_, phrases_, entities_};
+  load_reader loads_{reading_, symbols_, phrases_, entities_};
+  kinematics_reader kinematics_{reading_, phrases_, entities_};
+  joint_reader joints_{reading_, entities_, bodies_, kinematics_, phrases_};
+  constraint_reader constraints_{reading_, symbols_, phrases_, entities_};
+};
+
+} // namespace kanexpr::derivation

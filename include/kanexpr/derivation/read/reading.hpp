@@ -1,0 +1,71 @@
+#pragma once
+
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/derivation/read/base_conflict_wording.hpp>
+#include <kanexpr/derivation/read/wording.hpp>
+#include <kanexpr/describe/system.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/motion/known_motion.hpp>
+#include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <string_view>
+
+namespace kanexpr::derivation {
+
+using describe::point_record;
+using describe::system_record;
+using mechanics::mechanism;
+using mechanics::none;
+using mechanics::sentence;
+using symbolic::expression;
+using symbolic::sequence;
+
+/// The state shared by all readers of a model: its records, the system that is built, the current position
+/// and the first mistake.
+struct reading {
+  const system_record& from;
+  mechanics::multibody_system& into;
+  mechanics::known_motion* known = nullptr; ///< null while frames and points are read
+  std::string_view part{}; ///< the part of an entity that is being read: "the offset of point "
+  const describe::frame_record* parent = nullptr; ///< the parent of the frame whose orientation is being read
+  int describing = none;                          ///< the frame that `own` denotes
+  sentence mistake{};
+  bool follows_from_unparsed =
+      false; ///< the mistake concerns a type about which the compiler has already reported an error
+
+  constexpr reading(const system_record& records, mechanics::multibody_system& system)
+      : from(records), into(system) {}
+
+  /// True for Lagrange's method.
+  constexpr bool takes_rates_as_speeds() const { return from.derived_by == describe::method::lagrange; }
+
+  constexpr void fail(std::initializer_list<std::string_view> pieces) {
+    if (!mistake) mistake = sentence(pieces);
+  }
+
+  constexpr void fail_by_unparsed(std::string_view called, std::string_view whom) {
+    if (!mistake) follows_from_unparsed = true;
+    fail({called, ", which ", whom, " uses, has no base class"});
+  }
+
+  /// Checks that an entity does not have a word twice and has only words that belong to it.
+  constexpr bool check_base_conflict(describe::base_conflict conflict, std::string_view called) {
+    if (conflict == describe::base_conflict::none) return true;
+    fail({base_conflict_sentence(conflict, called).view()});
+    return false;
+  }
+
+  /// Reports an entity that names another entity as itself: `struct B : rotated<A, ...>` would define A a
+  /// second time.
+  constexpr void fail_by_self(std::string_view kind, std::string_view called, std::string_view other) {
+    fail({kind, called, " names itself ", other, "; the first template argument of its base must be ",
+          called});
+  }
+  constexpr void wrong_count(std::string_view kind, std::string_view called, const describe::arguments& has) {
+    fail({kind, called, has.missing > 0 ? " lacks an argument" : " has too many arguments", "; write ",
+          has.form});
+  }
+};
+
+} // namespace kanexpr::derivation

@@ -1,1 +1,0 @@
-#include <kanexpr/ensemble/engine/csv_file.hpp>

@@ -1,2 +1,0 @@
-#include <kanexpr/ensemble/engine/distribution.hpp>
-#include <kanexpr/ensemble/engine/runs.hpp>

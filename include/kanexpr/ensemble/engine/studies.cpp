@@ -1,1 +1,0 @@
-#include <kanexpr/ensemble/engine/thread_pool.hpp>

@@ -1,1 +1,0 @@
-#include <kanexpr/ensemble/hdf5/engine/study_file.hpp>

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <kanexpr/ensembles/compiled_ensembles.hpp>
+#include <kanexpr/ensembles/results_file.hpp>
+#include <kanexpr/simulations/tables/file_path.hpp>
+
+#include <memory>
+
+namespace kanexpr {
+
+/// The table of runs as text, one line per run: `.files = {csv_file("study.csv")}`. It has no units, and
+/// refuses trajectories and events, which the files of <kanexpr/hdf5.hpp> can hold.
+KANEXPR_ENSEMBLES std::shared_ptr<results_file> csv_file(const file_path& path);
+
+} // namespace kanexpr
+
+#ifndef KANEXPR_COMPILED_ENSEMBLES
+#include <kanexpr/ensembles/csv_file.ipp>
+#endif

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <kanexpr/ensembles/simulation_runner.hpp>
+#include <kanexpr/ensembles/step_runner.hpp>
+#include <kanexpr/ensembles/study_runs.hpp>
+#include <kanexpr/ensembles/thread_pool.hpp>
+
+#include <memory>
+#include <utility>
+
+namespace kanexpr {
+
+/// A study that can be run, any number of times. Copies share the study.
+template <class Runner>
+class ensemble_of {
+public:
+  explicit ensemble_of(study_of<typename Runner::kind> what, Runner runner = Runner())
+      : runs_(std::make_shared<ensembles::study_runs<Runner>>(std::move(what), std::move(runner))) {}
+
+  ensemble_results run(const ensemble_options& options = {}) const {
+    ensembles::thread_pool threads;
+    return run(options, threads);
+  }
+  /// Runs the study on another executor, as the ranks of <kanexpr/mpi.hpp>.
+  ensemble_results run(const ensemble_options& options, ensembles::executor& executor) const {
+    if (runs_->mistake().empty()) return executor.run(*runs_, runs_->identity(), options);
+    ensemble_results none;
+    none.planned = layout().runs;
+    none.failure = runs_->mistake();
+    return none;
+  }
+
+  const study_layout& layout() const { return runs_->layout(); }
+
+private:
+  std::shared_ptr<const ensembles::study_runs<Runner>> runs_;
+};
+
+/// Many simulations of one system, on all cores of the machine:
+///
+///     const ensemble<System> pendulums({
+///         .runs = latin_hypercube(1000, {{q, uniform(-3, 3)}, {m, normal(1, 0.1)}}, 42),
+///         .state = {{u, 0}},
+///         .parameters = {{l, 1}, {g, 9.81}},
+///         .span = {0, 10},
+///         .keep = {at_end<q>(), greatest<u>("fastest", "rad/s")},
+///     });
+///     const ensemble_results found = pendulums.run({.progress = progress_bar()});
+///     if (!found) std::cerr << found.cause() << '\n';
+///     for (double angle : found.runs["q"]) …
+///
+/// The results do not depend on the number of threads, to the last bit. A run that fails is a row like the
+/// others, with its cause in `failures`, and the study continues. A different integrator: `ensemble<System,
+/// integrator::bdf>`.
+template <class System, integrator by = integrator::adams>
+using ensemble = ensemble_of<ensembles::simulation_runner<System, by>>;
+
+/// Simulates many runs of one system with steps of fixed length, several per SIMD vector:
+///
+///     const auto pendulums = ensemble_in_steps<runge_kutta_4<System>>({
+///         .runs = grid({{q, evenly_spaced(-3, 3, 1000)}}),
+///         .state = {{u, 0}},
+///         .parameters = {{m, 1}, {l, 1}, {g, 9.81}},
+///         .span = {.step = 1e-3, .steps = 10'000},
+///         .keep = {at_end<q>("q_end"), greatest<u>("fastest")},
+///     });
+///
+/// Inputs are constants by name, or a function (t, x): `ensemble_in_steps(study, law)`. It takes one state,
+/// or a batch of states if its second parameter is `const auto&`.
+template <class Step, class Law = ensembles::constant_inputs, class Number = double>
+auto ensemble_in_steps(study_in_steps<Step, Number> what, Law law = {}) {
+  using runner = ensembles::step_runner<Step, Law, Number>;
+  return ensemble_of<runner>(std::move(what), runner(std::move(law)));
+}
+
+} // namespace kanexpr

@@ -1,0 +1,1 @@
+#include <kanexpr/ensembles/csv_file.ipp>

@@ -1,0 +1,1 @@
+#include <kanexpr/ensembles/hdf5/study_file.ipp>

@@ -1,0 +1,2 @@
+#include <kanexpr/ensembles/distribution.ipp>
+#include <kanexpr/ensembles/runs.ipp>

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <kanexpr/ensembles/compiled_ensembles.hpp>
+#include <kanexpr/ensembles/distribution.hpp>
+#include <kanexpr/simulations/tables/table.hpp>
+
+#include <kanexpr/describe/symbol_name.hpp>
+
+#include <algorithm>
+#include <concepts>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kanexpr {
+
+/// A varied quantity that is not a symbol of the model, as the size of a push: `factor{"push"}`.
+struct factor {
+  std::string name;
+};
+
+/// The name of a varied quantity: a symbol of the model, its name, or a factor.
+class varied_name {
+public:
+  template <std::convertible_to<symbol_name> Symbol>
+  varied_name(const Symbol& symbol) : name_(symbol_name(symbol).name()) {}
+  varied_name(factor other) : name_(std::move(other.name)), is_factor_(true) {}
+
+  const std::string& name() const { return name_; }
+  bool is_factor() const { return is_factor_; }
+
+private:
+  std::string name_;
+  bool is_factor_ = false;
+};
+
+/// The values of a quantity in a grid.
+struct grid_axis {
+  varied_name what;
+  std::vector<double> values;
+};
+
+/// A quantity and its distribution.
+struct drawn {
+  varied_name what;
+  distribution from;
+};
+
+/// The runs of a study: their number, and the varied values of each. The values depend only on the number of
+/// the run, so nothing but tables is stored.
+class runs {
+public:
+  /// Computes the values of a run.
+  using plan = std::function<void(std::size_t run, double* values)>;
+
+  /// One run, in which nothing varies.
+  runs() = default;
+  runs(std::size_t count, std::vector<varied_name> what, plan values, std::string identity);
+  /// No runs, for this reason.
+  static runs mistaken(std::string mistake);
+
+  std::size_t size() const { return size_; }
+  const std::vector<varied_name>& varied() const { return varied_; }
+  bool varies(const std::string& name) const {
+    return std::ranges::find(varied_, name, &varied_name::name) != varied_.end();
+  }
+  void values(std::size_t run, double* out) const {
+    if (plan_) plan_(run, out);
+  }
+  /// Distinguishes these runs from others.
+  const std::string& identity() const { return identity_; }
+  const std::string& mistake() const { return mistake_; }
+
+private:
+  std::size_t size_ = 1;
+  std::vector<varied_name> varied_{};
+  plan plan_{};
+  std::string identity_ = "one run", mistake_{};
+};
+
+/// This many numbers from the first to the last, inclusive; empty if the count is negative or exceeds 2³².
+KANEXPR_ENSEMBLES std::vector<double> evenly_spaced(double first, double last, std::size_t count);
+
+/// All combinations: `grid({{q1, evenly_spaced(-3, 3, 100)}, {m, {1, 2}}})`. The last axis varies fastest.
+KANEXPR_ENSEMBLES runs grid(std::vector<grid_axis> axes);
+
+/// Independent draws: `random_runs(1000, {{m, normal(1, 0.1)}, {factor{"push"}, uniform(0, 5)}}, 42)`.
+KANEXPR_ENSEMBLES runs random_runs(std::size_t count, std::vector<drawn> what, std::uint64_t seed);
+
+/// A Latin hypercube: each quantity has one draw from each of `count` equally probable intervals (McKay,
+/// Beckman & Conover, Technometrics 21, 1979).
+KANEXPR_ENSEMBLES runs latin_hypercube(std::size_t count, std::vector<drawn> what, std::uint64_t seed);
+
+/// One run per row of a table. Its columns have the names of symbols, or of the listed factors.
+KANEXPR_ENSEMBLES runs runs_of(const table& rows, const std::vector<factor>& factors = {});
+
+} // namespace kanexpr
+
+#ifndef KANEXPR_COMPILED_ENSEMBLES
+#include <kanexpr/ensembles/runs.ipp>
+#endif

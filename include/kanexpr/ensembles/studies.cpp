@@ -1,0 +1,1 @@
+#include <kanexpr/ensembles/thread_pool.ipp>

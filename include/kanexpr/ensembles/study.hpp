@@ -1,0 +1,71 @@
+#pragma once
+
+#include <kanexpr/compiled/instance.hpp>
+#include <kanexpr/ensembles/run_output.hpp>
+#include <kanexpr/ensembles/run_setup.hpp>
+#include <kanexpr/ensembles/runs.hpp>
+#include <kanexpr/ensembles/study_columns.hpp>
+
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace kanexpr {
+
+namespace ensembles {
+
+/// The types in studies whose runs are performed by `simulate`.
+template <class Simulated>
+struct simulation_kind {
+  using System = Simulated;
+  using span = time_span;
+  using options = simulation_options<System>;
+  using setup = simulation_setup<System>;
+  using output = run_output<System>;
+};
+
+/// The types in studies whose runs are performed by steps of a fixed length.
+template <class Step, class Number>
+struct step_kind {
+  using System = typename compiled::stated<std::remove_cv_t<decltype(Step::eom::udot)>>::System;
+  using span = step_span;
+  using options = step_options;
+  using setup = run_setup<System>;
+  using output = step_output<System, Number>;
+};
+
+} // namespace ensembles
+
+/// A set of runs of one system, and the outputs to keep of each.
+template <class Kind>
+struct study_of {
+  kanexpr::runs runs = {};                  ///< the values that vary from run to run
+  std::vector<named_value> state = {};      ///< the constant values of the initial state
+  std::vector<named_value> parameters = {}; ///< the constant values of parameters
+  std::vector<named_value> inputs = {};     ///< the constant values of inputs
+  typename Kind::span span = {};
+  typename Kind::options simulation = {}; ///< of all runs; several threads call its functions
+
+  /// Changes the setup of a run that depends on its values in other ways, as a push, a controller, or
+  /// parameters that vary together. Each run has a copy of the function.
+  std::function<void(const run_values&, typename Kind::setup&)> for_each_run = {};
+
+  std::vector<typename Kind::output> keep = {};
+  bool keep_end_state = false;    ///< the state at the end of each run, as q1_end
+  bool keep_trajectories = false; ///< all samples of all runs
+  bool keep_events = false;       ///< the times of all events
+  std::vector<unit_of> units = {};
+  std::string name = {}; ///< in files; by default the name of the system
+};
+
+/// A study whose runs are performed by `simulate`.
+template <class System>
+using study = study_of<ensembles::simulation_kind<System>>;
+
+/// A study whose runs are performed by steps of a fixed length: `.span = {.step = 1e-3, .steps = 500}`. In
+/// single precision, `study_in_steps<Step, float>`, twice as many runs fit into a SIMD vector.
+template <class Step, class Number = double>
+using study_in_steps = study_of<ensembles::step_kind<Step, Number>>;
+
+} // namespace kanexpr

@@ -1,0 +1,283 @@
+#pragma once
+
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/base/version.hpp>
+#include <kanexpr/exporting/c/c_templates.hpp>
+#include <kanexpr/exporting/c/code_writer.hpp>
+#include <kanexpr/exporting/c/sine_and_cosine.hpp>
+#include <kanexpr/exporting/text/fill_template.hpp>
+#include <kanexpr/exporting/text/names_in_c.hpp>
+#include <kanexpr/exporting/text/printable.hpp>
+#include <kanexpr/mechanics/dynamics/singularity_check.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
+
+#include <algorithm>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace kanexpr::exporting {
+
+/// Writes NAME.h and NAME.c: a C99 function for each function of the system, without branches and without
+/// allocating memory.
+class c_file {
+public:
+  c_file(const exported_system& s, precision number) : mapped_(names_in_c(s)), number_(number) {}
+
+  std::string header() const {
+    std::string text = fill_template(
+        c_templates::header,
+        {{"title", title()}, {"changed", renamed_symbols_comment()}, {"name", name()}, {"places", places()}});
+    for (const exported_function& f : system().functions) text += declaration(f);
+    text += "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
+    return text;
+  }
+
+  std::string source() const {
+    std::string bodies;
+    for (const exported_function& f : system().functions) bodies += definition(f);
+    std::string text = fill_template(
+        c_templates::source,
+        {{"title", title()}, {"own_header", "#include \"" + name() + ".h\""}, {"name", name()}});
+    text += helpers(bodies);
+    return text + bodies;
+  }
+
+private:
+  const exported_system& system() const { return mapped_.system; }
+  const std::string& name() const { return mapped_.system.name; }
+
+  std::string title() const {
+    return "Equations of motion of " + name() + ", written by kanexpr " +
+           std::to_string(KANEXPR_VERSION_MAJOR) + '.' + std::to_string(KANEXPR_VERSION_MINOR) + '.' +
+           std::to_string(KANEXPR_VERSION_PATCH) + '.';
+  }
+
+  std::string renamed_symbols_comment() const {
+    std::string text;
+    for (const auto& [before, after] : mapped_.changed)
+      text += "   " + in_comment(before) + " is called " + after + " here.\n";
+    return text;
+  }
+
+  /// The name without characters that would end the comment.
+  static std::string in_comment(const std::string& name) {
+    std::string text = printable(name);
+    for (std::size_t end; (end = text.find("*/")) != text.npos;) text.replace(end, 2, "* ");
+    return text;
+  }
+
+  /// Enumerators for the indices, followed by the counts.
+  std::string places() const {
+    const exported_system& s = system();
+    std::string text = "enum {\n";
+    int next = 0;
+    for (const std::vector<std::string>* names : {&s.coordinates, &s.speeds})
+      for (const std::string& each : *names)
+        text += "  " + name() + '_' + each + " = " + std::to_string(next++) + ",\n";
+    for (const std::vector<std::string>* names : {&s.parameters, &s.inputs}) {
+      next = 0;
+      for (const std::string& each : *names)
+        text += "  " + name() + '_' + each + " = " + std::to_string(next++) + ",\n";
+    }
+    const auto count = [&](const char* of, std::size_t n, const char* end) {
+      text += "  " + name() + '_' + of + " = " + std::to_string(n) + end;
+    };
+    count("coordinates", s.coordinates.size(), ",\n");
+    count("speeds", s.speeds.size(), ",\n");
+    count("states", s.coordinates.size() + s.speeds.size(), ",\n");
+    count("parameters", s.parameters.size(), ",\n");
+    count("inputs", s.inputs.size(), "\n");
+    return text + "};\n";
+  }
+
+  static std::string counted(int n, const char* one, const char* many) {
+    return std::to_string(n) + ' ' + (n == 1 ? one : many);
+  }
+
+  std::string header_comment(const exported_function& f) const {
+    const symbolic::cost& c = f.cost;
+    std::string text = "\n/* " + counted(c.multiplications, "multiplication", "multiplications") + ", " +
+                       counted(c.additions, "addition", "additions") + ", " +
+                       counted(c.divisions, "division", "divisions") + ", " +
+                       counted(c.trigonometric, "sine and cosine", "sines and cosines") + " or the like, " +
+                       counted(c.other, "other function", "other functions") + '.';
+    for (const exported_result& each : f.results) {
+      text += "\n   " + each.name;
+      if (each.is_sparse)
+        text += ": " + std::to_string(each.entries()) + " of " + std::to_string(each.rows) + " by " +
+                std::to_string(each.columns) + ", column-major; the other entries are zero";
+      else if (each.columns > 1)
+        text += ": " + std::to_string(each.rows) + " by " + std::to_string(each.columns) + ", row-major";
+      else
+        text += ": " + std::to_string(each.rows);
+      for (std::size_t i = 0; i < each.row_symbols.size(); ++i)
+        text += (i == 0 ? each.columns > 1 ? "; the rows belong to " : ", of " : ", ") + each.row_symbols[i];
+      text += '.';
+    }
+    const std::vector<std::string> causes = f.causes();
+    for (std::size_t i = 0; i < causes.size(); ++i)
+      text += "\n   Bit " + std::to_string(i) + " of the status: " + causes[i] + '.';
+    if (causes.empty()) text += "\n   The status is always 0: there are no singularities.";
+    return text + " */\n";
+  }
+
+  std::string signature(const exported_function& f) const {
+    const std::string given = std::string("const ") + number_.type() + " *";
+    std::string text = name() + "_FUNCTION unsigned long long " + name() + '_' + f.name + '(' +
+                       number_.type() + " t, " + given + "x, " +
+                       (f.takes_step ? number_.type() + std::string(" h, ") : "") + given + "p, " + given +
+                       'r';
+    if (f.takes_rates || f.takes_all_rates) text += ", " + given + 'a';
+    if (f.weights > 0) text += ", " + given + 'w';
+    for (const exported_result& each : f.results)
+      text += std::string(", ") + number_.type() + " *" + each.name;
+    return text + ')';
+  }
+
+  std::string declaration(const exported_function& f) const {
+    std::string text = header_comment(f) + "enum {\n";
+    for (const exported_result& each : f.results) {
+      const std::string begin =
+          "  " + name() + '_' + (each.name == f.name ? "" : f.name + '_') + each.name + '_';
+      text += begin + "rows = " + std::to_string(each.rows) + ",\n";
+      text += begin + "columns = " + std::to_string(each.columns) + ",\n";
+      if (each.is_sparse) text += begin + "entries = " + std::to_string(each.entries()) + ",\n";
+    }
+    text += "  " + name() + '_' + f.name + "_checks = " + std::to_string(f.causes().size()) + "\n};\n";
+    text += signature(f) + ";\n";
+    if (!f.checks.empty())
+      text += "extern const char *const " + name() + '_' + f.name + "_causes[" +
+              std::to_string(f.causes().size()) + "];\n";
+    return text;
+  }
+
+  std::string definition(const exported_function& f) const {
+    code_writer writer(f, system(), name(), number_);
+    std::string text = '\n' + signature(f) + " {\n" + writer.lines();
+    for (const char* given : {"t", "x", "p", "r"}) text += std::string("  (void)") + given + ";\n";
+    if (f.takes_step) text += "  (void)h;\n";
+    if (f.takes_rates || f.takes_all_rates) text += "  (void)a;\n";
+    if (f.weights > 0) text += "  (void)w;\n";
+    for (const exported_result& each : f.results)
+      if (each.entries() == 0) text += "  (void)" + each.name + ";\n";
+    for (const exported_result& each : f.results)
+      for (int i = 0; i < each.entries(); ++i)
+        text += "  " + each.name + '[' + std::to_string(i) +
+                "] = " + writer.value(f.code.results[each.first + i]) + ";\n";
+    text += "  return " + checked(f, writer) + ";\n}\n";
+    const std::vector<std::string> causes = f.causes();
+    if (!causes.empty()) {
+      text += "const char *const " + name() + '_' + f.name + "_causes[" + std::to_string(causes.size()) +
+              "] = {\n";
+      for (std::size_t i = 0; i < causes.size(); ++i)
+        text += "  \"" + causes[i] + (i + 1 < causes.size() ? "\",\n" : "\"\n};\n");
+    }
+    return text;
+  }
+
+  std::string checked(const exported_function& f, const code_writer& writer) const {
+    std::vector<std::string> bits;
+    const std::vector<std::string> causes = f.causes();
+    for (std::size_t i = 0; i < f.checks.size(); ++i) {
+      const exported_check& one = f.checks[i];
+      const auto bit = std::find(causes.begin(), causes.end(), one.cause) - causes.begin();
+      const int place = f.entries() + 2 * static_cast<int>(i);
+      const std::string measure = writer.value(f.code.results[place]),
+                        scale = writer.value(f.code.results[place + 1]);
+      std::string asked = name();
+      if (one.of_finiteness)
+        asked.append("_is_infinite(").append(measure);
+      else
+        asked.append(one.is_order_check ? "_is_not_above(" : "_is_singular(")
+            .append(measure)
+            .append(", ")
+            .append(scale);
+      asked += bit == 0 ? ")" : ") << " + std::to_string(bit);
+      if (std::find(bits.begin(), bits.end(), asked) == bits.end()) bits.push_back(std::move(asked));
+    }
+    std::string all;
+    for (const std::string& each : bits) all += (all.empty() ? "" : " | ") + each;
+    return all.empty() ? "0" : all;
+  }
+
+  /// The helper functions that the bodies call.
+  std::string helpers(const std::string& bodies) const {
+    const auto calls = [&](const std::string& what) {
+      return bodies.find(name() + '_' + what + '(') != bodies.npos;
+    };
+    const double least = number_.is_single ? mechanics::least_singularity_measure<float>()
+                                           : mechanics::least_singularity_measure<double>();
+    const auto in_text = [&](std::string_view text) {
+      return fill_template(text, {{"name", name()},
+                                  {"number", number_.type()},
+                                  {"bits", number_.bits()},
+                                  {"least", number_.number(least)},
+                                  {"fabs", number_.function("fabs")},
+                                  {"one", number_.number(1)},
+                                  {"zero", number_.number(0)},
+                                  {"f", number_.function("")},
+                                  {"pi", number_.number(std::numbers::pi)},
+                                  {"turn", number_.number(2 * std::numbers::pi)},
+                                  {"exponent", number_.exponent_bits()}});
+    };
+    std::string text;
+    std::string functions;
+    for (const symbolic::operation each : written_functions())
+      if (calls(symbolic::function_name(each)))
+        functions +=
+            in_text(std::string("\n@name@_INLINE @number@ @name@_") + symbolic::function_name(each) +
+                    (symbolic::is_binary(each) ? "(@number@ x, @number@ y) {\n" : "(@number@ x) {\n") +
+                    symbolic::spelling_of(each).body + "}\n");
+    const bool turns = calls("sine_and_cosine"),
+               chooses = calls("choose") || functions.find("_choose(") != functions.npos,
+               ends = calls("is_infinite");
+    if (turns || chooses || ends)
+      text += in_text(R"(
+typedef union { @number@ number; @bits@ bits; } @name@_bits;
+typedef char @name@_has_bits_of_that_size[sizeof(@bits@) == sizeof(@number@) ? 1 : -1];
+)");
+    if (turns) text += sine_and_cosine_in_c(name(), number_);
+    if (chooses)
+      text += in_text(R"(
+/* Returns the first value if `by` is positive, else the second. */
+@name@_INLINE @number@ @name@_choose(@number@ by, @number@ first, @number@ second) {
+  const @bits@ is_first = 0 - (@bits@)(by > @zero@);
+  @name@_bits one, other;
+  one.number = first;
+  other.number = second;
+  one.bits = (one.bits & is_first) | (other.bits & ~is_first);
+  return one.number;
+}
+)");
+    text += functions;
+    if (calls("is_singular"))
+      text += in_text(R"(
+@name@_INLINE unsigned long long @name@_is_singular(@number@ measure, @number@ scale) {
+  return (unsigned long long)(@fabs@(measure) - @least@ * @fabs@(scale) <= @zero@);
+}
+)");
+    if (calls("is_not_above"))
+      text += in_text(R"(
+@name@_INLINE unsigned long long @name@_is_not_above(@number@ value, @number@ bound) {
+  return (unsigned long long)!(value > bound);
+}
+)");
+    if (ends)
+      text += in_text(R"(
+@name@_INLINE unsigned long long @name@_is_infinite(@number@ measure) {
+  @name@_bits given;
+  given.number = measure;
+  return (unsigned long long)((given.bits & @exponent@) == @exponent@);
+}
+)");
+    return text;
+  }
+
+  system_with_c_names mapped_;
+  scalar number_;
+};
+
+} // namespace kanexpr::exporting

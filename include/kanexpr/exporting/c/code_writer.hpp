@@ -1,0 +1,188 @@
+#pragma once
+
+#include <kanexpr/exporting/exported_system.hpp>
+#include <kanexpr/exporting/text/identifiers.hpp>
+#include <kanexpr/exporting/text/scalar.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kanexpr::exporting {
+
+/// Writes the statements of a function in C, one operation per line.
+class code_writer {
+public:
+  /// `name` is the prefix of all names in the file.
+  code_writer(const exported_function& of, const exported_system& system, std::string name,
+              const scalar& number)
+      : of_(of), code_(of.code), system_(system), name_(std::move(name)), number_(number) {
+    names_.reserve_words();
+    names_.reserve_words_of_mathematics();
+    for (const char* taken : {"t", "x", "p", "r", "a", "w"}) names_.reserve(taken);
+    if (of.takes_step) names_.reserve("h");
+    for (const exported_result& each : of.results) names_.reserve(each.name);
+  }
+
+  /// All lines; `value` returns the names of their results. Each argument is read just before its first use:
+  /// compilers keep that order and would spill arguments that are read earlier.
+  std::string lines() {
+    std::string text;
+    const auto count = static_cast<std::size_t>(code_.lines.size());
+    values_.resize(count), unread_.resize(count);
+    for (int i = 0; i < code_.lines.size(); ++i) {
+      const std::string own = line(i);
+      text += read_for(code_.lines[i]) + own;
+    }
+    for (int each : code_.results) text += read(each); // before writing results, which may alias arguments
+    return text;
+  }
+
+  const std::string& value(int place) const { return values_[static_cast<std::size_t>(place)]; }
+
+private:
+  using kind = lower::statement::kind;
+
+  /// The line that reads an argument, unless it has been read already.
+  std::string read(int place) { return std::exchange(unread_[static_cast<std::size_t>(place)], {}); }
+
+  std::string read_for(const lower::statement& s) {
+    if (s.is == kind::choice) return read(s.by) + read(s.a) + read(s.b);
+    if (s.is != kind::operation) return {};
+    return symbolic::is_binary(s.op) ? read(s.a) + read(s.b) : read(s.a);
+  }
+
+  std::string line(int i) {
+    const lower::statement& s = code_.lines[i];
+    std::string& own = values_[static_cast<std::size_t>(i)];
+    if (s.is == kind::number) {
+      own = number_of(code_.numbers[s.a]);
+      return {};
+    }
+    if (s.is == kind::argument) {
+      unread_[static_cast<std::size_t>(i)] = argument(own, code_.arguments[s.a]);
+      return {};
+    }
+    if (s.is == kind::choice) {
+      own = next("v");
+      return declared(own) + name_ + "_choose(" + value(s.by) + ", " + value(s.a) + ", " + value(s.b) +
+             ");\n";
+    }
+    if (s.op == symbolic::operation::sin || s.op == symbolic::operation::cos) return sine_or_cosine(i, s);
+    own = next("v");
+    return declared(own) + operation(s) + ";\n";
+  }
+
+  std::string next(const char* letter) { return names_.of(letter + std::to_string(++count_)); }
+  std::string declared(const std::string& value) const {
+    return std::string("  const ") + number_.type() + ' ' + value + " = ";
+  }
+
+  /// An exact fraction is divided in the scalar type.
+  std::string number_of(const symbolic::number& n) const {
+    if (number_.is_single) return number_.number(static_cast<double>(lower::number_as<float>(n)));
+    return number_.number(lower::number_as<double>(n));
+  }
+
+  std::string argument(std::string& own, const lower::load& from) {
+    using symbolic::symbol_kind;
+    if (from.from == symbol_kind::time) {
+      own = from.position == 0 ? "t" : "h";
+      return {};
+    }
+    const auto place = static_cast<std::size_t>(from.position);
+    if (from.from == symbol_kind::weight || from.from == symbol_kind::direction) {
+      own = names_.of("w" + std::to_string(place));
+      return declared(own) + "w[" + std::to_string(place) + "];\n";
+    }
+    const char* vector = "x";
+    const std::string* symbol = nullptr;
+    if (from.from == symbol_kind::coordinate)
+      symbol = &system_.coordinates[place];
+    else if (from.from == symbol_kind::speed)
+      symbol = &system_.speeds[place];
+    else if (from.from == symbol_kind::parameter)
+      vector = "p", symbol = &system_.parameters[place];
+    else if (from.from == symbol_kind::input)
+      vector = "r", symbol = &system_.inputs[place];
+    else if (from.from == symbol_kind::coordinate_rate)
+      vector = "a", symbol = &system_.coordinates[place];
+    else
+      vector = "a", symbol = &system_.speeds[place];
+    own = names_.of(*symbol + (vector[0] == 'a' ? "_rate" : ""));
+    const bool is_behind =
+        from.from == symbol_kind::speed || (from.from == symbol_kind::speed_rate && of_.takes_all_rates);
+    const std::size_t index = is_behind ? system_.coordinates.size() + place : place;
+    return declared(own) + vector + '[' + std::to_string(index) + "];\n";
+  }
+
+  /// Computes sine and cosine of an angle together when the first of them is needed.
+  std::string sine_or_cosine(int i, const lower::statement& s) {
+    const bool is_sine = s.op == symbolic::operation::sin;
+    for (const angle& known : angles_)
+      if (known.place == s.a) {
+        values_[static_cast<std::size_t>(i)] = is_sine ? known.sine : known.cosine;
+        return {};
+      }
+    const angle one{s.a, next("s"), names_.of("c" + std::to_string(count_))};
+    angles_.push_back(one);
+    values_[static_cast<std::size_t>(i)] = is_sine ? one.sine : one.cosine;
+    return std::string("  ") + number_.type() + ' ' + one.sine + ", " + one.cosine + ";\n  " + name_ +
+           "_sine_and_cosine(" + value(s.a) + ", &" + one.sine + ", &" + one.cosine + ");\n";
+  }
+
+  std::string operation(const lower::statement& s) const {
+    using symbolic::form;
+    const std::string &first = value(s.a), &second = value(s.b);
+    switch (symbolic::form_of(s.op)) {
+    case form::negate: return '-' + (first[0] == '-' ? '(' + first + ')' : first);
+    case form::add: return first + " + " + second;
+    case form::subtract: return first + " - " + second;
+    case form::multiply: return first + " * " + second;
+    case form::divide: return first + " / " + second;
+    case form::power: return called("pow", first + ", " + second);
+    case form::function: return called(s.op, first);
+    case form::binary_function: return called(s.op, first + ", " + second);
+    case form::constant:
+    case form::symbol: // have no line of code
+    case form::selection:
+    case form::pair:
+    case form::factorization:
+    case form::solve:
+    case form::transposed_solve:
+    case form::component:
+    case form::singularity_measure: // are written out
+    case form::call: break;         // cannot be exported
+    }
+    return "";
+  }
+  std::string called(symbolic::operation op, const std::string& with) const {
+    const symbolic::spelling_in_c& in_c = symbolic::spelling_of(op);
+    if (*in_c.body != '\0') return name_ + '_' + symbolic::function_name(op) + '(' + with + ')';
+    return called(*in_c.name != '\0' ? in_c.name : symbolic::function_name(op), with);
+  }
+  std::string called(const std::string& function, const std::string& with) const {
+    return number_.function(function) + '(' + with + ')';
+  }
+
+  struct angle {
+    int place;
+    std::string sine, cosine;
+  };
+
+  const exported_function& of_;
+  const lower::statements& code_;
+  const exported_system& system_;
+  std::string name_;
+  scalar number_;
+  identifiers names_{};
+  std::vector<std::string> values_{}; ///< one for each line
+  std::vector<std::string> unread_{}; ///< lines that read arguments, until they are needed
+  std::vector<angle> angles_{};
+  int count_ = 0;
+};
+
+} // namespace kanexpr::exporting

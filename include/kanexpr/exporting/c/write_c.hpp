@@ -1,0 +1,88 @@
+#pragma once
+
+#include <kanexpr/base/outcome.hpp>
+#include <kanexpr/exporting/c/c_file.hpp>
+#include <kanexpr/exporting/cpp/cpp_file.hpp>
+#include <kanexpr/exporting/exporter.hpp>
+#include <kanexpr/exporting/files.hpp>
+#include <kanexpr/exporting/format.hpp>
+#include <kanexpr/exporting/python/python_file.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
+#include <kanexpr/runtime/builder.hpp>
+
+#include <string>
+#include <vector>
+
+namespace kanexpr {
+
+namespace exporting {
+
+struct c_options {
+  std::vector<requested_function> functions = default_results();
+  std::vector<bound_parameter> bound{}; ///< parameters that are exported as numbers
+  precision number = precision::double_precision;
+  bool with_python = false; ///< also `name`.py, a module that calls the functions by ctypes
+  bool with_cpp = false;    ///< also `name`.hpp, which calls them from C++11 and later with the model's names
+
+  operator options() const { return {functions, bound}; }
+};
+
+namespace detail {
+
+/// Reports a number that is out of range of the scalar type; empty if there is none.
+inline std::string mistake_of_numbers(const exported_system& s, precision number) {
+  for (const exported_function& f : s.functions)
+    for (const symbolic::number& n : f.code.numbers)
+      if (!numeric::is_finite(number == precision::single_precision
+                                  ? static_cast<double>(lower::number_as<float>(n))
+                                  : lower::number_as<double>(n)))
+        return "function " + f.name + " contains a number that " + scalar(number).type() +
+               " cannot represent";
+  return {};
+}
+
+inline outcome write_c(const exported& of, const std::filesystem::path& folder, const c_options& chosen) {
+  if (!of.mistake.empty()) return outcome(of.mistake);
+  if (const std::string mistake = mistake_of_numbers(of.system, chosen.number); !mistake.empty())
+    return outcome(mistake);
+  const c_file file(of.system, chosen.number);
+  std::vector<file_text> files{{folder / (of.system.name + ".h"), file.header()},
+                               {folder / (of.system.name + ".c"), file.source()}};
+  if (chosen.with_python)
+    files.push_back({folder / (of.system.name + ".py"), python_file(of.system, chosen.number).text()});
+  if (chosen.with_cpp)
+    files.push_back({folder / (of.system.name + ".hpp"), cpp_file(of.system, chosen.number).text()});
+  return write_files(files);
+}
+
+/// The same as the format "c".
+inline outcome write_c(runtime::staged_derivation& derivation, const export_options& given) {
+  c_options chosen{.bound = given.bound,
+                   .number = given.number,
+                   .with_python = given.with_python,
+                   .with_cpp = given.with_cpp};
+  if (!given.functions.empty()) chosen.functions = given.functions;
+  return write_c(exporter(given.name, derivation, chosen).run(), given.folder, chosen);
+}
+
+} // namespace detail
+
+} // namespace exporting
+
+/// Writes results of a system as C99 functions to `folder`/`name`.c and .h, or reports why it cannot; no file
+/// is left half-written. Their values equal those of the compiled functions to the last bit if neither
+/// compiler fuses multiplications with additions. `chosen` specifies the functions to export.
+template <class System>
+outcome write_c(const std::filesystem::path& folder, const std::string& name,
+                const exporting::c_options& chosen = {}) {
+  return exporting::detail::write_c(exporting::exported_from<System>(name, chosen), folder, chosen);
+}
+
+/// The same for a system built by a builder.
+inline outcome write_c(const runtime::builder& of, const std::filesystem::path& folder,
+                       const std::string& name, const exporting::c_options& chosen = {}) {
+  runtime::staged_derivation derivation([&] { return runtime::derive_in_own_graph(of); });
+  return exporting::detail::write_c(exporting::exporter(name, derivation, chosen).run(), folder, chosen);
+}
+
+} // namespace kanexpr

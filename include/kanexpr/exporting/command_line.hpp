@@ -1,0 +1,129 @@
+#pragma once
+
+#include <kanexpr/base/outcome.hpp>
+#include <kanexpr/exporting/formats.hpp>
+
+#include <charconv>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kanexpr::exporting {
+
+/// An export request in the form in which the command kanexpr-export passes it on: a folder, a name, and
+/// options as strings.
+class command_line {
+public:
+  /// `others` are functions that a string cannot specify.
+  explicit command_line(const std::vector<std::string>& arguments,
+                        const std::vector<requested_function>& others = {}) {
+    if (arguments.size() < 2) {
+      cause_ = "a folder and a name are required";
+      return;
+    }
+    chosen_.folder = arguments[0], chosen_.name = arguments[1];
+    for (std::size_t i = 2; i < arguments.size() && cause_.empty(); ++i) parse_option(arguments[i]);
+    chosen_.functions.insert(chosen_.functions.end(), others.begin(), others.end());
+    if (cause_.empty()) check_format();
+  }
+
+  /// The first mistake in the request; empty if there is none.
+  const std::string& cause() const { return cause_; }
+
+  outcome write(runtime::staged_derivation& derivation) const {
+    return cause_.empty() ? find_format(format_)->write(derivation, chosen_) : outcome(cause_);
+  }
+
+private:
+  void parse_option(std::string_view option) {
+    const auto begins = [&](std::string_view with) {
+      if (!option.starts_with(with)) return false;
+      option.remove_prefix(with.size());
+      return true;
+    };
+    if (begins("format="))
+      format_ = option;
+    else if (begins("scalar="))
+      set_scalar(option);
+    else if (begins("bind=")) {
+      if (const auto [name, value] = parse_assignment(option, "parameter"); value)
+        chosen_.bound.push_back({name, *value});
+    } else if (begins("start=")) {
+      if (const auto [name, value] = parse_assignment(option, "symbol"); value)
+        chosen_.start.push_back({name, *value});
+    } else if (begins("step=")) {
+      if (chosen_.step = number(option); !chosen_.step)
+        cause_ = std::string(option) + " is not a valid step length";
+    } else if (begins("compiler="))
+      chosen_.compiler = option;
+    else if (begins("results="))
+      chosen_.functions.push_back(results(option));
+    else if (option == "python")
+      chosen_.with_python = true;
+    else if (option == "cpp")
+      chosen_.with_cpp = true;
+    else
+      cause_ = std::string(option) + " is not an option";
+  }
+
+  /// Checks that the format supports the options.
+  void check_format() {
+    const export_format* const format = find_format(format_);
+    if (format == nullptr)
+      cause_ = "unknown format " + format_ + "; expected c, casadi or fmi";
+    else if (!format->has_float && chosen_.number == precision::single_precision)
+      cause_ = "the format " + format_ + " supports only double precision";
+    else if (!format->has_callers && (chosen_.with_python || chosen_.with_cpp))
+      cause_ = "files for Python and C++ require the format c";
+    else if (!format->has_functions && !chosen_.functions.empty())
+      cause_ = "the format " + format_ + " exports the rates of the state and no other results";
+    else if (!format->has_simulation && (!chosen_.start.empty() || chosen_.step))
+      cause_ = "start values and a step require the format fmi";
+  }
+
+  void set_scalar(std::string_view type) {
+    if (type == "float")
+      chosen_.number = precision::single_precision;
+    else if (type != "double")
+      cause_ = "the scalar type must be double or float, not " + std::string(type);
+  }
+
+  static std::optional<double> number(std::string_view digits) {
+    double value = 0;
+    const auto [end, failed] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+    if (digits.empty() || failed != std::errc() || end != digits.data() + digits.size()) return {};
+    return value;
+  }
+
+  struct assignment {
+    std::string name{};
+    std::optional<double> value{};
+  };
+
+  assignment parse_assignment(std::string_view text, const char* to_what) {
+    const std::size_t equals = text.find('=');
+    assignment found;
+    if (equals != text.npos && equals != 0)
+      found = {std::string(text.substr(0, equals)), number(text.substr(equals + 1))};
+    if (!found.value) cause_ = std::string(text) + " is not of the form " + to_what + "=number";
+    return found;
+  }
+
+  std::string format_ = "c", cause_{};
+  export_options chosen_{};
+};
+
+/// The main function of the program that kanexpr-export compiles together with a model.
+template <class System>
+int run_command_line(int count, const char* const* arguments,
+                     const std::vector<requested_function>& expressions) {
+  const command_line given(std::vector<std::string>(arguments + 1, arguments + count), expressions);
+  runtime::staged_derivation derivation([] { return derive<System>(); });
+  const outcome written = given.write(derivation);
+  if (!written) std::fprintf(stderr, "kanexpr-export: %s\n", written.cause().c_str());
+  return written ? 0 : 1;
+}
+
+} // namespace kanexpr::exporting

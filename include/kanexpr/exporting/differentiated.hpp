@@ -1,0 +1,145 @@
+#pragma once
+
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/exporting/export_request.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/derivatives/jacobian.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kanexpr::exporting {
+
+/// The symbols of a system with respect to which its results are differentiated.
+struct differentiable_symbols {
+  symbolic::sequence<symbolic::expression> state{}, rates{}, inputs{}, parameters{}, time{};
+
+  const symbolic::sequence<symbolic::expression>& of(symbols which) const {
+    switch (which) {
+    case symbols::state: return state;
+    case symbols::rates: return rates;
+    case symbols::inputs: return inputs;
+    case symbols::parameters: return parameters;
+    case symbols::time: break;
+    }
+    return time;
+  }
+};
+
+/// Derivatives of an arbitrary column of expressions, by the chain rule through its graph. Common
+/// subexpressions are shared.
+class differentiated {
+public:
+  differentiated(symbolic::graph& g, const symbolic::sequence<symbolic::expression>& y,
+                 const differentiable_symbols& of)
+      : graph_(g), y_(y), symbols_(of) {}
+
+  bool is_of(const symbolic::sequence<symbolic::expression>& y) const {
+    return std::equal(y.begin(), y.end(), y_.begin(), y_.end(),
+                      [](const auto& a, const auto& b) { return a.node() == b.node(); });
+  }
+
+  symbolic::matrix get(const requested_derivative& wanted) {
+    using enum requested_derivative::kind;
+    switch (wanted.type) {
+    case none: break;
+    case jacobian: return symbolic::jacobian(graph_, y_, symbols_.of(wanted.by));
+    case directional: return column(along_direction(wanted.along));
+    case directional_jacobian:
+      return symbolic::jacobian(graph_, along_direction(wanted.along), symbols_.of(wanted.by));
+    case weighted: return column(gradient_by(wanted.by));
+    case weighted_jacobian:
+      // Both blocks use the same order, so that the Hessian is symmetric to the last bit.
+      if (wanted.by < wanted.and_by) return transposed(second(wanted.and_by, wanted.by));
+      return second(wanted.by, wanted.and_by);
+    }
+    return column(y_);
+  }
+
+  /// The number of weights, or of entries of the direction, that a derivative takes.
+  int weights_for(const requested_derivative& wanted) const {
+    using enum requested_derivative::kind;
+    int count = 0;
+    if (wanted.type == directional || wanted.type == directional_jacobian)
+      for (symbols each : wanted.along) count += symbols_.of(each).size();
+    if (wanted.type == weighted || wanted.type == weighted_jacobian) count = y_.size();
+    return count;
+  }
+
+private:
+  using expression = symbolic::expression;
+  using expressions = symbolic::sequence<expression>;
+
+  /// Named as in mechanics/linearize/second_order.hpp, whose results may appear in the same function.
+  expression given(symbolic::symbol_kind kind, std::string_view what, int place) {
+    symbolic::name called(what);
+    called.append(place + 1);
+    return symbolic::variable(graph_, {kind, called, place});
+  }
+
+  expressions along_direction(const std::vector<symbols>& which) {
+    symbolic::differentiation d(graph_);
+    int place = 0;
+    for (symbols each : which)
+      for (const expression& s : symbols_.of(each)) {
+        d.set_rate(s, given(symbolic::symbol_kind::direction, "direction", place));
+        ++place;
+      }
+    expressions rates;
+    for (const expression& each : y_) rates.push(d.of(each));
+    return rates;
+  }
+
+  expressions gradient_by(symbols which) {
+    if (!back_) {
+      back_.emplace(graph_, y_);
+      for (int i = 0; i < y_.size(); ++i)
+        back_->seed(y_[i], given(symbolic::symbol_kind::weight, "weight", i));
+      back_->run();
+    }
+    expressions slopes;
+    for (const expression& s : symbols_.of(which)) slopes.push(back_->by(s));
+    return slopes;
+  }
+
+  symbolic::matrix second(symbols by, symbols and_by) {
+    const expressions slopes = gradient_by(by), &columns = symbols_.of(and_by);
+    symbolic::matrix all(graph_, slopes.size(), columns.size());
+    symbolic::differentiation d(graph_);
+    for (int j = 0; j < all.columns; ++j) {
+      d.set_rate(columns[j], {graph_, symbolic::graph::one});
+      for (int i = by == and_by ? j : 0; i < all.rows; ++i) all(i, j) = d.of(slopes[i]);
+      d.restart();
+    }
+    if (by == and_by)
+      for (int j = 0; j < all.columns; ++j)
+        for (int i = 0; i < j; ++i) all(i, j) = all(j, i);
+    return all;
+  }
+
+  symbolic::matrix transposed(const symbolic::matrix& m) const {
+    symbolic::matrix exchanged(graph_, m.columns, m.rows);
+    for (int i = 0; i < m.rows; ++i)
+      for (int j = 0; j < m.columns; ++j) exchanged(j, i) = m(i, j);
+    return exchanged;
+  }
+
+  symbolic::matrix column(const expressions& entries) const {
+    symbolic::matrix m(graph_, entries.size(), 1);
+    for (int i = 0; i < m.rows; ++i) m.entries[i] = entries[i];
+    return m;
+  }
+
+  symbolic::graph& graph_;
+  expressions y_;
+  const differentiable_symbols& symbols_;
+  std::optional<symbolic::accumulation> back_{};
+};
+
+} // namespace kanexpr::exporting

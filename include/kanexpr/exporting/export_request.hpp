@@ -1,0 +1,145 @@
+#pragma once
+
+#include <kanexpr/derivation/request.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
+#include <kanexpr/steps/tableaux.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+/// The specification of the functions to export.
+namespace kanexpr::exporting {
+
+/// The symbols with respect to which a result is differentiated; `rates` are those of the state, `parameters`
+/// those that are not bound.
+enum class symbols : unsigned char { state, rates, inputs, parameters, time };
+
+/// A derivative of a column y with respect to symbols z.
+struct requested_derivative {
+  enum class kind : unsigned char {
+    none,                 ///< y itself
+    jacobian,             ///< ∂y/∂z, z of `by`
+    directional,          ///< (∂y/∂z) w for a direction w
+    directional_jacobian, ///< ∂((∂y/∂z) w)/∂z', z' of `by`
+    weighted,             ///< ∂(wᵀy)/∂z for weights w, z of `by`
+    weighted_jacobian     ///< ∂²(wᵀy)/∂z∂z', z of `by` and z' of `and_by`
+  };
+  kind type = kind::none;
+  std::vector<symbols> along{}; ///< all symbols for which the direction has entries
+  symbols by{}, and_by{};
+};
+
+struct requested_result {
+  std::string name{};
+  derivation::request request{};
+  symbolic::expression written{}; ///< replaces the request for an expression of a builder
+  bool is_residual = false;       ///< the residual of the implicit form, in place of the request
+  requested_derivative derivative{};
+  std::vector<symbols> part{}; ///< symbols of the rows and the columns of a second-order result
+  bool is_sparse = false;      ///< omits the entries that are identically zero
+};
+
+/// A step of fixed length, as made by `runge_kutta_4<System, corrections>`.
+struct requested_step {
+  std::string method = "runge_kutta_4"; ///< name of the method; empty: only corrects the state
+  int corrections = 1;
+};
+
+/// The results of one call.
+struct requested_function {
+  std::string name{};
+  std::vector<requested_result> results{};
+  std::optional<requested_step> step{}; ///< replaces the results
+  std::string mistake{};
+  std::vector<symbols> derivatives{}; ///< replace the results by the derivatives of all their entries
+};
+
+namespace detail {
+
+/// Names of the parts of linearizations, which are requested as a whole.
+inline constexpr std::string_view parts_of_linearizations[]{"A", "B", "by_state", "by_inputs", "M", "A", "B"};
+
+inline std::string_view name_of(mechanics::quantity of) {
+  if (!mechanics::is_of_linearization(of)) return mechanics::row_of(of).called;
+  return parts_of_linearizations[static_cast<int>(of) - static_cast<int>(mechanics::quantity::state_matrix)];
+}
+
+} // namespace detail
+
+/// "runge_kutta_4, ralston_3 or semi_implicit_euler".
+inline std::string names_of_steps() {
+  std::string all;
+  for (const steps::tableau* each : steps::tableaux)
+    all.append(all.empty() ? "" : each == steps::tableaux.back() ? " or " : ", ").append(each->name);
+  return all;
+}
+
+/// Returns why there is no such method; empty if there is one.
+inline std::string mistake_of_method(const std::string& name) {
+  if (steps::find_tableau(name) != nullptr) return {};
+  return "unknown step method " + name + "; expected " + names_of_steps();
+}
+
+/// A step by a given method, under a separate name: `fixed_step("step", {"runge_kutta_4", 2})`.
+inline requested_function fixed_step(std::string name, const requested_step& how) {
+  requested_function wanted{.name = std::move(name), .step = how};
+  if (!how.method.empty()) wanted.mistake = mistake_of_method(how.method);
+  if (how.corrections < 0) wanted.mistake = "the number of corrections of a step must be at least 0";
+  return wanted;
+}
+
+/// A function that returns the named results, separated by spaces: "udot", "mass_matrix forcing", or one of
+/// the steps, such as "runge_kutta_4".
+inline requested_function results(std::string_view names) {
+  if (steps::find_tableau(names) != nullptr) return fixed_step(std::string(names), {std::string(names)});
+  requested_function wanted;
+  while (!names.empty()) {
+    const std::size_t end = (std::min)(names.find(' '), names.size());
+    const std::string_view name = names.substr(0, end);
+    names.remove_prefix((std::min)(end + 1, names.size()));
+    if (name.empty()) continue;
+    const std::size_t before = wanted.results.size();
+    for (const mechanics::result_row& row : mechanics::results)
+      if (row.called == name)
+        wanted.results.push_back({std::string(detail::name_of(row.is)),
+                                  {.what = derivation::request::kind::result, .wanted = row.is}});
+    if (wanted.results.size() == before)
+      wanted.mistake =
+          steps::find_tableau(name) != nullptr
+              ? std::string(name) + " is a separate function and cannot be combined with other results"
+              : "there is no result " + std::string(name);
+    wanted.name.append(wanted.name.empty() ? "" : "_and_").append(name);
+  }
+  if (wanted.results.empty() && wanted.mistake.empty())
+    wanted.mistake = "a function must have at least one result";
+  return wanted;
+}
+
+/// An expression of the model, under a separate name: `expression<position_of<P>>("tip")`.
+template <auto wanted, class Where = describe::file_of<wanted>>
+requested_function expression(std::string name) {
+  requested_function one;
+  one.name = name;
+  one.results.push_back({std::move(name), derivation::requested<wanted>::value});
+  return one;
+}
+
+/// The same for an expression of a builder.
+inline requested_function expression(std::string name, symbolic::expression written) {
+  requested_function one;
+  one.name = name;
+  one.results.push_back({std::move(name), {}, written});
+  return one;
+}
+
+/// The functions exported by default: M and f, u̇, ẋ, and A and B.
+inline std::vector<requested_function> default_results() {
+  return {results("mass_matrix forcing"), results("udot"), results("rhs"), results("explicit_form")};
+}
+
+} // namespace kanexpr::exporting

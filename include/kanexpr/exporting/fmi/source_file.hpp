@@ -1,0 +1,134 @@
+#pragma once
+
+#include <kanexpr/exporting/fmi/fmi_source.hpp>
+#include <kanexpr/exporting/fmi/fmu.hpp>
+#include <kanexpr/exporting/fmi/unsupported_in_c.hpp>
+#include <kanexpr/exporting/text/fill_template.hpp>
+#include <kanexpr/exporting/text/scalar.hpp>
+
+#include <string>
+#include <vector>
+
+namespace kanexpr::exporting {
+
+/// Writes NAME_fmi.c: the functions of FMI 3.0, based on those of NAME.c.
+class fmu_source {
+public:
+  explicit fmu_source(const fmu& of) : of_(of), name_(of.system.name) {}
+
+  std::string text(const std::string& token) const {
+    std::string text = "/* The functions of FMI 3.0 for " + name_ + ". */\n#include \"" + name_ + ".h\"\n\n";
+    for (const char* header : {"math", "stdbool", "stddef", "stdint", "stdlib", "string"})
+      text += std::string("#include <") + header + ".h>\n";
+    text += "\nstatic const char token[] = \"{" + token + "}\";\n" + counts() + tables();
+    text += fmi_source::declarations;
+    const std::string evaluated = evaluations();
+    if (evaluated.find(" failed(") != evaluated.npos) text += fmi_source::failure;
+    text += evaluated;
+    text += fmi_source::events_and_steps;
+    text += fmi_source::lifecycle;
+    text += fmi_source::values;
+    return text + fmi_source::all_refusals();
+  }
+
+private:
+  std::string counts() const {
+    return fill_template(fmi_source::counts,
+                         {{"name", name_},
+                          {"outputs", std::to_string(of_.outputs.size())},
+                          {"indicators", std::to_string(of_.indicators.size())},
+                          {"changes", std::to_string(of_.changed.size())},
+                          {"drifts", of_.function(fmu::correction) == nullptr ? "0" : "1"}});
+  }
+
+  /// An array; it gets one entry if there is none.
+  static std::string array(const char* type, const char* called, const std::vector<std::string>& entries) {
+    std::string text = std::string("static const ") + type + ' ' + called + "[] = {";
+    for (std::size_t i = 0; i < entries.size(); ++i) text += (i == 0 ? "" : ", ") + entries[i];
+    return text + (entries.empty() ? "0};\n" : "};\n");
+  }
+
+  static std::string number(double value) { return scalar(precision::double_precision).number(value); }
+
+  static std::string starts(const char* called, const std::vector<fmu_variable>& variables) {
+    std::vector<std::string> entries;
+    entries.reserve(variables.size());
+    for (const fmu_variable& v : variables) entries.push_back(number(v.start));
+    return array("double", called, entries);
+  }
+
+  std::string tables() const {
+    std::vector<std::string> direction, ends, by, place;
+    for (const crossing each : of_.directions) direction.push_back(std::to_string(static_cast<int>(each)));
+    for (const bool each : of_.ends) ends.emplace_back(each ? "true" : "false");
+    for (const fmu_change& each : of_.changed) {
+      by.push_back(std::to_string(each.event));
+      place.push_back(std::to_string(each.place));
+    }
+    return '\n' + starts("start_of_states", of_.states) + starts("start_of_parameters", of_.parameters) +
+           starts("start_of_inputs", of_.inputs) + array("int", "direction", direction) +
+           array("bool", "ends_motion", ends) + array("int", "changed_by", by) +
+           array("int", "changed_place", place) +
+           "static const double internal_step = " + number(of_.step_length) + ";\n";
+  }
+
+  std::string evaluations() const {
+    using f = fmu;
+    return evaluation("rates", "rates_are_known", {{f::rates, {"rates"}}}) +
+           evaluation("measured", "measured_is_known", {{f::measured, {"measured"}}}) +
+           evaluation("jacobian", "jacobian_is_known",
+                      {{f::jacobian, {"by_state", "by_inputs"}}, {f::rates_by_time, {"by_time"}}}) +
+           evaluation(
+               "measured_derivatives", "measured_jacobian_is_known",
+               {{f::measured_derivatives, {"measured_by_state", "measured_by_inputs", "measured_by_time"}}}) +
+           evaluation("changes", "", {{f::changes, {"changes"}}}) +
+           evaluation("step", "", {{f::step, {"next"}}}, "instance *of, double h") +
+           evaluation("correction", "", {{f::correction, {"next"}}});
+  }
+
+  struct call {
+    const char* function;
+    std::vector<std::string> into; ///< members of the instance
+  };
+
+  /// A C function that evaluates parts of the system into members of an instance.
+  std::string evaluation(const std::string& called, const std::string& known, const std::vector<call>& calls,
+                         const std::string& given = "instance *of") const {
+    std::string text = "\nstatic fmi3Status find_" + called + '(' + given + ") {\n", made;
+    for (const call& each : calls)
+      if (const exported_function* const f = of_.function(each.function)) made += evaluated(*f, each.into);
+    if (made.empty()) return text + "  (void)of;\n  return fmi3OK;\n}\n";
+    text += "  unsigned long long status;\n";
+    if (!known.empty()) text += "  if (of->known & " + known + ") return fmi3OK;\n";
+    text += made;
+    if (!known.empty()) text += "  of->known |= " + known + ";\n";
+    return text + "  return fmi3OK;\n}\n";
+  }
+
+  /// Several results that share a member of the instance are stored there one after another. Without inputs
+  /// there is no derivative with respect to them.
+  std::string evaluated(const exported_function& f, const std::vector<std::string>& into) const {
+    const std::string whole = name_ + '_' + f.name;
+    const char* const step = !f.takes_step ? "" : f.name == fmu::step ? "h, " : "0, ";
+    std::string arguments = std::string("of->t, of->x, ") + step + "of->p, of->r", finite;
+    for (const exported_result& each : f.results) {
+      const std::string* to = &into[0];
+      for (const std::string& other : into)
+        if (into.size() > 1 && other.ends_with(each.name)) to = &other;
+      const int first = into.size() > 1 ? 0 : each.first;
+      arguments += ", of->" + *to + (first > 0 ? " + " + std::to_string(first) : "");
+      finite += "  if (finite(of, of->" + *to + (first > 0 ? " + " + std::to_string(first) : "") + ", " +
+                std::to_string(each.entries()) + ") != fmi3OK) return fmi3Discard;\n";
+    }
+    std::string text = "  status = " + whole + '(' + arguments + ");\n";
+    text += f.checks.empty()
+                ? "  (void)status;\n"
+                : "  if (status) return failed(of, status, " + whole + "_causes, " + whole + "_checks);\n";
+    return text + finite;
+  }
+
+  const fmu& of_;
+  const std::string& name_;
+};
+
+} // namespace kanexpr::exporting

@@ -1,0 +1,243 @@
+// kanexpr-export: exports a robot from a file, or a model from a header, to other languages.
+#include <kanexpr/exporting/command_line.hpp>
+#include <kanexpr/exporting/shell.hpp>
+#include <kanexpr/robots/read_urdf.hpp>
+#include <kanexpr/robots/robot_builder.hpp>
+#ifdef KANEXPR_ROBOTS_READ_SDF
+#include <kanexpr/robots/read_sdf.hpp>
+#endif
+
+#include <CLI/CLI.hpp>
+
+#include <charconv>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace kanexpr;
+namespace files = std::filesystem;
+
+using exporting::shell_quoted;
+
+/// The program that an environment variable names, or the default.
+std::string program_from_environment(const char* variable, const char* otherwise) {
+  const char* const chosen = std::getenv(variable);
+  return chosen != nullptr && *chosen != '\0' ? chosen : otherwise;
+}
+
+struct request {
+  std::string file{}, system{}, name{}, folder{}, format = "c", scalar = "double", base = "fixed",
+                                                  bind_robot = "numbers";
+  std::string step{};
+  std::vector<std::string> bound{}, start{}, results{}, expressions{}, include{};
+  bool with_python = false, with_cpp = false, quiet = false;
+
+  bool is_of(const char* ending) const { return file.ends_with(ending); }
+  bool is_robot() const { return is_of(".urdf") || is_of(".sdf") || is_of(".world"); }
+
+  std::vector<std::string> arguments() const {
+    std::vector<std::string> all{folder, name, "format=" + format, "scalar=" + scalar};
+    if (format == "fmi") all.push_back("compiler=" + program_from_environment("CC", "cc"));
+    if (!step.empty()) all.push_back("step=" + step);
+    for (const std::string& each : start) all.push_back("start=" + each);
+    for (const std::string& each : bound) all.push_back("bind=" + each);
+    for (const std::string& each : results) all.push_back("results=" + each);
+    if (with_python) all.emplace_back("python");
+    if (with_cpp) all.emplace_back("cpp");
+    return all;
+  }
+};
+
+int refuse(const std::string& cause) {
+  std::cerr << "kanexpr-export: " << cause << '\n';
+  return 1;
+}
+
+robots::read_robot read_robot_file(const std::string& file) {
+  if (file.ends_with(".urdf")) return robots::read_urdf(file, {});
+#ifdef KANEXPR_ROBOTS_READ_SDF
+  return robots::read_sdf(file, {});
+#else
+  return robots::read_robot(file + " is an SDF file, but kanexpr-export was compiled without libsdformat 12, "
+                                   "which reads them; the Debian package is libsdformat-dev");
+#endif
+}
+
+/// Adds the start values from the file and those of the robot at rest, unless the command line sets them.
+void add_start_values(std::vector<std::string>& arguments, const request& r,
+                      const robots::robot_builder& of) {
+  const auto add = [&](const std::string& symbol, double value) {
+    for (const auto* given : {&r.start, &r.bound})
+      for (const std::string& each : *given)
+        if (each.starts_with(symbol + '=')) return;
+    char digits[32];
+    const auto end = std::to_chars(digits, digits + sizeof digits, value).ptr;
+    arguments.push_back("start=" + symbol + '=' + std::string(digits, end));
+  };
+  for (const auto& [symbol, value] : of.at_rest()) add(symbol, value);
+  for (const auto& [symbol, value] : of.values()) add(symbol, value);
+}
+
+int write_robot(const request& r) {
+  if (!r.expressions.empty())
+    return refuse("--expression applies to headers; a robot file does not support expressions");
+  robots::model_options model;
+  model.base = r.base == "floating" ? robots::base_kind::floating : robots::base_kind::fixed;
+  model.bind = r.bind_robot == "parameters" ? robots::binding::parameters : robots::binding::numbers;
+  const robots::read_robot read = read_robot_file(r.file);
+  if (!r.quiet)
+    for (const std::string& note : read.notes) std::cerr << "kanexpr-export: note: " << note << '\n';
+  if (!read) return refuse(read.cause());
+  const robots::robot_builder of(read.robot, model);
+  if (!of.cause().empty()) return refuse(r.file + ": " + of.cause());
+  std::vector<std::string> arguments = r.arguments();
+  if (r.format == "fmi") add_start_values(arguments, r, of);
+  const exporting::command_line given(arguments);
+  runtime::staged_derivation derivation([&] { return runtime::derive_in_own_graph(of); });
+  const outcome written = given.write(derivation);
+  return written ? 0 : refuse(written.cause());
+}
+
+/// Whether the text has the form name=expression.
+bool has_name(const std::string& expression) {
+  const std::size_t end =
+      expression.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_0123456789");
+  return end != 0 && end != std::string::npos && expression[end] == '=' && end + 1 < expression.size();
+}
+
+std::string compiler() { return program_from_environment("CXX", "c++"); }
+
+bool is_clang() {
+  return std::system((compiler() + " -dM -E -x c++ /dev/null 2>/dev/null | grep -q __clang__").c_str()) == 0;
+}
+
+/// The compiler options: those of kanexpr's CMake target, and the include folders.
+std::string options(const request& r) {
+  std::string all = is_clang() ? " -fconstexpr-steps=1000000000 -fbracket-depth=1024"
+                               : " -fconstexpr-ops-limit=1000000000 -fconstexpr-loop-limit=10000000";
+  all += " -std=c++20 -fconstexpr-depth=2000";
+  for (const std::string& each : r.include) all += " -I" + shell_quoted(each);
+  std::error_code unknown;
+  const files::path here = files::read_symlink("/proc/self/exe", unknown).parent_path();
+  const files::path installed_headers = here.parent_path() / "include";
+  if (files::exists(installed_headers / "kanexpr" / "export.hpp", unknown))
+    all += " -I" + shell_quoted(installed_headers.string());
+  return all + " -isystem " + shell_quoted(KANEXPR_EIGEN);
+}
+
+/// The source of the program that exports a model. Expressions are looked up in the namespace of the system.
+std::string source_of_exporter(const request& r) {
+  std::string text = "#include <kanexpr/exporting/command_line.hpp>\n\n#include \"" +
+                     files::absolute(r.file).string() + "\"\n\nint main(int count, char** arguments) {\n";
+  const std::size_t end = r.system.substr(0, r.system.find('<')).rfind("::");
+  if (end != std::string::npos && end > 0 && !r.expressions.empty())
+    text += "  using namespace " + r.system.substr(0, end) + ";\n";
+  text += "  return kanexpr::exporting::run_command_line<" + r.system + ">(count, arguments, {";
+  for (const std::string& each : r.expressions) {
+    const std::size_t equals = each.find('=');
+    text += "kanexpr::exporting::expression<(" + each.substr(equals + 1) + ")>(\"" + each.substr(0, equals) +
+            "\"), ";
+  }
+  return text + "});\n}\n";
+}
+
+int write_model(const request& r) {
+  if (r.system.empty())
+    return refuse("specify the system of " + r.file + " to export, as in --system arm::System");
+  std::error_code unknown;
+  if (!files::is_regular_file(r.file, unknown)) return refuse(r.file + " cannot be read");
+  if (const exporting::command_line given(r.arguments()); !given.cause().empty())
+    return refuse(given.cause());
+  for (const std::string& each : r.expressions)
+    if (!has_name(each)) return refuse(each + " is not of the form name=expression");
+  const exporting::temporary_folder with;
+  if (with.path().empty()) return refuse("the temporary folder for the export program cannot be created");
+  const std::string source = (with.path() / "write.cpp").string(), program = (with.path() / "write").string();
+  std::ofstream(source) << source_of_exporter(r);
+  if (std::system(
+          (compiler() + options(r) + ' ' + shell_quoted(source) + " -o " + shell_quoted(program)).c_str()) !=
+      0)
+    return refuse(r.file + " with the system " + r.system + " does not compile; " + compiler() +
+                  " reports the errors");
+  std::string call = shell_quoted(program);
+  for (const std::string& each : r.arguments()) call += ' ' + shell_quoted(each);
+  return std::system(call.c_str()) == 0 ? 0 : 1;
+}
+
+/// A sentence about an option that does not apply to the file; empty if all do.
+std::string inapplicable_option(const CLI::App& given, const request& r) {
+  for (const char* option : {"--system", "--include"})
+    if (r.is_robot() && given.count(option) != 0)
+      return std::string(option) + " applies to headers, but " + r.file + " is a robot file";
+  for (const char* option : {"--base", "--values"})
+    if (!r.is_robot() && given.count(option) != 0)
+      return std::string(option) + " applies to robots, but " + r.file + " is a header";
+  return {};
+}
+
+} // namespace
+
+int main(int count, char** arguments) {
+  request r;
+  std::vector<std::string> names;
+  for (const exporting::export_format& each : exporting::formats) names.emplace_back(each.name);
+  CLI::App app("Exports the equations of motion of a robot or a model to other languages.");
+  app.add_option("file", r.file,
+                 "a robot file (.urdf, .sdf or .world), or the header of a model, which $CXX compiles")
+      ->required();
+  app.add_option("-s,--system", r.system, "the system in the header, as in arm::System");
+  app.add_option("-n,--name", r.name,
+                 "the name of the exported system; default: the file name without its extension");
+  app.add_option("-o,--output", r.folder, "the output folder")->required();
+  app.add_option("--format", r.format, "the output format; default: c")
+      ->check(CLI::IsMember(names))
+      ->option_text(CLI::detail::join(names, "|"));
+  app.add_option("--scalar", r.scalar, "the scalar type; default: double")
+      ->check(CLI::IsMember({"double", "float"}))
+      ->option_text("double|float");
+  app.add_option("--bind", r.bound, "a parameter to replace by a number; may be repeated")
+      ->option_text("PARAMETER=NUMBER")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--start", r.start,
+                 "the start value of a parameter, an input or a state of an FMU; may be repeated")
+      ->option_text("SYMBOL=NUMBER")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--step", r.step, "the internal step of an FMU's co-simulation, in s; default: 0.001")
+      ->option_text("NUMBER");
+  app.add_option(
+         "--results", r.results,
+         "a function of one result, or of several separated by spaces; in an FMU, an output; may be repeated")
+      ->option_text("RESULTS")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--expression", r.expressions,
+                 "a function that evaluates an expression of the header's model; may be repeated")
+      ->option_text("NAME=EXPRESSION")
+      ->expected(1)
+      ->take_all();
+  app.add_flag("--with-python", r.with_python, "also write a Python module");
+  app.add_flag("--with-cpp", r.with_cpp, "also write a C++ header with the names of the model");
+  app.add_option("-I,--include", r.include, "a folder to search for included headers; may be repeated")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--base", r.base, "the base of the robot: fixed (default) or floating")
+      ->check(CLI::IsMember({"fixed", "floating"}))
+      ->option_text("fixed|floating");
+  app.add_option("--values", r.bind_robot,
+                 "export the masses and lengths of the robot as numbers (default) or as parameters")
+      ->check(CLI::IsMember({"numbers", "parameters"}))
+      ->option_text("numbers|parameters");
+  app.add_flag("-q,--quiet", r.quiet, "suppress the notes about the robot file");
+  CLI11_PARSE(app, count, arguments);
+  if (const std::string wrong = inapplicable_option(app, r); !wrong.empty()) return refuse(wrong);
+  if (r.name.empty()) r.name = std::filesystem::path(r.file).stem().string();
+  return r.is_robot() ? write_robot(r) : write_model(r);
+}

@@ -1,1 +1,0 @@
-#include <kanexpr/mpi/engine/mpi_ranks.hpp>

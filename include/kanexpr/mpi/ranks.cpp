@@ -1,0 +1,1 @@
+#include <kanexpr/mpi/mpi_ranks.ipp>

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/derivation/image_reader.hpp>
+#include <kanexpr/derivation/image_writer.hpp>
+#include <kanexpr/derivation/read/reader.hpp>
+#include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/runtime/derived.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace kanexpr::runtime {
+
+/// A system derived from a copy of the builder's system; not derived if `mistake` is set.
+class derived_from_builder final : public derived {
+public:
+  derived_from_builder(std::shared_ptr<symbolic::graph> g, const mechanics::multibody_system& built,
+                       const mechanics::sentence& mistake)
+      : graph_(std::move(g)), system_(built), mistake_(mistake) {
+    if (built.mechanism.derived_by == mechanics::method::lagrange)
+      no_words_.derived_by = describe::method::lagrange;
+    if (mistake_) return;
+    equations_.emplace(system_);
+    reader_.know(equations_->known());
+    equations_->constrain();
+  }
+  derived_from_builder(const derived_from_builder& same, const derivation::image& from)
+      : graph_(std::make_shared<symbolic::graph>()), system_(*graph_), no_words_(same.no_words_) {
+    equations_.emplace(system_, mechanics::equations::for_restore{});
+    reader_.know(equations_->known());
+    derivation::image_reader read(from, *graph_, system_.mechanism);
+    each_part(*this, read);
+  }
+
+  const mechanics::sentence& mistake() const override {
+    if (mistake_) return mistake_;
+    return reader_.mistake() ? reader_.mistake() : equations_->mistake();
+  }
+  symbolic::graph& graph() override { return *graph_; }
+  const mechanics::mechanism& mechanism() const override { return system_.mechanism; }
+  derivation::reader& reader() override { return reader_; }
+  mechanics::equations* equations() override { return equations_ ? &*equations_ : nullptr; }
+
+  void store(derivation::image& into) const override {
+    derivation::image_writer write(into, *graph_);
+    each_part(*this, write);
+  }
+  std::shared_ptr<derived> resumed(const derivation::image& from) const override {
+    return std::make_shared<derived_from_builder>(*this, from);
+  }
+
+private:
+  template <class Self, class Visit>
+  static void each_part(Self& self, Visit& visit) {
+    visit(self.system_);
+    visit(self.reader_);
+    visit(*self.equations_);
+  }
+
+  std::shared_ptr<symbolic::graph> graph_;
+  mechanics::multibody_system system_;
+  mechanics::sentence mistake_{};
+  describe::system_record no_words_{};
+  derivation::reader reader_{no_words_, system_}; ///< looks up symbols by name
+  std::optional<mechanics::equations> equations_{};
+};
+
+} // namespace kanexpr::runtime

@@ -1,0 +1,218 @@
+#pragma once
+
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/numeric/all_finite.hpp>
+#include <kanexpr/numeric/constrained_motion.hpp>
+#include <kanexpr/numeric/factorized.hpp>
+#include <kanexpr/simulations/constraints/constraints_of.hpp>
+#include <kanexpr/simulations/constraints/manifold.hpp>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+
+namespace kanexpr::simulations {
+
+/// The manifold of the constraints and quaternions of a system. A projection applies the smallest correction:
+/// first of the coordinates, by Newton's method, then of the speeds, in which the constraints are linear
+/// (Eich 1993).
+///
+/// A template, like everything that depends on it, so that systems without constraints compile none of it.
+template <class System>
+class constraint_manifold final : public manifold {
+public:
+  using matrix = Eigen::MatrixXd;
+
+  explicit constraint_manifold(const System& of)
+      : of_(of), norms_(of.known), n_(of.known.coordinates), o_(of.known.speeds),
+        units_(vector::Zero(of.states())), correction_(vector::Zero(of.states())),
+        by_q_(of.known.configuration_constraints + norms_.count(), n_), by_u_(of.known.constraints, o_) {}
+
+  assembly assemble(double t, vector& x, const vector& r) override {
+    if (!norms_.are_bound())
+      if (const status s = norms_.normalize(x, {0.99, 1.01}); !s) {
+        assembly failed;
+        failed.failure = mechanics::sentence({s.view()});
+        return failed;
+      }
+    const auto motion = [&](const vector& at) -> unreduced_motion& { return motion_at(t, at, r); };
+    constraints_of<System, decltype(motion)> constraints(of_, norms_, t, r, motion);
+    return numeric::assemble(constraints, x, {});
+  }
+  vector configuration_residual(double t, const vector& x, const vector& r) override {
+    const auto motion = [&](const vector& at) -> unreduced_motion& { return motion_at(t, at, r); };
+    return constraints_of<System, decltype(motion)>(of_, norms_, t, r, motion).configuration_residual(x);
+  }
+  mechanics::sentence redundant_violation(double t, const vector& x, const vector& r,
+                                          double tolerance) override {
+    const auto motion = [&](const vector& at) -> unreduced_motion& { return motion_at(t, at, r); };
+    const constraints_of<System, decltype(motion)> constraints(of_, norms_, t, r, motion);
+    const vector left = constraints.redundant_residual(x);
+    vector terms = constraints.redundant_terms(x), nearby = x;
+    if ((left.cwiseAbs().array() <= tolerance * terms.array()).all()) return {};
+    for (int looks = 1; looks <= 3; ++looks) { // terms that vanish here may be larger nearby
+      for (int i = 0; i < n_; ++i) nearby(i) = x(i) + std::sin(looks + 2.4 * i) * sizes_(i);
+      terms = terms.cwiseMax(constraints.redundant_terms(nearby)).eval();
+    }
+    for (Eigen::Index i = 0; i < left.size(); ++i)
+      if (!(std::abs(left(i)) <= tolerance * terms(i)))
+        return numeric::with_number(
+            mechanics::sentence({"redundant constraint ", mechanics::counted(static_cast<int>(i) + 1).view(),
+                                 " has a residual of "})
+                .view(),
+            left(i));
+    return {};
+  }
+
+  void set_sizes(double t, const vector& x, const vector& r, const vector& sizes) override {
+    sizes_ = sizes;
+    unreduced_.reset();
+    is_near_ = false;
+    motion_at(t, x, r);
+  }
+  void update_singularity(double t, const vector& x, const vector& r, double least) override {
+    const double distinctness = motion_at(t, x, r).distinctness(x);
+    if (!is_near_) clear_ = 2 * least; // so that it does not switch at every step
+    is_near_ = distinctness < (is_near_ ? clear_ : least);
+  }
+  bool is_near_singular() const override { return is_near_; }
+  status rates(double t, const vector& x, const vector& r, double* xdot) override {
+    const status s = motion_at(t, x, r).find(x, found_);
+    if (s) std::copy_n(found_.rates.data(), x.size(), xdot);
+    return s;
+  }
+
+  bool project(double t, const vector& x, const vector& r, const vector& weights) override {
+    units_ = weights.cwiseAbs2().cwiseInverse();
+    correction_.setZero();
+    is_by_rows_ = !is_near_ && project_coordinates(t, x, r, weights) && project_speeds(t, x, r);
+    if (is_by_rows_) return true;
+    if (by_u_.rows() == 0 || !motion_at(t, x, r).find(x, found_)) return false;
+    correction_ = found_.x - x;
+    return true;
+  }
+  const vector& correction() const override { return correction_; }
+  /// Near a singular position the whole error is kept, since the rows of J do not determine its normal
+  /// component.
+  void project_error(double* error) const override {
+    if (!is_by_rows_) return;
+    Eigen::Map<vector> of_q(error, n_), of_u(error + n_, o_);
+    if (by_q_.rows() != 0) of_q += minimum_norm_solution(by_q_, 0, -by_q_.lazyProduct(of_q));
+    if (by_u_.rows() != 0) of_u += minimum_norm_solution(by_u_, n_, -by_u_.lazyProduct(of_u));
+  }
+
+private:
+  /// Returns D Jᵀ (J D Jᵀ)⁻¹ b, the smallest vector that J maps to b, for the entries of the state from
+  /// `first` on.
+  vector minimum_norm_solution(const matrix& j, int first, vector b) const {
+    matrix spread = j.transpose();
+    for (Eigen::Index k = 0; k < spread.rows(); ++k) spread.row(k) *= units_(first + k);
+    const numeric::factorized<vector> factors(matrix(j.lazyProduct(spread)));
+    factors.solve(b);
+    return spread.lazyProduct(b);
+  }
+
+  /// The system in the form that `constrained_motion` requires, at a fixed time with its inputs.
+  struct all_speeds {
+    using number = double;
+    static constexpr int fixed_coordinates = -1, fixed_speeds = -1, fixed_rows_of_coordinates = -1,
+                         fixed_rows_of_speeds = -1;
+    constraint_manifold& of;
+    double t = 0;
+    vector r{};
+
+    int coordinates() const { return of.n_; }
+    int speeds() const { return of.o_; }
+    Eigen::Index rows_of_coordinates() const { return of.by_q_.rows(); }
+    Eigen::Index rows_of_speeds() const { return of.by_u_.rows(); }
+    void configuration(const vector& x, vector& left, matrix& by_coordinates) const {
+      left = of.configuration_residual_with_norms(t, x, r);
+      by_coordinates = of.by_q_;
+    }
+    void velocities(const vector& x, vector& left, matrix& by_speeds) const {
+      of.of_.evaluate(results::velocities, t, x.data(), r.data(), {left.data(), by_speeds.data()});
+    }
+    status motion(const vector& x, vector& qdot, matrix& mass, vector& force, vector& bias) const {
+      return of.of_.evaluate(results::unreduced, t, x.data(), r.data(),
+                             {qdot.data(), mass.data(), force.data(), bias.data()});
+    }
+  };
+  using unreduced_motion = numeric::constrained_motion<all_speeds>;
+
+  /// Returns the motion from the equations of all speeds, at a time with its inputs.
+  unreduced_motion& motion_at(double t, const vector& x, const vector& r) {
+    equations_.t = t, equations_.r = r;
+    if (!unreduced_) unreduced_.emplace(equations_, sizes_, x);
+    return *unreduced_;
+  }
+
+  /// Returns the residuals of the configuration constraints followed by those of the quaternion norms, and
+  /// evaluates their derivatives with respect to all coordinates.
+  vector configuration_residual_with_norms(double t, const vector& x, const vector& r) {
+    const int constraints = of_.known.configuration_constraints;
+    vector left(by_q_.rows());
+    by_q_.setZero();
+    if (constraints != 0) {
+      matrix by_coordinates(constraints, n_);
+      of_.evaluate(results::configuration, t, x.data(), r.data(), {left.data(), by_coordinates.data()});
+      by_q_.topRows(constraints) = by_coordinates;
+    }
+    for (int k = 0; k < norms_.count(); ++k) {
+      left(constraints + k) = norms_.residual(k, x.data());
+      for (const int place : norms_.places_of(k)) by_q_(constraints + k, place) = x(place);
+    }
+    return left;
+  }
+
+  bool project_coordinates(double t, const vector& y, const vector& r, const vector& weights) {
+    if (by_q_.rows() == 0) return true;
+    double last = std::numeric_limits<double>::infinity();
+    for (int steps = 0; steps < most_steps; ++steps) {
+      const vector left = configuration_residual_with_norms(t, y + correction_, r);
+      const vector step = minimum_norm_solution(by_q_, 0, -left);
+      if (!numeric::all_finite(step)) return false;
+      correction_.head(n_) += step;
+      const double size = step.cwiseProduct(weights.head(n_)).cwiseAbs().maxCoeff();
+      if (size <= close_enough || (size <= 1 && size > last / 4))
+        return true; // or the rounding level is reached
+      last = size;
+    }
+    return false;
+  }
+
+  bool project_speeds(double t, const vector& y, const vector& r) {
+    if (by_u_.rows() != 0) {
+      const vector x = y + correction_;
+      vector left(by_u_.rows());
+      of_.evaluate(results::velocities, t, x.data(), r.data(), {left.data(), by_u_.data()});
+      correction_.tail(o_) = minimum_norm_solution(by_u_, n_, -left);
+    }
+    return numeric::all_finite(correction_);
+  }
+
+  /// A Newton step this small relative to the tolerances leaves an error of its square, which is negligible.
+  static constexpr double close_enough = 1e-2;
+  static constexpr int most_steps = 10;
+
+  const System& of_;
+  unit_norms norms_;
+  int n_, o_; ///< coordinates, speeds
+  vector units_, correction_;
+  matrix by_q_, by_u_;
+  vector sizes_ = vector::Ones(n_ + o_);
+  double clear_ = 0; ///< the distinctness above which a position is no longer near a singular one
+  bool is_near_ = false, is_by_rows_ = false; ///< by rows: the last projection used the rows of J
+  all_speeds equations_{*this};
+  std::optional<unreduced_motion> unreduced_{};
+  typename unreduced_motion::motion found_{};
+};
+
+template <class System>
+std::unique_ptr<manifold> manifold_of(const System& of) {
+  return std::make_unique<constraint_manifold<System>>(of);
+}
+
+} // namespace kanexpr::simulations

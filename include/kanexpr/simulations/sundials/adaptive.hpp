@@ -1,0 +1,240 @@
+#pragma once
+
+#include <kanexpr/base/digits.hpp>
+#include <kanexpr/simulations/sundials/handles.hpp>
+#include <kanexpr/simulations/sundials/initial_value_problem.hpp>
+#include <kanexpr/simulations/sundials/stepper.hpp>
+
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace kanexpr::simulations {
+
+/// The common part of the SUNDIALS integrators. `Calls` names the functions of one of them.
+template <class Calls>
+class adaptive : public stepper {
+public:
+  adaptive(const adaptive&) = delete;
+  adaptive& operator=(const adaptive&) = delete;
+  ~adaptive() override { Calls::free(&memory_); }
+
+  arrival advance(double target) override {
+    const arrival arrived = step(target);
+    return arrived == arrival::failed || correct() ? arrived : arrival::failed;
+  }
+
+  bool restart() override {
+    drift_correction_.clear();
+    before_restart_ = statistics(); // a restart may clear the counters
+    return accepted(reinitialize(), "a new state") && set_end();
+  }
+
+  void set_tolerances(double relative, const std::vector<double>& absolute) override {
+    options_.relative_tolerance = relative;
+    std::ranges::copy(absolute, options_.absolute_tolerances.begin());
+  }
+
+  std::vector<int> events() const override {
+    std::vector<int> found(static_cast<std::size_t>(watched_.watched()));
+    Calls::root_info(memory_, found.data());
+    return found;
+  }
+
+  bool derivative(double t, int order, double* out) override {
+    const vector_handle v = vector_on(out, size(), context_);
+    return Calls::derivative(memory_, t, order, v.get()) == 0;
+  }
+  double step_begin() const override { return step_end() - number(Calls::last_step); }
+  double step_end() const override { return number(Calls::current_time); }
+
+  long steps() const override { return before_restart_.steps + number<long>(Calls::steps); }
+
+  integration_statistics statistics() const override {
+    integration_statistics all = before_restart_;
+    all.steps += number<long>(Calls::steps);
+    all.error_test_failures += number<long>(Calls::error_test_failures);
+    all.solver_failures += number<long>(Calls::solver_failures);
+    if (solver_) all.jacobian_evaluations += number<long>(Calls::jacobians);
+    return all;
+  }
+
+protected:
+  static constexpr int root_return = 2;         // the same in all three packages
+  static constexpr double steps_of_return = 10; // fewer would affect the error test
+
+  adaptive(initial_value_problem& problem, double from, std::vector<double> start, stepper_options options)
+      : watched_(problem), options_(std::move(options)) {
+    t_ = from;
+    y_ = std::move(start);
+    at_ = vector_on(y_.data(), size(), context_);
+    weights_ = new_vector(size(), context_);
+  }
+
+  /// Calls the integrator once; it advances t and y.
+  virtual int solve(double target) = 0;
+  virtual int reinitialize() = 0;
+
+  sunindextype size() const { return static_cast<sunindextype>(y_.size()); }
+
+  bool has_memory() {
+    if (memory_ != nullptr && at_ && weights_)
+      return accepted(Calls::set_error_handler(memory_, last_error::handle, &error_), "an error handler");
+    failed_ = {"there is no memory left for the integrator"};
+    return false;
+  }
+
+  /// Applies the settings that all of them share, after the first state is set.
+  bool set_common() {
+    return accepted(Calls::set_user_data(memory_, this), "the user data") &&
+           accepted(Calls::set_weights(memory_, compute_weights), "the tolerances") &&
+           accepted(Calls::set_first_step(memory_, options_.first_step), "the first step") &&
+           accepted(Calls::set_least_step(memory_, options_.least_step), "the least step") &&
+           accepted(Calls::set_greatest_step(memory_, options_.greatest_step), "the greatest step") &&
+           set_end() && set_watched();
+  }
+  bool set_end() { return accepted(Calls::set_end(memory_, options_.end), "the end of the time span"); }
+
+  bool accepted(int flag, const char* what) {
+    if (flag == 0) return true;
+    failed_ = {std::string("SUNDIALS rejected ") + what +
+               (error_.message.empty() ? "" : ": " + error_.message)};
+    return false;
+  }
+
+  /// Selects Newton's method with dense matrices, and the problem's own Jacobian if it has one.
+  template <class Problem, class Jacobian>
+  bool set_newton(const Problem& problem, Jacobian jacobian) {
+    matrix_.reset(SUNDenseMatrix(size(), size(), context_));
+    solver_.reset(SUNLinSol_Dense(at_.get(), matrix_.get(), context_));
+    if (!accepted(Calls::set_linear_solver(memory_, solver_.get(), matrix_.get()), "the linear solver"))
+      return false;
+    return !options_.analytic_jacobian || !problem.has_jacobian() ||
+           accepted(Calls::set_jacobian(memory_, jacobian), "the Jacobian");
+  }
+
+  /// Returns a number that the integrator reports; 0 if it has none.
+  template <class Number = double, class Get>
+  Number number(Get get) const {
+    Number found = 0;
+    return get(memory_, &found) == 0 ? found : 0;
+  }
+
+  const double* weights() {
+    Calls::error_weights(memory_, weights_.get());
+    return numbers_of(weights_.get());
+  }
+
+  initial_value_problem& watched_;
+  stepper_options options_;
+  ::sundials::Context context_{};
+  vector_handle at_{}, weights_{};
+  matrix_handle matrix_{};
+  linear_solver_handle solver_{};
+  void* memory_ = nullptr;
+  std::vector<double> correction_{};
+  std::vector<double> drift_correction_{}; ///< toward the manifold; added to the rates
+
+private:
+  bool is_at(double target) const {
+    const double latest = (std::max)(std::abs(t_), std::abs(target));
+    return target - t_ <= 8 * std::numeric_limits<double>::epsilon() * latest;
+  }
+
+  arrival step(double target) {
+    if (is_at(target)) { // as after an event, where SUNDIALS would reject the target as too close
+      t_ = target;
+      return arrival::step;
+    }
+    const int flag = solve(target);
+    if (flag < 0) {
+      failed_ = failure_for(flag);
+      return arrival::failed;
+    }
+    return flag == root_return ? arrival::event : arrival::step;
+  }
+
+  /// Projects the reported state onto a manifold from which the formulas drift, if the integrator does
+  /// not. The formulas themselves are led back over the next steps by a term added to their rates: restarting
+  /// them from a corrected state would begin at low orders, which drift fastest.
+  bool correct() {
+    if (!reports_projected_states()) return true;
+    correction_.assign(y_.size(), 0);
+    if (watched_.project(t_, y_.data(), weights(), correction_.data(), nullptr) != answer::success) {
+      failed_ = {"the state could not be brought back to the constraints"};
+      return false;
+    }
+    const double way = steps_of_return * (std::max)(number(Calls::last_step), number(Calls::next_step));
+    drift_correction_.assign(y_.size(), 0);
+    for (std::size_t i = 0; i < y_.size(); ++i) {
+      y_[i] += correction_[i];
+      if (way > 0) drift_correction_[i] = correction_[i] / way;
+    }
+    return true;
+  }
+
+  bool set_watched() {
+    const int count = watched_.watched();
+    if (count == 0) return true;
+    std::vector<int> directions(static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) directions[static_cast<std::size_t>(i)] = watched_.direction(i);
+    return accepted(Calls::watch(memory_, count, watch), "the events") &&
+           accepted(Calls::set_directions(memory_, directions.data()), "the directions of the events") &&
+           accepted(Calls::no_warnings(memory_), "the suppression of warnings");
+  }
+
+  /// Computes weights from tolerances that may change between two steps.
+  static int compute_weights(N_Vector y, N_Vector weights, void* of) {
+    const stepper_options& o = static_cast<adaptive*>(of)->options_;
+    for (std::size_t i = 0; i < o.absolute_tolerances.size(); ++i) {
+      const double unit = o.relative_tolerance * std::abs(numbers_of(y)[i]) + o.absolute_tolerances[i];
+      if (!(unit > 0)) return -1;
+      numbers_of(weights)[i] = 1 / unit;
+    }
+    return 0;
+  }
+
+  static int watch(double t, N_Vector y, double* values, void* of) {
+    return static_cast<int>(static_cast<adaptive*>(of)->watched_.watch(t, numbers_of(y), values));
+  }
+  static int watch(double t, N_Vector y, N_Vector, double* values, void* of) {
+    return watch(t, y, values, of);
+  }
+
+  /// Returns the end of a sentence about a lower limit of the step size, unless the limit is only rounding.
+  std::string step_limit_text() const {
+    if (options_.least_step <= 4 * std::numeric_limits<double>::epsilon() * options_.end) return {};
+    return "; the least step is " + simulations::digits(options_.least_step);
+  }
+
+  /// Codes from −2 to −7 have the same meaning in all three packages.
+  failure failure_for(int flag) const {
+    switch (flag) {
+    case -2: return {"the tolerances are too small for double precision"};
+    case -3:
+      return {"the step size collapsed: no step was short enough to keep the error within the tolerances" +
+              step_limit_text()};
+    case -4:
+      return {"the step size collapsed: the iteration within a step did not converge" + step_limit_text()};
+    case -5:
+    case -6:
+    case -7: return {"the linear equations within a step could not be solved"};
+    default: break;
+    }
+    if (flag == Calls::event_failed) return {"an event could not be evaluated"};
+    if (Calls::is_projection(flag)) return {"the state could not be brought back to the constraints"};
+    if (Calls::is_evaluation(flag)) return {"the equations of motion could not be evaluated"};
+    return {"SUNDIALS failed: " + error_.message};
+  }
+
+  last_error error_{};
+  integration_statistics before_restart_{};
+};
+
+} // namespace kanexpr::simulations

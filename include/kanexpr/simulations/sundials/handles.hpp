@@ -1,0 +1,39 @@
+#pragma once
+
+#include <nvector/nvector_serial.h>
+#include <sundials/sundials_context.hpp>
+#include <sundials/sundials_linearsolver.h>
+#include <sundials/sundials_matrix.h>
+#include <sundials/sundials_nonlinearsolver.h>
+#include <sundials/sundials_nvector.h>
+
+#include <memory>
+#include <type_traits>
+
+/// Owning handles to SUNDIALS objects.
+namespace kanexpr::simulations {
+
+struct sundials_deleter {
+  void operator()(N_Vector v) const { N_VDestroy(v); }
+  void operator()(SUNMatrix m) const { SUNMatDestroy(m); }
+  void operator()(SUNLinearSolver s) const { SUNLinSolFree(s); }
+  void operator()(SUNNonlinearSolver s) const { SUNNonlinSolFree(s); }
+};
+
+using vector_handle = std::unique_ptr<std::remove_pointer_t<N_Vector>, sundials_deleter>;
+using matrix_handle = std::unique_ptr<std::remove_pointer_t<SUNMatrix>, sundials_deleter>;
+using linear_solver_handle = std::unique_ptr<std::remove_pointer_t<SUNLinearSolver>, sundials_deleter>;
+using nonlinear_solver_handle = std::unique_ptr<std::remove_pointer_t<SUNNonlinearSolver>, sundials_deleter>;
+
+/// Returns a SUNDIALS vector over numbers that it does not own.
+inline vector_handle vector_on(double* numbers, sunindextype size, SUNContext context) {
+  return vector_handle(N_VMake_Serial(size, numbers, context));
+}
+
+inline vector_handle new_vector(sunindextype size, SUNContext context) {
+  return vector_handle(N_VNew_Serial(size, context));
+}
+
+inline double* numbers_of(N_Vector v) { return N_VGetArrayPointer(v); }
+
+} // namespace kanexpr::simulations

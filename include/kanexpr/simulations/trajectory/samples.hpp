@@ -1,0 +1,124 @@
+#pragma once
+
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/base/name_of_time.hpp>
+#include <kanexpr/compiled/state.hpp>
+#include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
+#include <kanexpr/simulations/tables/table.hpp>
+#include <kanexpr/simulations/trajectory/dense_output.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace kanexpr {
+
+/// The state and the inputs at a time.
+template <class System>
+struct sample {
+  double t;
+  state<System> x;
+  input_values<System> r;
+};
+
+/// Energies along a trajectory.
+struct energies {
+  std::vector<double> kinetic, potential, total;
+};
+
+namespace simulations {
+
+/// The samples of a motion in chronological order, and the polynomials between them: the part of a trajectory
+/// that does not depend on the kind of system.
+template <class System>
+class samples {
+public:
+  using sample = kanexpr::sample<System>;
+  using parameters_type = parameter_values<System>;
+
+  samples() = default;
+  explicit samples(const parameters_type& p) : p_(p) {}
+
+  void add(const sample& s) { samples_.push_back(s); }
+  /// Adds the solution's polynomial over a step, for `at`.
+  void add(piece p) { pieces_.add(std::move(p)); }
+
+  std::size_t size() const { return samples_.size(); }
+  bool empty() const { return samples_.empty(); }
+  auto begin() const { return samples_.begin(); }
+  auto end() const { return samples_.end(); }
+  const sample& operator[](std::size_t i) const { return samples_[i]; }
+  const sample& front() const { return samples_.front(); }
+  const sample& back() const { return samples_.back(); }
+  const parameters_type& parameters() const { return p_; }
+
+  std::vector<double> times() const {
+    return collect([](const sample& s) { return s.t; });
+  }
+
+protected:
+  template <class Function>
+  auto collect(const Function& of) const {
+    std::vector<std::invoke_result_t<const Function&, const sample&>> all;
+    all.reserve(size());
+    for (const sample& s : samples_) all.push_back(of(s));
+    return all;
+  }
+
+  /// Returns the sample at a time between the samples; `rates` returns ẋ at a sample.
+  template <class Rates>
+  std::optional<sample> interpolate(double t, const Rates& rates) const {
+    if (empty() || !(numeric::is_finite(t) && t >= front().t && t <= back().t)) return std::nullopt;
+    const auto after = std::upper_bound(samples_.begin(), samples_.end(), t,
+                                        [](double time, const sample& s) { return time < s.t; });
+    const sample& a = *std::prev(after);
+    if (numeric::equal(a.t, t) || after == samples_.end()) return a;
+    const sample& b = *after;
+    const double part = (t - a.t) / (b.t - a.t);
+    sample found{t, a.x, a.r};
+    for (Eigen::Index i = 0; i < found.r.size(); ++i) found.r(i) += part * (b.r(i) - a.r(i));
+    if (!pieces_.evaluate(t, found.x.data(), static_cast<std::size_t>(found.x.size())))
+      cubic(part, b.t - a.t, std::span(a.x.data(), static_cast<std::size_t>(a.x.size())), rates(a).data(),
+            b.x.data(), rates(b).data(), found.x.data());
+    return found;
+  }
+
+  kanexpr::table table_of(const derivation::survey& known) const {
+    kanexpr::table all;
+    const auto put = [&](std::string_view name, std::vector<double> values) {
+      static_cast<void>(all.add(std::string(name), std::move(values))); // symbol names are unique
+    };
+    const auto add_columns = [&](symbolic::symbol_kind kind, int count, auto entry) {
+      for (int i = 0; i < count; ++i)
+        put(known.names[known.first_of(kind) + i].view(),
+            collect([&](const sample& s) -> double { return entry(s, i); }));
+    };
+    const auto is_taken = [&](const std::string& name) {
+      return std::ranges::any_of(known.names, [&](const auto& other) { return other.view() == name; });
+    };
+    put(name_of_time(is_taken), times());
+    add_columns(symbolic::symbol_kind::coordinate, known.coordinates,
+                [](const sample& s, int i) { return s.x(i); });
+    add_columns(symbolic::symbol_kind::speed, known.speeds,
+                [&](const sample& s, int i) { return s.x(known.coordinates + i); });
+    add_columns(symbolic::symbol_kind::input, known.inputs, [](const sample& s, int i) { return s.r(i); });
+    return all;
+  }
+
+private:
+  std::vector<sample> samples_{};
+  dense_output pieces_{};
+  parameters_type p_{};
+};
+
+} // namespace simulations
+
+} // namespace kanexpr

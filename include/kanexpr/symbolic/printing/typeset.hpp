@@ -1,0 +1,150 @@
+#pragma once
+
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/external.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/symbolic/printing/latex.hpp>
+#include <kanexpr/symbolic/printing/latex_name.hpp>
+#include <kanexpr/symbolic/printing/writer.hpp>
+
+#include <string>
+#include <vector>
+
+namespace kanexpr::symbolic {
+
+namespace printing {
+
+class typeset : public writer<typeset> {
+public:
+  using writer::writer;
+
+  std::string product(const side& s) const {
+    std::string text = s.shows_number() ? number_of(s.coefficient) : "";
+    for (std::size_t i = 0; i < s.factors.size(); ++i) {
+      const factor& f = s.factors[i];
+      const bool ends_open = i + 1 == s.factors.size() || is_named(s.factors[i + 1].base);
+      const std::string next =
+          is_named(f.base) ? function(f.base, exponent_mark(f.exponent), ends_open) : text_of(f);
+      const bool digits_meet = !text.empty() && next[0] >= '0' && next[0] <= '9';
+      text += (text.empty() ? "" : digits_meet ? " \\cdot " : " ") + next;
+    }
+    return text;
+  }
+  std::string quotient(const side& above, const side& below) const {
+    return "\\frac{" + alone(above) + "}{" + alone(below) + "}";
+  }
+  std::string function(int id) const { return function(id, "", true); }
+  std::string choice_of(const std::string& condition, const std::string& positive,
+                        const std::string& other) const {
+    return "\\operatorname{if}" + in_parentheses(condition + " > 0, " + positive + ", " + other);
+  }
+  std::string name_of(const symbol& s) const {
+    const bool is_rate = s.kind == symbol_kind::coordinate_rate || s.kind == symbol_kind::speed_rate;
+    return latex_name(s.called.view(), is_rate);
+  }
+  std::string number_of(const number& n) const {
+    std::string text = decimal(n);
+    if (text == "inf") return "\\infty";
+    const std::size_t e = text.find('e');
+    if (e == std::string::npos) return text;
+    const std::string tens = "10^{" + std::to_string(std::stoi(text.substr(e + 1))) + "}";
+    return text.substr(0, e) == "1" ? tens : text.substr(0, e) + " \\cdot " + tens;
+  }
+  std::string exponent(int id) const { return write(id); }
+  std::string power(const std::string& base, const std::string& exponent) const {
+    return base + "^{" + exponent + "}";
+  }
+  std::string raised(int base, const std::string& exponent) const {
+    if (is_named(base)) return function(base, "^{" + exponent + "}", false);
+    const std::string text = operand(base);
+    const operation op = at(base).op;
+    const bool is_power =
+        (op == operation::exp || op == operation::constant) && text.find('^') != std::string::npos;
+    return power(is_power && !text.starts_with("\\left(") ? in_parentheses(text) : text, exponent);
+  }
+  std::string in_parentheses(const std::string& text) const { return "\\left(" + text + "\\right)"; }
+
+private:
+  /// Whether a function is written as a name before its argument.
+  bool is_named(int id) const {
+    const operation op = at(id).op;
+    return is_written_as_function(op) && op != operation::sqrt && op != operation::cbrt &&
+           op != operation::abs && op != operation::exp && op != operation::component && !is_selection(op);
+  }
+
+  static std::string exponent_mark(std::int64_t exponent) {
+    return exponent == 1 ? "" : "^{" + std::to_string(exponent) + "}";
+  }
+
+  static std::string word_for(operation op) {
+    const std::string command = symbolic::is_function(op) ? properties_of(op).latex : "";
+    return command.empty() ? std::string("\\operatorname{") + function_name(op) + "}" : command;
+  }
+
+  /// Writes a derivative with respect to the n-th operand as a prefix ∂_n.
+  std::string name_of(const external_function& f, const std::string& mark) const {
+    std::string text;
+    for (int k = 0; k < f.order; ++k) text += "\\partial_{" + std::to_string(f.by[k] + 1) + "} ";
+    text += latex_name(f.original.view(), false);
+    return mark.empty() || f.order == 0 ? text + mark : in_parentheses(text) + mark;
+  }
+
+  /// `ends_open` means that nothing follows that could be read as part of the argument.
+  std::string function(int id, const std::string& mark, bool ends_open) const {
+    const node& n = at(id);
+    if (n.op == operation::component) return component(n);
+    if (n.op == operation::singularity_measure)
+      return "\\operatorname{singularity\\ measure}" + mark + in_parentheses(brackets(rows_of(n.a, false)));
+    if (is_selection(n.op)) return choice(id);
+    if (n.op == operation::call)
+      return name_of(owner().external_at(id), mark) + in_parentheses(separated(elements(n.a)));
+    const std::string argument = write(n.a);
+    if (n.op == operation::sqrt || n.op == operation::cbrt) return word_for(n.op) + "{" + argument + "}";
+    if (n.op == operation::abs) return "\\left|" + argument + "\\right|";
+    if (n.op == operation::exp) return "e^{" + argument + "}";
+    const std::string word = word_for(n.op) + mark;
+    if (is_binary(n.op)) return word + in_parentheses(argument + ", " + write(n.b));
+    if (at(n.a).op == operation::symbol && ends_open) return word + " " + argument;
+    return word + in_parentheses(argument);
+  }
+
+  std::string component(const node& n) const {
+    const node& solution = at(n.a);
+    std::vector<std::vector<int>> right;
+    for (int id : elements(solution.b)) right.push_back({id});
+    const bool transposed = solution.op == operation::transposed_solve;
+    return in_parentheses(brackets(rows_of(solution.a, transposed)) + "^{-1} " + brackets(right)) + "_{" +
+           std::to_string(integer_at(owner(), n.b) + 1) + "}";
+  }
+  std::string brackets(const std::vector<std::vector<int>>& rows) const {
+    std::string text = "\\begin{bmatrix}";
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t j = 0; j < rows[i].size(); ++j)
+        text += (j > 0 ? " & " : i > 0 ? " \\\\ " : " ") + write(rows[i][j]);
+    return text + " \\end{bmatrix}";
+  }
+
+  /// Writes one side of a fraction; the fraction bar makes parentheses unnecessary.
+  std::string alone(const side& s) const {
+    const bool is_bare = !s.shows_number() && s.factors.size() == 1 && s.factors[0].exponent == 1;
+    return is_bare ? write(s.factors[0].base) : product(s);
+  }
+};
+
+} // namespace printing
+
+KANEXPR_ENGINE std::string latex(const graph& g, int id) { return printing::typeset(g).write(id); }
+KANEXPR_ENGINE std::string latex(expression e) { return latex(e.owner(), e.node()); }
+
+KANEXPR_ENGINE std::string latex(const matrix& m) {
+  std::string text = "\\begin{bmatrix}\n";
+  for (int i = 0; i < m.rows; ++i)
+    for (int j = 0; j < m.columns; ++j)
+      text += latex(m(i, j)) + (j + 1 < m.columns ? " & " : i + 1 < m.rows ? " \\\\\n" : "\n");
+  return text + "\\end{bmatrix}";
+}
+
+} // namespace kanexpr::symbolic

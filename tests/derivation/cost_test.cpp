@@ -1,0 +1,76 @@
+// The models must not become dearer than they are known to be.
+#include <kanexpr/derivation/cost.hpp>
+#include <models/iiwa.hpp>
+#include <models/pendulum6.hpp>
+#include <models/puma.hpp>
+#include <models/quadruped.hpp>
+#include <models/rolling_disc.hpp>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using kanexpr::mechanics::quantity;
+
+constexpr int operations(const kanexpr::symbolic::cost& c) { return c.multiplications + c.additions; }
+
+using disc = kanexpr::equations_of_motion<rolling_disc::System>;
+static_assert(disc::cost(disc::mass_matrix).multiplications <= 5);
+static_assert(disc::cost(disc::mass_matrix).trigonometric == 0);
+
+using pendulum = kanexpr::equations_of_motion<pendulum6::System>;
+static_assert(operations(pendulum::together(pendulum::mass_matrix, pendulum::forcing).cost()) <= 190);
+static_assert(operations(pendulum::cost(pendulum::udot)) <= 340);
+
+template <class System>
+int equations() {
+  return operations(kanexpr::derivation::cost_of<System>({quantity::mass_matrix, quantity::forcing}));
+}
+template <class System>
+int accelerations() {
+  return operations(kanexpr::derivation::cost_of<System>({quantity::udot}));
+}
+
+TEST(cost, is_the_same_while_the_program_runs) {
+  EXPECT_EQ(kanexpr::derivation::cost_of<pendulum6::System>({quantity::mass_matrix, quantity::forcing}),
+            pendulum::together(pendulum::mass_matrix, pendulum::forcing).cost());
+  EXPECT_EQ(kanexpr::derivation::cost_of<pendulum6::System>({quantity::udot}),
+            pendulum::cost(pendulum::udot));
+}
+
+TEST(cost, of_robots) {
+  EXPECT_LE(equations<puma::System>(), 750);
+  EXPECT_LE(accelerations<puma::System>(), 900);
+  EXPECT_LE(equations<iiwa::System>(), 540);
+  EXPECT_LE(accelerations<iiwa::System>(), 730);
+  EXPECT_LE(equations<quadruped::System>(), 1810);
+  EXPECT_LE(accelerations<quadruped::System>(), 2980);
+}
+
+TEST(cost, of_more_than_there_is_room_for_is_a_mistake) {
+  kanexpr::lower::tape_sizes sizes{.steps = kanexpr::lower::most_steps, .results = 9};
+  EXPECT_FALSE(kanexpr::derivation::check_room("Chain", sizes));
+  ++sizes.steps;
+  EXPECT_EQ(kanexpr::derivation::check_room("Chain", sizes).view(),
+            "the results requested from Chain take 65537 operations and have 9 entries; the limit is 65536 "
+            "of each; "
+            "request them in parts");
+}
+
+TEST(cost, of_more_causes_than_there_is_room_for_is_a_mistake) {
+  const kanexpr::mechanics::sentence cause({"M is singular"});
+  const auto filled = [&](auto causes, int count) {
+    for (int i = 0; i < count; ++i) causes.push(cause);
+    return std::string(kanexpr::derivation::check_room("Chain", causes, cause).view());
+  };
+  const char* const told = "the results requested from Chain have more potential singularities than "
+                           "supported; request them in parts";
+  const kanexpr::derivation::cause_list<{2, 100}> few{};
+  EXPECT_EQ(filled(few, 1), "");
+  EXPECT_EQ(filled(few, 2), told);
+  const kanexpr::derivation::cause_list<{9, 39}> short_ones{}; // three times thirteen letters
+  EXPECT_EQ(filled(short_ones, 2), "");
+  EXPECT_EQ(filled(short_ones, 3), told);
+}
+
+} // namespace

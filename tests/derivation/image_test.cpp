@@ -1,0 +1,160 @@
+// A derivation that is stored and resumed is the one that went on.
+#include <kanexpr/derivation/cut.hpp>
+#include <kanexpr/derivation/digest.hpp>
+#include <kanexpr/lower/tape.hpp>
+#include <models/andrews.hpp>
+#include <models/bicycle.hpp>
+#include <models/four_bar.hpp>
+#include <models/iiwa.hpp>
+#include <models/pendulum_nonminimal.hpp>
+#include <models/quadruped.hpp>
+#include <models/rattleback.hpp>
+#include <models/rolling_torus.hpp>
+#include <models/simple_pendulum.hpp>
+#include <models/spinning_top.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+
+namespace {
+
+using kanexpr::derivation::derived_system;
+using kanexpr::derivation::image;
+using kanexpr::derivation::request;
+using kanexpr::derivation::stage;
+using kanexpr::mechanics::quantity;
+
+std::unique_ptr<image> store(const derived_system& system) {
+  auto stored = std::make_unique<image>();
+  system.write(*stored);
+  return stored;
+}
+
+void expect_same(const image& a, const image& b) {
+  ASSERT_FALSE(a.is_full);
+  EXPECT_EQ(a.nodes, b.nodes);
+  EXPECT_TRUE(std::equal(a.op, a.op + a.nodes, b.op));
+  EXPECT_TRUE(std::equal(a.a, a.a + a.nodes, b.a));
+  EXPECT_TRUE(std::equal(a.b, a.b + a.nodes, b.b));
+  EXPECT_EQ(a.numbers, b.numbers);
+  EXPECT_TRUE(std::equal(a.numerators, a.numerators + a.numbers, b.numerators));
+  EXPECT_TRUE(std::equal(a.denominators, a.denominators + a.numbers, b.denominators));
+  EXPECT_TRUE(std::equal(a.reals, a.reals + a.numbers, b.reals));
+  EXPECT_EQ(a.integers, b.integers);
+  EXPECT_TRUE(std::equal(a.integer, a.integer + a.integers, b.integer));
+  EXPECT_EQ(a.frames, b.frames);
+  EXPECT_TRUE(std::equal(a.frame, a.frame + a.frames, b.frame));
+  EXPECT_EQ(a.points, b.points);
+  EXPECT_TRUE(std::equal(a.point, a.point + a.points, b.point));
+}
+
+/// The steps of the code for a result, which are all that its values come from.
+kanexpr::lower::tape tape_for(derived_system& system, quantity wanted) {
+  const request all[]{{.what = request::kind::result, .wanted = wanted}};
+  const auto found = kanexpr::derivation::nodes_for(system, all);
+  return kanexpr::lower::tape_of(system.graph(), found.nodes);
+}
+
+void expect_same(const kanexpr::lower::tape& a, const kanexpr::lower::tape& b) {
+  ASSERT_EQ(a.steps.size(), b.steps.size());
+  for (int i = 0; i < a.steps.size(); ++i) {
+    EXPECT_EQ(a.steps[i].op, b.steps[i].op);
+    EXPECT_EQ(a.steps[i].a, b.steps[i].a);
+    EXPECT_EQ(a.steps[i].b, b.steps[i].b);
+  }
+  ASSERT_EQ(a.numbers.size(), b.numbers.size());
+  for (int i = 0; i < a.numbers.size(); ++i) EXPECT_TRUE(a.numbers[i] == b.numbers[i]);
+  ASSERT_EQ(a.results.size(), b.results.size());
+  EXPECT_TRUE(std::equal(a.results.begin(), a.results.end(), b.results.begin()));
+}
+
+template <class Model>
+class image_of : public testing::Test {};
+
+using models = testing::Types<simple_pendulum::System, spinning_top::System, iiwa::System, quadruped::System,
+                              four_bar::System, andrews::System, bicycle::System, rattleback::System,
+                              rolling_torus::System, pendulum_nonminimal::System>;
+TYPED_TEST_SUITE(image_of, models);
+
+TYPED_TEST(image_of, a_stage_taken_up_again_is_the_same_when_set_aside) {
+  derived_system straight(TypeParam::record);
+  for (const stage to : {stage::constrained, stage::equations, stage::linearized}) {
+    go_on(straight, to);
+    ASSERT_FALSE(straight.mistake()) << straight.mistake();
+    const auto stored = store(straight);
+    const derived_system again(TypeParam::record, *stored);
+    expect_same(*stored, *store(again));
+  }
+}
+
+TYPED_TEST(image_of, results_do_not_depend_on_where_the_derivation_was_set_aside) {
+  for (const kanexpr::mechanics::result_row& row : kanexpr::mechanics::results) {
+    SCOPED_TRACE(row.called);
+    derived_system straight(TypeParam::record);
+    go_on(straight, stage::constrained);
+    auto stored = store(straight);
+    for (const stage to : {stage::equations, stage::linearized}) {
+      if (row.needs < to) break;
+      go_on(straight, to);
+      derived_system again(TypeParam::record, *stored);
+      go_on(again, to);
+      stored = store(again);
+    }
+    derived_system again(TypeParam::record, *stored);
+    expect_same(tape_for(straight, row.is), tape_for(again, row.is));
+  }
+}
+
+template <class System>
+void expect_the_image_of_the_compiler() {
+  constexpr std::uint64_t of_compiler =
+      kanexpr::derivation::digest_of(kanexpr::derivation::stages_of<System>::linearized.stored);
+  derived_system system(System::record);
+  for (const stage to : {stage::constrained, stage::equations, stage::linearized}) go_on(system, to);
+  EXPECT_EQ(digest_of(*store(system)), of_compiler);
+}
+
+// Of operands that have no order g++ evaluates the last one first in a program, and the first one in a
+// constant expression, as clang++ does in both.
+TEST(image, of_the_compiler_is_that_of_the_program) {
+  expect_the_image_of_the_compiler<four_bar::System>();
+  expect_the_image_of_the_compiler<rattleback::System>();
+  expect_the_image_of_the_compiler<pendulum_nonminimal::System>();
+}
+
+// The sign of two numbers at once is what a sum of words would lose.
+TEST(image, has_a_digest_that_sees_every_entry) {
+  derived_system system(simple_pendulum::System::record);
+  go_on(system, stage::constrained);
+  const auto stored = store(system);
+  ASSERT_GT(stored->numbers, 1);
+  stored->denominators[0] = stored->denominators[1] = 0, stored->reals[0] = 0.25, stored->reals[1] = 0.75;
+  const std::uint64_t before = digest_of(*stored);
+  EXPECT_EQ(digest_of(*store(system)), digest_of(*store(system)));
+  const auto expect_other = [&](auto&... entries) {
+    (void(entries = -entries), ...);
+    EXPECT_NE(digest_of(*stored), before);
+    (void(entries = -entries), ...);
+  };
+  expect_other(stored->reals[0]);
+  expect_other(stored->reals[0], stored->reals[1]);
+  expect_other(stored->numerators[2]);
+  expect_other(stored->a[stored->nodes - 1]);
+  expect_other(stored->integer[stored->integers - 1], stored->integer[0]);
+  EXPECT_EQ(digest_of(*stored), before);
+}
+
+TEST(image, of_a_system_that_there_is_no_room_for_says_so) {
+  auto ended = std::make_unique<kanexpr::derivation::staged>();
+  ended->stored.integers = image::most_integers;
+  derived_system system(simple_pendulum::System::record);
+  go_on(system, stage::constrained);
+  ended->take(system, "System");
+  EXPECT_TRUE(ended->stored.is_full);
+  EXPECT_EQ(ended->mistake.view(), "System exceeds the supported size of a system");
+}
+
+} // namespace

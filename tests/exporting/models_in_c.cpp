@@ -1,0 +1,185 @@
+// Writes the C of some models into the folder that it is given, as double.c, …, for the tests that compile
+// it.
+#include "bead.hpp"
+#include "curved.hpp"
+
+#include <kanexpr/export.hpp>
+
+#include <models/four_bar.hpp>
+#include <models/iiwa.hpp>
+#include <models/n_pendulum_cart.hpp>
+#include <models/rolling_disc.hpp>
+#include <models/simple_pendulum.hpp>
+#include <simulation/falling_ball.hpp>
+#include <steps/quaternions.hpp>
+
+#include <iostream>
+
+namespace {
+
+using namespace kanexpr::exporting;
+
+template <class System>
+bool write(const char* folder, const char* name, c_options chosen) {
+  chosen.number = precision::double_precision;
+  kanexpr::outcome written = kanexpr::write_c<System>(folder, name, chosen);
+  if (written) {
+    chosen.number = precision::single_precision;
+    written = kanexpr::write_c<System>(folder, name + std::string("_in_float"), chosen);
+  }
+  if (!written) std::cerr << written.cause() << '\n';
+  return static_cast<bool>(written);
+}
+
+/// A pendulum that a force drives in time; nothing of it is bound.
+bool write_driven(const char* folder) {
+  kanexpr::runtime::builder b("N");
+  const auto q = b.coordinate("q"), u = b.speed("u"), g = b.parameter("g"),
+             amplitude = b.parameter("amplitude");
+  b.kinematic_equation(b.dot(q) - u);
+  const auto N = b.inertial_frame();
+  const auto A = b.rotated("A", N, q, b.along(N, 0, 0, 1));
+  const auto P = b.offset("P", b.origin("O"), b.along(A, 2, 0, 0));
+  b.particle("Bob", P, b.number(3));
+  b.gravity(b.along(N, g, 0, 0));
+  b.force(P, b.along(N, 0, amplitude * sin(2 * b.time()), 0));
+  return static_cast<bool>(kanexpr::write_casadi(b, folder, "driven"));
+}
+
+/// Neither inputs nor parameters, and names that C or what is written uses otherwise.
+bool write_awkward(const char* folder) {
+  kanexpr::runtime::builder b("N");
+  const auto q = b.coordinate("by_x"), s = b.coordinate("int"), u = b.speed("residual"), v = b.speed("w 1");
+  b.kinematic_equation(b.dot(q) - u);
+  b.kinematic_equation(b.dot(s) - v);
+  const auto N = b.inertial_frame();
+  const auto A = b.rotated("A", N, q, b.along(N, 0, 0, 1));
+  const auto P = b.offset("P", b.origin("O"), b.along(A, s, 0, 0));
+  b.particle("Bob", P, b.number(3));
+  b.gravity(b.along(N, 9.81, 0, 0));
+  return static_cast<bool>(kanexpr::write_casadi(b, folder, "a"));
+}
+
+bool write_for_casadi(const char* folder, const casadi_options& bound) {
+  using namespace kanexpr;
+  using System = n_pendulum_cart::System<1>;
+#include <docs/export/casadi/write.cpp>
+  return written && write_driven(folder) && write_awkward(folder) &&
+         write_casadi<simple_pendulum::System>(folder, "bound_pendulum", bound) &&
+         write_casadi<rolling_disc::System>(folder, "disc", {.step = "semi_implicit_euler"});
+}
+
+bool is_whole(const kanexpr::exporting::written_fmu& written) {
+  std::cerr << written.cause() << written.note();
+  return written && written.note().empty();
+}
+
+/// A pendulum whose names neither C nor XML has, and which changes with time.
+bool write_strange_fmu(const char* folder) {
+  kanexpr::runtime::builder b("N");
+  const auto q = b.coordinate("time"), u = b.speed("ω <&>"), g = b.parameter("der(time)"),
+             amplitude = b.parameter("a+b");
+  b.kinematic_equation(b.dot(q) - u);
+  const auto N = b.inertial_frame();
+  const auto A = b.rotated("A", N, q, b.along(N, 0, 0, 1));
+  const auto P = b.offset("P", b.origin("O"), b.along(A, 2, 0, 0));
+  b.particle("Bob", P, b.number(3));
+  b.gravity(b.along(N, g, 0, 0));
+  b.force(P, b.along(N, 0, amplitude * sin(2 * b.time()), 0));
+  using kanexpr::crossing;
+  const std::vector<exported_event> events{
+      when("flip", q, crossing::either, {set("time", -q)}), // without an end
+      when("half a second", b.time() - 0.5, crossing::rising, {}, kanexpr::after_event::stop)};
+  return is_whole(
+      kanexpr::write_fmu(b, folder, "strange",
+                         {.outputs = {expression("\"a\tb\xff", q * u), expression("der(ω <&>)", q * q)},
+                          .start = {{"time", 0.3}, {"der(time)", 9.81}, {"a+b", 2}},
+                          .events = events}));
+}
+
+bool write_pendulum_fmu(const char* folder) {
+  using namespace kanexpr;
+  using namespace simple_pendulum;
+#include <docs/export/fmi/write.cpp>
+  return is_whole(written);
+}
+
+bool write_ball_fmu(const char* folder) {
+  using namespace kanexpr;
+  using namespace falling_ball;
+#include <docs/export/fmi/events.cpp>
+  return is_whole(ball);
+}
+
+/// A lift without weight that jumps up where it arrives, past where another event looks, in long steps
+/// inside.
+bool write_lift_fmu(const char* folder) {
+  kanexpr::runtime::builder b("N");
+  const auto h = b.coordinate("h"), v = b.speed("v");
+  b.kinematic_equation(b.dot(h) - v);
+  const auto N = b.inertial_frame();
+  b.particle("Lift", b.offset("P", b.origin("O"), b.along(N, h, 0, 0)), b.number(1));
+  using kanexpr::crossing;
+  return is_whole(
+      kanexpr::write_fmu(b, folder, "lift",
+                         {.start = {{"h", 1}, {"v", -1}},
+                          .events = {when("arrival", h, crossing::falling, {set("h", b.number(5))}),
+                                     when("four", h - 4, crossing::rising, {set("v", b.number(7))})},
+                          .step = 1}));
+}
+
+bool write_fmus(const char* folder, const options& of_bound) {
+  const fmu_options bound{.outputs = of_bound.functions,
+                          .bound = of_bound.bound,
+                          .start = {{"q", 0.3}, {"l", 0.5}, {"c", 0.1}},
+                          .step = 0.01,
+                          .method = "ralston_3"};
+  fmu_options beaded, sliding, linked;
+  linked.start = {{"q1", 0.3}, {"q2", 0.5}, {"q3", -1.8}, {"u1", 1},   {"g", 9.81}, {"l0", 4},
+                  {"l1", 1},   {"l2", 3},   {"l3", 2.5},  {"d1", 0.5}, {"d2", 1.5}, {"d3", 1.2},
+                  {"m1", 1},   {"m2", 2},   {"m3", 1.5},  {"I1", 0.1}, {"I2", 0.5}, {"I3", 0.3}};
+  beaded.start = {{"s", 0.4}, {"m", 2}, {"w", 1.5}, {"g", 9.81}, {"push", 0.7}};
+  sliding.method = "ralston_3";
+  beaded.step = sliding.step = 0.125; // all sums of such are exact
+  sliding.start = {{"e0", 0.6}, {"e1", 0.5}, {"e2", 0.3}, {"e3", 0.4}, {"u1", 0.3}, {"h", -0.2}};
+  return is_whole(kanexpr::write_fmu<simple_pendulum::System>(folder, "bound_pendulum", bound)) &&
+         write_pendulum_fmu(folder) && write_ball_fmu(folder) && write_strange_fmu(folder) &&
+         write_lift_fmu(folder) &&
+         is_whole(kanexpr::write_fmu<four_bar::System>(folder, "four_bar", linked)) &&
+         is_whole(kanexpr::write_fmu<bead::System>(folder, "bead", beaded)) &&
+         is_whole(kanexpr::write_fmu<quaternions::Sliding>(folder, "sliding", sliding));
+}
+
+} // namespace
+
+int main(int, char** arguments) {
+  const char* const folder = arguments[1];
+  c_options dynamics, with_python;
+  with_python.with_python = with_python.with_cpp = true;
+  dynamics.with_python = true;
+  dynamics.functions = {results("udot"), results("inverse_dynamics")};
+  c_options bound{
+      .functions = {results("udot"), results("mass_matrix forcing"),
+                    expression<kanexpr::position_of<simple_pendulum::P, simple_pendulum::O>>("tip")},
+      .bound = {{"g", 9.81}, {"m", 2}},
+      .number = precision::single_precision};
+  using namespace kanexpr;
+  using namespace simple_pendulum;
+#include <docs/export/c/write.cpp>
+  const bool is_bound_written =
+      written &&
+      static_cast<bool>(kanexpr::write_c<simple_pendulum::System>(folder, "bound_pendulum", bound));
+  c_options steps;
+  steps.with_python = steps.with_cpp = true;
+  steps.functions = {results("runge_kutta_4"), results("ralston_3"),
+                     fixed_step("euler", {"semi_implicit_euler", 2})};
+  return is_bound_written && write_for_casadi(folder, {bound.bound, "ralston_3"}) &&
+                 write_fmus(folder, bound) && write<quaternions::Sliding>(folder, "sliding", steps) &&
+                 write<bead::System>(folder, "bead", steps) &&
+                 write<iiwa::System>(folder, "iiwa", dynamics) &&
+                 write<four_bar::System>(folder, "four_bar", with_python) &&
+                 write<rolling_disc::System>(folder, "disc", {}) &&
+                 write<curved::System>(folder, "curved", {})
+             ? 0
+             : 1;
+}

@@ -1,0 +1,385 @@
+// Models that are derived while the program runs, and what a builder built, move as the same system of types.
+#include "runtime/built_pendulum.hpp"
+#include "simulations/falling_ball.hpp"
+
+#include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/simulations/model.hpp>
+#include <kanexpr/simulations/prescribe.hpp>
+#include <kanexpr/simulations/tables/csv.hpp>
+
+#include <models/four_bar.hpp>
+#include <models/rotating_tube.hpp>
+#include <models/simple_pendulum.hpp>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <stdexcept>
+
+namespace {
+
+using namespace kanexpr;
+using runtime::builder;
+using symbolic::expression;
+
+template <class System>
+void expect_same_motion(const simulation<model>& interpreted, const simulation<System>& compiled,
+                        double tolerance = 0) {
+  ASSERT_TRUE(compiled) << compiled.cause();
+  ASSERT_TRUE(interpreted) << interpreted.cause();
+  ASSERT_EQ(interpreted.trajectory.size(), compiled.trajectory.size());
+  for (std::size_t i = 0; i < compiled.trajectory.size(); ++i) {
+    ASSERT_NEAR(interpreted.trajectory[i].t, compiled.trajectory[i].t, tolerance);
+    for (int j = 0; j < compiled.state.size(); ++j)
+      ASSERT_NEAR(interpreted.trajectory[i].x(j), compiled.trajectory[i].x(j), tolerance)
+          << "at t = " << compiled.trajectory[i].t;
+  }
+  EXPECT_EQ(interpreted.statistics.steps, compiled.statistics.steps);
+  EXPECT_EQ(interpreted.statistics.rate_evaluations, compiled.statistics.rate_evaluations);
+}
+
+namespace bob {
+
+using simple_pendulum::System;
+const std::initializer_list<named_value> start{{"q", 0.3}, {"u", 0}},
+    numbers{{"m", 1}, {"l", 1}, {"g", 9.81}, {"c", 0.1}};
+
+struct pendulum : built_pendulum {
+  expression c = parameter("c");
+  pendulum() { torque(rod, along(n, 0, 0, motor - c * u)); }
+};
+
+simulation_options<System> controlled() {
+  return {.inputs = [](double, const state<System>& x, input_values<System>& r) {
+    r[simple_pendulum::T] = -20 * (x[simple_pendulum::q] - 1) - 5 * x[simple_pendulum::u];
+  }};
+}
+simulation_options<model> controlled_by_name() {
+  return {.inputs = [](double, const state<model>& x, input_values<model>& r) {
+    r["T"] = -20 * (x["q"] - 1) - 5 * x["u"];
+  }};
+}
+
+template <integrator by>
+void moves_alike() {
+  const auto compiled = simulate<System, by>(start, numbers, {0, 3}, controlled());
+  expect_same_motion(simulate<by>(derive<System>(), start, numbers, {0, 3}, controlled_by_name()), compiled);
+  expect_same_motion(simulate<by>(pendulum(), start, numbers, {0, 3}, controlled_by_name()), compiled);
+}
+
+TEST(simulated_model, moves_with_a_controller_by_each_method_as_the_system_to_the_last_bit) {
+  moves_alike<integrator::adams>();
+  moves_alike<integrator::bdf>();
+  moves_alike<integrator::explicit_runge_kutta>();
+  moves_alike<integrator::implicit_runge_kutta>();
+  moves_alike<integrator::differential_algebraic>();
+}
+
+TEST(simulated_model, takes_values_by_name_as_a_map_and_as_a_vector) {
+  const simulation_options<model> idle{.inputs = {{"T", 0}}};
+  const std::map<std::string, double> from_a_file{{"m", 1}, {"l", 1}, {"g", 9.81}, {"c", 0.1}};
+  const pendulum b;
+  const auto one = simulate(b, start, numbers, {0, 1}, idle);
+  const auto other =
+      simulate(b, Eigen::Vector2d(0.3, 0), from_a_file, {0, 1}, {.inputs = Eigen::VectorXd::Zero(1)});
+  ASSERT_TRUE(one) << one.cause();
+  ASSERT_TRUE(other) << other.cause();
+  EXPECT_EQ(one.state, other.state);
+  EXPECT_EQ(one.state["q"], one.state(0));
+  EXPECT_EQ(one.state.u()(0), one.state["u"]);
+}
+
+TEST(simulated_model, keeps_a_trajectory_like_that_of_the_system) {
+  const auto compiled =
+      simulate<System>(start, numbers, {0, 1}, {.inputs = {{"T", 0.2}}, .output_every = 0.1});
+  pendulum b;
+  model m = derive(b);
+  const auto run = simulate(m, start, numbers, {0, 1}, {.inputs = {{"T", 0.2}}, .output_every = 0.1});
+  expect_same_motion(run, compiled);
+  input_values<model> r(m);
+  r["T"] = 0.2;
+  expect_same_motion(simulate(m, start, numbers, {0, 1}, {.inputs = r, .output_every = 0.1}), compiled);
+  const auto& path = run.trajectory;
+  const auto& reference = compiled.trajectory;
+  EXPECT_EQ(path.times(), reference.times());
+  EXPECT_EQ(path["q"], reference[simple_pendulum::q]);
+  EXPECT_EQ(path["T"], reference[simple_pendulum::T]);
+  EXPECT_TRUE(path["w"].empty());
+  EXPECT_EQ(path.table().names(), reference.table().names());
+  EXPECT_EQ(path.table().values(2), reference.table().values(2));
+  EXPECT_EQ(path.energies().total, reference.energies().total);
+  EXPECT_EQ(path.constraint_residuals(), reference.constraint_residuals());
+  ASSERT_TRUE(path.at(0.45));
+  EXPECT_EQ(path.at(0.45)->x, reference.at(0.45)->x);
+  EXPECT_EQ(path.at(0.45)->x["q"], path.at(0.45)->x(0));
+  EXPECT_FALSE(path.at(2));
+  const std::vector<double> bent = path.along(b.dot(b.u));
+  EXPECT_NEAR(bent[0], 0.2 - 9.81 * std::sin(0.3), 1e-14);
+  EXPECT_EQ(path.along(m.mass_matrix())[3](0, 0), 1);
+  pendulum other;
+  EXPECT_TRUE(path.along(other.q).empty());
+  EXPECT_TRUE(path.along(expression()).empty());
+  EXPECT_TRUE(path.along(derive(other).mass_matrix()).empty());
+}
+
+TEST(simulated_model, takes_no_mass_that_is_negative_by_an_expression) {
+  kanexpr::runtime::builder b("N");
+  const auto n = b.inertial_frame();
+  const expression x = b.coordinate("x"), v = b.speed("v"), whole = b.parameter("m"), lost = b.parameter("k");
+  b.kinematic_equation(b.dot(x) - v);
+  const auto at = b.offset("P", b.origin("O"), b.along(n, x, 0, 0));
+  b.particle("Tank", at, whole - 2 * lost);
+  const auto cause = [&](double m, double k) {
+    return simulate(b, {{"x", 0}, {"v", 1}}, {{"m", m}, {"k", k}}, {0, 1}).cause();
+  };
+  EXPECT_EQ(cause(3, 1), "");
+  EXPECT_EQ(cause(1, 1), "the mass of Tank is negative");
+}
+
+TEST(simulated_model, tells_what_is_missing_before_the_first_step) {
+  const pendulum b;
+  const simulation_options<model> idle{.inputs = {{"T", 0}}};
+  const auto cause = [&](const given_state<model>& x, const given_parameters<model>& p,
+                         const simulation_options<model>& o) { return simulate(b, x, p, {0, 1}, o).cause(); };
+  EXPECT_EQ(cause({{"q", 0.3}}, numbers, idle), "speed u has no value");
+  EXPECT_EQ(cause(start, {{"m", 1}, {"l", 1}, {"g", 9.81}}, idle), "parameter c has no value");
+  EXPECT_EQ(cause(start, {{"m", -2}, {"l", 1}, {"g", 9.81}, {"c", 0}}, idle),
+            "parameter m, the mass of a body, is negative");
+  EXPECT_EQ(cause(start, {{"m", 1}, {"m", 1}, {"l", 1}, {"g", 9.81}, {"c", 0}}, idle),
+            "parameter m has two values");
+  EXPECT_EQ(cause(start, {{"mm", 1}}, idle), "the model has no parameter mm");
+  EXPECT_EQ(cause({{"q", 0.3}, {"m", 0}}, numbers, idle),
+            "parameter m is not an entry of the state vector of the model");
+  EXPECT_EQ(cause(Eigen::Vector3d(1, 2, 3), numbers, idle),
+            "the state vector of the model has 2 entries, not 3");
+  EXPECT_EQ(cause({{"q", std::numeric_limits<double>::infinity()}, {"u", 0}}, numbers, idle),
+            "the value of coordinate q is infinite");
+  EXPECT_EQ(cause(start, numbers, {}), "input T has no value");
+  EXPECT_EQ(cause(start, numbers, {.inputs = {{"S", 0}}}), "the model has no input S");
+  EXPECT_EQ(cause(start, numbers, {.inputs = {{"T", 0}}, .absolute_tolerances = {{"w", 1}}}),
+            "in the tolerances, the model has no coordinate or speed w");
+}
+
+TEST(simulated_model, tells_of_names_that_functions_ask_for) {
+  const pendulum b;
+  const auto cause = [&](const simulation_options<model>& o) {
+    return simulate(b, start, numbers, {0, 1}, o).cause();
+  };
+  const std::string at_start = "the simulation ended at t = 0 with q = 0.3, u = 0: ";
+  EXPECT_EQ(cause({.inputs = [](double, const state<model>& x, input_values<model>& r) { r["T"] = x["w"]; }}),
+            at_start + "the input function: the model has no coordinate or speed w");
+  EXPECT_EQ(cause({.inputs = [](double, const state<model>&, input_values<model>& r) { r["S"] = 0; }}),
+            at_start + "the input function: the model has no input S");
+  EXPECT_EQ(cause({.inputs = [](double) { return input_values<model>(Eigen::Vector2d(1, 2)); }}),
+            at_start + "the input function: the input vector of the model has 1 entry, not 2");
+  EXPECT_EQ(cause({.inputs = [](double, const state<model>&, input_values<model>&) {}}),
+            at_start + "the input function leaves input T without a finite value");
+  EXPECT_EQ(
+      cause({.inputs = [](double) -> input_values<model> { throw std::runtime_error("no more torque"); }}),
+      at_start + "the input function threw: no more torque");
+  const event<model> odd(
+      "odd", [](double, const auto&, const parameter_values<model>& p, const auto&) { return p["k"]; });
+  EXPECT_THAT(cause({.inputs = {{"T", 0}}, .events = {odd}}),
+              testing::HasSubstr("the event odd: the model has no parameter k"));
+}
+
+TEST(simulated_model, has_the_mistake_of_its_model) {
+  pendulum b;
+  b.speed("q");
+  const auto run = simulate(b, start, numbers, {0, 1});
+  EXPECT_EQ(run.cause(), "the name q is used twice");
+  EXPECT_TRUE(run.trajectory.empty());
+  EXPECT_TRUE(run.trajectory.energies().total.empty());
+}
+
+TEST(simulated_model, moves_after_a_request_that_was_refused) {
+  model m = derive<System>();
+  EXPECT_EQ(m.get<speed<"w">{} * simple_pendulum::u>().entries.size(), 0);
+  EXPECT_NE(m.mistake(), "");
+  EXPECT_TRUE(simulate(m, start, numbers, {0, 1}, {.inputs = {{"T", 0}}}));
+}
+
+TEST(simulated_model, begins_with_the_inputs_of_a_function_of_time) {
+  const auto compiled = simulate<System>(start, numbers, {0, 2}, {.inputs = [](double t) {
+                                           input_values<System> r;
+                                           r[simple_pendulum::T] = std::sin(t);
+                                           return r;
+                                         }});
+  model m = derive<System>();
+  const auto run = simulate(m, start, numbers, {0, 2}, {.inputs = [m](double t) {
+                              input_values<model> r(m);
+                              r["T"] = std::sin(t);
+                              return r;
+                            }});
+  expect_same_motion(run, compiled);
+}
+
+} // namespace bob
+
+TEST(simulated_model, bounces_as_the_system) {
+  using namespace falling_ball;
+  const std::initializer_list<named_value> start{{"h", 2}, {"v", 0}}, numbers{{"m", 0.3}, {"g", 9.81}};
+  const event<System> stop(
+      "late", [](double t, const auto&, const auto&, const auto&) { return t - 2.5; }, crossing::rising,
+      after_event::stop);
+  const auto compiled = simulate<System>(
+      start, numbers, {0, 3},
+      {.dense = true,
+       .events = {when<System, dot(position_of<P, O>, N::z)>(
+                      "contact", crossing::falling, [](moment<System>& now) { now.x[v] = -0.8 * now.x[v]; }),
+                  stop}});
+
+  builder b("N");
+  const auto height = b.coordinate("h"), rate = b.speed("v"), mass = b.parameter("m"), g = b.parameter("g");
+  b.kinematic_equation(b.dot(height) - rate);
+  const auto ground = b.inertial_frame();
+  b.particle("Ball", b.offset("P", b.origin("O"), b.along(ground, b.number(0.0), b.number(0.0), height)),
+             mass);
+  b.gravity(b.along(ground, b.number(0.0), b.number(0.0), -g));
+  model ball = derive(b);
+  const auto run = simulate(
+      ball, start, numbers, {0, 3},
+      {.dense = true,
+       .events = {when(ball, height, "contact", crossing::falling,
+                       [](moment<model>& now) { now.x["v"] = -0.8 * now.x["v"]; }),
+                  event<model>(
+                      "late", [](double t, const auto&, const auto&, const auto&) { return t - 2.5; },
+                      crossing::rising, after_event::stop)}});
+  expect_same_motion(run, compiled);
+  EXPECT_TRUE(run.stopped_by_event);
+  ASSERT_EQ(run.events.size(), 4u);
+  for (std::size_t i = 0; i < run.events.size(); ++i) {
+    EXPECT_EQ(run.events[i].t, compiled.events[i].t);
+    EXPECT_EQ(run.events[i].name, compiled.events[i].name);
+  }
+  EXPECT_EQ(run.trajectory.at(1.3)->x, compiled.trajectory.at(1.3)->x);
+  builder other("N");
+  EXPECT_EQ(simulate(ball, start, numbers, {0, 3}, {.events = {when(ball, other.time(), "odd")}}).cause(),
+            "the event odd has no function");
+}
+
+TEST(simulated_model, is_led_by_a_prescribed_quantity) {
+  using namespace rotating_tube;
+  const std::initializer_list<named_value> start{{"q", 0.4}, {"u", 0}};
+  const std::initializer_list<named_value> numbers{
+      {"m", 0.2}, {"k", 30}, {"q0", 0.4}, {"g", 9.81}, {"c", 0.3}};
+  const auto angle = [](auto t) {
+    using std::sin;
+    return 0.5 * sin(3 * t);
+  };
+  const auto compiled = simulate<System>(
+      start, numbers, {0, 2}, {.inputs = [&](double t, const state<System>&, input_values<System>& r) {
+        prescribe(r, theta, t, angle);
+      }});
+  const auto run = simulate(derive<System>(), start, numbers, {0, 2},
+                            {.inputs = [&](double t, const state<model>&, input_values<model>& r) {
+                              prescribe(r, "theta", t, angle);
+                            }});
+  expect_same_motion(run, compiled);
+
+  const auto cause = [&](const input_source<model>& inputs) {
+    return simulate(derive<System>(), start, numbers, {0, 2}, {.inputs = inputs}).cause();
+  };
+  EXPECT_EQ(cause({{"theta", 0}, {"theta'", 2}, {"theta''", 0}}),
+            "prescribed quantity theta is constant, but its rate is given as 2");
+  EXPECT_EQ(cause([](double t, const state<model>&, input_values<model>& r) {
+              r["theta"] = t * t, r["theta'"] = 2 * t, r["theta''"] = -2;
+            }),
+            "prescribed quantity dot(theta) changes at the rate 2 at t = 0.002, but its rate is given as -2");
+}
+
+TEST(simulated_model, takes_no_inertia_that_no_body_has) {
+  kanexpr::runtime::builder b("N");
+  const expression q = b.coordinate("q"), u = b.speed("u"), across = b.parameter("J"), m = b.parameter("m");
+  b.kinematic_equation(b.dot(q) - u);
+  const auto a = b.rotated("A", b.inertial_frame(), q, b.along(b.inertial_frame(), 0, 0, 1));
+  b.rigid_body("Rod", b.origin("O"), a, m, b.inertia(a, 1, 1, 2, across, 0.0, 0.0));
+  const auto cause = [&](double j) {
+    return simulate(b, {{"q", 0}, {"u", 1}}, {{"J", j}, {"m", 1}}, {0, 1}).cause();
+  };
+  EXPECT_EQ(cause(0.001), "");
+  EXPECT_EQ(cause(-3), "the inertia of Rod is indefinite: its moment about some axis is negative");
+}
+
+namespace linkage {
+
+using four_bar::System;
+const std::map<std::string, double> numbers{{"l0", 2},   {"l1", 0.7}, {"l2", 1.8}, {"l3", 1.2}, {"d1", 0.5},
+                                            {"d2", 0.5}, {"d3", 0.5}, {"m1", 0.5}, {"m2", 0.5}, {"m3", 0.5},
+                                            {"I1", 0.5}, {"I2", 0.5}, {"I3", 0.5}, {"g", 9.81}};
+const std::initializer_list<named_value> start{{"q1", 0.6}, {"q2", 0.3}, {"q3", -1.7}, {"u1", 1.4}};
+
+// The same four bars, whose coordinates and speeds are dependent by the same choice.
+struct built : builder {
+  built() : builder("N") {
+    const expression q[]{coordinate("q1"), coordinate("q2"), coordinate("q3")};
+    const expression u[]{speed("u1"), speed("u2"), speed("u3")};
+    for (int i = 0; i < 3; ++i) kinematic_equation(dot(q[i]) - u[i]);
+    const auto numbered = [&](const char* called) {
+      const std::string name = called;
+      return std::array{parameter(name + "1"), parameter(name + "2"), parameter(name + "3")};
+    };
+    const auto ground_length = parameter("l0");
+    const auto l = numbered("l"), d = numbered("d"), m = numbered("m"), i = numbered("I");
+    const auto g = parameter("g"), motor = input("T"), zero = number(0.0);
+    const auto ground = inertial_frame();
+    const char* const bars[]{"A", "B", "C"};
+    const char *const ends[]{"P1", "P2", "P3"}, *const centers[]{"G1", "G2", "G3"};
+    auto frame = ground;
+    const auto o = origin("O"), bearing = offset("Bearing", o, along(ground, ground_length, zero, zero));
+    auto joint = o;
+    for (std::size_t k = 0; k < 3; ++k) {
+      frame = rotated(bars[k], frame, q[k], along(frame, 0, 0, 1));
+      if (k == 0) torque(frame, along(ground, zero, zero, motor));
+      rigid_body(bars[k], offset(centers[k], joint, along(frame, d[k], zero, zero)), frame, m[k],
+                 inertia(frame, zero, zero, i[k]));
+      joint = offset(ends[k], joint, along(frame, l[k], zero, zero));
+    }
+    gravity(along(ground, zero, -g, zero));
+    configuration_constraint(
+        builder::zero_along(position_of(joint, bearing), along(ground, 1, 0, 0), along(ground, 0, 1, 0)));
+    for (const expression& e : {q[1], q[2], u[1], u[2]}) dependent(e);
+  }
+};
+
+template <integrator by>
+void moves_alike() {
+  const auto compiled = simulate<System, by>(
+      start, numbers, {0, 2}, {.inputs = {{"T", 0.3}}, .guesses_dependent = true, .output_every = 0.1});
+  const simulation_options<model> driven{
+      .inputs = {{"T", 0.3}}, .guesses_dependent = true, .output_every = 0.1};
+  const auto run = simulate<by>(derive<System>(), start, numbers, {0, 2}, driven);
+  expect_same_motion(run, compiled);
+  expect_same_motion(simulate<by>(built(), start, numbers, {0, 2}, driven), compiled, 1e-12);
+  EXPECT_EQ(run.trajectory.constraint_residuals(), compiled.trajectory.constraint_residuals());
+  EXPECT_LT(std::ranges::max(run.trajectory.constraint_residuals()), 1e-8);
+}
+
+TEST(simulated_model, keeps_four_bars_together_as_the_system) {
+  moves_alike<integrator::adams>();
+  moves_alike<integrator::bdf>();
+  moves_alike<integrator::explicit_runge_kutta>();
+  moves_alike<integrator::implicit_runge_kutta>();
+  moves_alike<integrator::differential_algebraic>();
+}
+
+TEST(simulated_model, takes_no_guess_for_a_value) {
+  EXPECT_THAT(simulate(built(), start, numbers, {0, 2}, {.inputs = {{"T", 0}}}).cause(),
+              testing::StartsWith(
+                  "coordinate q2, which is dependent, was given as 0.3, but the constraints require -0.146"));
+}
+
+TEST(simulated_model, cannot_begin_where_its_bars_do_not_meet) {
+  std::map<std::string, double> apart = numbers;
+  apart["l0"] = 9;
+  const auto run = simulate(built(), start, apart, {0, 2}, {.inputs = {{"T", 0}}});
+  EXPECT_THAT(run.cause(), testing::HasSubstr("the search for the dependent coordinates"));
+}
+
+} // namespace linkage
+
+} // namespace
