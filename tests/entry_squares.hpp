@@ -5,7 +5,7 @@
 
 /// Those of the entries, by rows.
 constexpr auto entry_squares(const kanexpr::symbolic::matrix& a) {
-  kanexpr::symbolic::sequence<kanexpr::symbolic::expression> squares;
+  kanexpr::base::sequence<kanexpr::symbolic::expression> squares;
   for (const kanexpr::symbolic::expression& e : a.entries) squares.push(e * e);
   return squares;
 }

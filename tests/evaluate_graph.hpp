@@ -13,6 +13,7 @@
 /// Walks a graph with numbers of any type, to check what the library makes of it.
 namespace graph_evaluation {
 
+namespace base = kanexpr::base;
 namespace symbolic = kanexpr::symbolic;
 using symbolic::operation;
 
@@ -90,7 +91,7 @@ std::vector<T> solved(std::vector<std::vector<T>> a, std::vector<T> b) {
 template <class T, class At>
 std::vector<T> solution(const symbolic::graph& g, const symbolic::node& n, const At& at) {
   const auto order = static_cast<std::size_t>(symbolic::order_of(g, n.a));
-  const symbolic::sequence<int> entries = symbolic::entries_of(g, n.a), right = symbolic::elements_of(g, n.b);
+  const base::sequence<int> entries = symbolic::entries_of(g, n.a), right = symbolic::elements_of(g, n.b);
   std::vector<std::vector<T>> a(order, std::vector<T>(order));
   std::vector<T> b;
   for (std::size_t i = 0; i < order; ++i) {
@@ -108,7 +109,7 @@ T singularity_measure(const symbolic::graph& g, const symbolic::node& n, const A
     return std::nan("");
   } else {
     const int order = symbolic::order_of(g, n.a);
-    symbolic::sequence<T> f, squares;
+    base::sequence<T> f, squares;
     for (int id : symbolic::entries_of(g, n.a)) f.push(at(id));
     for (int id : symbolic::elements_of(g, n.b)) squares.push(at(id));
     T determinant = 1, least = 0;
@@ -139,7 +140,7 @@ T singularity_measure(const symbolic::graph& g, const symbolic::node& n, const A
 template <class T>
 T evaluate(symbolic::expression e, const std::vector<T>& symbols) {
   const symbolic::graph& g = e.owner();
-  const symbolic::sequence<char> live = symbolic::live_nodes(g, {e.node()});
+  const base::sequence<char> live = symbolic::live_nodes(g, {e.node()});
   std::vector<T> values(static_cast<std::size_t>(e.node()) + 1);
   const auto at = [&values](int id) -> T& { return values[static_cast<std::size_t>(id)]; };
   std::map<int, std::vector<T>> solutions;

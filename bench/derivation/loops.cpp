@@ -20,7 +20,7 @@ measured derive(int loops) {
   const auto start = std::chrono::steady_clock::now();
   loop_chain b(loops);
   kanexpr::mechanics::equations e(b.system());
-  kanexpr::symbolic::sequence<int> outputs;
+  kanexpr::base::sequence<int> outputs;
   for (const auto& rate : e.get(kanexpr::mechanics::quantity::udot).entries) outputs.push(rate.node());
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   const kanexpr::symbolic::cost c = kanexpr::lower::cost_of(kanexpr::lower::tape_of(b.graph(), outputs));

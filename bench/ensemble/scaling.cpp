@@ -43,7 +43,7 @@ int main(int count, char** words) {
     const taken one = time_of([&] { found[0] = of_table(study.run({.threads = 1})); });
     const taken all = time_of([&] { found[1] = of_table(study.run({.threads = cores})); });
     const taken loops = time_of([&] { in_processes(cores, runs); });
-    if (!numeric::equal(found[0], found[1])) give_up("the number of threads changes what is found");
+    if (!kanexpr::base::equal(found[0], found[1])) give_up("the number of threads changes what is found");
     one_rate.all.push_back(static_cast<double>(runs) / one.wall);
     all_rate.all.push_back(static_cast<double>(runs) / all.wall);
     gain.all.push_back(one.wall / all.wall / cores);

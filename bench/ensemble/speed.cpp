@@ -55,7 +55,7 @@ int main(int count, char** words) {
     lane_rate.all.push_back(number / side_by_side.processor);
     over_simulate.all.push_back(one.processor / side_by_side.processor);
   }
-  if (!numeric::equal(found[0], found[1])) give_up("a study and a bare loop differ");
+  if (!kanexpr::base::equal(found[0], found[1])) give_up("a study and a bare loop differ");
   rate.print("simulations on one thread", " runs/s");
   overhead.print("a study over a bare loop of simulate", " %");
   std::printf("lanes\t%zu\n", batch<>::lanes);

@@ -12,23 +12,24 @@
 #include <nothing_for_this_compiler>
 #elif defined __GNUC__
 
-namespace kanexpr::describe {
+namespace kanexpr::detail {
 
 template <int>
-inline constexpr int one_of_many = 0;
+inline constexpr int address_probe = 0;
 
 // The entities of a model are distinguished by their addresses.
-inline constexpr bool are_entities_apart = __builtin_constant_p(&one_of_many<0> == &one_of_many<1>);
-static_assert(are_entities_apart, "with -fsanitize=undefined, g++ also requires "
-                                  "-fno-sanitize=null,nonnull-attribute,returns-nonnull-attribute after it "
-                                  "to read a model; the target kanexpr::kanexpr passes this option");
+inline constexpr bool addresses_are_distinct = __builtin_constant_p(&address_probe<0> == &address_probe<1>);
+static_assert(addresses_are_distinct,
+              "with -fsanitize=undefined, g++ also requires "
+              "-fno-sanitize=null,nonnull-attribute,returns-nonnull-attribute after it "
+              "to read a model; the target kanexpr::kanexpr passes this option");
 
 template <bool goes_on, int count>
 struct compilation {};
 template <int count>
 struct compilation<false, count> : compilation<false, count + 1> {};
-template struct compilation<are_entities_apart, 0>;
+template struct compilation<addresses_are_distinct, 0>;
 
-} // namespace kanexpr::describe
+} // namespace kanexpr::detail
 
 #endif

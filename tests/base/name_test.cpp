@@ -6,7 +6,7 @@
 
 namespace {
 
-using kanexpr::symbolic::name;
+using kanexpr::base::name;
 
 TEST(name, is_what_it_is_made_of) {
   name called("q");

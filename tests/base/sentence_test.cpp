@@ -13,7 +13,7 @@
 
 namespace {
 
-using kanexpr::mechanics::sentence;
+using kanexpr::base::sentence;
 
 TEST(sentence, is_nothing_or_says_something) {
   EXPECT_FALSE(sentence());

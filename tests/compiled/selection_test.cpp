@@ -173,7 +173,7 @@ TEST(selection, is_written_by_the_builder) {
 TEST(selection, is_a_limit_from_both_sides) {
   struct Symbols {
     symbolic::graph g;
-    symbolic::expression x = variable(g, {symbolic::symbol_kind::coordinate, symbolic::name("x"), 0}),
+    symbolic::expression x = variable(g, {symbolic::symbol_kind::coordinate, base::name("x"), 0}),
                          zero = constant(g, symbolic::exactly(0));
   } s;
   const auto at_zero = [&](symbolic::expression e) {

@@ -58,7 +58,7 @@ TEST(cost, of_more_than_there_is_room_for_is_a_mistake) {
 }
 
 TEST(cost, of_more_causes_than_there_is_room_for_is_a_mistake) {
-  const kanexpr::mechanics::sentence cause({"M is singular"});
+  const kanexpr::base::sentence cause({"M is singular"});
   const auto filled = [&](auto causes, int count) {
     for (int i = 0; i < count; ++i) causes.push(cause);
     return std::string(kanexpr::derivation::check_room("Chain", causes, cause).view());

@@ -47,7 +47,7 @@ TEST(run_time, shows_the_steps) {
 TEST(run_time, has_other_forms) {
   symbolic::graph graph;
   const auto symbol = [&](symbolic::symbol_kind kind, const char* name) {
-    return symbolic::variable(graph, {kind, symbolic::name(name), 0});
+    return symbolic::variable(graph, {kind, base::name(name), 0});
   };
   const auto q1 = symbol(symbolic::symbol_kind::coordinate, "q1"),
              u1 = symbol(symbolic::symbol_kind::speed, "u1");

@@ -29,17 +29,17 @@ constexpr lower::tape three_solutions(int n) {
   symbolic::graph g;
   int position = 0;
   const auto next = [&] {
-    symbolic::name called("s");
+    base::name called("s");
     called.append(position);
     return variable(g, {symbolic::symbol_kind::parameter, called, position++});
   };
   symbolic::matrix a(g, n, n);
   for (expression& e : a.entries) e = next();
-  symbolic::sequence<expression> b;
+  base::sequence<expression> b;
   for (int i = 0; i < n; ++i) b.push(next());
   const expression factors = factorization(g, a);
-  const symbolic::sequence<expression> y = solve_transposed(factors, b);
-  symbolic::sequence<int> outputs = nodes_of(solve(factors, b));
+  const base::sequence<expression> y = solve_transposed(factors, b);
+  base::sequence<int> outputs = nodes_of(solve(factors, b));
   for (int id : nodes_of(y)) outputs.push(id);
   for (int id : nodes_of(solve(factors, y))) outputs.push(id);
   outputs.push(singularity_measure(factors, entry_squares(a)).node());

@@ -16,9 +16,9 @@
 
 namespace {
 
+using kanexpr::base::sequence;
 using kanexpr::symbolic::graph;
 using kanexpr::symbolic::operation;
-using kanexpr::symbolic::sequence;
 
 sequence<int> in_order(const graph& g, const sequence<int>& results) {
   const sequence<int> live = kanexpr::symbolic::live_values(g, results);
@@ -51,7 +51,7 @@ int most_at_once(const graph& g, const sequence<int>& order) {
 }
 
 int symbol(graph& g, std::string_view called, int position) {
-  return g.variable({kanexpr::symbolic::symbol_kind::coordinate, kanexpr::symbolic::name(called), position});
+  return g.variable({kanexpr::symbolic::symbol_kind::coordinate, kanexpr::base::name(called), position});
 }
 
 /// A graph of sums, products and functions, at random.

@@ -17,7 +17,7 @@ size size_of(int loops) {
   loop_chain b(loops);
   EXPECT_EQ(b.check().view(), "");
   kanexpr::mechanics::equations e(b.system());
-  kanexpr::symbolic::sequence<int> outputs;
+  kanexpr::base::sequence<int> outputs;
   for (const auto& rate : e.get(kanexpr::mechanics::quantity::udot).entries) outputs.push(rate.node());
   EXPECT_EQ(e.mistake().view(), "");
   EXPECT_EQ(outputs.size(), 3 * loops);

@@ -23,7 +23,7 @@ TEST(agreement, dense_constraints) {
   auto derived = kanexpr::derive<dense_constraints::System>();
   ASSERT_EQ(derived.mistake(), "");
   const auto accelerations = derived.get(quantity::udot);
-  kanexpr::symbolic::sequence<int> outputs;
+  kanexpr::base::sequence<int> outputs;
   for (const auto& rate : accelerations.entries) outputs.push(rate.node());
   ASSERT_EQ(derived.equations().singularity_checks_of(outputs).size(), 4); // a block, two pivots, finiteness
   const auto interpreted = [&](quantity q) { return derived.function(derived.get(q)); };

@@ -48,7 +48,7 @@ struct pendulum_on_cart : builder {
 };
 
 interpreter<double> code_for(builder& b, const kanexpr::symbolic::matrix& wanted) {
-  kanexpr::symbolic::sequence<int> outputs;
+  kanexpr::base::sequence<int> outputs;
   for (const expression& e : wanted.entries) outputs.push(e.node());
   return interpreter<double>(kanexpr::lower::tape_of(b.graph(), outputs));
 }
@@ -264,7 +264,7 @@ TEST(interpreter, knows_every_operation) {
 TEST(interpreter, evaluates_in_other_scalar_types) {
   builder b("N");
   const expression x = b.parameter("x");
-  kanexpr::symbolic::sequence<int> output{(sin(x) / 3).node()};
+  kanexpr::base::sequence<int> output{(sin(x) / 3).node()};
   interpreter<long double> code(kanexpr::lower::tape_of(b.graph(), output));
   long double found[1]{};
   code.evaluate([](const kanexpr::lower::load&) { return 0.7L; }, found);
@@ -392,11 +392,11 @@ TEST(builder_mistakes, knows_what_a_name_is) {
 TEST(builder_mistakes, keep_the_ends_of_names) {
   const auto called = [](char last) { return "Link" + std::string(300, 'x') + last; };
   for (const char last : {'a', 'b'}) {
-    const std::string found(kanexpr::mechanics::sentence({"two frames are called ", called(last)}).view());
+    const std::string found(kanexpr::base::sentence({"two frames are called ", called(last)}).view());
     EXPECT_TRUE(found.starts_with("two frames are called Linkxx")) << found;
     EXPECT_TRUE(found.ends_with(std::string("xx") + last)) << found;
     EXPECT_EQ(found.size(), 255u);
-    const kanexpr::symbolic::name name(called(last));
+    const kanexpr::base::name name(called(last));
     EXPECT_TRUE(name.view().starts_with("Linkxx") && name.view().ends_with(std::string("xx") + last));
   }
 }

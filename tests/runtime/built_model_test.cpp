@@ -156,7 +156,7 @@ TEST(built_model, names_all_dependent_speeds_however_many) {
 
 TEST(built_model, names_ten_in_a_sentence_about_many) {
   const train built;
-  kanexpr::symbolic::sequence<int> places;
+  kanexpr::base::sequence<int> places;
   for (int i = 1; i <= 12; ++i) places.push(i);
   const std::string ten =
       "speeds speed1, speed2, speed3, speed4, speed5, speed6, speed7, speed8, speed9, speed10";

@@ -142,8 +142,8 @@ TEST(listing, writes_linear_systems_out) {
   for (int order = 1; order < 8; ++order) {
     moving_system s(order, 5);
     const symbolic::expression factors = factorization(s.g, s.a);
-    const symbolic::sequence<symbolic::expression> x = solve(factors, s.b), y = solve_transposed(factors, x);
-    symbolic::sequence<symbolic::expression> squares;
+    const base::sequence<symbolic::expression> x = solve(factors, s.b), y = solve_transposed(factors, x);
+    base::sequence<symbolic::expression> squares;
     for (const symbolic::expression& e : s.a.entries) squares.push(e * e + 1);
     symbolic::matrix all(s.g, 2 * order + 1, 1);
     for (int i = 0; i < order; ++i) all.entries[i] = x[i], all.entries[order + i] = y[i];

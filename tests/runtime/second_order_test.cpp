@@ -70,7 +70,7 @@ TEST(second_order, sensitivity) {
   const MatrixXd by_parameters = found(0, x, p, r);
   for (const auto& [column, name] : {std::pair(0, "l1"), std::pair(1, "g")}) {
     VectorXcd there = p;
-    there(m.known()->place(kanexpr::symbolic::symbol_kind::parameter, kanexpr::symbolic::name(name))) +=
+    there(m.known()->place(kanexpr::symbolic::symbol_kind::parameter, kanexpr::base::name(name))) +=
         complex(0, step);
     const VectorXd expected = rhs(0, x, there, r).imag() / step;
     EXPECT_LE((by_parameters.col(column) - expected).norm(), 1e-12 * expected.norm());

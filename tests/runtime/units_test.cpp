@@ -62,7 +62,7 @@ struct motion {
   VectorXd udot;                        // in old units
 };
 
-std::vector<int> list(const kanexpr::symbolic::sequence<int>& all) { return {all.begin(), all.end()}; }
+std::vector<int> list(const kanexpr::base::sequence<int>& all) { return {all.begin(), all.end()}; }
 
 motion of_slider_crank(const units& in) {
   slider_crank b(in);
@@ -71,7 +71,7 @@ motion of_slider_crank(const units& in) {
   derived.constrain();
   EXPECT_EQ(derived.mistake().view(), "");
   const kanexpr::symbolic::matrix udot = derived.get(quantity::udot);
-  kanexpr::symbolic::sequence<int> outputs;
+  kanexpr::base::sequence<int> outputs;
   for (const expression& e : udot.entries) outputs.push(e.node());
   kanexpr::runtime::interpreted<double> f(b.graph(), udot, 3, derived.singularity_checks_of(outputs));
   const double turn = 0.8, swing = -std::asin(0.3 * std::sin(turn) / 1.1), w1 = 1.7,
@@ -199,7 +199,7 @@ TEST(units, of_lengths_do_not_matter_beside_angles_in_one_constraint) {
     equations derived(b.system());
     const kanexpr::symbolic::matrix udot = derived.get(quantity::udot);
     ASSERT_EQ(derived.mistake().view(), "");
-    kanexpr::symbolic::sequence<int> outputs;
+    kanexpr::base::sequence<int> outputs;
     for (const expression& e : udot.entries) outputs.push(e.node());
     kanexpr::runtime::interpreted<double> f(b.graph(), udot, 3, derived.singularity_checks_of(outputs));
     VectorXd state(6);

@@ -29,7 +29,7 @@ using rates_of_pendulum = lagrange_system<inertial<N>, coordinates<q>, Words...>
 
 template <class System>
 std::string mistake() {
-  constexpr mechanics::sentence compiled = derivation::stages_of<System>::constrained.mistake;
+  constexpr base::sentence compiled = derivation::stages_of<System>::constrained.mistake;
   model derived = derive<System>();
   EXPECT_EQ(derived.mistake(), compiled.view());
   if (compiled) {

@@ -51,7 +51,7 @@ TEST(constrained, keeps_what_is_given) {
   EXPECT_EQ(said({{q1, 0.3}, {q2, angle + 2e-5}, {u1, 1}}, still), "");
   EXPECT_EQ(said({{q1, 0.3}, {q2, -0.5}, {u1, 0}}, still),
             "coordinate q2, which is dependent, was given as -0.5, but the constraints require " +
-                simulations::digits(-angle) + advice);
+                base::digits(-angle) + advice);
   EXPECT_EQ(said({{q1, 0.3}, {q2, angle}, {u1, 0}, {u2, 30}}, still),
             "speed u2, which is dependent, was given as 30, but the constraints require 0" +
                 std::string(advice));
@@ -60,7 +60,7 @@ TEST(constrained, keeps_what_is_given) {
             "");
   EXPECT_EQ(said(state<System>(0.3, angle, 1, 0), still),
             "speed u2, which is dependent, was given as 0, but the constraints require " +
-                simulations::digits(rate) + advice);
+                base::digits(rate) + advice);
 }
 
 TEST(constrained, keeps_what_a_handler_changes) {

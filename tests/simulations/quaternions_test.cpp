@@ -20,7 +20,7 @@ template <class System>
 double most_off_one(const simulation<System>& run) {
   double most = 0;
   for (const sample<System>& s : run.trajectory)
-    most = std::max(most, compiled::unit_quaternions<System>::residual(s.x).cwiseAbs().maxCoeff());
+    most = std::max(most, steps::unit_quaternions<System>::residual(s.x).cwiseAbs().maxCoeff());
   return most;
 }
 

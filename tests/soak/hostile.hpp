@@ -34,7 +34,7 @@ private:
   static kanexpr::runtime::interpreted<double>
   evaluated(recipe::builder& b, kanexpr::mechanics::equations& derived, kanexpr::mechanics::quantity wanted) {
     const kanexpr::symbolic::matrix result = derived.get(wanted);
-    kanexpr::symbolic::sequence<int> outputs;
+    kanexpr::base::sequence<int> outputs;
     for (const auto& e : result.entries) outputs.push(e.node());
     return {b.graph(), result, b.mechanism().coordinates.size(), derived.singularity_checks_of(outputs)};
   }

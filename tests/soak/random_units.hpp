@@ -38,7 +38,7 @@ inline std::vector<double> inverse(std::vector<double> units) {
   return units;
 }
 inline std::vector<double> some_of(const std::vector<double>& units,
-                                   const kanexpr::symbolic::sequence<int>& which) {
+                                   const kanexpr::base::sequence<int>& which) {
   std::vector<double> some;
   for (int i : which) some.push_back(units[static_cast<std::size_t>(i)]);
   return some;

@@ -121,16 +121,16 @@ TEST(fixed_step, says_what_is_singular_and_leaves_the_state) {
 TEST(correction, says_what_cannot_be_solved_for) {
   four_bars b;
   b.x[four_bar::q3] = 0; // coupler and rocker in line
-  const status two = kanexpr::compiled::correction<four_bars::System, 1>::apply(0.0, b.x, b.p, b.r);
+  const status two = kanexpr::steps::correction<four_bars::System, 1>::apply(0.0, b.x, b.p, b.r);
   EXPECT_EQ(two.cause(),
             "the constraints cannot be solved for the dependent coordinates q2 and q3 at this state");
-  const status speeds = kanexpr::compiled::correction<four_bars::System, 0>::apply(0.0, b.x, b.p, b.r);
+  const status speeds = kanexpr::steps::correction<four_bars::System, 0>::apply(0.0, b.x, b.p, b.r);
   EXPECT_EQ(speeds.cause(),
             "the constraints cannot be solved for the dependent speeds u2 and u3 at this state");
   using circle = kanexpr::equations_of_motion<pendulum_nonminimal::System>;
   circle::state x;
   x[pendulum_nonminimal::q2] = 0.7; // beside its pivot
-  const status one = kanexpr::compiled::correction<pendulum_nonminimal::System, 1>::apply(
+  const status one = kanexpr::steps::correction<pendulum_nonminimal::System, 1>::apply(
       0.0, x, circle::parameters(1.3, 0.7, 9.81), circle::inputs::Zero());
   EXPECT_EQ(one.cause(), "the constraints cannot be solved for the dependent coordinate q1 at this state");
 }
@@ -139,7 +139,7 @@ TEST(correction, says_what_cannot_be_solved_for) {
 TEST(correction, says_it_in_whatever_units) {
   using namespace pendulum_nonminimal;
   using circle = kanexpr::equations_of_motion<System>;
-  using kanexpr::compiled::correction;
+  using kanexpr::steps::correction;
   for (const double length : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
     circle::parameters p;
     p[m] = 1.3, p[L] = length, p[g] = 9.81;

@@ -67,7 +67,7 @@ template <class System, class Step>
 struct evaluations {
   template <class... Arguments>
   static operations of_checks(const Arguments&... at) {
-    const operations one = ::of_checks<typename compiled::rates_with_derivatives<System>::evaluated>(at...);
+    const operations one = ::of_checks<typename steps::rates_with_derivatives<System>::evaluated>(at...);
     constexpr int n = Step::stages;
     return {n * one.multiplications, n * one.additions, n * one.divisions};
   }
@@ -76,7 +76,7 @@ template <class System, int corrections>
 struct evaluations<System, semi_implicit_euler<System, corrections>> {
   template <class... Arguments>
   static operations of_checks(const Arguments&... at) {
-    using step = compiled::varied_step<semi_implicit_euler<System, corrections>>;
+    using step = steps::varied_step<semi_implicit_euler<System, corrections>>;
     operations all = ::of_checks<typename step::template varied<mechanics::quantity::udot>>(at...);
     const auto add = [&](const operations& more) {
       all.multiplications += more.multiplications;
@@ -84,7 +84,7 @@ struct evaluations<System, semi_implicit_euler<System, corrections>> {
       all.divisions += more.divisions;
     };
     add(::of_checks<typename step::template varied<mechanics::quantity::qdot>>(at...));
-    using correction = compiled::varied_correction<System, corrections>;
+    using correction = steps::varied_correction<System, corrections>;
     if constexpr (compiled::survey_of<System>.configuration_constraints > 0)
       add(::of_checks<typename correction::template varied<mechanics::quantity::configuration_step>>(at...));
     if constexpr (compiled::survey_of<System>.constraints > 0)

@@ -40,7 +40,7 @@ using kanexpr::status;
 
 template <class System>
 double off_one(const state<System>& x) {
-  return compiled::unit_quaternions<System>::residual(x).cwiseAbs().maxCoeff();
+  return steps::unit_quaternions<System>::residual(x).cwiseAbs().maxCoeff();
 }
 
 state<Two> tumbling() {
@@ -177,7 +177,7 @@ TEST(check_consistency, tells_of_a_norm) {
 }
 
 // Per quaternion: squares and their sum, a root, a division, four products.
-static_assert(compiled::unit_quaternions<Two>::cost() ==
+static_assert(steps::unit_quaternions<Two>::cost() ==
               symbolic::cost{.multiplications = 16, .additions = 6, .divisions = 2, .other = 2});
 static_assert(semi_implicit_euler<Two>::cost().divisions ==
               semi_implicit_euler<Two, 0>::cost().divisions + 2);

@@ -15,7 +15,7 @@ struct symbols {
              q1_rate = of(kind::coordinate_rate, "q1"), u1_rate = of(kind::speed_rate, "u1");
 
   expression of(kind k, const char* name) {
-    return kanexpr::symbolic::variable(g, {k, kanexpr::symbolic::name(name), 0});
+    return kanexpr::symbolic::variable(g, {k, kanexpr::base::name(name), 0});
   }
   expression number(double value) { return constant(g, kanexpr::symbolic::real(value)); }
   expression fraction(int numerator, int denominator) {

@@ -11,7 +11,7 @@ namespace {
 using hand_written::pick;
 using kanexpr::mechanics::quantity;
 
-std::vector<std::string> called(const kanexpr::symbolic::sequence<kanexpr::symbolic::expression>& symbols) {
+std::vector<std::string> called(const kanexpr::base::sequence<kanexpr::symbolic::expression>& symbols) {
   std::vector<std::string> names;
   for (const auto& each : symbols) names.push_back(kanexpr::symbolic::print(each));
   return names;

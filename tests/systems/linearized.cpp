@@ -16,7 +16,7 @@ using complex_vector = Eigen::VectorXcd;
 constexpr double size_of_step = 1e-30;
 constexpr complex step{0, size_of_step};
 
-std::vector<std::string> called(const kanexpr::symbolic::sequence<kanexpr::symbolic::expression>& symbols) {
+std::vector<std::string> called(const kanexpr::base::sequence<kanexpr::symbolic::expression>& symbols) {
   std::vector<std::string> names;
   for (const auto& e : symbols) names.push_back(kanexpr::symbolic::print(e));
   return names;
@@ -28,7 +28,7 @@ std::vector<T> joined(std::vector<T> a, const std::vector<T>& b) {
   return a;
 }
 
-std::vector<Eigen::Index> places(const kanexpr::symbolic::sequence<int>& list, int first) {
+std::vector<Eigen::Index> places(const kanexpr::base::sequence<int>& list, int first) {
   std::vector<Eigen::Index> found;
   for (int i : list) found.push_back(first + i);
   return found;

@@ -13,8 +13,8 @@
 /// Checks for mistakes in a shape.
 namespace kanexpr::animate {
 
+using base::sentence;
 using describe::point_record;
-using mechanics::sentence;
 
 template <class Word>
 concept picture_word = requires { Word::word; };
@@ -23,7 +23,7 @@ concept shown_word = picture_word<Word> && requires { typename Word::attachment;
 
 /// The title of a shape, such as "sphere at P" or "rod from O to P".
 struct title {
-  symbolic::name letters{};
+  base::name letters{};
   constexpr std::string_view view() const { return letters.view(); }
 };
 

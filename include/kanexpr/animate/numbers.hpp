@@ -48,15 +48,11 @@ struct numbers_of<picture<System, Words...>> {
 
 } // namespace animate
 
-namespace derivation {
-
 template <class Picture, animate::numbers_of<Picture> wanted>
-struct requested<wanted> {
+struct derivation::requested<wanted> {
   static constexpr request value{.what = request::kind::expressions,
                                  .phrases = animate::numbers_of<Picture>::all.all,
                                  .whom = "the picture"};
 };
-
-} // namespace derivation
 
 } // namespace kanexpr

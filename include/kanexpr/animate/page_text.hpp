@@ -21,7 +21,7 @@ inline double rounded(double value) {
   const char* end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 7).ptr;
   double shorter = value;
   std::from_chars(digits, end, shorter);
-  return numeric::equal(shorter, 0.0) ? 0 : shorter; // no −0
+  return base::equal(shorter, 0.0) ? 0 : shorter; // no −0
 }
 
 inline nlohmann::json list_of(const std::vector<double>& values) {
@@ -98,7 +98,7 @@ inline std::string page_text(const animation& a, const std::string& title, const
   nlohmann::json all{{"title", title},
                      {"text", text},
                      {"times", list_of(a.times)},
-                     {"nameOfTime", simulations::name_of_time(has_column(a))},
+                     {"nameOfTime", base::name_of_time(has_column(a))},
                      {"up", list_of(a.up)},
                      {"carried", a.carried},
                      {"shapes", nlohmann::json::array()},

@@ -26,7 +26,7 @@ struct valid_picture {
 template <class System_, class... Words>
 struct picture {
   using System = System_;
-  static constexpr mechanics::sentence mistake = animate::check_words<Words...>();
+  static constexpr base::sentence mistake = animate::check_words<Words...>();
 };
 
 } // namespace kanexpr

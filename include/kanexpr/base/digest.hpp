@@ -6,7 +6,7 @@
 #include <string_view>
 #include <type_traits>
 
-namespace kanexpr::symbolic {
+namespace kanexpr::base {
 
 /// An incremental 64-bit content hash.
 class digest {
@@ -33,4 +33,4 @@ private:
   std::uint64_t value_ = 0xcbf29ce484222325u;
 };
 
-} // namespace kanexpr::symbolic
+} // namespace kanexpr::base

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-namespace kanexpr::simulations {
+namespace kanexpr::base {
 
 /// Formats a number for a sentence; a zero is written without a sign.
 inline std::string digits(double number) {
@@ -12,4 +12,4 @@ inline std::string digits(double number) {
   return text;
 }
 
-} // namespace kanexpr::simulations
+} // namespace kanexpr::base

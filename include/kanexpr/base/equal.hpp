@@ -2,7 +2,7 @@
 
 #include <functional>
 
-namespace kanexpr::numeric {
+namespace kanexpr::base {
 
 /// Compares exactly, on purpose; compilers can warn about every `==` between floating-point numbers.
 template <class Value>
@@ -18,4 +18,4 @@ constexpr bool is_number(const Value& x) {
   return equal(x, x);
 }
 
-} // namespace kanexpr::numeric
+} // namespace kanexpr::base

@@ -4,7 +4,7 @@
 #include <string_view>
 
 /// Names that generated C functions and variables should avoid, separated by spaces.
-namespace kanexpr::library_words {
+namespace kanexpr::base::library_words {
 
 /// The functions of math.h, including C23 and common extensions; each has variants for other types, such as
 /// sinf.
@@ -133,4 +133,4 @@ constexpr bool has(std::string_view name) {
          holds(words_of_the_library, name);
 }
 
-} // namespace kanexpr::library_words
+} // namespace kanexpr::base::library_words

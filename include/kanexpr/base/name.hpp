@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
-namespace kanexpr::symbolic {
+namespace kanexpr::base {
 
 /// A short name stored as a plain value, so that a graph that contains names can outlive constant evaluation.
 /// Longer text, such as the name of a type, is shortened in the middle, so that names that differ near either
@@ -49,4 +49,4 @@ private:
   }
 };
 
-} // namespace kanexpr::symbolic
+} // namespace kanexpr::base

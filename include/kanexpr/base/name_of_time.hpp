@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace kanexpr::simulations {
+namespace kanexpr::base {
 
 /// Returns the name of the time column in a table: "t", or, if the model uses that name, the first unused
 /// name of "time", "time_" and so on.
@@ -17,4 +17,4 @@ std::string name_of_time(const IsTaken& is_taken) {
   return name;
 }
 
-} // namespace kanexpr::simulations
+} // namespace kanexpr::base

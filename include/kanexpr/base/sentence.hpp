@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace kanexpr::mechanics {
+namespace kanexpr::base {
 
 /// A sentence in mechanical terms that names the entity concerned. It describes a mistake or the cause of a
 /// status or a failure, or is a part of such a sentence. Empty if there is nothing to report.
@@ -78,10 +78,10 @@ constexpr void sentence::append(std::string_view text) {
 }
 
 /// Formats an integer for a sentence.
-constexpr symbolic::name counted(int n) {
-  symbolic::name text;
+constexpr base::name counted(int n) {
+  name text;
   text.append(n);
   return text;
 }
 
-} // namespace kanexpr::mechanics
+} // namespace kanexpr::base

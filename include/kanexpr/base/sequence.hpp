@@ -3,7 +3,7 @@
 #include <initializer_list>
 #include <type_traits>
 
-namespace kanexpr::symbolic {
+namespace kanexpr::base {
 
 /// A growable array for constant evaluation.
 ///
@@ -105,4 +105,4 @@ private:
   int capacity_ = 0;
 };
 
-} // namespace kanexpr::symbolic
+} // namespace kanexpr::base

@@ -33,7 +33,7 @@ auto operator<<(Stream& to, const status& told) -> decltype(to << told.view()) {
   return to << told.view();
 }
 
-namespace mechanics {
+namespace base {
 
 /// A remainder this small, relative to the terms that it is computed from, is dominated by rounding.
 inline constexpr double vanishing_measure = 4096.0 * std::numeric_limits<double>::epsilon();
@@ -51,6 +51,6 @@ constexpr double least_singularity_measure() {
     return 1e6 * std::numeric_limits<double>::epsilon();
 }
 
-} // namespace mechanics
+} // namespace base
 
 } // namespace kanexpr

@@ -32,8 +32,8 @@ constexpr std::string_view result_name() {
 
 /// Names an argument that the code loads but the call omits.
 template <class System, class Code>
-constexpr mechanics::sentence lacks(std::string_view result, symbolic::symbol_kind kind,
-                                    std::string_view what, std::string_view way) {
+constexpr base::sentence lacks(std::string_view result, symbolic::symbol_kind kind, std::string_view what,
+                               std::string_view way) {
   constexpr const derivation::survey& s = survey_of<System>;
   using symbolic::symbol_kind;
   const bool rate = kind == symbol_kind::speed_rate, second = rate && s.takes_rates_as_speeds;
@@ -41,8 +41,8 @@ constexpr mechanics::sentence lacks(std::string_view result, symbolic::symbol_ki
   for (int i = 0; i < Code::tape.sizes.loads; ++i) {
     if (Code::tape.loads[i].from != kind) continue;
     const int place = s.first_of(named) + Code::tape.loads[i].position;
-    return mechanics::sentence({result, " needs the ", second ? "second derivative of coordinate " : what,
-                                s.names[place].view(), ": call it as ", result, way});
+    return base::sentence({result, " needs the ", second ? "second derivative of coordinate " : what,
+                           s.names[place].view(), ": call it as ", result, way});
   }
   return {};
 }
@@ -67,14 +67,14 @@ struct external_calls {
       return lower::scalar_math<Number>::template calls<function>;
   }
 
-  static constexpr mechanics::sentence mistake = []<int... index>(std::integer_sequence<int, index...>) {
+  static constexpr base::sentence mistake = []<int... index>(std::integer_sequence<int, index...>) {
     std::string_view refusing;
     ((refusing.empty() && !takes<index>() ? void(refusing = Code::tape.externals[index]->called.view())
                                           : void()),
      ...);
-    if (refusing.empty()) return mechanics::sentence();
-    return mechanics::sentence({result_name<wanted>(), " is evaluated with the scalar type ",
-                                type_name<Number>(), ", which ", refusing, " does not accept"});
+    if (refusing.empty()) return base::sentence();
+    return base::sentence({result_name<wanted>(), " is evaluated with the scalar type ", type_name<Number>(),
+                           ", which ", refusing, " does not accept"});
   }(std::make_integer_sequence<int, Code::tape.sizes.externals>{});
   static constexpr bool possible = !static_cast<bool>(mistake);
   static_assert(derivation::report<external_calls>());
@@ -93,7 +93,7 @@ template <class System, symbols_of wanted, class Argument, class Keep>
 constexpr void check_belonging(std::string_view result, const Keep& keep) {
   using given = decltype(belonging_of(static_cast<const Argument*>(nullptr)));
   if constexpr (!given::template fits<System, wanted>)
-    keep(given::template mistake<System, wanted>(mechanics::sentence({result, " of "}).view()));
+    keep(given::template mistake<System, wanted>(base::sentence({result, " of "}).view()));
 }
 
 /// A call of a function, identified by the types of its arguments.
@@ -104,13 +104,13 @@ struct call {
   static constexpr bool sound =
       !static_cast<bool>(survey_of<System>.mistake) && !static_cast<bool>(Code::mistake);
 
-  static constexpr mechanics::sentence mistake = [] {
+  static constexpr base::sentence mistake = [] {
     using symbolic::symbol_kind;
     constexpr std::string_view system = type_name<System>(), result = result_name<first>();
     constexpr const derivation::survey& known = survey_of<System>;
-    mechanics::sentence found;
+    base::sentence found;
     if (!sound) return found;
-    const auto keep = [&](const mechanics::sentence& p) {
+    const auto keep = [&](const base::sentence& p) {
       if (!found) found = p;
     };
     check_belonging<System, symbols_of::state, State>(result, keep);
@@ -129,7 +129,7 @@ struct call {
     if (std::is_same_v<Accelerations, not_given>)
       keep(lacks<System, Code>(result, symbol_kind::speed_rate, "rate of speed ", "(x, p, r, a)"));
     if (std::is_same_v<Time, not_given> && loads_time<Code>())
-      keep(mechanics::sentence({result, " needs the time: call it as ", result, "(t, x, p, r)"}));
+      keep(base::sentence({result, " needs the time: call it as ", result, "(t, x, p, r)"}));
     return found;
   }();
   static_assert(derivation::report<call>());
@@ -142,25 +142,24 @@ struct call {
 template <class System, class Code, class Weights, class Direction, derivation::given_behind given,
           auto first, auto... more>
 struct weighted_call {
-  static constexpr mechanics::sentence mistake = [] {
+  static constexpr base::sentence mistake = [] {
     constexpr std::string_view system = type_name<System>(), result = result_name<first>();
     constexpr const derivation::survey& known = survey_of<System>;
     constexpr int state = known.coordinates + known.speeds;
-    mechanics::sentence found;
+    base::sentence found;
     if (static_cast<bool>(known.mistake) || static_cast<bool>(Code::mistake)) return found;
-    const auto keep = [&](const mechanics::sentence& p) {
+    const auto keep = [&](const base::sentence& p) {
       if (!found) found = p;
     };
     if (given.rates)
-      keep(mechanics::sentence({result, " cannot be evaluated together with a result at given rates of the "
-                                        "speeds; evaluate them in two calls"}));
+      keep(base::sentence({result, " cannot be evaluated together with a result at given rates of the "
+                                   "speeds; evaluate them in two calls"}));
     if (given.weights && std::is_same_v<Weights, not_given>)
-      keep(mechanics::sentence({result, " needs a weight for each rate of the state: call it as ", result,
-                                given.direction ? "(x, p, r, w, v)" : "(x, p, r, w)"}));
+      keep(base::sentence({result, " needs a weight for each rate of the state: call it as ", result,
+                           given.direction ? "(x, p, r, w, v)" : "(x, p, r, w)"}));
     if (given.direction && std::is_same_v<Direction, not_given>)
-      keep(mechanics::sentence({result,
-                                " needs a direction, a change of the state and the inputs: call it as ",
-                                result, given.weights ? "(x, p, r, w, v)" : "(x, p, r, v)"}));
+      keep(base::sentence({result, " needs a direction, a change of the state and the inputs: call it as ",
+                           result, given.weights ? "(x, p, r, w, v)" : "(x, p, r, v)"}));
     keep(check_size("weight", system, entries_of<Weights>(), state));
     keep(check_size("direction", system, entries_of<Direction>(), state + known.inputs));
     return found;

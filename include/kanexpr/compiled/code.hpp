@@ -32,7 +32,7 @@ namespace compiled {
 /// The code for a set of results of a system, derived once for each set.
 template <class System, auto... wanted>
 struct cut_for {
-  static constexpr mechanics::sentence mistake() { return cut.mistake; }
+  static constexpr base::sentence mistake() { return cut.mistake; }
 
 protected:
   static constexpr derivation::cut_code cut = derivation::code_for<System, wanted...>();
@@ -49,7 +49,7 @@ private:
 public:
   static constexpr auto tape = lower::trimmed<cut.tape.sizes>(cut.tape);
   static constexpr auto causes = derivation::trimmed<cut.causes.sizes>(cut.causes);
-  static constexpr mechanics::sentence mistake = cut.mistake;
+  static constexpr base::sentence mistake = cut.mistake;
   static constexpr bool follows_from_unparsed = cut.follows_from_unparsed;
   static constexpr bool tells_finiteness = cut.tells_finiteness;
   static_assert(derivation::report<code>());

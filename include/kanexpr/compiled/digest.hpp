@@ -15,7 +15,7 @@ inline constexpr std::uint64_t digest_of_model =
 /// it.
 template <class Function>
 inline constexpr std::uint64_t digest_of_function = [] {
-  symbolic::digest all;
+  base::digest all;
   all.take(KANEXPR_VERSION);
   all.take(digest_of_model<typename Function::code::system>);
   all.take(derivation::digest_of(Function::code::tape));

@@ -13,13 +13,12 @@
 /// Checks the size of a vector against the size that a system requires.
 namespace kanexpr::compiled {
 
-constexpr mechanics::sentence check_size(std::string_view what, std::string_view system, int given,
-                                         int wanted) {
+constexpr base::sentence check_size(std::string_view what, std::string_view system, int given, int wanted) {
   if (given == Eigen::Dynamic || given == wanted) return {};
-  symbolic::name w, g;
+  base::name w, g;
   w.append(wanted), g.append(given);
-  return mechanics::sentence({"the ", what, " vector of ", system, " has ", w.view(),
-                              wanted == 1 ? " entry, not " : " entries, not ", g.view()});
+  return base::sentence({"the ", what, " vector of ", system, " has ", w.view(),
+                         wanted == 1 ? " entry, not " : " entries, not ", g.view()});
 }
 
 /// Placeholder for omitted arguments.
@@ -38,8 +37,8 @@ constexpr int entries_of() {
 template <class System, symbols_of which, int given>
 struct fitting {
   static constexpr symbol_range wanted = range_of(which, survey_of<System>);
-  static constexpr mechanics::sentence mistake = [] {
-    if (survey_of<System>.mistake) return mechanics::sentence{};
+  static constexpr base::sentence mistake = [] {
+    if (survey_of<System>.mistake) return base::sentence{};
     return check_size(wanted.vector, type_name<System>(), given, wanted.size);
   }();
   static_assert(derivation::report<fitting>());
@@ -49,15 +48,15 @@ struct fitting {
 
 /// Reports a scalar type that cannot represent the values of a system.
 template <class System, class Scalar>
-constexpr mechanics::sentence check_scalar() {
+constexpr base::sentence check_scalar() {
   if (!std::is_integral_v<Scalar> || survey_of<System>.mistake) return {};
-  return mechanics::sentence({"the values of ", type_name<System>(), " are real numbers, but ",
-                              type_name<Scalar>(), " holds only integers; use double"});
+  return base::sentence({"the values of ", type_name<System>(), " are real numbers, but ",
+                         type_name<Scalar>(), " holds only integers; use double"});
 }
 
 template <class System, class Scalar>
 struct holding {
-  static constexpr mechanics::sentence mistake = check_scalar<System, Scalar>();
+  static constexpr base::sentence mistake = check_scalar<System, Scalar>();
   static_assert(derivation::report<holding>());
 };
 
@@ -73,17 +72,16 @@ constexpr std::string_view plural_of(symbols_of which) {
 /// Reports a vector passed in place of a different one, or one of a different system, even if the sizes
 /// agree.
 template <class System, symbols_of wanted, class Other, symbols_of given>
-constexpr mechanics::sentence check_exchanged(std::string_view caller) {
+constexpr base::sentence check_exchanged(std::string_view caller) {
   if (given == wanted && std::is_same_v<Other, System>) return {};
   if (survey_of<System>.mistake || survey_of<Other>.mistake) return {};
-  return mechanics::sentence({caller, type_name_beside<System, Other>(), " is given the ", plural_of(given),
-                              " of ", type_name_beside<Other, System>(), " in place of its ",
-                              plural_of(wanted)});
+  return base::sentence({caller, type_name_beside<System, Other>(), " is given the ", plural_of(given),
+                         " of ", type_name_beside<Other, System>(), " in place of its ", plural_of(wanted)});
 }
 
 template <class System, symbols_of wanted, class Other, symbols_of given>
 struct exchanged {
-  static constexpr mechanics::sentence mistake = check_exchanged<System, wanted, Other, given>({});
+  static constexpr base::sentence mistake = check_exchanged<System, wanted, Other, given>({});
   static_assert(derivation::report<exchanged>());
   static constexpr bool possible =
       !static_cast<bool>(mistake) && !static_cast<bool>(survey_of<System>.mistake);

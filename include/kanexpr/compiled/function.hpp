@@ -238,7 +238,7 @@ private:
     constexpr bool of_finiteness = code::tells_finiteness && index == checks - 1;
     return lower::passes<of_finiteness, Number>(done.template result<first_check + 2 * index>(),
                                                 done.template result<first_check + 2 * index + 1>(),
-                                                mechanics::least_singularity_measure<Number>());
+                                                base::least_singularity_measure<Number>());
   }
 
   template <class Number, int first, auto one>

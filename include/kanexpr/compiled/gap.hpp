@@ -61,30 +61,29 @@ constexpr gap gap_in(const std::complex<Real>& value) {
 }
 
 /// Returns, for example, "System has no parameter ll", from the stored part of the name.
-constexpr mechanics::sentence unknown_told_of(double value, const symbol_range& range,
-                                              std::string_view system) {
+constexpr base::sentence unknown_told_of(double value, const symbol_range& range, std::string_view system) {
   std::uint64_t letters = std::bit_cast<std::uint64_t>(value) << 16;
-  symbolic::name kept;
+  base::name kept;
   for (; letters >> 56 > static_cast<unsigned char>(more_letters); letters <<= 8) {
     const char letter = static_cast<char>(letters >> 56);
     kept.append(std::string_view(&letter, 1));
   }
-  return mechanics::sentence({system, " has no ", range.symbol, " ", kept.view(), letters == 0 ? "" : "..."});
+  return base::sentence({system, " has no ", range.symbol, " ", kept.view(), letters == 0 ? "" : "..."});
 }
 
 /// Describes the gap in the value of a symbol as a sentence; empty if there is none.
-constexpr mechanics::sentence told_of(gap found, const derivation::survey& known, int place,
-                                      std::string_view system) {
+constexpr base::sentence told_of(gap found, const derivation::survey& known, int place,
+                                 std::string_view system) {
   const auto symbol = [&] { return symbol_called(known, place); };
   switch (found) {
   case gap::none: break;
-  case gap::never_set: return mechanics::sentence({symbol().view(), " has no value"});
-  case gap::set_twice: return mechanics::sentence({symbol().view(), " has two values"});
+  case gap::never_set: return base::sentence({symbol().view(), " has no value"});
+  case gap::set_twice: return base::sentence({symbol().view(), " has two values"});
   case gap::beside_unknown:
-    return mechanics::sentence(
+    return base::sentence(
         {"a name in the list that set the value of ", symbol().view(), " does not belong to ", system});
-  case gap::infinite: return mechanics::sentence({"the value of ", symbol().view(), " is infinite"});
-  case gap::not_a_number: return mechanics::sentence({"the value of ", symbol().view(), " is not a number"});
+  case gap::infinite: return base::sentence({"the value of ", symbol().view(), " is infinite"});
+  case gap::not_a_number: return base::sentence({"the value of ", symbol().view(), " is not a number"});
   }
   return {};
 }
@@ -92,8 +91,8 @@ constexpr mechanics::sentence told_of(gap found, const derivation::survey& known
 /// Returns a sentence that names the first entry of a vector of values that is not finite; empty if all are
 /// finite.
 template <class Vector>
-mechanics::sentence first_gap(const Vector& values, const derivation::survey& known,
-                              const symbol_range& range, std::string_view system) {
+base::sentence first_gap(const Vector& values, const derivation::survey& known, const symbol_range& range,
+                         std::string_view system) {
   for (int i = 0; i < range.size && i < static_cast<int>(values.size()); ++i)
     if (const gap found = gap_in(values[i]); found != gap::none) {
       if constexpr (std::is_same_v<typename Vector::Scalar, double>)

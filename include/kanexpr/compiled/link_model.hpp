@@ -48,16 +48,16 @@ Results told(Results results) {
 /// Lagrangian has no energies.
 template <class Function>
 struct lacking {
-  static constexpr mechanics::sentence why{};
+  static constexpr base::sentence why{};
 };
 template <class System, mechanics::quantity... wanted>
 struct lacking<function<System, wanted...>> {
-  static constexpr mechanics::sentence why = [] {
+  static constexpr base::sentence why = [] {
     using stages = derivation::stages_of<System>;
     constexpr bool by_equations = ((mechanics::row_of(wanted).needs != mechanics::stage::constrained) || ...);
-    if (stages::constrained.mistake) return mechanics::sentence();
+    if (stages::constrained.mistake) return base::sentence();
     if constexpr (by_equations)
-      if (stages::equations.mistake) return mechanics::sentence();
+      if (stages::equations.mistake) return base::sentence();
     return cut_for<System, wanted...>::mistake();
   }();
 };

@@ -41,7 +41,7 @@ struct given_values {
   Vector values{};
   /// The entries without a value, which the constraints determine.
   std::array<bool, static_cast<std::size_t>(range_of(which, survey_of<System>).size)> is_left_out{};
-  mechanics::sentence mistake{}; ///< the first mistake in the values, as a sentence; empty if there is none
+  base::sentence mistake{}; ///< the first mistake in the values, as a sentence; empty if there is none
 
   given_values() { read(std::initializer_list<named_value>{}); }
   given_values(std::initializer_list<named_value> list) { read(list); }

@@ -14,15 +14,15 @@ namespace kanexpr::compiled {
 /// Returns a sentence that names the first entry of the parameters or inputs that is not finite; empty if all
 /// are finite.
 template <class System, symbols_of which, class Vector>
-mechanics::sentence gap_among(const Vector& values) {
+base::sentence gap_among(const Vector& values) {
   if constexpr (requires { Vector::SizeAtCompileTime; })
     return first_gap(values, survey_of<System>, range_of(which, survey_of<System>), type_name<System>());
   else
     return {};
 }
 template <class System, class Parameters, class Inputs>
-mechanics::sentence gap_among(const Parameters& p, const Inputs& r) {
-  const mechanics::sentence found = gap_among<System, symbols_of::parameters>(p);
+base::sentence gap_among(const Parameters& p, const Inputs& r) {
+  const base::sentence found = gap_among<System, symbols_of::parameters>(p);
   return found ? found : gap_among<System, symbols_of::inputs>(r);
 }
 
@@ -30,11 +30,10 @@ mechanics::sentence gap_among(const Parameters& p, const Inputs& r) {
 template <class System>
 constexpr auto causes_of_gaps() {
   constexpr const derivation::survey& known = survey_of<System>;
-  derivation::cause_list<derivation::cause_sizes{known.symbols(),
-                                                 known.symbols() * mechanics::sentence::capacity}>
+  derivation::cause_list<derivation::cause_sizes{known.symbols(), known.symbols() * base::sentence::capacity}>
       all{};
   for (int i = 0; i < known.symbols(); ++i)
-    all.push(mechanics::sentence({known.names[i].view(), " has no finite value"}));
+    all.push(base::sentence({known.names[i].view(), " has no finite value"}));
   return all;
 }
 

@@ -7,7 +7,7 @@ namespace kanexpr::compiled {
 
 template <class System>
 inline constexpr std::uint64_t digest_of_name = [] {
-  symbolic::digest all;
+  base::digest all;
   all.take(whole_name_of<System>().whole);
   return all.value();
 }();

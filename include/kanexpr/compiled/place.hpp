@@ -20,13 +20,13 @@ struct placed {
       describe::symbol_storage<kind, called, index, order>::record;
   static constexpr int found = survey_of<System>.place(kind, symbol.called);
   static constexpr int place = found >= 0 ? found : 0;
-  static constexpr mechanics::sentence mistake = [] {
-    if (found >= 0 || survey_of<System>.mistake) return mechanics::sentence{};
+  static constexpr base::sentence mistake = [] {
+    if (found >= 0 || survey_of<System>.mistake) return base::sentence{};
     if (kind == symbolic::symbol_kind::coordinate_rate)
-      return mechanics::sentence({"the state of ", type_name<System>(),
-                                  " does not contain the rate of coordinate ", symbol.called.view()});
+      return base::sentence({"the state of ", type_name<System>(),
+                             " does not contain the rate of coordinate ", symbol.called.view()});
     const std::string_view what = derivation::kind_of(symbol);
-    return mechanics::sentence({"the system ", type_name<System>(), " has no ", what, symbol.called.view()});
+    return base::sentence({"the system ", type_name<System>(), " has no ", what, symbol.called.view()});
   }();
   static_assert(derivation::report<placed>());
 };
@@ -35,11 +35,11 @@ struct placed {
 template <class System, class Symbol, text vector>
 struct misplaced {
   static constexpr Symbol asked{};
-  static constexpr mechanics::sentence mistake = [] {
-    if (survey_of<System>.mistake) return mechanics::sentence{};
+  static constexpr base::sentence mistake = [] {
+    if (survey_of<System>.mistake) return base::sentence{};
     const describe::symbol_record* s = asked.tokens[0].symbol;
-    return mechanics::sentence({s != nullptr ? s->called.view() : "the expression",
-                                " is not an entry of the ", vector.view(), " of ", type_name<System>()});
+    return base::sentence({s != nullptr ? s->called.view() : "the expression", " is not an entry of the ",
+                           vector.view(), " of ", type_name<System>()});
   }();
   static_assert(derivation::report<misplaced>());
   static constexpr int place = 0;

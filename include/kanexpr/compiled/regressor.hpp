@@ -44,13 +44,13 @@ struct regressor {
   static constexpr function<System, quantity::inertial_parameters> parameters{};
 
   /// The names of the entries of π, body by body: "m of Link", "m*x of Link", … "izx of Link".
-  static constexpr std::array<symbolic::name, static_cast<std::size_t>(size)> names = [] {
-    std::array<symbolic::name, static_cast<std::size_t>(size)> all{};
+  static constexpr std::array<base::name, static_cast<std::size_t>(size)> names = [] {
+    std::array<base::name, static_cast<std::size_t>(size)> all{};
     if constexpr (size > 0) {
       const derivation::derived_system system(System::record,
                                               derivation::stages_of<System>::constrained.stored);
       std::size_t next = 0;
-      for (const symbolic::name& each : mechanics::names_of_inertial_parameters(system.mechanism()))
+      for (const base::name& each : mechanics::names_of_inertial_parameters(system.mechanism()))
         all[next++] = each;
     }
     return all;

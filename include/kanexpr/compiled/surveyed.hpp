@@ -13,7 +13,7 @@ template <class System>
 struct surveyed {
   using system = System;
   static constexpr derivation::survey survey = derivation::stages_of<System>::constrained.known;
-  static constexpr mechanics::sentence mistake = derivation::stages_of<System>::constrained.mistake;
+  static constexpr base::sentence mistake = derivation::stages_of<System>::constrained.mistake;
   static constexpr bool follows_from_unparsed =
       derivation::stages_of<System>::constrained.follows_from_unparsed;
   static_assert(derivation::report<surveyed>());

@@ -33,14 +33,14 @@ constexpr symbol_range range_of(symbols_of which, const derivation::survey& s) {
 
 /// Returns the name of the symbol at an index of a survey, such as "coordinate q1", "speed u1" (with
 /// Lagrange's method "the rate of coordinate q1"), "parameter m" or "input T".
-constexpr mechanics::sentence symbol_called(const derivation::survey& known, int place) {
+constexpr base::sentence symbol_called(const derivation::survey& known, int place) {
   using symbolic::symbol_kind;
   const std::string_view name = known.names[place].view();
-  if (place >= known.first_of(symbol_kind::input)) return mechanics::sentence({"input ", name});
-  if (place >= known.first_of(symbol_kind::parameter)) return mechanics::sentence({"parameter ", name});
-  if (place < known.coordinates) return mechanics::sentence({"coordinate ", name});
-  if (!known.takes_rates_as_speeds) return mechanics::sentence({"speed ", name});
-  return mechanics::sentence({"the rate of coordinate ", name.substr(0, name.size() - 1)});
+  if (place >= known.first_of(symbol_kind::input)) return base::sentence({"input ", name});
+  if (place >= known.first_of(symbol_kind::parameter)) return base::sentence({"parameter ", name});
+  if (place < known.coordinates) return base::sentence({"coordinate ", name});
+  if (!known.takes_rates_as_speeds) return base::sentence({"speed ", name});
+  return base::sentence({"the rate of coordinate ", name.substr(0, name.size() - 1)});
 }
 
 } // namespace kanexpr::compiled

@@ -26,8 +26,8 @@ namespace kanexpr::compiled {
 template <class System, symbols_of which, class Scalar>
 class value_vector : public Eigen::Matrix<Scalar, range_of(which, survey_of<System>).size, 1> {
 public:
-  using base = Eigen::Matrix<Scalar, range_of(which, survey_of<System>).size, 1>;
-  using base::operator[];
+  using matrix = Eigen::Matrix<Scalar, range_of(which, survey_of<System>).size, 1>;
+  using matrix::operator[];
 
   /// A state is initialized to zero; unset parameters and inputs are NaN.
   value_vector() {
@@ -39,7 +39,7 @@ public:
 
   template <class Derived>
   value_vector(const Eigen::EigenBase<Derived>& other) {
-    if constexpr (fits<Derived>()) base::operator=(other.derived());
+    if constexpr (fits<Derived>()) matrix::operator=(other.derived());
   }
 
   /// The state of a different system converts to this one, but parameters do not convert to a state.
@@ -77,9 +77,7 @@ public:
   }
 
   /// Returns a sentence that names the first entry without a finite value; empty if there is none.
-  mechanics::sentence mistake() const {
-    return first_gap(*this, survey_of<System>, range, type_name<System>());
-  }
+  base::sentence mistake() const { return first_gap(*this, survey_of<System>, range, type_name<System>()); }
 
 private:
   static constexpr symbol_range range = range_of(which, survey_of<System>);
@@ -131,7 +129,7 @@ struct belonging {
   template <class System, symbols_of wanted>
   static constexpr bool fits = vector == wanted && std::is_same_v<Of, System>;
   template <class System, symbols_of wanted>
-  static constexpr mechanics::sentence mistake(std::string_view caller) {
+  static constexpr base::sentence mistake(std::string_view caller) {
     return check_exchanged<System, wanted, Of, vector>(caller);
   }
 };

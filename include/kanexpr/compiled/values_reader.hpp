@@ -15,7 +15,7 @@ namespace kanexpr::compiled {
 
 /// Checks the parameters of a system for negative masses and impossible inertias. Returns a sentence that
 /// names the first one; empty if there is none. Parameters that are NaN are treated as unknown.
-mechanics::sentence check_masses(const derivation::survey& known, const double* parameters);
+base::sentence check_masses(const derivation::survey& known, const double* parameters);
 
 /// Stores values specified by name at their indices and keeps the first mistake. A model derived at run time
 /// has no name, so its sentences read "the model has no parameter ll".
@@ -33,7 +33,7 @@ public:
   void look_for_impossible();
 
   bool is_named(int i) const { return named_[static_cast<std::size_t>(i)]; }
-  const mechanics::sentence& mistake() const { return mistake_; }
+  const base::sentence& mistake() const { return mistake_; }
 
 private:
   int place_of(std::string_view name) const;
@@ -46,7 +46,7 @@ private:
   symbol_range range_;
   double* values_;
   std::array<bool, derivation::survey::room> named_{};
-  mechanics::sentence mistake_{};
+  base::sentence mistake_{};
 };
 
 } // namespace kanexpr::compiled

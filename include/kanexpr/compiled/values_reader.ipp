@@ -11,15 +11,15 @@
 
 namespace kanexpr::compiled {
 
-KANEXPR_ENGINE mechanics::sentence check_masses(const derivation::survey& known, const double* parameters) {
+KANEXPR_ENGINE base::sentence check_masses(const derivation::survey& known, const double* parameters) {
   for (int i = 0; i < known.parameters; ++i)
     if (const int place = known.coordinates + known.speeds + i;
         (known.is_mass[place] || known.is_moment[place]) && numeric::is_finite(parameters[i]) &&
         parameters[i] < 0)
-      return mechanics::sentence({symbol_called(known, place).view(),
-                                  known.is_mass[place] ? ", the mass of a body," : ", a moment of inertia,",
-                                  " is negative"});
-  return known.inertial.count == 0 ? mechanics::sentence() : known.inertial.mistake(parameters);
+      return base::sentence({symbol_called(known, place).view(),
+                             known.is_mass[place] ? ", the mass of a body," : ", a moment of inertia,",
+                             " is negative"});
+  return known.inertial.count == 0 ? base::sentence() : known.inertial.mistake(parameters);
 }
 
 KANEXPR_ENGINE void values_reader::read(const symbol_name& what, double value) {
@@ -71,7 +71,7 @@ KANEXPR_ENGINE bool values_reader::is_bound(std::string_view name) const {
 }
 
 KANEXPR_ENGINE void values_reader::fail(std::initializer_list<std::string_view> pieces) {
-  if (!mistake_) mistake_ = mechanics::sentence(pieces);
+  if (!mistake_) mistake_ = base::sentence(pieces);
 }
 
 } // namespace kanexpr::compiled

@@ -59,7 +59,7 @@ private:
       if (known.is_moment[i]) out_ << "    s.is_moment[" << i << "] = true;\n";
     }
     add(known.inertial);
-    out_ << "    return s;\n  }();\n  static constexpr kanexpr::mechanics::sentence mistake{};\n"
+    out_ << "    return s;\n  }();\n  static constexpr kanexpr::base::sentence mistake{};\n"
             "  static constexpr bool follows_from_unparsed = false;\n};\n"
             "template <>\nstruct kanexpr::equations_of_motion<"
          << spelled << "> : kanexpr::compiled::linked_equations<" << spelled

@@ -136,7 +136,7 @@ private:
     if (!known) return status(of_state.negative);
     if (!factors<states>(noise, rounding<states>, rounding<states>)) return status(of_disturbance.negative);
     constexpr function<System, mechanics::quantity::state_matrix> state_matrix{};
-    const auto& inputs = compiled::inputs_at(r, from, x);
+    const auto& inputs = steps::inputs_at(r, from, x);
     const auto linear = discretize(state_matrix(from, x, p, inputs), Eigen::Matrix<Number, states, 0>(), h);
     if (!linear) return compiled::not_finite<System>::cause_of(linear.status, x, p, inputs);
     const square ad = numeric::as_fixed(linear.A);
@@ -177,7 +177,7 @@ private:
     const auto change = k * off;
     state next = x;
     for (int i = 0; i < states; ++i) next(lin::places[static_cast<std::size_t>(i)]) += change(i);
-    using correct = compiled::correction<System, newton_steps>;
+    using correct = steps::correction<System, newton_steps>;
     if constexpr (correct::is_needed)
       if (const status corrected = correct::apply(t, next, p, r); !corrected) return corrected;
     for (int i = 0; i < static_cast<int>(next.size()); ++i)

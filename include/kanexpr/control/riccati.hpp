@@ -135,7 +135,7 @@ public:
   constexpr bool leaves_out_what_does_not_decay(const fixed_matrix<Number, states, states>& a) const {
     for (int i = 0; i < states; ++i) {
       bool is_alone = !is_reached[i];
-      for (int j = 0; j < states; ++j) is_alone = is_alone && (i == j || numeric::equal(a(i, j), Number(0)));
+      for (int j = 0; j < states; ++j) is_alone = is_alone && (i == j || base::equal(a(i, j), Number(0)));
       if (is_alone && (a(i, i) >= (domain == time_domain::discrete ? 1 : 0) ||
                        (domain == time_domain::discrete && a(i, i) <= -1)))
         return true;
@@ -154,7 +154,7 @@ template <class Number, int rows, int columns>
 constexpr bool has_same_zeros(const fixed_matrix<Number, rows, columns>& a,
                               const fixed_matrix<Number, rows, columns>& b) {
   for (int i = 0; i < rows * columns; ++i)
-    if (numeric::equal(a.entries[i], Number(0)) != numeric::equal(b.entries[i], Number(0))) return false;
+    if (base::equal(a.entries[i], Number(0)) != base::equal(b.entries[i], Number(0))) return false;
   return true;
 }
 
@@ -254,7 +254,7 @@ public:
         has_same_zeros(matrix_, a) && has_same_zeros(by_inputs_, b) && has_same_zeros(state_weights_, q);
     for (const Number entry : by_inputs_.entries) // their squares must not underflow
       is_complete_ =
-          is_complete_ && (numeric::equal(entry, Number(0)) ||
+          is_complete_ && (base::equal(entry, Number(0)) ||
                            2 * numeric::exponent_of(entry) > std::numeric_limits<Number>::min_exponent + 4);
   }
 

@@ -71,7 +71,7 @@ constexpr bool is_symmetric(const fixed_matrix<Entry, order, order>& m) {
   constexpr auto magnitude = [](Entry x) { return numeric::constant_elimination_math::magnitude(x); };
   for (int i = 0; i < order; ++i)
     for (int j = 0; j < i; ++j) {
-      if (numeric::equal(m(i, j), m(j, i))) continue;
+      if (base::equal(m(i, j), m(j, i))) continue;
       if (const Entry one = m(i, j) / 4, other = m(j, i) / 4; // their sum and difference do not overflow
           magnitude(one - other) >
           64 * std::numeric_limits<Entry>::epsilon() * (magnitude(one) + magnitude(other)))

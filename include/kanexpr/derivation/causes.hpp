@@ -27,10 +27,10 @@ struct cause_list {
     const int begin = i > 0 ? end[i - 1] : 0;
     return {letters + begin, static_cast<std::size_t>(end[i] - begin)};
   }
-  constexpr bool has_room_for(const mechanics::sentence& p) const {
+  constexpr bool has_room_for(const base::sentence& p) const {
     return sizes.count < room.count && sizes.letters + p.length <= room.letters;
   }
-  constexpr void push(const mechanics::sentence& p) {
+  constexpr void push(const base::sentence& p) {
     for (char letter : p.view()) letters[sizes.letters++] = letter;
     end[sizes.count++] = static_cast<std::remove_reference_t<decltype(*end)>>(sizes.letters);
   }
@@ -54,7 +54,7 @@ constexpr cause_list<sizes> trimmed(const cause_list<room>& from) {
 /// Returns a list with the single sentence that the captureless function `make` returns.
 template <class Make>
 constexpr auto only_cause(Make make) {
-  constexpr mechanics::sentence p = make();
+  constexpr base::sentence p = make();
   cause_list<cause_sizes{1, p.length}> one{};
   one.push(p);
   return one;

@@ -31,10 +31,9 @@ struct cut_code {
 /// Reports code that exceeds the available room.
 constexpr sentence check_room(std::string_view system, const lower::tape_sizes& sizes) {
   if (lower::has_room_for(sizes)) return {};
-  return sentence({"the results requested from ", system, " take ", mechanics::counted(sizes.steps).view(),
-                   " operations and have ", mechanics::counted(sizes.results).view(),
-                   " entries; the limit is ", mechanics::counted(lower::most_steps).view(),
-                   " of each; request them in parts"});
+  return sentence({"the results requested from ", system, " take ", base::counted(sizes.steps).view(),
+                   " operations and have ", base::counted(sizes.results).view(), " entries; the limit is ",
+                   base::counted(lower::most_steps).view(), " of each; request them in parts"});
 }
 
 template <cause_sizes room>

@@ -12,7 +12,7 @@ namespace kanexpr::derivation {
 /// Adds the user functions to a digest. They are identified only by their names, entities by their effect on
 /// the derivation.
 template <class Holder>
-constexpr void take_externals(symbolic::digest& all, const Holder& externals, int count) {
+constexpr void take_externals(base::digest& all, const Holder& externals, int count) {
   for (int i = 0; i < count; ++i) all.take(externals[i]->called.view());
 }
 
@@ -20,7 +20,7 @@ constexpr void take_externals(symbolic::digest& all, const Holder& externals, in
 /// not instantiate the code it needs.
 template <std::same_as<image> Image>
 constexpr std::uint64_t digest_of(const Image& of) {
-  symbolic::digest all;
+  base::digest all;
   for (int count : {of.nodes, of.numbers, of.integers, of.externals}) all.take(count);
   for (int i = 0; i < of.nodes; ++i) all.take(of.op[i]), all.take(of.a[i]), all.take(of.b[i]);
   for (int i = 0; i < of.numbers; ++i)
@@ -32,7 +32,7 @@ constexpr std::uint64_t digest_of(const Image& of) {
 
 template <lower::tape_sizes sizes>
 constexpr std::uint64_t digest_of(const lower::fixed_tape<sizes>& of) {
-  symbolic::digest all;
+  base::digest all;
   for (int count : {sizes.steps, sizes.numbers, sizes.loads, sizes.results, sizes.linear_steps,
                     sizes.operands, sizes.externals})
     all.take(count);

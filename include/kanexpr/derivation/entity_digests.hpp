@@ -24,7 +24,7 @@ class entity_digests {
   template <class Record>
   using listing = describe::listing<Record>;
   template <class Content>
-  using sequence = symbolic::sequence<Content>;
+  using sequence = base::sequence<Content>;
 
 public:
   /// The order is: the system, bodies, joints and loads, then the entities that these mention, in order of
@@ -144,7 +144,7 @@ private:
     end(r.called);
   }
 
-  symbolic::digest now_{};
+  base::digest now_{};
   sequence<const frame_record*> frames_{};
   sequence<const point_record*> points_{};
   sequence<std::uint64_t> contents_{};
@@ -159,7 +159,7 @@ constexpr auto digests_in_this_file() {
     std::array<std::uint64_t, static_cast<std::size_t>(size + 1)> all{};
     if constexpr (size > 0) {
       const entity_digests found(System::record);
-      symbolic::digest whole;
+      base::digest whole;
       for (int i = 0; i < size; ++i) all[static_cast<std::size_t>(i + 1)] = found[i], whole.take(found[i]);
       all[0] = whole.value();
     }

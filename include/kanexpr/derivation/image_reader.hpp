@@ -28,7 +28,7 @@ public:
       for_each_member(part, *this);
   }
   template <class Part>
-  constexpr void operator()(symbolic::sequence<Part>& parts) {
+  constexpr void operator()(base::sequence<Part>& parts) {
     const int size = read();
     parts.clear();
     parts.resize(size);
@@ -44,7 +44,7 @@ public:
     const int node = read();
     if (node != mechanics::none) e = {g_, node};
   }
-  constexpr void operator()(symbolic::name& called) {
+  constexpr void operator()(base::name& called) {
     called.length = read();
     for (int i = 0; i < called.length; ++i) called.letters[i] = static_cast<char>(read());
   }
@@ -63,15 +63,14 @@ private:
 
 constexpr image_reader::image_reader(const image& from, symbolic::graph& g, const mechanics::mechanism& m)
     : from_(from), g_(g), m_(m) {
-  symbolic::sequence<symbolic::number> numbers;
+  base::sequence<symbolic::number> numbers;
   numbers.reserve(from.numbers);
   for (int i = 0; i < from.numbers; ++i)
     numbers.push({from.numerators[i], from.denominators[i], from.reals[i]});
-  symbolic::sequence<symbolic::symbol> symbols;
+  base::sequence<symbolic::symbol> symbols;
   (*this)(symbols);
-  g.restore(static_cast<symbolic::sequence<symbolic::number>&&>(numbers),
-            static_cast<symbolic::sequence<symbolic::symbol>&&>(symbols), from.op, from.a, from.b,
-            from.nodes);
+  g.restore(static_cast<base::sequence<symbolic::number>&&>(numbers),
+            static_cast<base::sequence<symbolic::symbol>&&>(symbols), from.op, from.a, from.b, from.nodes);
   for (int i = 0; i < from.externals; ++i) g.externals().push(from.external[i]);
 }
 

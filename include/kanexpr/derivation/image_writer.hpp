@@ -29,7 +29,7 @@ public:
       for_each_member(part, *this);
   }
   template <class Part>
-  constexpr void operator()(const symbolic::sequence<Part>& parts) {
+  constexpr void operator()(const base::sequence<Part>& parts) {
     write(parts.size());
     for (const Part& each : parts) (*this)(each);
   }
@@ -38,7 +38,7 @@ public:
     write(part.has_value());
     if (part.has_value()) (*this)(*part);
   }
-  constexpr void operator()(const symbolic::sequence<symbolic::expression>& all) { // most of the content
+  constexpr void operator()(const base::sequence<symbolic::expression>& all) { // most of the content
     write(all.size());
     if (into_.integers + all.size() > image::most_integers) {
       into_.is_full = true;
@@ -48,7 +48,7 @@ public:
       into_.integer[into_.integers++] = e.is_given() ? e.node() : none;
   }
   constexpr void operator()(const symbolic::expression& e) { write(e.is_given() ? e.node() : none); }
-  constexpr void operator()(const symbolic::name& called) {
+  constexpr void operator()(const base::name& called) {
     write(called.length);
     for (int i = 0; i < called.length; ++i) write(called.letters[i]);
   }

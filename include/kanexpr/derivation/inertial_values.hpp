@@ -35,11 +35,11 @@ struct inertial_values {
   int count = 0;
   of_body bodies[room_for_bodies]{};
   int named = 0;
-  symbolic::name names[room_for_names]{}; ///< names of bodies and of reference points of inertias
+  base::name names[room_for_names]{}; ///< names of bodies and of reference points of inertias
 
   /// Returns the first mistake for the given parameters: a value that is negative by more than rounding, or
   /// an inertia that no body can have. Values that depend on a NaN parameter are skipped.
-  constexpr mechanics::sentence mistake(const double* parameters) const {
+  constexpr base::sentence mistake(const double* parameters) const {
     double value[room]{}, size[room]{}; // size: the magnitude of the terms that add up to a value
     for (int i = 0; i < steps; ++i) {
       const int left = is_leaf(operation[i]) ? 0 : a[i];
@@ -60,13 +60,13 @@ struct inertial_values {
     const auto is_negative = [&](int step) {
       return step > 0 && numeric::is_finite(value[step - 1]) && value[step - 1] < -rounding * size[step - 1];
     };
-    mechanics::sentence found;
+    base::sentence found;
     for (int i = 0; i < count && !found; ++i) {
       const of_body& each = bodies[i];
       if (is_negative(each.mass))
-        found = mechanics::sentence({"the mass of ", names[each.called].view(), " is negative"});
+        found = base::sentence({"the mass of ", names[each.called].view(), " is negative"});
       else if (is_negative(each.inertia[0]) || is_negative(each.inertia[1]) || is_negative(each.inertia[2]))
-        found = mechanics::sentence({"a moment of inertia of ", names[each.called].view(), " is negative"});
+        found = base::sentence({"a moment of inertia of ", names[each.called].view(), " is negative"});
       else
         found = mistake_in_inertia(each, value);
     }
@@ -77,7 +77,7 @@ private:
   static constexpr double rounding = 1e-12;
   static constexpr double magnitude(double x) { return x < 0 ? -x : x; }
 
-  constexpr mechanics::sentence mistake_in_inertia(const of_body& body, const double* value) const {
+  constexpr base::sentence mistake_in_inertia(const of_body& body, const double* value) const {
     double entry[6]{};
     for (int i = 0; i < 6; ++i) {
       if (body.inertia[i] == 0) return {};
@@ -161,7 +161,7 @@ private:
 
   /// Whether there is room for the names of a body and a point.
   constexpr bool has_room_for_names() const { return into_.named + 2 <= inertial_values::room_for_names; }
-  constexpr int place_of(const symbolic::name& called) {
+  constexpr int place_of(const base::name& called) {
     into_.names[into_.named] = called;
     return into_.named++;
   }
@@ -204,7 +204,7 @@ private:
   const mechanics::mechanism& m_;
   const symbolic::graph& g_;
   inertial_values& into_;
-  symbolic::sequence<int> nodes_{}; ///< of each step
+  base::sequence<int> nodes_{}; ///< of each step
 };
 
 } // namespace kanexpr::derivation

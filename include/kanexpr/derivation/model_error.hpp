@@ -65,12 +65,12 @@ namespace derivation {
 #ifdef __clang__
 inline constexpr int longest_piece = 30;
 #else
-inline constexpr int longest_piece = mechanics::sentence::capacity;
+inline constexpr int longest_piece = base::sentence::capacity;
 #endif
 
 /// Returns the end of the piece of a sentence that starts at `begin`: at a space if possible, otherwise
 /// within a word.
-constexpr int piece_end(const mechanics::sentence& p, int begin) {
+constexpr int piece_end(const base::sentence& p, int begin) {
   const int most = begin + longest_piece;
   if (most >= p.length) return p.length;
   int end = most;
@@ -80,7 +80,7 @@ constexpr int piece_end(const mechanics::sentence& p, int begin) {
 
 /// Returns the start of piece number `piece` of a sentence, or the length of the sentence if there is no such
 /// piece.
-constexpr int piece_begin(const mechanics::sentence& p, int piece) {
+constexpr int piece_begin(const base::sentence& p, int piece) {
   int begin = 0;
   for (; piece > 0 && begin < p.length; --piece) {
     begin = piece_end(p, begin);
@@ -95,7 +95,7 @@ constexpr auto piece_of() {
   return text_of<Report, begin, piece_end(Report::mistake, begin)>();
 }
 
-constexpr int count_pieces(const mechanics::sentence& p) {
+constexpr int count_pieces(const base::sentence& p) {
   int pieces = 1;
   while (piece_begin(p, pieces) < p.length) ++pieces;
   return pieces;

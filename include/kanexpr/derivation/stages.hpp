@@ -68,7 +68,7 @@ constexpr surveyed_stage first_stage() {
     if (s.known.symbols() > survey::room) {
       if (!s.mistake)
         s.mistake = sentence(
-            {type_name<System>(), " has more than ", mechanics::counted(survey::room).view(), " symbols"});
+            {type_name<System>(), " has more than ", base::counted(survey::room).view(), " symbols"});
       s.known = {}; // the names do not fit
     }
   }

@@ -19,7 +19,7 @@ class derived_system;
 struct survey {
   static constexpr int room = 512;
 
-  mechanics::sentence mistake{};
+  base::sentence mistake{};
   bool takes_rates_as_speeds = false; ///< as in Lagrange's method
   int coordinates = 0;
   int speeds = 0;
@@ -30,14 +30,14 @@ struct survey {
   int configuration_constraints = 0;
   int redundant_constraints = 0;
   int inertial_parameters = 0;
-  symbolic::name names[room]{}; ///< coordinates, speeds, parameters, inputs
-  bool dependent[room]{};       ///< in the same order
-  bool is_mass[room]{};         ///< whether the symbol is the mass of a body
-  bool is_moment[room]{};       ///< whether the symbol is a moment of inertia
-  inertial_values inertial{};   ///< masses and moments that are longer expressions
-  int quaternions = 0;          ///< unit quaternions, whose norm the motion preserves
-  int quaternion_of[room]{};    ///< for each coordinate: the number of its quaternion, counted from 1; 0 if
-                                ///< there is none
+  base::name names[room]{};   ///< coordinates, speeds, parameters, inputs
+  bool dependent[room]{};     ///< in the same order
+  bool is_mass[room]{};       ///< whether the symbol is the mass of a body
+  bool is_moment[room]{};     ///< whether the symbol is a moment of inertia
+  inertial_values inertial{}; ///< masses and moments that are longer expressions
+  int quaternions = 0;        ///< unit quaternions, whose norm the motion preserves
+  int quaternion_of[room]{};  ///< for each coordinate: the number of its quaternion, counted from 1; 0 if
+                              ///< there is none
 
   /// The number of independent coordinates and speeds.
   constexpr int states() const { return coordinates - configuration_constraints + speeds - constraints; }
@@ -109,7 +109,7 @@ struct survey {
   }
   /// The position of a symbol among those of its kind, or -1. Rates of coordinates are identified by the
   /// names of the coordinates.
-  constexpr int place(symbolic::symbol_kind kind, const symbolic::name& called) const {
+  constexpr int place(symbolic::symbol_kind kind, const base::name& called) const {
     for (int i = 0; i < count_of(kind); ++i)
       if (names[first_of(kind) + i] == called) return i;
     return -1;

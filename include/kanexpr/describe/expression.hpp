@@ -68,8 +68,7 @@ constexpr Result join(const token (&left)[size], const token& last) {
 }
 
 template <class Number>
-concept plain_number =
-    std::is_arithmetic_v<Number> && !std::same_as<Number, bool> && !numeric::letter<Number>;
+concept plain_number = std::is_arithmetic_v<Number> && !std::same_as<Number, bool> && !base::letter<Number>;
 
 template <plain_number Number>
 constexpr scalar<1> constant(Number value) {

@@ -246,7 +246,7 @@ private:
 
   static constexpr symbolic::external_function described() {
     symbolic::external_function f;
-    f.called = f.original = symbolic::name(Family::name);
+    f.called = f.original = base::name(Family::name);
     f.operands = Family::count;
     f.order = path.order;
     for (int k = 0; k < path.order; ++k) {

@@ -31,7 +31,7 @@ template <class Operand>
 constexpr scalar<1> operand(Operand x) {
   if constexpr (std::is_same_v<Operand, bool>)
     return {{misused(misuse::boolean)}};
-  else if constexpr (numeric::letter<Operand>)
+  else if constexpr (base::letter<Operand>)
     return {{misused(misuse::character)}};
   else
     return number(x);

@@ -48,7 +48,7 @@ template <class Written>
 constexpr auto with_numbers_as_scalars(const Written& value) {
   if constexpr (plain_number<Written>)
     return number(value);
-  else if constexpr (numeric::letter<Written>)
+  else if constexpr (base::letter<Written>)
     return scalar<1>{{misused(misuse::character)}};
   else
     return value;

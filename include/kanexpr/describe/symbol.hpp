@@ -14,11 +14,11 @@ namespace describe {
 template <symbolic::symbol_kind kind, text called, int index, int order = unprescribed>
 struct symbol_storage {
   static constexpr symbol_record record = [] {
-    symbol_record r{kind, symbolic::name(called.view()), order, static_cast<int>(called.view().size())};
+    symbol_record r{kind, base::name(called.view()), order, static_cast<int>(called.view().size())};
     if (index != unnumbered) r.called.append(index);
     r.is_named = called.view().size() != 0 && symbolic::is_name(r.called.view());
     for (int i = 0; i < order; ++i) r.called.append("'");
-    if (r.called.length == symbolic::name::capacity) r.is_named = false; // it may be truncated
+    if (r.called.length == base::name::capacity) r.is_named = false; // it may be truncated
     return r;
   }();
 };

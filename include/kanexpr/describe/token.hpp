@@ -20,7 +20,7 @@ inline constexpr int whole_zero = 1;
 
 struct symbol_record {
   symbolic::symbol_kind kind;
-  symbolic::name called; ///< theta'' for the second derivative of a prescribed theta
+  base::name called; ///< theta'' for the second derivative of a prescribed theta
   int order = unprescribed;
   int given = 0;        ///< the number of letters given in the model, without index and primes
   bool is_named = true; ///< whether the name is valid for a symbol

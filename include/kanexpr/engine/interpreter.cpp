@@ -1,10 +1,6 @@
 #include <kanexpr/runtime/checked_code.hpp>
 
-namespace kanexpr::runtime {
-
-template class interpreter<double>;
-template class interpreter<float>;
-template class checked_code<double>;
-template class checked_code<float>;
-
-} // namespace kanexpr::runtime
+template class kanexpr::runtime::interpreter<double>;
+template class kanexpr::runtime::interpreter<float>;
+template class kanexpr::runtime::checked_code<double>;
+template class kanexpr::runtime::checked_code<float>;

@@ -77,11 +77,11 @@ namespace ensembles {
 template <auto expression>
 struct output_expression {
   static constexpr describe::phrase words = describe::phrase_of<expression>;
-  static constexpr mechanics::sentence mistake = [] {
-    if (words.kind == describe::shape::scalar) return mechanics::sentence{};
-    return mechanics::sentence({"the output of a study", words.size > 0 ? ", with " : "",
-                                derivation::name_in(words), words.size > 0 ? "," : "",
-                                derivation::is_a(words.kind), "it must be a scalar"});
+  static constexpr base::sentence mistake = [] {
+    if (words.kind == describe::shape::scalar) return base::sentence{};
+    return base::sentence({"the output of a study", words.size > 0 ? ", with " : "",
+                           derivation::name_in(words), words.size > 0 ? "," : "",
+                           derivation::is_a(words.kind), "it must be a scalar"});
   }();
   static constexpr bool is_scalar = !mistake;
   static_assert(derivation::report<output_expression>());

@@ -67,7 +67,7 @@ private:
 
   /// The columns of a trajectory's table.
   std::vector<column_label> samples() const {
-    const std::string time = simulations::name_of_time([&](const std::string& name) {
+    const std::string time = base::name_of_time([&](const std::string& name) {
       return std::ranges::any_of(known_.names, [&](const auto& other) { return other.view() == name; });
     });
     std::vector<column_label> all = symbols(0, known_.coordinates + known_.speeds);

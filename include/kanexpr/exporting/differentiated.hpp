@@ -18,9 +18,9 @@ namespace kanexpr::exporting {
 
 /// The symbols of a system with respect to which its results are differentiated.
 struct differentiable_symbols {
-  symbolic::sequence<symbolic::expression> state{}, rates{}, inputs{}, parameters{}, time{};
+  base::sequence<symbolic::expression> state{}, rates{}, inputs{}, parameters{}, time{};
 
-  const symbolic::sequence<symbolic::expression>& of(symbols which) const {
+  const base::sequence<symbolic::expression>& of(symbols which) const {
     switch (which) {
     case symbols::state: return state;
     case symbols::rates: return rates;
@@ -36,11 +36,11 @@ struct differentiable_symbols {
 /// subexpressions are shared.
 class differentiated {
 public:
-  differentiated(symbolic::graph& g, const symbolic::sequence<symbolic::expression>& y,
+  differentiated(symbolic::graph& g, const base::sequence<symbolic::expression>& y,
                  const differentiable_symbols& of)
       : graph_(g), y_(y), symbols_(of) {}
 
-  bool is_of(const symbolic::sequence<symbolic::expression>& y) const {
+  bool is_of(const base::sequence<symbolic::expression>& y) const {
     return std::equal(y.begin(), y.end(), y_.begin(), y_.end(),
                       [](const auto& a, const auto& b) { return a.node() == b.node(); });
   }
@@ -74,11 +74,11 @@ public:
 
 private:
   using expression = symbolic::expression;
-  using expressions = symbolic::sequence<expression>;
+  using expressions = base::sequence<expression>;
 
   /// Named as in mechanics/linearize/second_order.hpp, whose results may appear in the same function.
   expression given(symbolic::symbol_kind kind, std::string_view what, int place) {
-    symbolic::name called(what);
+    base::name called(what);
     called.append(place + 1);
     return symbolic::variable(graph_, {kind, called, place});
   }

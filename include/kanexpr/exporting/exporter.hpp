@@ -108,7 +108,7 @@ private:
       index_of_parameter_.push_back(static_cast<int>(s.parameters.size()));
       if (!bound_values_[i]) s.parameters.push_back(parameters[i]);
     }
-    if (const mechanics::sentence impossible =
+    if (const base::sentence impossible =
             compiled::check_masses(*survey_, values_or_nan(bound_values_).data()))
       refuse(std::string(impossible.view()));
   }
@@ -158,7 +158,7 @@ private:
   std::optional<formed_results> form(const requested_function& wanted) {
     model from = derivation_.resume(first_stage(wanted));
     formed_results made;
-    symbolic::sequence<int> nodes;
+    base::sequence<int> nodes;
     const auto take = [&](const std::string& name, const symbolic::matrix& found,
                           std::vector<std::string> row_symbols) {
       if (found.entries.empty()) return; // without inputs there is no B
@@ -167,16 +167,15 @@ private:
     };
     const differentiable_symbols known_symbols = symbols_of(from);
     std::optional<differentiated> derivatives;
-    const auto derived = [&](const symbolic::sequence<symbolic::expression>& of,
-                             const requested_derivative& by) {
+    const auto derived = [&](const base::sequence<symbolic::expression>& of, const requested_derivative& by) {
       if (!derivatives || !derivatives->is_of(of)) derivatives.emplace(from.graph(), of, known_symbols);
       made.weights = (std::max)(made.weights, derivatives->weights_for(by));
       symbolic::matrix found = derivatives->get(by);
-      if (const mechanics::sentence lacking = mechanics::check_derivatives(found))
+      if (const base::sentence lacking = mechanics::check_derivatives(found))
         refuse(std::string(lacking.view()));
       return found;
     };
-    symbolic::sequence<symbolic::expression> all;
+    base::sequence<symbolic::expression> all;
     for (const requested_result& each : wanted.results) {
       symbolic::matrix found = evaluate(from, each);
       if (made_.mistake.empty() && !from.mistake().empty()) refuse(from.mistake());
@@ -226,10 +225,10 @@ private:
 
   /// Collects the nodes of the entries that are not identically zero.
   exported_result sparse(const std::string& name, model& from, const symbolic::matrix& found,
-                         symbolic::sequence<int>& nodes) const {
+                         base::sequence<int>& nodes) const {
     exported_result made{.name = name, .rows = found.rows, .columns = found.columns, .first = nodes.size()};
     made.is_sparse = true;
-    const symbolic::sequence<int> with_numbers = bound(from, symbolic::nodes_of(found.entries));
+    const base::sequence<int> with_numbers = bound(from, symbolic::nodes_of(found.entries));
     for (int j = 0; j < found.columns; ++j)
       for (int i = 0; i < found.rows; ++i) {
         if (with_numbers[i * found.columns + j] == symbolic::graph::zero) continue;
@@ -305,14 +304,14 @@ private:
     return r.what == derivation::request::kind::result && mechanics::row_of(r.wanted).holds_speed_rates;
   }
 
-  symbolic::sequence<int> bound(model& from, const symbolic::sequence<int>& nodes) const {
+  base::sequence<int> bound(model& from, const base::sequence<int>& nodes) const {
     if (chosen_.bound.empty()) return nodes;
     symbolic::substitution numbers(from.graph());
     for (std::size_t i = 0; i < bound_values_.size(); ++i)
       if (bound_values_[i])
         numbers.replace(from.mechanism().parameters[static_cast<int>(i)],
                         from.mechanism().number(*bound_values_[i]));
-    symbolic::sequence<int> with_numbers;
+    base::sequence<int> with_numbers;
     for (int id : nodes) with_numbers.push(numbers.in(symbolic::expression(from.graph(), id)).node());
     return with_numbers;
   }

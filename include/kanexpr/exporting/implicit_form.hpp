@@ -12,7 +12,7 @@ namespace kanexpr::exporting {
 /// dependent speeds. It contains no multipliers, and no system is solved for u̇.
 inline symbolic::matrix implicit_form(symbolic::graph& g, mechanics::equations& of) {
   const mechanics::general_form& form = of.linearized().freely().form();
-  const symbolic::sequence<symbolic::expression> force = mechanics::summed(form.f_2, form.f_3);
+  const base::sequence<symbolic::expression> force = mechanics::summed(form.f_2, form.f_3);
   const int coordinates = form.q.size();
   symbolic::matrix residual(g, coordinates + form.u.size(), 1);
   for (int i = 0; i < coordinates; ++i) residual(i, 0) = form.qdot[i] - form.known.qdot[i];

@@ -32,7 +32,7 @@ struct written_vector {
   using Scalar = lower::written_value;
   std::vector<Scalar> entries{};
 
-  static written_vector of(const symbolic::sequence<Scalar>& values, int count) {
+  static written_vector of(const base::sequence<Scalar>& values, int count) {
     return {{values.begin(), values.begin() + count}};
   }
   int size() const { return static_cast<int>(entries.size()); }
@@ -109,7 +109,7 @@ public:
       for (int i = 0; i < survey_.coordinates; ++i)
         if (survey_.quaternion_of[i] == k + 1) places.push_back(i);
       const value square = lower::squared_norm(x, places);
-      const exported_check range{.cause = std::string(compiled::far_from_norm_1(survey_, k).view()),
+      const exported_check range{.cause = std::string(steps::far_from_norm_1(survey_, k).view()),
                                  .is_order_check = true};
       add_check(range, square, least * least);
       add_check(range, -square, -(most * most));
@@ -181,7 +181,7 @@ inline exported_function written_step(std::string name, const derivation::survey
     static_cast<void>(steps::stepped<identity_step>(of, t, x, h));
   else
     write_step(of, wanted.method, t, x, h, std::make_index_sequence<steps::tableaux.size()>());
-  symbolic::sequence<lower::written_value> results;
+  base::sequence<lower::written_value> results;
   for (const lower::written_value& each : x.entries) results.push(each);
   for (const auto& [measure, scale] : into.measures) results.push(measure), results.push(scale);
   exported_function made{.name = std::move(name), .checks = std::move(into.checks)};

@@ -33,7 +33,7 @@ struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>>
   static number selected(const number& condition, const number& x) {
     const Real by = condition.real();
     if (op == symbolic::operation::if_positive ? Real(0) < by : by <= Real(0)) return x;
-    return numeric::is_number(by) ? number() : condition;
+    return base::is_number(by) ? number() : condition;
   }
   /// A user-supplied function that accepts only real numbers is evaluated to first order, from its
   /// derivatives.

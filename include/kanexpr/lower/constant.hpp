@@ -25,14 +25,14 @@ constexpr void run_linear_step(const linear_step& e, const int* operands,
   }
   const double* const factors = slot + e.factors;
   if (e.op == operation::singularity_measure) {
-    const bool singular = numeric::equal(factors[numeric::factors{e.order}.least_pivot()], 0.0);
+    const bool singular = base::equal(factors[numeric::factors{e.order}.least_pivot()], 0.0);
     *out = singular ? 0 : numeric::singularity_measure_of<math>(e.order, factors, inputs.begin());
     return;
   }
   for (int i = 0; i < e.inputs(); ++i) out[i] = inputs[i];
   if (e.op == operation::factorization)
     numeric::factorize<math>(e.order, out);
-  else if (numeric::equal(factors[numeric::factors{e.order}.least_pivot()], 0.0))
+  else if (base::equal(factors[numeric::factors{e.order}.least_pivot()], 0.0))
     for (int i = 0; i < e.order; ++i) out[i] = numeric::elementary::detail::not_a_number;
   else if (e.op == operation::solve)
     numeric::solve_factorized<math>(e.order, factors, out);

@@ -8,9 +8,9 @@
 
 namespace kanexpr::lower {
 
+using base::sequence;
 using symbolic::graph;
 using symbolic::operation;
-using symbolic::sequence;
 
 /// Orders nodes so that few values are live simultaneously and more of them stay in registers.
 ///

@@ -21,7 +21,7 @@ struct assembly {
   int steps = 0;                     ///< Newton steps taken
   double configuration_residual = 0; ///< the largest final magnitude
   double velocity_residual = 0;
-  mechanics::sentence failure{};
+  base::sentence failure{};
 
   explicit operator bool() const { return assembled; }
   /// Returns the cause of a failure as a sentence; empty on success.
@@ -32,7 +32,7 @@ struct assembly {
 struct consistency {
   double configuration_residual = 0; ///< the largest magnitude
   double velocity_residual = 0;
-  mechanics::sentence failure{};
+  base::sentence failure{};
 
   explicit operator bool() const { return !failure; }
   /// Returns the violated constraint and its residual as a sentence; empty if all constraints hold.
@@ -44,10 +44,10 @@ using assembly_options = numeric::newton_options;
 namespace numeric {
 
 /// Returns a sentence that ends in a number.
-inline mechanics::sentence with_number(std::string_view before, double number, int precision = 3) {
+inline base::sentence with_number(std::string_view before, double number, int precision = 3) {
   char digits[32];
   const int length = std::snprintf(digits, sizeof digits, "%.*g", precision, number + 0.0);
-  return mechanics::sentence({before, std::string_view(digits, static_cast<std::size_t>(length))});
+  return base::sentence({before, std::string_view(digits, static_cast<std::size_t>(length))});
 }
 
 template <class Vector>
@@ -95,8 +95,8 @@ bool is_rounding(const Vector& left, const Vector& terms) {
 
 /// Returns a sentence that names the first constraint violated relative to its terms, with its residual.
 template <class Vector, class Terms, class State>
-mechanics::sentence first_off(const Vector& left, const Terms& terms_at, const State& x, int coordinates,
-                              double tolerance, std::string_view which) {
+base::sentence first_off(const Vector& left, const Terms& terms_at, const State& x, int coordinates,
+                         double tolerance, std::string_view which) {
   constexpr double rounding = 1e-5; // tolerance for terms that vanish here but are usually large
   const auto terms = terms_at(x);
   for (int i = 0; i < left.size(); ++i)
@@ -105,14 +105,14 @@ mechanics::sentence first_off(const Vector& left, const Terms& terms_at, const S
           (std::abs(off) <= tolerance * static_cast<double>(terms(i)) ||
            std::abs(off) <=
                rounding * tolerance * static_cast<double>(usual_terms(terms_at, x, coordinates)(i)))))
-      return with_number(
-          mechanics::sentence({which, mechanics::counted(i + 1).view(), " has a residual of "}).view(), off);
+      return with_number(base::sentence({which, base::counted(i + 1).view(), " has a residual of "}).view(),
+                         off);
   return {};
 }
 
 /// Returns a sentence that names the first redundant constraint that is violated.
 template <class Constraints, class State>
-mechanics::sentence redundant_off(Constraints& c, const State& x, double tolerance) {
+base::sentence redundant_off(Constraints& c, const State& x, double tolerance) {
   return first_off(
       c.redundant_residual(x), [&](const State& at) { return c.redundant_terms(at); }, x, c.all_coordinates(),
       tolerance, "redundant constraint ");
@@ -122,7 +122,7 @@ mechanics::sentence redundant_off(Constraints& c, const State& x, double toleran
 /// if the other constraints hold exactly; the closer these are to being linearly dependent, the more their
 /// residuals are amplified.
 template <class Constraints, class State>
-mechanics::sentence redundant_rate_off(Constraints& c, const State& x, double tolerance) {
+base::sentence redundant_rate_off(Constraints& c, const State& x, double tolerance) {
   constexpr double nearly_dependent = 1e3;
   return first_off(
       c.redundant_rate(x), [&](const State& at) { return c.redundant_rate_terms(at); }, x,
@@ -143,7 +143,7 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   assembly report;
   State placed = x;
   if (const status unit = c.normalize_quaternions(placed); !unit) {
-    report.failure = mechanics::sentence({unit.view()});
+    report.failure = base::sentence({unit.view()});
     return report;
   }
   vector q(c.coordinates());
@@ -181,12 +181,12 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   at(q);
   c.normalize_quaternions(placed);
   if (const status solved = c.solve_speeds(placed); !solved && !c.velocities_hold(placed)) {
-    report.failure = mechanics::sentence({solved.view()});
+    report.failure = base::sentence({solved.view()});
     return report;
   }
   report.velocity_residual = largest(c.velocity_residual(placed));
   if (!is_finite(report.velocity_residual)) {
-    report.failure = mechanics::sentence({"the velocity constraints are not finite at this state"});
+    report.failure = base::sentence({"the velocity constraints are not finite at this state"});
     return report;
   }
   if (report.failure = redundant_off(c, placed, 1e-9); report.failure) return report;
@@ -220,7 +220,7 @@ consistency check_consistency(Constraints& c, const State& x, double tolerance) 
     if (const double norm = std::sqrt(1 + 2 * static_cast<double>(halves(i)));
         !(is_finite(norm) && std::abs(norm - 1) <= tolerance))
       report.failure = with_number(
-          mechanics::sentence({"the norm of ", c.quaternion_called(i).view(), " is "}).view(), norm, 10);
+          base::sentence({"the norm of ", c.quaternion_called(i).view(), " is "}).view(), norm, 10);
   return report;
 }
 

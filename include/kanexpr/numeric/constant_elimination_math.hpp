@@ -15,7 +15,7 @@ struct constant_elimination_math {
   }
   template <class Number>
   static constexpr Number reciprocal(Number x) {
-    return equal(x, Number(0)) ? Number(0) : 1 / x;
+    return base::equal(x, Number(0)) ? Number(0) : 1 / x;
   }
   static constexpr double root(double x) { return numeric::elementary::sqrt(x); }
   template <class Number>

@@ -214,7 +214,7 @@ constexpr std::pair<int, real> split_exp(double x) noexcept {
 // Returns x^y for finite x > 0 and y; the exponential series (DLMF 4.2.19) is truncated as in exp.
 constexpr double positive_pow(double x, double y) noexcept {
   // Powers of a double up to the 15th stay within the range of the 80-bit format.
-  if (magnitude(y) <= bits(15.0) && numeric::equal(static_cast<double>(static_cast<int>(y)), y)) {
+  if (magnitude(y) <= bits(15.0) && base::equal(static_cast<double>(static_cast<int>(y)), y)) {
     const int n = static_cast<int>(y < 0 ? -y : y);
     const real factor = static_cast<real>(x);
     real power = 1;
@@ -238,7 +238,7 @@ constexpr double positive_pow(double x, double y) noexcept {
 
 // By Newton's method, whose first guess is within 20 %.
 [[nodiscard]] constexpr double cbrt(double x) noexcept {
-  if (numeric::equal(x, 0.0) || !detail::is_finite(x)) return x;
+  if (base::equal(x, 0.0) || !detail::is_finite(x)) return x;
   const auto [significand, exponent] = detail::decompose(x);
   const int rest = (exponent % 3 + 3) % 3;
   const detail::real m = static_cast<detail::real>(significand << rest) * 0x1p-54L; // from 1/4 to 2
@@ -293,18 +293,18 @@ constexpr double positive_pow(double x, double y) noexcept {
 
 // Returns -1 or 1; zeros and NaN are returned unchanged.
 [[nodiscard]] constexpr double sign(double x) noexcept {
-  return numeric::equal(x, 0.0) || detail::is_nan(x) ? x : detail::copy_sign(1.0, x);
+  return base::equal(x, 0.0) || detail::is_nan(x) ? x : detail::copy_sign(1.0, x);
 }
 
 [[nodiscard]] constexpr double floor(double x) noexcept {
   // From 2^52 on, all doubles are integers; -0 is returned unchanged to keep its sign.
-  if (numeric::equal(x, 0.0) || detail::magnitude(x) >= detail::bits(0x1p52)) return x;
+  if (base::equal(x, 0.0) || detail::magnitude(x) >= detail::bits(0x1p52)) return x;
   const auto truncated = static_cast<std::int64_t>(x);
   return static_cast<double>(truncated - (static_cast<double>(truncated) > x ? 1 : 0));
 }
 
 [[nodiscard]] constexpr double sqrt(double x) noexcept {
-  if (numeric::equal(x, 0.0) || numeric::equal(x, detail::infinity)) return x;
+  if (base::equal(x, 0.0) || base::equal(x, detail::infinity)) return x;
   return detail::is_nan(x) || x < 0 ? detail::not_a_number : detail::positive_sqrt(x);
 }
 
@@ -394,26 +394,25 @@ constexpr double positive_pow(double x, double y) noexcept {
 }
 
 [[nodiscard]] constexpr double log(double x) noexcept {
-  if (numeric::equal(x, 0.0)) return -detail::infinity;
-  if (numeric::equal(x, detail::infinity)) return x;
+  if (base::equal(x, 0.0)) return -detail::infinity;
+  if (base::equal(x, detail::infinity)) return x;
   if (detail::is_nan(x) || x < 0) return detail::not_a_number;
   const auto [exponent, remainder] = detail::split_log(x);
   return static_cast<double>(exponent * detail::ln_2 + remainder);
 }
 
 [[nodiscard]] constexpr double pow(double x, double y) noexcept {
-  if (numeric::equal(y, 0.0) || numeric::equal(x, 1.0)) return 1;
+  if (base::equal(y, 0.0) || base::equal(x, 1.0)) return 1;
   if (detail::is_nan(x) || detail::is_nan(y)) return detail::not_a_number;
-  if (!detail::is_finite(y))
-    return numeric::equal(x, -1.0) ? 1 : (abs(x) > 1) == (y > 0) ? detail::infinity : 0;
-  const bool integer = numeric::equal(floor(y), y);
-  const double sign = integer && !numeric::equal(floor(y / 2) * 2, y) ? x : 1.0;
-  const bool zero = numeric::equal(x, 0.0);
+  if (!detail::is_finite(y)) return base::equal(x, -1.0) ? 1 : (abs(x) > 1) == (y > 0) ? detail::infinity : 0;
+  const bool integer = base::equal(floor(y), y);
+  const double sign = integer && !base::equal(floor(y / 2) * 2, y) ? x : 1.0;
+  const bool zero = base::equal(x, 0.0);
   if (zero || !detail::is_finite(x)) {
     return detail::copy_sign(zero == (y < 0) ? detail::infinity : 0, sign);
   }
   if (x < 0 && !integer) return detail::not_a_number;
-  return numeric::equal(y, 0.5) ? sqrt(x) : detail::copy_sign(detail::positive_pow(abs(x), y), sign);
+  return base::equal(y, 0.5) ? sqrt(x) : detail::copy_sign(detail::positive_pow(abs(x), y), sign);
 }
 
 } // namespace kanexpr::numeric::elementary

@@ -112,7 +112,7 @@ constexpr Number largest_entry(const fixed_matrix<Number, rows, columns>& m) {
   for (int i = 0; i < rows * columns; ++i) {
     const Number size = constant_elimination_math::magnitude(m.entries[i]);
     if (!(size <= most)) most = size;
-    if (!is_number(most)) return most;
+    if (!base::is_number(most)) return most;
   }
   return most;
 }

@@ -15,7 +15,7 @@ struct independence {
   int rank = 0;
   std::vector<int>
       repeated{}; ///< rows of the constraint Jacobian that depend on preceding ones, counted from 1
-  mechanics::sentence failure{};
+  base::sentence failure{};
 
   explicit operator bool() const { return !failure; }
   /// Returns a sentence that names the dependent constraint; empty if there is none.
@@ -30,7 +30,7 @@ template <class Jacobian>
 independence independence_of(const Jacobian& jacobian, Eigen::Index solved, double least) {
   independence found;
   if (!all_finite(jacobian)) {
-    found.failure = mechanics::sentence({"the velocity constraints are not finite at this state"});
+    found.failure = base::sentence({"the velocity constraints are not finite at this state"});
     return found;
   }
   const independent_columns rows = independent_columns_of(jacobian.transpose(), least);
@@ -43,11 +43,10 @@ independence independence_of(const Jacobian& jacobian, Eigen::Index solved, doub
       found.repeated.push_back(i + 1);
   if (found.repeated.empty()) return found;
   const int first = found.repeated[0], redundant = first - static_cast<int>(solved);
-  found.failure = redundant > 0
-                      ? mechanics::sentence({"redundant constraint ", mechanics::counted(redundant).view(),
-                                             " depends on other constraints at this state"})
-                      : mechanics::sentence({"velocity constraint ", mechanics::counted(first).view(),
-                                             " depends on other constraints at this state"});
+  found.failure = redundant > 0 ? base::sentence({"redundant constraint ", base::counted(redundant).view(),
+                                                  " depends on other constraints at this state"})
+                                : base::sentence({"velocity constraint ", base::counted(first).view(),
+                                                  " depends on other constraints at this state"});
   return found;
 }
 template <class Jacobian>

@@ -20,7 +20,7 @@ struct least_multipliers {
   Speeds udot{};
   Multipliers multipliers{};  ///< those of the velocity constraints, then those of the redundant ones
   independence constraints{}; ///< the constraints that depend on others at the state
-  mechanics::sentence failure{};
+  base::sentence failure{};
 
   explicit operator bool() const { return !failure; }
   /// Returns the cause of a failure as a sentence; empty on success.
@@ -42,7 +42,7 @@ auto find_least_multipliers(const Equations& of, const typename constrained_moti
     return found.constraints.rank;
   };
   const status s = motion(of, usual_sizes(of, x), x).find_at(x, rank_of, found.udot, found.multipliers);
-  if (!s) found.failure = mechanics::sentence({s.view()});
+  if (!s) found.failure = base::sentence({s.view()});
   return found;
 }
 

@@ -44,7 +44,7 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
   const double least_change = (std::max)(options.tolerance, 1024.0 * std::numeric_limits<number>::epsilon());
   report.residual = size(f);
   if (!all_finite(f)) return report;
-  if (x.size() == 0 || equal(report.residual, 0.0)) report.converged = true;
+  if (x.size() == 0 || base::equal(report.residual, 0.0)) report.converged = true;
   if (report.converged) return report;
 
   bool goes_on = true;
@@ -80,13 +80,13 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
     }
     ++report.steps;
     report.residual = size(f);
-    goes_on = fell && !equal(report.residual, 0.0);
+    goes_on = fell && !base::equal(report.residual, 0.0);
     if (!report.singular && (!goes_on || report.steps == options.most_steps)) {
       const Matrix after = scale.applied_to(Matrix(jacobian(before + step)));
       report.converged = (after - scaled).cwiseAbs().maxCoeff() <= static_cast<number>(least_change);
     }
   }
-  if (equal(report.residual, 0.0)) report.converged = true;
+  if (base::equal(report.residual, 0.0)) report.converged = true;
   return report;
 }
 

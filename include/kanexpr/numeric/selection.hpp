@@ -38,7 +38,7 @@ template <selected_by_masks Number>
 template <selected_by_masks Number>
 [[gnu::always_inline]] constexpr Number where_number(Number c, Number x) noexcept {
   using bits = std::conditional_t<sizeof(Number) == 8, std::uint64_t, std::uint32_t>;
-  const bits is_one = bits{0} - static_cast<bits>(is_number(c));
+  const bits is_one = bits{0} - static_cast<bits>(base::is_number(c));
   return std::bit_cast<Number>((std::bit_cast<bits>(x) & is_one) | (std::bit_cast<bits>(c) & ~is_one));
 }
 

@@ -26,7 +26,7 @@ struct header_draft {
   std::string& type(int link) { return types[static_cast<std::size_t>(link)]; }
 
   std::string value(const std::string& called, double of_file) {
-    if (options.bind == binding::numbers) return text::digits(of_file);
+    if (options.bind == binding::numbers) return header_text::digits(of_file);
     values.emplace_back(called, of_file);
     return called;
   }
@@ -35,7 +35,7 @@ struct header_draft {
                     const std::vector<std::string>& arguments) {
     std::vector<std::string> all{called};
     all.insert(all.end(), arguments.begin(), arguments.end());
-    declarations += text::wrapped("struct " + called + " : " + word + "<", all) + "> {};\n";
+    declarations += header_text::wrapped("struct " + called + " : " + word + "<", all) + "> {};\n";
   }
 
   std::string symbols_along(const std::string& axes, const std::string& called, const vector3& v) {

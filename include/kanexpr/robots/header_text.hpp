@@ -13,7 +13,7 @@
 /// Formats the text of a header.
 namespace kanexpr::robots {
 
-namespace text {
+namespace header_text {
 
 /// The shortest text that reads back as the same number.
 inline std::string digits(double x) {
@@ -107,6 +107,6 @@ inline std::string comment(std::string_view said) {
   return plain;
 }
 
-} // namespace text
+} // namespace header_text
 
 } // namespace kanexpr::robots

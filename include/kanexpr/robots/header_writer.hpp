@@ -18,7 +18,7 @@ public:
   std::string cause() const { return draft_.plan.mistake; }
 
   /// The names that differ between the file and C++: "Finger_a is finger a, …".
-  std::string renamed() const { return text::list(draft_.plan.renamed); }
+  std::string renamed() const { return header_text::list(draft_.plan.renamed); }
 
   /// Returns the header of a model in the namespace `called`; the robot was read from the file `from`.
   std::string write(const std::string& called, std::string_view from) {
@@ -52,12 +52,12 @@ private:
   /// The arguments that place a joint in its parent; a zero offset or rotation is omitted.
   static std::vector<std::string> placed(const std::string& parent, const pose& origin) {
     std::vector<std::string> words{parent};
-    if (!is_zero(origin.at)) words.push_back("at<" + text::along(parent, origin.at) + ">");
+    if (!is_zero(origin.at)) words.push_back("at<" + header_text::along(parent, origin.at) + ">");
     if (origin.turn == no_rotation) return words;
     std::vector<std::string> cosines;
     for (const vector3& row : origin.turn)
-      for (double e : row) cosines.push_back(text::digits(e));
-    words.push_back("home<" + text::list(cosines) + ">");
+      for (double e : row) cosines.push_back(header_text::digits(e));
+    words.push_back("home<" + header_text::list(cosines) + ">");
     return words;
   }
 
@@ -65,11 +65,11 @@ private:
     const mimicry how = followed_by(draft_.source, joint);
     const planned_joint& leader = *draft_.plan.joint_by(how.leader);
     const auto times = [&](const std::string& e) {
-      return how.multiplier == 1 ? e : text::digits(how.multiplier) + " * " + e;
+      return how.multiplier == 1 ? e : header_text::digits(how.multiplier) + " * " + e;
     };
     const std::string behind = how.offset == 0  ? ""
-                               : how.offset < 0 ? " - " + text::digits(-how.offset)
-                                                : " + " + text::digits(how.offset);
+                               : how.offset < 0 ? " - " + header_text::digits(-how.offset)
+                                                : " + " + header_text::digits(how.offset);
     return {times(leader.coordinates[0]) + behind, times(leader.speeds[0])};
   }
 
@@ -85,7 +85,7 @@ private:
                       const planned_joint& j) {
     std::vector<std::string> symbols = j.coordinates;
     symbols.insert(symbols.end(), j.speeds.begin(), j.speeds.end());
-    words.push_back("by<" + text::list(symbols) + ">");
+    words.push_back("by<" + header_text::list(symbols) + ">");
     if (b.has_mass()) words.push_back(body_of(b));
     draft_.type(b.link) = draft_.name(b.link);
     draft_.write_struct(draft_.name(b.link), word, words);
@@ -94,10 +94,10 @@ private:
   void write_joint(const moving_body& b) {
     const moving_body& in = parent_of(b);
     const joint& j = joint_of(b);
-    draft_.declarations += "// " + text::comment(j.name) + ": from " +
-                           text::comment(draft_.source.links[static_cast<std::size_t>(in.link)].name) +
-                           " to " +
-                           text::comment(draft_.source.links[static_cast<std::size_t>(b.link)].name) + "\n";
+    draft_.declarations +=
+        "// " + header_text::comment(j.name) + ": from " +
+        header_text::comment(draft_.source.links[static_cast<std::size_t>(in.link)].name) + " to " +
+        header_text::comment(draft_.source.links[static_cast<std::size_t>(b.link)].name) + "\n";
     if (j.mimic) return write_follower(b);
     const auto [word, axes] = joint_word(j);
     std::vector<std::string> words = placed(draft_.type(in.link), b.origin);
@@ -110,9 +110,13 @@ private:
     if (j.is == joint_kind::floating) return {"floating", ""};
     if (j.is == joint_kind::planar) {
       const auto [first, second] = across(j.axis);
-      return {"planar", "axis<" + text::list({text::along("own", first), text::along("own", second)}) + ">"};
+      return {"planar",
+              "axis<" +
+                  header_text::list({header_text::along("own", first), header_text::along("own", second)}) +
+                  ">"};
     }
-    return {j.is == joint_kind::prismatic ? "prismatic" : "pin", "axis<" + text::along("own", j.axis) + ">"};
+    return {j.is == joint_kind::prismatic ? "prismatic" : "pin",
+            "axis<" + header_text::along("own", j.axis) + ">"};
   }
 
   void write_drive(const moving_body& b) {
@@ -138,22 +142,22 @@ private:
     const std::string &called = draft_.name(b.link), start = called + "_start";
     const motion m = motion_of(b.joint);
     write_weld(start, placed(draft_.type(parent_of(b).link), b.origin));
-    const std::string axis = text::along(start, j.axis);
+    const std::string axis = header_text::along(start, j.axis);
     const bool slides = j.is == joint_kind::prismatic;
-    std::vector<std::string> words{start, slides
-                                              ? "at<" + text::factor(m.q) + " * " + text::factor(axis) + ">"
-                                              : "home<" + m.q + ", " + axis + ">"};
+    std::vector<std::string> words{start, slides ? "at<" + header_text::factor(m.q) + " * " +
+                                                       header_text::factor(axis) + ">"
+                                                 : "home<" + m.q + ", " + axis + ">"};
     if (b.has_mass()) words.push_back(body_of(b));
     draft_.type(b.link) = called;
     write_weld(called, words);
     std::string drag;
     if (draft_.options.damping && j.damping > 0)
-      drag += "-" + draft_.value("c_" + called, j.damping) + " * " + text::factor(m.u);
+      drag += "-" + draft_.value("c_" + called, j.damping) + " * " + header_text::factor(m.u);
     if (const std::string rubbed = friction(b, m.u); !rubbed.empty())
       drag += (drag.empty() ? "-" : " - ") + rubbed;
     if (!drag.empty())
       draft_.loads.push_back(std::string(slides ? "force" : "torque") + "_between<" + called + ", " + start +
-                             ", " + text::factor(drag) + " * " + text::factor(axis) + ">");
+                             ", " + header_text::factor(drag) + " * " + header_text::factor(axis) + ">");
   }
 
   void write_weld(const std::string& called, const std::vector<std::string>& words) {
@@ -166,7 +170,7 @@ private:
     const bool numbers = draft_.options.bind == binding::numbers;
     const std::string mass = draft_.value("m_" + called, b.mass);
     const std::string center =
-        numbers ? text::along("own", b.center) : draft_.symbols_along("own", called, b.center);
+        numbers ? header_text::along("own", b.center) : draft_.symbols_along("own", called, b.center);
     const inertia_matrix& i = b.inertia;
     std::vector<std::string> scalars{"own", draft_.value("ixx_" + called, i.xx),
                                      draft_.value("iyy_" + called, i.yy),
@@ -174,9 +178,9 @@ private:
     if (!numbers || i.xy != 0 || i.yz != 0 || i.zx != 0)
       for (const auto& [letters, e] : {std::pair("ixy_", i.xy), {"iyz_", i.yz}, {"izx_", i.zx}})
         scalars.push_back(draft_.value(letters + called, e));
-    std::string inertia = "inertia<" + text::list(scalars) + ">";
+    std::string inertia = "inertia<" + header_text::list(scalars) + ">";
     if (is_of_no_body(i)) inertia = "effective_inertia<" + inertia + ">";
-    return "body<" + text::list({mass, center, inertia}) + ">";
+    return "body<" + header_text::list({mass, center, inertia}) + ">";
   }
 
   /// Writes a rotor, which contributes n² J at the joint and nothing else.
@@ -209,59 +213,59 @@ private:
     const std::size_t links = draft_.source.links.size(), joints = draft_.plan.what.joints.size();
     const std::string include = std::string("#") + "include "; // in the header, not in this file
     return "#pragma once\n\n" + include + "<kanexpr/joints.hpp>\n" + include + "<kanexpr/kanexpr.hpp>\n\n" +
-           include + "<limits>\n\n/// The robot " + text::comment(draft_.source.name) + " from " +
-           text::comment(from) + ": " + std::to_string(links) + (links == 1 ? " link, " : " links, ") +
+           include + "<limits>\n\n/// The robot " + header_text::comment(draft_.source.name) + " from " +
+           header_text::comment(from) + ": " + std::to_string(links) + (links == 1 ? " link, " : " links, ") +
            std::to_string(joints) + (joints == 1 ? " joint" : " joints") + " that move" +
            (joints == 1 ? "s" : "") + " independently, a " +
            (draft_.options.base == base_kind::floating ? "floating" : "fixed") +
            " base.\n/// Written by kanexpr-robot.\n" + names() +
-           text::opened(called, {"at",
-                                 "axis",
-                                 "bodies",
-                                 "body",
-                                 "by",
-                                 "coordinate",
-                                 "dot",
-                                 "effective_inertia",
-                                 "floating",
-                                 "force_between",
-                                 "gravity",
-                                 "home",
-                                 "inertia",
-                                 "inertial",
-                                 "inertial_ground",
-                                 "input",
-                                 "inputs",
-                                 "joint_friction",
-                                 "joints",
-                                 "kane_system",
-                                 "loads",
-                                 "motor",
-                                 "offset",
-                                 "own",
-                                 "parameter",
-                                 "parameter_values",
-                                 "parameters",
-                                 "pin",
-                                 "planar",
-                                 "position_of",
-                                 "potential_energy",
-                                 "prismatic",
-                                 "rigid_body",
-                                 "rotated",
-                                 "sign",
-                                 "speed",
-                                 "state",
-                                 "torque_between",
-                                 "weld"});
+           header_text::opened(called, {"at",
+                                        "axis",
+                                        "bodies",
+                                        "body",
+                                        "by",
+                                        "coordinate",
+                                        "dot",
+                                        "effective_inertia",
+                                        "floating",
+                                        "force_between",
+                                        "gravity",
+                                        "home",
+                                        "inertia",
+                                        "inertial",
+                                        "inertial_ground",
+                                        "input",
+                                        "inputs",
+                                        "joint_friction",
+                                        "joints",
+                                        "kane_system",
+                                        "loads",
+                                        "motor",
+                                        "offset",
+                                        "own",
+                                        "parameter",
+                                        "parameter_values",
+                                        "parameters",
+                                        "pin",
+                                        "planar",
+                                        "position_of",
+                                        "potential_energy",
+                                        "prismatic",
+                                        "rigid_body",
+                                        "rotated",
+                                        "sign",
+                                        "speed",
+                                        "state",
+                                        "torque_between",
+                                        "weld"});
   }
 
   std::string names() const {
     if (draft_.plan.renamed.empty()) return {};
     std::vector<std::string> all;
     all.reserve(draft_.plan.renamed.size());
-    for (const std::string& each : draft_.plan.renamed) all.push_back(text::comment(each));
-    std::string told = text::wrapped("/// Names in the file: ", all) + ".\n";
+    for (const std::string& each : draft_.plan.renamed) all.push_back(header_text::comment(each));
+    std::string told = header_text::wrapped("/// Names in the file: ", all) + ".\n";
     for (std::size_t at = told.find('\n'); at + 1 < told.size(); at = told.find('\n', at + 1))
       told.replace(at + 1, 3, "///");
     return told;
@@ -297,7 +301,7 @@ private:
                                     {"inputs", inputs},
                                     {"bodies", bodies_},
                                     {"loads", draft_.loads}})
-      if (!all.empty()) told += ",\n" + text::wrapped(std::string(10, ' ') + word + "<", all) + ">";
+      if (!all.empty()) told += ",\n" + header_text::wrapped(std::string(10, ' ') + word + "<", all) + ">";
     return told + "> {};\n";
   }
 
@@ -307,8 +311,8 @@ private:
     for (const planned_joint& j : draft_.plan.joints) {
       if (j.joint < 0 || !has_one_coordinate(j.is)) continue;
       const joint_limits& l = draft_.source.joints[static_cast<std::size_t>(j.joint)].limits;
-      lower.push_back(text::limit(l.lower)), upper.push_back(text::limit(l.upper));
-      effort.push_back(text::limit(l.effort)), velocity.push_back(text::limit(l.velocity));
+      lower.push_back(header_text::limit(l.lower)), upper.push_back(header_text::limit(l.upper));
+      effort.push_back(header_text::limit(l.effort)), velocity.push_back(header_text::limit(l.velocity));
     }
     if (lower.empty()) return {};
     std::string told =
@@ -318,7 +322,7 @@ private:
                                       {"upper", upper},
                                       {"effort", effort},
                                       {"velocity", velocity}})
-      told += text::wrapped(std::string("  static constexpr double ") + called + "[]{", all) + "};\n";
+      told += header_text::wrapped(std::string("  static constexpr double ") + called + "[]{", all) + "};\n";
     return told + "};\n";
   }
 
@@ -337,7 +341,7 @@ private:
         "\n/// The values of the parameters in the file.\ninline parameter_values<System> values() {\n"
         "  parameter_values<System> p;\n";
     for (const auto& [called, number] : draft_.values)
-      told += "  p[" + called + "] = " + text::digits(number) + ";\n";
+      told += "  p[" + called + "] = " + header_text::digits(number) + ";\n";
     return told + "  return p;\n}\n";
   }
 

@@ -49,7 +49,7 @@ inline bool is_namespace(std::string_view name) {
       "using",       "virtual",   "void",       "volatile",  "wchar_t",  "while",        "xor",
       "xor_eq",      "std",       "kanexpr",    "Eigen",     "boost"};
   return !name.empty() && name[0] >= 'A' && name.find("__") == name.npos && letters_of(name) == name &&
-         std::ranges::find(taken, name) == std::end(taken) && !library_words::has(name);
+         std::ranges::find(taken, name) == std::end(taken) && !base::library_words::has(name);
 }
 
 /// Generates unique C++ identifiers.

@@ -31,16 +31,16 @@ public:
     std::string told =
         "#pragma once\n\n" + include + "<" + called + ".hpp>\n\n" + include +
         "<kanexpr/animate/animated.hpp>\n\n" +
-        text::opened(called, {"box", "colour", "cylinder", "direction_cosines", "files_in", "ground", "mesh",
-                              "offset", "rod", "seen_from", "show", "sphere", "up"}) +
+        header_text::opened(called, {"box", "colour", "cylinder", "direction_cosines", "files_in", "ground",
+                                     "mesh", "offset", "rod", "seen_from", "show", "sphere", "up"}) +
         out_ + "\n/// The picture of the robot" + (shown_meshes_ == 0 ? "" : ", with meshes from files") +
         ".\n";
     std::vector<std::string> all{"System", "up<N::z>", "seen_from<N::x - 1.2 * N::y + 0.6 * N::z>"};
     if (options_.base == base_kind::fixed) all.push_back("ground<>");
     if (shown_meshes_ != 0) all.push_back("files_in<" + literal(files_.folder()) + ">");
     all.insert(all.end(), words_.begin(), words_.end());
-    return told + text::wrapped("using picture = kanexpr::picture<", all) + ">;\n\n} // namespace " + called +
-           "\n";
+    return told + header_text::wrapped("using picture = kanexpr::picture<", all) + ">;\n\n} // namespace " +
+           called + "\n";
   }
 
   /// A sentence that names the meshes that are not drawn; empty if all are drawn.
@@ -82,8 +82,8 @@ private:
     }
     constexpr std::size_t most = 76; // keeps the end, which is the most informative part
     const std::string file = s.file.size() > most ? "..." + s.file.substr(s.file.size() - most) : s.file;
-    const std::string what = "the mesh " + text::comment(file) + " of link " +
-                             text::comment(robot_.links[link].name) +
+    const std::string what = "the mesh " + header_text::comment(file) + " of link " +
+                             header_text::comment(robot_.links[link].name) +
                              (found ? " has a format that pages cannot show" : " was not found");
     out_ += "// " + what + "\n";
     left_out_.push_back(what);
@@ -109,7 +109,8 @@ private:
   }
 
   static std::string scale_of(const vector3& s) {
-    const std::string x = text::digits(s[0]), y = text::digits(s[1]), z = text::digits(s[2]);
+    const std::string x = header_text::digits(s[0]), y = header_text::digits(s[1]),
+                      z = header_text::digits(s[2]);
     if (x == y && y == z) return x == "1" ? "" : ", " + x;
     return ", " + x + ", " + y + ", " + z;
   }
@@ -125,19 +126,19 @@ private:
     const std::string own = name(link) + "_shape" + (which == 1 ? "" : std::to_string(which));
     std::string axes = name(link), point = name(link);
     if (!is_zero(s.placed.at)) {
-      out_ += "struct " + own + " : offset<" + own + ", " + point + ", " + text::along(axes, s.placed.at) +
-              "> {};\n";
+      out_ += "struct " + own + " : offset<" + own + ", " + point + ", " +
+              header_text::along(axes, s.placed.at) + "> {};\n";
       point = own;
     }
     const auto sizes = [&](int n) {
       std::string listed;
-      for (int i = 0; i < n; ++i) listed += ", " + text::digits(s.size[static_cast<std::size_t>(i)]);
+      for (int i = 0; i < n; ++i) listed += ", " + header_text::digits(s.size[static_cast<std::size_t>(i)]);
       return listed;
     };
     if ((s.is == shape_kind::box || s.is == shape_kind::mesh) && s.placed.turn != no_rotation) {
       std::string cosines;
       for (const vector3& row : s.placed.turn)
-        for (double e : row) cosines += ", " + text::digits(e);
+        for (double e : row) cosines += ", " + header_text::digits(e);
       out_ += "struct " + own + "_axes : direction_cosines<" + own + "_axes, " + axes + cosines + "> {};\n";
       axes = own + "_axes";
     }
@@ -146,7 +147,7 @@ private:
     case shape_kind::cylinder:
     case shape_kind::capsule:
       return show("cylinder<" + axes + ", " + point + ", " +
-                      text::along(axes, turned(s.placed.turn, {0, 0, 1})) + sizes(2) + ">",
+                      header_text::along(axes, turned(s.placed.turn, {0, 0, 1})) + sizes(2) + ">",
                   link_colour);
     case shape_kind::sphere: return show("sphere<" + point + sizes(1) + ">", link_colour);
     case shape_kind::mesh: return show_mesh("mesh<" + axes + ", " + point, s);
@@ -168,7 +169,7 @@ private:
     double longest = 0;
     for (const joint& j : robot_.joints)
       longest = (std::max)(longest, std::sqrt(dot(j.origin.at, j.origin.at)));
-    return text::digits(longest > 0 ? (std::max)((std::round)(longest * 50), 1.0) / 1000 : 0.05);
+    return header_text::digits(longest > 0 ? (std::max)((std::round)(longest * 50), 1.0) / 1000 : 0.05);
   }
 
   void draw_rods(std::size_t link) {

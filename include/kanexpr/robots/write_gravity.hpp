@@ -15,9 +15,10 @@ inline std::string free_fall(header_draft& draft) {
   const vector3 g = gravity_of(draft.source, draft.options), to = direction_of_gravity(g);
   const std::string size = draft.value("g", std::hypot(g[0], g[1], g[2]));
   const bool numbers = draft.options.bind == binding::numbers;
-  if (numbers && is_zero(g)) return text::along("N", {});
+  if (numbers && is_zero(g)) return header_text::along("N", {});
   if (to == vector3{0, 0, -1}) return "-" + size + " * N::z";
-  return numbers ? text::along("N", g) : size + " * " + text::factor(text::along("N", to));
+  return numbers ? header_text::along("N", g)
+                 : size + " * " + header_text::factor(header_text::along("N", to));
 }
 
 /// A potential energy that cancels gravity on a weightless body, so that energy is conserved.
@@ -28,7 +29,7 @@ inline std::string energy_of_lifting(header_draft& draft, const moving_body& b, 
   const auto known = draft.values.size();
   const std::string mass = draft.value("m_" + symbols, b.weightless);
   const std::string at = draft.options.bind == binding::numbers
-                             ? text::along(on, b.weightless_center)
+                             ? header_text::along(on, b.weightless_center)
                              : draft.symbols_along(on, symbols, b.weightless_center);
   if (b.is_weightless()) draft.values.resize(known);
   draft.write_struct(called, "offset", {on, at});

@@ -48,7 +48,7 @@ public:
   Eigen::MatrixXd configuration_jacobian_by_all(const Eigen::VectorXd& x) {
     const Eigen::VectorXd at = at_norm_one(x);
     Eigen::MatrixXd by_all = jacobian_(t_, at, p_, r_), by_dependent(by_all.rows(), coordinates());
-    for (const symbolic::sequence<int>& places : quaternions_) lower::leave_norm_out(by_all, at, places);
+    for (const base::sequence<int>& places : quaternions_) lower::leave_norm_out(by_all, at, places);
     for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all.col(coordinates_[i]);
     return by_dependent;
   }
@@ -80,15 +80,15 @@ public:
     for (int i = 0; i < quaternions_.size(); ++i) left(i) = (lower::squared_norm(x, quaternions_[i]) - 1) / 2;
     return left;
   }
-  mechanics::sentence quaternion_called(int k) const {
-    return mechanics::sentence(
+  base::sentence quaternion_called(int k) const {
+    return base::sentence(
         {"the quaternion ",
          mechanics::enumerated(mechanism_, mechanism_.coordinates, quaternions_[k]).view()});
   }
   kanexpr::status normalize_quaternions(Eigen::VectorXd& x) {
     for (int k = 0; k < quaternions_.size(); ++k)
       if (!lower::normalize(x, quaternions_[k], lower::norm_range{})) {
-        far_from_one_ = mechanics::sentence({"the norm of ", quaternion_called(k).view(), " is far from 1"});
+        far_from_one_ = base::sentence({"the norm of ", quaternion_called(k).view(), " is far from 1"});
         return kanexpr::status(far_from_one_.view());
       }
     return {};
@@ -109,10 +109,10 @@ private:
     return x;
   }
 
-  symbolic::sequence<int> coordinates_, speeds_;
-  symbolic::sequence<symbolic::sequence<int>> quaternions_;
+  base::sequence<int> coordinates_, speeds_;
+  base::sequence<base::sequence<int>> quaternions_;
   const mechanics::mechanism& mechanism_;
-  mechanics::sentence far_from_one_;
+  base::sentence far_from_one_;
   int first_speed_;
   double t_;
   given_vector p_;
@@ -123,16 +123,16 @@ private:
 
 /// The reason why the constraints of a model cannot be evaluated at a state with `entries` entries; empty if
 /// they can.
-inline mechanics::sentence mistake_of_constraints(model& m, std::size_t entries) {
+inline base::sentence mistake_of_constraints(model& m, std::size_t entries) {
   m.get(mechanics::quantity::velocity_residual); // clears the mistake of the previous request
-  if (!m.mistake().empty()) return mechanics::sentence({m.mistake()});
+  if (!m.mistake().empty()) return base::sentence({m.mistake()});
   return compiled::check_size("state", "the model", static_cast<int>(entries),
                               m.mechanism().coordinates.size() + m.mechanism().speeds.size());
 }
 
 KANEXPR_ENGINE assembly assemble(model& m, std::span<double> x, std::span<const double> p,
                                  std::span<const double> r, double t, const assembly_options& options) {
-  if (const mechanics::sentence wrong = mistake_of_constraints(m, x.size())) return {.failure = wrong};
+  if (const base::sentence wrong = mistake_of_constraints(m, x.size())) return {.failure = wrong};
   constraints_at constraints(m, t, p, r);
   Eigen::Map<Eigen::VectorXd> given(x.data(), static_cast<Eigen::Index>(x.size()));
   Eigen::VectorXd placed = given;
@@ -143,7 +143,7 @@ KANEXPR_ENGINE assembly assemble(model& m, std::span<double> x, std::span<const 
 
 KANEXPR_ENGINE consistency check_consistency(model& m, std::span<const double> x, std::span<const double> p,
                                              std::span<const double> r, double t, double tolerance) {
-  if (const mechanics::sentence wrong = mistake_of_constraints(m, x.size())) return {.failure = wrong};
+  if (const base::sentence wrong = mistake_of_constraints(m, x.size())) return {.failure = wrong};
   constraints_at constraints(m, t, p, r);
   const Eigen::VectorXd state =
       Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));

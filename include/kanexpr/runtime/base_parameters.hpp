@@ -22,7 +22,7 @@ struct base_parameters {
   std::vector<Eigen::Index> columns{}; ///< the columns of Y that form Y_base
   Eigen::MatrixXd combination{};       ///< K
   std::vector<std::string> names{};    ///< "izz of Upper + 0.25*m of Lower"
-  mechanics::sentence failure{};       ///< the reason why no base parameters were found
+  base::sentence failure{};            ///< the reason why no base parameters were found
 
   explicit operator bool() const { return !failure; }
   std::string cause() const { return failure.cause(); }
@@ -49,7 +49,7 @@ struct found_base_parameters {
   std::vector<int> columns{};
   std::vector<double> combination{}; ///< row by row
   std::vector<std::string> names{};
-  mechanics::sentence failure{};
+  base::sentence failure{};
 };
 
 KANEXPR_ENGINE found_base_parameters find_base_parameters(model& m, std::span<const double> p,

@@ -40,7 +40,7 @@ public:
   }
 
   /// The reason why the last state was rejected.
-  const mechanics::sentence& cause() const { return cause_; }
+  const base::sentence& cause() const { return cause_; }
 
 private:
   Eigen::VectorXd numbers(int count, double reach) {
@@ -68,7 +68,7 @@ private:
     }
     const bool is_finite = numeric::all_finite(y_(t_, x_, p_, r_, a_));
     for (const auto* each : {&dependency_, &bias_, &y_})
-      if (!each->status()) cause_ = mechanics::sentence({each->status().view()});
+      if (!each->status()) cause_ = base::sentence({each->status().view()});
     return is_finite && y_.status() && (speeds.dependent.empty() || (dependency_.status() && bias_.status()));
   }
 
@@ -76,7 +76,7 @@ private:
   Eigen::VectorXd p_;
   std::mt19937_64 source_;
   interpreted<double> y_, dependency_, bias_;
-  mechanics::sentence cause_{};
+  base::sentence cause_{};
   double t_ = 0;
   Eigen::VectorXd x_{}, r_{}, a_{};
 };
@@ -100,28 +100,28 @@ inline std::string name_of_combination(const Eigen::MatrixXd& k, Eigen::Index ro
 KANEXPR_ENGINE found_base_parameters find_base_parameters(model& m, std::span<const double> p,
                                                           const base_parameter_options& options) {
   found_base_parameters found;
-  const auto refuse = [&](const mechanics::sentence& because) {
+  const auto refuse = [&](const base::sentence& because) {
     found.failure = because;
     return found;
   };
   const symbolic::matrix y = m.get(mechanics::quantity::regressor);
-  if (!m.mistake().empty()) return refuse(mechanics::sentence({m.mistake()}));
+  if (!m.mistake().empty()) return refuse(base::sentence({m.mistake()}));
   if (!(numeric::is_finite(options.tolerance) && options.tolerance > 0 && options.tolerance < 1))
     return refuse(numeric::with_number("the tolerance of base parameters must be between 0 and 1, got ",
                                        options.tolerance));
   if (static_cast<int>(p.size()) != m.mechanism().parameters.size())
-    return refuse(mechanics::sentence(
-        {"base parameters: got ", mechanics::counted(static_cast<int>(p.size())).view(),
-         " parameters, expected ", mechanics::counted(m.mechanism().parameters.size()).view()}));
+    return refuse(
+        base::sentence({"base parameters: got ", base::counted(static_cast<int>(p.size())).view(),
+                        " parameters, expected ", base::counted(m.mechanism().parameters.size()).view()}));
   for (int i = 0; i < m.mechanism().parameters.size(); ++i)
     if (!numeric::is_finite(p[static_cast<std::size_t>(i)]))
-      return refuse(mechanics::sentence(
-          {"parameter ", m.graph().symbol_at(m.mechanism().parameters[i].node()).called.view(),
-           " is not finite"}));
+      return refuse(
+          base::sentence({"parameter ", m.graph().symbol_at(m.mechanism().parameters[i].node()).called.view(),
+                          " is not finite"}));
   random_regressors states(m, p, options.seed);
   const Eigen::MatrixXd all = states.draw(y.columns);
   if (all.rows() == 0)
-    return refuse(mechanics::sentence(
+    return refuse(base::sentence(
         {"no states were found at which base parameters can be computed: ", states.cause().view()}));
   const numeric::independent_columns chosen = numeric::independent_columns_of(all, options.tolerance);
   constexpr double apart = 100;

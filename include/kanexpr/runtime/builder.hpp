@@ -45,7 +45,7 @@ class given_number {
 public:
   template <class Number>
     requires std::is_arithmetic_v<Number> &&
-                 (!numeric::letter<Number>) // bool is allowed: `i == 0` evaluates to 1 or 0
+                 (!base::letter<Number>) // bool is allowed: `i == 0` evaluates to 1 or 0
   given_number(Number value)
       : value_(static_cast<double>(value)), is_whole_zero_(describe::is_whole_zero(value)) {}
 
@@ -61,7 +61,7 @@ private:
 class number_or_expression {
 public:
   template <class Number>
-    requires std::is_arithmetic_v<Number> && (!numeric::letter<Number>)
+    requires std::is_arithmetic_v<Number> && (!base::letter<Number>)
   number_or_expression(Number value) : held_(given_number(value)) {}
   number_or_expression(expression e) : held_(e) {}
 
@@ -280,13 +280,13 @@ private:
   bool may_move(point_id point, frame_id reference, const vector& velocity);
 
   frame_id by_sequence(std::string_view called, frame_id parent, std::string_view letters,
-                       const symbolic::sequence<expression>& angles, bool space_fixed);
+                       const base::sequence<expression>& angles, bool space_fixed);
 
   std::shared_ptr<symbolic::graph> graph_ = std::make_shared<symbolic::graph>(); ///< shared with models
   mechanics::multibody_system system_;
   mechanics::mechanism& m_ = system_.mechanism;
   inspector inspect_;
-  symbolic::sequence<expression> used_elsewhere_{};
+  base::sequence<expression> used_elsewhere_{};
 };
 
 } // namespace kanexpr::runtime

@@ -296,7 +296,7 @@ KANEXPR_ENGINE void builder::effective_inertia(std::string_view of) {
 KANEXPR_ENGINE void builder::dependent(expression e) {
   if (!inspect_.own(e, "the argument of dependent")) return;
   const int q = m_.coordinates.find(e), u = m_.speeds.find(e);
-  symbolic::sequence<int>& places =
+  base::sequence<int>& places =
       q >= 0 ? system_.constraints.dependent_coordinates : system_.constraints.dependent_speeds;
   const int at = q >= 0 ? q : u;
   if (at < 0)
@@ -344,7 +344,7 @@ KANEXPR_ENGINE bool builder::may_move(point_id point, frame_id reference, const 
 
 KANEXPR_ENGINE frame_id builder::by_sequence(std::string_view called, frame_id parent,
                                              std::string_view letters,
-                                             const symbolic::sequence<expression>& angles, bool space_fixed) {
+                                             const base::sequence<expression>& angles, bool space_fixed) {
   if (!new_frame(called, parent) || !inspect_.own(angles, called)) return {};
   if (!mechanics::is_sequence(letters)) {
     inspect_.fail({"frame ", called, " is rotated by the sequence ", letters,

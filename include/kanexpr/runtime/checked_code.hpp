@@ -22,7 +22,7 @@ class checked_code {
 public:
   /// `checks` detect singularities in the computation of the result.
   checked_code(symbolic::graph& g, const symbolic::matrix& wanted,
-               const symbolic::sequence<mechanics::singularity_check>& checks);
+               const base::sequence<mechanics::singularity_check>& checks);
 
   /// Returns the entries of the result, row by row.
   template <class Arguments>
@@ -37,19 +37,19 @@ public:
   kanexpr::status status() const;
 
 private:
-  static symbolic::sequence<int> nodes(symbolic::graph& g, const symbolic::matrix& wanted,
-                                       const symbolic::sequence<mechanics::singularity_check>& checks);
+  static base::sequence<int> nodes(symbolic::graph& g, const symbolic::matrix& wanted,
+                                   const base::sequence<mechanics::singularity_check>& checks);
 
   interpreter<Scalar> code_;
-  symbolic::sequence<Scalar> found_; ///< the result, then the measure and the scale of each check
-  mechanics::sentence lacking_{};    ///< reports a missing derivative, without which there are no values
-  symbolic::sequence<mechanics::sentence> causes_{};
-  symbolic::sequence<bool> is_of_finiteness_{}; ///< whether each check tests for finite values
+  base::sequence<Scalar> found_; ///< the result, then the measure and the scale of each check
+  base::sentence lacking_{};     ///< reports a missing derivative, without which there are no values
+  base::sequence<base::sentence> causes_{};
+  base::sequence<bool> is_of_finiteness_{}; ///< whether each check tests for finite values
 };
 
 template <class Scalar>
 checked_code<Scalar>::checked_code(symbolic::graph& g, const symbolic::matrix& wanted,
-                                   const symbolic::sequence<mechanics::singularity_check>& checks)
+                                   const base::sequence<mechanics::singularity_check>& checks)
     : code_(lower::tape_of(g, nodes(g, wanted, checks))),
       found_(code_.size(), lower::scalar_math<Scalar>::from(0)),
       lacking_(mechanics::check_derivatives(wanted)) {
@@ -60,10 +60,9 @@ checked_code<Scalar>::checked_code(symbolic::graph& g, const symbolic::matrix& w
 }
 
 template <class Scalar>
-symbolic::sequence<int>
-checked_code<Scalar>::nodes(symbolic::graph& g, const symbolic::matrix& wanted,
-                            const symbolic::sequence<mechanics::singularity_check>& checks) {
-  symbolic::sequence<int> ids = symbolic::nodes_of(wanted.entries);
+base::sequence<int> checked_code<Scalar>::nodes(symbolic::graph& g, const symbolic::matrix& wanted,
+                                                const base::sequence<mechanics::singularity_check>& checks) {
+  base::sequence<int> ids = symbolic::nodes_of(wanted.entries);
   for (const mechanics::singularity_check& each : checks) {
     ids.push(each.measure.node());
     ids.push(each.scale.node());
@@ -84,7 +83,7 @@ kanexpr::status checked_code<Scalar>::status() const {
   const int results = code_.size() - 2 * causes_.size();
   for (int i = 0; i < causes_.size(); ++i) {
     const Scalar &measure = found_[results + 2 * i], &scale = found_[results + 2 * i + 1];
-    constexpr double least = mechanics::least_singularity_measure<Scalar>();
+    constexpr double least = base::least_singularity_measure<Scalar>();
     if (is_of_finiteness_[i] ? !lower::passes<true>(measure, scale, least)
                              : !lower::passes<false>(measure, scale, least))
       return kanexpr::status(causes_[i].view());

@@ -48,7 +48,7 @@ public:
   const std::vector<std::string>& failures() const { return failures_; }
 
 private:
-  using symbols = symbolic::sequence<symbolic::expression>;
+  using symbols = base::sequence<symbolic::expression>;
   static constexpr double tolerance = 1e-9;
 
   bool names(symbolic::expression symbol) const {
@@ -108,7 +108,7 @@ private:
   bool vanishes(symbolic::expression e, symbolic::expression terms) const {
     for (const double first : {0.7312, 1.2931}) {
       const auto any = [&](int id) { return 0.4 + std::fmod(first * (id + 1), 1.0); };
-      const symbolic::sequence<double> value = symbolic::values_at(g_, {e.node(), terms.node()}, any);
+      const base::sequence<double> value = symbolic::values_at(g_, {e.node(), terms.node()}, any);
       if (!(std::abs(value[0]) <= tolerance * value[1])) return false;
     }
     return true;

@@ -31,7 +31,7 @@ public:
   derived& operator=(const derived&) = delete;
   virtual ~derived() = default;
 
-  virtual const mechanics::sentence& mistake() const = 0;
+  virtual const base::sentence& mistake() const = 0;
   virtual symbolic::graph& graph() = 0;
   virtual const mechanics::mechanism& mechanism() const = 0;
   virtual derivation::reader& reader() = 0;
@@ -44,7 +44,7 @@ public:
   virtual std::shared_ptr<derived> resumed(const derivation::image& from) const = 0;
 
   /// The mistake in the last request; the system itself is sound.
-  mechanics::sentence refused{};
+  base::sentence refused{};
 };
 
 } // namespace runtime

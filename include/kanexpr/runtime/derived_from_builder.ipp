@@ -19,7 +19,7 @@ namespace kanexpr::runtime {
 class derived_from_builder final : public derived {
 public:
   derived_from_builder(std::shared_ptr<symbolic::graph> g, const mechanics::multibody_system& built,
-                       const mechanics::sentence& mistake)
+                       const base::sentence& mistake)
       : graph_(std::move(g)), system_(built), mistake_(mistake) {
     if (built.mechanism.derived_by == mechanics::method::lagrange)
       no_words_.derived_by = describe::method::lagrange;
@@ -36,7 +36,7 @@ public:
     each_part(*this, read);
   }
 
-  const mechanics::sentence& mistake() const override {
+  const base::sentence& mistake() const override {
     if (mistake_) return mistake_;
     return reader_.mistake() ? reader_.mistake() : equations_->mistake();
   }
@@ -63,7 +63,7 @@ private:
 
   std::shared_ptr<symbolic::graph> graph_;
   mechanics::multibody_system system_;
-  mechanics::sentence mistake_{};
+  base::sentence mistake_{};
   describe::system_record no_words_{};
   derivation::reader reader_{no_words_, system_}; ///< looks up symbols by name
   std::optional<mechanics::equations> equations_{};

@@ -28,7 +28,7 @@ public:
   derived_from_words(const describe::system_record& record, const derivation::image& from)
       : record_(record), system_(record, from) {}
 
-  const mechanics::sentence& mistake() const override { return mistake_ ? mistake_ : system_.mistake(); }
+  const base::sentence& mistake() const override { return mistake_ ? mistake_ : system_.mistake(); }
   symbolic::graph& graph() override { return system_.graph(); }
   const mechanics::mechanism& mechanism() const override { return system_.mechanism(); }
   derivation::reader& reader() override { return system_.reader(); }
@@ -40,7 +40,7 @@ public:
   }
 
 private:
-  mechanics::sentence mistake_{}; ///< a mistake in the words themselves
+  base::sentence mistake_{}; ///< a mistake in the words themselves
   const describe::system_record& record_;
   derivation::derived_system system_;
 };

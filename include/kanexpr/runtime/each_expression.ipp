@@ -26,11 +26,11 @@ public:
       for_each_member(part, *this);
   }
   template <class Part>
-  void operator()(symbolic::sequence<Part>& parts) const {
+  void operator()(base::sequence<Part>& parts) const {
     for (Part& each : parts) (*this)(each);
   }
   template <class Part>
-  void operator()(const symbolic::sequence<Part>& parts) const {
+  void operator()(const base::sequence<Part>& parts) const {
     for (const Part& each : parts) (*this)(each);
   }
   template <class Part>
@@ -43,8 +43,8 @@ public:
   }
   void operator()(symbolic::expression& e) const { use_(e); }
   void operator()(const symbolic::expression& e) const { use_(e); }
-  void operator()(symbolic::name&) const {}
-  void operator()(const symbolic::name&) const {}
+  void operator()(base::name&) const {}
+  void operator()(const base::name&) const {}
 
 private:
   const Use& use_;

@@ -13,8 +13,8 @@
 
 namespace kanexpr::runtime {
 
+using base::sentence;
 using mechanics::dyadic;
-using mechanics::sentence;
 using mechanics::vector;
 using symbolic::expression;
 
@@ -33,7 +33,7 @@ public:
   const sentence& mistake() const { return mistake_; }
 
   bool fail(std::initializer_list<std::string_view> pieces) {
-    if (!mistake_) mistake_ = mechanics::sentence(pieces);
+    if (!mistake_) mistake_ = base::sentence(pieces);
     return false;
   }
 
@@ -74,7 +74,7 @@ public:
         return false;
     return true;
   }
-  bool own(const symbolic::sequence<expression>& scalars, std::string_view whose) {
+  bool own(const base::sequence<expression>& scalars, std::string_view whose) {
     for (const expression& e : scalars)
       if (!own(e, whose)) return false;
     return true;
@@ -82,7 +82,7 @@ public:
 
   /// Checks that a name is valid and not used by another entity of its kind.
   template <class Entity>
-  bool fresh(std::string_view kinds, std::string_view called, const symbolic::sequence<Entity>& others) {
+  bool fresh(std::string_view kinds, std::string_view called, const base::sequence<Entity>& others) {
     if (!tellable(kinds, called)) return false;
     for (const Entity& other : others)
       if (other.called.view() == called) return fail({"two ", kinds, " are called ", called});

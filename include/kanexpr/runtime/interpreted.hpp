@@ -34,8 +34,8 @@ public:
   /// `checks` detect singularities in the computation of the result. `mistake` is the reason why the result
   /// has no values at any state.
   interpreted(symbolic::graph& g, const symbolic::matrix& wanted, int coordinates,
-              const symbolic::sequence<mechanics::singularity_check>& checks = {},
-              const mechanics::sentence& mistake = {})
+              const base::sequence<mechanics::singularity_check>& checks = {},
+              const base::sentence& mistake = {})
       : code_(g, wanted, checks), coordinates_(coordinates), mistake_(mistake),
         result_(wanted.rows, wanted.columns) {
     for (const lower::load& each : code_.code().loads)
@@ -113,7 +113,7 @@ private:
   struct need {
     std::string_view vector;
     int entries = 0;
-    symbolic::name last{};
+    base::name last{};
 
     void take(int place, const symbolic::graph& g, const lower::load& read) {
       if (place < entries) return;
@@ -149,18 +149,17 @@ private:
     if constexpr (requires { given.size(); }) {
       const int size = static_cast<int>(given.size());
       if (too_short_ || size >= of.entries) return;
-      too_short_ =
-          mechanics::sentence({"the ", of.vector, " vector has ", mechanics::counted(size).view(),
-                               size == 1 ? " entry" : " entries", ", but none for ", of.last.view()});
+      too_short_ = base::sentence({"the ", of.vector, " vector has ", base::counted(size).view(),
+                                   size == 1 ? " entry" : " entries", ", but none for ", of.last.view()});
     }
   }
 
   checked_code<Scalar> code_;
   int coordinates_;
-  mechanics::sentence mistake_;
+  base::sentence mistake_;
   need state_{"state"}, parameters_{"parameter"}, inputs_{"input"}, rates_{"acceleration"},
       weights_{"weight"}, direction_{"direction"};
-  mechanics::sentence too_short_{};
+  base::sentence too_short_{};
   matrix result_;
 };
 

@@ -30,8 +30,8 @@ private:
   void run();
 
   lower::tape code_;
-  symbolic::sequence<Number> slots_;
-  symbolic::sequence<Number> aside_; ///< working memory of a step
+  base::sequence<Number> slots_;
+  base::sequence<Number> aside_; ///< working memory of a step
 };
 
 // These members are defined outside the class; inside it they would be inline, and every file would compile

@@ -74,10 +74,10 @@ numeric::least_multipliers<Eigen::VectorXd, Eigen::VectorXd>
 find_least_multipliers(model& m, const Eigen::VectorXd& x, const Parameters& p = {}, const Inputs& r = {},
                        double t = 0) {
   m.udot(); // may report a mistake, and clears that of the previous request
-  if (!m.mistake().empty()) return {.failure = mechanics::sentence({m.mistake()})};
+  if (!m.mistake().empty()) return {.failure = base::sentence({m.mistake()})};
   const mechanics::mechanism& of = m.mechanism();
-  if (const mechanics::sentence wrong = compiled::check_size("state", "the model", static_cast<int>(x.size()),
-                                                             of.coordinates.size() + of.speeds.size()))
+  if (const base::sentence wrong = compiled::check_size("state", "the model", static_cast<int>(x.size()),
+                                                        of.coordinates.size() + of.speeds.size()))
     return {.failure = wrong};
   const Eigen::VectorXd parameters = p, inputs = r;
   const runtime::bound_equations equations(m, t, parameters, inputs);

@@ -105,7 +105,7 @@ private:
     for (const symbolic::singularity& s : found.singular)
       failures_.push_back("entry (" + std::to_string(s.row + 1) + ", " + std::to_string(s.column + 1) +
                           ") of " + called + " has no value at the operating point: " + s.condition);
-    if (const mechanics::sentence lacking = mechanics::check_derivatives(found.values))
+    if (const base::sentence lacking = mechanics::check_derivatives(found.values))
       if (const std::string text(lacking.view()); std::ranges::find(failures_, text) == failures_.end())
         failures_.push_back(text);
     return found.values;
@@ -153,7 +153,7 @@ private:
   }
 
   int operations(const explicit_matrices& form) {
-    symbolic::sequence<int> outputs = symbolic::nodes_of(form.A.entries);
+    base::sequence<int> outputs = symbolic::nodes_of(form.A.entries);
     for (const symbolic::expression& e : form.B.entries) outputs.push(e.node());
     const symbolic::cost c = symbolic::cost_of(graph(), outputs);
     return c.multiplications + c.additions + c.divisions;

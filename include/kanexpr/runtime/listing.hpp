@@ -133,7 +133,7 @@ private:
   const symbolic::graph& graph_;
   std::string separator_{};
   std::vector<std::string> names_{};
-  symbolic::sequence<int> angles_{};
+  base::sequence<int> angles_{};
   int values_ = 0;
 };
 

@@ -135,7 +135,7 @@ public:
   /// status reports the cause.
   template <class Scalar = double>
   runtime::interpreted<Scalar> function(const symbolic::matrix& result) {
-    if (const mechanics::sentence wrong = mistake_of(result))
+    if (const base::sentence wrong = mistake_of(result))
       return {graph(), owns(result) ? result : symbolic::matrix(), coordinates(), {}, wrong};
     return {graph(), result, coordinates(), singularity_checks_of(result)};
   }
@@ -155,9 +155,9 @@ private:
 
   int coordinates() const;
   /// The reason why a result has no values; empty if it has values.
-  mechanics::sentence mistake_of(const symbolic::matrix& result) const;
+  base::sentence mistake_of(const symbolic::matrix& result) const;
   /// The checks that detect singularities in the computation of a result.
-  symbolic::sequence<mechanics::singularity_check> singularity_checks_of(const symbolic::matrix& result);
+  base::sequence<mechanics::singularity_check> singularity_checks_of(const symbolic::matrix& result);
 
   std::shared_ptr<runtime::derived> system_; ///< shared with its linearizations
 };

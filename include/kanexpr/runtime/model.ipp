@@ -17,10 +17,10 @@ namespace kanexpr {
 
 namespace runtime {
 
-inline std::string enumerated(derived& system, const symbolic::sequence<symbolic::expression>& symbols,
+inline std::string enumerated(derived& system, const base::sequence<symbolic::expression>& symbols,
                               const mechanics::partition& (mechanics::equations::*which)() const) {
   if (system.mistake()) return {};
-  const symbolic::sequence<int>& dependent = (system.equations()->*which)().dependent;
+  const base::sequence<int>& dependent = (system.equations()->*which)().dependent;
   std::string text;
   for (int i = 0; i < dependent.size(); ++i)
     text.append(mechanics::before_entry(i, dependent.size()))
@@ -74,7 +74,7 @@ KANEXPR_ENGINE std::string model::names_of_dependent_speeds() {
 
 KANEXPR_ENGINE std::vector<std::string> model::names_of_inertial_parameters() const {
   std::vector<std::string> all;
-  for (const symbolic::name& each : mechanics::names_of_inertial_parameters(mechanism()))
+  for (const base::name& each : mechanics::names_of_inertial_parameters(mechanism()))
     all.emplace_back(each.view());
   return all;
 }
@@ -150,20 +150,19 @@ KANEXPR_ENGINE bool model::owns(const symbolic::matrix& result) const {
   return true;
 }
 
-KANEXPR_ENGINE mechanics::sentence model::mistake_of(const symbolic::matrix& result) const {
+KANEXPR_ENGINE base::sentence model::mistake_of(const symbolic::matrix& result) const {
   if (system_->mistake()) return system_->mistake();
-  if (!owns(result)) return mechanics::sentence({"the result to be evaluated belongs to a different model"});
+  if (!owns(result)) return base::sentence({"the result to be evaluated belongs to a different model"});
   if (result.rows != 0 || result.columns != 0) return {};
-  return system_->refused ? system_->refused
-                          : mechanics::sentence({"the result to be evaluated was not formed"});
+  return system_->refused ? system_->refused : base::sentence({"the result to be evaluated was not formed"});
 }
 
 KANEXPR_ENGINE int model::coordinates() const { return mechanism().coordinates.size(); }
 
-KANEXPR_ENGINE symbolic::sequence<mechanics::singularity_check>
+KANEXPR_ENGINE base::sequence<mechanics::singularity_check>
 model::singularity_checks_of(const symbolic::matrix& result) {
   if (system_->equations() == nullptr) return {};
-  symbolic::sequence<int> outputs;
+  base::sequence<int> outputs;
   for (const symbolic::expression& e : result.entries) outputs.push(e.node());
   return equations().singularity_checks_of(outputs);
 }

@@ -13,12 +13,12 @@ namespace kanexpr::runtime {
 /// the nodes depends on the order in which the compiler evaluates operands; in a separate graph, it does not.
 inline void move_to(symbolic::graph& own, mechanics::multibody_system& system) {
   const symbolic::graph& shared = *system.mechanism.g;
-  symbolic::sequence<int> nodes;
+  base::sequence<int> nodes;
   const auto collect = [&](const symbolic::expression& e) {
     if (e.lives_in(shared)) nodes.push(e.node());
   };
   each_expression{collect}(system);
-  const symbolic::sequence<int> place = symbolic::copied(shared, nodes, own);
+  const base::sequence<int> place = symbolic::copied(shared, nodes, own);
   const auto move = [&](symbolic::expression& e) {
     if (e.lives_in(shared)) e = {own, place[e.node()]};
   };

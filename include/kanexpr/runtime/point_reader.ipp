@@ -43,7 +43,7 @@ public:
   const std::vector<std::string>& failures() const { return failures_; }
 
 private:
-  using symbols = symbolic::sequence<symbolic::expression>;
+  using symbols = base::sequence<symbolic::expression>;
 
   /// Finds a symbol by name in `named` and returns its counterpart in `partners`.
   std::optional<symbolic::expression> find(const symbols& named, std::string_view name,

@@ -29,7 +29,7 @@ public:
   }
 
   /// Whether M is regular.
-  explicit operator bool() const { return factors_.singularity_measure() > mechanics::vanishing_measure; }
+  explicit operator bool() const { return factors_.singularity_measure() > base::vanishing_measure; }
 
   /// δ[q̇; u̇; λ], with a column for each state, followed by one for each input.
   const symbolic::matrix& rates() const { return rates_; }

@@ -49,7 +49,7 @@ private:
   }
 
   bool passes(int cause, const Number& measure, const Number& scale) const {
-    constexpr double least = mechanics::least_singularity_measure<Number>();
+    constexpr double least = base::least_singularity_measure<Number>();
     return table_.tells_finiteness && cause == table_.causes - 1
                ? lower::passes<true>(measure, scale, least)
                : lower::passes<false>(measure, scale, least);

@@ -14,10 +14,10 @@ namespace kanexpr::runtime {
 
 /// Reports a parameter, an input or an auxiliary speed that is used neither in the system nor in `elsewhere`.
 /// If a prescribed quantity or one of its rates is used, all of them count as used.
-inline mechanics::sentence check_uses(const mechanics::multibody_system& system,
-                                      const symbolic::sequence<symbolic::expression>& elsewhere) {
+inline base::sentence check_uses(const mechanics::multibody_system& system,
+                                 const base::sequence<symbolic::expression>& elsewhere) {
   const mechanics::mechanism& m = system.mechanism;
-  symbolic::sequence<int> nodes;
+  base::sequence<int> nodes;
   const auto collect = [&](const symbolic::expression& e) {
     if (e.lives_in(*m.g)) nodes.push(e.node());
   };
@@ -29,7 +29,7 @@ inline mechanics::sentence check_uses(const mechanics::multibody_system& system,
   each(system.loads);
   each(system.constraints);
   each(elsewhere);
-  symbolic::sequence<char> used = symbolic::live_nodes(*m.g, nodes);
+  base::sequence<char> used = symbolic::live_nodes(*m.g, nodes);
   for (int i = 0; i < 2; ++i) // towards higher rates, then back
     for (const mechanics::prescribed_rate& p : m.prescribed_rates) {
       char &quantity = used[p.quantity.node()], &rate = used[p.rate.node()];
@@ -37,18 +37,18 @@ inline mechanics::sentence check_uses(const mechanics::multibody_system& system,
     }
   struct list {
     std::string_view kind;
-    const symbolic::sequence<symbolic::expression>& symbols;
+    const base::sequence<symbolic::expression>& symbols;
   };
   for (const list& l : {list{"parameter", m.parameters}, list{"input", m.inputs}})
     for (const symbolic::expression& e : l.symbols)
       if (used[e.node()] == 0)
-        return mechanics::sentence({l.kind, " ", m.g->symbol_at(e.node()).called.view(),
-                                    " is declared but not used in the system; if this is intended, call ",
-                                    "used_elsewhere"});
+        return base::sentence({l.kind, " ", m.g->symbol_at(e.node()).called.view(),
+                               " is declared but not used in the system; if this is intended, call ",
+                               "used_elsewhere"});
   for (const symbolic::expression& e : m.auxiliary_speeds)
     if (used[e.node()] == 0)
-      return mechanics::sentence({"auxiliary speed ", m.g->symbol_at(e.node()).called.view(),
-                                  " is declared but not used in the system"});
+      return base::sentence({"auxiliary speed ", m.g->symbol_at(e.node()).called.view(),
+                             " is declared but not used in the system"});
   return {};
 }
 

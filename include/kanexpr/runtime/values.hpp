@@ -67,9 +67,9 @@ public:
   bool holds(std::string_view name) const { return find(name) >= 0; }
 
   /// Returns a sentence that names the last unknown name that was looked up; empty if there was none.
-  mechanics::sentence mistake() const {
+  base::sentence mistake() const {
     if (unknown_.empty()) return {};
-    return mechanics::sentence({"the model has no ", range().symbol, " ", unknown_});
+    return base::sentence({"the model has no ", range().symbol, " ", unknown_});
   }
 
   /// The symbols of the model; null if the vector was not constructed from one.
@@ -121,7 +121,7 @@ public:
 
   Vector values{};
   std::vector<bool> is_left_out{}; ///< symbols without a value, which the constraints determine
-  mechanics::sentence mistake{};   ///< the first mistake in the values, as a sentence; empty if there is none
+  base::sentence mistake{};        ///< the first mistake in the values, as a sentence; empty if there is none
 
   /// Assigns the values to the symbols of a model.
   void read(const std::shared_ptr<const derivation::survey>& known) {

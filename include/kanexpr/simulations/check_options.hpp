@@ -18,6 +18,8 @@
 /// Checks of the options of a simulation, before its first step.
 namespace kanexpr::simulations {
 
+using base::digits;
+
 /// Returns the physical memory in bytes; infinite if the system does not report it.
 inline double memory_of_machine() {
 #ifdef _SC_PHYS_PAGES
@@ -54,7 +56,7 @@ inline std::string check_tolerance(double tolerance) {
 /// Checks that regular samples can be resolved in the time span and, if they are kept, fit into memory.
 inline std::string check_output_every(double every, const time_span& span, std::size_t bytes_each) {
   if (!numeric::is_finite(every)) return "the time between two samples is not finite";
-  if (numeric::equal(every, 0.0)) return {};
+  if (base::equal(every, 0.0)) return {};
   if (!(every > 0)) return "the time between two samples must be positive";
   const std::string samples_every = "samples every " + digits(every) + " s";
   const double latest = (std::max)(std::abs(span.from), std::abs(span.to));

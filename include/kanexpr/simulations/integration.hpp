@@ -163,8 +163,7 @@ private:
     const double error = (std::max)(options_.relative_tolerance, largest_absolute_tolerance()),
                  tolerance =
                      (std::max)(1e-6, 1e3 * error); // steps leave small residuals in the other constraints
-    const mechanics::sentence off =
-        context_.constraints()->redundant_violation(t, x, context_.r(), tolerance);
+    const base::sentence off = context_.constraints()->redundant_violation(t, x, context_.r(), tolerance);
     return !off || fail_here(off.cause() + " at t = " + digits(t) +
                              ": it does not follow from the other constraints");
   }
@@ -282,7 +281,7 @@ private:
       if (!assemble_at(t, x)) return false;
       const auto is_changed = [&](std::size_t i) {
         const auto k = static_cast<Eigen::Index>(i);
-        return !numeric::equal(told(k), state_(k));
+        return !base::equal(told(k), state_(k));
       };
       if (std::string said = contradiction(known(), told, x, is_changed); !said.empty())
         return fail_here(said + " after the handler of an event");

@@ -175,9 +175,9 @@ private:
         is_state ? static_cast<const runtime::value_vector*>(&at) : &given;
     const runtime::value_vector* const all[]{left, &at, &p_, &given};
     for (const runtime::value_vector* each : all)
-      if (const mechanics::sentence found = each->mistake()) throw unknown_name_error(found);
+      if (const base::sentence found = each->mistake()) throw unknown_name_error(found);
     const compiled::symbol_range range = compiled::range_of(which, known);
-    if (const mechanics::sentence found =
+    if (const base::sentence found =
             compiled::check_size(range.vector, "the model", static_cast<int>(left->size()), range.size))
       throw unknown_name_error(found);
   }

@@ -63,7 +63,7 @@ public:
                            const given_parameters<System>& parameters = {},
                            const operating_point_options<System>& options = {})
       : t(options.t), x(guess.values), p(parameters.values), r(options.inputs.values) {
-    for (const mechanics::sentence* mistake : {&guess.mistake, &parameters.mistake, &options.inputs.mistake})
+    for (const base::sentence* mistake : {&guess.mistake, &parameters.mistake, &options.inputs.mistake})
       if (cause_.empty()) cause_ = mistake->view();
     if (cause_.empty()) cause_ = mistake_in(options);
     if (cause_.empty()) find(options);

@@ -24,12 +24,12 @@ public:
   }
 
   /// Whether no times are requested, so that each step of the integrator is a sample.
-  bool takes_each_step() const { return numeric::equal(every_, 0.0) && times_.empty(); }
+  bool takes_each_step() const { return base::equal(every_, 0.0) && times_.empty(); }
 
-  bool is_over() const { return numeric::equal(next_, count_); }
+  bool is_over() const { return base::equal(next_, count_); }
   double next() const {
     if (!times_.empty()) return times_[static_cast<std::size_t>(next_)];
-    return numeric::equal(next_ + 1, count_) ? span_.to : span_.from + next_ * every_;
+    return base::equal(next_ + 1, count_) ? span_.to : span_.from + next_ * every_;
   }
   void advance() { ++next_; }
 

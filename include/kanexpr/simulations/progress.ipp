@@ -19,7 +19,7 @@ inline std::int64_t nanoseconds_now() {
 
 /// Returns the fraction of a span that has passed, from 0 to 1; time may run backward.
 inline double part_of(double t, double from, double to) {
-  if (numeric::equal(t, to)) return 1;
+  if (base::equal(t, to)) return 1;
   const double part = (t - from) / (to - from);
   return part >= 1 ? 1 : part > 0 ? part : 0; // 0 for NaN
 }

@@ -79,7 +79,7 @@ public:
   /// fit, resets t and x to the last recorded sample.
   void finish(double& t, state& x) {
     if (!last_) return;
-    const bool is_taken = numeric::equal(last_->t, t) && last_->x == x;
+    const bool is_taken = base::equal(last_->t, t) && last_->x == x;
     if (!is_taken && !is_refused_ && last_->t <= t) record(t, x);
     t = last_->t, x = last_->x;
   }

@@ -20,7 +20,7 @@
 
 namespace kanexpr {
 
-namespace compiled {
+namespace steps {
 
 /// The constraints of a system at given arguments, in the form that the numerical methods require. If a
 /// constraint is solved for a coordinate of a quaternion, all constraints are evaluated at the normalized
@@ -28,7 +28,7 @@ namespace compiled {
 template <class System, class Parameters, class Inputs, class Number = double>
 class constraints_at {
 public:
-  static constexpr const derivation::survey& known = survey_of<System>;
+  static constexpr const derivation::survey& known = compiled::survey_of<System>;
   using quantity = mechanics::quantity;
   using quaternions = unit_quaternions<System>;
   using state = kanexpr::state<System, Number>;
@@ -122,7 +122,7 @@ public:
   Eigen::Matrix<Number, quaternions::count, 1> quaternion_residual(const state& x) const {
     return quaternions::residual(x);
   }
-  static mechanics::sentence quaternion_called(int k) { return quaternions::called(k); }
+  static base::sentence quaternion_called(int k) { return quaternions::called(k); }
   kanexpr::status normalize_quaternions(state& x) const {
     return quaternions::normalize(x, lower::norm_range{});
   }
@@ -141,14 +141,14 @@ public:
 
   /// If the constraints are not finite, returns a sentence that names the parameter, input or state entry
   /// that is not set; otherwise an empty one.
-  mechanics::sentence gap_before(const state& x) const {
+  base::sentence gap_before(const state& x) const {
     if (numeric::all_finite(configuration_residual(x)) && numeric::all_finite(velocity_residual(x)))
       return {};
-    const bool is_of_list =
-        std::any_of(x.begin(), x.end(), [](Number entry) { return gap_in(entry) >= gap::never_set; });
-    const mechanics::sentence found =
-        is_of_list ? gap_among<System, symbols_of::state>(x) : mechanics::sentence{};
-    return found ? found : gap_among<System>(p_, r_);
+    const bool is_of_list = std::any_of(
+        x.begin(), x.end(), [](Number entry) { return compiled::gap_in(entry) >= compiled::gap::never_set; });
+    const base::sentence found =
+        is_of_list ? compiled::gap_among<System, compiled::symbols_of::state>(x) : base::sentence{};
+    return found ? found : compiled::gap_among<System>(p_, r_);
   }
 
 private:
@@ -156,7 +156,7 @@ private:
   /// more compile time than the additional operations. A linked model provides them separately.
   template <quantity wanted>
   auto of_once(const state& x) const {
-    if constexpr (is_linked<System>) {
+    if constexpr (compiled::is_linked<System>) {
       return out_of_line<function<System, wanted>>{}(t_, x, p_, r_);
     } else {
       constexpr quantity all[]{quantity::velocity_residual, quantity::velocity_terms,
@@ -195,7 +195,7 @@ private:
   const Inputs& r_;
 };
 
-} // namespace compiled
+} // namespace steps
 
 /// Normalizes the quaternions, solves the configuration constraints for the dependent coordinates by Newton's
 /// method, starting from their values in `x`, then solves the velocity constraints for the dependent speeds.
@@ -204,10 +204,10 @@ template <class System, class Number = double, class Parameters = parameter_valu
           class Inputs = input_values<System, Number>>
 assembly assemble(state<System, Number>& x, const Parameters& p = {}, const Inputs& r = {},
                   std::type_identity_t<Number> t = 0, const assembly_options& options = {}) {
-  const compiled::constraints_at<System, Parameters, Inputs, Number> constraints(t, p, r);
+  const steps::constraints_at<System, Parameters, Inputs, Number> constraints(t, p, r);
   assembly report = numeric::assemble(constraints, x, options);
   if (report) return report;
-  if (const mechanics::sentence found = constraints.gap_before(x)) report.failure = found;
+  if (const base::sentence found = constraints.gap_before(x)) report.failure = found;
   return report;
 }
 
@@ -219,10 +219,10 @@ template <class System, class Number = double, class Parameters = parameter_valu
 consistency check_consistency(const state<System, Number>& x, const Parameters& p = {}, const Inputs& r = {},
                               std::type_identity_t<Number> t = 0,
                               double tolerance = sizeof(Number) < sizeof(double) ? 1e-5 : 1e-9) {
-  const compiled::constraints_at<System, Parameters, Inputs, Number> constraints(t, p, r);
+  const steps::constraints_at<System, Parameters, Inputs, Number> constraints(t, p, r);
   consistency report = numeric::check_consistency(constraints, x, tolerance);
   if (report) return report;
-  if (const mechanics::sentence found = constraints.gap_before(x)) report.failure = found;
+  if (const base::sentence found = constraints.gap_before(x)) report.failure = found;
   return report;
 }
 

@@ -11,7 +11,7 @@
 #include <Eigen/Core>
 #include <array>
 
-namespace kanexpr::compiled {
+namespace kanexpr::steps {
 
 using symbolic::added;
 
@@ -20,7 +20,7 @@ using symbolic::added;
 /// for the dependent speeds. The independent coordinates and speeds are unchanged.
 template <class System, int newton_steps>
 class correction {
-  static constexpr const derivation::survey& known = survey_of<System>;
+  static constexpr const derivation::survey& known = compiled::survey_of<System>;
   static constexpr int unknowns = known.configuration_constraints;
   using eom = equations_of_motion<System>;
   using quantity = mechanics::quantity;
@@ -68,7 +68,7 @@ private:
     }
     template <class Number>
     [[gnu::always_inline]] kanexpr::status normalize(state<System, Number>& x) const {
-      return quaternions::normalize(x, steps::near_one);
+      return quaternions::normalize(x, near_one);
     }
     static constexpr bool quaternions_are_bound() { return quaternions::are_bound; }
     static constexpr int dependent(int i) { return place(i); }
@@ -83,4 +83,4 @@ private:
   }();
 };
 
-} // namespace kanexpr::compiled
+} // namespace kanexpr::steps

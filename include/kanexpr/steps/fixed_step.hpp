@@ -28,7 +28,7 @@
 /// `passing<runge_kutta_4<System>>` continues through such positions.
 namespace kanexpr {
 
-namespace compiled {
+namespace steps {
 
 /// The functions of a system with its parameters and inputs, in the form that the integration methods
 /// require.
@@ -54,13 +54,11 @@ struct compiled_equations {
   [[gnu::always_inline]] static status finite(const Number& value, std::string_view cause) {
     return lower::scalar_math<Number>::is_finite(value) ? status() : status(cause);
   }
-  static constexpr bool has_pivots() { return survey_of<System>.constraints != 0; }
+  static constexpr bool has_pivots() { return compiled::survey_of<System>.constraints != 0; }
   template <class Number>
   [[gnu::always_inline]] status same_side(const Number& before, const Number& after) const {
     using math = lower::scalar_math<Number>;
-    return math::exceeds(steps::pivot_margin(before, after), math::from(0))
-               ? status()
-               : status(steps::singular_position);
+    return math::exceeds(pivot_margin(before, after), math::from(0)) ? status() : status(singular_position);
   }
   template <class Time, class State>
   [[gnu::always_inline]] status corrected(const Time& t, State& x) const {
@@ -74,7 +72,7 @@ struct compiled_equations {
 /// Returns the number of operations that the pivot checks before and after a step need.
 template <class System>
 constexpr symbolic::cost cost_of_sides() {
-  if constexpr (survey_of<System>.constraints == 0)
+  if constexpr (compiled::survey_of<System>.constraints == 0)
     return {};
   else
     return added({}, function<System, mechanics::quantity::constraint_pivots>::cost(), 2);
@@ -85,9 +83,9 @@ template <class Method, class System, int corrections, class Time, class Number,
           class Inputs>
 [[gnu::always_inline]] inline status advanced(Time& t, state<System, Number>& x, const Time& h,
                                               const Parameters& p, const Inputs& r) {
-  const status s = steps::stepped<Method>(
-      compiled_equations<System, corrections, Parameters, const Inputs&>{p, r}, t, x, h);
-  if (!s) return not_finite<System>::cause_of(s, x, p, inputs_at(r, t, x));
+  const status s =
+      stepped<Method>(compiled_equations<System, corrections, Parameters, const Inputs&>{p, r}, t, x, h);
+  if (!s) return compiled::not_finite<System>::cause_of(s, x, p, inputs_at(r, t, x));
   t = static_cast<Time>(t + h);
   return s;
 }
@@ -101,7 +99,8 @@ struct fixed_step {
   static constexpr const steps::tableau& tableau = of;
   static constexpr int corrections = steps_of_correction, stages = of.stages;
 
-  template <class Time, class Number, class Parameters = not_given, class Inputs = not_given>
+  template <class Time, class Number, class Parameters = compiled::not_given,
+            class Inputs = compiled::not_given>
   status operator()(Time& t, state<System, Number>& x, std::type_identity_t<Time> h, const Parameters& p = {},
                     const Inputs& r = {}) const {
     return advanced<method, System, corrections>(t, x, h, p, r);
@@ -117,23 +116,23 @@ struct fixed_step {
   }
 };
 
-} // namespace compiled
+} // namespace steps
 
 /// Semi-implicit (symplectic) Euler: u ← u + h u̇(t, q, u), then q ← q + h q̇(t, q, u) with the new speeds
 /// (Hairer, Lubich & Wanner, Geometric Numerical Integration, 2006, I.1.2). It has order 1; the energy error
 /// of a conservative system stays bounded.
 template <class System, int corrections = 1>
-struct semi_implicit_euler : compiled::fixed_step<steps::semi_implicit_euler, System, corrections> {};
+struct semi_implicit_euler : steps::fixed_step<steps::semi_implicit_euler, System, corrections> {};
 
 /// The classic fourth-order Runge-Kutta method (Hairer, Nørsett & Wanner, Solving Ordinary Differential
 /// Equations I, 1993, II.1). It evaluates the equations at t, twice at t + h/2, and at t + h.
 template <class System, int corrections = 1>
-struct runge_kutta_4 : compiled::fixed_step<steps::runge_kutta_4, System, corrections> {};
+struct runge_kutta_4 : steps::fixed_step<steps::runge_kutta_4, System, corrections> {};
 
 /// Ralston's third-order method, which has the smallest error bound among the three-stage methods (Ralston,
 /// Mathematics of Computation 16, 1962). It evaluates the equations at t, t + h/2 and t + 3h/4, at three
 /// quarters of the cost of `runge_kutta_4`.
 template <class System, int corrections = 1>
-struct ralston_3 : compiled::fixed_step<steps::ralston_3, System, corrections> {};
+struct ralston_3 : steps::fixed_step<steps::ralston_3, System, corrections> {};
 
 } // namespace kanexpr

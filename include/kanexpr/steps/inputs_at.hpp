@@ -4,12 +4,12 @@
 
 #include <type_traits>
 
-namespace kanexpr::compiled {
+namespace kanexpr::steps {
 
 /// Whether the inputs are a vector, which is held constant during a step, or omitted, rather than a function.
 template <class Inputs>
 inline constexpr bool inputs_hold =
-    requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, not_given>;
+    requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, compiled::not_given>;
 
 /// Returns the inputs at an instant, from a vector or a function.
 template <class Inputs, class Time, class State>
@@ -20,4 +20,4 @@ template <class Inputs, class Time, class State>
     return r(t, x);
 }
 
-} // namespace kanexpr::compiled
+} // namespace kanexpr::steps

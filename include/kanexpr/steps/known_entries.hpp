@@ -4,7 +4,7 @@
 
 #include <utility>
 
-namespace kanexpr::compiled {
+namespace kanexpr::steps {
 
 /// Returns the cost of operations outside the tape.
 constexpr symbolic::cost arithmetic(int multiplications, int additions, int divisions = 0) {
@@ -65,4 +65,4 @@ private:
   }
 };
 
-} // namespace kanexpr::compiled
+} // namespace kanexpr::steps

@@ -16,13 +16,13 @@
 
 namespace kanexpr {
 
-namespace compiled {
+namespace steps {
 
 /// The equations that `constrained_motion` evaluates to find the multipliers of a system at a state: all
 /// velocity constraints, followed by the redundant ones.
 template <class System, class Number, class Parameters, class Inputs>
 class bound_equations {
-  static constexpr const derivation::survey& known = survey_of<System>;
+  static constexpr const derivation::survey& known = compiled::survey_of<System>;
   using quantity = mechanics::quantity;
   static constexpr int m = known.constraints, redundant = known.redundant_constraints;
 
@@ -72,7 +72,7 @@ private:
   const Inputs& r_;
 };
 
-} // namespace compiled
+} // namespace steps
 
 /// Returns u̇ and the multipliers at a state where constraints may be linearly dependent: redundant
 /// constraints, or any constraints at a singular position. u̇ is the acceleration that Gauss's principle
@@ -83,12 +83,12 @@ template <class System, class Number = double, class Parameters = parameter_valu
           class Inputs = input_values<System, Number>>
 auto find_least_multipliers(const state<System, Number>& x, const Parameters& p = {}, const Inputs& r = {},
                             std::type_identity_t<Number> t = 0) {
-  using equations = compiled::bound_equations<System, Number, Parameters, Inputs>;
+  using equations = steps::bound_equations<System, Number, Parameters, Inputs>;
   using vector = typename numeric::constrained_motion<equations>::state;
   auto found =
       numeric::find_least_multipliers(equations(t, p, r), vector(x), compiled::survey_of<System>.constraints);
   if (!found)
-    found.failure = mechanics::sentence(
+    found.failure = base::sentence(
         {compiled::not_finite<System>::cause_of(status(found.failure.view()), x, p, r).view()});
   return found;
 }

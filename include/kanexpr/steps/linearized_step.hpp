@@ -28,7 +28,9 @@ struct linearized_state {
   kanexpr::status status{}; ///< if it reports a failure, the other members are meaningless
 };
 
-namespace compiled {
+namespace steps {
+
+using compiled::survey_of;
 
 /// A state within a step and its derivatives with respect to the state before the step (left columns) and the
 /// inputs (right columns).
@@ -159,7 +161,7 @@ private:
     using quaternions = unit_quaternions<System>;
     if constexpr (quaternions::count == 0) return {};
     const state<System, Number> before = next.x;
-    if (const status s = quaternions::normalize(next.x, steps::near_one); !s) return s;
+    if (const status s = quaternions::normalize(next.x, near_one); !s) return s;
     quaternions::each([&](int, const auto& places) {
       Number along_square = lower::scalar_math<Number>::from(0);
       for (const int place : places)
@@ -182,7 +184,7 @@ linearized_state<System, Number> concluded(const Number& t, const state<System, 
   const Number after = Number(t + h);
   status s = varied_correction<System, corrections>::apply(after, next, p, r);
   for (int i = 0; s && i < result::size; ++i)
-    if (!lower::scalar_math<Number>::is_finite(next.x(i))) s = status(steps::state_not_finite);
+    if (!lower::scalar_math<Number>::is_finite(next.x(i))) s = status(state_not_finite);
   if constexpr (survey_of<System>.constraints != 0)
     if (s) {
       const compiled_equations<System, corrections, Parameters, const Inputs&> of{p, r};
@@ -229,7 +231,7 @@ struct varied_step {
     constexpr int inputs = varied::inputs;
     varied at(x), next(x);
     const varied before(x);
-    constexpr const auto& k = steps::coefficients_of<tableau, Number>;
+    constexpr const auto& k = coefficients_of<tableau, Number>;
     Number reach = Number(0);
     for (int stage = 0; stage < stages; ++stage) {
       const auto [rate, by_state, by_inputs] = typename rates::evaluated{}(Number(t + reach), at.x, p, r);
@@ -255,7 +257,7 @@ struct varied_step {
 };
 
 template <class System, int corrections>
-struct varied_step<semi_implicit_euler<System, corrections>> {
+struct varied_step<kanexpr::semi_implicit_euler<System, corrections>> {
   using eom = equations_of_motion<System>;
   using quantity = mechanics::quantity;
   using by = derivation::with_respect_to;
@@ -295,7 +297,7 @@ struct varied_step<semi_implicit_euler<System, corrections>> {
   }
 };
 
-} // namespace compiled
+} // namespace steps
 
 /// Returns the result of a fixed-length step with its derivatives, which are exact for the discrete step,
 /// including corrections: `const auto next = linearized<runge_kutta_4<System>>{}(t, x, h, p, r);` The
@@ -307,7 +309,7 @@ struct linearized {
   linearized_state<System, Number> operator()(std::type_identity_t<Number> t, const state<System, Number>& x,
                                               std::type_identity_t<Number> h, const Parameters& p = {},
                                               const Inputs& r = {}) const {
-    constexpr bool inputs_hold = compiled::inputs_hold<Inputs>;
+    constexpr bool inputs_hold = steps::inputs_hold<Inputs>;
     static_assert(inputs_hold, "linearized<Step> requires inputs that are constant during the step, because "
                                "it differentiates with respect to them; it does not accept a function");
     if constexpr (inputs_hold)
@@ -319,8 +321,7 @@ struct linearized {
   /// Returns the number of operations of one step with its derivatives: the evaluations, the chain-rule
   /// products and the sums of the method itself.
   static constexpr symbolic::cost cost() {
-    return compiled::added(compiled::varied_step<Step>::cost(),
-                           compiled::arithmetic(0, 1)); // the check of t + h
+    return steps::added(steps::varied_step<Step>::cost(), steps::arithmetic(0, 1)); // the check of t + h
   }
 
 private:
@@ -329,7 +330,7 @@ private:
                                                   const Number& h, const Parameters& p, const Inputs& r) {
     if (!lower::scalar_math<Number>::is_finite(Number(t + h)))
       return {x, {}, {}, status(steps::step_not_finite)};
-    linearized_state<System, Number> next = compiled::varied_step<Step>::attempted(t, x, h, p, r);
+    linearized_state<System, Number> next = steps::varied_step<Step>::attempted(t, x, h, p, r);
     if (!next.status) next.status = compiled::not_finite<System>::cause_of(next.status, x, p, r);
     return next;
   }

@@ -16,7 +16,10 @@
 #include <type_traits>
 
 /// Steps near positions in which constraints are linearly dependent, with the equations of all speeds.
-namespace kanexpr::compiled {
+namespace kanexpr::steps {
+
+using compiled::not_given;
+using compiled::survey_of;
 
 /// The equations that `constrained_motion` evaluates, at a time with constant inputs.
 template <class System, class Number>
@@ -24,7 +27,7 @@ class unreduced_equations {
   static constexpr const derivation::survey& known = survey_of<System>;
   using quantity = mechanics::quantity;
   using quaternions = unit_quaternions<System>;
-  using all = vectors<System, Number>;
+  using all = compiled::vectors<System, Number>;
   static constexpr int l = known.configuration_constraints;
 
 public:
@@ -162,8 +165,9 @@ constexpr bool can_be_passed_on() {
   constexpr bool has_parameters = survey_of<System>.parameters == 0 && std::is_same_v<Parameters, not_given>,
                  has_inputs = !inputs_hold<Inputs> ||
                               (survey_of<System>.inputs == 0 && std::is_same_v<Inputs, not_given>);
-  return (has_parameters || can_be_passed<System, symbols_of::parameters, Parameters>()) &&
-         (has_inputs || can_be_passed<System, symbols_of::inputs, Inputs>());
+  return (has_parameters ||
+          compiled::can_be_passed<System, compiled::symbols_of::parameters, Parameters>()) &&
+         (has_inputs || compiled::can_be_passed<System, compiled::symbols_of::inputs, Inputs>());
 }
 
 /// The equations of the independent speeds, which record whether a step comes close to a singular position.
@@ -189,9 +193,9 @@ struct passing_step {
     } else {
       const watching_equations<System, corrections, Parameters, const Inputs&> of{{p, r}};
       state<System, Number> next = x;
-      status s = steps::stepped<Method>(of, t, next, h);
+      status s = stepped<Method>(of, t, next, h);
       if (!s || of.is_near) s = passed_by(s, t, x, h, p, r, next);
-      if (!s) return not_finite<System>::cause_of(s, x, p, inputs_at(r, t, x));
+      if (!s) return compiled::not_finite<System>::cause_of(s, x, p, inputs_at(r, t, x));
       t = static_cast<Time>(t + h), x = next;
       return s;
     }
@@ -208,7 +212,7 @@ private:
       const auto parameters = own_vector<typename unreduced_equations<System, Number>::parameters>(p);
       const passing_equations<System, Number, Inputs> of(static_cast<Number>(t), x, parameters, r);
       state<System, Number> there = x;
-      if (of.holds(t, x) && steps::stepped<Method>(of, t, there, h)) {
+      if (of.holds(t, x) && stepped<Method>(of, t, there, h)) {
         next = there;
         return {};
       }
@@ -217,7 +221,7 @@ private:
   }
 };
 
-} // namespace kanexpr::compiled
+} // namespace kanexpr::steps
 
 namespace kanexpr {
 
@@ -226,6 +230,6 @@ namespace kanexpr {
 /// positions it uses the equations of all speeds at states projected onto the constraints, at about thirty
 /// times the cost; elsewhere it is identical to `Step`. It neither allocates nor throws.
 template <class Step>
-struct passing : compiled::passing_step<typename Step::method, typename Step::system, Step::corrections> {};
+struct passing : steps::passing_step<typename Step::method, typename Step::system, Step::corrections> {};
 
 } // namespace kanexpr

@@ -14,7 +14,9 @@
 
 namespace kanexpr {
 
-namespace compiled {
+namespace steps {
+
+using compiled::survey_of;
 
 /// The building blocks of the second derivatives of a step: the derivatives of the rates at a stage, in the
 /// scalar type of the call.
@@ -68,7 +70,7 @@ struct step_of_second_order {
   /// Returns, for each stage, its time offset and the weight of its rate in the result, both multiplied by h.
   template <class Number>
   static constexpr void lengths(const Number& h, Number (&reach)[stages], Number (&weight)[stages]) {
-    constexpr const auto& k = steps::coefficients_of<Step::tableau, Number>;
+    constexpr const auto& k = coefficients_of<Step::tableau, Number>;
     for (int s = 0; s < stages; ++s)
       reach[s] = Number(Number(k.a[s]) * h), weight[s] = Number(Number(k.b[s]) * h);
   }
@@ -164,7 +166,7 @@ private:
 
 /// q⁺ = q + h q̇(q, u⁺, r) after u⁺ = u + h u̇(q, u, r).
 template <class System>
-struct step_of_second_order<semi_implicit_euler<System, 0>> {
+struct step_of_second_order<kanexpr::semi_implicit_euler<System, 0>> {
   using rates = weighted_rates<System>;
   using quantity = mechanics::quantity;
   using by = derivation::with_respect_to;
@@ -262,7 +264,7 @@ private:
   }
 };
 
-} // namespace compiled
+} // namespace steps
 
 /// The second derivatives of λᵀx⁺, where x⁺ is the state after a fixed-length step, with respect to z = [x;
 /// r]. The inputs are constant during the step.
@@ -284,7 +286,7 @@ struct second_order_step<Method<System, corrections>> {
   static_assert(compiled::survey_of<System>.quaternions == 0,
                 "second_order_step requires a system without quaternions, because they have norm 1 only at "
                 "the ends of a step");
-  using step = compiled::step_of_second_order<Method<System, 0>>;
+  using step = steps::step_of_second_order<Method<System, 0>>;
 
   /// Returns ∂²(λᵀx⁺)/∂z², which is symmetric.
   template <class Number, class Parameters, class Inputs, class Weights>

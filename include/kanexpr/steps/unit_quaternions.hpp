@@ -14,31 +14,31 @@
 #include <array>
 #include <utility>
 
-namespace kanexpr::compiled {
+namespace kanexpr::steps {
 
 /// Returns, for example, "the quaternion e0, e1, e2 and e3".
-constexpr mechanics::sentence quaternion_called(const derivation::survey& known, int k) {
-  mechanics::sentence p = mechanics::sentence({"the quaternion "});
+constexpr base::sentence quaternion_called(const derivation::survey& known, int k) {
+  base::sentence p = base::sentence({"the quaternion "});
   int left = 0;
   for (int i = 0; i < known.coordinates; ++i) left += known.quaternion_of[i] == k + 1;
   bool is_first = true;
   for (int i = 0; i < known.coordinates; ++i) {
     if (known.quaternion_of[i] != k + 1) continue;
-    p = mechanics::sentence({p.view(), is_first ? "" : left > 1 ? ", " : " and ", known.names[i].view()});
+    p = base::sentence({p.view(), is_first ? "" : left > 1 ? ", " : " and ", known.names[i].view()});
     is_first = false, --left;
   }
   return p;
 }
 
 /// Returns the reason why a quaternion cannot be normalized.
-constexpr mechanics::sentence far_from_norm_1(const derivation::survey& known, int k) {
-  return mechanics::sentence({"the norm of ", quaternion_called(known, k).view(), " is far from 1"});
+constexpr base::sentence far_from_norm_1(const derivation::survey& known, int k) {
+  return base::sentence({"the norm of ", quaternion_called(known, k).view(), " is far from 1"});
 }
 
 /// The quaternions of a system; the motion keeps their norms at 1.
 template <class System>
 class unit_quaternions {
-  static constexpr const derivation::survey& known = survey_of<System>;
+  static constexpr const derivation::survey& known = compiled::survey_of<System>;
 
 public:
   static constexpr int count = known.quaternions;
@@ -51,7 +51,7 @@ public:
     return found;
   }();
 
-  static constexpr mechanics::sentence called(int k) { return quaternion_called(known, k); }
+  static constexpr base::sentence called(int k) { return quaternion_called(known, k); }
 
   /// Normalizes all quaternions; the status names one whose norm is outside the range.
   template <class State>
@@ -144,4 +144,4 @@ private:
   }
 };
 
-} // namespace kanexpr::compiled
+} // namespace kanexpr::steps

@@ -26,7 +26,7 @@ struct system_of_rates : builder {
   }
 
   MatrixXd numbers(const kanexpr::symbolic::matrix& wanted) {
-    kanexpr::symbolic::sequence<int> outputs;
+    kanexpr::base::sequence<int> outputs;
     for (const expression& e : wanted.entries) outputs.push(e.node());
     kanexpr::runtime::interpreter<double> code(kanexpr::lower::tape_of(graph(), outputs));
     Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> result(wanted.rows,

@@ -12,11 +12,11 @@ namespace {
 namespace mechanics = kanexpr::mechanics;
 using Eigen::Index;
 using Eigen::MatrixXd;
+using kanexpr::base::name;
 using kanexpr::symbolic::constant;
 using kanexpr::symbolic::exactly;
 using kanexpr::symbolic::expression;
 using kanexpr::symbolic::graph;
-using kanexpr::symbolic::name;
 using kanexpr::symbolic::symbol_kind;
 using kanexpr::symbolic::variable;
 using mechanics::quantity;

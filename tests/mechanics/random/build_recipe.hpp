@@ -212,7 +212,7 @@ private:
 // The value of each entry of a matrix of expressions, at the recipe's own state.
 inline Eigen::MatrixXd number(builder& b, const mechanism& m, const kanexpr::symbolic::matrix& wanted,
                               const std::vector<double>& udot = {}) {
-  kanexpr::symbolic::sequence<int> outputs;
+  kanexpr::base::sequence<int> outputs;
   for (const expression& e : wanted.entries) outputs.push(e.node());
   kanexpr::runtime::interpreter<double> code(kanexpr::lower::tape_of(b.graph(), outputs));
   Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> result(wanted.rows, wanted.columns);

@@ -83,12 +83,12 @@ private:
 };
 
 // Entries of a vector, columns of a matrix.
-inline VectorXd entries_of(const VectorXd& v, const kanexpr::symbolic::sequence<int>& which) {
+inline VectorXd entries_of(const VectorXd& v, const kanexpr::base::sequence<int>& which) {
   VectorXd some(which.size());
   for (int i = 0; i < which.size(); ++i) some(i) = v(which[i]);
   return some;
 }
-inline MatrixXd columns_of(const MatrixXd& a, const kanexpr::symbolic::sequence<int>& which) {
+inline MatrixXd columns_of(const MatrixXd& a, const kanexpr::base::sequence<int>& which) {
   MatrixXd some(a.rows(), which.size());
   for (int i = 0; i < which.size(); ++i) some.col(i) = a.col(which[i]);
   return some;

@@ -4,7 +4,7 @@
 #include "evaluate_graph.hpp"
 
 #include <kanexpr/symbolic/graph/function_table.hpp>
-#include <kanexpr/symbolic/limits/operation.hpp>
+#include <kanexpr/symbolic/limits/operation_series.hpp>
 
 #include <gtest/gtest.h>
 

@@ -17,7 +17,7 @@ public:
   moving_system(int n, unsigned seed) : a(g, n, n), engine_(seed) {
     using namespace kanexpr::symbolic;
     for (int i = 0; i < 3; ++i) {
-      name called("q");
+      kanexpr::base::name called("q");
       called.append(i + 1);
       q.push(variable(g, {symbol_kind::coordinate, called, i}));
       rates.push(variable(g, {symbol_kind::coordinate_rate, called, i}));
@@ -41,7 +41,7 @@ public:
 
   kanexpr::symbolic::graph g;
   kanexpr::symbolic::matrix a;
-  kanexpr::symbolic::sequence<expression> b, q, rates;
+  kanexpr::base::sequence<expression> b, q, rates;
   std::vector<real> at; ///< a coordinate, its rate, and so on
 
 private:

@@ -14,7 +14,7 @@ using namespace kanexpr::symbolic;
 class finiteness_of : public testing::Test {
 protected:
   expression coordinate(const char* called) {
-    return variable(g, {symbol_kind::coordinate, kanexpr::symbolic::name(called), next++});
+    return variable(g, {symbol_kind::coordinate, kanexpr::base::name(called), next++});
   }
   // The places among `outputs` of those that are watched, in no order.
   std::vector<int> watched(const std::vector<expression>& outputs, const sequence<int>& sure = {}) {

@@ -8,9 +8,9 @@
 namespace kanexpr::derivation {
 
 /// Returns the sentence about a word that an entity cannot have; empty if there is none.
-constexpr mechanics::sentence base_conflict_sentence(describe::base_conflict found, std::string_view called) {
+constexpr base::sentence base_conflict_sentence(describe::base_conflict found, std::string_view called) {
+  using base::sentence;
   using describe::base_conflict;
-  using mechanics::sentence;
   const auto two_natures = [&](std::string_view both) {
     return sentence({called, " is described as ", both, "; give each its own name"});
   };

@@ -37,7 +37,7 @@ public:
     }
     read_.push(&r);
     mechanics::body b;
-    b.called = symbolic::name(r.called);
+    b.called = base::name(r.called);
     b.mass = phrases_.scalar_of(r.mass, {"the mass of ", r.called}, r.called);
     b.center = entities_.point(r.center, r.called);
     if (r.rigid) {

@@ -34,9 +34,9 @@ public:
     }
     if (f.operands == symbolic::any_number && !check_table(f, operands, whom)) return;
     if (given != f.operands && f.operands != symbolic::any_number)
-      return reading_.fail({reading_.part, whom, " calls ", f.name, " with ",
-                            mechanics::counted(given).view(), given == 1 ? " argument" : " arguments",
-                            "; it takes ", mechanics::counted(f.operands).view()});
+      return reading_.fail({reading_.part, whom, " calls ", f.name, " with ", base::counted(given).view(),
+                            given == 1 ? " argument" : " arguments", "; it takes ",
+                            base::counted(f.operands).view()});
     if (f.is == symbolic::composition::clamp && symbolic::is_out_of_order(operands[1], operands[2]))
       return reading_.fail(
           {reading_.part, whom, " contains clamp with limits out of order; write clamp(x, least, most)"});
@@ -55,9 +55,9 @@ public:
       operands.push(stack[i].scalar);
     }
     if (f.operands != 0)
-      return reading_.fail({reading_.part, whom, " calls ", f.called, " with ",
-                            mechanics::counted(given).view(), given == 1 ? " argument" : " arguments",
-                            "; it takes ", mechanics::counted(f.operands).view()});
+      return reading_.fail({reading_.part, whom, " calls ", f.called, " with ", base::counted(given).view(),
+                            given == 1 ? " argument" : " arguments", "; it takes ",
+                            base::counted(f.operands).view()});
     if (f.function == nullptr)
       return reading_.fail(
           {reading_.part, whom, " calls ", f.called, f.mistake.whose, f.mistake.what, f.mistake.numbers});
@@ -76,16 +76,16 @@ private:
                              std::string_view whom) {
     const int points = (x.size() - 1) / 2;
     const auto say = [&](std::initializer_list<std::string_view> what) {
-      const mechanics::sentence rest(what);
+      const base::sentence rest(what);
       reading_.fail({reading_.part, whom, " contains ", f.name, "<...> ", rest.view()});
     };
     if (x.size() % 2 == 0 || points < 2)
-      say({"with ", mechanics::counted(x.size() - 1).view(), x.size() == 2 ? " scalar" : " scalars",
+      say({"with ", base::counted(x.size() - 1).view(), x.size() == 2 ? " scalar" : " scalars",
            "; it takes two or more points, each an argument and a value"});
     for (int i = 0; i + 1 < points && !reading_.mistake; ++i) {
       const expression from = x[2 * i + 1], to = x[2 * i + 3];
       if (from.is_constant() && to.is_constant() && !(number_at(from) < number_at(to)))
-        say({"whose arguments do not increase at point ", mechanics::counted(i + 2).view()});
+        say({"whose arguments do not increase at point ", base::counted(i + 2).view()});
     }
     if (!reading_.mistake && f.is == symbolic::composition::periodic && !(x[2] == x.back()))
       say({"whose last value differs from the first"});

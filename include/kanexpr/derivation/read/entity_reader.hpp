@@ -100,7 +100,7 @@ public:
     if (reading_.mistake) return 0;
     const point_record& record = *freed_.record_of(r);
     mechanics::point p;
-    p.called = symbolic::name(record.called);
+    p.called = base::name(record.called);
     if (record.parent != nullptr) {
       open_points_.push(r);
       p.parent = point(record.parent, record.called);
@@ -199,7 +199,7 @@ private:
 
   constexpr int add_frame(const frame_record& r, int parent) {
     using describe::orientation_word;
-    const symbolic::name called(r.called);
+    const base::name called(r.called);
     sequence<expression> given;
     for (const phrase& p : r.given) {
       if (p.kind == shape::nothing) continue;

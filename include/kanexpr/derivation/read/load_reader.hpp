@@ -122,7 +122,7 @@ private:
       return;
     }
     const int at = entities_.point(r.point, "a force");
-    const sentence word = mechanics::sentence({r.word, " at "});
+    const sentence word = base::sentence({r.word, " at "});
     const mechanics::vector v = phrases_.vector_of(r.value, {word.view(), r.point->called}, r.point->called);
     if (!reading_.mistake) reading_.into.loads.forces.push({at, v});
   }
@@ -137,7 +137,7 @@ private:
       return;
     }
     const int on = entities_.frame(r.frame, "a torque");
-    const sentence word = mechanics::sentence({r.word, " on "});
+    const sentence word = base::sentence({r.word, " on "});
     const mechanics::vector v = phrases_.vector_of(r.value, {word.view(), r.frame->called}, r.frame->called);
     if (!reading_.mistake) reading_.into.loads.torques.push({on, v});
   }

@@ -13,13 +13,13 @@
 
 namespace kanexpr::derivation {
 
+using base::sentence;
+using base::sequence;
 using describe::point_record;
 using describe::system_record;
 using mechanics::mechanism;
 using mechanics::none;
-using mechanics::sentence;
 using symbolic::expression;
-using symbolic::sequence;
 
 /// The state shared by all readers of a model: its records, the system that is built, the current position
 /// and the first mistake.

@@ -129,10 +129,10 @@ public:
   constexpr void place_input(const symbol_record& r) {
     const expression placed = m_.input(r.called);
     if (r.order == describe::unprescribed) return;
-    const symbolic::name rate = derivative(r, r.order + 1);
+    const base::name rate = derivative(r, r.order + 1);
     if (has(m_.inputs, rate)) m_.prescribed_rates.push({placed, find(m_.inputs, rate)});
     if (r.order == 0) return;
-    const symbolic::name below = derivative(r, r.order - 1);
+    const base::name below = derivative(r, r.order - 1);
     if (has(m_.inputs, below)) m_.prescribed_rates.push({find(m_.inputs, below), placed});
   }
 
@@ -150,7 +150,7 @@ public:
   /// read.
   constexpr void check_derivative(const symbol_record& r) {
     if (r.order <= 0) return;
-    const symbolic::name below = derivative(r, r.order - 1);
+    const base::name below = derivative(r, r.order - 1);
     if (!has(m_.inputs, below))
       reading_.fail({"the list of inputs contains ", r.called.view(),
                      ", a derivative of a prescribed quantity, without ", below.view()});
@@ -160,16 +160,16 @@ public:
   constexpr void claim(const symbol_record& r, symbol_list list) {
     if (r.is_named) return claim_name(r.called, list, mark_of(r));
     std::string_view called = r.given == 0 ? "" : r.called.view();
-    if (r.given < r.called.length && r.called.length == symbolic::name::capacity)
+    if (r.given < r.called.length && r.called.length == base::name::capacity)
       return reading_.fail(
           {"a name that begins with ", called.substr(0, 20), " is longer than 60 characters"});
-    if (called.size() < symbolic::name::capacity && r.order > 0)
+    if (called.size() < base::name::capacity && r.order > 0)
       called.remove_suffix(static_cast<std::size_t>(r.order));
     reading_.fail({mechanics::check_name(called, derivation::called(list)).view()});
   }
 
   /// Claims a name, which must have only one meaning in a system.
-  constexpr void claim_name(const symbolic::name& called, symbol_list list, int mark = 0) {
+  constexpr void claim_name(const base::name& called, symbol_list list, int mark = 0) {
     for (const claimed& other : claimed_)
       if (other.called == called) {
         if (other.list == list && other.mark != mark)
@@ -193,7 +193,7 @@ public:
     bound_is_used_.push(0);
     claim(r, symbol_list::values);
   }
-  constexpr bool is_bound(const symbolic::name& called) const { return bound_.contains(called); }
+  constexpr bool is_bound(const base::name& called) const { return bound_.contains(called); }
   constexpr bool holds_bound(const phrase& p) const {
     for (int i = 0; i < p.size; ++i)
       if (p.tokens[i].symbol != nullptr && is_bound(p.tokens[i].symbol->called)) return true;
@@ -295,11 +295,11 @@ private:
                      " contains, comes after those that extended<...> adds; list it in inputs<...>"});
   }
 
-  constexpr bool has(const sequence<expression>& symbols, const symbolic::name& called) const {
+  constexpr bool has(const sequence<expression>& symbols, const base::name& called) const {
     return !find(symbols, called).is_zero();
   }
   /// Returns the symbol with the given name, or zero if there is none.
-  constexpr expression find(const sequence<expression>& symbols, const symbolic::name& called) const {
+  constexpr expression find(const sequence<expression>& symbols, const base::name& called) const {
     for (const expression& e : symbols)
       if (m_.g->symbol_at(e.node()).called == called) return e;
     return m_.zero();
@@ -317,9 +317,9 @@ private:
   }
 
   /// Returns the name of a derivative, by its order: theta, theta', theta''.
-  static constexpr symbolic::name derivative(const symbol_record& r, int order) {
+  static constexpr base::name derivative(const symbol_record& r, int order) {
     const std::string_view own = r.called.view();
-    symbolic::name called = own.substr(0, own.size() - static_cast<std::size_t>(r.order));
+    base::name called = own.substr(0, own.size() - static_cast<std::size_t>(r.order));
     for (int i = 0; i < order; ++i) called.append("'");
     return called;
   }
@@ -362,7 +362,7 @@ private:
 
   /// A name in use.
   struct claimed {
-    symbolic::name called{};
+    base::name called{};
     symbol_list list{};
     int mark = 0; ///< identifies the symbol with that name
   };
@@ -389,7 +389,7 @@ private:
 
   reading& reading_;
   mechanism& m_;
-  sequence<symbolic::name> bound_{};
+  sequence<base::name> bound_{};
   sequence<expression> bound_values_{};
   sequence<char> bound_is_used_{};
   sequence<claimed> claimed_{};

@@ -8,11 +8,11 @@
 
 namespace kanexpr::derivation {
 
+using base::sequence;
 using mechanics::components;
 using mechanics::matrix3;
 using symbolic::expression;
 using symbolic::graph;
-using symbolic::sequence;
 
 /// The value of a phrase of a model.
 struct value {

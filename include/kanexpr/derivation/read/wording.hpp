@@ -44,10 +44,10 @@ constexpr std::string_view name_in(const phrase& p) {
 }
 
 /// The name of a type, without arguments that are too long for a sentence: `particle<...>`.
-constexpr mechanics::sentence short_name(std::string_view called) {
+constexpr base::sentence short_name(std::string_view called) {
   constexpr std::size_t longest = 40;
-  if (called.size() <= longest) return mechanics::sentence({called});
-  return mechanics::sentence({called.substr(0, called.find('<')), "<...>"});
+  if (called.size() <= longest) return base::sentence({called});
+  return base::sentence({called.substr(0, called.find('<')), "<...>"});
 }
 
 /// Whether tokens in postfix order form a single expression.

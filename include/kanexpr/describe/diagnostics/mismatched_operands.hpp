@@ -13,9 +13,8 @@ inline constexpr bool equates =
     shape_of_operand<Left> == shape::equation || shape_of_operand<Right> == shape::equation;
 /// True if an operand is not a quantity at all.
 template <class Left, class Right>
-inline constexpr bool is_no_quantity =
-    equates<Left, Right> || std::same_as<Left, bool> || std::same_as<Right, bool> || numeric::letter<Left> ||
-    numeric::letter<Right>;
+inline constexpr bool is_no_quantity = equates<Left, Right> || std::same_as<Left, bool> ||
+                                       std::same_as<Right, bool> || base::letter<Left> || base::letter<Right>;
 
 template <class Left, class Right>
 concept no_sum = written<Left> && written<Right> &&

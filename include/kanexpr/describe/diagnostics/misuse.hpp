@@ -53,8 +53,8 @@ enum class misuse : unsigned char {
   touch_arguments,
 };
 
-inline constexpr mechanics::sentence unknown_function_message = [] {
-  mechanics::sentence
+inline constexpr base::sentence unknown_function_message = [] {
+  base::sentence
       p; // appended letter by letter to save compile time: every file that includes this header evaluates it
   const auto append = [&](std::string_view text) {
     for (char letter : text) p.letters[p.length++] = letter;

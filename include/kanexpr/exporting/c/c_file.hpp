@@ -208,8 +208,8 @@ private:
     const auto calls = [&](const std::string& what) {
       return bodies.find(name() + '_' + what + '(') != bodies.npos;
     };
-    const double least = number_.is_single ? mechanics::least_singularity_measure<float>()
-                                           : mechanics::least_singularity_measure<double>();
+    const double least = number_.is_single ? base::least_singularity_measure<float>()
+                                           : base::least_singularity_measure<double>();
     const auto in_text = [&](std::string_view text) {
       return fill_template(text, {{"name", name()},
                                   {"number", number_.type()},

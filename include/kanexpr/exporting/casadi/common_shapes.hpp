@@ -35,7 +35,7 @@ private:
   static void widen(exported_function& f, const std::string& name, const std::vector<place>& to) {
     lower::statements& code = f.code;
     const int zero = code.lines.push({.a = code.numbers.push(symbolic::exactly(0))});
-    symbolic::sequence<int> results;
+    base::sequence<int> results;
     int next = 0; // entry of the previous results
     for (exported_result& each : f.results) {
       each.first = results.size();

@@ -208,7 +208,7 @@ private:
     for (const fmu_variable& each : f.parameters)
       if (const std::string& name = called(each); !given.contains(name))
         return refuse("parameter " + name + " has no start value");
-    if (const mechanics::sentence impossible =
+    if (const base::sentence impossible =
             compiled::check_masses(*survey_, values_or_nan(first_parameters()).data()))
       refuse(std::string(impossible.view()));
   }

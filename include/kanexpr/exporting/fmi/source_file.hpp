@@ -28,7 +28,7 @@ public:
     text += fmi_source::events_and_steps;
     text += fmi_source::lifecycle;
     text += fmi_source::values;
-    return text + fmi_source::all_refusals();
+    return text + unsupported_in_c::all_refusals();
   }
 
 private:

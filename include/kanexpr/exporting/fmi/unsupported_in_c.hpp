@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-namespace kanexpr::exporting::fmi_source {
+namespace kanexpr::exporting::unsupported_in_c {
 
 /// A function that FMI 3.0 requires, and the types of its arguments after the instance.
 struct unsupported {
@@ -78,4 +78,4 @@ inline std::string all_refusals() {
   return text;
 }
 
-} // namespace kanexpr::exporting::fmi_source
+} // namespace kanexpr::exporting::unsupported_in_c

@@ -42,7 +42,7 @@ public:
           "static_cast",  "static_assert", "thread_local", "co_await",   "co_return",    "co_yield",
           "typeof_unqual"})
       reserve(word);
-    reserve_all(library_words::macros_of_the_library);
+    reserve_all(base::library_words::macros_of_the_library);
   }
 
   /// Reserves the words that no function of a Python module may have as its name.
@@ -77,18 +77,18 @@ public:
 
   /// Reserves the names in math.h.
   void reserve_words_of_mathematics() {
-    for (const std::string_view end : library_words::ends_of_functions)
-      reserve_all(library_words::functions_of_mathematics, end);
-    reserve_all(library_words::other_words_of_mathematics);
+    for (const std::string_view end : base::library_words::ends_of_functions)
+      reserve_all(base::library_words::functions_of_mathematics, end);
+    reserve_all(base::library_words::other_words_of_mathematics);
   }
 
   /// Reserves the names that no function with external linkage may have.
-  void reserve_words_of_the_library() { reserve_all(library_words::words_of_the_library); }
+  void reserve_words_of_the_library() { reserve_all(base::library_words::words_of_the_library); }
 
 private:
   void reserve_all(std::string_view words, std::string_view end = {}) {
-    for (std::string_view word = library_words::next_of(words); !word.empty();
-         word = library_words::next_of(words))
+    for (std::string_view word = base::library_words::next_of(words); !word.empty();
+         word = base::library_words::next_of(words))
       reserve(std::string(word).append(end));
   }
 

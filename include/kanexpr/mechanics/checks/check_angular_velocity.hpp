@@ -37,7 +37,7 @@ public:
         declared_.push({.frame = f, .all = {}, .bound = {}, .free = {}, .by_angles = {}, .before = {}});
   }
 
-  constexpr sentence run() {
+  constexpr base::sentence run() {
     bool open = false;  // there is a difference that must be explained
     bool moves = false; // a spin axis may move in its frame
     for (int state = 0, looked = 0; state < 6 && looked < (open || moves ? 3 : 1); ++state) {
@@ -57,9 +57,10 @@ public:
             t.by_angles.add(in_own_axes(t.frame, by_orientation(t.frame)));
     for (const declared_angular_velocity& t : declared_)
       if (!m_.frames[t.frame].turns_apart && !is_explained(t))
-        return sentence({"the angular velocity of frame ", called(t.frame),
-                         " does not match its orientation, and no omitted angle explains the difference; if "
-                         "this is intended, write angular_velocity_apart_from_orientation<...>"});
+        return base::sentence(
+            {"the angular velocity of frame ", called(t.frame),
+             " does not match its orientation, and no omitted angle explains the difference; if "
+             "this is intended, write angular_velocity_apart_from_orientation<...>"});
     return {};
   }
 

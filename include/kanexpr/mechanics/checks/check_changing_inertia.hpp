@@ -29,7 +29,7 @@ public:
       if (is_meant_to_stay(m.bodies[b]) && (apart || is_elsewhere(m.bodies[b]))) candidates_.push({b, {}});
   }
 
-  constexpr sentence run() {
+  constexpr base::sentence run() {
     if (candidates_.empty()) return {};
     sequence<expression> wanted;
     for (candidate& d : candidates_) d.from_center = collect_inertia(m_, m_.bodies[d.body], wanted);
@@ -50,21 +50,21 @@ private:
     vector from_center{}; ///< to the reference point of the inertia
   };
 
-  constexpr sentence sentence_for(const body& b) const {
+  constexpr base::sentence sentence_for(const body& b) const {
     constexpr std::string_view word = "if this is intended, write changing_inertia<...>";
     const std::string_view frame = m_.frames[b.frame].called.view();
     for (const dyadic::part& p : b.inertia.parts)
       for (int axes : {p.left, p.right})
         if (axes != b.frame)
-          return sentence({"the inertia of ", b.called.view(), " is given along the axes of ",
-                           m_.frames[axes].called.view(), " and changes as seen from ", frame,
-                           ", the body frame; ", word});
+          return base::sentence({"the inertia of ", b.called.view(), " is given along the axes of ",
+                                 m_.frames[axes].called.view(), " and changes as seen from ", frame,
+                                 ", the body frame; ", word});
     if (b.about != none && b.about != b.center)
-      return sentence({"the inertia of ", b.called.view(), " is given about ",
-                       m_.points[b.about].called.view(), ", which moves in ", frame, ", the body frame; ",
-                       word});
-    return sentence({"the inertia of ", b.called.view(), " is not axisymmetric about the spin axis of ",
-                     frame, ", whose angle is omitted; ", word});
+      return base::sentence({"the inertia of ", b.called.view(), " is given about ",
+                             m_.points[b.about].called.view(), ", which moves in ", frame,
+                             ", the body frame; ", word});
+    return base::sentence({"the inertia of ", b.called.view(), " is not axisymmetric about the spin axis of ",
+                           frame, ", whose angle is omitted; ", word});
   }
 
   constexpr bool is_meant_to_stay(const body& b) const {

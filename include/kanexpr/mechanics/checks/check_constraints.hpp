@@ -48,7 +48,7 @@ constexpr sentence check_contents_of_constraints(const mechanism& m, const given
   const contents held(*m.g);
   for (int i = 0; i < given.on_configuration.size(); ++i) {
     const expression f = given.on_configuration[i];
-    const name which = counted(i + 1);
+    const name which = base::counted(i + 1);
     struct named_kind {
       kind what;
       std::string_view called;
@@ -75,7 +75,7 @@ constexpr sentence check_contents_of_constraints(const mechanism& m, const given
   }
   for (int i = 0; i < given.on_velocities.size(); ++i) {
     const expression v = given.on_velocities[i].value;
-    const name which = counted(i + 1);
+    const name which = base::counted(i + 1);
     if (held.holds(v, kind::speed_rate))
       return sentence({"velocity constraint ", which.view(), " contains the ",
                        speed_rate_called(m, held.name_of(v, kind::speed_rate)).view()});
@@ -129,7 +129,7 @@ constexpr sentence check_repeated_rates(const skeleton& s, const constraints& c,
     if (of_configuration == none) ++on_velocities;
   return sentence(
       {on_velocities == 1 ? "velocity constraint 1 contradicts" : "the velocity constraints contradict",
-       " the rate of configuration constraint ", counted(c.numbers[c.repeats[i]]).view()});
+       " the rate of configuration constraint ", base::counted(c.numbers[c.repeats[i]]).view()});
 }
 
 } // namespace detail
@@ -150,7 +150,7 @@ constexpr sentence check_constraints(const skeleton& s, const constraints& c,
   for (int i = 0; i < configuration.rows; ++i)
     if (holds[i] == 0)
       return i == 0 || detail::contradicts_configuration(s, c, configuration, i)
-                 ? sentence({"configuration constraint ", counted(c.numbers[i]).view(),
+                 ? sentence({"configuration constraint ", base::counted(c.numbers[i]).view(),
                              i == 0 ? " constrains no coordinate in any configuration"
                                     : " contradicts the preceding ones"})
                  : dropping({c.numbers[i]}, " follows from the preceding ones in every configuration", {});
@@ -159,9 +159,9 @@ constexpr sentence check_constraints(const skeleton& s, const constraints& c,
     for (int j = 0; j < speeds; ++j) moves = moves || !c.jacobian(i, j).is_zero();
     if (moves) continue;
     if (c.of_configuration[i] == none)
-      return sentence({"velocity constraint ", counted(i + 1).view(), " contains no ", a_speed(m)});
+      return sentence({"velocity constraint ", base::counted(i + 1).view(), " contains no ", a_speed(m)});
     return sentence({"the rate of configuration constraint ",
-                     counted(c.numbers[c.of_configuration[i]]).view(), " contains no ", a_speed(m)});
+                     base::counted(c.numbers[c.of_configuration[i]]).view(), " contains no ", a_speed(m)});
   }
   if (c.size() > speeds)
     return sentence({"there are ", several(c.size(), "constraint", " on the velocities").view(), " for ",
@@ -172,13 +172,13 @@ constexpr sentence check_constraints(const skeleton& s, const constraints& c,
     if (binds[i] != 0) continue;
     const bool is_false = i > 0 && detail::contradicts_velocities(s, c, configuration, i);
     if (c.of_configuration[i] == none)
-      return sentence({"velocity constraint ", counted(i + 1).view(),
+      return sentence({"velocity constraint ", base::counted(i + 1).view(),
                        i == 0     ? " constrains no "
                        : is_false ? " contradicts the preceding ones"
                                   : " follows from the preceding ones in every configuration",
                        i == 0 ? a_speed(m) : "", i == 0 ? " in any configuration" : ""});
     return sentence({"the rate of configuration constraint ",
-                     counted(c.numbers[c.of_configuration[i]]).view(),
+                     base::counted(c.numbers[c.of_configuration[i]]).view(),
                      is_false ? " contradicts the other constraints"
                               : " follows from the other constraints in every configuration"});
   }

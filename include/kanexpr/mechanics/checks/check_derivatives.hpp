@@ -12,18 +12,18 @@
 namespace kanexpr::mechanics {
 
 /// Reports a derivative of an external function that a result requires and the function does not provide.
-constexpr sentence check_derivatives(const symbolic::matrix& result) {
+constexpr base::sentence check_derivatives(const symbolic::matrix& result) {
   if (result.entries.empty() || result.entries[0].owner().externals().empty()) return {};
   const symbolic::graph& g = result.entries[0].owner();
-  const symbolic::sequence<char> live = symbolic::live_nodes(g, symbolic::nodes_of(result.entries));
+  const base::sequence<char> live = symbolic::live_nodes(g, symbolic::nodes_of(result.entries));
   constexpr const char* which[]{"", "", "second ", "third ", "fourth "};
   for (int id = 0; id < live.size(); ++id) {
     if (live[id] == 0 || g[id].op != symbolic::operation::call) continue;
     const symbolic::external_function& f = g.external_at(id);
     if (!f.is_given())
-      return sentence({"the ", which[f.order], "derivative of ", f.original.view(),
-                       " is required but not provided; pass it after the function: external<\"",
-                       f.original.view(), "\", function, derivative", f.order > 1 ? ", ...>" : ">"});
+      return base::sentence({"the ", which[f.order], "derivative of ", f.original.view(),
+                             " is required but not provided; pass it after the function: external<\"",
+                             f.original.view(), "\", function, derivative", f.order > 1 ? ", ...>" : ">"});
   }
   return {};
 }

@@ -99,7 +99,7 @@ constexpr bool has_unit_length(const mechanism& m, const sequence<expression>& q
 
 /// Checks that direction cosines that are numbers or functions of angles form a rotation, and that the length
 /// of an axis is within range.
-constexpr sentence check_direction_cosines(const mechanism& m, const frame& f) {
+constexpr base::sentence check_direction_cosines(const mechanism& m, const frame& f) {
   if (f.kind == orientation::about_axis && f.direction.is_constant()) {
     const symbolic::graph& g = f.direction.x.owner();
     double square = 0;
@@ -108,7 +108,8 @@ constexpr sentence check_direction_cosines(const mechanism& m, const frame& f) {
       if (symbolic::is_finite(n)) square += n.value() * n.value();
     }
     if (!(numeric::elementary::abs(square - 1) < 1e-6))
-      return sentence({"the axis of frame ", f.called.view(), " is too long or too short to be normalized"});
+      return base::sentence(
+          {"the axis of frame ", f.called.view(), " is too long or too short to be normalized"});
   }
   if (f.kind != orientation::matrix) return {};
   const std::string_view called = f.called.view();
@@ -116,11 +117,11 @@ constexpr sentence check_direction_cosines(const mechanism& m, const frame& f) {
   const bool orthonormal = rows.orthonormal() && columns.orthonormal();
   if (!f.quaternion.empty()) {
     if (orthonormal && detail::has_unit_length(m, f.quaternion)) return {};
-    return sentence({"the quaternion of frame ", called, " does not have unit length"});
+    return base::sentence({"the quaternion of frame ", called, " does not have unit length"});
   }
   if (!orthonormal)
-    return sentence({"the direction cosines of frame ", called,
-                     " are not orthonormal; write irrational entries as sqrt or cos of numbers"});
+    return base::sentence({"the direction cosines of frame ", called,
+                           " are not orthonormal; write irrational entries as sqrt or cos of numbers"});
   bool right_handed = rows.right_handed();
   if (!rows.known[0] || !rows.known[1] || !rows.known[2]) {
     sequence<expression> cosines;
@@ -128,12 +129,12 @@ constexpr sentence check_direction_cosines(const mechanism& m, const frame& f) {
     for (const numbers& state : detail::at_any_angles(m, cosines, 3)) {
       const detail::numeric_axes turned(state);
       if (!turned.orthonormal())
-        return sentence({"the direction cosines of frame ", called, " are not orthonormal"});
+        return base::sentence({"the direction cosines of frame ", called, " are not orthonormal"});
       right_handed = right_handed && turned.right_handed();
     }
   }
   if (!right_handed)
-    return sentence(
+    return base::sentence(
         {"the direction cosines of frame ", called, " are not right-handed: they describe a reflection"});
   return {};
 }

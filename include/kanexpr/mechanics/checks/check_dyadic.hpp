@@ -24,7 +24,7 @@ public:
       if (needs_check(m.bodies[b])) candidates_.push({b, {}, {}, {}});
   }
 
-  constexpr sentence run() {
+  constexpr base::sentence run() {
     if (candidates_.empty()) return {};
     sequence<expression> wanted;
     for (candidate& d : candidates_) d.from_center = collect_inertia(m_, m_.bodies[d.body], wanted);
@@ -34,7 +34,7 @@ public:
       if (!motion.move()) continue;
       ++looked;
       for (candidate& d : candidates_)
-        if (const sentence found = look(motion, d, looked == 1)) return found;
+        if (const base::sentence found = look(motion, d, looked == 1)) return found;
     }
     return {};
   }
@@ -65,7 +65,7 @@ private:
     return proper;
   }
 
-  constexpr sentence look(const generic_motion& motion, candidate& d, bool is_first) const {
+  constexpr base::sentence look(const generic_motion& motion, candidate& d, bool is_first) const {
     if (!is_proper(motion, d)) return {};
     const body& b = m_.bodies[d.body];
     numeric_inertia inertia = inertia_in_body(motion, b);
@@ -75,7 +75,7 @@ private:
     scaled.scale(1 / largest);
     for (int i = 0; i < 3; ++i)
       if (numeric::elementary::abs(scaled.at[i][(i + 1) % 3] - scaled.at[(i + 1) % 3][i]) > 1e-9)
-        return sentence({"the inertia of ", b.called.view(), " is not symmetric"});
+        return base::sentence({"the inertia of ", b.called.view(), " is not symmetric"});
     numeric_way way = way_in_body(motion, d);
     if (!is_first && !b.effective && is_same(inertia, d.before, largest)) {
       way.known = way.known && is_same(way, d.way_before);

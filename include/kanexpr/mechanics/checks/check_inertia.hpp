@@ -100,10 +100,12 @@ struct numeric_way {
 
 /// Checks an inertia about the mass center or another point, scaled by 1/`largest` so that its largest entry
 /// is 1.
-constexpr sentence check_principal_values(std::string_view called, std::string_view about,
-                                          numeric_inertia inertia, double largest, const numeric_way& way) {
+constexpr base::sentence check_principal_values(std::string_view called, std::string_view about,
+                                                numeric_inertia inertia, double largest,
+                                                const numeric_way& way) {
   if (!inertia.positive(1, 1e-9))
-    return sentence({"the inertia of ", called, " is indefinite: its moment about some axis is negative"});
+    return base::sentence(
+        {"the inertia of ", called, " is indefinite: its moment about some axis is negative"});
   constexpr double rounded = 2.5e-3; // admits a plate of zero thickness given with three digits
   const double whole = inertia.trace();
   bool is_given[3]{},
@@ -117,17 +119,19 @@ constexpr sentence check_principal_values(std::string_view called, std::string_v
   for (int i = 0; i < 3; ++i)
     is_too_small = is_too_small || (way.known && is_given[i] && inertia.at[i][i] < -rounded * whole);
   if (is_too_small)
-    return sentence(
+    return base::sentence(
         {"the inertia of ", called, " about ", about, " is smaller than the parallel-axis term of its mass"});
   if (!is_planar && !inertia.positive(-1, 0.5 * inertia.trace() + rounded * whole))
-    return sentence({"the inertia of ", called,
-                     " is not physical: one principal moment exceeds the sum of the other two; if this is "
-                     "intended, wrap it in effective_inertia<...>"});
+    return base::sentence(
+        {"the inertia of ", called,
+         " is not physical: one principal moment exceeds the sum of the other two; if this is "
+         "intended, wrap it in effective_inertia<...>"});
   return {};
 }
 
-constexpr sentence check_principal_values(const mechanism& m, const body& b, const numeric_inertia& inertia,
-                                          double largest, const numeric_way& way) {
+constexpr base::sentence check_principal_values(const mechanism& m, const body& b,
+                                                const numeric_inertia& inertia, double largest,
+                                                const numeric_way& way) {
   return check_principal_values(b.called.view(), b.about == none ? "" : m.points[b.about].called.view(),
                                 inertia, largest, way);
 }
@@ -143,17 +147,17 @@ constexpr bool has_inertia(const body& b) {
 
 /// Checks that an inertia is positive about every axis and that no principal moment exceeds the sum of the
 /// other two; otherwise a second moment of the mass, an eigenvalue of ½ tr(I) E − I, would be negative.
-constexpr sentence check_inertia(const mechanism& m, const body& b) {
+constexpr base::sentence check_inertia(const mechanism& m, const body& b) {
   if (b.inertia.parts.size() != 1 || b.inertia.parts[0].left != b.inertia.parts[0].right) return {};
   const matrix3& given = b.inertia.parts[0].value;
   const std::string_view called = b.called.view();
   for (int i = 0; i < 3; ++i)
-    if (is_negative(given(i, i))) return sentence({"a moment of inertia of ", called, " is negative"});
+    if (is_negative(given(i, i))) return base::sentence({"a moment of inertia of ", called, " is negative"});
   detail::numeric_inertia inertia(given);
   const double largest = inertia.known ? inertia.largest() : 0;
   if (!(largest > 1e-100)) return {};
   inertia.scale(1 / largest);
-  if (!inertia.symmetric()) return sentence({"the inertia of ", called, " is not symmetric"});
+  if (!inertia.symmetric()) return base::sentence({"the inertia of ", called, " is not symmetric"});
   if (b.effective) return {};
   return detail::check_principal_values(m, b, inertia, largest,
                                         detail::numeric_way(m, b, b.inertia.parts[0].left));

@@ -28,7 +28,7 @@ constexpr bool vanish(const mechanism& m, const sequence<expression>& all) {
   a.entries = all;
   for (const numbers& state : at_generic_states(a, &m))
     for (double e : state.entries)
-      if (!numeric::equal(e, 0.0)) return false;
+      if (!base::equal(e, 0.0)) return false;
   return true;
 }
 

@@ -61,7 +61,7 @@ constexpr sentence check_same_mass(const mechanism& m, const partition& speeds,
   if (mass.rows < 2) return {}; // no other speed
   sequence<int> moving;
   for (const numbers& state : at_generic_states(mass, &m)) {
-    moving = detail::motion_without_energy(state, vanishing_measure);
+    moving = detail::motion_without_energy(state, base::vanishing_measure);
     if (moving.empty()) return {};
   }
   if (moving.empty() || detail::is_regular_in_other_sizes(m, mass)) return {};

@@ -9,17 +9,18 @@ namespace kanexpr::mechanics {
 
 /// Returns why a text is not a valid name, or an empty sentence. `kinds` denotes the named entities, such as
 /// "parameters".
-constexpr sentence check_name(std::string_view called, std::string_view kinds) {
+constexpr base::sentence check_name(std::string_view called, std::string_view kinds) {
   if (symbolic::is_name(called)) return {};
-  if (called.empty()) return sentence({"one of the ", kinds, " has no name"});
+  if (called.empty()) return base::sentence({"one of the ", kinds, " has no name"});
   for (char letter : called)
     if (!symbolic::is_printed(letter))
-      return sentence({"the name of one of the ", kinds, " contains a quote or a control character"});
+      return base::sentence({"the name of one of the ", kinds, " contains a quote or a control character"});
   if (!symbolic::begins_name(called[0]))
-    return sentence({"the name ", called, " does not begin with a letter"});
+    return base::sentence({"the name ", called, " does not begin with a letter"});
   for (char letter : called)
-    if (letter == '\'') return sentence({"the name ", called, " contains a prime, which denotes a rate"});
-  return sentence({"the name ", called, " is longer than 60 characters"});
+    if (letter == '\'')
+      return base::sentence({"the name ", called, " contains a prime, which denotes a rate"});
+  return base::sentence({"the name ", called, " is longer than 60 characters"});
 }
 
 } // namespace kanexpr::mechanics

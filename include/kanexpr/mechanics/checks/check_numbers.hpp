@@ -32,7 +32,7 @@ public:
   }
 
 private:
-  symbolic::sequence<char> without_value_{};
+  base::sequence<char> without_value_{};
 };
 
 } // namespace kanexpr::mechanics

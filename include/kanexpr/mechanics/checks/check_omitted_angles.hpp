@@ -149,7 +149,7 @@ private:
     case what::offset: return sentence_about("the offset of point ", m_.points[d.of].called.view());
     case what::load: return sentence_about(d.load, d.loaded);
     case what::direction:
-      return sentence_about("a direction of velocity constraint ", counted(d.of + 1).view());
+      return sentence_about("a direction of velocity constraint ", base::counted(d.of + 1).view());
     }
     return {};
   }

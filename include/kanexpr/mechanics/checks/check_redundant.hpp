@@ -31,9 +31,9 @@ constexpr sentence check_redundant_rates(const skeleton& s, const sequence<int>&
   int number = 0; // redundant constraints come in the order of the model
   for (int left = i + 1; left > 0; --left)
     for (++number; !listed.contains(number);) ++number;
-  return sentence({"configuration constraint ", counted(number).view(),
+  return sentence({"configuration constraint ", base::counted(number).view(),
                    " does not follow from the others, so it is not redundant; remove redundant<",
-                   counted(number).view(), ">"});
+                   base::counted(number).view(), ">"});
 }
 
 } // namespace kanexpr::mechanics

@@ -124,8 +124,8 @@ private:
       for (int j = 0; j < i && !by_.mistake(); ++j) {
         const expression one = all[i].value, other = all[j].value;
         if (one.is_constant()) continue; // no effect, such as a spring without stiffness
-        const sentence mistake({"potential energy ", counted(i + 1).view(), " repeats potential energy ",
-                                counted(j + 1).view()});
+        const sentence mistake({"potential energy ", base::counted(i + 1).view(),
+                                " repeats potential energy ", base::counted(j + 1).view()});
         if (one == other)
           by_.fail({mistake.view()});
         else if (contain_same(one, other, {kind::coordinate, kind::parameter, kind::input}))

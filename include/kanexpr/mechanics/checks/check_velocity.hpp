@@ -27,8 +27,8 @@ public:
   constexpr velocity_checker(const mechanism& m, const contents& held)
       : m_(m), held_(held), motion_(m, held, geometry_of(m)) {}
 
-  constexpr sentence run() {
-    sentence found;
+  constexpr base::sentence run() {
+    base::sentence found;
     for (int looked = 0, tries = 0; looked < 4 && tries < 12 && !found; ++tries) {
       motion_.draw();
       if (!motion_.move(false)) continue;
@@ -59,22 +59,23 @@ public:
   }
 
 private:
-  constexpr sentence mistaken_velocity() const {
+  constexpr base::sentence mistaken_velocity() const {
     for (int p = 0; p < m_.points.size(); ++p)
       if (is_to_agree(m_.points[p]) && is_defined(p) && !agrees(p))
-        return sentence(
+        return base::sentence(
             {"the velocity of point ", m_.points[p].called.view(),
              " is not the rate of its position; if this is intended, write velocity_apart_from_position"});
     return {};
   }
 
-  constexpr sentence slipping_mass(const body& b) const {
+  constexpr base::sentence slipping_mass(const body& b) const {
     const int p = apart_from_place(b.center);
     if (p == none) return {};
-    return sentence({"point ", m_.points[p].called.view(), " is fixed in ",
-                     m_.frames[m_.points[p].fixed_in].called.view(), ", but its offset from ",
-                     m_.points[m_.points[p].parent].called.view(),
-                     " changes in that frame; if this is intended, write velocity_apart_from_position"});
+    return base::sentence(
+        {"point ", m_.points[p].called.view(), " is fixed in ",
+         m_.frames[m_.points[p].fixed_in].called.view(), ", but its offset from ",
+         m_.points[m_.points[p].parent].called.view(),
+         " changes in that frame; if this is intended, write velocity_apart_from_position"});
   }
 
   /// Whether the velocity of a point may differ from the rate of its position; a symbolic test that excludes

@@ -94,7 +94,7 @@ private:
       for (const summand& s : summands_of(acting_.potential_energies[c.energy].value, b, motion))
         add(summands, s.value.rate, {1, 0, 0});
       if (is_sum_of_some(summands, {-dot(weight, velocity(b.center, motion)), 0, 0}))
-        by_.fail({"potential energy ", counted(c.energy + 1).view(), " contains that of the weight of ",
+        by_.fail({"potential energy ", base::counted(c.energy + 1).view(), " contains that of the weight of ",
                   b.called.view(), ", which gravity already applies"});
       return;
     }
@@ -118,7 +118,7 @@ private:
     return found;
   }
   static constexpr void add(sequence<triple>& all, double size, triple along) {
-    if (numeric::elementary::detail::is_finite(size) && !numeric::equal(size, 0.0)) all.push(size * along);
+    if (numeric::elementary::detail::is_finite(size) && !base::equal(size, 0.0)) all.push(size * along);
   }
 
   constexpr bool is_position_defined(int place, const generic_motion& motion) const {

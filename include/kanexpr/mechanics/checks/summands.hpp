@@ -38,7 +38,7 @@ private:
       for (const summand& s : scaled_by({sign, 0}, of(n.b))) all.push(s);
       return all;
     }
-    if (n.op == operation::divide && is_finite(value(n.b)) && !numeric::equal(value(n.b).value, 0.0)) {
+    if (n.op == operation::divide && is_finite(value(n.b)) && !base::equal(value(n.b).value, 0.0)) {
       const symbolic::rated one_over = symbolic::rated_value_of(operation::divide, {1, 0}, value(n.b));
       return scaled_by(one_over, of(n.a));
     }

@@ -56,7 +56,7 @@ constexpr sentence check_acceleration_constraints(const skeleton& s, const const
   const contents held(*m.g);
   for (int i = 0; i < c.on_accelerations.size(); ++i) {
     const expression e = c.on_accelerations[i];
-    const name which = counted(i + 1);
+    const name which = base::counted(i + 1);
     if (!held.holds(e, symbolic::symbol_kind::speed_rate))
       return sentence({"acceleration constraint ", which.view(),
                        m.derived_by == method::kane ? " contains no rate of a speed"
@@ -82,12 +82,12 @@ constexpr sentence check_acceleration_constraints(const skeleton& s, const const
   const sequence<char> adds = independent_rows(all, s.model);
   for (int i = 0; i < c.size(); ++i)
     if (adds[c.size() + i] != 0)
-      return sentence({"acceleration constraint ", counted(i + 1).view(),
+      return sentence({"acceleration constraint ", base::counted(i + 1).view(),
                        " does not follow from the constraints on the velocities"});
   consistent_states states(s, configuration, configuration.rows, c, c.size(), c.on_accelerations, true);
   const int i = first_that_never_vanishes(states, c.on_accelerations);
   if (i == none) return {};
-  return sentence({"acceleration constraint ", counted(i + 1).view(),
+  return sentence({"acceleration constraint ", base::counted(i + 1).view(),
                    " is not the rate of the constraints on the velocities: its part without rates of speeds "
                    "differs from theirs"});
 }

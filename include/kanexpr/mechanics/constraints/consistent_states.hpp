@@ -124,7 +124,7 @@ private:
       bool is_zero = true;
       for (int j = 0; j < n; ++j) {
         row.push(rows(i, j) * sizes_[unknowns[j].node()]);
-        is_zero = is_zero && numeric::equal(row[j], 0.0);
+        is_zero = is_zero && base::equal(row[j], 0.0);
       }
       if (!is_zero && !equations.add(row, -rows(i, n))) return false;
     }

@@ -84,7 +84,7 @@ private:
 
   constexpr void eliminate(numbers& a, place pivot) const {
     for (int i = 0; i < a.rows; ++i) {
-      if (row_done_[i] != 0 || numeric::equal(a(i, pivot.column), 0.0)) continue;
+      if (row_done_[i] != 0 || base::equal(a(i, pivot.column), 0.0)) continue;
       const double factor = a(i, pivot.column) / a(pivot.row, pivot.column);
       for (int j = 0; j < a.columns; ++j) a.entries[i * a.columns + j] -= factor * a(pivot.row, j);
     }

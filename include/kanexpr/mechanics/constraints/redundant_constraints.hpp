@@ -11,12 +11,12 @@ constexpr sentence check_redundant(const given_constraints& all) {
   for (int i = 0; i < all.redundant.size(); ++i) {
     const int number = all.redundant[i];
     if (number < 1 || number > all.on_configuration.size())
-      return sentence({"redundant<", counted(number).view(), "> is out of range: the model has ",
+      return sentence({"redundant<", base::counted(number).view(), "> is out of range: the model has ",
                        several(all.on_configuration.size(), "configuration constraint").view()});
     for (int j = 0; j < i; ++j)
       if (all.redundant[j] == number)
-        return sentence(
-            {"configuration constraint ", counted(number).view(), " is listed twice in redundant<...>"});
+        return sentence({"configuration constraint ", base::counted(number).view(),
+                         " is listed twice in redundant<...>"});
   }
   return {};
 }

@@ -68,10 +68,10 @@ private:
   static constexpr bool is_never_negative(const link& l) {
     if (!l.mass.is_constant()) return false;
     const double mass = value(l.mass.mass);
-    if (!(mass >= 0) || (numeric::equal(mass, 0.0) && !l.mass.first_moment.is_zero())) return false;
+    if (!(mass >= 0) || (base::equal(mass, 0.0) && !l.mass.first_moment.is_zero())) return false;
     sequence<double> i = inertia(l, true);
     const double all = i[0] + i[4] + i[8];
-    if (numeric::equal(all, 0.0)) return true;         // a particle
+    if (base::equal(all, 0.0)) return true;            // a particle
     for (int k = 0; k < 9; k += 4) i[k] += 1e-6 * all; // a rod has no inertia about its axis
     return is_positive_definite(i, 3);
   }

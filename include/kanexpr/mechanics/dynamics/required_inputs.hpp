@@ -25,8 +25,8 @@ constexpr required_inputs inputs_for(const mechanism& m, const sequence<expressi
   const int speeds = forces.size(), inputs = m.inputs.size();
   if (speeds != inputs)
     return {sentence({"required inputs are defined only for as many inputs as independent speeds; there ",
-                      inputs == 1 ? "is " : "are ", counted(inputs).view(),
-                      inputs == 1 ? " input" : " inputs", " for ", counted(speeds).view()})};
+                      inputs == 1 ? "is " : "are ", base::counted(inputs).view(),
+                      inputs == 1 ? " input" : " inputs", " for ", base::counted(speeds).view()})};
   const symbolic::matrix on_inputs = symbolic::jacobian(*m.g, forces, m.inputs);
   symbolic::matrix others(*m.g, speeds, 1);
   symbolic::substitution without_inputs(*m.g);

@@ -12,12 +12,12 @@ constexpr int origin_of(const mechanism& m, int point) {
 }
 
 /// Reports two points with different origins: origins are fixed in the inertial frame at unknown positions.
-constexpr sentence check_position(const mechanism& m, int point, int from) {
+constexpr base::sentence check_position(const mechanism& m, int point, int from) {
   const int origin = origin_of(m, point), other = origin_of(m, from);
   if (origin == other) return {};
-  return sentence({"the position of ", m.points[point].called.view(), " from ", m.points[from].called.view(),
-                   " is not known: they are measured from two origins, ", m.points[origin].called.view(),
-                   " and ", m.points[other].called.view()});
+  return base::sentence({"the position of ", m.points[point].called.view(), " from ",
+                         m.points[from].called.view(), " is not known: they are measured from two origins, ",
+                         m.points[origin].called.view(), " and ", m.points[other].called.view()});
 }
 
 } // namespace kanexpr::mechanics

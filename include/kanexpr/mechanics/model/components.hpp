@@ -7,10 +7,10 @@
 
 namespace kanexpr::mechanics {
 
+using base::name;
+using base::sequence;
 using symbolic::expression;
 using symbolic::graph;
-using symbolic::name;
-using symbolic::sequence;
 
 /// The three measure numbers of a vector in the axes of a frame.
 struct components {

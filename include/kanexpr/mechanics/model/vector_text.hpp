@@ -10,7 +10,7 @@
 
 namespace kanexpr::mechanics {
 
-namespace printing {
+namespace vector_text {
 
 constexpr char axis_letter(basis_style style, int axis) {
   return (style == basis_style::xyz ? "xyz" : style == basis_style::ijk ? "ijk" : "123")[axis];
@@ -79,20 +79,20 @@ std::string write(const mechanism& m, const dyadic& d, basis_style style) {
   return sum.text();
 }
 
-} // namespace printing
+} // namespace vector_text
 
 KANEXPR_ENGINE std::string print(const mechanism& m, const vector& v, basis_style style) {
-  return printing::write<printing::plain>(m, v, style);
+  return vector_text::write<vector_text::plain>(m, v, style);
 }
 KANEXPR_ENGINE std::string print(const mechanism& m, const dyadic& d, basis_style style) {
-  return printing::write<printing::plain>(m, d, style);
+  return vector_text::write<vector_text::plain>(m, d, style);
 }
 
 KANEXPR_ENGINE std::string latex(const mechanism& m, const vector& v, basis_style style) {
-  return printing::write<printing::typeset>(m, v, style);
+  return vector_text::write<vector_text::typeset>(m, v, style);
 }
 KANEXPR_ENGINE std::string latex(const mechanism& m, const dyadic& d, basis_style style) {
-  return printing::write<printing::typeset>(m, d, style);
+  return vector_text::write<vector_text::typeset>(m, d, style);
 }
 
 } // namespace kanexpr::mechanics

@@ -10,13 +10,15 @@
 /// Phrases for the error sentences about a mechanism.
 namespace kanexpr::mechanics {
 
+using base::sentence;
+
 constexpr std::string_view called(const mechanism& m, expression symbol) {
   return m.g->symbol_at(symbol.node()).called.view();
 }
 
 /// Returns, for example, "3 configuration constraints".
 constexpr sentence several(int n, std::string_view one, std::string_view what = {}) {
-  return sentence({counted(n).view(), " ", one, n == 1 ? "" : "s", what});
+  return sentence({base::counted(n).view(), " ", one, n == 1 ? "" : "s", what});
 }
 
 /// Returns the separator in front of entry `i` of a list of `count` entries: "q1, q2 and q3".
@@ -35,7 +37,8 @@ constexpr sentence enumerated(const mechanism& m, const sequence<expression>& sy
   for (int i = 0; i < named; ++i)
     p = sentence({p.view(), before_entry(i, entries), called(m, symbols[places[i]])});
   if (named == places.size()) return p;
-  return sentence({p.view(), before_entry(named, entries), counted(places.size() - named).view(), " others"});
+  return sentence(
+      {p.view(), before_entry(named, entries), base::counted(places.size() - named).view(), " others"});
 }
 
 /// Returns "configuration constraint 3 follows; add redundant<3> to drop it", with the verb that is given in
@@ -45,7 +48,7 @@ constexpr sentence dropping(const sequence<int>& numbers, std::string_view verb,
   const bool is_one = numbers.size() == 1;
   sentence named, listed; // "3, 4 and 5", and "3, 4, 5"
   for (int i = 0; i < numbers.size(); ++i) {
-    const name number = counted(numbers[i]);
+    const name number = base::counted(numbers[i]);
     named = sentence({named.view(), before_entry(i, numbers.size()), number.view()});
     listed = sentence({listed.view(), i == 0 ? "" : ", ", number.view()});
   }

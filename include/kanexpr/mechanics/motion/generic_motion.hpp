@@ -202,7 +202,7 @@ private:
         coupled.push(i);
         continue;
       }
-      if (numeric::equal(at_one[i], at_rest[i])) return false;
+      if (base::equal(at_one[i], at_rest[i])) return false;
       known.push(rates_[i][0]);
       set_rate(known.back(), -at_rest[i] / (at_one[i] - at_rest[i]));
     }

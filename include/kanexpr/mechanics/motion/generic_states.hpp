@@ -64,8 +64,8 @@ public:
     if (of != nullptr)
       for (const frame& f : of->frames) complete(f.quaternion);
     value_.resize(symbols_.size(), 0.0);
-    if (numeric::equal(relative_size, 1.0)) return;
-    if (numeric::equal(relative_size, unit_sizes)) {
+    if (base::equal(relative_size, 1.0)) return;
+    if (base::equal(relative_size, unit_sizes)) {
       for (double& size : size_) size = 1;
       return;
     }
@@ -164,7 +164,7 @@ public:
       }
     rows_.resize(largest_.rows, 0.0), columns_.resize(largest_.columns, 0.0);
     for (int i = 0; i < largest_.rows; ++i)
-      if (numeric::equal(rows_[i], 0.0)) rows_[i] = 1, propagate(i);
+      if (base::equal(rows_[i], 0.0)) rows_[i] = 1, propagate(i);
     for (int sweeps = 0; sweeps < 2; ++sweeps) {
       for (int j = 0; j < largest_.columns; ++j) {
         double most = 0;
@@ -192,10 +192,10 @@ private:
   /// Propagates the scale of a row to its columns, and from these to their rows.
   constexpr void propagate(int row) {
     for (int j = 0; j < largest_.columns; ++j) {
-      if (!numeric::equal(columns_[j], 0.0) || numeric::equal(largest_(row, j), 0.0)) continue;
+      if (!base::equal(columns_[j], 0.0) || base::equal(largest_(row, j), 0.0)) continue;
       columns_[j] = 1 / (largest_(row, j) * rows_[row]);
       for (int i = 0; i < largest_.rows; ++i)
-        if (numeric::equal(rows_[i], 0.0) && !numeric::equal(largest_(i, j), 0.0))
+        if (base::equal(rows_[i], 0.0) && !base::equal(largest_(i, j), 0.0))
           rows_[i] = 1 / (largest_(i, j) * columns_[j]), propagate(i);
     }
   }
@@ -224,7 +224,7 @@ public:
   /// Adds a row to the basis; returns false if the row already lies in the space.
   constexpr bool add(sequence<double> row, double right = 0) {
     const double whole = norm(row);
-    if (numeric::equal(whole, 0.0)) return false;
+    if (base::equal(whole, 0.0)) return false;
     for (int twice = 0; twice < 2; ++twice) // repeated to remove rounding errors
       for (int i = 0; i < basis_.size(); ++i) {
         const double along = dot(basis_[i], row);

@@ -50,7 +50,7 @@ public:
     row_space kept;
     for (int i = 0; i < rows.size(); ++i) {
       bool holds_a_rate = false;
-      for (double entry : rows[i]) holds_a_rate = holds_a_rate || !numeric::equal(entry, 0.0);
+      for (double entry : rows[i]) holds_a_rate = holds_a_rate || !base::equal(entry, 0.0);
       rows[i].push(rest[i]);
       if (holds_a_rate) kept.add(rows[i]);
     }

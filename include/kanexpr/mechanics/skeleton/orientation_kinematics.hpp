@@ -18,18 +18,19 @@ namespace kanexpr::mechanics {
 
 /// Returns a sentence that explains why a frame's orientation and declared angular velocity do not yield
 /// equations; empty if they do.
-constexpr sentence check_orientation_kinematics(const mechanism& m, int place, int reference) {
+constexpr base::sentence check_orientation_kinematics(const mechanism& m, int place, int reference) {
   const std::string_view called = m.frames[place].called.view(), in = m.frames[reference].called.view();
   if (place == reference || path::common_ancestor(m, place, reference) != reference)
-    return sentence({"kinematics_of<", called, ", ", in, "> is not available: frame ", called,
-                     " is not oriented relative to ", in});
+    return base::sentence({"kinematics_of<", called, ", ", in, "> is not available: frame ", called,
+                           " is not oriented relative to ", in});
   const int declared = m.frames[place].reference;
   if (declared == none)
-    return sentence({"kinematics_of<", called, ", ", in, "> is not available: frame ", called,
-                     " has no declared angular velocity"});
+    return base::sentence({"kinematics_of<", called, ", ", in, "> is not available: frame ", called,
+                           " has no declared angular velocity"});
   if (declared != reference)
-    return sentence({"kinematics_of<", called, ", ", in, "> is not available: the angular velocity of frame ",
-                     called, " is declared relative to ", m.frames[declared].called.view()});
+    return base::sentence({"kinematics_of<", called, ", ", in,
+                           "> is not available: the angular velocity of frame ", called,
+                           " is declared relative to ", m.frames[declared].called.view()});
   return {};
 }
 

@@ -35,7 +35,7 @@ public:
     if (!norms_.are_bound())
       if (const status s = norms_.normalize(x, {0.99, 1.01}); !s) {
         assembly failed;
-        failed.failure = mechanics::sentence({s.view()});
+        failed.failure = base::sentence({s.view()});
         return failed;
       }
     const auto motion = [&](const vector& at) -> unreduced_motion& { return motion_at(t, at, r); };
@@ -46,8 +46,7 @@ public:
     const auto motion = [&](const vector& at) -> unreduced_motion& { return motion_at(t, at, r); };
     return constraints_of<System, decltype(motion)>(of_, norms_, t, r, motion).configuration_residual(x);
   }
-  mechanics::sentence redundant_violation(double t, const vector& x, const vector& r,
-                                          double tolerance) override {
+  base::sentence redundant_violation(double t, const vector& x, const vector& r, double tolerance) override {
     const auto motion = [&](const vector& at) -> unreduced_motion& { return motion_at(t, at, r); };
     const constraints_of<System, decltype(motion)> constraints(of_, norms_, t, r, motion);
     const vector left = constraints.redundant_residual(x);
@@ -60,8 +59,8 @@ public:
     for (Eigen::Index i = 0; i < left.size(); ++i)
       if (!(std::abs(left(i)) <= tolerance * terms(i)))
         return numeric::with_number(
-            mechanics::sentence({"redundant constraint ", mechanics::counted(static_cast<int>(i) + 1).view(),
-                                 " has a residual of "})
+            base::sentence({"redundant constraint ", base::counted(static_cast<int>(i) + 1).view(),
+                            " has a residual of "})
                 .view(),
             left(i));
     return {};

@@ -29,8 +29,8 @@ std::string contradiction(const derivation::survey& known, const Eigen::VectorXd
                  noise = of_the_largest * (i < known.coordinates ? coordinate : speed);
     if (std::abs(given(i) - found(i)) > rounding + noise)
       return std::string(compiled::symbol_called(known, i).view()) + ", which is dependent, was given as " +
-             digits(given(i)) + ", but the constraints require " +
-             digits(std::abs(found(i)) > noise ? found(i) : 0);
+             base::digits(given(i)) + ", but the constraints require " +
+             base::digits(std::abs(found(i)) > noise ? found(i) : 0);
   }
   return {};
 }

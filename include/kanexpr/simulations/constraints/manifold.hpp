@@ -25,8 +25,8 @@ public:
   virtual vector configuration_residual(double t, const vector& x, const vector& r) = 0;
   /// Returns a sentence about a redundant constraint that does not hold within a tolerance of its terms, with
   /// its residual; empty if all hold.
-  virtual mechanics::sentence redundant_violation(double t, const vector& x, const vector& r,
-                                                  double tolerance) = 0;
+  virtual base::sentence redundant_violation(double t, const vector& x, const vector& r,
+                                             double tolerance) = 0;
 
   /// Sets the magnitudes of the entries of a state; the constraints are examined around the given state.
   virtual void set_sizes(double t, const vector& x, const vector& r, const vector& sizes) = 0;

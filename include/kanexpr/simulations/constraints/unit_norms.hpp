@@ -21,8 +21,8 @@ public:
       are_bound_ = are_bound_ || known.dependent[i];
     }
     for (int k = 0; k < known.quaternions; ++k)
-      far_from_one_.push_back(mechanics::sentence(
-          {"the norm of ", compiled::quaternion_called(known, k).view(), " is far from 1"}));
+      far_from_one_.push_back(
+          base::sentence({"the norm of ", steps::quaternion_called(known, k).view(), " is far from 1"}));
   }
 
   int count() const { return static_cast<int>(places_.size()); }
@@ -53,7 +53,7 @@ public:
 
 private:
   std::vector<std::vector<int>> places_;
-  std::vector<mechanics::sentence> far_from_one_{};
+  std::vector<base::sentence> far_from_one_{};
   bool are_bound_ = false;
 };
 

@@ -77,11 +77,11 @@ struct watched {
   static constexpr describe::phrase words = describe::phrase_of<expression>;
   static constexpr bool passes_zero =
       words.kind == describe::shape::scalar || words.kind == describe::shape::equation;
-  static constexpr mechanics::sentence mistake = [] {
-    if (passes_zero) return mechanics::sentence{};
-    return mechanics::sentence({"the argument of when<...>", words.size > 0 ? ", with " : "",
-                                derivation::name_in(words), words.size > 0 ? "," : "",
-                                derivation::is_a(words.kind), "it must be a scalar that can cross zero"});
+  static constexpr base::sentence mistake = [] {
+    if (passes_zero) return base::sentence{};
+    return base::sentence({"the argument of when<...>", words.size > 0 ? ", with " : "",
+                           derivation::name_in(words), words.size > 0 ? "," : "",
+                           derivation::is_a(words.kind), "it must be a scalar that can cross zero"});
   }();
   static_assert(derivation::report<watched>());
 };

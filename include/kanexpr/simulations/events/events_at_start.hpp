@@ -79,9 +79,9 @@ public:
   int stationary_event(double t, const state& x, const std::vector<int>& passed) {
     if (!evaluate(t, x, here_)) return -1;
     for (std::size_t i = 0; i < passed.size(); ++i) {
-      if (passed[i] == 0 || !numeric::equal(here_[i], 0.0)) continue;
+      if (passed[i] == 0 || !base::equal(here_[i], 0.0)) continue;
       find_margins(t, x);
-      if (numeric::equal(margins_[i], 0.0)) return static_cast<int>(i);
+      if (base::equal(margins_[i], 0.0)) return static_cast<int>(i);
     }
     return -1;
   }
@@ -89,7 +89,7 @@ public:
   /// Whether a function that has crossed zero was exactly zero where `resting` evaluated it.
   bool is_zero(const std::vector<int>& passed) const {
     for (std::size_t i = 0; i < passed.size(); ++i)
-      if (passed[i] != 0 && numeric::equal(here_[i], 0.0)) return true;
+      if (passed[i] != 0 && base::equal(here_[i], 0.0)) return true;
     return false;
   }
 

@@ -57,8 +57,8 @@ public:
   }
 
   /// Returns a mistake in the constants, as a sentence.
-  const mechanics::sentence& mistake() const {
-    static constexpr mechanics::sentence none{};
+  const base::sentence& mistake() const {
+    static constexpr base::sentence none{};
     return constants_ ? constants_->mistake : none;
   }
   bool depends_on_state() const { return depends_on_state_; }

@@ -39,7 +39,7 @@ inline std::vector<rate_pair> prescribed_rates(const derivation::survey& known) 
   std::vector<rate_pair> all;
   const auto* const names = known.names + known.first_of(symbolic::symbol_kind::input);
   for (int i = 0; i < known.inputs; ++i) {
-    symbolic::name of_rate = names[i];
+    base::name of_rate = names[i];
     of_rate.append("'");
     const auto* const found = std::find(names, names + known.inputs, of_rate);
     if (found == names + known.inputs) continue;
@@ -59,7 +59,7 @@ inline std::string contradiction_in_constants(const derivation::survey& known, c
   for (const rate_pair& each : prescribed_rates(known))
     if (std::abs(r[each.rate]) > 0)
       return "prescribed quantity " + each.name + " is constant, but its rate is given as " +
-             digits(r[each.rate]);
+             base::digits(r[each.rate]);
   return {};
 }
 
@@ -92,8 +92,8 @@ public:
         if (contradicts(one, each, scale, looks) && !agrees_on_the_whole(one.t, each, scale) &&
             !depends(one.t, each))
           return "prescribed quantity " + each.name + " changes at the rate " +
-                 digits(one.difference(1, 3, each.value)) + " at t = " + digits(one.t) +
-                 ", but its rate is given as " + digits(one.at(2, each.rate));
+                 base::digits(one.difference(1, 3, each.value)) + " at t = " + base::digits(one.t) +
+                 ", but its rate is given as " + base::digits(one.at(2, each.rate));
     }
     return {};
   }

@@ -210,7 +210,7 @@ private:
   /// Returns the end of a sentence about a lower limit of the step size, unless the limit is only rounding.
   std::string step_limit_text() const {
     if (options_.least_step <= 4 * std::numeric_limits<double>::epsilon() * options_.end) return {};
-    return "; the least step is " + simulations::digits(options_.least_step);
+    return "; the least step is " + base::digits(options_.least_step);
   }
 
   /// Codes from −2 to −7 have the same meaning in all three packages.

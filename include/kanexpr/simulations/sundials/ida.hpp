@@ -32,7 +32,7 @@ public:
       stepper_options options)
       : adaptive(problem, from, std::move(start), std::move(options)), problem_(problem),
         ydot_(std::move(start_rates)) {
-    if (numeric::equal(options_.first_step, 0.0)) options_.first_step = first_step();
+    if (base::equal(options_.first_step, 0.0)) options_.first_step = first_step();
     rates_at_ = vector_on(ydot_.data(), size(), context_);
     kinds_ = new_vector(size(), context_);
     memory_ = IDACreate(context_);

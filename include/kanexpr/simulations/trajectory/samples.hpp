@@ -80,7 +80,7 @@ protected:
     const auto after = std::upper_bound(samples_.begin(), samples_.end(), t,
                                         [](double time, const sample& s) { return time < s.t; });
     const sample& a = *std::prev(after);
-    if (numeric::equal(a.t, t) || after == samples_.end()) return a;
+    if (base::equal(a.t, t) || after == samples_.end()) return a;
     const sample& b = *after;
     const double part = (t - a.t) / (b.t - a.t);
     sample found{t, a.x, a.r};
@@ -104,7 +104,7 @@ protected:
     const auto is_taken = [&](const std::string& name) {
       return std::ranges::any_of(known.names, [&](const auto& other) { return other.view() == name; });
     };
-    put(name_of_time(is_taken), times());
+    put(base::name_of_time(is_taken), times());
     add_columns(symbolic::symbol_kind::coordinate, known.coordinates,
                 [](const sample& s, int i) { return s.x(i); });
     add_columns(symbolic::symbol_kind::speed, known.speeds,

@@ -68,7 +68,7 @@ public:
 
   /// Returns the largest constraint residual at each sample.
   std::vector<double> constraint_residuals() const {
-    using constraints = compiled::constraints_at<System, parameters_type, input_values<System>>;
+    using constraints = steps::constraints_at<System, parameters_type, input_values<System>>;
     return collect([&](const sample& s) {
       const constraints here(s.t, parameters(), s.r);
       double most = 0;

@@ -47,7 +47,7 @@ public:
   int residuals() const { return residuals_; }
 
   /// Returns a mistake in the names, as a sentence.
-  const mechanics::sentence& mistake() const { return mistake_; }
+  const base::sentence& mistake() const { return mistake_; }
 
   /// Returns the name of an equation: "configuration constraint 1", "the rate of speed u1".
   std::string name_of(const condition& c) const {
@@ -126,10 +126,10 @@ private:
     return place < states_ ? place : -1;
   }
 
-  mechanics::sentence called(int place) const { return compiled::symbol_called(known_, place); }
+  base::sentence called(int place) const { return compiled::symbol_called(known_, place); }
 
   void fail(std::initializer_list<std::string_view> pieces) {
-    if (!mistake_) mistake_ = mechanics::sentence(pieces);
+    if (!mistake_) mistake_ = base::sentence(pieces);
   }
 
   const derivation::survey& known_;
@@ -138,7 +138,7 @@ private:
   int states_, residuals_;
   std::vector<int> unknowns_{};
   std::vector<condition> equations_{};
-  mechanics::sentence mistake_{};
+  base::sentence mistake_{};
 };
 
 } // namespace kanexpr::simulations

@@ -99,7 +99,7 @@ private:
     const double left = found_.left(i);
     if (c.place < asked_.residuals()) return name_of(i) + " has a residual of " + digits(left);
     return name_of(i) + " is " + digits(left + c.wanted) +
-           (numeric::equal(c.wanted, 0.0) ? "" : " instead of " + digits(c.wanted));
+           (base::equal(c.wanted, 0.0) ? "" : " instead of " + digits(c.wanted));
   }
   static std::string digits(double number) {
     char text[32];

@@ -23,7 +23,7 @@ constexpr rated rated_value_of(operation op, rated a, rated b) {
   const double value = value_of(op, a.value, b.value);
   if (!is_selection(op) && !numeric::elementary::detail::is_finite(value))
     return {value, numeric::elementary::detail::not_a_number}; // constant expressions cannot compute with NaN
-  const auto along = [&](double by_a) { return rated{value, numeric::equal(by_a, 0.0) ? 0 : by_a * a.rate}; };
+  const auto along = [&](double by_a) { return rated{value, base::equal(by_a, 0.0) ? 0 : by_a * a.rate}; };
   switch (form_of(op)) {
   case form::negate: return along(-1);
   case form::add: return {value, a.rate + b.rate};
@@ -31,11 +31,10 @@ constexpr rated rated_value_of(operation op, rated a, rated b) {
   case form::multiply: return {value, a.rate * b.value + a.value * b.rate};
   case form::divide: return {value, (a.rate - value * b.rate) / b.value};
   case form::power:
-    return {value,
-            (numeric::equal(a.rate, 0.0)
-                 ? 0
-                 : b.value * numeric::elementary::pow(a.value, b.value - 1) * a.rate) +
-                (numeric::equal(b.rate, 0.0) ? 0 : value * numeric::elementary::log(a.value) * b.rate)};
+    return {
+        value,
+        (base::equal(a.rate, 0.0) ? 0 : b.value * numeric::elementary::pow(a.value, b.value - 1) * a.rate) +
+            (base::equal(b.rate, 0.0) ? 0 : value * numeric::elementary::log(a.value) * b.rate)};
   case form::function:
     return along(properties_of(op).is_smooth_at(a.value) ? slope_of(op, a.value, value)
                                                          : numeric::elementary::detail::not_a_number);
@@ -93,7 +92,7 @@ private:
   static constexpr rated defined(operation op, rated a, rated b) {
     if (is_selection(op)) return rated_value_of(op, a, b); // the other branch may be undefined
     if (!is_finite(a) || !is_finite(b)) return undefined;
-    if (op == operation::divide && numeric::equal(b.value, 0.0)) return undefined;
+    if (op == operation::divide && base::equal(b.value, 0.0)) return undefined;
     if (is_binary_function(op) && !binary_properties_of(op).is_smooth_at(a.value, b.value)) return undefined;
     return rated_value_of(op, a, b);
   }

@@ -43,7 +43,7 @@ constexpr double value_of(operation op, double a, double b) {
 /// result is then NaN, unless the operation is a selection that does not select the operand.
 constexpr double defined_value_of(operation op, double a, double b) {
   if (is_selection(op)) return selected(op, a, b);
-  if (!numeric::is_number(a) || !numeric::is_number(b) || (op == operation::divide && numeric::equal(b, 0.0)))
+  if (!base::is_number(a) || !base::is_number(b) || (op == operation::divide && base::equal(b, 0.0)))
     return numeric::elementary::detail::not_a_number;
   return value_of(op, a, b);
 }
@@ -89,7 +89,7 @@ private:
     bool all = true;
     for (; g_[list].op == operation::pair; list = g_[list].b) {
       const double value = value_[g_[list].a];
-      all = all && numeric::is_number(value);
+      all = all && base::is_number(value);
       more_.push(value);
     }
     return all;
@@ -119,7 +119,7 @@ private:
     const double* const f = &more_[place_[n.a]];
     const double least = f[place.least_pivot()];
     if (n.op == operation::singularity_measure)
-      return all && numeric::is_number(least) ? singularity_measure(order, f, first) : undefined;
+      return all && base::is_number(least) ? singularity_measure(order, f, first) : undefined;
     if (!all || !(least > 0)) {
       for (int i = 0; i < order; ++i) more_[first + i] = undefined;
     } else if (n.op == operation::solve) {
@@ -131,7 +131,7 @@ private:
   }
 
   constexpr double singularity_measure(int order, const double* f, int squares) {
-    if (numeric::equal(f[numeric::factors{order}.least_pivot()], 0.0)) return 0;
+    if (base::equal(f[numeric::factors{order}.least_pivot()], 0.0)) return 0;
     if (order > largest_written_out)
       return numeric::singularity_measure_of<numeric::constant_elimination_math>(order, f, &more_[squares]);
     double inverse = 1;

@@ -105,21 +105,21 @@ public:
     return b.given(a) / b;
   }
   // '2' would convert to the int 50
-  template <numeric::letter Letter>
+  template <base::letter Letter>
   friend expression operator+(expression, Letter) = delete;
-  template <numeric::letter Letter>
+  template <base::letter Letter>
   friend expression operator+(Letter, expression) = delete;
-  template <numeric::letter Letter>
+  template <base::letter Letter>
   friend expression operator-(expression, Letter) = delete;
-  template <numeric::letter Letter>
+  template <base::letter Letter>
   friend expression operator-(Letter, expression) = delete;
-  template <numeric::letter Letter>
+  template <base::letter Letter>
   friend expression operator*(expression, Letter) = delete;
-  template <numeric::letter Letter>
+  template <base::letter Letter>
   friend expression operator*(Letter, expression) = delete;
-  template <numeric::letter Letter>
+  template <base::letter Letter>
   friend expression operator/(expression, Letter) = delete;
-  template <numeric::letter Letter>
+  template <base::letter Letter>
   friend expression operator/(Letter, expression) = delete;
   constexpr expression& operator+=(expression b) { return *this = *this + b; }
   constexpr expression& operator-=(expression b) { return *this = *this - b; }

@@ -12,10 +12,10 @@ inline constexpr int most_derivatives = 4, most_operands = 9;
 /// A user-defined function in an expression: its name and its partial derivatives, each of which is again
 /// such a function. Functions are identified by their addresses.
 struct external_function {
-  name called{};    ///< `tyre`; `tyre_1_2` for its derivative with respect to operands 1 and 2
-  name original{};  ///< `tyre`
-  int operands = 0; ///< number of operands
-  int order = 0;    ///< order of the derivative
+  base::name called{};   ///< `tyre`; `tyre_1_2` for its derivative with respect to operands 1 and 2
+  base::name original{}; ///< `tyre`
+  int operands = 0;      ///< number of operands
+  int order = 0;         ///< order of the derivative
   int by[most_derivatives]{};
   /// Evaluates the function; null if the program does not provide this derivative.
   double (*value)(const double*) = nullptr;

@@ -221,7 +221,7 @@ struct scalar_function<operation::sign> {
     if constexpr (numeric::selected_by_masks<Number>)
       return numeric::where_number(x, static_cast<Number>((Number(0) < x) - (x < Number(0))));
     else if constexpr (std::is_arithmetic_v<Number>)
-      return numeric::is_number(x) ? static_cast<Number>((Number(0) < x) - (x < Number(0))) : x;
+      return base::is_number(x) ? static_cast<Number>((Number(0) < x) - (x < Number(0))) : x;
     else
       return Number((Number(0) < x) - (x < Number(0)));
   }

@@ -10,6 +10,8 @@
 
 namespace kanexpr::symbolic {
 
+using base::sequence;
+
 /// One operation; its operands are the numbers of earlier nodes.
 ///
 /// For a constant, `a` is its index among the numbers; for a symbol, its index among the symbols. No default

@@ -67,7 +67,7 @@ constexpr bool is_selection(operation op) {
 
 /// The second operand if the selection passes it, otherwise zero. If the condition is NaN, the result is NaN.
 constexpr double selected(operation op, double condition, double x) {
-  if (!numeric::is_number(condition)) return condition;
+  if (!base::is_number(condition)) return condition;
   return (condition > 0) == (op == operation::if_positive) ? x : 0;
 }
 

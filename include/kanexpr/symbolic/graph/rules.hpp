@@ -180,7 +180,7 @@ constexpr int divide(graph& g, int a, int b) {
 /// Rounds function values near zero: the cosine of the double next to π/2 is zero.
 constexpr number beside_argument(double value, double argument) {
   return real(numeric::elementary::abs(value) <= 0x1p-51 * numeric::elementary::abs(argument) &&
-                      !numeric::equal(value, argument)
+                      !base::equal(value, argument)
                   ? 0
                   : value);
 }
@@ -229,7 +229,7 @@ constexpr int selected(graph& g, operation op, int condition, int x) {
   if (g.is_constant(condition)) {
     const number& c = g.number_at(condition);
     const bool is_positive = !c.negative() && condition != graph::zero;
-    if (numeric::is_number(c.value())) return is_positive == (op == operation::if_positive) ? x : graph::zero;
+    if (base::is_number(c.value())) return is_positive == (op == operation::if_positive) ? x : graph::zero;
   }
   const node n = g[x];
   if (n.op == operation::negate) return negate(g, selected(g, op, condition, n.a));

@@ -8,7 +8,7 @@ namespace kanexpr::symbolic {
 
 /// The maximum length of a symbol name; the remaining characters are reserved for the primes of its
 /// derivatives.
-inline constexpr int longest_name = name::capacity - 3;
+inline constexpr int longest_name = base::name::capacity - 3;
 
 constexpr bool begins_name(char letter) { // beyond ASCII: part of a letter
   return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || letter == '_' ||
@@ -44,7 +44,7 @@ enum class symbol_kind : unsigned char {
 
 struct symbol {
   symbol_kind kind{};
-  name called{};
+  base::name called{};
   int position = 0; ///< index among symbols of its kind, in the order of the state, parameter or input vector
 
   constexpr bool operator==(const symbol& other) const {

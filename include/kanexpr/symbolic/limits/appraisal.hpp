@@ -3,7 +3,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
-#include <kanexpr/symbolic/limits/external.hpp>
+#include <kanexpr/symbolic/limits/external_series.hpp>
 #include <kanexpr/symbolic/limits/replacement.hpp>
 
 #include <map>

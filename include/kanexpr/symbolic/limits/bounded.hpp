@@ -32,7 +32,7 @@ struct bounded {
     return is_sure ? bounded{n.value(), 0} : rounded(n.value(), 0);
   }
 
-  bool defined() const { return numeric::is_number(value); }
+  bool defined() const { return base::is_number(value); }
   /// Whether the value counts as zero: it is zero or has no significant digit. `0.1 + 0.2 - 0.3` and the
   /// cosine of the double next to π/2 vanish; 1e-30 does not. Four times the bound allows for errors made
   /// earlier.
@@ -55,7 +55,7 @@ inline bool is_singular(operation op, const bounded& a, const bounded& b) {
                4 * a.error;
   if (is_binary_function(op))
     return !binary_properties_of(op).is_smooth_at(a.vanishes() ? 0 : a.value, b.vanishes() ? 0 : b.value);
-  if (is_selection(op)) return a.vanishes() && !numeric::equal(a.error, 0.0); // the sign is uncertain
+  if (is_selection(op)) return a.vanishes() && !base::equal(a.error, 0.0); // the sign is uncertain
   return op == operation::power && a.vanishes() && (a.value < 0 || !(b.value > 4 * b.error));
 }
 
@@ -63,15 +63,15 @@ namespace detail {
 
 /// The error of a square root near its branch point.
 inline double past_branch(double error, double slope) {
-  return numeric::equal(error, 0.0) ? 0 : error / (std::max)(slope, std::sqrt(error));
+  return base::equal(error, 0.0) ? 0 : error / (std::max)(slope, std::sqrt(error));
 }
 
 /// The error of a function of one argument due to the error of its argument.
 inline double carried_error(operation op, const bounded& a, double value) {
-  if (numeric::equal(a.error, 0.0)) return 0;
+  if (base::equal(a.error, 0.0)) return 0;
   const double x = a.value;
   if (op == operation::abs) return a.error;
-  if (op == operation::sign) return !numeric::equal(x, 0.0) && a.vanishes() ? 1 : 0;
+  if (op == operation::sign) return !base::equal(x, 0.0) && a.vanishes() ? 1 : 0;
   if (op == operation::sqrt) return past_branch(a.error, value);
   if (op == operation::asin || op == operation::acos)
     return 2 * past_branch(a.error, std::sqrt((std::max)(0.0, 1 - x * x)));
@@ -102,7 +102,7 @@ inline double carried_error(operation op, const bounded& a, const bounded& b, do
     return std::abs(by.by_a) * a.error + std::abs(by.by_b) * b.error;
   }
   case form::power:
-    if (numeric::equal(x, 0.0)) return numeric::equal(a.error, 0.0) ? 0 : std::pow(a.error, b.value);
+    if (base::equal(x, 0.0)) return base::equal(a.error, 0.0) ? 0 : std::pow(a.error, b.value);
     return std::abs(value) * (y * a.error / x + std::abs(std::log(x)) * b.error);
   case form::constant:
   case form::symbol:
@@ -121,7 +121,7 @@ inline double carried_error(operation op, const bounded& a, const bounded& b, do
 
 inline bounded apply(operation op, const bounded& a, const bounded& b) {
   const auto is_nothing = [](const bounded& x) {
-    return numeric::equal(x.value, 0.0) && numeric::equal(x.error, 0.0);
+    return base::equal(x.value, 0.0) && base::equal(x.error, 0.0);
   };
   if (op == operation::multiply && (is_nothing(a) || is_nothing(b))) return {}; // as in the graph
   if (!a.defined() || is_singular(op, a, b)) return bounded::undefined();

@@ -22,8 +22,7 @@ public:
   }
   coefficient(expression e, const generic_values& at) : at_(at) {
     if (e.is_constant())
-      *this =
-          coefficient(e.owner().number_at(e.node()), at.is_number() && numeric::equal(at[0].error, 0.0), at);
+      *this = coefficient(e.owner().number_at(e.node()), at.is_number() && base::equal(at[0].error, 0.0), at);
     else if (at.vanish())
       *this = {};
     else
@@ -32,7 +31,7 @@ public:
 
   bool is_number() const { return is_number_; }
   bool is_exact() const { return is_exact_; } ///< an exact number
-  bool is_zero() const { return is_number_ && numeric::equal(number_.value(), 0.0); }
+  bool is_zero() const { return is_number_ && base::equal(number_.value(), 0.0); }
   const number& value() const { return number_; }
   const generic_values& at() const { return at_; }
   graph& owner() const { return expression_.owner(); } ///< requires an expression

@@ -85,7 +85,7 @@ inline bool is_singular(operation op, const generic_values& a, const generic_val
 inline bool is_left_out(operation op, const generic_values& condition) {
   for (int i = 0; i < condition.size(); ++i)
     if (!condition[i].defined() || is_singular(op, condition[i], {}) ||
-        !numeric::equal(selected(op, condition[i].value, 1), 0.0))
+        !base::equal(selected(op, condition[i].value, 1), 0.0))
       return false;
   return true;
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/symbolic/graph/operation.hpp>
-#include <kanexpr/symbolic/limits/functions.hpp>
+#include <kanexpr/symbolic/limits/function_series.hpp>
 
 #include <optional>
 

@@ -7,7 +7,7 @@
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 #include <kanexpr/symbolic/limits/appraisal.hpp>
-#include <kanexpr/symbolic/limits/solve.hpp>
+#include <kanexpr/symbolic/limits/series_system.hpp>
 
 #include <map>
 #include <utility>

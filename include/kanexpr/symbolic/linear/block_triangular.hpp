@@ -4,6 +4,8 @@
 
 namespace kanexpr::symbolic {
 
+using base::sequence;
+
 /// Rows of a linear system and the equally many unknowns that they determine, given the preceding blocks.
 struct coupled_part {
   sequence<int> rows{};

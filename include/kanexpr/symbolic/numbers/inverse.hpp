@@ -6,6 +6,8 @@
 
 namespace kanexpr::symbolic {
 
+using base::sequence;
+
 /// Inverts a matrix of numbers stored in row-major order, exactly if they are fractions. Returns an empty
 /// sequence if the matrix is singular.
 constexpr sequence<number> inverse_of(sequence<number> a, int order) {
@@ -19,7 +21,7 @@ constexpr sequence<number> inverse_of(sequence<number> a, int order) {
     int pivot = k;
     for (int i = k + 1; i < order; ++i)
       if (magnitude(a[i * order + k]) > magnitude(a[pivot * order + k])) pivot = i;
-    if (numeric::equal(magnitude(a[pivot * order + k]), 0.0)) return {};
+    if (base::equal(magnitude(a[pivot * order + k]), 0.0)) return {};
     const number below = a[pivot * order + k];
     for (sequence<number>* m : {&a, &inverse})
       for (int j = 0; j < order; ++j) {
@@ -29,7 +31,7 @@ constexpr sequence<number> inverse_of(sequence<number> a, int order) {
       }
     for (int i = 0; i < order; ++i) {
       const number weight = a[i * order + k];
-      if (i == k || numeric::equal(magnitude(weight), 0.0)) continue;
+      if (i == k || base::equal(magnitude(weight), 0.0)) continue;
       subtract_row(a, i, k, weight);
       subtract_row(inverse, i, k, weight);
     }

@@ -24,8 +24,7 @@ struct number {
   }
   constexpr bool negative() const { return exact() ? numerator < 0 : real < 0; }
   constexpr bool operator==(const number& other) const {
-    return numerator == other.numerator && denominator == other.denominator &&
-           numeric::equal(real, other.real);
+    return numerator == other.numerator && denominator == other.denominator && base::equal(real, other.real);
   }
 };
 
@@ -39,7 +38,7 @@ constexpr number real(double value) {
   constexpr double integers_end = 9007199254740992.0; // 2^53
   if (value > -integers_end && value < integers_end) {
     const auto whole = static_cast<std::int64_t>(value);
-    if (numeric::equal(static_cast<double>(whole), value)) return {whole, 1, 0};
+    if (base::equal(static_cast<double>(whole), value)) return {whole, 1, 0};
   }
   return {0, 0, value};
 }

@@ -94,7 +94,7 @@ private:
   }
 
   static constexpr double over(double a, double b) {
-    return numeric::equal(b, 0.0) ? 0 : a / numeric::elementary::abs(b);
+    return base::equal(b, 0.0) ? 0 : a / numeric::elementary::abs(b);
   }
 
   /// |A⁻¹| (|A| |x| + |b|) for the solution x.

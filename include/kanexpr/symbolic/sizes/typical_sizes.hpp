@@ -43,7 +43,7 @@ private:
   constexpr bool holds_unusual_number() const {
     for (const number& n : g_.numbers()) {
       const double size = numeric::elementary::abs(n.value());
-      if (!numeric::equal(size, 0.0) && !is_usual(size)) return true;
+      if (!base::equal(size, 0.0) && !is_usual(size)) return true;
     }
     return false;
   }
@@ -55,7 +55,7 @@ private:
     double power = 0;
 
     constexpr bool is_known() const { return unknown == none; }
-    constexpr bool is_open() const { return unknown >= 0 && !numeric::equal(power, 0.0); }
+    constexpr bool is_open() const { return unknown >= 0 && !base::equal(power, 0.0); }
   };
   static constexpr estimate_of of_size(double size) { return {size, none, 0}; }
 
@@ -100,18 +100,18 @@ private:
   }
 
   constexpr estimate_of product(const estimate_of& a, const estimate_of& b, double sign) const {
-    if (a.unknown == mixed || b.unknown == mixed || numeric::equal(b.factor, 0.0)) return {};
+    if (a.unknown == mixed || b.unknown == mixed || base::equal(b.factor, 0.0)) return {};
     if (a.is_open() && b.is_open() && a.unknown != b.unknown) return {};
     const double factor = sign > 0 ? a.factor * b.factor : a.factor / b.factor,
                  power = a.power + sign * b.power;
-    return {factor, numeric::equal(power, 0.0) ? none : a.is_open() ? a.unknown : b.unknown, power};
+    return {factor, base::equal(power, 0.0) ? none : a.is_open() ? a.unknown : b.unknown, power};
   }
 
   static constexpr estimate_of sum(const estimate_of& a, const estimate_of& b) {
     if (a.is_known() && b.is_known()) return of_size(a.factor > b.factor ? a.factor : b.factor);
-    if (a.is_known() && !numeric::equal(a.factor, 0.0)) return a;
-    if (b.is_known() && !numeric::equal(b.factor, 0.0)) return b;
-    return a.is_open() && b.is_open() && a.unknown == b.unknown && numeric::equal(a.power, b.power)
+    if (a.is_known() && !base::equal(a.factor, 0.0)) return a;
+    if (b.is_known() && !base::equal(b.factor, 0.0)) return b;
+    return a.is_open() && b.is_open() && a.unknown == b.unknown && base::equal(a.power, b.power)
                ? a
                : estimate_of{};
   }
@@ -125,16 +125,16 @@ private:
     if (own.is_open()) take(own, wanted[id]);
     const double size = by_terms && own.is_known() ? own.factor : wanted[id];
     const auto want = [&](int operand, double as_large) {
-      if (!known_[operand].is_known() && numeric::equal(wanted[operand], 0.0)) wanted[operand] = as_large;
+      if (!known_[operand].is_known() && base::equal(wanted[operand], 0.0)) wanted[operand] = as_large;
     };
     switch (form_of(n.op)) {
     case form::negate: return want(n.a, size);
     case form::add:
     case form::subtract: return want(n.a, size), want(n.b, size);
     case form::multiply:
-      if (known_[n.a].is_known() && !numeric::equal(known_[n.a].factor, 0.0))
+      if (known_[n.a].is_known() && !base::equal(known_[n.a].factor, 0.0))
         want(n.b, size / known_[n.a].factor);
-      if (known_[n.b].is_known() && !numeric::equal(known_[n.b].factor, 0.0))
+      if (known_[n.b].is_known() && !base::equal(known_[n.b].factor, 0.0))
         want(n.a, size / known_[n.b].factor);
       return;
     case form::divide:
@@ -170,12 +170,12 @@ private:
     }
   }
   constexpr void take(const estimate_of& open, double size) {
-    if (!open.is_open() || numeric::equal(open.factor, 0.0) || numeric::equal(size, 0.0) ||
+    if (!open.is_open() || base::equal(open.factor, 0.0) || base::equal(size, 0.0) ||
         symbols_.contains(open.unknown))
       return;
     const double ratio = size / open.factor;
     symbols_.push(open.unknown);
-    sizes_.push(numeric::equal(open.power, 1.0) ? ratio : numeric::elementary::pow(ratio, 1 / open.power));
+    sizes_.push(base::equal(open.power, 1.0) ? ratio : numeric::elementary::pow(ratio, 1 / open.power));
     found_ = true;
   }
 

@@ -5,7 +5,7 @@
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
-#include <kanexpr/symbolic/limits/operation.hpp>
+#include <kanexpr/symbolic/limits/operation_series.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 
 #include <optional>
@@ -128,7 +128,7 @@ private:
       is_known = is_known && (s.has_terms() || s.is_zero());
       if (!s.has_terms()) return std::nullopt;
       const double size = std::abs(s.lead().at()[0].value);
-      return std::pair(-s.order(), numeric::is_number(size) ? size : 0);
+      return std::pair(-s.order(), base::is_number(size) ? size : 0);
     };
     if (eliminate(entries, x, worth)) return obstacle::none;
     return is_known ? obstacle::singular_system : obstacle::truncated;
