@@ -118,7 +118,7 @@ TEST(model, is_shared_by_its_copies) {
   model first = derive<simple_pendulum::System>();
   model second = first;
   EXPECT_EQ(second.mass_matrix().entries[0], first.mass_matrix().entries[0]);
-  EXPECT_TRUE(second.mass_matrix().entries[0].lives_in(first.graph()));
+  EXPECT_TRUE(second.mass_matrix().entries[0].belongs_to(first.graph()));
   const model moved = std::move(first);
   EXPECT_EQ(&moved.mechanism(), &second.mechanism());
   first = model_of_pendulum();

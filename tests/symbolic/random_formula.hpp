@@ -18,7 +18,7 @@ public:
   struct formula {
     expression e;
     std::array<real, points> value{};
-    std::array<real, points> error{}; ///< bound on what rounding in double may have done to it
+    std::array<real, points> error{}; ///< bound on the error of rounding in double
     int operations = 0;               ///< as written, without signs
   };
 
@@ -83,7 +83,7 @@ private:
     return f;
   }
 
-  /// How strongly a result follows its operands, and whether the operands are well inside the domain.
+  /// The slopes of a result, and whether the operands are well inside the domain.
   struct slope {
     real by_a, by_b;
     bool inside;

@@ -2,7 +2,7 @@
 
 #include <kanexpr/symbolic/graph/functions.hpp>
 
-/// The symbols that tests of the expression graph write their formulas in.
+/// The symbols of formulas in tests of the expression graph.
 struct symbols {
   using expression = kanexpr::symbolic::expression;
   using kind = kanexpr::symbolic::symbol_kind;

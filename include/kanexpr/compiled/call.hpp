@@ -60,7 +60,7 @@ template <class Code, class Number, bool is_interpreted, auto wanted>
 struct external_calls {
   template <int index>
   static constexpr bool takes() {
-    using function = decltype(code_of(symbolic::external_tag<Code::tape.externals[index]>{}));
+    using function = decltype(callable_of(symbolic::external_key<Code::tape.externals[index]>{}));
     if constexpr (is_interpreted)
       return lower::scalar_math<Number>::template interprets<function>;
     else

@@ -40,7 +40,7 @@ struct external_record {
 /// derivative with respect to the first and third.
 struct derivative_of {
   int order = 0;
-  int by[symbolic::most_derivatives]{};
+  int by[symbolic::max_derivatives]{};
 
   constexpr explicit derivative_of(int digits) {
     for (int rest = digits; rest != 0; rest /= 10) ++order;
@@ -180,9 +180,9 @@ struct external_family {
     external_mistake found;
     if (!symbolic::is_name(name))
       found.whose = ", which is not a valid function name";
-    else if (operands > symbolic::most_operands)
+    else if (operands > symbolic::max_operands)
       found.whose = " with more than nine arguments";
-    else if (sizeof...(Derivatives) >= symbolic::most_derivatives)
+    else if (sizeof...(Derivatives) >= symbolic::max_derivatives)
       found.whose = ", which has more than three derivatives";
     constexpr std::string_view whose[]{", which", ", whose first derivative", ", whose second derivative",
                                        ", whose third derivative"};
@@ -198,14 +198,14 @@ struct external_family {
     if constexpr (!is_called_with<0, double>)
       [&]<int... place>(std::integer_sequence<int, place...>) {
         ((found == 0 && is_called_with<0, double, 1 + place> ? void(found = 1 + place) : void()), ...);
-      }(std::make_integer_sequence<int, symbolic::most_operands>{});
+      }(std::make_integer_sequence<int, symbolic::max_operands>{});
     return found;
   }();
 };
 
 template <class Member>
 constexpr const symbolic::external_function* linked() {
-  static_assert(sizeof(symbolic::external_link<Member, &Member::function>) != 0);
+  static_assert(sizeof(symbolic::external_registration<Member, &Member::function>) != 0);
   return &Member::function;
 }
 

@@ -1,3 +1,3 @@
 #include <kanexpr/mechanics/model/vector_text.hpp>
-#include <kanexpr/symbolic/printing/plain.hpp>
-#include <kanexpr/symbolic/printing/typeset.hpp>
+#include <kanexpr/symbolic/printing/latex_form.hpp>
+#include <kanexpr/symbolic/printing/plain_text_form.hpp>

@@ -14,7 +14,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/staged_derivation.hpp>
-#include <kanexpr/symbolic/graph/copied.hpp>
+#include <kanexpr/symbolic/graph/canonical_order.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
@@ -262,7 +262,7 @@ private:
     symbolic::graph& own = from.graph();
     const int symbols = own.symbols().size();
     symbolic::expression e = each.written;
-    if (!e.lives_in(own)) e = {own, symbolic::copied(e.owner(), {e.node()}, own)[e.node()]};
+    if (!e.belongs_to(own)) e = {own, symbolic::copy_nodes(e.owner(), {e.node()}, own)[e.node()]};
     if (own.symbols().size() > symbols) refuse(each.name + " is not an expression of the exported system");
     symbolic::matrix one(own, 1, 1);
     one(0, 0) = from.in_motion(e);

@@ -52,7 +52,7 @@ struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>>
     }
   }
   static number called(const symbolic::external_function& f, const number* x) {
-    double operands[symbolic::most_operands]{};
+    double operands[symbolic::max_operands]{};
     for (int i = 0; i < f.operands; ++i) operands[i] = static_cast<double>(x[i].real());
     Real along = 0;
     for (int i = 0; i < f.operands; ++i) {
@@ -82,8 +82,7 @@ private:
   /// In double, the precision of functions in constant expressions.
   template <symbolic::operation op>
   static Real slope(Real x, Real f) {
-    return static_cast<Real>(
-        symbolic::scalar_function<op>::slope(static_cast<double>(x), static_cast<double>(f)));
+    return static_cast<Real>(symbolic::function_slope<op>(static_cast<double>(x), static_cast<double>(f)));
   }
 };
 

@@ -62,15 +62,8 @@ void evaluate_step(const instruction& step, const Number* values, Number* out) {
   case form::binary_function:
     symbolic::with_binary_function(step.op, [&]<operation function>() { *out = apply<function>(a, b); });
     return;
-  case form::constant:
-  case form::symbol: // loaded beforehand
-  case form::pair:
-  case form::factorization:
-  case form::solve:
-  case form::transposed_solve:
-  case form::component:
-  case form::singularity_measure:
-  case form::call: return; // executed as linear steps
+  case form::leaf:                   // loaded beforehand
+  case form::list_operation: return; // executed as linear steps
   }
 }
 

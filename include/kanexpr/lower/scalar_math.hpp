@@ -75,7 +75,7 @@ struct default_scalar_math {
       numeric::sine_and_cosine(x, sine, cosine);
       return op == operation::sin ? sine : cosine;
     } else {
-      return symbolic::scalar_function<op>::of(x);
+      return symbolic::function_value<op>(x);
     }
   }
 
@@ -100,7 +100,7 @@ struct default_scalar_math {
     return (bits & exponent) != exponent;
   }
 
-  static Number sign(const Number& x) { return symbolic::scalar_function<symbolic::operation::sign>::of(x); }
+  static Number sign(const Number& x) { return symbolic::sign_of(x); }
   /// Exchanges a and b if d is positive, by selection, because a branch would depend on the data.
   [[gnu::always_inline]] static void exchange_if_positive(const Number& d, Number& a, Number& b) {
     const bool exchanged = Number(0) < d;
@@ -139,7 +139,7 @@ struct default_scalar_math {
       static_assert(
           requires { static_cast<double>(*x); },
           "the interpreter calls user-supplied functions only with scalar types that convert to double");
-      double operands[symbolic::most_operands]{};
+      double operands[symbolic::max_operands]{};
       for (int i = 0; i < f.operands; ++i) operands[i] = static_cast<double>(x[i]);
       return Number(f.value(operands));
     }

@@ -65,7 +65,7 @@ private:
 
   constexpr int second_operand(const symbolic::node& n) const {
     if (n.op <= operation::power) return n.op == operation::negate ? none : n.b;
-    return symbolic::is_binary(n.op) && !symbolic::is_numbered(n.op) ? n.b : none;
+    return symbolic::is_binary(n.op) && !symbolic::has_index_operand(n.op) ? n.b : none;
   }
 
   /// Joins products that only one sum uses; a result counts as used by the caller.

@@ -240,7 +240,7 @@ private:
 /// graph.
 constexpr tape tape_from(graph& g, const sequence<int>& outputs) {
   sequence<char> live = symbolic::live_nodes(g, outputs);
-  if (!symbolic::holds_solves(g, live))
+  if (!symbolic::has_linear_systems(g, live))
     return detail::scheduling(g, static_cast<sequence<char>&&>(live), outputs).run();
   const sequence<int> expanded = symbolic::expand_solves(g, outputs);
   return detail::scheduling(g, symbolic::live_nodes(g, expanded), expanded).run();

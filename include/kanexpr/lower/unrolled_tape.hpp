@@ -150,7 +150,7 @@ private:
   [[gnu::always_inline]] static Number call(const Number* slot,
                                             std::integer_sequence<int, index...>) noexcept {
     constexpr linear_step e = tape.linear_steps[step];
-    using function = decltype(code_of(symbolic::external_tag<tape.externals[e.factors]>{}));
+    using function = decltype(callable_of(symbolic::external_key<tape.externals[e.factors]>{}));
     return scalar_math<Number>::template called<function>(slot[tape.operands[e.operands + index]]...);
   }
 

@@ -27,7 +27,7 @@
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
-#include <kanexpr/symbolic/sizes/terms.hpp>
+#include <kanexpr/symbolic/sizes/term_sizes.hpp>
 
 #include <utility>
 
@@ -297,7 +297,7 @@ private:
     if (!mistake_ && !is_positive) mistake_ = check_same_mass(*m_, speeds_, formed);
     // if lengths are unbounded, a pivot may consist entirely of rounding errors
     is_mass_regular_ =
-        is_positive && symbolic::rest_on_angles_only(*m_->g, symbolic::nodes_of(formed.entries));
+        is_positive && symbolic::depend_only_on_angles(*m_->g, symbolic::nodes_of(formed.entries));
     return formed;
   }
   constexpr sequence<symbolic::pivot> pivots() const {

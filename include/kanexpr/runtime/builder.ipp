@@ -90,7 +90,7 @@ KANEXPR_ENGINE expression builder::number(given_number value) {
 }
 
 KANEXPR_ENGINE expression builder::dot(expression e) {
-  if (e.lives_in(*graph_)) {
+  if (e.belongs_to(*graph_)) {
     if (const int q = m_.coordinates.find(e); q >= 0)
       return m_.derived_by == mechanics::method::lagrange ? m_.speeds[q] : m_.coordinate_rates[q];
     if (const int u = m_.speeds.find(e); u >= 0) return m_.speed_rates[u];

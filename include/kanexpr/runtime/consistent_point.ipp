@@ -10,7 +10,7 @@
 #include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/limits/limit.hpp>
 #include <kanexpr/symbolic/printing/print.hpp>
-#include <kanexpr/symbolic/sizes/terms.hpp>
+#include <kanexpr/symbolic/sizes/term_sizes.hpp>
 
 #include <cmath>
 #include <string>
@@ -90,7 +90,7 @@ private:
     symbolic::matrix column(g_, zero.size(), 1);
     column.entries = zero;
     const symbols left = values(column).values.entries;
-    symbolic::sizes_of_terms sizes(g_);
+    symbolic::term_sizes sizes(g_);
     for (symbolic::expression& e : column.entries) e = sizes.of(e);
     const symbols terms = values(column).values.entries;
     const mechanics::contents held(g_);

@@ -48,12 +48,12 @@ public:
 
   /// Checks that an expression belongs entirely to this mechanism.
   bool own(expression e, std::string_view whose) {
-    if (!e.lives_in(*m_.g))
+    if (!e.belongs_to(*m_.g))
       return fail({whose, " contains an expression that belongs to a different mechanism or to none"});
-    if (m_.g->takes_whole_zero())
+    if (m_.g->consume_integer_zero())
       return fail(
           {whose, " contains an operation with the integer 0", what_it_is, "write x/2 or 0.5*x", for_zero});
-    if (m_.g->takes_limits_out_of_order())
+    if (m_.g->consume_reversed_bounds())
       return fail({whose, " contains clamp with limits out of order; write clamp(x, least, most)"});
     return !numbers_.holds_no_number(e) || fail({whose, " contains a number that is not finite"});
   }

@@ -115,16 +115,9 @@ private:
     case form::binary_function:
       return symbolic::function_name(line.op) + ('(' + name(line.a)) + ", " + name(line.b) + ')';
     case form::function: return symbolic::function_name(line.op) + ('(' + name(line.a) + ')');
-    case form::constant:
-    case form::symbol: // has no line
+    case form::leaf: // has no line
     case form::selection:
-    case form::pair:
-    case form::factorization:
-    case form::solve:
-    case form::transposed_solve:
-    case form::component:
-    case form::singularity_measure:
-    case form::call: break; // handled elsewhere
+    case form::list_operation: break; // handled elsewhere
     }
     return "";
   }

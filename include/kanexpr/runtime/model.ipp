@@ -146,7 +146,7 @@ KANEXPR_ENGINE std::shared_ptr<const derivation::survey> model::known() const {
 
 KANEXPR_ENGINE bool model::owns(const symbolic::matrix& result) const {
   for (const symbolic::expression& e : result.entries)
-    if (!e.lives_in(system_->graph())) return false;
+    if (!e.belongs_to(system_->graph())) return false;
   return true;
 }
 

@@ -8,7 +8,7 @@
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
-#include <kanexpr/symbolic/limits/replacement.hpp>
+#include <kanexpr/symbolic/graph/substitute.hpp>
 
 #include <optional>
 #include <string>

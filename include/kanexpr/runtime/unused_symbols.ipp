@@ -19,7 +19,7 @@ inline base::sentence check_uses(const mechanics::multibody_system& system,
   const mechanics::mechanism& m = system.mechanism;
   base::sequence<int> nodes;
   const auto collect = [&](const symbolic::expression& e) {
-    if (e.lives_in(*m.g)) nodes.push(e.node());
+    if (e.belongs_to(*m.g)) nodes.push(e.node());
   };
   const each_expression each{collect};
   each(m.kinematics);

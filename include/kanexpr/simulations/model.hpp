@@ -58,7 +58,7 @@ simulation<model> simulate(const Builder& built, const given_state<model>& x,
 /// Returns the event in which an expression of a model crosses zero: `when(m, dot(x) - v, "slips")`.
 inline event<model> when(model m, symbolic::expression passes_zero, std::string name,
                          crossing direction = crossing::either, event_handler<model> handler = {}) {
-  if (!passes_zero.is_given() || !passes_zero.lives_in(m.graph()))
+  if (!passes_zero.is_given() || !passes_zero.belongs_to(m.graph()))
     return {std::move(name), {}, direction, std::move(handler)};
   symbolic::matrix one(m.graph(), 1, 1);
   one(0, 0) = m.in_motion(passes_zero);

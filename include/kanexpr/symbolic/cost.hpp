@@ -24,8 +24,7 @@ struct cost {
   constexpr void count(operation op, int times = 1) {
     nodes += times;
     switch (form_of(op)) {
-    case form::constant:
-    case form::symbol:
+    case form::leaf:
     case form::negate: break;
     case form::selection: // a comparison
     case form::add:
@@ -36,14 +35,10 @@ struct cost {
     case form::binary_function:
       (binary_properties_of(op).is_trigonometric ? trigonometric : other) += times;
       break;
-    case form::power:
-    case form::call: other += times; break;
-    case form::pair:
-    case form::factorization:
-    case form::solve:
-    case form::transposed_solve:
-    case form::component:
-    case form::singularity_measure: break; // counted by their order
+    case form::power: other += times; break;
+    case form::list_operation:
+      if (op == operation::call) other += times; // linear systems are counted by their order
+      break;
     }
   }
 
@@ -80,7 +75,7 @@ constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs)
       total.count(n.op);
     else if (n.op == operation::factorization)
       total.count_factorization(order_of(g, id));
-    else if (n.op == operation::solve || n.op == operation::transposed_solve)
+    else if (is_solution(n.op))
       total.count_substitution(order_of(g, n.a));
     else if (n.op == operation::singularity_measure)
       total.count_singularity_measure(order_of(g, n.a));
@@ -95,7 +90,7 @@ constexpr cost cost_of_written_out(const graph& g, const sequence<int>& outputs)
 
 /// The cost of the outputs after lowering: small linear systems are expanded, large ones use elimination.
 constexpr cost cost_of(const graph& g, const sequence<int>& outputs) {
-  if (!holds_solves(g, live_nodes(g, outputs))) return detail::cost_of_written_out(g, outputs);
+  if (!has_linear_systems(g, live_nodes(g, outputs))) return detail::cost_of_written_out(g, outputs);
   graph copy = g;
   const sequence<int> expanded = expand_solves(copy, outputs);
   return detail::cost_of_written_out(copy, expanded);

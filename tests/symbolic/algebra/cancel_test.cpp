@@ -108,7 +108,7 @@ TEST(random_formula, is_the_same_when_cancelled) {
   EXPECT_GT(done, 1100);
 }
 
-/// Sums of a few products of powers, with small whole coefficients.
+/// Sums of a few products of powers with small integer coefficients.
 expression random_sum(symbols& s, std::mt19937& random) {
   const expression all[] = {s.a, s.b, s.x, s.y, s.q1};
   expression sum = s.number(0);

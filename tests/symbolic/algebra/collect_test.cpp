@@ -69,7 +69,7 @@ TEST_F(collected, too_many_terms_are_reported) {
   EXPECT_EQ(same.cause.substr(0, 40), "the expression cannot be multiplied out:");
 }
 
-/// Powers of x are met once each, with coefficients in which there is none.
+/// Each power of x occurs once, and its coefficient does not contain x.
 int powers_of(const graph& g, expression e, expression x) {
   printing::term_reader reader(g);
   int found = 0;

@@ -44,7 +44,7 @@ TEST_F(comparison, of_other_functions) {
   EXPECT_EQ(compare(log(1 - sin(q1) * sin(q1)), log(cos(q1) * cos(q1))), equality::equal);
   EXPECT_EQ(compare(sin(atan2(y, x) + q1), sin(q1) * cos(atan2(y, x)) + cos(q1) * sin(atan2(y, x))),
             equality::equal);
-  // true, but not known
+  // true, but not proved
   EXPECT_EQ(compare(sqrt(x * x), abs(x)), equality::undecided);
   EXPECT_EQ(compare(exp(x + y), exp(x) * exp(y)), equality::undecided);
   EXPECT_EQ(compare(sin(atan2(y, x)), y / sqrt(x * x + y * y)), equality::undecided);
@@ -52,7 +52,7 @@ TEST_F(comparison, of_other_functions) {
   // false for x < 0 only
   EXPECT_EQ(compare(abs(x), x), equality::undecided);
   EXPECT_FALSE(are_equal(abs(x), x));
-  // seen in numbers
+  // visible numerically
   EXPECT_EQ(compare(exp(x + y), exp(x) + exp(y)), equality::different);
   EXPECT_EQ(compare(sqrt(x), x), equality::different);
   // never defined
@@ -149,7 +149,7 @@ TEST_F(comparison, of_too_many_terms) {
   expression e = sin(q1) + a;
   for (int i = 0; i < 12; ++i) e *= e / 8 + sin(q2 + (i + 1) * q1);
   EXPECT_EQ(compare(e * (e + 1), e * e + e), equality::undecided);
-  EXPECT_EQ(compare(e * (e + 1), e * e - e), equality::different); // in numbers
+  EXPECT_EQ(compare(e * (e + 1), e * e - e), equality::different); // numerically
   EXPECT_EQ(compare((a + b) * (x + y), a * x + a * y + b * x + b * y, 3), equality::undecided);
   EXPECT_EQ(compare((a + b) * (x + y), a * x + a * y + b * x + b * y, 4), equality::equal);
 }

@@ -94,7 +94,7 @@ TEST_F(expanded, shared_parts_are_not_repeated) {
 TEST_F(expanded, too_many_terms_are_reported) {
   expression p = a + b + c;
   for (const expression& other : {x, y, z, q1, q2}) p *= a + b + c + other;
-  const std::size_t terms = 3 + 3 * 5; // far less than there are
+  const std::size_t terms = 3 + 3 * 5; // far fewer than there are
   const rewritten none = expand(p, terms);
   EXPECT_FALSE(none);
   EXPECT_EQ(none.value, p);

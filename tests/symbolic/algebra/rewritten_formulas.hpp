@@ -9,8 +9,8 @@
 
 #include <cmath>
 
-/// Rewrites thirty random formulas for each of some seeds, and compares values before and after. `rewrite`
-/// may fail at some of them; at how many it has not is the result.
+/// Rewrites thirty random formulas per seed and compares the values before and after. `rewrite` may fail for
+/// some of them; returns the number of formulas for which it succeeded.
 template <class Rewrite>
 void expect_same_values(Rewrite rewrite, unsigned seeds, int& done) {
   done = 0;

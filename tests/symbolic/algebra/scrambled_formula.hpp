@@ -2,8 +2,8 @@
 
 #include "symbolic/random_formula.hpp"
 
-/// Pairs of expressions that are equal and look different: each part is built once as it is and once by a
-/// theorem. A pair may be spoiled in one place.
+/// Pairs of equal expressions that look different: each part is built once directly and once by a theorem. A
+/// pair may be made unequal in one place.
 class scrambled_formulas {
 public:
   using expression = kanexpr::symbolic::expression;
@@ -39,7 +39,7 @@ public:
     }
   }
 
-  /// From now on one of the next few leaves is a little different on one side.
+  /// Makes one of the next few leaves slightly different on one side.
   void spoil() { until_spoiled_ = 1 + pick(4); }
 
   std::vector<std::vector<long double>> points() {

@@ -1,4 +1,4 @@
-// The shortest of several forms, and whole linearizations as a person would write them.
+// The shortest of several forms, and complete linearizations as an engineer would write them.
 #include "models/double_pendulum.hpp"
 #include "models/rolling_disc.hpp"
 
@@ -21,7 +21,7 @@ TEST(simplify, takes_the_shortest_form) {
   EXPECT_EQ(print(simplify((a + b) * (a + b) * (a - b))), print((a + b) * (a + b) * (a - b)));
 }
 
-// Without a motor, friction and spread masses: two points on rods that lie along the axis that is vertical.
+// Two point masses on rods along the vertical axis, without a motor or friction.
 TEST(simplify, writes_a_linearized_double_pendulum) {
   using namespace double_pendulum;
   auto model = kanexpr::derive<System>();
@@ -34,7 +34,7 @@ TEST(simplify, writes_a_linearized_double_pendulum) {
                                                        "[-1/(l1^2*m1), (m1 + 2*m2)/(l1^2*m1*m2)]");
 }
 
-// Wobble and yaw of a disc that rolls straight.
+// Wobble and yaw of a disc that rolls straight ahead.
 TEST(simplify, writes_a_linearized_disc) {
   using namespace rolling_disc;
   auto model = kanexpr::derive<System>();

@@ -99,8 +99,7 @@ TEST_F(differentiate_each, function_by_an_imaginary_step) {
     EXPECT_PRED3(are_close, evaluate(differentiate(e, x), at), complex_step(e, at, by_x), 1e-15L);
 }
 
-/// Components of a vector that is turned by x, with both signs, both orders, and what turns depending on x
-/// too.
+/// Components of a vector rotated by x, with both signs and both orders; the vector also depends on x.
 TEST_F(differentiate_each, turned_component_forward_and_reverse) {
   const std::vector<real> at(static_cast<std::size_t>(g.symbols().size()), 0.3L);
   std::vector<real> apart = at;

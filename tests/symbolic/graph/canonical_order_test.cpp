@@ -8,7 +8,7 @@ namespace {
 
 using namespace kanexpr::symbolic;
 
-// f = Σ c_i g_i(x·y), in a graph whose nodes were made in another order by each `first`.
+// f = Σ c_i g_i(x·y), in a graph whose nodes are created in a different order for each `first`.
 struct sum_in_a_graph {
   graph g;
   expression x, y, f;
@@ -25,10 +25,10 @@ struct sum_in_a_graph {
     for (int i = 1; i < 6; ++i) f += part(i);
   }
 
-  sequence<int> order() { return users_first(g, {f.node()}); }
+  sequence<int> order() { return reverse_topological_order(g, {f.node()}); }
 };
 
-TEST(users_first, has_each_node_once_before_its_operands) {
+TEST(reverse_topological_order, has_each_node_once_before_its_operands) {
   sum_in_a_graph s(2);
   const sequence<int> order = s.order();
   const sequence<char> live = live_nodes(s.g, {s.f.node()});
@@ -45,8 +45,8 @@ TEST(users_first, has_each_node_once_before_its_operands) {
   }
 }
 
-// A sum over the users of a node is written in the same order whatever their numbers are.
-TEST(users_first, follows_from_what_nodes_are) {
+// The order of a sum over the users of a node does not depend on their numbers.
+TEST(reverse_topological_order, follows_from_what_nodes_are) {
   sum_in_a_graph one(0);
   for (int first = 1; first < 6; ++first) {
     sum_in_a_graph other(first);

@@ -1,4 +1,4 @@
-// Functions that are written with others, and the selections among them.
+// Functions that are composed of others, and selections.
 #include "evaluate_graph.hpp"
 #include "symbolic/symbols.hpp"
 
@@ -47,9 +47,9 @@ TEST_F(composed, is_what_it_stands_for) {
 
 TEST_F(composed, words_are_in_their_order) {
   int place = 0;
-  for (const composition_word& each : compositions) {
+  for (const composite_signature& each : compositions) {
     EXPECT_EQ(static_cast<int>(each.is), place++) << each.name;
-    EXPECT_STREQ(word_of(each.is).name, each.name);
+    EXPECT_STREQ(signature_of(each.is).name, each.name);
   }
 }
 
@@ -114,7 +114,7 @@ TEST_F(composed, derivative_at_a_tie_is_that_of_the_second) {
   EXPECT_EQ(at(between, 0.25), 1);
 }
 
-/// Of a root at x < 0 there is neither a value nor a slope, and at x = 0 its slope is infinite.
+/// At x < 0 a root has neither a value nor a slope, and at x = 0 its slope is infinite.
 TEST_F(composed, what_is_left_out_does_not_matter) {
   const expression e = if_positive(x, sqrt(x) * y, z / x + x);
   const expression root = if_positive(x, y * sqrt(x), x * y);
@@ -138,16 +138,16 @@ TEST_F(composed, selection_has_the_size_and_the_unit_of_its_branches) {
   evaluation value(g, {e.node()});
   value.at([&](int id) { return id == x.node() ? 1.0 : id == y.node() ? -3.0 : 5.0; });
   EXPECT_EQ(magnitudes(g, value)[e.node()], 3);
-  EXPECT_TRUE(units(g, {e.node()}).are_alike(y.node(), z.node()));
-  EXPECT_FALSE(units(g, {e.node()}).are_alike(x.node(), z.node()));
-  EXPECT_TRUE(units(g, {(min)(x, z).node()}).are_alike(x.node(), z.node()));
+  EXPECT_TRUE(units(g, {e.node()}).have_same_unit(y.node(), z.node()));
+  EXPECT_FALSE(units(g, {e.node()}).have_same_unit(x.node(), z.node()));
+  EXPECT_TRUE(units(g, {(min)(x, z).node()}).have_same_unit(x.node(), z.node()));
 }
 
 TEST_F(composed, result_is_looked_at_where_a_branch_may_fail) {
   const expression sure = if_positive(x, y, z), quotient = y / z, unsure = if_positive(x, quotient, z);
-  EXPECT_TRUE(finiteness(g, {sure.node()}, {}).watched().empty());
-  // that the quotient is not finite says nothing of the selection, and the other way round
-  EXPECT_EQ(finiteness(g, {unsure.node(), quotient.node()}, {}).watched().size(), 2);
+  EXPECT_TRUE(finiteness(g, {sure.node()}, {}).outputs_to_check().empty());
+  // the quotient may be infinite while the selection is finite, and vice versa
+  EXPECT_EQ(finiteness(g, {unsure.node(), quotient.node()}, {}).outputs_to_check().size(), 2);
 }
 
 TEST_F(composed, selection_counts_as_a_comparison) {

@@ -1,4 +1,4 @@
-// What the table says of each function, against its values.
+// The properties in the table of functions, compared with the values of the functions.
 #include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
 
@@ -56,9 +56,9 @@ TEST(functions, have_their_slope_where_they_are_smooth) {
 
 TEST(functions, are_the_same_in_the_program) {
   each_function_at_some_numbers([](const function_properties& f, double x, double value) {
-    const double there = with_function(f.op, [&]<operation op>() { return scalar_function<op>::of(x); });
+    const double there = with_function(f.op, [&]<operation op>() { return function_value<op>(x); });
     EXPECT_EQ(std::isnan(there), std::isnan(value));
-    if (std::isnan(value) || there == value) return; // infinite, too
+    if (std::isnan(value) || there == value) return; // both infinite
     EXPECT_NEAR(there, value, 1e-15 * std::abs(value));
   });
 }
@@ -124,7 +124,9 @@ TEST(functions, are_forms_of_their_own) {
     EXPECT_TRUE(is_binary(f.op) && !is_function(f.op));
   }
   EXPECT_EQ(form_of(operation::negate), form::negate);
-  EXPECT_EQ(form_of(operation::component), form::component);
+  EXPECT_EQ(form_of(operation::symbol), form::leaf);
+  EXPECT_EQ(form_of(operation::if_positive), form::selection);
+  EXPECT_EQ(form_of(operation::component), form::list_operation);
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Smooth functions, against numbers of 60 digits.
+// Smooth functions, compared with numbers of 60 digits.
 #include "references.hpp"
 #include "symbolic/symbols.hpp"
 
@@ -22,7 +22,7 @@ protected:
       return id == x.node() ? x_is : id == y.node() ? y_is : z_is;
     })[0];
   }
-  /// With tolerances for the value, its slope and its curvature beside that of the reference.
+  /// The tolerances of the value, its slope and its curvature are in addition to those of the reference.
   template <std::size_t count>
   void expect_rows(const references::row (&rows)[count], expression e, double tolerance) const {
     const expression slope = differentiate(e, x), curvature = differentiate(slope, x);

@@ -1,4 +1,4 @@
-// Curves through points, against those of SciPy.
+// Curves through points, compared with those of SciPy.
 #include "references.hpp"
 #include "symbolic/symbols.hpp"
 
@@ -23,7 +23,7 @@ protected:
   double at(expression e, double x_is) const {
     return values_at(g, {e.node()}, [&](int id) { return id == x.node() ? x_is : given(id); })[0];
   }
-  /// With numbers for the points, or with parameters that have these values.
+  /// The points are numbers, or parameters with these values.
   template <std::size_t count>
   sequence<expression> expressions(const double (&points)[count], bool is_bound) {
     sequence<expression> all;
@@ -100,7 +100,7 @@ TEST_F(table_of_points, curve_turns_at_points) {
 }
 TEST_F(table_of_points, curve_bends_at_its_ends) { expect_curve(references::bend_points, references::bend); }
 
-/// The slopes on both sides of a point are the same.
+/// The slopes on both sides of a point are equal.
 TEST_F(table_of_points, curve_has_one_slope_at_a_point) {
   const expression slope = differentiate(curve(references::zigzag_points, true), x);
   for (const double point : {1.0, 2.5, 3.0}) {
@@ -132,7 +132,7 @@ TEST_F(table_of_points, periodic_curve_goes_on) {
         EXPECT_NEAR(at(slope, place), on.slope, 300 * lost);
         EXPECT_NEAR(at(curvature, place), on.curvature, 3000 * lost);
       }
-    // on both sides of where it begins anew
+    // on both sides of the end of a period
     for (const double place : {0.5 - 1e-9, 0.5, 0.5 + 1e-9, 3.0, 3 - 1e-9}) {
       EXPECT_NEAR(at(e, place), 2, 1e-7);
       EXPECT_NEAR(at(slope, place), at(slope, 0.5), 1e-6);
@@ -143,7 +143,7 @@ TEST_F(table_of_points, periodic_curve_goes_on) {
 
 TEST_F(table_of_points, curve_of_numbers_cannot_fail) {
   const expression e = curve(references::force_points, true);
-  EXPECT_TRUE(finiteness(g, {e.node(), differentiate(e, x).node()}, {}).watched().empty());
+  EXPECT_TRUE(finiteness(g, {e.node(), differentiate(e, x).node()}, {}).outputs_to_check().empty());
 }
 
 TEST_F(table_of_points, curve_counts_its_intervals) {

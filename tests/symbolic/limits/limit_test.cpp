@@ -31,7 +31,7 @@ protected:
     return found.values(0, 0);
   }
   expression at_zero(expression e) { return at({{q1, number(0)}, {q2, number(0)}}, e); }
-  /// Of what is singular.
+  /// The conditions of the singular entries.
   std::string condition(const std::vector<replacement>& point, expression e) {
     const point_values found = all_at({e}, point);
     return found.singular.size() == 1 ? found.singular[0].condition : "";
@@ -137,7 +137,7 @@ TEST_F(limits, are_looked_at_from_sides_that_part_the_signs) {
                   testing::HasSubstr("direction"));
     }
   EXPECT_THAT(condition_at_zero(sin(q) / q + sign(q * (q - p))), testing::HasSubstr("direction"));
-  // the axis of x is a cut where it is negative
+  // the negative x axis is a branch cut
   EXPECT_THAT(condition_at_zero(atan2(q * q * q, p)), testing::HasSubstr("direction"));
   EXPECT_THAT(condition_at_zero(sin(p) / p * atan2(q, x)), testing::HasSubstr("direction"));
   EXPECT_EQ(at_zero(sin(p) / p * atan2(q, a)), number(0));
@@ -219,7 +219,7 @@ TEST_F(limits, are_plain_substitution_where_nothing_is_singular) {
   }
 }
 
-/// Quotients of what vanishes at a point, made of random regular functions.
+/// Quotients of random regular functions that vanish at a point.
 class removable {
 public:
   explicit removable(unsigned seed) : engine_(seed) {
@@ -240,7 +240,7 @@ public:
     }
   }
 
-  /// By evaluation on the way, extrapolated (Neville).
+  /// Extrapolates values on the way to the point (Neville).
   real extrapolated(expression e) const {
     const real across[] = {0.7L, 0.4L};
     std::vector<real> table;

@@ -19,9 +19,9 @@ using graph_evaluation::arithmetic;
 using real = long double;
 
 constexpr int most = 12;
-constexpr real step = 1 / 64.0L; // what is left out is about step^13
+constexpr real step = 1 / 64.0L; // the omitted terms are about step^13
 
-/// A polynomial in ε with random terms from an order on, the first of a given sign; and its value.
+/// A polynomial in ε with random terms from a given order on, the first of a given sign, and its value.
 struct random_polynomial {
   random_polynomial(std::mt19937& engine, int first, int count, double sign) {
     std::uniform_real_distribution<double> uniform(0.3, 0.8);
@@ -46,7 +46,7 @@ real value_of_series(const series& s) {
   return sum;
 }
 
-/// Against evaluation at a small ε, up to the terms that are not known.
+/// Compares with an evaluation at a small ε, up to the unknown terms.
 void check(operation op, const series& a, const series& b, real x, real y) {
   const expansion found = apply(op, a, b);
   ASSERT_TRUE(found) << function_name(op) << ' ' << static_cast<int>(found.met());
@@ -105,7 +105,7 @@ TEST(series, have_functions) {
   }
 }
 
-/// Functions of two arguments without a series of their own take the one that follows from their slopes.
+/// Functions of two arguments that have no separate series use the one that follows from their slopes.
 TEST(series, follow_from_two_slopes) {
   std::mt19937 engine(4);
   for (int i = 0; i < 20; ++i) {
@@ -153,7 +153,7 @@ TEST(series, know_how_far_they_are_known) {
   const coefficient one(1);
   const auto power_of = [&](int k) { return series(k, {one}, series::all_orders, 6); };
   EXPECT_TRUE((power_of(4) - power_of(4)).is_zero());
-  EXPECT_EQ((power_of(4) * power_of(4)).end(), 7); // ε⁸ is left out
+  EXPECT_EQ((power_of(4) * power_of(4)).end(), 7); // ε⁸ is dropped
   EXPECT_FALSE((power_of(4) * power_of(4)).is_zero());
   const series unknown(0, {one, one}, 3, 6), beyond = power_of(4) * power_of(4);
   EXPECT_EQ((unknown * power_of(2)).end(), 5);
@@ -212,7 +212,7 @@ TEST(rounding, stays_within_the_bound) {
       if (!next.defined() || !std::isfinite(expected) || next.error > 1e-8 * std::abs(next.value)) continue;
       values.push_back(next), exact.push_back(expected);
       if (std::fpclassify(expected) == FP_ZERO)
-        values.pop_back(), exact.pop_back(); // the sign of zero is open
+        values.pop_back(), exact.pop_back(); // the sign of zero is not determined
       const real wrong = std::abs(next.value - expected);
       EXPECT_LE(wrong, 1.05L * next.error) << static_cast<int>(op) << ' ' << i;
       ++count, tight += wrong > next.error / 100 ? 1 : 0;

@@ -17,7 +17,7 @@ protected:
   graph g;
 
   expression number(int value) { return constant(g, exactly(value)); }
-  /// A matrix of symbols where the pattern has a letter; equal letters are equal entries.
+  /// A matrix with a symbol for each letter of the pattern; equal letters are equal entries.
   expression factors_of(const char* pattern, int order) {
     matrix filled(g, order, order);
     for (int i = 0; i < order * order; ++i)
@@ -47,7 +47,7 @@ TEST(expanded, solutions_have_the_same_values) {
       moving_system s(n, seed);
       const expression factors = factorization(s.g, s.a);
       sequence<expression> outputs = solve(factors, s.b);
-      append(outputs, solve_transposed(factors, outputs)); // rests on the first
+      append(outputs, solve_transposed(factors, outputs)); // depends on the first
       differentiation d(s.g);
       d.set_rate(s.q[0], s.rates[0]);
       append(outputs, {d.of(outputs[0]), d.of(outputs[n]), singularity_measure(factors, entry_squares(s.a))});
@@ -56,7 +56,7 @@ TEST(expanded, solutions_have_the_same_values) {
         const long double expected = s.value_of(outputs[i]);
         EXPECT_PRED3(are_close, s.value_of({s.g, images[i]}), expected, 1e-13L * (1 + std::abs(expected)));
       }
-      EXPECT_EQ(holds_solves(s.g, live_nodes(s.g, images)), n > 3);
+      EXPECT_EQ(has_linear_systems(s.g, live_nodes(s.g, images)), n > 3);
     }
   }
 }
@@ -119,7 +119,7 @@ TEST_F(expand, larger_systems_stay) {
   EXPECT_EQ(of(x), (cost{14 + 6 + 32, 14 + 6 + 24, 4, 0, 0, 72 + 28}));
 }
 
-/// A chain of systems, each of whose entries are solutions of the one before.
+/// A chain of systems; the entries of each are solutions of the previous one.
 TEST_F(expand, is_cheap_where_much_is_shared) {
   sequence<expression> entries;
   for (const char letter : {'a', 'b', 'c', 'd'}) entries.push(symbol('A', letter));

@@ -78,7 +78,7 @@ TEST(solutions, have_gradients_that_agree_with_derivatives) {
       moving_system s(n, 40 + static_cast<unsigned>(n));
       const expression factors = factorization(s.g, s.a);
       const sequence<expression> x = solved(transposed, factors, s.b);
-      // two components of one solution, which weigh differently, and one that another solution rests on
+      // two components of one solution with different weights, and one on which another solution depends
       const sequence<expression> next = solve(factors, x);
       const expression e = x[0] * s.q[1] + x[n - 1] * x[n - 1] + sin(next[0]);
       accumulation reverse(s.g, {e});
@@ -129,7 +129,7 @@ TEST_F(solution_of_symbols, is_simple_where_it_can_be) {
   const expression factors = factorization(g, of({a, b, c, m}, 2));
   EXPECT_EQ(solve(factors, {zero, zero})[1], zero);
   EXPECT_EQ(solve_transposed(factors, {zero, zero})[0], zero);
-  // numbers give numbers, exact ones
+  // exact numbers give exact numbers
   const expression numbers = factorization(g, of({number(0), number(2), number(3), number(1)}, 2));
   EXPECT_EQ(solve(numbers, {number(1), number(1)})[0], fraction(1, 6));
   EXPECT_EQ(solve_transposed(numbers, {number(1), number(1)})[0], fraction(1, 6) + fraction(1, 6));

@@ -30,7 +30,7 @@ public:
     for (int i = 0; i < n; ++i) b.push(i == 1 ? constant(g, exactly(0)) : entry());
   }
 
-  /// The derivative by an imaginary step along q̇, at the symbols' values.
+  /// The derivative along q̇ by an imaginary step, at the values of the symbols.
   real along(const expression& e, const std::vector<real>& direction) const {
     constexpr real step = 1e-25L;
     std::vector<complex> values;

@@ -123,7 +123,7 @@ TEST(solve_linear, agrees_with_lu_for_any_sparsity) {
     for (int repeat = 0; repeat < 12; ++repeat)
       for (const double density : {0.2, 0.4, 0.7, 1.0}) {
         Eigen::MatrixXd a = random_matrix(engine, n, density);
-        a.diagonal().setZero(); // nothing to pivot on
+        a.diagonal().setZero(); // no pivots on the diagonal
         for (int i = 0; i < n; ++i) a(i, (i + 1) % n) += 2;
         a = shuffled(engine, a);
         const Eigen::VectorXd b = random_matrix(engine, n, 0.8).col(0);
@@ -188,7 +188,7 @@ TEST(solve_linear, divides_where_one_unknown_is_left) {
   const linear_solution single = solve_linear(g, m, one);
   EXPECT_EQ(single.x(2, 0), symbol("x") / 2);
   EXPECT_EQ(single.x(0, 0), (symbol("x") - b * (symbol("x") / 2)) / a);
-  ASSERT_EQ(single.blocks.size(), 2); // what is divided by a number is always regular
+  ASSERT_EQ(single.blocks.size(), 2); // a division by a number is always regular
   EXPECT_EQ(single.blocks[0].key, a.node());
   EXPECT_EQ(single.blocks[1].key, b.node());
   const linear_solution both = solve_linear(g, m, two);
@@ -196,8 +196,8 @@ TEST(solve_linear, divides_where_one_unknown_is_left) {
   EXPECT_EQ(cost_of(g, outputs).divisions, 2);
 
   const sequence<char> live = live_nodes(g, {single.x(0, 0).node()});
-  EXPECT_TRUE(rests_on(g, live, a.node()));
-  EXPECT_FALSE(rests_on(g, live, b.node())); // it is needed, but not to divide by
+  EXPECT_TRUE(depends_on_block(g, live, a.node()));
+  EXPECT_FALSE(depends_on_block(g, live, b.node())); // it is needed, but not as a divisor
 }
 
 TEST(solve_linear, tells_a_structurally_singular_matrix_and_solves_the_rest) {
@@ -212,7 +212,7 @@ TEST(solve_linear, tells_a_structurally_singular_matrix_and_solves_the_rest) {
   EXPECT_TRUE(column_of(s, solved.x, 0).isApprox(Eigen::Vector4d(2, 0, 0, 2)));
 }
 
-// One equation with the coefficients a and b, which is solved for the unknown of a; it comes from a sum.
+// One equation with the coefficients a and b, derived from a sum and solved for the unknown of a.
 solved_block only_block(graph& g, const expression& a, const expression& b, const expression& sum) {
   matrix unknown(g, 1, 1), right(g, 1, 1), both(g, 1, 2);
   unknown(0, 0) = both(0, 0) = a;
@@ -274,11 +274,11 @@ TEST(solve_linear, measures_by_what_does_not_vanish_with_the_equation) {
   EXPECT_DOUBLE_EQ(scale(l * cos(angle), l, l), std::sqrt(2)); // of all angles
   EXPECT_DOUBLE_EQ(scale(l * cos(angle) - l * sin(angle), l, l), 2);
   EXPECT_DOUBLE_EQ(scale(x, y, x * x + y * y - l * l), both); // of all coordinates that are lengths
-  EXPECT_DOUBLE_EQ(scale(x, y, l), 0.3);                      // what y is, is not known
-  EXPECT_DOUBLE_EQ(scale(x, angle, x + l * angle), 0.3);      // an angle is none
+  EXPECT_DOUBLE_EQ(scale(x, y, l), 0.3);                      // the unit of y is unknown
+  EXPECT_DOUBLE_EQ(scale(x, angle, x + l * angle), 0.3);      // an angle is not a length
   EXPECT_DOUBLE_EQ(scale(x + y, y, l), 0.5);                  // the coefficients are sums too
   EXPECT_DOUBLE_EQ(scale(l * x, y / l, x - y), 2 * both);
-  EXPECT_DOUBLE_EQ(scale(x / l, y, x - y), both / 2); // of the divisors, their values
+  EXPECT_DOUBLE_EQ(scale(x / l, y, x - y), both / 2); // divisors contribute their values
   EXPECT_DOUBLE_EQ(evaluate(only_block(g, l * cos(angle), l, l).measure, at), 2 * std::cos(1.2));
 }
 

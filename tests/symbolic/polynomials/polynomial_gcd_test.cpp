@@ -32,7 +32,7 @@ private:
   std::mt19937 engine_;
 };
 
-/// The greatest common divisor of a d and b d is a multiple of d, and what is left has none.
+/// The greatest common divisor of a d and b d is a multiple of d, and the quotients are coprime.
 void expect_found(const real_polynomial& a, const real_polynomial& b, const real_polynomial& d) {
   budget left(20'000);
   const real_polynomial p = product(a, d, left), q = product(b, d, left);

@@ -1,4 +1,4 @@
-// Which results have to be looked at to know that all are finite.
+// The results that must be checked to be sure that all are finite.
 #include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/sizes/finiteness.hpp>
 
@@ -16,12 +16,12 @@ protected:
   expression coordinate(const char* called) {
     return variable(g, {symbol_kind::coordinate, kanexpr::base::name(called), next++});
   }
-  // The places among `outputs` of those that are watched, in no order.
+  // The indices among `outputs` of those to check, in any order.
   std::vector<int> watched(const std::vector<expression>& outputs, const sequence<int>& sure = {}) {
     sequence<int> nodes;
     for (const expression& e : outputs) nodes.push(e.node());
     std::vector<int> places;
-    for (int id : finiteness(g, nodes, sure).watched())
+    for (int id : finiteness(g, nodes, sure).outputs_to_check())
       for (std::size_t i = 0; i < outputs.size(); ++i)
         if (outputs[i].node() == id) places.push_back(static_cast<int>(i));
     return places;
@@ -30,7 +30,7 @@ protected:
   std::string suspects(expression e, const sequence<int>& known = {}) {
     const sequence<int> nodes{e.node()};
     std::string names;
-    for (int id : finiteness(g, nodes, {}).suspects(known)) names += g.symbol_at(id).called.view();
+    for (int id : finiteness(g, nodes, {}).suspicious_symbols(known)) names += g.symbol_at(id).called.view();
     return names;
   }
 
@@ -54,15 +54,15 @@ TEST_F(finiteness_of, sums_products_and_most_functions_is_not_watched) {
 TEST_F(finiteness_of, outputs_is_told_by_what_is_made_of_them) {
   const expression q = x / y;
   EXPECT_EQ(watched({q, z * q + 1, z}), (places{1}));
-  EXPECT_EQ(watched({q, -q, sin(q)}), (places{2, 1}));     // neither of the last two holds the other
-  EXPECT_EQ(watched({q, 1 / q, atan(q)}).size(), 3u);      // of 1/∞ nobody sees it
+  EXPECT_EQ(watched({q, -q, sin(q)}), (places{2, 1}));     // neither of the last two contains the other
+  EXPECT_EQ(watched({q, 1 / q, atan(q)}).size(), 3u);      // 1/∞ hides it
   EXPECT_EQ(watched({q, z / x}, {y.node()}), (places{1})); // y is known not to vanish
   EXPECT_EQ(watched({q, z / x}, {x.node(), y.node()}).size(), 0u);
 }
 
 TEST_F(finiteness_of, a_sum_lets_nothing_cancel) {
   const expression q = x / y;
-  const int sum = plain_sum(g, {q.node(), (-q).node(), z.node()});
+  const int sum = unsimplified_sum(g, {q.node(), (-q).node(), z.node()});
   EXPECT_EQ(g[sum].op, operation::add);
   EXPECT_EQ(live_nodes(g, {sum})[q.node()], 1);
 }
@@ -75,7 +75,7 @@ TEST_F(finiteness_of, suspects_is_what_it_rests_on) {
 }
 
 TEST_F(finiteness_of, angles_only_is_bounded) {
-  const auto bounded = [&](expression e) { return rest_on_angles_only(g, {e.node()}); };
+  const auto bounded = [&](expression e) { return depend_only_on_angles(g, {e.node()}); };
   EXPECT_TRUE(bounded(sin(x) * cos(y * y) + 2));
   EXPECT_FALSE(bounded(sin(x) + x));
   EXPECT_FALSE(bounded(tan(x)));

@@ -18,7 +18,7 @@ protected:
   bool alike(const expression& a, const expression& b, const sequence<expression>& all) {
     sequence<int> nodes;
     for (const expression& e : all) nodes.push(e.node());
-    return units(g, nodes).are_alike(a.node(), b.node());
+    return units(g, nodes).have_same_unit(a.node(), b.node());
   }
   expression number(double value) { return constant(g, real(value)); }
 
@@ -65,7 +65,7 @@ TEST_F(sums, know_rates) {
   EXPECT_TRUE(alike(x, y, {dx * k - u, dy * k - u, x, y}));
 }
 
-// The parts of a quaternion, by a direction cosine that it makes.
+// The components of a quaternion, in a direction cosine.
 TEST_F(sums, know_parts_of_a_quaternion) {
   const expression cosine = x * x + y * y - angle * angle - other * other;
   EXPECT_TRUE(alike(x, other, {cosine * l}));

@@ -19,12 +19,12 @@ class call_reader {
 public:
   constexpr explicit call_reader(reading& all) : reading_(all), m_(all.into.mechanism) {}
 
-  static constexpr const symbolic::composition_word& word_of(const describe::token& t) {
-    return symbolic::word_of(static_cast<symbolic::composition>(t.index));
+  static constexpr const symbolic::composite_signature& word_of(const describe::token& t) {
+    return symbolic::signature_of(static_cast<symbolic::composition>(t.index));
   }
 
   constexpr void compose(const describe::token& t, sequence<value>& stack, std::string_view whom) {
-    const symbolic::composition_word& f = word_of(t);
+    const symbolic::composite_signature& f = word_of(t);
     const int given = static_cast<int>(t.number.numerator);
     sequence<expression> operands;
     for (int i = stack.size() - given; i < stack.size(); ++i) {
@@ -32,12 +32,12 @@ public:
         return reading_.fail({reading_.part, whom, " applies ", f.name, " to ", a_kind(stack[i].kind)});
       operands.push(stack[i].scalar);
     }
-    if (f.operands == symbolic::any_number && !check_table(f, operands, whom)) return;
-    if (given != f.operands && f.operands != symbolic::any_number)
+    if (f.operands == symbolic::variadic && !check_table(f, operands, whom)) return;
+    if (given != f.operands && f.operands != symbolic::variadic)
       return reading_.fail({reading_.part, whom, " calls ", f.name, " with ", base::counted(given).view(),
                             given == 1 ? " argument" : " arguments", "; it takes ",
                             base::counted(f.operands).view()});
-    if (f.is == symbolic::composition::clamp && symbolic::is_out_of_order(operands[1], operands[2]))
+    if (f.is == symbolic::composition::clamp && symbolic::are_reversed(operands[1], operands[2]))
       return reading_.fail(
           {reading_.part, whom, " contains clamp with limits out of order; write clamp(x, least, most)"});
     for (int i = 0; i < given; ++i) stack.pop();
@@ -72,7 +72,7 @@ public:
 private:
   /// Checks the points of a table, which follow its argument: there must be at least two, in increasing
   /// order, and the last value of a periodic table must equal the first.
-  constexpr bool check_table(const symbolic::composition_word& f, const sequence<expression>& x,
+  constexpr bool check_table(const symbolic::composite_signature& f, const sequence<expression>& x,
                              std::string_view whom) {
     const int points = (x.size() - 1) / 2;
     const auto say = [&](std::initializer_list<std::string_view> what) {

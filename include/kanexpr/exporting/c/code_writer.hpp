@@ -146,16 +146,9 @@ private:
     case form::power: return called("pow", first + ", " + second);
     case form::function: return called(s.op, first);
     case form::binary_function: return called(s.op, first + ", " + second);
-    case form::constant:
-    case form::symbol: // have no line of code
+    case form::leaf: // has no line of code
     case form::selection:
-    case form::pair:
-    case form::factorization:
-    case form::solve:
-    case form::transposed_solve:
-    case form::component:
-    case form::singularity_measure: // are written out
-    case form::call: break;         // cannot be exported
+    case form::list_operation: break; // written out by the caller; a call cannot be exported
     }
     return "";
   }

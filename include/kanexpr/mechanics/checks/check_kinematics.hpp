@@ -123,7 +123,7 @@ private:
     }
     const symbolic::block_triangular_form form(rates_of_equation);
     sequence<char> has_equation(n, 0);
-    for (const symbolic::coupled_part& part : form.parts()) {
+    for (const symbolic::diagonal_block& part : form.parts()) {
       if (!is_regular(k, part)) return cannot_solve(part.columns[0]);
       for (int j : part.columns) has_equation[j] = 1;
     }
@@ -131,7 +131,7 @@ private:
   }
 
   /// Whether the coupled equations are regular in at least one configuration.
-  constexpr bool is_regular(const linear_kinematics& k, const symbolic::coupled_part& part) const {
+  constexpr bool is_regular(const linear_kinematics& k, const symbolic::diagonal_block& part) const {
     const int size = part.rows.size();
     if (size == 1) return true;
     symbolic::matrix a(*m_.g, size, size);

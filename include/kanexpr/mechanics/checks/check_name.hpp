@@ -13,9 +13,9 @@ constexpr base::sentence check_name(std::string_view called, std::string_view ki
   if (symbolic::is_name(called)) return {};
   if (called.empty()) return base::sentence({"one of the ", kinds, " has no name"});
   for (char letter : called)
-    if (!symbolic::is_printed(letter))
+    if (!symbolic::is_printable(letter))
       return base::sentence({"the name of one of the ", kinds, " contains a quote or a control character"});
-  if (!symbolic::begins_name(called[0]))
+  if (!symbolic::is_name_start(called[0]))
     return base::sentence({"the name ", called, " does not begin with a letter"});
   for (char letter : called)
     if (letter == '\'')

@@ -16,8 +16,9 @@ constexpr bool is_positive(const symbolic::graph& g, int id) {
   using symbolic::form;
   const symbolic::node& n = g[id];
   switch (symbolic::form_of(n.op)) {
-  case form::constant: return g.number_at(id).value() > 0;
-  case form::symbol: return g.symbol_at(id).kind == symbolic::symbol_kind::parameter;
+  case form::leaf:
+    return g.is_constant(id) ? g.number_at(id).value() > 0
+                             : g.symbol_at(id).kind == symbolic::symbol_kind::parameter;
   case form::add:
   case form::multiply:
   case form::divide: return is_positive(g, n.a) && (n.a == n.b || is_positive(g, n.b));
@@ -27,13 +28,7 @@ constexpr bool is_positive(const symbolic::graph& g, int id) {
   case form::subtract:
   case form::binary_function:
   case form::selection:
-  case form::pair:
-  case form::factorization:
-  case form::solve:
-  case form::transposed_solve:
-  case form::component:
-  case form::singularity_measure:
-  case form::call: break;
+  case form::list_operation: break;
   }
   return false;
 }

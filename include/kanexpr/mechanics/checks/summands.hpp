@@ -12,7 +12,7 @@ namespace kanexpr::mechanics {
 
 /// A summand at a generic state.
 struct summand {
-  symbolic::rated value{};
+  symbolic::value_and_rate value{};
   bool is_of_mass = false; ///< contains one of the wanted symbols
 };
 
@@ -39,7 +39,8 @@ private:
       return all;
     }
     if (n.op == operation::divide && is_finite(value(n.b)) && !base::equal(value(n.b).value, 0.0)) {
-      const symbolic::rated one_over = symbolic::rated_value_of(operation::divide, {1, 0}, value(n.b));
+      const symbolic::value_and_rate one_over =
+          symbolic::evaluate_with_rate(operation::divide, {1, 0}, value(n.b));
       return scaled_by(one_over, of(n.a));
     }
     if (n.op != operation::multiply) return {{value(id), holds_wanted(id)}};
@@ -52,20 +53,20 @@ private:
     return all;
   }
 
-  static constexpr bool is_finite(symbolic::rated x) {
+  static constexpr bool is_finite(symbolic::value_and_rate x) {
     return numeric::elementary::detail::is_finite(x.value) && numeric::elementary::detail::is_finite(x.rate);
   }
   /// Multiplies two numbers; a constant expression must not compute with NaN or infinity.
-  static constexpr symbolic::rated product(symbolic::rated a, symbolic::rated b) {
-    return is_finite(a) && is_finite(b) ? symbolic::rated_value_of(symbolic::operation::multiply, a, b)
-                                        : symbolic::rated{numeric::elementary::detail::infinity, 0};
+  static constexpr symbolic::value_and_rate product(symbolic::value_and_rate a, symbolic::value_and_rate b) {
+    return is_finite(a) && is_finite(b) ? symbolic::evaluate_with_rate(symbolic::operation::multiply, a, b)
+                                        : symbolic::value_and_rate{numeric::elementary::detail::infinity, 0};
   }
-  static constexpr sequence<summand> scaled_by(symbolic::rated factor, sequence<summand> all) {
+  static constexpr sequence<summand> scaled_by(symbolic::value_and_rate factor, sequence<summand> all) {
     for (summand& s : all) s.value = product(factor, s.value);
     return all;
   }
 
-  constexpr const symbolic::rated& value(int id) const { return motion_.at(id); }
+  constexpr const symbolic::value_and_rate& value(int id) const { return motion_.at(id); }
   constexpr bool holds_wanted(int id) const {
     if (wanted_.contains(id)) return true;
     const symbolic::node& n = g_[id];

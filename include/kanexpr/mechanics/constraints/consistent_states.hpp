@@ -140,7 +140,7 @@ private:
   const mechanism& m_;
   const symbolic::matrix& by_u_;
   symbolic::typical_sizes sizes_;
-  sequence<symbolic::rated> symbols_;
+  sequence<symbolic::value_and_rate> symbols_;
   bool has_rates_;
   sequence<expression> places_, moves_;
   consistent_configurations configurations_;

@@ -9,7 +9,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
-#include <kanexpr/symbolic/linear/determinant.hpp>
+#include <kanexpr/symbolic/linear/cofactors.hpp>
 
 namespace kanexpr::mechanics {
 

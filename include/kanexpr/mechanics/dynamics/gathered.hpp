@@ -5,9 +5,9 @@
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
-#include <kanexpr/symbolic/graph/gathering.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/sum_shortening.hpp>
 
 /// Simplification for models that specify positions or velocities by components with sines and cosines, such
 /// as a ball in a trough. Terms that frames would keep separate then occur together: squared velocities
@@ -48,7 +48,7 @@ constexpr sequence<expression> gathered(graph& g, const sequence<expression>& al
                                         const sequence<expression>& beside = {}) {
   const sequence<int> nodes = symbolic::nodes_of(all), kept = symbolic::nodes_of(beside);
   sequence<expression> found;
-  for (int id : symbolic::gathered(g, nodes, kept)) found.push({g, id});
+  for (int id : symbolic::shorten_sums(g, nodes, kept)) found.push({g, id});
   return found;
 }
 

@@ -95,15 +95,15 @@ constexpr sequence<singularity_check> checks_of_finiteness(const mechanism& m, c
                                                            const sequence<singularity_check>& others) {
   graph& g = *m.g;
   const symbolic::finiteness found(g, outputs, sure_divisors);
-  const sequence<int> watched = found.watched();
+  const sequence<int> watched = found.outputs_to_check();
   if (watched.empty()) return {};
   sequence<int> known, places;
   for (const singularity_check& each : others) known.push(each.key);
   sequence<expression> suspects;
-  for (int symbol : found.suspects(known)) places.push(suspects.push({g, symbol}));
+  for (int symbol : found.suspicious_symbols(known)) places.push(suspects.push({g, symbol}));
   constexpr int most_names = 6; // longer lists do not help
   const bool are_named = !places.empty() && places.size() <= most_names;
-  const expression sum{g, symbolic::plain_sum(g, watched)};
+  const expression sum{g, symbolic::unsimplified_sum(g, watched)};
   sequence<singularity_check> checks;
   checks.push({sum.node(), sum, sum,
                sentence({"the results are not finite at this state; check for unset values",
@@ -120,7 +120,7 @@ constexpr sequence<singularity_check> live_checks(const graph& g, const sequence
   if (all.empty()) return live;
   const sequence<char> needed = symbolic::live_nodes(g, outputs);
   for (const singularity_check& each : all)
-    if (symbolic::rests_on(g, needed, each.key)) live.push(each);
+    if (symbolic::depends_on_block(g, needed, each.key)) live.push(each);
   return live;
 }
 

@@ -3,8 +3,8 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/print_vector.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
-#include <kanexpr/symbolic/printing/plain.hpp>
-#include <kanexpr/symbolic/printing/typeset.hpp>
+#include <kanexpr/symbolic/printing/latex_form.hpp>
+#include <kanexpr/symbolic/printing/plain_text_form.hpp>
 
 #include <string>
 
@@ -16,9 +16,9 @@ constexpr char axis_letter(basis_style style, int axis) {
   return (style == basis_style::xyz ? "xyz" : style == basis_style::ijk ? "ijk" : "123")[axis];
 }
 
-class plain : public symbolic::printing::plain {
+class plain : public symbolic::printing::plain_text_form {
 public:
-  using symbolic::printing::plain::plain;
+  using symbolic::printing::plain_text_form::plain_text_form;
 
   std::string unit(const frame& f, int axis, basis_style style) const {
     return std::string(f.called.view()) + "." + axis_letter(style, axis);
@@ -31,12 +31,12 @@ public:
   }
 };
 
-class typeset : public symbolic::printing::typeset {
+class typeset : public symbolic::printing::latex_form {
 public:
-  using symbolic::printing::typeset::typeset;
+  using symbolic::printing::latex_form::latex_form;
 
   std::string unit(const frame& f, int axis, basis_style style) const {
-    symbolic::printing::split_name name(f.called.view());
+    symbolic::printing::name_parts name(f.called.view());
     for (char& c : name.head)
       if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     if (!name.subscript.empty()) name.subscript += ',';

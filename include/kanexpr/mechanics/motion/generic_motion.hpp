@@ -93,8 +93,8 @@ public:
   /// The declared angular velocity of a frame in its reference.
   constexpr triple declared(int f) const { return vector_of(m_.frames[f].angular_velocity); }
 
-  constexpr const symbolic::rated& at(int node) const { return scalars_[node]; }
-  constexpr const symbolic::rated& operator[](expression e) const { return at(e.node()); }
+  constexpr const symbolic::value_and_rate& at(int node) const { return scalars_[node]; }
+  constexpr const symbolic::value_and_rate& operator[](expression e) const { return at(e.node()); }
   /// Whether an expression is finite here; a constant expression must not compute with NaN or infinity.
   constexpr bool is_defined(expression e) const {
     return numeric::elementary::detail::is_finite((*this)[e].value) &&
@@ -263,7 +263,7 @@ private:
     triple w; // in the parent's axes
     triad turned;
     if (own.kind == orientation::about_basis) {
-      const symbolic::rated& angle = (*this)[own.angle];
+      const symbolic::value_and_rate& angle = (*this)[own.angle];
       turned = about_basis(own.axis, angle.value);
       w = {own.axis == 0 ? angle.rate : 0, own.axis == 1 ? angle.rate : 0, own.axis == 2 ? angle.rate : 0};
     } else {
@@ -320,7 +320,7 @@ private:
   graph& g_;
   symbolic::evaluation equations_;
   symbolic::rate_evaluation scalars_;
-  sequence<symbolic::rated> symbols_;
+  sequence<symbolic::value_and_rate> symbols_;
   sequence<pose> frames_;
   sequence<sequence<int>> rates_{}; ///< the coordinate rates in each equation
   sequence<int> free_speeds_{};

@@ -137,7 +137,7 @@ constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const m
     if (values.empty()) { // an entry that is zero at one generic state is zero at all
       const symbolic::magnitudes terms(g, evaluate);
       for (int i = 0; i < outputs.size(); ++i)
-        is_nothing.push(terms.is_nothing_of(outputs[i], found.entries[i]));
+        is_nothing.push(terms.is_rounding_residue(outputs[i], found.entries[i]));
     }
     for (int i = 0; i < outputs.size(); ++i)
       if (is_nothing[i] || numeric::elementary::abs(found.entries[i]) < (std::numeric_limits<double>::min)())

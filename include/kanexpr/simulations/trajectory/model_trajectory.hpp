@@ -43,7 +43,7 @@ public:
   std::vector<double> along(symbolic::expression e) const {
     if (!of_) return {};
     model m = *of_;
-    if (!e.lives_in(m.graph())) return {};
+    if (!e.belongs_to(m.graph())) return {};
     symbolic::matrix one(m.graph(), 1, 1);
     one(0, 0) = m.in_motion(e);
     auto f = m.function(one);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/symbolic/algebra/quotient_of_sums.hpp>
+#include <kanexpr/symbolic/algebra/sum_of_terms.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 

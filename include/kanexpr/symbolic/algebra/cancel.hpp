@@ -1,8 +1,7 @@
 #pragma once
 
+#include <kanexpr/symbolic/algebra/expression_reader.hpp>
 #include <kanexpr/symbolic/algebra/forms.hpp>
-#include <kanexpr/symbolic/algebra/fraction_reader.hpp>
-#include <kanexpr/symbolic/algebra/quotient_of_sums.hpp>
 #include <kanexpr/symbolic/algebra/rewritten.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/polynomials/polynomial_gcd.hpp>

@@ -2,10 +2,12 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/algebra/sum_of_terms.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/linear/expand_solves.hpp>
 #include <kanexpr/symbolic/polynomials/budget.hpp>
+#include <kanexpr/symbolic/polynomials/polynomial_fraction.hpp>
 
 #include <vector>
 
@@ -13,45 +15,6 @@ namespace kanexpr::symbolic::algebra {
 
 /// Whether a node is treated as a whole: its operands are lists, not values.
 constexpr bool is_atomic(operation op) { return is_leaf(op) || op >= operation::pair; }
-
-/// Computes a value for every node below some outputs exactly once, and discards it after its last use.
-/// `value_of(id, a, b)` receives the values of the operands; `size_of` returns the number of terms of a
-/// value. Returns nothing if the budget is exceeded.
-template <class Value, class ValueOf, class SizeOf>
-std::vector<Value> bottom_up(const graph& g, const sequence<int>& outputs, budget& left, SizeOf size_of,
-                             ValueOf value_of) {
-  const auto at = [](auto& all, int id) -> auto& { return all[static_cast<std::size_t>(id)]; };
-  const int end = g.size();
-  std::vector<int> uses(static_cast<std::size_t>(end), 0);
-  for (int id : outputs) ++at(uses, id);
-  for (int id = end - 1; id >= 0; --id) {
-    const node& n = g[id];
-    if (at(uses, id) == 0 || is_atomic(n.op)) continue;
-    ++at(uses, n.a);
-    if (is_binary(n.op)) ++at(uses, n.b);
-  }
-  std::vector<Value> values(static_cast<std::size_t>(end));
-  std::size_t kept = 0;
-  const auto release = [&](int id) {
-    if (--at(uses, id) > 0) return;
-    kept -= size_of(at(values, id));
-    at(values, id) = Value();
-  };
-  for (int id = 0; id < end; ++id) {
-    if (at(uses, id) == 0) continue;
-    const node n = g[id]; // a copy, since the graph may grow
-    const bool has_operands = !is_atomic(n.op);
-    const int second = has_operands && is_binary(n.op) ? n.b : graph::zero;
-    at(values, id) = value_of(id, has_operands ? at(values, n.a) : Value(), at(values, second));
-    kept += size_of(at(values, id));
-    if (!left.allows_total(kept)) return {};
-    if (has_operands) release(n.a);
-    if (has_operands && is_binary(n.op)) release(n.b);
-  }
-  std::vector<Value> found;
-  for (int id : outputs) found.push_back(at(values, id));
-  return found;
-}
 
 /// Reads expressions bottom-up as values of a form, which is derived from this class. A form provides
 /// - `negative(a)`, `sum(a, b)`, `product(a, b)` and `quotient(a, b)`;
@@ -63,13 +26,29 @@ class expression_reader {
 public:
   expression_reader(graph& g, budget& left) : g_(g), left_(left) {}
 
-  /// Small linear systems are expanded. Returns nothing if the budget is exceeded.
-  std::vector<Value> read(const sequence<int>& outputs) {
-    const bool has_systems = holds_solves(g_, live_nodes(g_, outputs));
-    return bottom_up<Value>(
-        g_, has_systems ? expand_solves(g_, outputs) : outputs, left_,
-        [this](const Value& a) { return form().size(a); },
-        [this](int id, const Value& a, const Value& b) { return value(id, a, b); });
+  /// Computes the value of each node once and discards it after its last use. Small linear systems are
+  /// expanded. Returns nothing if the budget is exceeded.
+  std::vector<Value> read(sequence<int> outputs) {
+    if (has_linear_systems(g_, live_nodes(g_, outputs))) outputs = expand_solves(g_, outputs);
+    const int end = g_.size();
+    count_uses(outputs);
+    values_.assign(static_cast<std::size_t>(end), Value());
+    std::size_t kept = 0;
+    for (int id = 0; id < end; ++id) {
+      if (at(uses_, id) == 0) continue;
+      const node n = g_[id]; // a copy, since the graph may grow
+      at(values_, id) = value(id, n);
+      kept += form().size(at(values_, id));
+      if (!left_.allows_total(kept)) return {};
+      for (int operand : operands_of(n)) {
+        if (--at(uses_, operand) > 0) continue;
+        kept -= form().size(at(values_, operand));
+        at(values_, operand) = Value();
+      }
+    }
+    std::vector<Value> found;
+    for (int id : outputs) found.push_back(at(values_, id));
+    return found;
   }
 
 protected:
@@ -85,18 +64,73 @@ protected:
 private:
   Form& form() { return static_cast<Form&>(*this); }
 
-  Value value(int id, const Value& a, const Value& b) {
-    const operation op = g_[id].op;
-    if (op == operation::negate) return form().negative(a);
-    if (op == operation::add) return form().sum(a, b);
-    if (op == operation::subtract) return form().sum(a, form().negative(b));
-    if (op == operation::multiply) return form().product(a, b);
-    if (op == operation::divide) return form().quotient(a, b);
-    return is_atomic(op) ? form().atomic(id) : form().function(op, a, b);
+  template <class Entry>
+  static Entry& at(std::vector<Entry>& by_node, int id) {
+    return by_node[static_cast<std::size_t>(id)];
+  }
+
+  static sequence<int> operands_of(const node& n) {
+    if (is_atomic(n.op)) return {};
+    return is_binary(n.op) ? sequence<int>{n.a, n.b} : sequence<int>{n.a};
+  }
+
+  void count_uses(const sequence<int>& outputs) {
+    uses_.assign(static_cast<std::size_t>(g_.size()), 0);
+    for (int id : outputs) ++at(uses_, id);
+    for (int id = g_.size() - 1; id >= 0; --id)
+      if (at(uses_, id) != 0)
+        for (int operand : operands_of(g_[id])) ++at(uses_, operand);
+  }
+
+  Value value(int id, const node& n) {
+    if (is_atomic(n.op)) return form().atomic(id);
+    const Value &a = at(values_, n.a), &b = at(values_, is_binary(n.op) ? n.b : graph::zero);
+    if (n.op == operation::negate) return form().negative(a);
+    if (n.op == operation::add) return form().sum(a, b);
+    if (n.op == operation::subtract) return form().sum(a, form().negative(b));
+    if (n.op == operation::multiply) return form().product(a, b);
+    if (n.op == operation::divide) return form().quotient(a, b);
+    return form().function(n.op, a, b);
   }
 
   graph& g_;
   budget& left_;
+  std::vector<int> uses_{}; ///< by node: the number of uses not yet read
+  std::vector<Value> values_{};
+};
+
+/// Reads expressions as fractions of polynomials. In addition to `has_minus` and `written`, a form provides
+/// `known_function(op, fraction)`, which returns a numerator and a denominator for functions that it can
+/// express, and `on_opaque_function(node)`, which is called for every function treated as a symbol.
+template <class Coefficient, class Form>
+class fraction_reader : public expression_reader<polynomials::fraction<Coefficient>, Form>,
+                        public polynomials::fraction_arithmetic<Coefficient> {
+public:
+  using fraction = polynomials::fraction<Coefficient>;
+
+  fraction_reader(graph& g, budget& left)
+      : expression_reader<fraction, Form>(g, left), polynomials::fraction_arithmetic<Coefficient>(left) {}
+
+  static std::size_t size(const fraction& a) { return a.numerator.size(); }
+  fraction atomic(int id) {
+    const polynomial<Coefficient> p = atom<Coefficient>({this->owner(), id});
+    if (this->owner()[id].op != operation::symbol && !p.is_constant()) form().on_opaque_function(id);
+    return {p, {}};
+  }
+  fraction function(operation op, const fraction& a, const fraction& b) {
+    if (const auto known = form().known_function(op, a))
+      return this->quotient({known->first, {}}, {known->second, {}});
+    const unsigned_argument x = this->argument(a), y = this->argument(b);
+    const polynomial<Coefficient> f = function_of<Coefficient>(op, x, y);
+    if (f.is_constant()) return {f, {}};
+    const int base = f.terms.front().factors.front().base;
+    form().on_opaque_function(base);
+    if (op == operation::sqrt) this->set_square(base, a);
+    return {f, {}};
+  }
+
+private:
+  Form& form() { return static_cast<Form&>(*this); }
 };
 
 } // namespace kanexpr::symbolic::algebra

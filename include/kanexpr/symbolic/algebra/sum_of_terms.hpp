@@ -4,7 +4,7 @@
 #include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
-#include <kanexpr/symbolic/polynomials/polynomial_parts.hpp>
+#include <kanexpr/symbolic/polynomials/polynomial.hpp>
 #include <kanexpr/symbolic/printing/term.hpp>
 
 #include <map>
@@ -90,6 +90,34 @@ inline bool has_negative_leading_term(graph& g, const real_polynomial& p) {
 
 inline bool is_all_negative(const real_polynomial& p) {
   return std::ranges::all_of(p.terms, [](const term<rational>& t) { return t.coefficient.is_negative(); });
+}
+
+/// A polynomial divided by powers of other polynomials, ready to be written as an expression.
+struct real_fraction {
+  real_polynomial numerator;
+  std::vector<std::pair<real_polynomial, std::int64_t>> denominator;
+};
+
+/// Writes common factors in front; the signs of the sums do not depend on node numbers.
+inline expression to_expression(graph& g, const real_fraction& f) {
+  if (f.numerator.is_zero()) return {g, graph::zero};
+  auto [number, factors, sum] = split_content(f.numerator);
+  bool negative = is_all_negative(sum);
+  expression divisors(g, graph::one);
+  for (const auto& [divisor, exponent] : f.denominator) {
+    const auto [own_number, own_factors, rest] = split_content(divisor);
+    const bool flipped = has_negative_leading_term(g, rest);
+    if (flipped && exponent % 2 != 0) negative = !negative;
+    const int factor = to_expression(g, flipped ? -rest : rest).node();
+    divisors *= expression(g, integer_power(g, factor, exponent));
+    for (std::int64_t i = 0; i < exponent; ++i) number = number / own_number;
+    factors = times(factors, own_factors, -exponent);
+  }
+  const expression terms = to_expression(g, is_all_negative(sum) ? -sum : sum);
+  const expression coefficient = to_expression(g, number);
+  const expression numerator = coefficient * one_sided_product(g, factors, 1) * terms;
+  const expression quotient = numerator / (one_sided_product(g, factors, -1) * divisors);
+  return negative ? -quotient : quotient;
 }
 
 /// A function argument split into magnitude and sign.

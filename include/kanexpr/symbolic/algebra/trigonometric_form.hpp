@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kanexpr/symbolic/algebra/angle.hpp>
+#include <kanexpr/symbolic/algebra/expression_reader.hpp>
 #include <kanexpr/symbolic/algebra/forms.hpp>
-#include <kanexpr/symbolic/algebra/fraction_reader.hpp>
 #include <kanexpr/symbolic/algebra/rewritten.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
@@ -51,8 +51,8 @@ public:
 
   void on_opaque_function(int node) { opaque_.insert(node); }
 
-  /// Whether a polynomial contains functions treated as symbols, so that it may be zero although its form is
-  /// not.
+  /// Whether a polynomial contains functions treated as symbols, so it may be zero although its terms do not
+  /// cancel.
   bool has_opaque_functions(const trigonometric_polynomial& p) const {
     return std::ranges::any_of(p.terms,
                                [this](const term<gaussian>& t) { return has_opaque_functions(t.factors); });

@@ -2,7 +2,6 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
-#include <kanexpr/symbolic/derivatives/turned_component.hpp>
 #include <kanexpr/symbolic/graph/canonical_order.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
@@ -17,12 +16,13 @@ namespace kanexpr::symbolic {
 /// graph.
 ///
 /// Griewank & Walther, Evaluating Derivatives (2008), section 3.2. Assign weights to outputs with `seed`,
-/// call `run` once, then query the gradient with respect to any symbol; `restart` prepares for other weights.
+/// call `run` once, then query the gradient with respect to any symbol; `restart` prepares for other
+/// weights.
 class accumulation {
 public:
   constexpr accumulation(graph& g, const sequence<expression>& outputs)
       : graph_(g), adjoints_(g.size(), graph::zero), uses_(g.size(), 0),
-        order_(users_first(g, nodes_of(outputs))) {
+        order_(reverse_topological_order(g, nodes_of(outputs))) {
     for (const expression& e : outputs) ++uses_[e.node()];
     for (int id : order_) {
       const node& n = g[id];
@@ -41,33 +41,18 @@ public:
   constexpr void run() {
     for (int id : order_) {
       const node n = graph_[id];
-      if (adjoints_[id] == graph::zero || is_leaf(n.op)) continue;
-      if (n.op == operation::component) {
-        adjoints_[n.a] = graph::one; // the complete solution is processed when its node is reached
-        continue;
-      }
-      if (n.op == operation::solve || n.op == operation::transposed_solve) {
-        back_through(id, n);
-        continue;
-      }
-      if (n.op == operation::singularity_measure) continue;
-      if (n.op == operation::call) {
-        back_through_call(id, n, adjoints_[id]);
-        continue;
-      }
       const int adjoint = adjoints_[id];
-      if (back_through_turn(n, adjoints_[id])) continue;
-      if (is_selection(n.op)) {
-        back_through_selection(n, adjoint);
-        continue;
-      }
-      if (n.op == operation::multiply && n.a == n.b) { // the 2 cancels the ½ of an energy
-        collect(n.a, multiply(graph_, multiply(graph_, graph_.constant(exactly(2)), adjoint), n.a));
-        continue;
-      }
-      const partials p = local_partials(graph_, id);
-      collect(n.a, multiply(graph_, p.by_a, adjoint));
-      if (is_binary(n.op)) collect(n.b, multiply(graph_, p.by_b, adjoint));
+      if (adjoint == graph::zero || is_leaf(n.op)) continue;
+      if (n.op == operation::component)
+        adjoints_[n.a] = graph::one; // the complete solution is processed when its node is reached
+      else if (is_solution(n.op))
+        propagate_solve(id, n);
+      else if (n.op == operation::call)
+        propagate_call(id, n, adjoint);
+      else if (is_selection(n.op))
+        propagate_selection(n, adjoint);
+      else if (n.op != operation::singularity_measure && !propagate_rotation(n, adjoint))
+        propagate_partials(id, n, adjoint);
     }
   }
 
@@ -79,19 +64,29 @@ private:
     adjoint = add(graph_, adjoint, part);
   }
 
+  constexpr void propagate_partials(int id, const node& n, int adjoint) {
+    if (n.op == operation::multiply && n.a == n.b) { // the 2 cancels the ½ of an energy
+      collect(n.a, multiply(graph_, multiply(graph_, graph_.constant(exactly(2)), adjoint), n.a));
+      return;
+    }
+    const partials p = local_partials(graph_, id);
+    collect(n.a, multiply(graph_, p.by_a, adjoint));
+    if (is_binary(n.op)) collect(n.b, multiply(graph_, p.by_b, adjoint));
+  }
+
   /// Propagates the adjoint of a rotated component, with one product for the angle and one for each rotated
   /// value.
-  constexpr bool back_through_turn(const node& n, int adjoint) {
-    const turned_component x = turned_component_at(graph_, n);
+  constexpr bool propagate_rotation(const node& n, int adjoint) {
+    const rotated_component x = rotated_component_at(graph_, n);
     if (!x || uses_[n.a] != 1 || uses_[n.b] != 1) return false;
-    const turned_slope slope = slope_by_angle(graph_, x);
+    const rotated_derivative slope = derivative_by_angle(graph_, x);
     collect(x.angle, slope.value, adjoint, slope.is_negative);
-    collect(x.value[0], x.circular[0], adjoint, false);
-    collect(x.value[1], x.circular[1], adjoint, !x.adds);
+    collect(x.value[0], x.trigonometric[0], adjoint, false);
+    collect(x.value[1], x.trigonometric[1], adjoint, !x.adds);
     return true;
   }
 
-  constexpr void back_through_call(int id, const node& n, int adjoint) {
+  constexpr void propagate_call(int id, const node& n, int adjoint) {
     const external_function& f = graph_.external_at(id);
     const sequence<int> operands = elements_of(graph_, n.a);
     for (int i = 0; i < operands.size(); ++i)
@@ -102,7 +97,7 @@ private:
   /// The branch that is not selected must not affect the result, but zero times an infinite derivative is
   /// NaN. If a derivative may be infinite, the selection is therefore applied to the derivative with respect
   /// to each symbol.
-  constexpr void back_through_selection(const node& n, int adjoint) {
+  constexpr void propagate_selection(const node& n, int adjoint) {
     const sequence<char> live = live_nodes(graph_, {n.b});
     bool stays_finite = true;
     sequence<int> symbols;
@@ -123,8 +118,7 @@ private:
     switch (form_of(n.op)) {
     case form::divide: return graph_.is_constant(n.b);
     case form::function: return properties_of(n.op).has_finite_slopes();
-    case form::constant:
-    case form::symbol:
+    case form::leaf:
     case form::negate:
     case form::add:
     case form::subtract:
@@ -132,13 +126,7 @@ private:
     case form::selection: return true;
     case form::power:
     case form::binary_function:
-    case form::pair:
-    case form::factorization:
-    case form::solve:
-    case form::transposed_solve:
-    case form::component:
-    case form::singularity_measure:
-    case form::call: break;
+    case form::list_operation: break;
     }
     return false;
   }
@@ -149,7 +137,7 @@ private:
   }
 
   /// The adjoint of b is the solution λ of Aᵀ λ = x̄, and that of A is -λ xᵀ.
-  constexpr void back_through(int id, const node& n) {
+  constexpr void propagate_solve(int id, const node& n) {
     const expression factors{graph_, n.a};
     const bool is_transposed = n.op == operation::transposed_solve;
     const sequence<int> entries = entries_of(graph_, n.a), right = elements_of(graph_, n.b);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
-#include <kanexpr/symbolic/derivatives/turned_component.hpp>
+#include <kanexpr/symbolic/graph/build.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
@@ -10,6 +10,56 @@
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 
 namespace kanexpr::symbolic {
+
+/// A component of a vector rotated about an axis: c a − s b or s a + c b, with c and s the cosine and sine of
+/// an angle. Its derivative with respect to the angle is, up to sign, the other component, which usually
+/// exists already. The chain rule through sine and cosine would need two more products.
+struct rotated_component {
+  int angle = -1; ///< -1: not a rotated component
+  /// The factors of the two products: a sine or cosine, and a value.
+  int trigonometric[2]{}, value[2]{};
+  bool adds = false; ///< whether the second is added to the first
+
+  constexpr explicit operator bool() const { return angle >= 0; }
+};
+
+constexpr rotated_component rotated_component_at(const graph& g, const node& n) {
+  const auto is_trigonometric = [&](int id) {
+    return g[id].op == operation::sin || g[id].op == operation::cos;
+  };
+  rotated_component found;
+  if (n.op != operation::add && n.op != operation::subtract) return found;
+  const node &first = g[n.a], &second = g[n.b];
+  if (first.op != operation::multiply || second.op != operation::multiply) return found;
+  for (int i = 0; i < 4; ++i) {
+    const bool exchange_first = i % 2 != 0, exchange_second = i / 2 != 0;
+    const int t = exchange_first ? first.b : first.a, w = exchange_second ? second.b : second.a;
+    if (!is_trigonometric(t) || !is_trigonometric(w) || g[t].op == g[w].op || g[t].a != g[w].a) continue;
+    found.angle = g[t].a;
+    found.trigonometric[0] = t, found.trigonometric[1] = w;
+    found.value[0] = exchange_first ? first.a : first.b;
+    found.value[1] = exchange_second ? second.a : second.b;
+    found.adds = n.op == operation::add;
+    break;
+  }
+  return found;
+}
+
+/// The derivative with respect to the angle: a node, and whether its sign must be changed.
+struct rotated_derivative {
+  int value;
+  bool is_negative;
+};
+
+constexpr rotated_derivative derivative_by_angle(graph& g, const rotated_component& x) {
+  const int by_first = multiply(g, x.trigonometric[1], x.value[0]),
+            by_second = multiply(g, x.trigonometric[0], x.value[1]);
+  const bool begins_with_cosine = g[x.trigonometric[0]].op == operation::cos;
+  // c a + s b: c b − s a; c a − s b: −(s a + c b); s a + c b: c a − s b; s a − c b: c a + s b
+  if (!x.adds) return {add(g, by_first, by_second), begins_with_cosine};
+  if (begins_with_cosine) return {subtract(g, by_second, by_first), false};
+  return {subtract(g, by_first, by_second), false};
+}
 
 /// The partial derivatives of an operation with respect to its operands, as nodes in terms of the operands
 /// and the result.
@@ -37,15 +87,8 @@ constexpr partials local_partials(graph& g, int id) {
     return {slopes.by_a.node(), slopes.by_b.node()};
   }
   case form::selection: return {zero, selected(g, n.op, n.a, one)};
-  case form::constant: // no operands
-  case form::symbol:
-  case form::singularity_measure: // never differentiated
-  case form::pair:                // differentiated below
-  case form::factorization:
-  case form::solve:
-  case form::transposed_solve:
-  case form::component:
-  case form::call: break;
+  case form::leaf:                  // no operands
+  case form::list_operation: break; // differentiated below
   }
   return {zero, zero};
 }
@@ -86,11 +129,11 @@ private:
     if (id < rates_.size() && rates_[id] != unknown) return rates_[id];
     const node n = (*graph_)[id];
     int rate = graph::zero;
-    if (const turned_component x = turned_component_at(*graph_, n); x && of(x.angle) != graph::zero) {
+    if (const rotated_component x = rotated_component_at(*graph_, n); x && of(x.angle) != graph::zero) {
       graph& g = *graph_;
-      const int first = multiply(g, x.circular[0], of(x.value[0]));
-      const int second = multiply(g, x.circular[1], of(x.value[1]));
-      const turned_slope slope = slope_by_angle(g, x);
+      const int first = multiply(g, x.trigonometric[0], of(x.value[0]));
+      const int second = multiply(g, x.trigonometric[1], of(x.value[1]));
+      const rotated_derivative slope = derivative_by_angle(g, x);
       const int by_angle = multiply(g, slope.value, of(x.angle));
       rate = x.adds ? add(g, first, second) : subtract(g, first, second);
       rate = slope.is_negative ? subtract(g, rate, by_angle) : add(g, rate, by_angle);

@@ -12,18 +12,24 @@
 namespace kanexpr::symbolic {
 
 /// A number and its time derivative.
-struct rated {
+struct value_and_rate {
   double value = 0;
   double rate = 0;
+
+  static constexpr value_and_rate undefined() {
+    return {numeric::elementary::detail::not_a_number, numeric::elementary::detail::not_a_number};
+  }
 };
 
 /// Applies an operation to numbers that change with time. Undefined results are NaN; the caller must check
 /// for them.
-constexpr rated rated_value_of(operation op, rated a, rated b) {
+constexpr value_and_rate evaluate_with_rate(operation op, value_and_rate a, value_and_rate b) {
   const double value = value_of(op, a.value, b.value);
   if (!is_selection(op) && !numeric::elementary::detail::is_finite(value))
     return {value, numeric::elementary::detail::not_a_number}; // constant expressions cannot compute with NaN
-  const auto along = [&](double by_a) { return rated{value, base::equal(by_a, 0.0) ? 0 : by_a * a.rate}; };
+  const auto along = [&](double by_a) {
+    return value_and_rate{value, base::equal(by_a, 0.0) ? 0 : by_a * a.rate};
+  };
   switch (form_of(op)) {
   case form::negate: return along(-1);
   case form::add: return {value, a.rate + b.rate};
@@ -43,79 +49,40 @@ constexpr rated rated_value_of(operation op, rated a, rated b) {
               return binary_rate_of<function>(a.value, b.value, value, a.rate, b.rate);
             })};
   case form::selection: return {value, selected(op, a.value, b.rate)};
-  case form::constant:
-  case form::symbol:
-  case form::pair:
-  case form::factorization:
-  case form::solve:
-  case form::transposed_solve:
-  case form::component:
-  case form::singularity_measure:
-  case form::call: break; // not operations on two numbers
+  case form::leaf:
+  case form::list_operation: break; // not operations on two numbers
   }
   return {value, numeric::elementary::detail::not_a_number};
 }
 
+constexpr bool is_finite(const value_and_rate& x) { return is_finite(x.value) && is_finite(x.rate); }
+
+/// Like `evaluate_with_rate`, but accepts undefined operands and a zero divisor, which constant expressions
+/// reject. The result is then NaN, unless the operation is a selection that does not select the operand.
+constexpr value_and_rate defined_value_of(operation op, const value_and_rate& a, const value_and_rate& b) {
+  const bool is_defined =
+      is_finite(a) && is_finite(b) && !(op == operation::divide && base::equal(b.value, 0.0)) &&
+      !(is_binary_function(op) && !binary_properties_of(op).is_smooth_at(a.value, b.value));
+  return is_defined || is_selection(op) ? evaluate_with_rate(op, a, b) : value_and_rate::undefined();
+}
+
+/// The generic value of a call, given the values by node; linear systems are undefined.
+constexpr value_and_rate value_of_list_operation(const graph& g, int id, const value_and_rate* value) {
+  if (g[id].op != operation::call) return value_and_rate::undefined();
+  const external_function& f = g.external_at(id);
+  const sequence<int> given = elements_of(g, g[id].a);
+  sequence<double> operands;
+  for (int each : given) {
+    if (!is_finite(value[each])) return value_and_rate::undefined();
+    operands.push(value[each].value);
+  }
+  value_and_rate found{substitute_value(f, operands.begin()), 0};
+  for (int i = 0; i < operands.size(); ++i)
+    found.rate += substitute_value(f.slope(i), operands.begin()) * value[given[i]].rate;
+  return found;
+}
+
 /// Evaluates outputs and their time derivatives without building expressions for the derivatives.
-class rate_evaluation {
-public:
-  constexpr rate_evaluation(const graph& g, const sequence<int>& outputs) : g_(g), at_(g.size()) {
-    const sequence<char> live = live_nodes(g, outputs);
-    for (int id = 0; id < g.size(); ++id)
-      if (live[id] != 0) live_.push(id);
-  }
-
-  /// `of_symbol(id)` returns the value and rate of the symbol at node `id`.
-  template <class OfSymbol>
-  constexpr void at(OfSymbol of_symbol) {
-    for (int id : live_) {
-      const node& n = g_[id];
-      if (n.op == operation::constant)
-        at_[id] = {g_.number_at(id).value(), 0};
-      else if (n.op == operation::symbol)
-        at_[id] = of_symbol(id);
-      else if (n.op == operation::call)
-        at_[id] = called(id);
-      else
-        at_[id] = n.op < operation::pair ? defined(n.op, at_[n.a], is_binary(n.op) ? at_[n.b] : rated{})
-                                         : undefined;
-    }
-  }
-
-  constexpr const rated& operator[](int id) const { return at_[id]; }
-
-private:
-  static constexpr rated undefined{numeric::elementary::detail::not_a_number,
-                                   numeric::elementary::detail::not_a_number};
-
-  // A constant expression must not divide by zero.
-  static constexpr rated defined(operation op, rated a, rated b) {
-    if (is_selection(op)) return rated_value_of(op, a, b); // the other branch may be undefined
-    if (!is_finite(a) || !is_finite(b)) return undefined;
-    if (op == operation::divide && base::equal(b.value, 0.0)) return undefined;
-    if (is_binary_function(op) && !binary_properties_of(op).is_smooth_at(a.value, b.value)) return undefined;
-    return rated_value_of(op, a, b);
-  }
-  constexpr rated called(int id) const {
-    const external_function& f = g_.external_at(id);
-    const sequence<int> given = elements_of(g_, g_[id].a);
-    sequence<double> operands;
-    for (int each : given) {
-      if (!is_finite(at_[each])) return undefined;
-      operands.push(at_[each].value);
-    }
-    rated found{generic_value_of(f, operands.begin()), 0};
-    for (int i = 0; i < operands.size(); ++i)
-      found.rate += generic_value_of(f.slope(i), operands.begin()) * at_[given[i]].rate;
-    return found;
-  }
-  static constexpr bool is_finite(rated x) {
-    return numeric::elementary::detail::is_finite(x.value) && numeric::elementary::detail::is_finite(x.rate);
-  }
-
-  const graph& g_;
-  sequence<int> live_{}; ///< in ascending order
-  sequence<rated> at_;
-};
+using rate_evaluation = basic_evaluation<value_and_rate>;
 
 } // namespace kanexpr::symbolic

@@ -24,16 +24,16 @@ constexpr expression(min)(expression a, expression b) { return if_positive(b - a
 /// The larger of two expressions: b if they are equal, NaN if either is NaN.
 constexpr expression(max)(expression a, expression b) { return if_positive(a - b, a, b); }
 /// Whether both bounds are constants and the first exceeds the second.
-constexpr bool is_out_of_order(expression least, expression most) {
-  if (!least.is_constant() || !most.is_constant()) return false;
-  const graph& g = least.owner();
-  return g.number_at(least.node()).value() > g.number_at(most.node()).value();
+constexpr bool are_reversed(expression lower, expression upper) {
+  if (!lower.is_constant() || !upper.is_constant()) return false;
+  const graph& g = lower.owner();
+  return g.number_at(lower.node()).value() > g.number_at(upper.node()).value();
 }
 /// Returns x limited to an interval.
-constexpr expression clamp(expression x, expression least, expression most) {
-  if (!__builtin_is_constant_evaluated() && x.is_given() && is_out_of_order(least, most))
-    x.owner().note_limits_out_of_order();
-  return (min)((max)(x, least), most);
+constexpr expression clamp(expression x, expression lower, expression upper) {
+  if (!__builtin_is_constant_evaluated() && x.is_given() && are_reversed(lower, upper))
+    x.owner().record_reversed_bounds();
+  return (min)((max)(x, lower), upper);
 }
 
 /// x tanh(x/width): |x| with a rounded corner, at most 0.28 width below |x|, and zero at zero.
@@ -42,15 +42,15 @@ constexpr expression smooth_abs(expression x, expression width) { return x * tan
 /// width ln(1 + e^(x/width)): max(x, 0) with a rounded corner, at most 0.7 width above max(x, 0). The
 /// exponent is never positive; both branches have equal derivatives where they meet.
 constexpr expression softplus(expression x, expression width) {
-  const expression least = if_positive(x, -x, x), above_zero = selected(operation::if_positive, x, x);
-  return above_zero + width * log(exp(least / width) + 1);
+  const expression exponent = if_positive(x, -x, x), above_zero = selected(operation::if_positive, x, x);
+  return above_zero + width * log(exp(exponent / width) + 1);
 }
 
 /// Rises from 0 at `from` to 1 at `to` with continuous second derivatives and is constant beyond: t³ (6 t² −
 /// 15 t + 10), where t is the fraction of the distance covered.
 constexpr expression smooth_step(expression x, expression from, expression to) {
   const expression zero = x.number(exactly(0)), one = x.number(exactly(1));
-  const expression gone = x - from, t = clamp(gone / (to - from), zero, one), cube = t * t * t;
+  const expression distance = x - from, t = clamp(distance / (to - from), zero, one), cube = t * t * t;
   return cube * (t * (6 * t - 15) + 10);
 }
 

@@ -16,17 +16,17 @@ enum class composition : unsigned char {
   periodic,
 };
 
-inline constexpr int any_number = -1;
+inline constexpr int variadic = -1;
 
 /// The name of a composition in models and its number of operands.
-struct composition_word {
+struct composite_signature {
   composition is;
   const char* name;
   int operands;
 };
 
 /// In the order of the enumeration; a test checks this.
-inline constexpr composition_word compositions[] = {
+inline constexpr composite_signature compositions[] = {
     {composition::hypot, "hypot", 2},
     {composition::if_positive, "if_positive", 3},
     {composition::min, "min", 2},
@@ -35,10 +35,10 @@ inline constexpr composition_word compositions[] = {
     {composition::smooth_abs, "smooth_abs", 2},
     {composition::softplus, "softplus", 2},
     {composition::smooth_step, "smooth_step", 3},
-    {composition::tabulated, "tabulated", any_number},
-    {composition::periodic, "periodic", any_number},
+    {composition::tabulated, "tabulated", variadic},
+    {composition::periodic, "periodic", variadic},
 };
 
-constexpr const composition_word& word_of(composition f) { return compositions[static_cast<int>(f)]; }
+constexpr const composite_signature& signature_of(composition f) { return compositions[static_cast<int>(f)]; }
 
 } // namespace kanexpr::symbolic

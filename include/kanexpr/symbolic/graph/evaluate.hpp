@@ -10,6 +10,7 @@
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
+#include <type_traits>
 #include <utility>
 
 namespace kanexpr::symbolic {
@@ -26,15 +27,8 @@ constexpr double value_of(operation op, double a, double b) {
   case form::function: return properties_of(op).value(a);
   case form::binary_function: return binary_properties_of(op).value(a, b);
   case form::selection: return selected(op, a, b);
-  case form::constant:
-  case form::symbol:
-  case form::pair:
-  case form::factorization:
-  case form::solve:
-  case form::transposed_solve:
-  case form::component:
-  case form::singularity_measure:
-  case form::call: break; // not operations on two numbers
+  case form::leaf:
+  case form::list_operation: break; // not operations on two numbers
   }
   return numeric::elementary::detail::not_a_number;
 }
@@ -50,12 +44,14 @@ constexpr double defined_value_of(operation op, double a, double b) {
 
 /// Evaluates the nodes that the outputs need, for any number of sets of symbol values. Undefined values (0/0,
 /// the solution of a singular system) are NaN and propagate. Calls of user-defined functions get generic
-/// values, which are consistent with their derivatives.
-class evaluation {
+/// values, which are consistent with their derivatives. `Number` is double, or another type with
+/// `defined_value_of` and `value_of_list_operation`.
+template <class Number>
+class basic_evaluation {
 public:
-  constexpr evaluation(const graph& g, const sequence<int>& outputs)
-      : g_(g), live_(live_values(g, outputs)), value_(live_.empty() ? 0 : live_.back() + 1, 0.0) {
-    if (g.holds_lists()) place_.resize(value_.size(), 0);
+  constexpr basic_evaluation(const graph& g, const sequence<int>& outputs)
+      : g_(g), live_(live_values(g, outputs)), value_(live_.empty() ? 0 : live_.back() + 1, Number{0}) {
+    if (has_systems && g.has_lists()) place_.resize(value_.size(), 0);
   }
 
   /// `value_of_symbol(id)` returns the value of the symbol at node `id`.
@@ -63,25 +59,28 @@ public:
   constexpr void at(ValueOfSymbol value_of_symbol) {
     more_.clear();
     const node* const nodes = g_.begin(); // a pointer, because compilers interpret every call of []
-    double* const value = value_.begin();
+    Number* const value = value_.begin();
     for (int id : live_) {
       const node& n = nodes[id];
       if (n.op == operation::constant)
-        value[id] = g_.number_at(id).value();
+        value[id] = Number{g_.number_at(id).value()};
       else if (n.op == operation::symbol)
         value[id] = value_of_symbol(id);
       else if (n.op < operation::pair)
-        value[id] = defined_value_of(n.op, value[n.a], is_binary(n.op) ? value[n.b] : 0.0);
-      else
+        value[id] = defined_value_of(n.op, value[n.a], is_binary(n.op) ? value[n.b] : Number{0});
+      else if constexpr (has_systems)
         value[id] = solving(id, n);
+      else
+        value[id] = value_of_list_operation(g_, id, value);
     }
   }
 
-  constexpr double operator[](int id) const { return value_[id]; }
+  constexpr const Number& operator[](int id) const { return value_[id]; }
   /// The evaluated nodes, in ascending order.
   constexpr const sequence<int>& live() const { return live_; }
 
 private:
+  static constexpr bool has_systems = std::is_same_v<Number, double>;
   static constexpr double undefined = numeric::elementary::detail::not_a_number;
 
   /// Appends the values of a list and returns whether all are defined.
@@ -99,7 +98,7 @@ private:
     if (n.op == operation::component) return more_[place_[n.a] + integer_at(g_, n.b)];
     if (n.op == operation::call) {
       const int first = more_.size();
-      return gather(n.a) ? generic_value_of(g_.external_at(id), &more_[first]) : undefined;
+      return gather(n.a) ? substitute_value(g_.external_at(id), &more_[first]) : undefined;
     }
     const int factorization = n.op == operation::factorization ? id : n.a;
     const int order = order_of(g_, factorization), first = more_.size();
@@ -132,7 +131,7 @@ private:
 
   constexpr double singularity_measure(int order, const double* f, int squares) {
     if (base::equal(f[numeric::factors{order}.least_pivot()], 0.0)) return 0;
-    if (order > largest_written_out)
+    if (order > max_cofactor_order)
       return numeric::singularity_measure_of<numeric::constant_elimination_math>(order, f, &more_[squares]);
     double inverse = 1;
     for (int i = 0; i < order; ++i) inverse *= f[numeric::factors{order}.at(i, i)];
@@ -141,10 +140,12 @@ private:
 
   const graph& g_;
   sequence<int> live_;
-  sequence<double> value_;
+  sequence<Number> value_;
   sequence<double> more_{}; ///< factors and solutions
   sequence<int> place_{};   ///< for each node, where its values start in `more_`
 };
+
+using evaluation = basic_evaluation<double>;
 
 /// The values of the outputs; `value_of_symbol(id)` returns the value of the symbol at node `id`.
 template <class ValueOfSymbol>

@@ -8,13 +8,14 @@
 
 #include <concepts>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 namespace kanexpr::symbolic {
 
+/// A number in an expression. Characters are excluded, because '2' would become 50.
 template <class Number>
-concept wider_than_int = std::floating_point<Number> || std::same_as<Number, unsigned> ||
-                         (std::integral<Number> && sizeof(Number) > sizeof(int));
+concept plain_number = std::is_arithmetic_v<Number> && !base::letter<Number>;
 
 /// A scalar expression: a node and its graph, with the operators of ordinary algebra. At run time, an
 /// operation on expressions from two graphs yields an expression without a graph, as does any operation on
@@ -28,7 +29,7 @@ public:
   /// Whether the expression belongs to a graph.
   constexpr bool is_given() const { return graph_ != nullptr; }
   constexpr graph& owner() const { return *graph_; }
-  constexpr bool lives_in(const graph& g) const { return graph_ == &g; }
+  constexpr bool belongs_to(const graph& g) const { return graph_ == &g; }
   constexpr bool is_zero() const { return node_ == graph::zero; }
   constexpr bool is_one() const { return node_ == graph::one; }
   constexpr bool is_constant() const {
@@ -62,65 +63,14 @@ public:
     if (!__builtin_is_constant_evaluated() && !share_a_graph(a, b)) return {};
     return {*a.graph_, divide(*a.graph_, a.node_, b.node_)};
   }
-  // in C++, 1/2 is the integer 0
-  friend constexpr expression operator+(expression a, int b) { return a + a.whole(b); }
-  friend constexpr expression operator-(expression a, int b) { return a - a.whole(b); }
-  friend constexpr expression operator+(int a, expression b) { return b.whole(a) + b; }
-  friend constexpr expression operator*(expression a, int b) { return a * a.whole(b); }
-  friend constexpr expression operator*(int a, expression b) { return b.whole(a) * b; }
-  friend constexpr expression operator-(int a, expression b) { return b.whole(a) - b; }
-  friend constexpr expression operator/(expression a, int b) { return a / a.whole(b); }
-  friend constexpr expression operator/(int a, expression b) { return b.whole(a) / b; }
-  // other numbers would otherwise be converted to int
-  template <wider_than_int Number>
-  friend constexpr expression operator+(expression a, Number b) {
-    return a + a.given(b);
-  }
-  template <wider_than_int Number>
-  friend constexpr expression operator+(Number a, expression b) {
-    return b.given(a) + b;
-  }
-  template <wider_than_int Number>
-  friend constexpr expression operator-(expression a, Number b) {
-    return a - a.given(b);
-  }
-  template <wider_than_int Number>
-  friend constexpr expression operator-(Number a, expression b) {
-    return b.given(a) - b;
-  }
-  template <wider_than_int Number>
-  friend constexpr expression operator*(expression a, Number b) {
-    return a * a.given(b);
-  }
-  template <wider_than_int Number>
-  friend constexpr expression operator*(Number a, expression b) {
-    return b.given(a) * b;
-  }
-  template <wider_than_int Number>
-  friend constexpr expression operator/(expression a, Number b) {
-    return a / a.given(b);
-  }
-  template <wider_than_int Number>
-  friend constexpr expression operator/(Number a, expression b) {
-    return b.given(a) / b;
-  }
-  // '2' would convert to the int 50
-  template <base::letter Letter>
-  friend expression operator+(expression, Letter) = delete;
-  template <base::letter Letter>
-  friend expression operator+(Letter, expression) = delete;
-  template <base::letter Letter>
-  friend expression operator-(expression, Letter) = delete;
-  template <base::letter Letter>
-  friend expression operator-(Letter, expression) = delete;
-  template <base::letter Letter>
-  friend expression operator*(expression, Letter) = delete;
-  template <base::letter Letter>
-  friend expression operator*(Letter, expression) = delete;
-  template <base::letter Letter>
-  friend expression operator/(expression, Letter) = delete;
-  template <base::letter Letter>
-  friend expression operator/(Letter, expression) = delete;
+  friend constexpr expression operator+(expression a, plain_number auto b) { return a + a.converted(b); }
+  friend constexpr expression operator+(plain_number auto a, expression b) { return b.converted(a) + b; }
+  friend constexpr expression operator-(expression a, plain_number auto b) { return a - a.converted(b); }
+  friend constexpr expression operator-(plain_number auto a, expression b) { return b.converted(a) - b; }
+  friend constexpr expression operator*(expression a, plain_number auto b) { return a * a.converted(b); }
+  friend constexpr expression operator*(plain_number auto a, expression b) { return b.converted(a) * b; }
+  friend constexpr expression operator/(expression a, plain_number auto b) { return a / a.converted(b); }
+  friend constexpr expression operator/(plain_number auto a, expression b) { return b.converted(a) / b; }
   constexpr expression& operator+=(expression b) { return *this = *this + b; }
   constexpr expression& operator-=(expression b) { return *this = *this - b; }
   constexpr expression& operator*=(expression b) { return *this = *this * b; }
@@ -130,17 +80,20 @@ public:
   }
 
 private:
-  constexpr expression whole(std::int64_t value) const {
-    if (value == 0 && !__builtin_is_constant_evaluated() && is_given()) graph_->note_whole_zero();
+  /// Integers stay exact: q/2 contains the fraction 1/2.
+  constexpr expression integer(std::int64_t value) const {
+    if (value == 0 && !__builtin_is_constant_evaluated() && is_given()) graph_->record_integer_zero();
     return number(exactly(value));
   }
   template <class Number>
-  constexpr expression given(Number value) const {
-    if constexpr (std::integral<Number>)
-      return std::in_range<std::int64_t>(value) ? whole(static_cast<std::int64_t>(value))
-                                                : number(real(static_cast<double>(value)));
-    else
+  constexpr expression converted(Number value) const {
+    if constexpr (std::floating_point<Number>)
       return number(real(static_cast<double>(value)));
+    else if constexpr (sizeof(Number) <= sizeof(int))
+      return integer(value);
+    else
+      return std::in_range<std::int64_t>(value) ? integer(static_cast<std::int64_t>(value))
+                                                : number(real(static_cast<double>(value)));
   }
 
   // No default initializers: the compiler would run them for every element of an array. {} is the zero

@@ -7,7 +7,7 @@
 namespace kanexpr::symbolic {
 
 /// The highest order of derivatives of a user-defined function, and its maximum number of operands.
-inline constexpr int most_derivatives = 4, most_operands = 9;
+inline constexpr int max_derivatives = 4, max_operands = 9;
 
 /// A user-defined function in an expression: its name and its partial derivatives, each of which is again
 /// such a function. Functions are identified by their addresses.
@@ -16,7 +16,7 @@ struct external_function {
   base::name original{}; ///< `tyre`
   int operands = 0;      ///< number of operands
   int order = 0;         ///< order of the derivative
-  int by[most_derivatives]{};
+  int by[max_derivatives]{};
   /// Evaluates the function; null if the program does not provide this derivative.
   double (*value)(const double*) = nullptr;
   /// The derivatives with respect to each operand; null if they are never needed.
@@ -31,11 +31,11 @@ struct external_function {
 
 /// A substitute value for tests of expressions at generic points, because the compiler may be unable to call
 /// the function: 1.25 plus a sine of the operands, with matching derivatives.
-constexpr double generic_value_of(const external_function& f, const double* operands) {
+constexpr double substitute_value(const external_function& f, const double* operands) {
   unsigned mark = 2166136261u; // the FNV hash of Fowler, Noll & Vo
   for (char letter : f.original.view()) mark = (mark ^ static_cast<unsigned char>(letter)) * 16777619u;
   const auto between = [](unsigned bits) { return static_cast<double>(bits >> 8) / 16777216.0; };
-  double weights[1 + most_derivatives]{}, phase = 1.5 * between(mark), factor = 1;
+  double weights[1 + max_derivatives]{}, phase = 1.5 * between(mark), factor = 1;
   for (int i = 0; i < f.operands; ++i) {
     mark = mark * 1664525u + 1013904223u;
     const double weight = 0.4 + 0.4 * between(mark);
@@ -56,17 +56,17 @@ constexpr double generic_value_of(const external_function& f, const double* oper
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wnon-template-friend"
 #endif
-/// Maps a function to the type that calls it with any scalar type, `decltype(code_of(tag))`.
+/// Maps a function to the type that calls it with any scalar type, `decltype(callable_of(key))`.
 template <const external_function* function>
-struct external_tag {
-  friend constexpr auto code_of(external_tag);
+struct external_key {
+  friend constexpr auto callable_of(external_key);
 };
 #pragma GCC diagnostic pop
 
 /// Defines the type that calls the function when it is instantiated.
 template <class Code, const external_function* function>
-struct external_link {
-  friend constexpr auto code_of(external_tag<function>) { return Code{}; }
+struct external_registration {
+  friend constexpr auto callable_of(external_key<function>) { return Code{}; }
 };
 
 } // namespace kanexpr::symbolic

@@ -4,6 +4,7 @@
 #include <kanexpr/numeric/elementary.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
+#include <iterator>
 #include <limits>
 
 /// The functions of one and of two arguments, a row each.
@@ -23,7 +24,8 @@ enum class unit_rule {
 
 /// How C calls a function: by a name in <math.h>, or as a function that the exporter writes next to the code.
 /// In its body, `x` and `y` are the arguments, and the exporter replaces `@number@` (the type), `@f@` (the
-/// suffix of functions of math.h), `@zero@`, `@one@`, `@pi@`, `@turn@` and `@name@`, which begins `_choose`.
+/// suffix of functions of math.h), `@zero@`, `@one@`, `@pi@`, `@turn@` and `@name@` (the prefix of
+/// `_choose`).
 struct spelling_in_c {
   const char* name = ""; ///< if empty, the name in C++
   const char* body = "";
@@ -42,14 +44,14 @@ struct function_properties {
   spelling_in_c in_c = {};
   parity symmetry = parity::none;
   double smooth_from = -everywhere, smooth_to = everywhere; ///< open interval where differentiable
-  double steep_at = everywhere; ///< where it is continuous but has an infinite slope; it must increase
+  double steep_at = everywhere; ///< where it is continuous with an infinite slope; it must be increasing
   int exact_at = nowhere;       ///< the integer at which its value is an integer
   unit_rule unit = unit_rule::numbers;
   bool is_trigonometric = false; ///< counted as trigonometric, otherwise as `other`
   bool never_negative = false;
   bool stays_finite = false;    ///< finite if its argument is finite
   bool passes_infinity = false; ///< not finite if its argument is not
-  bool has_complex = true;      ///< <complex> has it; otherwise complex steps use its derivative
+  bool has_complex = true;      ///< defined in <complex>; otherwise complex steps use its derivative
 
   constexpr bool is_smooth_at(double x) const {
     return x > smooth_from && x < smooth_to && (x < steep_at || x > steep_at);
@@ -243,25 +245,22 @@ constexpr int place_of_function(operation op) {
   return static_cast<int>(op) - static_cast<int>(operation::sqrt) - (op > operation::atan2 ? 1 : 0);
 }
 
-constexpr bool every_function_has_its_place() {
-  int place = 0;
-  for (const function_properties& f : functions)
-    if (!is_function(f.op) || place_of_function(f.op) != place++) return false;
-  return place == place_of_function(last_function) + 1;
-}
-static_assert(every_function_has_its_place());
-
 constexpr int place_of_binary_function(operation op) {
   return op == operation::atan2 ? 0 : static_cast<int>(op) - static_cast<int>(last_function);
 }
 
-constexpr bool every_binary_function_has_its_place() {
+/// Whether each row is at the index of its operation.
+template <class Rows>
+constexpr bool are_in_order(const Rows& rows, bool (*belongs)(operation), int (*place_of)(operation)) {
   int place = 0;
-  for (const binary_function_properties& f : binary_functions)
-    if (!is_binary_function(f.op) || place_of_binary_function(f.op) != place++) return false;
-  return place == place_of_binary_function(operation::if_positive);
+  for (const auto& row : rows)
+    if (!belongs(row.op) || place_of(row.op) != place++) return false;
+  return true;
 }
-static_assert(every_binary_function_has_its_place());
+static_assert(are_in_order(functions, is_function, place_of_function));
+static_assert(std::size(functions) == place_of_function(last_function) + 1);
+static_assert(are_in_order(binary_functions, is_binary_function, place_of_binary_function));
+static_assert(std::size(binary_functions) == place_of_binary_function(operation::if_positive));
 
 } // namespace detail
 
@@ -279,29 +278,13 @@ constexpr const spelling_in_c& spelling_of(operation op) {
   return is_binary_function(op) ? binary_properties_of(op).in_c : properties_of(op).in_c;
 }
 
-/// The C++ name of the function; empty for arithmetic.
+/// The C++ name of the function; empty for arithmetic, lists and calls, whose names are stored in the graph.
 constexpr const char* function_name(operation op) {
-  switch (form_of(op)) {
-  case form::function: return properties_of(op).name;
-  case form::binary_function: return binary_properties_of(op).name;
-  case form::selection: return "if_positive";
-  case form::component: return "solve";
-  case form::singularity_measure: return "singularity_measure";
-  case form::constant:
-  case form::symbol:
-  case form::negate:
-  case form::add:
-  case form::subtract:
-  case form::multiply:
-  case form::divide:
-  case form::power:
-  case form::pair:
-  case form::factorization:
-  case form::solve:
-  case form::transposed_solve:
-  case form::call: return ""; // its name is stored in the graph
-  }
-  return "";
+  if (is_function(op)) return properties_of(op).name;
+  if (is_binary_function(op)) return binary_properties_of(op).name;
+  if (is_selection(op)) return "if_positive";
+  if (op == operation::component) return "solve";
+  return op == operation::singularity_measure ? "singularity_measure" : "";
 }
 
 } // namespace kanexpr::symbolic

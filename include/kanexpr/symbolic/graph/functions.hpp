@@ -2,7 +2,6 @@
 
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/selection.hpp>
-#include <kanexpr/symbolic/graph/binary_functions.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
@@ -11,8 +10,8 @@
 #include <numbers>
 #include <type_traits>
 
-/// Functions of one argument: for expressions and for numbers, with their derivatives. Their plain data are
-/// in operation.hpp.
+/// Functions of one and of two arguments: for expressions and for numbers, with their derivatives. Their
+/// other properties are rows of function_table.hpp.
 namespace kanexpr::symbolic {
 
 constexpr expression sqrt(expression a) { return apply(operation::sqrt, a); }
@@ -33,249 +32,80 @@ constexpr expression cbrt(expression a) { return apply(operation::cbrt, a); }
 constexpr expression erf(expression a) { return apply(operation::erf, a); }
 constexpr expression wrap_to_pi(expression a) { return apply(operation::wrap_to_pi, a); }
 
-/// `of` evaluates the function for any scalar type. `slope` is its derivative at x, for expressions and for
-/// compile-time numbers; f is the value of the function at x.
-template <operation op>
-struct scalar_function;
+/// The sign of a number; NaN if the number is NaN.
+template <class Number>
+Number sign_of(const Number& x) {
+  const auto sign = static_cast<Number>((Number(0) < x) - (x < Number(0)));
+  if constexpr (numeric::selected_by_masks<Number>)
+    return numeric::where_number(x, sign);
+  else if constexpr (std::is_arithmetic_v<Number>)
+    return base::is_number(x) ? sign : x;
+  else
+    return sign;
+}
 
-template <>
-struct scalar_function<operation::sqrt> {
-  template <class Number>
-  static Number of(const Number& x) {
-    using std::sqrt;
-    return sqrt(x);
+/// An angle less whole turns. The remainder is exact, so the value does not depend on the compiler or the
+/// processor.
+template <class Number>
+Number wrapped_to_pi(const Number& x) {
+  if constexpr (std::is_floating_point_v<Number>) {
+    constexpr Number pi = std::numbers::pi_v<Number>;
+    const Number r = std::remainder(x, 2 * pi);
+    return r - static_cast<Number>(r >= pi) * (2 * pi);
+  } else {
+    return wrap_to_pi(x);
   }
-  template <class Number>
-  static constexpr Number slope(const Number&, const Number& f) {
-    return 1 / (2 * f);
-  }
-};
+}
 
-template <>
-struct scalar_function<operation::sin> {
-  template <class Number>
-  static Number of(const Number& x) {
-    using std::sin;
-    return sin(x);
-  }
-  template <class Number>
-  static constexpr Number slope(const Number& x, const Number&) {
-    using numeric::elementary::cos;
-    return cos(x);
-  }
-};
+/// A function of one argument for any scalar type.
+template <operation op, class Number>
+Number function_value(const Number& x) {
+  using std::sinh, std::cosh, std::tanh, std::abs, std::cbrt, std::erf;
+  using std::sqrt, std::sin, std::cos, std::tan, std::asin, std::acos, std::atan, std::exp, std::log;
+  if constexpr (op == operation::sqrt) return sqrt(x);
+  if constexpr (op == operation::sin) return sin(x);
+  if constexpr (op == operation::cos) return cos(x);
+  if constexpr (op == operation::tan) return tan(x);
+  if constexpr (op == operation::asin) return asin(x);
+  if constexpr (op == operation::acos) return acos(x);
+  if constexpr (op == operation::atan) return atan(x);
+  if constexpr (op == operation::exp) return exp(x);
+  if constexpr (op == operation::log) return log(x);
+  if constexpr (op == operation::sinh) return sinh(x);
+  if constexpr (op == operation::cosh) return cosh(x);
+  if constexpr (op == operation::tanh) return tanh(x);
+  if constexpr (op == operation::abs) return abs(x);
+  if constexpr (op == operation::sign) return sign_of(x);
+  if constexpr (op == operation::cbrt) return cbrt(x);
+  if constexpr (op == operation::erf) return erf(x);
+  if constexpr (op == operation::wrap_to_pi) return wrapped_to_pi(x);
+}
 
-template <>
-struct scalar_function<operation::cos> {
-  template <class Number>
-  static Number of(const Number& x) {
-    using std::cos;
-    return cos(x);
-  }
-  template <class Number>
-  static constexpr Number slope(const Number& x, const Number&) {
-    using numeric::elementary::sin;
-    return -sin(x);
-  }
-};
-
-template <>
-struct scalar_function<operation::tan> {
-  template <class Number>
-  static Number of(const Number& x) {
-    using std::tan;
-    return tan(x);
-  }
-  template <class Number>
-  static constexpr Number slope(const Number&, const Number& f) {
-    return f * f + 1;
-  }
-};
-
-template <>
-struct scalar_function<operation::asin> {
-  template <class Number>
-  static Number of(const Number& x) {
-    using std::asin;
-    return asin(x);
-  }
-  template <class Number>
-  static constexpr Number slope(const Number& x, const Number&) {
-    using numeric::elementary::sqrt;
-    return 1 / sqrt(1 - x * x);
-  }
-};
-
-template <>
-struct scalar_function<operation::acos> {
-  template <class Number>
-  static Number of(const Number& x) {
-    using std::acos;
-    return acos(x);
-  }
-  template <class Number>
-  static constexpr Number slope(const Number& x, const Number&) {
-    using numeric::elementary::sqrt;
-    return -(1 / sqrt(1 - x * x));
-  }
-};
-
-template <>
-struct scalar_function<operation::atan> {
-  template <class Number>
-  static Number of(const Number& x) {
-    using std::atan;
-    return atan(x);
-  }
-  template <class Number>
-  static constexpr Number slope(const Number& x, const Number&) {
-    return 1 / (x * x + 1);
-  }
-};
-
-template <>
-struct scalar_function<operation::exp> {
-  template <class Number>
-  static Number of(const Number& x) {
-    using std::exp;
-    return exp(x);
-  }
-  template <class Number>
-  static constexpr Number slope(const Number&, const Number& f) {
-    return f;
-  }
-};
-
-template <>
-struct scalar_function<operation::log> {
-  template <class Number>
-  static Number of(const Number& x) {
-    using std::log;
-    return log(x);
-  }
-  template <class Number>
-  static constexpr Number slope(const Number& x, const Number&) {
-    return 1 / x;
-  }
-};
-
-template <>
-struct scalar_function<operation::sinh> {
-  template <class Number>
-  static Number of(const Number& x) {
-    using std::sinh;
-    return sinh(x);
-  }
-  template <class Number>
-  static constexpr Number slope(const Number& x, const Number&) {
-    using numeric::elementary::cosh;
-    return cosh(x);
-  }
-};
-
-template <>
-struct scalar_function<operation::cosh> {
-  template <class Number>
-  static Number of(const Number& x) {
-    using std::cosh;
-    return cosh(x);
-  }
-  template <class Number>
-  static constexpr Number slope(const Number& x, const Number&) {
-    using numeric::elementary::sinh;
-    return sinh(x);
-  }
-};
-
-template <>
-struct scalar_function<operation::tanh> {
-  template <class Number>
-  static Number of(const Number& x) {
-    using std::tanh;
-    return tanh(x);
-  }
-  template <class Number>
-  static constexpr Number slope(const Number&, const Number& f) {
-    return 1 - f * f;
-  }
-};
-
-template <>
-struct scalar_function<operation::abs> {
-  template <class Number>
-  static Number of(const Number& x) {
-    using std::abs;
-    return abs(x);
-  }
-  template <class Number>
-  static constexpr Number slope(const Number& x, const Number&) {
-    using numeric::elementary::sign;
-    return sign(x);
-  }
-};
-
-template <>
-struct scalar_function<operation::sign> {
-  template <class Number>
-  static Number of(const Number& x) {
-    if constexpr (numeric::selected_by_masks<Number>)
-      return numeric::where_number(x, static_cast<Number>((Number(0) < x) - (x < Number(0))));
-    else if constexpr (std::is_arithmetic_v<Number>)
-      return base::is_number(x) ? static_cast<Number>((Number(0) < x) - (x < Number(0))) : x;
-    else
-      return Number((Number(0) < x) - (x < Number(0)));
-  }
-  template <class Number>
-  static constexpr Number slope(const Number& x, const Number&) {
-    return x - x;
-  }
-};
-
-template <>
-struct scalar_function<operation::cbrt> {
-  template <class Number>
-  static Number of(const Number& x) {
-    using std::cbrt;
-    return cbrt(x);
-  }
-  template <class Number>
-  static constexpr Number slope(const Number&, const Number& f) {
-    return 1 / (3 * (f * f));
-  }
-};
-
-template <>
-struct scalar_function<operation::erf> {
-  template <class Number>
-  static Number of(const Number& x) {
-    using std::erf;
-    return erf(x);
-  }
-  template <class Number>
-  static constexpr Number slope(const Number& x, const Number&) {
-    using numeric::elementary::exp;
-    return 2 * std::numbers::inv_sqrtpi * exp(-(x * x));
-  }
-};
-
-template <>
-struct scalar_function<operation::wrap_to_pi> {
-  /// The remainder is exact, so the value does not depend on the compiler or the processor.
-  template <class Number>
-  static Number of(const Number& x) {
-    if constexpr (std::is_floating_point_v<Number>) {
-      constexpr Number pi = std::numbers::pi_v<Number>;
-      const Number r = std::remainder(x, 2 * pi);
-      return r - static_cast<Number>(r >= pi) * (2 * pi);
-    } else {
-      return wrap_to_pi(x);
-    }
-  }
-  template <class Number>
-  static constexpr Number slope(const Number& x, const Number&) {
-    return 1 + (x - x);
-  }
-};
+/// The derivative of a function of one argument at x, where its value is f, for expressions and for
+/// compile-time numbers.
+template <operation op, class Number>
+constexpr Number function_slope(const Number& x, const Number& f) {
+  using numeric::elementary::exp, numeric::elementary::sinh, numeric::elementary::cosh;
+  using numeric::elementary::sign;
+  using numeric::elementary::sqrt, numeric::elementary::sin, numeric::elementary::cos;
+  if constexpr (op == operation::sqrt) return 1 / (2 * f);
+  if constexpr (op == operation::sin) return cos(x);
+  if constexpr (op == operation::cos) return -sin(x);
+  if constexpr (op == operation::tan) return f * f + 1;
+  if constexpr (op == operation::asin) return 1 / sqrt(1 - x * x);
+  if constexpr (op == operation::acos) return -(1 / sqrt(1 - x * x));
+  if constexpr (op == operation::atan) return 1 / (x * x + 1);
+  if constexpr (op == operation::exp) return f;
+  if constexpr (op == operation::log) return 1 / x;
+  if constexpr (op == operation::sinh) return cosh(x);
+  if constexpr (op == operation::cosh) return sinh(x);
+  if constexpr (op == operation::tanh) return 1 - f * f;
+  if constexpr (op == operation::abs) return sign(x);
+  if constexpr (op == operation::sign) return x - x;
+  if constexpr (op == operation::cbrt) return 1 / (3 * (f * f));
+  if constexpr (op == operation::erf) return 2 * std::numbers::inv_sqrtpi * exp(-(x * x));
+  if constexpr (op == operation::wrap_to_pi) return 1 + (x - x);
+}
 
 /// Calls `use.template operator()<op>()` for a function of one argument, with `op` as a constant.
 template <class Use>
@@ -323,7 +153,67 @@ constexpr decltype(auto) with_function(operation op, const Use& use) {
 /// The derivative of a function of one argument at x, where its value is f.
 template <class Number>
 constexpr Number slope_of(operation op, const Number& x, const Number& f) {
-  return with_function(op, [&]<operation function>() { return scalar_function<function>::slope(x, f); });
+  return with_function(op, [&]<operation function>() { return function_slope<function>(x, f); });
+}
+
+constexpr expression atan2(expression y, expression x) { return apply(operation::atan2, y, x); }
+
+/// The derivatives of a function with respect to its arguments.
+template <class Number>
+struct binary_slopes {
+  Number by_a, by_b;
+};
+
+/// `of` is the function for any scalar type; `slopes` are its derivatives at (a, b), where its value is f,
+/// for expressions and for numbers. `rate` is optional: the rate of the value if the arguments change at
+/// given rates, where this costs less than a product with each slope.
+template <operation op>
+struct binary_function;
+
+template <>
+struct binary_function<operation::atan2> {
+  template <class Number>
+  static Number of(const Number& y, const Number& x) {
+    using std::atan2;
+    return atan2(y, x);
+  }
+  template <class Number>
+  static constexpr binary_slopes<Number> slopes(const Number& y, const Number& x, const Number&) {
+    const Number first = y * y, second = x * x, square = first + second;
+    return {x / square, -(y / square)};
+  }
+  template <class Number>
+  static constexpr Number rate(const Number& y, const Number& x, const Number& y_rate, const Number& x_rate) {
+    const Number square = x * x + y * y;
+    return (x * y_rate - y * x_rate) / square;
+  }
+};
+
+/// Calls `use.template operator()<op>()` for a function of two arguments, with `op` as a constant.
+template <class Use>
+constexpr decltype(auto) with_binary_function(operation op, const Use& use) {
+  if (op == operation::atan2) return use.template operator()<operation::atan2>();
+  __builtin_unreachable();
+}
+
+/// The derivatives of a function of two arguments at (a, b), where its value is f.
+template <class Number>
+constexpr binary_slopes<Number> binary_slopes_of(operation op, const Number& a, const Number& b,
+                                                 const Number& f) {
+  return with_binary_function(
+      op, [&]<operation function>() { return binary_function<function>::slopes(a, b, f); });
+}
+
+/// The rate of a function of two arguments that change at given rates.
+template <operation op, class Number>
+constexpr Number binary_rate_of(const Number& a, const Number& b, const Number& f, const Number& a_rate,
+                                const Number& b_rate) {
+  if constexpr (requires { binary_function<op>::rate(a, b, a_rate, b_rate); }) {
+    return binary_function<op>::rate(a, b, a_rate, b_rate);
+  } else {
+    const binary_slopes<Number> by = binary_function<op>::slopes(a, b, f);
+    return by.by_a * a_rate + by.by_b * b_rate;
+  }
 }
 
 } // namespace kanexpr::symbolic

@@ -32,15 +32,15 @@ public:
   static constexpr int one = 1;
 
   constexpr graph() {
-    make_room(1 << 9);
+    allocate(1 << 9);
     constant(exactly(0));
     constant(exactly(1));
   }
   constexpr graph(const graph& other)
       : numbers_(other.numbers_), symbols_(other.symbols_), externals_(other.externals_),
-        holds_lists_(other.holds_lists_) {
-    make_room(other.room_);
-    place_all(other.nodes_, other.size_);
+        has_lists_(other.has_lists_) {
+    allocate(other.room_);
+    insert_all(other.nodes_, other.size_);
   }
   graph& operator=(const graph&) = delete;
   constexpr ~graph() {
@@ -50,7 +50,7 @@ public:
 
   constexpr int size() const { return size_; }
   /// Whether the graph contains any part of a linear system or a call, live or not.
-  constexpr bool holds_lists() const { return holds_lists_; }
+  constexpr bool has_lists() const { return has_lists_; }
   constexpr const node& operator[](int id) const { return nodes_[id]; }
   constexpr const node* begin() const { return nodes_; }
   constexpr const node* end() const { return nodes_ + size_; }
@@ -61,19 +61,19 @@ public:
   constexpr const sequence<symbol>& symbols() const { return symbols_; }
   constexpr const sequence<number>& numbers() const { return numbers_; }
 
-  /// Records that the program put the integer 0 into an expression; `takes_whole_zero` returns this once.
-  void note_whole_zero() { holds_whole_zero_ = true; }
-  bool takes_whole_zero() {
-    const bool held = holds_whole_zero_;
-    holds_whole_zero_ = false;
+  /// Records that the program put the integer 0 into an expression; `consume_integer_zero` returns this once.
+  void record_integer_zero() { has_integer_zero_ = true; }
+  bool consume_integer_zero() {
+    const bool held = has_integer_zero_;
+    has_integer_zero_ = false;
     return held;
   }
 
   /// Records a clamp whose lower bound exceeds its upper bound.
-  void note_limits_out_of_order() { has_limits_out_of_order_ = true; }
-  bool takes_limits_out_of_order() {
-    const bool held = has_limits_out_of_order_;
-    has_limits_out_of_order_ = false;
+  void record_reversed_bounds() { has_reversed_bounds_ = true; }
+  bool consume_reversed_bounds() {
+    const bool held = has_reversed_bounds_;
+    has_reversed_bounds_ = false;
     return held;
   }
 
@@ -105,8 +105,8 @@ public:
 
   /// The number of an existing node, or -1 if there is none.
   constexpr int find(const node& wanted) const {
-    unsigned place = hash(wanted) & last_place_;
-    for (int id = table_[place]; id >= 0; id = table_[place = (place + 1) & last_place_]) {
+    unsigned place = hash(wanted) & hash_mask_;
+    for (int id = table_[place]; id >= 0; id = table_[place = (place + 1) & hash_mask_]) {
       const node& present = nodes_[id];
       if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) return id;
     }
@@ -114,8 +114,8 @@ public:
   }
 
   constexpr int find_or_append(const node& wanted) {
-    unsigned place = hash(wanted) & last_place_;
-    for (int id = table_[place]; id >= 0; id = table_[place = (place + 1) & last_place_]) {
+    unsigned place = hash(wanted) & hash_mask_;
+    for (int id = table_[place]; id >= 0; id = table_[place = (place + 1) & hash_mask_]) {
       const node& present = nodes_[id];
       if (present.a == wanted.a && present.b == wanted.b && present.op == wanted.op) return id;
     }
@@ -132,9 +132,9 @@ public:
     symbols_ = static_cast<sequence<symbol>&&>(symbols);
     int room = 1 << 9;
     while (nodes > room) room *= 4;
-    make_room(room);
+    allocate(room);
     for (int id = 0; id < nodes; ++id) nodes_[id] = {op[id], a[id], b[id]};
-    place_all(nodes_, nodes);
+    insert_all(nodes_, nodes);
   }
 
 private:
@@ -154,8 +154,8 @@ private:
 
   /// The slot of a constant in the hash table, or the free slot where it belongs.
   constexpr int place_of(const number& wanted) const {
-    unsigned place = hash(wanted) & last_place_;
-    for (; table_[place] >= 0; place = (place + 1) & last_place_) {
+    unsigned place = hash(wanted) & hash_mask_;
+    for (; table_[place] >= 0; place = (place + 1) & hash_mask_) {
       const node& present = nodes_[table_[place]];
       if (present.op == operation::constant && numbers_[present.a] == wanted) break;
     }
@@ -163,7 +163,7 @@ private:
   }
 
   constexpr int append(const node& added, int place) {
-    if (added.op >= operation::pair) holds_lists_ = true;
+    if (added.op >= operation::pair) has_lists_ = true;
     if (size_ == room_) {
       grow(added);
       return size_ - 1;
@@ -177,48 +177,48 @@ private:
     node* const before = nodes_;
     const int count = size_;
     nodes_ = nullptr;
-    make_room(4 * room_);
-    place_all(before, count);
+    allocate(4 * room_);
+    insert_all(before, count);
     delete[] before;
     nodes_[count] = kept;
-    place_all(nodes_, count + 1, count);
+    insert_all(nodes_, count + 1, count);
   }
 
   /// Inserts distinct nodes in order, from `first` on; `all` may be the array of nodes itself.
-  constexpr void place_all(const node* all, int count, int first = 0) {
+  constexpr void insert_all(const node* all, int count, int first = 0) {
     for (int id = first; id < count; ++id) {
       const node n = nodes_[id] = all[id];
-      unsigned place = (n.op == operation::constant ? hash(numbers_[n.a]) : hash(n)) & last_place_;
-      while (table_[place] >= 0) place = (place + 1) & last_place_;
+      unsigned place = (n.op == operation::constant ? hash(numbers_[n.a]) : hash(n)) & hash_mask_;
+      while (table_[place] >= 0) place = (place + 1) & hash_mask_;
       table_[place] = id;
-      if (n.op >= operation::pair) holds_lists_ = true;
+      if (n.op >= operation::pair) has_lists_ = true;
     }
     size_ = count;
   }
 
   /// Allocates an empty graph; the table has at least twice as many slots as nodes.
-  constexpr void make_room(int nodes) {
+  constexpr void allocate(int nodes) {
     delete[] nodes_;
     delete[] table_;
     room_ = nodes;
     const unsigned places = 2 * static_cast<unsigned>(nodes);
     nodes_ = new node[static_cast<unsigned>(nodes)];
     table_ = new int[places];
-    last_place_ = places - 1;
-    for (unsigned place = 0; place <= last_place_; ++place) table_[place] = -1;
+    hash_mask_ = places - 1;
+    for (unsigned place = 0; place <= hash_mask_; ++place) table_[place] = -1;
   }
 
   node* nodes_ = nullptr;
   int size_ = 0;
   int room_ = 0;
   int* table_ = nullptr; ///< open addressing; -1 marks a free slot
-  unsigned last_place_ = 0;
+  unsigned hash_mask_ = 0;
   sequence<number> numbers_{};
   sequence<symbol> symbols_{};
   sequence<const external_function*> externals_{};
-  bool holds_lists_ = false;
-  bool holds_whole_zero_ = false;
-  bool has_limits_out_of_order_ = false;
+  bool has_lists_ = false;
+  bool has_integer_zero_ = false;
+  bool has_reversed_bounds_ = false;
 };
 
 } // namespace kanexpr::symbolic

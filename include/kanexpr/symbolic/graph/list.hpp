@@ -39,7 +39,7 @@ constexpr int call(graph& g, const external_function& f, int operands) {
 }
 
 /// Systems up to this order are expanded by cofactors when they are lowered.
-inline constexpr int largest_written_out = 3;
+inline constexpr int max_cofactor_order = 3;
 
 constexpr int order_of(const graph& g, int factorization) { return integer_at(g, g[factorization].b); }
 

@@ -8,7 +8,7 @@ namespace kanexpr::symbolic {
 
 /// Whether the second operand is a value, as opposed to the end of a list, an order or an index.
 constexpr bool is_value(const node& n) {
-  return n.op == operation::pair ? n.b != graph::zero : !is_numbered(n.op);
+  return n.op == operation::pair ? n.b != graph::zero : !has_index_operand(n.op);
 }
 
 /// Marks the nodes that `outputs` need, except constants that end lists or represent orders and indices.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/build.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
@@ -43,7 +44,7 @@ struct monomial {
       if (powers[i].factor == factor) return powers[i].exponent;
     return 0;
   }
-  constexpr bool has_the_powers_of(const monomial& other) const {
+  constexpr bool has_same_powers(const monomial& other) const {
     if (count != other.count) return false;
     for (int i = 0; i < count; ++i)
       if (powers[i].factor != other.powers[i].factor || powers[i].exponent != other.powers[i].exponent)
@@ -73,7 +74,7 @@ public:
 
   constexpr void add(const monomial& term) {
     for (monomial& present : terms_) {
-      if (!present.has_the_powers_of(term)) continue;
+      if (!present.has_same_powers(term)) continue;
       present.coefficient = present.coefficient + term.coefficient;
       if (present.coefficient == exactly(0)) drop(static_cast<int>(&present - terms_.begin()));
       return;
@@ -113,7 +114,7 @@ private:
 };
 
 /// Replaces each sin² X + cos² X by X; returns whether there was one.
-constexpr bool join_squares(const graph& g, sum_of_monomials& s) {
+constexpr bool combine_sine_cosine_squares(const graph& g, sum_of_monomials& s) {
   const auto joined = [&] {
     for (int i = 0; i < s.size(); ++i)
       for (int k = 0; k < s[i].count; ++k) {
@@ -125,7 +126,7 @@ constexpr bool join_squares(const graph& g, sum_of_monomials& s) {
         monomial other = one;
         if (cosine < 0 || !other.multiply_by(cosine, 2)) continue;
         for (int j = 0; j < s.size(); ++j) {
-          if (!s[j].has_the_powers_of(other)) continue;
+          if (!s[j].has_same_powers(other)) continue;
           if (!(s[j].coefficient - other.coefficient == exactly(0))) break; // up to decimal rounding
           s.drop(i < j ? j : i);
           s.drop(i < j ? i : j);
@@ -138,6 +139,53 @@ constexpr bool join_squares(const graph& g, sum_of_monomials& s) {
   bool any = false;
   while (joined()) any = true;
   return any;
+}
+
+namespace detail {
+
+/// Multiplies the factors of a product, or a single factor, into a monomial; returns false if they do not
+/// fit.
+constexpr bool take_factors(const graph& g, int id, monomial& into) {
+  const node& n = g[id];
+  if (n.op == operation::multiply) return take_factors(g, n.a, into) && take_factors(g, n.b, into);
+  if (n.op == operation::constant) {
+    into.coefficient = into.coefficient * g.number_at(id);
+    return true;
+  }
+  if (n.op != operation::negate) return into.multiply_by(id, 1);
+  into.coefficient = -into.coefficient;
+  return take_factors(g, n.a, into);
+}
+
+constexpr int product_of(graph& g, const monomial& m) {
+  int product = graph::one;
+  for (int i = 0; i < m.count; ++i)
+    for (int k = 0; k < m.powers[i].exponent; ++k) product = multiply(g, product, m.powers[i].factor);
+  return product;
+}
+
+} // namespace detail
+
+/// A quotient of products with common factors canceled, such as the mass in −m g l sin(q)/(m l²).
+constexpr int divide_in_lowest_terms(graph& g, int a, int b) {
+  if (g.is_constant(a) || g.is_constant(b)) return divide(g, a, b);
+  monomial above, below;
+  if (!detail::take_factors(g, a, above) || !detail::take_factors(g, b, below)) return divide(g, a, b);
+  bool any = false;
+  for (int i = 0; i < above.count; ++i) {
+    const monomial::power taken = above.powers[i];
+    const int under = below.exponent_of(taken.factor),
+              shared = taken.exponent < under ? taken.exponent : under;
+    if (shared == 0) continue;
+    any = true;
+    below.multiply_by(taken.factor, -shared);
+    above.multiply_by(taken.factor, -shared);
+    if (shared == taken.exponent) --i; // removed
+  }
+  if (!any) return divide(g, a, b);
+  const int coefficient = g.constant(above.coefficient / below.coefficient);
+  const int numerator = multiply(g, coefficient, detail::product_of(g, above));
+  return divide(g, numerator, detail::product_of(g, below));
 }
 
 } // namespace kanexpr::symbolic

@@ -57,8 +57,13 @@ constexpr bool is_binary(operation op) {
   return (op >= operation::add && op <= operation::power) || op == operation::atan2 || op > last_function;
 }
 /// Whether the second operand is a plain number (an order or an index), not a value.
-constexpr bool is_numbered(operation op) {
+constexpr bool has_index_operand(operation op) {
   return op == operation::factorization || op == operation::component || op == operation::call;
+}
+
+/// Whether the operation is the solution of a linear system, whose elements are its components.
+constexpr bool is_solution(operation op) {
+  return op == operation::solve || op == operation::transposed_solve;
 }
 
 constexpr bool is_selection(operation op) {
@@ -86,8 +91,7 @@ constexpr bool is_binary_function(operation op) {
 /// The forms of operations; all functions of one argument have the same form, and so do all of two. Code that
 /// treats these functions alike switches over forms, so that adding a function does not affect it.
 enum class form : unsigned char {
-  constant,
-  symbol,
+  leaf, ///< a constant or a symbol
   negate,
   add,
   subtract,
@@ -97,22 +101,15 @@ enum class form : unsigned char {
   function,
   binary_function,
   selection,
-  pair,
-  factorization,
-  solve,
-  transposed_solve,
-  component,
-  singularity_measure,
-  call,
+  list_operation, ///< a list, a part of a linear system or a call, from `pair` on
 };
 
 constexpr form form_of(operation op) {
-  if (op <= operation::power) return static_cast<form>(op);
-  if (op < operation::if_positive) return is_binary_function(op) ? form::binary_function : form::function;
-  if (op < operation::pair) return form::selection;
-  constexpr int before = static_cast<int>(operation::pair) - static_cast<int>(form::pair);
-  return static_cast<form>(static_cast<int>(op) - before);
+  if (op >= operation::pair) return form::list_operation;
+  if (op >= operation::if_positive) return form::selection;
+  if (op > operation::power) return is_binary_function(op) ? form::binary_function : form::function;
+  return op <= operation::symbol ? form::leaf : static_cast<form>(static_cast<int>(op) - 1);
 }
-static_assert(form_of(operation::power) == form::power && form_of(operation::call) == form::call);
+static_assert(form_of(operation::negate) == form::negate && form_of(operation::power) == form::power);
 
 } // namespace kanexpr::symbolic

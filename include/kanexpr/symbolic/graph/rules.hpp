@@ -5,7 +5,6 @@
 #include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
-#include <kanexpr/symbolic/graph/same_product.hpp>
 
 /// Builds expressions in their simplest local form.
 ///
@@ -38,6 +37,47 @@ constexpr int squared_angle(const graph& g, int a, operation function) {
 constexpr bool is_pythagorean(const graph& g, int a, int b) {
   const int s = squared_angle(g, a, operation::sin);
   return s >= 0 && s == squared_angle(g, b, operation::cos);
+}
+
+/// The factors of nested products, sorted by node number; none if there are too many.
+struct product_factors {
+  static constexpr int most = 8;
+  int factor[most]{};
+  int count = 0;
+
+  constexpr product_factors(const graph& g, int product) {
+    take(g, product);
+    if (count > most) count = 0;
+  }
+  constexpr bool operator==(const product_factors& other) const {
+    if (count != other.count || count == 0) return false;
+    for (int i = 0; i < count; ++i)
+      if (factor[i] != other.factor[i]) return false;
+    return true;
+  }
+
+private:
+  constexpr void take(const graph& g, int id) {
+    const node& n = g[id];
+    if (n.op == operation::multiply) {
+      take(g, n.a);
+      if (count <= most) take(g, n.b);
+    } else if (count++ < most) {
+      int place = count - 1;
+      for (; place > 0 && factor[place - 1] > id; --place) factor[place] = factor[place - 1];
+      factor[place] = id;
+    }
+  }
+};
+
+/// Whether a and b are products of the same factors, possibly grouped differently.
+constexpr bool is_same_product(const graph& g, int a, int b) {
+  const node &x = g[a], &y = g[b];
+  if (x.op != operation::multiply || y.op != operation::multiply) return false;
+  const auto is_nested = [&](const node& n) {
+    return g[n.a].op == operation::multiply || g[n.b].op == operation::multiply;
+  };
+  return is_nested(x) && is_nested(y) && product_factors(g, a) == product_factors(g, b);
 }
 
 } // namespace detail
@@ -178,7 +218,7 @@ constexpr int divide(graph& g, int a, int b) {
 }
 
 /// Rounds function values near zero: the cosine of the double next to π/2 is zero.
-constexpr number beside_argument(double value, double argument) {
+constexpr number round_near_zero(double value, double argument) {
   return real(numeric::elementary::abs(value) <= 0x1p-51 * numeric::elementary::abs(argument) &&
                       !base::equal(value, argument)
                   ? 0
@@ -199,7 +239,7 @@ constexpr number function_of(operation op, const number& n) {
   if (op == operation::sqrt) return root_of(n);
   if (op == operation::abs) return n.negative() ? -n : n;
   const double x = n.value(), f = properties_of(op).value(x);
-  return op == operation::sin || op == operation::cos ? beside_argument(f, x) : real(f);
+  return op == operation::sin || op == operation::cos ? round_near_zero(f, x) : real(f);
 }
 
 /// Applies a function of one argument.

@@ -7,6 +7,12 @@
 
 namespace kanexpr::symbolic {
 
+/// The replacement of a symbol: a number, or an expression in the remaining symbols.
+struct replacement {
+  expression symbol;
+  expression by;
+};
+
 /// Replaces nodes throughout an expression simultaneously and simplifies the result.
 class substitution {
 public:

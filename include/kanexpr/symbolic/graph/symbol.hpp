@@ -8,23 +8,23 @@ namespace kanexpr::symbolic {
 
 /// The maximum length of a symbol name; the remaining characters are reserved for the primes of its
 /// derivatives.
-inline constexpr int longest_name = base::name::capacity - 3;
+inline constexpr int max_name_length = base::name::capacity - 3;
 
-constexpr bool begins_name(char letter) { // beyond ASCII: part of a letter
+constexpr bool is_name_start(char letter) { // beyond ASCII: part of a letter
   return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') || letter == '_' ||
          static_cast<unsigned char>(letter) >= 0x80;
 }
 /// Whether a character is neither a quote nor a control character.
-constexpr bool is_printed(char letter) {
+constexpr bool is_printable(char letter) {
   return letter != '"' && static_cast<unsigned char>(letter) >= ' ' && letter != '\x7f';
 }
 
 /// A name begins with a letter and has at most 60 characters, without primes, quotes or control characters;
 /// primes denote rates.
 constexpr bool is_name(std::string_view text) {
-  if (text.empty() || text.size() > longest_name || !begins_name(text[0])) return false;
+  if (text.empty() || text.size() > max_name_length || !is_name_start(text[0])) return false;
   for (char letter : text)
-    if (!is_printed(letter) || letter == '\'') return false;
+    if (!is_printable(letter) || letter == '\'') return false;
   return true;
 }
 

@@ -29,12 +29,14 @@ struct table_points {
 /// The slope at the point between two intervals: the weighted harmonic mean of the chord slopes, or zero if
 /// their signs differ, so that the curve is monotone wherever its points are. Fritsch & Butland, A method for
 /// constructing local monotone piecewise cubic interpolants, SIAM J. Sci. Stat. Comput. 5 (1984).
-constexpr expression slope_between(const table_points& p, int before, int behind) {
-  const expression left = 2 * p.length[behind] + p.length[before],
-                   right = p.length[behind] + 2 * p.length[before];
-  const expression product = p.slope[before] * p.slope[behind], zero = product.number(exactly(0));
+constexpr expression interior_slope(const table_points& p, int left_interval, int right_interval) {
+  const expression left = 2 * p.length[right_interval] + p.length[left_interval],
+                   right = p.length[right_interval] + 2 * p.length[left_interval];
+  const expression product = p.slope[left_interval] * p.slope[right_interval],
+                   zero = product.number(exactly(0));
   const expression above = (left + right) * product;
-  const expression mean = above / sum_of_products(left, p.slope[behind], right, p.slope[before]);
+  const expression mean =
+      above / sum_of_products(left, p.slope[right_interval], right, p.slope[left_interval]);
   return if_positive(product, mean, zero);
 }
 
@@ -54,18 +56,19 @@ constexpr sequence<expression> monotone_slopes(const table_points& p) {
   const int last = p.x.size() - 1;
   sequence<expression> all;
   all.push(last == 1 ? p.slope[0] : slope_at_end(p, 0, 1));
-  for (int i = 1; i < last; ++i) all.push(slope_between(p, i - 1, i));
+  for (int i = 1; i < last; ++i) all.push(interior_slope(p, i - 1, i));
   all.push(last == 1 ? p.slope[0] : slope_at_end(p, last - 1, last - 2));
   return all;
 }
 
-/// The sum of the cubics of all intervals, with slopes d at the points. `passed` contains the amounts by
+/// The sum of the cubics of all intervals, with slopes d at the points. `excesses` contains the amounts by
 /// which x exceeds each point except the last.
-constexpr expression climbed(const table_points& p, const sequence<expression>& d,
-                             const sequence<expression>& passed) {
+constexpr expression sum_of_rises(const table_points& p, const sequence<expression>& d,
+                                  const sequence<expression>& excesses) {
   expression sum = p.y[0];
-  for (int i = 0; i < passed.size(); ++i) {
-    const expression t = i + 1 < passed.size() ? passed[i] - passed[i + 1] : passed[i], h = p.length[i];
+  for (int i = 0; i < excesses.size(); ++i) {
+    const expression t = i + 1 < excesses.size() ? excesses[i] - excesses[i + 1] : excesses[i],
+                     h = p.length[i];
     const expression thrice = 3 * p.slope[i], bend = (thrice - 2 * d[i] - d[i + 1]) / h,
                      ends = d[i] + d[i + 1], excess = ends - 2 * p.slope[i], twist = excess / (h * h);
     sum += t * (d[i] + t * (bend + t * twist));
@@ -73,7 +76,7 @@ constexpr expression climbed(const table_points& p, const sequence<expression>& 
   return sum;
 }
 
-constexpr expression beyond(expression x, expression point) {
+constexpr expression excess_over(expression x, expression point) {
   const expression rest = x - point;
   return selected(operation::if_positive, rest, rest);
 }
@@ -87,9 +90,9 @@ constexpr expression beyond(expression x, expression point) {
 constexpr expression tabulated(expression x, const expression* points, int count) {
   const detail::table_points p(points, count);
   const expression within = (min)(x, p.x.back());
-  sequence<expression> passed;
-  for (int i = 0; i + 1 < count; ++i) passed.push(detail::beyond(within, p.x[i]));
-  return detail::climbed(p, detail::monotone_slopes(p), passed);
+  sequence<expression> excesses;
+  for (int i = 0; i + 1 < count; ++i) excesses.push(detail::excess_over(within, p.x[i]));
+  return detail::sum_of_rises(p, detail::monotone_slopes(p), excesses);
 }
 
 /// The periodic counterpart of `tabulated`: it repeats after the last point, which has the value and slope of
@@ -102,12 +105,12 @@ constexpr expression periodic(expression x, const expression* points, int count)
   const expression middle = (p.x[0] + p.x[last]) / 2, turn = whole_turn / (p.x[last] - p.x[0]),
                    angle = turn * (x - middle), sine = sin(angle),
                    within = middle + atan2(sine, cos(angle)) / turn;
-  sequence<expression> d, passed;
+  sequence<expression> d, excesses;
   for (int i = 0; i <= last; ++i)
-    d.push(detail::slope_between(p, i == 0 ? last - 1 : i - 1, i == last ? 0 : i));
-  passed.push(within - p.x[0]);
-  for (int i = 1; i < last; ++i) passed.push(detail::beyond(within, p.x[i]));
-  return detail::climbed(p, d, passed);
+    d.push(detail::interior_slope(p, i == 0 ? last - 1 : i - 1, i == last ? 0 : i));
+  excesses.push(within - p.x[0]);
+  for (int i = 1; i < last; ++i) excesses.push(detail::excess_over(within, p.x[i]));
+  return detail::sum_of_rises(p, d, excesses);
 }
 
 } // namespace kanexpr::symbolic

@@ -62,19 +62,19 @@ inline bool is_singular(operation op, const bounded& a, const bounded& b) {
 namespace detail {
 
 /// The error of a square root near its branch point.
-inline double past_branch(double error, double slope) {
+inline double branch_point_error(double error, double slope) {
   return base::equal(error, 0.0) ? 0 : error / (std::max)(slope, std::sqrt(error));
 }
 
 /// The error of a function of one argument due to the error of its argument.
-inline double carried_error(operation op, const bounded& a, double value) {
+inline double propagated_error(operation op, const bounded& a, double value) {
   if (base::equal(a.error, 0.0)) return 0;
   const double x = a.value;
   if (op == operation::abs) return a.error;
   if (op == operation::sign) return !base::equal(x, 0.0) && a.vanishes() ? 1 : 0;
-  if (op == operation::sqrt) return past_branch(a.error, value);
+  if (op == operation::sqrt) return branch_point_error(a.error, value);
   if (op == operation::asin || op == operation::acos)
-    return 2 * past_branch(a.error, std::sqrt((std::max)(0.0, 1 - x * x)));
+    return 2 * branch_point_error(a.error, std::sqrt((std::max)(0.0, 1 - x * x)));
   const function_properties& f = properties_of(op);
   if (std::abs(x - f.steep_at) <= a.error)
     return (std::max)(f.value(x + a.error) - value, value - f.value(x - a.error));
@@ -87,7 +87,7 @@ inline double carried_error(operation op, const bounded& a, double value) {
 }
 
 /// The error of an operation due to the errors of its operands.
-inline double carried_error(operation op, const bounded& a, const bounded& b, double value) {
+inline double propagated_error(operation op, const bounded& a, const bounded& b, double value) {
   const double x = std::abs(a.value), y = std::abs(b.value);
   switch (form_of(op)) {
   case form::negate: return a.error;
@@ -95,7 +95,7 @@ inline double carried_error(operation op, const bounded& a, const bounded& b, do
   case form::subtract: return a.error + b.error;
   case form::multiply: return x * b.error + y * a.error + a.error * b.error;
   case form::divide: return (a.error + std::abs(value) * b.error) / (y - b.error);
-  case form::function: return carried_error(op, a, value);
+  case form::function: return propagated_error(op, a, value);
   case form::selection: return selected(op, a.value, b.error);
   case form::binary_function: {
     const binary_slopes<double> by = binary_slopes_of(op, a.value, b.value, value);
@@ -104,15 +104,8 @@ inline double carried_error(operation op, const bounded& a, const bounded& b, do
   case form::power:
     if (base::equal(x, 0.0)) return base::equal(a.error, 0.0) ? 0 : std::pow(a.error, b.value);
     return std::abs(value) * (y * a.error / x + std::abs(std::log(x)) * b.error);
-  case form::constant:
-  case form::symbol:
-  case form::pair:
-  case form::factorization:
-  case form::solve:
-  case form::transposed_solve:
-  case form::component:
-  case form::singularity_measure:
-  case form::call: break; // not operations on two numbers
+  case form::leaf:
+  case form::list_operation: break; // not operations on two numbers
   }
   return std::numeric_limits<double>::infinity();
 }
@@ -120,15 +113,15 @@ inline double carried_error(operation op, const bounded& a, const bounded& b, do
 } // namespace detail
 
 inline bounded apply(operation op, const bounded& a, const bounded& b) {
-  const auto is_nothing = [](const bounded& x) {
+  const auto is_exact_zero = [](const bounded& x) {
     return base::equal(x.value, 0.0) && base::equal(x.error, 0.0);
   };
-  if (op == operation::multiply && (is_nothing(a) || is_nothing(b))) return {}; // as in the graph
+  if (op == operation::multiply && (is_exact_zero(a) || is_exact_zero(b))) return {}; // as in the graph
   if (!a.defined() || is_singular(op, a, b)) return bounded::undefined();
-  if (is_selection(op) && is_nothing({selected(op, a.value, 1), 0})) return {};
+  if (is_selection(op) && is_exact_zero({selected(op, a.value, 1), 0})) return {};
   if (!b.defined()) return bounded::undefined();
   const double value = value_of(op, a.value, b.value);
-  return bounded::rounded(value, detail::carried_error(op, a, b, value));
+  return bounded::rounded(value, detail::propagated_error(op, a, b, value));
 }
 inline bounded operator-(const bounded& a, const bounded& b) { return apply(operation::subtract, a, b); }
 inline bounded operator*(const bounded& a, const bounded& b) { return apply(operation::multiply, a, b); }

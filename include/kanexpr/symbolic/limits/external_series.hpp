@@ -5,7 +5,7 @@
 #include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/list.hpp>
-#include <kanexpr/symbolic/limits/expansion.hpp>
+#include <kanexpr/symbolic/limits/series.hpp>
 
 #include <vector>
 
@@ -22,8 +22,8 @@ inline generic_values called(const external_function& f, const std::vector<gener
     }
     double error = 0;
     for (std::size_t k = 0; k < operands.size(); ++k)
-      error += std::abs(generic_value_of(f.slope(static_cast<int>(k)), at.data())) * operands[k][i].error;
-    return bounded::rounded(generic_value_of(f, at.data()), error);
+      error += std::abs(substitute_value(f.slope(static_cast<int>(k)), at.data())) * operands[k][i].error;
+    return bounded::rounded(substitute_value(f, at.data()), error);
   });
 }
 
@@ -54,9 +54,9 @@ inline series called(graph& g, const external_function& f, const std::vector<ser
   return integral(rate, first);
 }
 
-/// The series of a call whose operands have one.
-inline expansion call_expanded(graph& g, const external_function& f, const std::vector<series>& operands,
-                               int most) {
+/// The series of a call, given those of its operands.
+inline expansion expand_call(graph& g, const external_function& f, const std::vector<series>& operands,
+                             int most) {
   int terms = 1;
   for (const series& each : operands) {
     if (each.has_terms() && each.order() < 0) return obstacle::infinite_argument;

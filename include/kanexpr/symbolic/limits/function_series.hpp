@@ -1,8 +1,8 @@
 #pragma once
 
 #include <kanexpr/symbolic/graph/operation.hpp>
-#include <kanexpr/symbolic/limits/coefficient_functions.hpp>
-#include <kanexpr/symbolic/limits/expansion.hpp>
+#include <kanexpr/symbolic/limits/coefficient.hpp>
+#include <kanexpr/symbolic/limits/series.hpp>
 
 #include <cmath>
 #include <optional>
@@ -77,8 +77,8 @@ inline expansion tan(const series& s) {
   return series(0, std::move(t), s.last(), s.most());
 }
 
-/// sᵖ for a constant exponent, from h' s = p h s'. The leading term decides whether it is real; `root` is the
-/// function of it that is taken instead of a power.
+/// sᵖ for a constant exponent, from h' s = p h s'. The leading term decides whether the result is real;
+/// `root`, if given, is applied to it instead of a power.
 inline expansion power(const series& s, const coefficient& p, operation root = operation::power) {
   if (s.is_zero() && p.is_number() && !p.value().negative()) return series(coefficient(p.is_zero() ? 1 : 0));
   if (s.is_zero()) return obstacle::zero_divisor;

@@ -2,10 +2,13 @@
 
 #include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/limits/bounded.hpp>
-#include <kanexpr/symbolic/limits/pivoting.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 namespace kanexpr::symbolic::limits {
@@ -42,26 +45,21 @@ public:
   bool is_number() const { return is_number_; }
   int size() const { return is_number_ ? 1 : count; }
 
-  bool defined() const {
-    for (int i = 0; i < size(); ++i)
-      if ((*this)[i].defined()) return true;
-    return false;
-  }
+  bool defined() const { return std::ranges::any_of(values(), &bounded::defined); }
   /// Whether the expression vanishes wherever it is defined.
-  bool vanish() const {
-    for (int i = 0; i < size(); ++i)
-      if ((*this)[i].defined() && !(*this)[i].vanishes()) return false;
-    return defined();
+  bool vanishes_everywhere() const {
+    const auto differs = [](const bounded& v) { return v.defined() && !v.vanishes(); };
+    return defined() && std::ranges::none_of(values(), differs);
   }
-
   /// Whether the expression vanishes at some values of the symbols but not at others, like abs(x) - x.
-  bool vanish_partly() const {
-    for (int i = 0; i < size(); ++i)
-      if ((*this)[i].defined() && (*this)[i].vanishes()) return !vanish();
-    return false;
+  bool vanishes_at_some() const {
+    const auto vanishes = [](const bounded& v) { return v.defined() && v.vanishes(); };
+    return !vanishes_everywhere() && std::ranges::any_of(values(), vanishes);
   }
 
 private:
+  std::span<const bounded> values() const { return {at_.data(), static_cast<std::size_t>(size())}; }
+
   std::array<bounded, count> at_{};
   bool is_number_ = true;
 };
@@ -82,11 +80,40 @@ inline bool is_singular(operation op, const generic_values& a, const generic_val
 }
 
 /// Whether a selection never passes its second operand.
-inline bool is_left_out(operation op, const generic_values& condition) {
+inline bool never_selects(operation op, const generic_values& condition) {
   for (int i = 0; i < condition.size(); ++i)
     if (!condition[i].defined() || is_singular(op, condition[i], {}) ||
         !base::equal(selected(op, condition[i].value, 1), 0.0))
       return false;
+  return true;
+}
+
+/// Solves A x = b by elimination with row exchanges, for a square A stored by rows and x holding b on entry;
+/// returns false if a column has no pivot. Overwrites both.
+///
+/// `rank_pivot(x)` is an optional of any comparable type, largest for the best pivot; empty if x cannot be a
+/// divisor.
+template <class Number, class Worth>
+bool eliminate(std::vector<Number>& a, std::vector<Number>& x, Worth rank_pivot) {
+  const std::size_t order = x.size();
+  const auto at = [&](std::size_t i, std::size_t j) -> Number& { return a[i * order + j]; };
+  for (std::size_t k = 0; k < order; ++k) {
+    std::size_t pivot = k;
+    for (std::size_t i = k + 1; i < order; ++i)
+      if (rank_pivot(at(i, k)) > rank_pivot(at(pivot, k))) pivot = i;
+    if (!rank_pivot(at(pivot, k))) return false;
+    for (std::size_t j = k; j < order && pivot != k; ++j) std::swap(at(k, j), at(pivot, j));
+    if (pivot != k) std::swap(x[k], x[pivot]);
+    for (std::size_t i = k + 1; i < order; ++i) {
+      const Number multiplier = at(i, k) / at(k, k);
+      for (std::size_t j = k + 1; j < order; ++j) at(i, j) = at(i, j) - multiplier * at(k, j);
+      x[i] = x[i] - multiplier * x[k];
+    }
+  }
+  for (std::size_t k = order; k-- > 0;) {
+    for (std::size_t j = k + 1; j < order; ++j) x[k] = x[k] - at(k, j) * x[j];
+    x[k] = x[k] / at(k, k);
+  }
   return true;
 }
 
@@ -102,10 +129,10 @@ inline std::optional<std::vector<generic_values>> solved(const std::vector<gener
     bool all = true;
     for (const generic_values& v : a) entries.push_back(v[s]), all = all && v[s].defined();
     for (const generic_values& v : b) right.push_back(v[s]), all = all && v[s].defined();
-    const auto worth = [](const bounded& v) {
+    const auto rank_pivot = [](const bounded& v) {
       return v.defined() && !v.vanishes() ? std::optional(std::abs(v.value)) : std::nullopt;
     };
-    const bool found = all && eliminate(entries, right, worth);
+    const bool found = all && eliminate(entries, right, rank_pivot);
     if (!found) right.assign(b.size(), bounded::undefined());
     is_defined = is_defined || all;
     is_regular = is_regular || found;

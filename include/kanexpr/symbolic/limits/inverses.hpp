@@ -27,7 +27,7 @@ inline expansion log(const series& s) {
 inline expansion atan(const series& s) {
   constexpr double right_angle = 1.57079632679489661923;
   if (s.has_terms() && s.order() < 0) {
-    if (s.lead().at().vanish_partly()) return obstacle::piecewise;
+    if (s.lead().at().vanishes_at_some()) return obstacle::piecewise;
     const std::optional<coefficient> side = apply(operation::sign, s.lead());
     const expansion rest = atan(series(coefficient(1)) / s);
     if (!side || !rest) return obstacle::not_real;
@@ -59,7 +59,7 @@ inline expansion arcsine(const series& s, operation wanted) {
 namespace detail {
 
 /// On the negative x axis, the sign of y decides.
-inline std::optional<coefficient> first_angle(const series& y, const series& x, int order) {
+inline std::optional<coefficient> initial_angle(const series& y, const series& x, int order) {
   if (!y[order].is_zero() || !y.has_terms()) return apply(operation::atan2, y[order], x[order]);
   const std::optional<coefficient> side = apply(operation::sign, y.lead()),
                                    angle = apply(operation::atan2, coefficient(), x[order]);
@@ -75,7 +75,7 @@ inline expansion atan2(const series& y, const series& x) {
   if (y.end() <= order || x.end() <= order) return obstacle::truncated;
   const bool is_positive = x[order].is_number() && !x[order].value().negative();
   if (!y.has_terms() && !y.is_zero() && !is_positive) return obstacle::truncated;
-  const std::optional<coefficient> first = detail::first_angle(y, x, order);
+  const std::optional<coefficient> first = detail::initial_angle(y, x, order);
   const series climb = x * derivative(y), turn = climb - y * derivative(x), square = x * x;
   return integral_from(first, quotient(turn, square + y * y));
 }

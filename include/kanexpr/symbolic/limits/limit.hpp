@@ -3,7 +3,7 @@
 #include <kanexpr/base/engine.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
-#include <kanexpr/symbolic/limits/replacement.hpp>
+#include <kanexpr/symbolic/graph/substitute.hpp>
 
 #include <string>
 #include <vector>

@@ -3,9 +3,10 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
-#include <kanexpr/symbolic/limits/conditions.hpp>
-#include <kanexpr/symbolic/limits/directions.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/limits/limit.hpp>
+#include <kanexpr/symbolic/limits/limit_diagnostics.hpp>
+#include <kanexpr/symbolic/limits/point_evaluation.hpp>
 
 #include <map>
 #include <memory>
@@ -16,6 +17,45 @@ namespace kanexpr::symbolic {
 
 namespace limits {
 
+/// Straight lines toward a point, given by the steps of the replaced symbols. A single symbol approaches the
+/// point from both sides. Among several symbols, any two have steps of opposite signs on some line, and each
+/// has the larger step on some line. The last line has equal steps, which give the shortest expressions; it
+/// may be a special case.
+class directions {
+public:
+  /// Covers the replaced symbols that the outputs depend on.
+  directions(const graph& g, const point_evaluation& point, const sequence<int>& outputs) {
+    const sequence<char> live = live_nodes(g, outputs);
+    for (int id = 0; id < live.size(); ++id)
+      if (live[id] != 0 && g[id].op == operation::symbol && point.depends_on_replaced(id)) replaced_.push(id);
+    for (int separated = 1; separated < replaced_.size(); separated *= 2) ++sign_patterns_;
+  }
+
+  int size() const { return replaced_.size() == 1 ? 2 : mixed + sign_patterns_ + 1; }
+  bool has_equal_steps() const { return replaced_.size() > 1; }
+
+  /// The step of a symbol along a line; the ratios of steps are not simple numbers.
+  int step(int way, int symbol) const {
+    if (replaced_.size() == 1) return way == 0 ? 1 : -1;
+    if (way == size() - 1) return 1;
+    const int i = replaced_.find(symbol);
+    const int shrinking = replaced_.size() - 1 - i, growing = 2 * i * i + 7 * i + 3 + way;
+    switch (way) {
+    case 0: return (i % 2 == 1 ? -1 : 1) * (3 * i * i + 5 * i + 2);
+    case 1: return (i % 2 == 1 ? 1 : -1) * (3 * i * i + 5 * i + 2);
+    case 2: return 2 * i * i + 5 * i + 1;
+    case 3: return 2 * shrinking * shrinking + 3 * shrinking + 1;
+    default: return (i >> (way - mixed)) % 2 == 1 ? -growing : growing;
+    }
+  }
+
+private:
+  static constexpr int mixed = 4;
+
+  sequence<int> replaced_{};
+  int sign_patterns_ = 0;
+};
+
 struct limit {
   expression value{};
   std::string condition{}; ///< empty if the value was found
@@ -25,9 +65,9 @@ struct limit {
 /// from several sides; there is no limit if the results differ.
 class limits {
 public:
-  limits(graph& g, const appraisal& point, substitution& plain, const sequence<int>& outputs)
-      : g_(g), point_(point), plain_(plain), say_(g, point), ways_(g, point, outputs) {
-    if (!outputs.empty()) search(those_with_values(outputs));
+  limits(graph& g, const point_evaluation& point, substitution& plain, const sequence<int>& outputs)
+      : g_(g), point_(point), plain_(plain), diagnostics_(g, point), ways_(g, point, outputs) {
+    if (!outputs.empty()) search(defined_outputs(outputs));
   }
 
   const limit& operator[](int id) const { return found_.at(id); }
@@ -37,18 +77,18 @@ private:
   static constexpr int most_terms = 16;
 
   /// Drops the outputs that have no value anywhere.
-  sequence<int> those_with_values(const sequence<int>& outputs) {
-    const appraisal generic(g_, outputs, {});
+  sequence<int> defined_outputs(const sequence<int>& outputs) {
+    const point_evaluation generic(g_, outputs, {});
     sequence<int> others;
     for (int id : outputs)
       if (generic.is_singular(id))
-        fail(id, say_.everywhere(generic, id));
+        fail(id, diagnostics_.describe_undefined_everywhere(generic, id));
       else
         others.push(id);
     return others;
   }
 
-  /// Adds terms until they decide.
+  /// Adds terms to the series until every limit is decided.
   void search(sequence<int> open) {
     for (int most = 2; !open.empty() && most <= most_terms; most *= 2) {
       lines all;
@@ -84,26 +124,25 @@ private:
     const line* first = nullptr;
     bool is_open = false;
     for (const std::unique_ptr<line>& each : all) {
-      const std::string condition = decides(*each, id) ? objection(first, *each, id) : "";
+      const std::string condition = decides(*each, id) ? limit_failure(first, *each, id) : "";
       if (!condition.empty()) return fail(id, condition);
       if (first == nullptr && decides(*each, id)) first = each.get();
       const bool is_special = ways_.has_equal_steps() && each == all.back();
       is_open = is_open || (is_truncated(*each, id) && !is_special);
     }
     if (is_open && !is_last) return false;
-    if (first == nullptr) return fail(id, say_.without_series(*all.front(), id));
+    if (first == nullptr) return fail(id, diagnostics_.describe_missing_series(*all.front(), id));
     const bool is_simple = ways_.has_equal_steps() && decides(*all.back(), id);
     found_[id] = {(*(is_simple ? *all.back() : *first)[id])[0].in(g_), {}};
     return true;
   }
 
-  /// The reason why there is no limit, from a line that decides and an earlier one; empty if there is no
-  /// objection.
-  std::string objection(const line* first, const line& other, int id) const {
-    if (!other[id]) return say_.without_series(other, id);
-    if (has_pole(other, id)) return say_.pole(other, id);
+  /// The reason why there is no limit, from a line that decides and an earlier one; empty if they agree.
+  std::string limit_failure(const line* first, const line& other, int id) const {
+    if (!other[id]) return diagnostics_.describe_missing_series(other, id);
+    if (has_pole(other, id)) return diagnostics_.describe_pole(other, id);
     if (first == nullptr || !differ(*first, other, id)) return {};
-    return say_.direction(first_that_differs(*first, other, id));
+    return diagnostics_.describe_direction(first_that_differs(*first, other, id));
   }
 
   int first_that_differs(const line& a, const line& b, int id) const {
@@ -122,9 +161,9 @@ private:
   }
 
   graph& g_;
-  const appraisal& point_;
+  const point_evaluation& point_;
   substitution& plain_;
-  conditions say_;
+  limit_diagnostics diagnostics_;
   directions ways_;
   std::map<int, limit> found_{};
 };
@@ -133,7 +172,7 @@ private:
 
 KANEXPR_ENGINE point_values limits_at(graph& g, const matrix& m, const std::vector<replacement>& point) {
   const sequence<int> outputs = nodes_of(m.entries);
-  const limits::appraisal at(g, outputs, point);
+  const limits::point_evaluation at(g, outputs, point);
   substitution plain(g);
   for (const replacement& each : point) plain.replace(each.symbol, each.by);
   sequence<int> without_value;

@@ -6,7 +6,7 @@
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
-#include <kanexpr/symbolic/limits/appraisal.hpp>
+#include <kanexpr/symbolic/limits/point_evaluation.hpp>
 #include <kanexpr/symbolic/limits/series_system.hpp>
 
 #include <map>
@@ -21,7 +21,7 @@ class line {
 public:
   /// `direction(id)` is the d of the symbol at node `id`; terms are kept up to the order `most`.
   template <class Direction>
-  line(graph& g, const appraisal& point, substitution& plain, const sequence<int>& outputs,
+  line(graph& g, const point_evaluation& point, substitution& plain, const sequence<int>& outputs,
        Direction direction, int most)
       : g_(g), point_(point), plain_(plain), most_(most) {
     const sequence<char> live = live_nodes(g, outputs);
@@ -29,7 +29,7 @@ public:
       const operation op = g[id].op;
       if (live[id] == 0 || op == operation::pair || op == operation::factorization) continue;
       found_.emplace(id,
-                     op == operation::symbol && point.is_moved(id)
+                     op == operation::symbol && point.depends_on_replaced(id)
                          ? expansion(series::along(replacing(id), coefficient(exactly(direction(id))), most))
                          : expand(id));
     }
@@ -56,9 +56,9 @@ private:
 
   expansion expand(int id) {
     const node n = g_[id];
-    if (!point_.is_singular(id) && !point_.is_moved(id)) return series(plain(id));
+    if (!point_.is_singular(id) && !point_.depends_on_replaced(id)) return series(plain(id));
     if (n.op == operation::singularity_measure) return measured(id);
-    if (n.op == operation::solve || n.op == operation::transposed_solve) return solve(id, n);
+    if (is_solution(n.op)) return solve(id, n);
     if (n.op == operation::call) return call(id, n);
     const expansion& a = found_.at(n.a);
     if (!a) return passed(id, n.a);
@@ -66,12 +66,12 @@ private:
       return solutions_.at(n.a)[static_cast<std::size_t>(integer_at(g_, n.b))];
     if (!is_binary(n.op)) return apply(n.op, *a, {});
     const expansion& b = found_.at(n.b);
-    if (!b && is_selection(n.op) && is_left_out(n.op, *a)) return series();
+    if (!b && is_selection(n.op) && never_selects(n.op, *a)) return series();
     if (!b) return passed(id, n.b);
     return apply(n.op, *a, *b);
   }
 
-  static bool is_left_out(operation op, const series& condition) {
+  static bool never_selects(operation op, const series& condition) {
     const expansion one = apply(op, condition, series(coefficient(1)));
     return one && one->is_zero();
   }
@@ -94,7 +94,7 @@ private:
       operands.push_back(*found_.at(each));
     }
     const external_function& f = g_.external_at(id);
-    return call_expanded(g_, f, operands, most_);
+    return expand_call(g_, f, operands, most_);
   }
 
   /// A node of a whole solution represents its first component.
@@ -116,7 +116,7 @@ private:
   }
 
   graph& g_;
-  const appraisal& point_;
+  const point_evaluation& point_;
   substitution& plain_;
   int most_;
   std::map<int, expansion> found_{};

@@ -15,7 +15,7 @@ namespace kanexpr::symbolic::limits {
 
 /// Whether the leading term decides the result of an operation but vanishes for some values of the symbols.
 inline bool is_piecewise(operation op, const series& a, const series& b) {
-  const auto is_unsure = [](const series& s) { return s.has_terms() && s.lead().at().vanish_partly(); };
+  const auto is_unsure = [](const series& s) { return s.has_terms() && s.lead().at().vanishes_at_some(); };
   if (op == operation::divide) return is_unsure(b);
   if (is_binary_function(op)) return is_unsure(a) || is_unsure(b);
   if (is_selection(op)) return is_unsure(a);
@@ -26,7 +26,7 @@ inline bool is_piecewise(operation op, const series& a, const series& b) {
 
 inline expansion apply(operation op, const series& a, const series& b);
 
-/// An expression whose symbols, by their positions, are series.
+/// Evaluates an expression whose symbols are series, given by their positions.
 inline expansion series_of(expression e, std::initializer_list<const series*> symbols) {
   const graph& g = e.owner();
   std::vector<expansion> at;
@@ -120,15 +120,8 @@ inline expansion apply(operation op, const series& a, const series& b) {
   case form::function: return function_of(op, a);
   case form::binary_function: return op == operation::atan2 ? atan2(a, b) : smooth(op, a, b);
   case form::selection: return selected(op, a, b);
-  case form::constant:
-  case form::symbol:
-  case form::pair:
-  case form::factorization:
-  case form::solve:
-  case form::transposed_solve:
-  case form::component:
-  case form::singularity_measure:
-  case form::call: break; // expanded by the graph traversal
+  case form::leaf:
+  case form::list_operation: break; // expanded by the graph traversal
   }
   return obstacle::truncated;
 }

@@ -15,7 +15,7 @@
 /// Linear systems of series.
 namespace kanexpr::symbolic::limits {
 
-/// A x = b with A by rows, or Aᵀ x = b.
+/// A linear system A x = b with A stored by rows, or Aᵀ x = b.
 class series_system {
 public:
   series_system(graph& g, operation op, std::vector<series> a, std::vector<series> b)
@@ -124,13 +124,13 @@ private:
     for (int i = 0; i < n_; ++i)
       for (int j = 0; j < n_; ++j) entries.push_back(at(i, j));
     x = b_;
-    const auto worth = [&is_known](const series& s) -> std::optional<std::pair<int, double>> {
+    const auto rank_pivot = [&is_known](const series& s) -> std::optional<std::pair<int, double>> {
       is_known = is_known && (s.has_terms() || s.is_zero());
       if (!s.has_terms()) return std::nullopt;
       const double size = std::abs(s.lead().at()[0].value);
       return std::pair(-s.order(), base::is_number(size) ? size : 0);
     };
-    if (eliminate(entries, x, worth)) return obstacle::none;
+    if (eliminate(entries, x, rank_pivot)) return obstacle::none;
     return is_known ? obstacle::singular_system : obstacle::truncated;
   }
 

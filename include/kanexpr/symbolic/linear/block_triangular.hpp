@@ -7,7 +7,7 @@ namespace kanexpr::symbolic {
 using base::sequence;
 
 /// Rows of a linear system and the equally many unknowns that they determine, given the preceding blocks.
-struct coupled_part {
+struct diagonal_block {
   sequence<int> rows{};
   sequence<int> columns{};
 };
@@ -32,7 +32,7 @@ public:
   /// Whether all equations and unknowns can be paired; if not, the matrix is structurally singular.
   constexpr bool is_regular() const { return matched_ == n_; }
   /// The blocks in solution order, without the unknowns that have no equation.
-  constexpr const sequence<coupled_part>& parts() const { return parts_; }
+  constexpr const sequence<diagonal_block>& parts() const { return parts_; }
 
 private:
   static constexpr int none = -1;
@@ -59,7 +59,7 @@ private:
       if (is_open_[j] != 0 && least_[j] < least_[column]) least_[column] = least_[j];
     }
     if (least_[column] != number_[column]) return;
-    coupled_part part;
+    diagonal_block part;
     for (int j = none; j != column;) {
       j = open_.back();
       open_.pop();
@@ -85,7 +85,7 @@ private:
   sequence<int> number_{}, least_{}; ///< numbers of columns, in order of discovery
   sequence<int> open_{};
   sequence<char> is_open_{};
-  sequence<coupled_part> parts_{};
+  sequence<diagonal_block> parts_{};
 };
 
 } // namespace kanexpr::symbolic

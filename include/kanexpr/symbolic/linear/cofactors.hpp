@@ -1,8 +1,9 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/symbolic/graph/build.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
-#include <kanexpr/symbolic/graph/solve_rules.hpp>
 
 namespace kanexpr::symbolic {
 
@@ -14,7 +15,7 @@ public:
   /// right-hand side), all computed once for any number of right-hand sides, or divided by the determinant
   /// beforehand.
   struct method {
-    enum kind { by_columns, adjugate, inverse } way = adjugate;
+    enum kind { cramer, adjugate, inverse } variant = adjugate;
     int column = 0;          ///< the column along which the determinant is expanded
     bool transposed = false; ///< columns of Aᵀ
   };
@@ -26,7 +27,7 @@ public:
     for (int i = 0; i < n_; ++i)
       determinant_ =
           add(g_, determinant_, multiply(g_, at(i, m.column, m.transposed), of(i, m.column, m.transposed)));
-    divides_ = results == 1 && m.way != method::inverse;
+    divides_ = results == 1 && m.variant != method::inverse;
     if (!divides_ && results > 0) reciprocal_ = divide(g_, graph::one, determinant_);
   }
 
@@ -34,7 +35,7 @@ public:
 
   /// An element of x in A x = b or Aᵀ x = b.
   constexpr int component(const sequence<int>& b, int j, bool transposed) {
-    if (method_.way == method::inverse) {
+    if (method_.variant == method::inverse) {
       int sum = graph::zero;
       for (int i = 0; i < n_; ++i)
         sum = add(g_, sum, multiply(g_, multiply(g_, of(i, j, transposed), reciprocal_), b[i]));
@@ -50,8 +51,8 @@ public:
     for (int j = 0; j < order; ++j) {
       methods.push({method::adjugate, j, false});
       methods.push({method::inverse, j, false});
-      if (order == 3 && has_plain) methods.push({method::by_columns, j, false});
-      if (order == 3 && has_transposed) methods.push({method::by_columns, j, true});
+      if (order == 3 && has_plain) methods.push({method::cramer, j, false});
+      if (order == 3 && has_transposed) methods.push({method::cramer, j, true});
     }
     return methods;
   }
@@ -74,7 +75,7 @@ private:
 
   constexpr int numerator(const sequence<int>& b, int j, bool transposed) {
     int sum = graph::zero;
-    if (method_.way == method::adjugate || j == method_.column) {
+    if (method_.variant == method::adjugate || j == method_.column) {
       for (int i = 0; i < 3 && i < n_; ++i) sum = add(g_, sum, multiply(g_, b[i], of(i, j, transposed)));
       return sum;
     }
@@ -97,5 +98,26 @@ private:
   int reciprocal_ = graph::zero;
   bool divides_ = false;
 };
+
+/// The largest order for which the determinant is expanded; beyond it, the expression would be long.
+inline constexpr int largest_with_determinant = 6;
+
+/// The determinant of a matrix stored in row-major order, expanded along its first row. Minors are shared as
+/// equal nodes, and structural zeros vanish.
+constexpr expression determinant(const sequence<expression>& entries, int order) {
+  if (order == 1) return entries[0];
+  expression sum = entries[0] - entries[0];
+  for (int j = 0; j < order; ++j) {
+    if (entries[j].is_zero()) continue;
+    sequence<expression> rest;
+    for (int i = 1; i < order; ++i)
+      for (int k = 0; k < order; ++k)
+        if (k != j) rest.push(entries[i * order + k]);
+    const expression minor = determinant(rest, order - 1);
+    const expression term = entries[j] * minor;
+    sum = j % 2 == 0 ? sum + term : sum - term;
+  }
+  return sum;
+}
 
 } // namespace kanexpr::symbolic

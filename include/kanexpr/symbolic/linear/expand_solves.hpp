@@ -56,7 +56,7 @@ public:
 
 private:
   constexpr bool is_small(int factorization) const {
-    return order_of(g_, factorization) <= largest_written_out;
+    return order_of(g_, factorization) <= max_cofactor_order;
   }
 
   constexpr void collect(int id) {
@@ -64,7 +64,7 @@ private:
     if (n.op == operation::factorization) {
       uses_of_[id] = uses_.size();
       uses_.push({id, {}, 0, false, {}});
-    } else if (n.op == operation::solve || n.op == operation::transposed_solve) {
+    } else if (is_solution(n.op)) {
       uses_[uses_of_[n.a]].solutions.push(id);
     } else if (n.op == operation::component) {
       ++uses_[uses_of_[g_[n.a].a]].results;
@@ -76,11 +76,11 @@ private:
   /// Tries all methods on a separate graph in which symbols represent the entries.
   constexpr cofactors::method cheapest(const solves_of_factors& uses) {
     const int order = order_of(g_, uses.factorization);
-    const auto entries = stand_ins(entries_of(g_, uses.factorization));
+    const auto entries = placeholder_symbols(entries_of(g_, uses.factorization));
     sequence<sequence<int>> right;
     bool has_plain = false, has_transposed = false;
     for (int id : uses.solutions) {
-      right.push(stand_ins(elements_of(g_, g_[id].b)));
+      right.push(placeholder_symbols(elements_of(g_, g_[id].b)));
       (g_[id].op == operation::solve ? has_plain : has_transposed) = true;
     }
     cofactors::method best;
@@ -93,7 +93,7 @@ private:
         for (int j = 0; j < order; ++j)
           if (is_needed(uses.solutions[i], j))
             outputs.push(by.component(right[i], j, g_[uses.solutions[i]].op == operation::transposed_solve));
-      const int weight = weight_of(outputs);
+      const int weight = operation_cost(outputs);
       if (least < 0 || weight < least) best = each, least = weight;
     }
     return best;
@@ -105,7 +105,7 @@ private:
     return id >= 0 && id < live_.size() && live_[id] != 0;
   }
 
-  constexpr sequence<int> stand_ins(sequence<int> nodes) {
+  constexpr sequence<int> placeholder_symbols(sequence<int> nodes) {
     for (int& id : nodes) {
       const bool negative = g_[id].op == operation::negate;
       if (g_.is_constant(id)) {
@@ -118,7 +118,7 @@ private:
     return nodes;
   }
 
-  constexpr int weight_of(const sequence<int>& outputs) const {
+  constexpr int operation_cost(const sequence<int>& outputs) const {
     constexpr int division = 4;
     const sequence<char> marks = live_nodes(trial_, outputs);
     const char* const live = marks.begin();
@@ -138,7 +138,7 @@ private:
     const sequence<int> right = elements_of(g_, all.b), entries = entries_of(g_, all.a);
     const bool transposed = all.op == operation::transposed_solve;
     const int order = right.size();
-    if (order <= largest_written_out) {
+    if (order <= max_cofactor_order) {
       const solves_of_factors& uses = uses_[uses_of_[g_[n.a].a]];
       return cofactors(g_, entries, order, uses.method, uses.results).component(right, index, transposed);
     }
@@ -172,8 +172,8 @@ private:
 } // namespace detail
 
 /// Whether any live node requires `expand_solves`.
-constexpr bool holds_solves(const graph& g, const sequence<char>& live) {
-  if (!g.holds_lists()) return false;
+constexpr bool has_linear_systems(const graph& g, const sequence<char>& live) {
+  if (!g.has_lists()) return false;
   const node* const nodes = g.begin();
   const char* const is_live = live.begin();
   for (int id = 0, end = live.size(); id < end; ++id)

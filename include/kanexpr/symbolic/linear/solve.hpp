@@ -3,8 +3,8 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
-#include <kanexpr/symbolic/graph/lowest_terms.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
+#include <kanexpr/symbolic/graph/monomials.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/linear/solve_linear.hpp>
 
@@ -27,8 +27,8 @@ namespace detail {
 
 /// Records the pivot that a quotient divides by. If the quotient was simplified, its divisor is only a factor
 /// of the pivot; the divisor is then compared with itself.
-constexpr void note_pivot(sequence<pivot>& all, int place, expression quotient, expression value,
-                          expression entry) {
+constexpr void record_pivot(sequence<pivot>& all, int place, expression quotient, expression value,
+                            expression entry) {
   graph& g = value.owner();
   const auto unsigned_node = [&](int id) { return g[id].op == operation::negate ? g[id].a : id; };
   const node& divided = g[unsigned_node(quotient.node())];
@@ -38,10 +38,6 @@ constexpr void note_pivot(sequence<pivot>& all, int place, expression quotient, 
   else
     all.push({place, divided.b, {g, divided.b}, {g, divided.b}});
 }
-
-} // namespace detail
-
-namespace detail {
 
 /// A symmetric matrix during elimination, with nodes in both triangles, and the number of off-diagonal
 /// entries in each remaining row. It uses plain arrays because compilers interpret every call.
@@ -156,7 +152,7 @@ private:
   }
 
   constexpr void note(int p, int quotient, sequence<pivot>& all) const {
-    detail::note_pivot(all, p, {g_, quotient}, {g_, left_.entry[p * n_ + p]}, diagonal_[p]);
+    detail::record_pivot(all, p, {g_, quotient}, {g_, left_.entry[p * n_ + p]}, diagonal_[p]);
   }
 
   constexpr void reduce(sequence<int>& right) const {

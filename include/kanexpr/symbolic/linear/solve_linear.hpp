@@ -26,7 +26,7 @@ struct linear_solution {
 };
 
 /// Whether live nodes depend on the solution of a block.
-constexpr bool rests_on(const graph& g, const sequence<char>& live, int key) {
+constexpr bool depends_on_block(const graph& g, const sequence<char>& live, int key) {
   if (g[key].op == operation::factorization) return live[key] != 0;
   for (int id = key + 1; id < live.size(); ++id)
     if (live[id] != 0 && g[id].op == operation::divide && g[id].b == key) return true;
@@ -48,7 +48,7 @@ public:
     for (bool progress = true; progress;) {
       progress = false;
       for (int i = 0; i < a_.rows; ++i) {
-        const int j = is_used[i] != 0 ? none : only_unknown(i);
+        const int j = is_used[i] != 0 ? none : single_unknown(i);
         if (j == none) continue;
         divide(i, j);
         is_used[i] = is_solved_[j] = 1;
@@ -67,7 +67,7 @@ public:
 private:
   static constexpr int none = -1;
 
-  constexpr int only_unknown(int i) const {
+  constexpr int single_unknown(int i) const {
     int only = none;
     for (int j = 0; j < a_.columns; ++j) {
       if (is_solved_[j] != 0 || a_(i, j).is_zero()) continue;
@@ -86,7 +86,7 @@ private:
     }
     const block_triangular_form form(held);
     out_.structurally_regular = form.is_regular();
-    for (coupled_part part : form.parts()) {
+    for (diagonal_block part : form.parts()) {
       for (int& i : part.rows) i = rows[i];
       for (int& j : part.columns) j = columns[j];
       if (!is_ready(part)) continue;
@@ -98,7 +98,7 @@ private:
     }
   }
 
-  constexpr bool is_ready(const coupled_part& part) const {
+  constexpr bool is_ready(const diagonal_block& part) const {
     for (int i : part.rows)
       for (int j = 0; j < a_.columns; ++j)
         if (!a_(i, j).is_zero() && is_solved_[j] == 0 && !part.columns.contains(j)) return false;
@@ -151,7 +151,7 @@ private:
 
   constexpr int without_sign(int id) const { return g_[id].op == operation::negate ? g_[id].a : id; }
 
-  constexpr void solve(const coupled_part& part) {
+  constexpr void solve(const diagonal_block& part) {
     const int order = part.rows.size();
     matrix a(g_, order, order);
     bool is_constant = true;
@@ -174,11 +174,11 @@ private:
 
   /// A small block uses the mean square of its determinant. For a larger block, each pivot is compared with
   /// the mean square that elimination forms from the mean squares of the entries.
-  constexpr void push_block(const coupled_part& part, expression factors) {
+  constexpr void push_block(const diagonal_block& part, expression factors) {
     const int order = part.rows.size();
     const sequence<int> squares = squares_of(part.rows, part.columns);
     const expression one{g_, graph::one};
-    if (order <= largest_written_out) {
+    if (order <= max_cofactor_order) {
       out_.blocks.push({part.rows, part.columns, factors.node(), singularity_measure(factors, {}),
                         root(permanent(g_, squares, order))});
       return;

@@ -107,6 +107,16 @@ constexpr number operator*(const number& a, const number& b) {
   return real(x * y);
 }
 
+/// base^exponent by repeated squaring, for an exponent of at least zero.
+template <class Value, class Multiply>
+constexpr Value power_by_squaring(Value base, std::uint64_t exponent, Value one, Multiply multiply) {
+  for (; exponent > 0; exponent /= 2) {
+    if (exponent % 2 != 0) one = multiply(one, base);
+    if (exponent > 1) base = multiply(base, base);
+  }
+  return one;
+}
+
 /// Requires that `b` is not zero.
 constexpr number operator/(const number& a, const number& b) {
   if (a.exact() && b.exact()) {

@@ -14,16 +14,6 @@ namespace kanexpr::symbolic::polynomials {
 using integer =
     boost::multiprecision::number<boost::multiprecision::cpp_int_backend<>, boost::multiprecision::et_off>;
 
-/// base^exponent by repeated squaring, for an exponent of at least zero.
-template <class Value, class Multiply>
-Value power_by_squaring(Value base, std::uint64_t exponent, Value one, Multiply multiply) {
-  for (; exponent > 0; exponent /= 2) {
-    if (exponent % 2 != 0) one = multiply(one, base);
-    if (exponent > 1) base = multiply(base, base);
-  }
-  return one;
-}
-
 /// A fraction in lowest terms. Most fractions are integers, for which no common divisor is computed.
 class rational {
 public:
@@ -150,7 +140,7 @@ inline gaussian operator/(const gaussian& a, const gaussian& b) {
 
 inline bool is_decimal(const gaussian& a) { return is_decimal(a.real) || is_decimal(a.imaginary); }
 inline bool is_negative(const rational& a) { return a.is_negative(); }
-/// Tests a half-plane, so that exactly one of a and -a is negative.
+/// The sign of the first nonzero part, so that exactly one of a and -a is negative.
 inline bool is_negative(const gaussian& a) {
   return a.real.is_zero() ? a.imaginary.is_negative() : a.real.is_negative();
 }

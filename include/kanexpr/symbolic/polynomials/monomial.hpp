@@ -27,17 +27,11 @@ template <class Visit>
 void visit_both(const monomial& a, const monomial& b, Visit visit) {
   auto x = a.begin(), y = b.begin();
   while (x != a.end() || y != b.end()) {
-    if (y == b.end() || (x != a.end() && x->base < y->base)) {
-      visit(x->base, x->exponent, std::int64_t{0});
-      ++x;
-    } else if (x == a.end() || y->base < x->base) {
-      visit(y->base, std::int64_t{0}, y->exponent);
-      ++y;
-    } else {
-      visit(x->base, x->exponent, y->exponent);
-      ++x;
-      ++y;
-    }
+    const bool in_a = x != a.end() && (y == b.end() || x->base <= y->base);
+    const bool in_b = y != b.end() && (x == a.end() || y->base <= x->base);
+    visit(in_a ? x->base : y->base, in_a ? x->exponent : 0, in_b ? y->exponent : 0);
+    if (in_a) ++x;
+    if (in_b) ++y;
   }
 }
 
@@ -66,11 +60,9 @@ inline std::int64_t exponent_of(const monomial& m, int base) {
   return place != m.end() && place->base == base ? place->exponent : 0;
 }
 
-inline monomial without(const monomial& m, int base) {
-  monomial rest;
-  for (const factor& f : m)
-    if (f.base != base) rest.push_back(f);
-  return rest;
+inline monomial without(monomial m, int base) {
+  std::erase_if(m, [base](const factor& f) { return f.base == base; });
+  return m;
 }
 
 /// The lexicographic order of exponents, which multiplication preserves.

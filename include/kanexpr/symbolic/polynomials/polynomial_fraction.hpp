@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/symbolic/polynomials/polynomial_parts.hpp>
+#include <kanexpr/symbolic/polynomials/polynomial.hpp>
 
 #include <map>
 #include <utility>
@@ -49,8 +49,12 @@ public:
     return simplified(std::move(result));
   }
 
-  /// Requires that b is not zero.
+  /// Fails if b is zero.
   fraction quotient(const fraction& a, const fraction& b) {
+    if (b.numerator.is_zero()) {
+      left_.fail("it divides by an expression that is zero everywhere");
+      return {};
+    }
     const fraction inverse = reciprocal(b.numerator);
     std::map<std::size_t, std::int64_t> exponents = a.denominator;
     for (const auto& [place, exponent] : inverse.denominator) exponents[place] += exponent;

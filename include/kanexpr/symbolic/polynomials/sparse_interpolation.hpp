@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/symbolic/polynomials/polynomial_parts.hpp>
+#include <kanexpr/symbolic/polynomials/polynomial.hpp>
 #include <kanexpr/symbolic/polynomials/prime_field.hpp>
 
 #include <map>
@@ -142,11 +142,11 @@ private:
       supports_[k] = support;
       values_[k] = values;
     }
-    // the values now belong to monomials, no longer to this point
+    // `values_` are now coefficients of monomials in this variable, too, and no longer depend on its value
     return left_.allows(supports_.size());
   }
 
-  /// The coefficients of the known terms, at a point whose first variables are free.
+  /// The coefficients of the known terms at a point; the first `free` variables vary.
   residues_by_degree values_at(std::map<int, residue> point, std::size_t free) {
     std::size_t most = 1;
     for (const std::vector<monomial>& support : supports_) most = (std::max)(most, support.size());

@@ -17,5 +17,5 @@ KANEXPR_ENGINE std::string latex(const matrix& m);
 } // namespace kanexpr::symbolic
 
 #ifndef KANEXPR_COMPILED_ENGINE
-#include <kanexpr/symbolic/printing/typeset.hpp>
+#include <kanexpr/symbolic/printing/latex_form.hpp>
 #endif

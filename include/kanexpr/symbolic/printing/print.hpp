@@ -20,5 +20,5 @@ KANEXPR_ENGINE std::string print(const matrix& m, std::string_view before = {});
 } // namespace kanexpr::symbolic
 
 #ifndef KANEXPR_COMPILED_ENGINE
-#include <kanexpr/symbolic/printing/plain.hpp>
+#include <kanexpr/symbolic/printing/plain_text_form.hpp>
 #endif

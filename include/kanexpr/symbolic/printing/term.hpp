@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <compare>
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <map>
 #include <string_view>
@@ -82,14 +83,9 @@ std::map<int, Weight> gather(int root, const Weight& unit, Expand expand) {
   return parts;
 }
 
-inline number integer_power(number base, std::int64_t exponent) {
-  if (exponent < 0) base = exactly(1) / base, exponent = -exponent;
-  number result = exactly(1);
-  for (; exponent > 0; exponent /= 2) {
-    if (exponent % 2 != 0) result = result * base;
-    base = base * base;
-  }
-  return result;
+inline number integer_power(const number& base, std::int64_t exponent) {
+  return power_by_squaring(exponent < 0 ? exactly(1) / base : base,
+                           static_cast<std::uint64_t>(std::abs(exponent)), exactly(1), std::multiplies<>());
 }
 
 /// Compares names so that q2 precedes q10.
@@ -114,8 +110,57 @@ public:
   }
 
 private:
-  std::vector<term> sum_of(int root);
-  term product_of(int root);
+  term product_of(int root) {
+    constexpr std::int64_t largest_exponent = std::int64_t{1} << 30;
+    term product;
+    const auto expand = [&](int id, std::int64_t exponent, const auto& put) {
+      if (exponent > largest_exponent || exponent < -largest_exponent) return false;
+      const node& n = graph_[id];
+      if (n.op == operation::constant) {
+        if (id == graph::zero && exponent < 0) return false;
+        product.coefficient = product.coefficient * integer_power(graph_.number_at(id), exponent);
+        return true;
+      }
+      if (n.op == operation::negate) {
+        if (exponent % 2 != 0) product.coefficient = -product.coefficient;
+        put(n.a, exponent);
+        return true;
+      }
+      if (n.op != operation::multiply && n.op != operation::divide) return false;
+      put(n.a, exponent);
+      put(n.b, n.op == operation::multiply ? exponent : -exponent);
+      return true;
+    };
+    for (const auto& [base, exponent] : gather(root, std::int64_t{1}, expand))
+      if (exponent != 0) product.factors.push_back({base, exponent});
+    std::ranges::sort(product.factors,
+                      [this](const factor& a, const factor& b) { return compare_factors(a, b) < 0; });
+    return product;
+  }
+
+  std::vector<term> sum_of(int root) {
+    const auto expand = [this](int id, const number& weight, const auto& put) {
+      const node& n = graph_[id];
+      if (n.op != operation::add && n.op != operation::subtract && n.op != operation::negate) return false;
+      put(n.a, n.op == operation::negate ? -weight : weight);
+      if (is_binary(n.op)) put(n.b, n.op == operation::subtract ? -weight : weight);
+      return true;
+    };
+    std::map<std::vector<factor>, number> gathered;
+    for (const auto& [id, weight] : gather(root, exactly(1), expand)) {
+      const term t = product_of(id);
+      number& coefficient = gathered.try_emplace(t.factors, exactly(0)).first->second;
+      coefficient = coefficient + t.coefficient * weight;
+    }
+    std::vector<term> sum;
+    for (const auto& [factors, coefficient] : gathered)
+      if (coefficient != exactly(0)) sum.push_back({coefficient, factors});
+    if (sum.empty()) sum.push_back({exactly(0), {}});
+    std::ranges::sort(sum, [this](const term& a, const term& b) { return compare_terms(a, b) < 0; });
+    const auto leader = std::ranges::find_if(sum, [](const term& t) { return !t.coefficient.negative(); });
+    if (leader != sum.end()) std::rotate(sum.begin(), leader, leader + 1);
+    return sum;
+  }
 
   /// The printing order of factors: parameters, other symbols, general powers, functions, and finally factors
   /// that need parentheses.
@@ -174,57 +219,5 @@ private:
   std::map<int, std::vector<term>> sums_{};
   std::map<std::pair<int, int>, std::strong_ordering> compared_{};
 };
-
-inline term term_reader::product_of(int root) {
-  constexpr std::int64_t largest_exponent = std::int64_t{1} << 30;
-  term product;
-  const auto expand = [&](int id, std::int64_t exponent, const auto& put) {
-    if (exponent > largest_exponent || exponent < -largest_exponent) return false;
-    const node& n = graph_[id];
-    if (n.op == operation::constant) {
-      if (id == graph::zero && exponent < 0) return false;
-      product.coefficient = product.coefficient * integer_power(graph_.number_at(id), exponent);
-      return true;
-    }
-    if (n.op == operation::negate) {
-      if (exponent % 2 != 0) product.coefficient = -product.coefficient;
-      put(n.a, exponent);
-      return true;
-    }
-    if (n.op != operation::multiply && n.op != operation::divide) return false;
-    put(n.a, exponent);
-    put(n.b, n.op == operation::multiply ? exponent : -exponent);
-    return true;
-  };
-  for (const auto& [base, exponent] : gather(root, std::int64_t{1}, expand))
-    if (exponent != 0) product.factors.push_back({base, exponent});
-  std::ranges::sort(product.factors,
-                    [this](const factor& a, const factor& b) { return compare_factors(a, b) < 0; });
-  return product;
-}
-
-inline std::vector<term> term_reader::sum_of(int root) {
-  const auto expand = [this](int id, const number& weight, const auto& put) {
-    const node& n = graph_[id];
-    if (n.op != operation::add && n.op != operation::subtract && n.op != operation::negate) return false;
-    put(n.a, n.op == operation::negate ? -weight : weight);
-    if (is_binary(n.op)) put(n.b, n.op == operation::subtract ? -weight : weight);
-    return true;
-  };
-  std::map<std::vector<factor>, number> gathered;
-  for (const auto& [id, weight] : gather(root, exactly(1), expand)) {
-    const term t = product_of(id);
-    number& coefficient = gathered.try_emplace(t.factors, exactly(0)).first->second;
-    coefficient = coefficient + t.coefficient * weight;
-  }
-  std::vector<term> sum;
-  for (const auto& [factors, coefficient] : gathered)
-    if (coefficient != exactly(0)) sum.push_back({coefficient, factors});
-  if (sum.empty()) sum.push_back({exactly(0), {}});
-  std::ranges::sort(sum, [this](const term& a, const term& b) { return compare_terms(a, b) < 0; });
-  const auto leader = std::ranges::find_if(sum, [](const term& t) { return !t.coefficient.negative(); });
-  if (leader != sum.end()) std::rotate(sum.begin(), leader, leader + 1);
-  return sum;
-}
 
 } // namespace kanexpr::symbolic::printing

@@ -40,7 +40,7 @@ inline std::string decimal(const number& n) {
 
 /// The traversal shared by all printed forms. A form provides the text of the `product` of a side, the
 /// `quotient` of two sides, a `function`, a symbol (`name_of`), a number (`number_of`), the `exponent` of a
-/// node, the `power` of two texts, a condition with two branches (`choice_of`), a node with an exponent
+/// node, the `power` of two texts, a condition with two branches (`conditional_of`), a node with an exponent
 /// (`raised`), and a text `in_parentheses`.
 template <class Form>
 class writer {
@@ -57,7 +57,7 @@ public:
       const std::size_t other = other_branch(terms, i);
       if (other < terms.size()) {
         is_written[other] = true;
-        text.add(false, choice(terms[i], terms[other]));
+        text.add(false, conditional(terms[i], terms[other]));
       } else {
         text.add(terms[i].coefficient.negative(), unsigned_text(terms[i]));
       }
@@ -76,7 +76,7 @@ public:
     std::vector<term> terms = reader_.terms_of(id);
     const bool negative = terms.front().coefficient.negative();
     if (terms.size() == 1) return {negative, unsigned_text(terms.front())};
-    if (is_choice(terms)) return {false, sum(terms)};
+    if (is_conditional(terms)) return {false, sum(terms)};
     if (negative)
       for (term& t : terms) t.coefficient = -t.coefficient;
     return {negative, form().in_parentheses(sum(terms))};
@@ -94,7 +94,7 @@ protected:
     }
     if (is_written_as_function(n.op)) return form().function(id);
     const std::vector<term>& terms = reader_.terms_of(id);
-    return is_choice(terms) ? sum(terms) : form().in_parentheses(sum(terms));
+    return is_conditional(terms) ? sum(terms) : form().in_parentheses(sum(terms));
   }
 
   std::string text_of(const factor& f) const {
@@ -130,9 +130,9 @@ protected:
   }
 
   /// The text of a single selection, whose other branch is zero.
-  std::string choice(int id) const {
+  std::string conditional(int id) const {
     const std::string branch = write(at(id).b);
-    return choice(id, branch, "0");
+    return conditional(id, branch, "0");
   }
 
   const graph& owner() const { return graph_; }
@@ -154,20 +154,20 @@ private:
         if (at(other).a == at(one).a && at(other).op != at(one).op) break;
     return k;
   }
-  bool is_choice(const std::vector<term>& terms) const {
+  bool is_conditional(const std::vector<term>& terms) const {
     return terms.size() == 2 && other_branch(terms, 0) == 1;
   }
-  std::string choice(const term& one, const term& other) const {
+  std::string conditional(const term& one, const term& other) const {
     const auto branch = [this](const term& t) {
       std::vector<term> terms = reader_.terms_of(at(selection_in(t)).b);
       for (term& each : terms) each.coefficient = each.coefficient * t.coefficient;
       return sum(terms);
     };
-    return choice(selection_in(one), branch(one), branch(other));
+    return conditional(selection_in(one), branch(one), branch(other));
   }
-  std::string choice(int id, const std::string& branch, const std::string& other) const {
+  std::string conditional(int id, const std::string& branch, const std::string& other) const {
     const bool is_first = at(id).op == operation::if_positive;
-    return form().choice_of(write(at(id).a), is_first ? branch : other, is_first ? other : branch);
+    return form().conditional_of(write(at(id).a), is_first ? branch : other, is_first ? other : branch);
   }
 
   const Form& form() const { return static_cast<const Form&>(*this); }

@@ -25,7 +25,7 @@ public:
       if (live[id] == 0) continue;
       const node& n = nodes_[id];
       if (n.op != operation::add && n.op != operation::subtract && n.op != operation::multiply) {
-        if (n.op != operation::symbol) look_at(id);
+        if (n.op != operation::symbol) classify(id);
         continue;
       }
       // most nodes, handled inline because compilers interpret every call
@@ -40,36 +40,36 @@ public:
   finiteness& operator=(const finiteness&) = delete;
 
   /// The minimal set of outputs to check: if one is not finite, neither are sums or products of it.
-  constexpr sequence<int> watched() const {
+  constexpr sequence<int> outputs_to_check() const {
     if (!any_fails_) return {};
-    sequence<char> is_told(size_, 0), is_output(size_, 0);
-    char* const told = is_told.begin();
+    sequence<char> is_covered(size_, 0), is_output(size_, 0);
+    char* const covered = is_covered.begin();
     char* const output = is_output.begin();
     for (int id : outputs_) output[id] = 1;
     sequence<int> some;
     for (int id = size_ - 1; id >= 0; --id) { // users follow their operands
       if ((facts_of_[id] & may_fail) == 0) continue;
-      if (output[id] != 0 && told[id] == 0) {
+      if (output[id] != 0 && covered[id] == 0) {
         some.push(id);
-        told[id] = 1;
+        covered[id] = 1;
       }
-      if (told[id] != 0) pass_on(nodes_[id], told);
+      if (covered[id] != 0) propagate(nodes_[id], covered);
     }
     return some;
   }
 
   /// The symbols in the divisors, roots and arguments where infinity or NaN may originate, except divisors
   /// that are checked elsewhere.
-  constexpr sequence<int> suspects(const sequence<int>& known_divisors) const {
-    if (!any_begins_) return {};
+  constexpr sequence<int> suspicious_symbols(const sequence<int>& known_divisors) const {
+    if (!any_originates_) return {};
     sequence<char> is_known(size_, 0), is_reached(size_, 0);
     char* const reached = is_reached.begin();
     for (int id : known_divisors) is_known[id] = 1;
     for (int id = size_ - 1; id >= 0; --id) {
-      if (reached[id] == 0 && (facts_of_[id] & begins) == 0) continue;
+      if (reached[id] == 0 && (facts_of_[id] & originates) == 0) continue;
       const node& n = nodes_[id];
       if (is_leaf(n.op)) continue;
-      const bool has_second = is_binary(n.op) && !is_numbered(n.op);
+      const bool has_second = is_binary(n.op) && !has_index_operand(n.op);
       if (reached[id] != 0 || n.op != operation::divide) reached[n.a] = 1;
       if (has_second && (reached[id] != 0 || is_known[n.b] == 0)) reached[n.b] = 1;
     }
@@ -81,74 +81,61 @@ public:
 
 private:
   /// Properties of a live node, as bits.
-  enum fact : int { sure = 1, never_negative = 2, begins = 4, may_fail = 8 };
+  enum fact : int { sure = 1, never_negative = 2, originates = 4, may_fail = 8 };
 
-  constexpr void look_at(int id) { // writes only bits that are set, because compilers are slow here
+  constexpr void classify(int id) { // writes only bits that are set, because compilers are slow here
     const node& n = nodes_[id];
-    const int a = facts_of_[n.a], b = is_binary(n.op) && !is_numbered(n.op) ? facts_of_[n.b] : a;
+    const int a = facts_of_[n.a], b = is_binary(n.op) && !has_index_operand(n.op) ? facts_of_[n.b] : a;
     int found = (a | b) & may_fail;
     switch (form_of(n.op)) {
-    case form::constant:
-      if (!g_.number_at(id).negative()) facts_of_[id] |= never_negative;
+    case form::leaf:
+      if (g_.is_constant(id) && !g_.number_at(id).negative()) facts_of_[id] |= never_negative;
       return;
     case form::divide:
-      if (!g_.is_constant(n.b) && (b & sure) == 0) found |= begins;
+      if (!g_.is_constant(n.b) && (b & sure) == 0) found |= originates;
       break;
     case form::function: {
       const function_properties& f = properties_of(n.op);
       if (f.never_negative) found |= never_negative;
       if (n.op == operation::sqrt ? (a & never_negative) == 0
                                   : !f.stays_finite) // the argument may be rounded below 0
-        found |= begins;
+        found |= originates;
       break;
     }
     case form::binary_function:
-      if (!binary_properties_of(n.op).stays_finite) found |= begins;
+      if (!binary_properties_of(n.op).stays_finite) found |= originates;
       break;
-    case form::power:
-    case form::call: found |= begins; break;
+    case form::power: found |= originates; break;
     case form::selection: found |= b & never_negative; break;
-    case form::symbol:
+    case form::list_operation:
+      found |= n.op == operation::call ? originates | may_fail : may_fail; // the result has a separate status
+      break;
     case form::negate:
     case form::add: // handled above
     case form::subtract:
-    case form::multiply:
-    case form::pair:
-    case form::factorization:
-    case form::solve:
-    case form::transposed_solve:
-    case form::component:
-    case form::singularity_measure: break;
+    case form::multiply: break;
     }
-    if ((found & begins) != 0) found |= may_fail, any_begins_ = true;
-    if (n.op >= operation::pair) found |= may_fail; // the result has a separate status
+    if ((found & originates) != 0) found |= may_fail, any_originates_ = true;
     if ((found & may_fail) != 0) any_fails_ = true;
     if (found != 0) facts_of_[id] |= found;
   }
 
   /// Marks the operands that make the result not finite if they are not finite.
-  static constexpr void pass_on(const node& n, char* is_told) {
+  static constexpr void propagate(const node& n, char* is_covered) {
     switch (form_of(n.op)) {
     case form::add:
     case form::subtract:
-    case form::multiply: is_told[n.b] = is_told[n.a] = 1; break;
+    case form::multiply: is_covered[n.b] = is_covered[n.a] = 1; break;
     case form::divide: // 1/∞ is 0
-    case form::negate: is_told[n.a] = 1; break;
+    case form::negate: is_covered[n.a] = 1; break;
     case form::function:
-      if (properties_of(n.op).passes_infinity) is_told[n.a] = 1;
+      if (properties_of(n.op).passes_infinity) is_covered[n.a] = 1;
       break;
-    case form::constant:
-    case form::symbol:
+    case form::leaf:
     case form::power:
     case form::binary_function:
     case form::selection:
-    case form::pair:
-    case form::factorization:
-    case form::solve:
-    case form::transposed_solve:
-    case form::component:
-    case form::singularity_measure:
-    case form::call: break; // the result may still be finite
+    case form::list_operation: break; // the result may still be finite
     }
   }
 
@@ -158,11 +145,11 @@ private:
   const sequence<int>& outputs_;
   sequence<int> facts_; ///< by node
   int* facts_of_;
-  bool any_begins_ = false, any_fails_ = false;
+  bool any_originates_ = false, any_fails_ = false;
 };
 
 /// A sum built without simplification, so that no terms cancel.
-constexpr int plain_sum(graph& g, const sequence<int>& nodes) {
+constexpr int unsimplified_sum(graph& g, const sequence<int>& nodes) {
   int sum = nodes[0];
   for (int i = 1; i < nodes.size(); ++i)
     sum =
@@ -171,7 +158,7 @@ constexpr int plain_sum(graph& g, const sequence<int>& nodes) {
 }
 
 /// Whether nodes depend on symbols only through sines and cosines, so that no symbol can make them large.
-constexpr bool rest_on_angles_only(const graph& g, const sequence<int>& nodes) {
+constexpr bool depend_only_on_angles(const graph& g, const sequence<int>& nodes) {
   sequence<char> is_reached(g.size(), 0);
   char* const reached = is_reached.begin();
   const node* const all = g.begin();
@@ -183,7 +170,7 @@ constexpr bool rest_on_angles_only(const graph& g, const sequence<int>& nodes) {
     if (n.op == operation::symbol) return false;
     if (is_leaf(n.op)) continue;
     reached[n.a] = 1;
-    if (is_binary(n.op) && !is_numbered(n.op)) reached[n.b] = 1;
+    if (is_binary(n.op) && !has_index_operand(n.op)) reached[n.b] = 1;
   }
   return true;
 }

@@ -24,7 +24,7 @@ public:
   constexpr double operator[](int id) const { return size_[id]; }
 
   /// Whether a value has no reliable digits, even if its constants are accurate to only ten digits.
-  constexpr bool is_nothing_of(int id, double value) const {
+  constexpr bool is_rounding_residue(int id, double value) const {
     return numeric::elementary::abs(value) <= negligible * size_[id];
   }
 
@@ -35,11 +35,7 @@ private:
     const node& n = g_[id];
     const double v = numeric::elementary::abs(value[id]);
     switch (form_of(n.op)) {
-    case form::pair:
-    case form::factorization: return 0;
-    case form::solve:
-    case form::transposed_solve: return solve(id, value), 0.0;
-    case form::component: return solutions_[first_of(n.a) + integer_at(g_, n.b)];
+    case form::leaf: return v;
     case form::negate: return size_[n.a];
     case form::add:
     case form::subtract: return size_[n.a] + size_[n.b];
@@ -49,14 +45,21 @@ private:
     case form::divide: return over(size_[n.a], value[n.b]) + v * over(size_[n.b], value[n.b]);
     case form::power: return v * (1 + over(size_[n.a], value[n.a]));
     case form::function: return size_of_function(n.op, size_[n.a], value[n.a], value[id]);
-    case form::constant:
-    case form::symbol:
-    case form::singularity_measure: return v;
     case form::binary_function: return size_of_binary_function(n, value, value[id]);
     case form::selection: return selected(n.op, value[n.a], size_[n.b]);
-    case form::call: return v + slopes_times_terms(id, value);
+    case form::list_operation: return size_of_list_operation(id, value);
     }
     return v;
+  }
+
+  constexpr double size_of_list_operation(int id, const evaluation& value) {
+    const node& n = g_[id];
+    const double v = numeric::elementary::abs(value[id]);
+    if (n.op == operation::component) return solutions_[first_of(n.a) + integer_at(g_, n.b)];
+    if (n.op == operation::singularity_measure) return v;
+    if (n.op == operation::call) return v + slopes_times_terms(id, value);
+    if (is_solution(n.op)) solve(id, value);
+    return 0;
   }
 
   /// The size of f(x) plus that of its derivative times the terms of x; the derivative of a sine counts as 1
@@ -88,7 +91,7 @@ private:
     for (int each : operands) at.push(value[each]);
     double sum = 0;
     for (int i = 0; i < operands.size(); ++i)
-      sum += numeric::elementary::abs(generic_value_of(g_.external_at(id).slope(i), at.begin())) *
+      sum += numeric::elementary::abs(substitute_value(g_.external_at(id).slope(i), at.begin())) *
              size_[operands[i]];
     return sum;
   }

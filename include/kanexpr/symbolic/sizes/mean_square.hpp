@@ -31,7 +31,7 @@ public:
     sequence<int> coordinates;
     for (int id : all)
       if (is_coordinate(id)) coordinates.push(id);
-    if (!coordinates.empty()) count_with_their_like(coordinates, equations, sums);
+    if (!coordinates.empty()) average_over_same_unit(coordinates, equations, sums);
     for (int id : needed)
       if (squares_[id] == graph::zero) squares_[id] = square(id);
   }
@@ -44,15 +44,15 @@ private:
     return g_[id].op == operation::symbol && g_.symbol_at(id).kind == symbol_kind::coordinate;
   }
 
-  constexpr void count_with_their_like(const sequence<int>& coordinates, sequence<int> sums,
-                                       const sequence<int>& more) {
+  constexpr void average_over_same_unit(const sequence<int>& coordinates, sequence<int> sums,
+                                        const sequence<int>& more) {
     for (int id : more) sums.push(id);
     if (coordinates.size() == 1) sums.clear(); // there is only one
     const units found(g_, sums);
     for (int one : coordinates) {
       int total = graph::zero, count = 0;
       for (int other : coordinates)
-        if (one == other || found.are_alike(one, other))
+        if (one == other || found.have_same_unit(one, other))
           total = add(g_, total, multiply(g_, other, other)), ++count;
       squares_[one] = multiply(g_, g_.constant(exactly(1, count)), total);
     }

@@ -20,9 +20,9 @@ public:
     for (int passes = 0; passes < most_passes; ++passes) {
       found_ = false;
       for (int id = 0; id < g.size(); ++id) known_[id] = estimate(g[id], id);
-      sequence<double> wanted(g.size(), 0.0); // size required by the users of a node; 0: any
+      sequence<double> required_size(g.size(), 0.0); // size required by the users of a node; 0: any
       for (int id = g.size() - 1; id >= 0; --id)
-        if (g[id].op < operation::pair) hand_down(id, wanted, passes > 0);
+        if (g[id].op < operation::pair) propagate_sizes(id, required_size, passes > 0);
       if (!found_ && passes > 0) break;
     }
   }
@@ -55,7 +55,7 @@ private:
     double power = 0;
 
     constexpr bool is_known() const { return unknown == none; }
-    constexpr bool is_open() const { return unknown >= 0 && !base::equal(power, 0.0); }
+    constexpr bool is_determinable() const { return unknown >= 0 && !base::equal(power, 0.0); }
   };
   static constexpr estimate_of of_size(double size) { return {size, none, 0}; }
 
@@ -85,47 +85,42 @@ private:
       case unit_rule::dropped: return of_size(1);
       }
       break;
-    case form::constant:
-    case form::symbol:
+    case form::leaf:
     case form::power:
-    case form::pair:
-    case form::factorization:
-    case form::solve:
-    case form::transposed_solve:
-    case form::component:
-    case form::singularity_measure:
-    case form::call: break; // unknown
+    case form::list_operation: break; // unknown
     }
     return {};
   }
 
   constexpr estimate_of product(const estimate_of& a, const estimate_of& b, double sign) const {
     if (a.unknown == mixed || b.unknown == mixed || base::equal(b.factor, 0.0)) return {};
-    if (a.is_open() && b.is_open() && a.unknown != b.unknown) return {};
+    if (a.is_determinable() && b.is_determinable() && a.unknown != b.unknown) return {};
     const double factor = sign > 0 ? a.factor * b.factor : a.factor / b.factor,
                  power = a.power + sign * b.power;
-    return {factor, base::equal(power, 0.0) ? none : a.is_open() ? a.unknown : b.unknown, power};
+    return {factor, base::equal(power, 0.0) ? none : a.is_determinable() ? a.unknown : b.unknown, power};
   }
 
   static constexpr estimate_of sum(const estimate_of& a, const estimate_of& b) {
     if (a.is_known() && b.is_known()) return of_size(a.factor > b.factor ? a.factor : b.factor);
     if (a.is_known() && !base::equal(a.factor, 0.0)) return a;
     if (b.is_known() && !base::equal(b.factor, 0.0)) return b;
-    return a.is_open() && b.is_open() && a.unknown == b.unknown && base::equal(a.power, b.power)
+    return a.is_determinable() && b.is_determinable() && a.unknown == b.unknown &&
+                   base::equal(a.power, b.power)
                ? a
                : estimate_of{};
   }
 
   /// Propagates the expected size to the operands of a node: first from arguments of functions, which are
   /// dimensionless, then from the other terms of sums.
-  constexpr void hand_down(int id, sequence<double>& wanted, bool by_terms) {
+  constexpr void propagate_sizes(int id, sequence<double>& required_size, bool by_terms) {
     const node& n = g_[id];
     const estimate_of& own = known_[id];
-    if (is_leaf(n.op)) return take(own, wanted[id]);
-    if (own.is_open()) take(own, wanted[id]);
-    const double size = by_terms && own.is_known() ? own.factor : wanted[id];
+    if (is_leaf(n.op)) return assign_size(own, required_size[id]);
+    if (own.is_determinable()) assign_size(own, required_size[id]);
+    const double size = by_terms && own.is_known() ? own.factor : required_size[id];
     const auto want = [&](int operand, double as_large) {
-      if (!known_[operand].is_known() && base::equal(wanted[operand], 0.0)) wanted[operand] = as_large;
+      if (!known_[operand].is_known() && base::equal(required_size[operand], 0.0))
+        required_size[operand] = as_large;
     };
     switch (form_of(n.op)) {
     case form::negate: return want(n.a, size);
@@ -140,15 +135,7 @@ private:
     case form::divide:
       if (known_[n.b].is_known()) want(n.a, size * known_[n.b].factor);
       return;
-    case form::function:
-      switch (properties_of(n.op).unit) {
-      case unit_rule::kept: return want(n.a, size);
-      case unit_rule::root: return want(n.a, size * size);
-      case unit_rule::cube_root: return want(n.a, size * size * size);
-      case unit_rule::numbers:
-      case unit_rule::dropped: return want(n.a, 1);
-      }
-      return;
+    case form::function: return want(n.a, size_of_argument(properties_of(n.op).unit, size));
     case form::binary_function:
       switch (binary_properties_of(n.op).unit) {
       case binary_unit_rule::kept: return want(n.a, size), want(n.b, size);
@@ -157,20 +144,23 @@ private:
       }
       return;
     case form::selection: return want(n.b, size);
-    case form::constant:
-    case form::symbol:
+    case form::leaf:
     case form::power:
-    case form::pair:
-    case form::factorization:
-    case form::solve:
-    case form::transposed_solve:
-    case form::component:
-    case form::singularity_measure:
-    case form::call: return;
+    case form::list_operation: return;
     }
   }
-  constexpr void take(const estimate_of& open, double size) {
-    if (!open.is_open() || base::equal(open.factor, 0.0) || base::equal(size, 0.0) ||
+  static constexpr double size_of_argument(unit_rule rule, double size) {
+    switch (rule) {
+    case unit_rule::kept: return size;
+    case unit_rule::root: return size * size;
+    case unit_rule::cube_root: return size * size * size;
+    case unit_rule::numbers:
+    case unit_rule::dropped: break;
+    }
+    return 1;
+  }
+  constexpr void assign_size(const estimate_of& open, double size) {
+    if (!open.is_determinable() || base::equal(open.factor, 0.0) || base::equal(size, 0.0) ||
         symbols_.contains(open.unknown))
       return;
     const double ratio = size / open.factor;

@@ -22,7 +22,9 @@ public:
   }
 
   /// Whether two symbols must have the same unit.
-  constexpr bool are_alike(int a, int b) const { return reduced(product({{a, 1}}, {{b, 1}}, -1)).empty(); }
+  constexpr bool have_same_unit(int a, int b) const {
+    return reduced(product({{a, 1}}, {{b, 1}}, -1)).empty();
+  }
 
 private:
   struct factor {
@@ -63,7 +65,7 @@ private:
   }
 
   constexpr unit reduced(unit u) const {
-    for (const unit& none : without_unit_)
+    for (const unit& none : dimensionless_)
       for (const factor& f : u)
         if (f.base == none.back().base) {
           u = product(u, none, -f.power / none.back().power);
@@ -74,7 +76,7 @@ private:
 
   constexpr void equate(const unit& a, const unit& b) {
     const unit none = reduced(product(a, b, -1));
-    if (!none.empty()) without_unit_.push(none);
+    if (!none.empty()) dimensionless_.push(none);
   }
 
   constexpr const unit& of(int id) const {
@@ -97,16 +99,9 @@ private:
     case form::function: return unit_of_function(n);
     case form::binary_function: return unit_of_binary_function(n);
     case form::selection: return of(n.b);
-    case form::constant:
-    case form::symbol:
+    case form::leaf:
     case form::power:
-    case form::pair:
-    case form::factorization:
-    case form::solve:
-    case form::transposed_solve:
-    case form::component:
-    case form::singularity_measure:
-    case form::call: break; // unknown
+    case form::list_operation: break; // unknown
     }
     return unit_of_base(id);
   }
@@ -132,9 +127,9 @@ private:
   }
 
   const graph& g_;
-  sequence<int> live_{};          ///< in ascending order
-  sequence<unit> unit_{};         ///< by index in `live_`
-  sequence<unit> without_unit_{}; ///< dimensionless products; each ends in a base that no later one contains
+  sequence<int> live_{};           ///< in ascending order
+  sequence<unit> unit_{};          ///< by index in `live_`
+  sequence<unit> dimensionless_{}; ///< dimensionless products; each ends in a base that no later one contains
 };
 
 } // namespace kanexpr::symbolic

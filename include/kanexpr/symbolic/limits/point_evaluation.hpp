@@ -3,8 +3,8 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/substitute.hpp>
 #include <kanexpr/symbolic/limits/external_series.hpp>
-#include <kanexpr/symbolic/limits/replacement.hpp>
 
 #include <map>
 #include <utility>
@@ -14,9 +14,9 @@ namespace kanexpr::symbolic::limits {
 
 /// The values of the nodes that the outputs need when symbols are replaced simultaneously, with a record of
 /// the nodes that are undefined there.
-class appraisal {
+class point_evaluation {
 public:
-  appraisal(const graph& g, const sequence<int>& outputs, const std::vector<replacement>& point)
+  point_evaluation(const graph& g, const sequence<int>& outputs, const std::vector<replacement>& point)
       : g_(g), place_(g.size(), -1) {
     const sequence<char> live = live_nodes(g, outputs);
     int count = 0;
@@ -25,12 +25,12 @@ public:
     known_.resize(static_cast<std::size_t>(count));
     if (!point.empty()) replace(point);
     for (int id = 0; id < g.size(); ++id)
-      if (live[id] != 0) appraise(id);
+      if (live[id] != 0) evaluate(id);
   }
 
   const generic_values& operator[](int id) const { return at(id).values; }
   /// Whether a node depends on a replaced symbol.
-  bool is_moved(int id) const { return at(id).moved; }
+  bool depends_on_replaced(int id) const { return at(id).moved; }
   /// Whether plain substitution leaves a node, or a node that it depends on, undefined.
   bool is_singular(int id) const { return at(id).singular; }
   /// The replacement of a symbol, or null if it is not replaced.
@@ -40,40 +40,40 @@ public:
   }
 
 private:
-  struct appraised {
+  struct node_result {
     generic_values values{};
     bool moved = false;
     bool singular = false;
   };
 
-  const appraised& at(int id) const { return known_[static_cast<std::size_t>(place_[id])]; }
-  appraised& at(int id) { return known_[static_cast<std::size_t>(place_[id])]; }
+  const node_result& at(int id) const { return known_[static_cast<std::size_t>(place_[id])]; }
+  node_result& at(int id) { return known_[static_cast<std::size_t>(place_[id])]; }
 
   void replace(const std::vector<replacement>& point) {
     sequence<int> replacing;
     for (const replacement& each : point) replacing.push(each.by.node());
-    const appraisal of_those(g_, replacing, {});
+    const point_evaluation of_those(g_, replacing, {});
     for (const replacement& each : point) {
       by_symbol_[each.symbol.node()] = &each;
       if (place_[each.symbol.node()] < 0) continue;
-      appraised& known = at(each.symbol.node());
+      node_result& known = at(each.symbol.node());
       known.moved = true;
       known.values = of_those[each.by.node()];
     }
   }
 
-  void appraise(int id) {
+  void evaluate(int id) {
     const node& n = g_[id];
-    appraised& known = at(id);
+    node_result& known = at(id);
     if (n.op == operation::constant) known.values = generic_values(bounded::of(g_.number_at(id)));
     if (n.op == operation::symbol && !known.moved)
       known.values = generic_values::of_symbol(g_.symbol_at(id).kind, n.a);
     if (is_leaf(n.op)) return;
     const bool has_second = is_binary(n.op) && (n.op < operation::pair || is_value(n));
-    const appraised &a = at(n.a), &b = has_second ? at(n.b) : none_;
+    const node_result &a = at(n.a), &b = has_second ? at(n.b) : none_;
     known.moved = a.moved || b.moved;
-    known.singular = a.singular || (b.singular && !(is_selection(n.op) && is_left_out(n.op, a.values)));
-    if (n.op == operation::solve || n.op == operation::transposed_solve) return solve(id, known);
+    known.singular = a.singular || (b.singular && !(is_selection(n.op) && never_selects(n.op, a.values)));
+    if (is_solution(n.op)) return solve(id, known);
     if (n.op == operation::call) return call(id, known);
     if (n.op == operation::component)
       known.values = known.singular ? undefined_ : solutions_[n.a][component_of(n)];
@@ -83,13 +83,13 @@ private:
       calculate(n.op, a.values, b.values, known);
   }
 
-  void calculate(operation op, const generic_values& a, const generic_values& b, appraised& known) const {
+  void calculate(operation op, const generic_values& a, const generic_values& b, node_result& known) const {
     known.values = apply(op, a, b);
     const bool is_unreal = known.values.is_number() && !known.values.defined();
     known.singular = known.singular || is_unreal || limits::is_singular(op, a, b);
   }
 
-  void call(int id, appraised& known) const {
+  void call(int id, node_result& known) const {
     known.values = undefined_;
     if (known.singular) return;
     std::vector<generic_values> operands;
@@ -97,7 +97,7 @@ private:
     known.values = called(g_.external_at(id), operands);
   }
 
-  void solve(int id, appraised& known) {
+  void solve(int id, node_result& known) {
     if (known.singular) return;
     const node& n = g_[id];
     const int order = order_of(g_, n.a);
@@ -116,11 +116,11 @@ private:
   std::size_t component_of(const node& n) const { return static_cast<std::size_t>(integer_at(g_, n.b)); }
 
   const graph& g_;
-  sequence<int> place_;            ///< by node; -1: not needed
-  std::vector<appraised> known_{}; ///< indexed by `place_`
+  sequence<int> place_;              ///< by node; -1: not needed
+  std::vector<node_result> known_{}; ///< indexed by `place_`
   std::map<int, const replacement*> by_symbol_{};
   std::map<int, std::vector<generic_values>> solutions_{};
-  appraised none_{};
+  node_result none_{};
   generic_values undefined_{bounded::undefined()};
 };
 

@@ -1,8 +1,8 @@
 // builds: sanitize
 #include "symbolic/random_formula.hpp"
 
-#include <kanexpr/symbolic/graph/gathering.hpp>
-#include <kanexpr/symbolic/graph/lowest_terms.hpp>
+#include <kanexpr/symbolic/graph/monomials.hpp>
+#include <kanexpr/symbolic/graph/sum_shortening.hpp>
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ namespace {
 using namespace kanexpr::symbolic;
 using graph_evaluation::evaluate;
 
-class gathering_of_sums : public testing::Test, protected symbols {
+class shortened_sums : public testing::Test, protected symbols {
 protected:
   expression gathered_alone(expression e) { return {g, gathered(g, {e.node()}, {})[0]}; }
   expression quotient(expression above, expression below) {
@@ -19,7 +19,7 @@ protected:
   }
 };
 
-TEST_F(gathering_of_sums, sees_squares_of_sine_and_cosine) {
+TEST_F(shortened_sums, sees_squares_of_sine_and_cosine) {
   const expression sine = sin(x), cosine = cos(x);
   const auto operations = [&](expression e) { return cost_of(g, {e.node()}).nodes; };
   EXPECT_EQ(operations(gathered_alone((a * sine) * (b * (a * sine)) + (a * cosine) * (b * (a * cosine)))),
@@ -30,12 +30,12 @@ TEST_F(gathering_of_sums, sees_squares_of_sine_and_cosine) {
   EXPECT_EQ(gathered_alone(0.3 * sine * sine + 0.3 * cosine * cosine), number(0.3));
 }
 
-TEST_F(gathering_of_sums, keeps_what_would_not_be_shorter) {
+TEST_F(shortened_sums, keeps_sums_that_would_not_be_shorter) {
   for (const expression e : {a * sin(x) + b * cos(x), 2 * sin(x) * sin(x) + cos(x) * cos(x), a * b + a * y})
     EXPECT_EQ(gathered_alone(e), e);
 }
 
-TEST_F(gathering_of_sums, keeps_values_and_makes_nothing_longer) {
+TEST_F(shortened_sums, keeps_values_and_never_lengthens_a_sum) {
   int shorter = 0;
   for (unsigned seed = 0; seed < 30; ++seed) {
     symbols of;
@@ -61,7 +61,7 @@ TEST_F(gathering_of_sums, keeps_values_and_makes_nothing_longer) {
   EXPECT_GT(shorter, 300);
 }
 
-TEST_F(gathering_of_sums, quotients_in_lowest_terms) {
+TEST_F(shortened_sums, quotients_in_lowest_terms) {
   EXPECT_EQ(quotient(-(a * b * x), (a * y) * a), -((b * x) / (a * y)));
   EXPECT_EQ(quotient(a * b, a * b), number(1));
   EXPECT_EQ(quotient(a * a, a), a);

@@ -7,17 +7,72 @@
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/printing/latex.hpp>
-#include <kanexpr/symbolic/printing/latex_name.hpp>
 #include <kanexpr/symbolic/printing/writer.hpp>
 
+#include <algorithm>
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kanexpr::symbolic {
 
 namespace printing {
 
-class typeset : public writer<typeset> {
+/// Splits `theta12` into theta and 12, `I_xx` into I and xx, `Link<3>` into Link and 3.
+struct name_parts {
+  std::string head{};
+  std::string subscript{};
+
+  explicit name_parts(std::string_view name) {
+    const auto begin = std::ranges::find_if_not(name, is_letter);
+    head.assign(name.begin(), begin);
+    bool is_apart = false;
+    for (auto c = begin; c != name.end(); ++c) {
+      const bool shows = is_letter(*c) || is_digit(*c);
+      if (shows && is_apart && !subscript.empty()) subscript += ',';
+      if (shows) subscript += *c;
+      is_apart = !shows;
+    }
+    if (head.empty()) head.swap(subscript);
+  }
+
+  static bool is_digit(char c) { return c >= '0' && c <= '9'; }
+  /// Bytes beyond ASCII belong to letters in UTF-8.
+  static bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || static_cast<unsigned char>(c) >= 0x80;
+  }
+};
+
+inline bool is_greek(std::string_view word) {
+  constexpr std::array<std::string_view, 36> letters{
+      "alpha",   "beta",   "gamma", "delta", "epsilon", "zeta",   "eta",   "theta", "iota",
+      "kappa",   "lambda", "mu",    "nu",    "xi",      "pi",     "rho",   "sigma", "tau",
+      "upsilon", "phi",    "chi",   "psi",   "omega",   "varphi", "Gamma", "Delta", "Theta",
+      "Lambda",  "Xi",     "Pi",    "Sigma", "Upsilon", "Phi",    "Psi",   "Omega", "varepsilon"};
+  return std::ranges::find(letters, word) != letters.end();
+}
+
+/// Writes a single letter, a Greek letter given by its name, or an upright word.
+inline std::string latex_identifier(const std::string& word) {
+  if (word.size() == 1) return word;
+  return is_greek(word) ? "\\" + word : "\\mathrm{" + word + "}";
+}
+
+/// Trailing primes, as in `theta''`, denote time derivatives and become dots.
+inline std::string latex_name(std::string_view name, bool dotted = false) {
+  std::size_t dots = dotted ? 1 : 0;
+  for (; name.ends_with('\''); name.remove_suffix(1)) ++dots;
+  const name_parts parts(name);
+  std::string text = latex_identifier(parts.head);
+  if (dots > 0) text = "\\" + std::string(dots, 'd') + "ot{" + text + "}";
+  if (parts.subscript.empty()) return text;
+  const bool is_number = std::ranges::all_of(parts.subscript, name_parts::is_digit);
+  const std::string below = is_number ? parts.subscript : latex_identifier(parts.subscript);
+  return text + "_" + (below.size() == 1 ? below : "{" + below + "}");
+}
+
+class latex_form : public writer<latex_form> {
 public:
   using writer::writer;
 
@@ -34,11 +89,11 @@ public:
     return text;
   }
   std::string quotient(const side& above, const side& below) const {
-    return "\\frac{" + alone(above) + "}{" + alone(below) + "}";
+    return "\\frac{" + fraction_side(above) + "}{" + fraction_side(below) + "}";
   }
   std::string function(int id) const { return function(id, "", true); }
-  std::string choice_of(const std::string& condition, const std::string& positive,
-                        const std::string& other) const {
+  std::string conditional_of(const std::string& condition, const std::string& positive,
+                             const std::string& other) const {
     return "\\operatorname{if}" + in_parentheses(condition + " > 0, " + positive + ", " + other);
   }
   std::string name_of(const symbol& s) const {
@@ -98,7 +153,7 @@ private:
     if (n.op == operation::component) return component(n);
     if (n.op == operation::singularity_measure)
       return "\\operatorname{singularity\\ measure}" + mark + in_parentheses(brackets(rows_of(n.a, false)));
-    if (is_selection(n.op)) return choice(id);
+    if (is_selection(n.op)) return conditional(id);
     if (n.op == operation::call)
       return name_of(owner().external_at(id), mark) + in_parentheses(separated(elements(n.a)));
     const std::string argument = write(n.a);
@@ -128,7 +183,7 @@ private:
   }
 
   /// Writes one side of a fraction; the fraction bar makes parentheses unnecessary.
-  std::string alone(const side& s) const {
+  std::string fraction_side(const side& s) const {
     const bool is_bare = !s.shows_number() && s.factors.size() == 1 && s.factors[0].exponent == 1;
     return is_bare ? write(s.factors[0].base) : product(s);
   }
@@ -136,7 +191,7 @@ private:
 
 } // namespace printing
 
-KANEXPR_ENGINE std::string latex(const graph& g, int id) { return printing::typeset(g).write(id); }
+KANEXPR_ENGINE std::string latex(const graph& g, int id) { return printing::latex_form(g).write(id); }
 KANEXPR_ENGINE std::string latex(expression e) { return latex(e.owner(), e.node()); }
 
 KANEXPR_ENGINE std::string latex(const matrix& m) {

@@ -16,30 +16,30 @@ constexpr bool is_sum(operation op) { return op == operation::add || op == opera
 /// Sums whose terms may combine, found by visiting each node once. A set of angles is stored as bits at even
 /// positions; the bit that follows distinguishes a cosine from a sine. If there are more than 32 angles, they
 /// share bits.
-class meeting_angles {
+class combinable_angles {
 public:
   using set = std::uint64_t;
 
-  struct of_node {
-    set factors = 0; ///< sines and cosines that are factors of the node
-    set shared = 0;  ///< sines and cosines that every term of a sum has as factors
-    set inside = 0;  ///< angles in factors of the terms of sums that are factors of the node
-    set twice = 0;   ///< angles that occur twice when those sums are multiplied out
-    set meeting = 0; ///< angles that two terms of a sum have twice, or all terms have once
+  struct angle_sets {
+    set factors = 0;   ///< sines and cosines that are factors of the node
+    set shared = 0;    ///< sines and cosines that every term of a sum has as factors
+    set inside = 0;    ///< angles in factors of the terms of sums that are factors of the node
+    set twice = 0;     ///< angles that occur twice when those sums are multiplied out
+    set combining = 0; ///< angles that two terms of a sum have twice, or all terms have once
   };
 
-  constexpr const of_node& operator[](int id) const { return known_[id]; }
+  constexpr const angle_sets& operator[](int id) const { return known_[id]; }
 
   /// Visits the new nodes.
-  constexpr void look(const graph& g) {
-    for (int id = known_.size(), end = g.size(); id < end; ++id) known_.push(look_at(g[id]));
+  constexpr void update(const graph& g) {
+    for (int id = known_.size(), end = g.size(); id < end; ++id) known_.push(sets_of(g[id]));
   }
 
 private:
   static constexpr set angles_of(set factors) { return (factors | factors >> 1) & 0x5555555555555555u; }
 
-  constexpr of_node look_at(const node& n) {
-    of_node found;
+  constexpr angle_sets sets_of(const node& n) {
+    angle_sets found;
     if (n.op == operation::sin || n.op == operation::cos) {
       const set bit = n.op == operation::sin ? 1 : 2;
       found.factors = found.shared = bit << place_of(n.a);
@@ -47,21 +47,21 @@ private:
       found = known_[n.a];
     } else if (n.op == operation::divide) {
       found = known_[n.a];
-      found.meeting = 0;
+      found.combining = 0;
     } else if (n.op == operation::multiply) {
-      const of_node &a = known_[n.a], &b = known_[n.b];
+      const angle_sets &a = known_[n.a], &b = known_[n.b];
       found.factors = found.shared = a.factors | b.factors;
       found.inside = a.inside | b.inside;
       found.twice =
           a.twice | b.twice | ((angles_of(a.factors) | a.inside) & (angles_of(b.factors) | b.inside));
     } else if (is_sum(n.op)) {
-      const of_node &a = known_[n.a], &b = known_[n.b];
+      const angle_sets &a = known_[n.a], &b = known_[n.b];
       found.shared = a.shared & b.shared;
       found.inside = angles_of(a.factors | b.factors);
-      for (const of_node* part : {&a, &b})
+      for (const angle_sets* part : {&a, &b})
         if (part->factors == 0) found.inside |= part->inside; // the node is a sum, not a product
       found.twice = a.twice | b.twice;
-      found.meeting = a.meeting | b.meeting | (a.twice & b.twice) | angles_of(found.shared);
+      found.combining = a.combining | b.combining | (a.twice & b.twice) | angles_of(found.shared);
     }
     return found;
   }
@@ -70,7 +70,7 @@ private:
     return 2 * ((found < 0 ? angles_.push(angle) : found) % 32);
   }
 
-  sequence<of_node> known_{};
+  sequence<angle_sets> known_{};
   sequence<int> angles_{};
 };
 

@@ -12,18 +12,18 @@
 namespace kanexpr::symbolic::limits {
 
 /// Describes why an expression has no limit, in a sentence that names the part that fails.
-class conditions {
+class limit_diagnostics {
 public:
-  conditions(const graph& g, const appraisal& point) : g_(g), point_(point) {}
+  limit_diagnostics(const graph& g, const point_evaluation& point) : g_(g), point_(point) {}
 
   /// For a node that has no series along a line.
-  std::string without_series(const line& l, int id) const {
+  std::string describe_missing_series(const line& l, int id) const {
     id = l.failing(id);
     switch (l[id].met()) {
     case obstacle::none:
     case obstacle::truncated: return "no limit was found with " + terms_known(id) + where(id);
     case obstacle::zero_divisor:
-    case obstacle::singular_system: return nowhere(id);
+    case obstacle::singular_system: return describe_undefined(id);
     case obstacle::piecewise:
       return function(id) + " depends on the signs of the remaining symbols" + where(id);
     case obstacle::zero_logarithm: return function(id) + " is not finite" + where(id);
@@ -35,15 +35,15 @@ public:
   }
 
   /// For a node that is undefined even at generic values of all symbols.
-  std::string everywhere(const appraisal& generic, int id) const {
+  std::string describe_undefined_everywhere(const point_evaluation& generic, int id) const {
     const sequence<char> live = live_nodes(g_, {id});
     int first = 0;
     while (first < id && (live[first] == 0 || !generic.is_singular(first))) ++first;
-    return nowhere(first);
+    return describe_undefined(first);
   }
 
   /// For a node that tends to infinity along a line.
-  std::string pole(const line& l, int id) const {
+  std::string describe_pole(const line& l, int id) const {
     for (;;) {
       const node& n = g_[id];
       const int operand = steepest(l, n);
@@ -57,19 +57,15 @@ public:
     }
   }
 
-  std::string direction(int id) const {
-    const std::string text = short_text(id);
+  std::string describe_direction(int id) const {
+    const std::string text = text_if_short(id);
     return (text.empty() ? "the limit" : "the limit of " + text) + where(id) + " depends on the direction";
   }
 
 private:
-  static constexpr std::size_t most_letters = 60;
+  static constexpr std::size_t max_text_length = 60;
 
-  static bool is_solution(operation op) {
-    return op == operation::solve || op == operation::transposed_solve;
-  }
-
-  std::string nowhere(int id) const {
+  std::string describe_undefined(int id) const {
     const node& n = g_[id];
     if (n.op == operation::divide) return denominator(n.b) + " vanishes identically";
     return is_solution(n.op) ? system(n.a) + " is singular everywhere"
@@ -95,7 +91,7 @@ private:
       append_elements(g_, n.b, operands);
     } else {
       operands.push(n.a);
-      if (is_binary(n.op) && !is_numbered(n.op)) operands.push(n.b);
+      if (is_binary(n.op) && !has_index_operand(n.op)) operands.push(n.b);
     }
     int found = -1, least = 0;
     for (int each : operands)
@@ -106,12 +102,12 @@ private:
   }
 
   std::string denominator(int id) const {
-    const std::string text = short_text(id);
+    const std::string text = text_if_short(id);
     return text.empty() ? "a denominator" : text + " in a denominator";
   }
   /// A formula, or only the function name if the formula is too long.
   std::string function(int id) const {
-    std::string text = short_text(id);
+    std::string text = text_if_short(id);
     if (!text.empty()) return text;
     const node& n = g_[id];
     if (n.op == operation::power) return "a power";
@@ -123,8 +119,8 @@ private:
     const sequence<int> entries = entries_of(g_, factorization);
     std::string text = "the linear system with [";
     for (int i = 0; i < order * order; ++i) {
-      const std::string entry = short_text(entries[i]);
-      if (entry.empty() || text.size() + entry.size() > 2 * most_letters)
+      const std::string entry = text_if_short(entries[i]);
+      if (entry.empty() || text.size() + entry.size() > 2 * max_text_length)
         return "a linear system of order " + std::to_string(order);
       text += (i % order != 0 ? ", " : i == 0 ? "[" : "], [") + entry;
     }
@@ -142,18 +138,18 @@ private:
       const replacement* const r = point_.replacing(each);
       if (r == nullptr) continue;
       if (++count > most_symbols) return text + ", ...";
-      const std::string by = short_text(r->by.node());
+      const std::string by = text_if_short(r->by.node());
       text += (count == 1 ? " at " : ", ") + print(g_, each) + " = " + (by.empty() ? "..." : by);
     }
     return text;
   }
 
   /// The printed form, or nothing if it would be too long; the length is estimated before printing.
-  std::string short_text(int id) const {
-    int left = static_cast<int>(most_letters);
+  std::string text_if_short(int id) const {
+    int left = static_cast<int>(max_text_length);
     if (!fits(id, left)) return {};
     const std::string text = print(g_, id);
-    return text.size() > most_letters ? std::string{} : text;
+    return text.size() > max_text_length ? std::string{} : text;
   }
   /// Whether the expression tree has at most `left` nodes.
   bool fits(int id, int& left) const {
@@ -163,7 +159,7 @@ private:
   }
 
   const graph& g_;
-  const appraisal& point_;
+  const point_evaluation& point_;
 };
 
 } // namespace kanexpr::symbolic::limits

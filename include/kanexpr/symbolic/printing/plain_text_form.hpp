@@ -17,7 +17,7 @@ namespace kanexpr::symbolic {
 
 namespace printing {
 
-class plain : public writer<plain> {
+class plain_text_form : public writer<plain_text_form> {
 public:
   using writer::writer;
 
@@ -39,15 +39,15 @@ public:
     }
     if (n.op == operation::singularity_measure)
       return "singularity_measure(" + matrix_of(n.a, false) + ", " + list(elements(n.b)) + ")";
-    if (is_selection(n.op)) return choice(id);
+    if (is_selection(n.op)) return conditional(id);
     if (n.op == operation::call)
       return std::string(owner().external_at(id).called.view()) + "(" + separated(elements(n.a)) + ")";
     std::string text = function_name(n.op) + ("(" + write(n.a));
     if (is_binary(n.op)) text += ", " + write(n.b);
     return text + ")";
   }
-  std::string choice_of(const std::string& condition, const std::string& positive,
-                        const std::string& other) const {
+  std::string conditional_of(const std::string& condition, const std::string& positive,
+                             const std::string& other) const {
     return "if_positive(" + condition + ", " + positive + ", " + other + ")";
   }
   std::string name_of(const symbol& s) const {
@@ -74,7 +74,7 @@ private:
 
 } // namespace printing
 
-KANEXPR_ENGINE std::string print(const graph& g, int id) { return printing::plain(g).write(id); }
+KANEXPR_ENGINE std::string print(const graph& g, int id) { return printing::plain_text_form(g).write(id); }
 KANEXPR_ENGINE std::string print(expression e) { return print(e.owner(), e.node()); }
 
 namespace printing {

@@ -10,9 +10,9 @@ namespace kanexpr::symbolic {
 
 /// The size of the terms of a sum: |l cos(q1)| + |l0| for l cos(q1) - l0. Relative to this size, a sum that
 /// should vanish can be tested in any units.
-class sizes_of_terms {
+class term_sizes {
 public:
-  constexpr explicit sizes_of_terms(graph& g) : g_(g), found_(g.size(), none) {}
+  constexpr explicit term_sizes(graph& g) : g_(g), found_(g.size(), none) {}
 
   constexpr expression of(const expression& e) {
     const int id = e.node();
@@ -49,7 +49,7 @@ private:
 
 /// The sizes of the terms of several sums.
 constexpr sequence<expression> terms_of(graph& g, const sequence<expression>& sums) {
-  sizes_of_terms sizes(g);
+  term_sizes sizes(g);
   sequence<expression> terms;
   for (const expression& f : sums) terms.push(sizes.of(f));
   return terms;

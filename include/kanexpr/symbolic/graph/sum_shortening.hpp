@@ -2,9 +2,9 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/build.hpp>
+#include <kanexpr/symbolic/graph/combinable_angles.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
-#include <kanexpr/symbolic/graph/meeting_angles.hpp>
 #include <kanexpr/symbolic/graph/monomials.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
@@ -12,41 +12,42 @@
 /// out.
 namespace kanexpr::symbolic {
 
-/// Rewrites such sums in the outputs. The nodes in `beside` are needed in any case.
-class gathering {
+/// Rewrites such sums in the outputs. The nodes in `also_needed` are needed in any case.
+class sum_shortening {
 public:
   /// The sums to rewrite: either those that individually reduce the number of operations of all outputs
   /// together (as in logic rewriting: Mishchenko, Chatterjee & Brayton 2006), or all in which terms combine,
   /// because several sums together may save operations that none of them saves individually.
   enum class choice { each_shorter, all };
 
-  constexpr gathering(graph& g, const sequence<int>& outputs, const sequence<int>& beside, choice which)
-      : g_(g), outputs_(outputs), beside_(beside), choice_(which) {}
-  gathering(const gathering&) = delete;
-  gathering& operator=(const gathering&) = delete;
+  constexpr sum_shortening(graph& g, const sequence<int>& outputs, const sequence<int>& also_needed,
+                           choice which)
+      : g_(g), outputs_(outputs), also_needed_(also_needed), choice_(which) {}
+  sum_shortening(const sum_shortening&) = delete;
+  sum_shortening& operator=(const sum_shortening&) = delete;
 
   /// Whether any live sum may have terms that combine.
-  constexpr bool may_meet() {
-    take_up_new_nodes();
+  constexpr bool may_combine() {
+    extend_to_new_nodes();
     const sequence<char> live = live_nodes(g_, outputs_);
     for (int id = 0; id < live.size(); ++id)
-      if (live[id] != 0 && angles_[id].meeting != 0) return true;
+      if (live[id] != 0 && angles_[id].combining != 0) return true;
     return false;
   }
 
   constexpr sequence<int> run() {
     const sequence<char> live = live_nodes(g_, outputs_);
-    take_up_new_nodes();
+    extend_to_new_nodes();
     count_uses(live);
     for (int id = 0; id < live.size(); ++id)
       if (live[id] != 0 && uses_[id] != 0) rewrite(id);
-    sequence<int> gathered;
-    for (int id : outputs_) gathered.push(image_[id]);
-    return gathered;
+    sequence<int> shortened;
+    for (int id : outputs_) shortened.push(image_[id]);
+    return shortened;
   }
 
 private:
-  using set = detail::meeting_angles::set;
+  using set = detail::combinable_angles::set;
 
   /// A change in the operation counts.
   struct change {
@@ -69,10 +70,10 @@ private:
 
   static constexpr bool has_second(const node& n) { return is_binary(n.op) && is_value(n); }
 
-  constexpr void take_up_new_nodes() {
-    angles_.look(g_);
+  constexpr void extend_to_new_nodes() {
+    angles_.update(g_);
     for (int id = image_.size(); id < g_.size(); ++id)
-      image_.push(id), uses_.push(0), is_kept_.push(0), is_whole_.push(0);
+      image_.push(id), uses_.push(0), is_kept_.push(0), is_outermost_.push(0);
   }
   constexpr void count_uses(const sequence<char>& live) {
     for (int id = 0; id < live.size(); ++id) {
@@ -82,12 +83,12 @@ private:
       if (has_second(n)) count_use(n.b, n.op);
     }
     for (int id : outputs_) count_use(id, operation::negate);
-    const sequence<char> kept = live_nodes(g_, beside_);
+    const sequence<char> kept = live_nodes(g_, also_needed_);
     for (int id = 0; id < kept.size(); ++id) is_kept_[id] = kept[id];
   }
   constexpr void count_use(int id, operation by) {
     ++uses_[id];
-    if (!detail::is_sum(by)) is_whole_[id] = 1;
+    if (!detail::is_sum(by)) is_outermost_[id] = 1;
   }
   /// Replaces the operands of a node by their images, then the node by a shorter expression if there is one.
   constexpr void rewrite(int id) {
@@ -97,13 +98,13 @@ private:
       const int a = image_[n.a], b = has_second(n) ? image_[n.b] : n.b;
       if (a != n.a || b != n.b) {
         now = build(g_, n.op, a, b);
-        take_up_new_nodes();
-        put_in_place(id, now);
+        extend_to_new_nodes();
+        replace_node(id, now);
       }
     }
-    if (is_whole_[id] != 0 && detail::is_sum(g_[now].op) && (angles_[now].meeting != 0 || now != id)) {
-      const int shorter = gathered(now, now != id);
-      put_in_place(now, shorter);
+    if (is_outermost_[id] != 0 && detail::is_sum(g_[now].op) && (angles_[now].combining != 0 || now != id)) {
+      const int shorter = shorten(now, now != id);
+      replace_node(now, shorter);
       now = shorter;
     }
     image_[id] = now;
@@ -111,64 +112,64 @@ private:
 
   // live nodes, updated as uses are added and removed
 
-  constexpr void hold(int id) {
-    if (uses_[id]++ == 0 && is_kept_[id] == 0) hold_operands(id);
+  constexpr void add_use(int id) {
+    if (uses_[id]++ == 0 && is_kept_[id] == 0) add_uses_of_operands(id);
   }
-  constexpr void hold_operands(int id) {
+  constexpr void add_uses_of_operands(int id) {
     const node n = g_[id];
     if (is_leaf(n.op)) return;
     change_.count(n.op, 1);
-    hold(image_[n.a]);
-    if (has_second(n)) hold(image_[n.b]);
+    add_use(image_[n.a]);
+    if (has_second(n)) add_use(image_[n.b]);
   }
-  constexpr void release(int id) {
-    if (--uses_[id] == 0 && is_kept_[id] == 0) release_operands(id);
+  constexpr void remove_use(int id) {
+    if (--uses_[id] == 0 && is_kept_[id] == 0) remove_uses_of_operands(id);
   }
-  constexpr void release_operands(int id) {
+  constexpr void remove_uses_of_operands(int id) {
     const node n = g_[id];
     if (is_leaf(n.op)) return;
     change_.count(n.op, -1);
-    release(image_[n.a]);
-    if (has_second(n)) release(image_[n.b]);
+    remove_use(image_[n.a]);
+    if (has_second(n)) remove_use(image_[n.b]);
   }
   constexpr bool is_live(int id) const { return uses_[id] > 0 || is_kept_[id] != 0; }
 
-  constexpr void put_in_place(int old, int now) {
+  constexpr void replace_node(int old, int now) {
     if (old == now) return;
-    hold(now);
+    add_use(now);
     uses_[now] += uses_[old] - 1;
     uses_[old] = 0;
-    if (is_kept_[old] == 0) release_operands(old);
+    if (is_kept_[old] == 0) remove_uses_of_operands(old);
   }
   constexpr change change_by(int old, int now) {
     change_ = {};
     const int uses = uses_[old];
-    hold(now);
+    add_use(now);
     uses_[old] = 0;
-    if (is_kept_[old] == 0) release_operands(old);
+    if (is_kept_[old] == 0) remove_uses_of_operands(old);
     const change found = change_;
-    if (is_kept_[old] == 0) hold_operands(old);
+    if (is_kept_[old] == 0) add_uses_of_operands(old);
     uses_[old] = uses;
-    release(now);
+    remove_use(now);
     return found;
   }
 
   // sums
 
   /// Shortens a sum. If it changes anyway, common factors of its terms are taken out, too.
-  constexpr int gathered(int id, bool changes) {
-    const set about = angles_[id].meeting;
-    left_ = most_visits;
+  constexpr int shorten(int id, bool changes) {
+    const set about = angles_[id].combining;
+    visits_left_ = most_visits;
     if (terms_in(id, about, true) > sum_of_monomials::most_terms) return id;
-    has_met_ = changes;
+    has_combined_ = changes;
     sum_of_monomials sum = terms_of(id, about);
     if (!sum.is_given()) return id;
-    if (join_squares(g_, sum)) has_met_ = true;
-    if (!has_met_ && angles_[id].shared == 0) return id;
+    if (combine_sine_cosine_squares(g_, sum)) has_combined_ = true;
+    if (!has_combined_ && angles_[id].shared == 0) return id;
     const number common = common_coefficient(sum);
     const int now = multiply(g_, g_.constant(common), written(sum * divisor(common)));
-    take_up_new_nodes();
-    if (now == id || (choice_ == choice::all && has_met_)) return now;
+    extend_to_new_nodes();
+    if (now == id || (choice_ == choice::all && has_combined_)) return now;
     return change_by(id, now).is_a_gain() ? now : id;
   }
 
@@ -179,7 +180,7 @@ private:
   constexpr int terms_in(int id, set about, bool is_multiplied_out) {
     constexpr int too_many = sum_of_monomials::most_terms + 1;
     const node& n = g_[id];
-    if (--left_ < 0) return too_many;
+    if (--visits_left_ < 0) return too_many;
     if (n.op == operation::negate) return terms_in(n.a, about, is_multiplied_out);
     const bool is_sum = detail::is_sum(n.op);
     if (is_sum ? !is_multiplied_out && (angles_[id].inside & about) == 0 : n.op != operation::multiply)
@@ -198,7 +199,7 @@ private:
     sum_of_monomials b = terms_of(n.b, about);
     if (n.op == operation::subtract) b.negate();
     const sum_of_monomials sum = a + b;
-    if (sum.size() < a.size() + b.size()) has_met_ = true;
+    if (sum.size() < a.size() + b.size()) has_combined_ = true;
     return sum;
   }
   constexpr sum_of_monomials product_at(int id, set about) {
@@ -307,26 +308,27 @@ private:
   }
 
   graph& g_;
-  const sequence<int>&outputs_, &beside_;
+  const sequence<int>&outputs_, &also_needed_;
   choice choice_;
-  detail::meeting_angles angles_{};
+  detail::combinable_angles angles_{};
   sequence<int> image_{}; ///< the replacement of each node
   sequence<int> uses_{};
-  sequence<char> is_kept_{};  ///< live regardless of the outputs
-  sequence<char> is_whole_{}; ///< not part of a longer sum
+  sequence<char> is_kept_{};      ///< live regardless of the outputs
+  sequence<char> is_outermost_{}; ///< not part of a longer sum
   change change_{};
   static constexpr int most_visits = 200;
-  int left_ = 0; ///< visits left
-  bool has_met_ = false;
+  int visits_left_ = 0;
+  bool has_combined_ = false;
 };
 
 /// Combines sin² + cos² in the outputs if that saves operations, and otherwise returns the outputs unchanged.
-/// A small gain is not worthwhile, because later derivatives share parts of the sums. The nodes in `beside`
-/// are needed in any case. Long equations are skipped: for them this step would take longer than the
-/// derivation.
-constexpr sequence<int> gathered(graph& g, const sequence<int>& outputs, const sequence<int>& beside) {
+/// A small gain is not worthwhile, because later derivatives share parts of the sums. The nodes in
+/// `also_needed` are needed in any case. Long equations are skipped: for them this step would take longer
+/// than the derivation.
+constexpr sequence<int> shorten_sums(graph& g, const sequence<int>& outputs,
+                                     const sequence<int>& also_needed) {
   constexpr int most_operations = 200, least_part = 16;
-  const sequence<char> nothing, kept = live_nodes(g, beside);
+  const sequence<char> nothing, kept = live_nodes(g, also_needed);
   const auto operations = [&](const sequence<int>& nodes, const sequence<char>& without) {
     const sequence<char> live = live_nodes(g, nodes);
     int count = 0;
@@ -338,9 +340,9 @@ constexpr sequence<int> gathered(graph& g, const sequence<int>& outputs, const s
   const int before = operations(outputs, kept);
   sequence<int> best = outputs;
   int most = before - (before < least_part ? 1 : before / least_part);
-  for (const auto which : {gathering::choice::each_shorter, gathering::choice::all}) {
-    gathering sums(g, outputs, beside, which);
-    if (!sums.may_meet()) return outputs;
+  for (const auto which : {sum_shortening::choice::each_shorter, sum_shortening::choice::all}) {
+    sum_shortening sums(g, outputs, also_needed, which);
+    if (!sums.may_combine()) return outputs;
     const sequence<int> found = sums.run();
     if (const int count = operations(found, kept); count <= most) best = found, most = count - 1;
   }
