@@ -49,7 +49,7 @@ real value_of_series(const series& s) {
 /// Compares with an evaluation at a small ε, up to the unknown terms.
 void check(operation op, const series& a, const series& b, real x, real y) {
   const expansion found = apply(op, a, b);
-  ASSERT_TRUE(found) << function_name(op) << ' ' << static_cast<int>(found.met());
+  ASSERT_TRUE(found) << function_name(op) << ' ' << static_cast<int>(found.reason());
   const real expected = arithmetic(op, x, y);
   const real unknown =
       found->end() == series::all_orders ? 0 : 100 * std::pow(step, static_cast<real>(found->end()));
@@ -160,13 +160,13 @@ TEST(series, know_how_far_they_are_known) {
   EXPECT_EQ((unknown / power_of(2)).end(), 1);
   EXPECT_EQ((unknown * beyond).end(), 7);
   EXPECT_EQ((power_of(2) / unknown).end(), 5);
-  EXPECT_EQ(quotient(unknown, beyond).met(), obstacle::truncated);
-  EXPECT_EQ(quotient(unknown, {}).met(), obstacle::zero_divisor);
-  EXPECT_EQ(sqrt(beyond).met(), obstacle::truncated);
-  EXPECT_EQ(log(power_of(1)).met(), obstacle::zero_logarithm);
-  EXPECT_EQ(sqrt(power_of(3)).met(), obstacle::fractional_order);
-  EXPECT_EQ(sqrt(-power_of(2)).met(), obstacle::not_real);
-  EXPECT_EQ(smooth(operation::exp, power_of(-1)).met(), obstacle::infinite_argument);
+  EXPECT_EQ(quotient(unknown, beyond).reason(), obstacle::truncated);
+  EXPECT_EQ(quotient(unknown, {}).reason(), obstacle::zero_divisor);
+  EXPECT_EQ(sqrt(beyond).reason(), obstacle::truncated);
+  EXPECT_EQ(log(power_of(1)).reason(), obstacle::zero_logarithm);
+  EXPECT_EQ(sqrt(power_of(3)).reason(), obstacle::fractional_order);
+  EXPECT_EQ(sqrt(-power_of(2)).reason(), obstacle::not_real);
+  EXPECT_EQ(smooth(operation::exp, power_of(-1)).reason(), obstacle::infinite_argument);
 }
 
 class coefficients : public testing::Test, protected symbols {

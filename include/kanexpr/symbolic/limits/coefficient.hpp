@@ -136,6 +136,7 @@ inline number integer_power(const number& base, std::int64_t exponent) {
 
 } // namespace detail
 
+/// A function of coefficients, or nothing if the value of a number is not real or not finite.
 inline std::optional<coefficient> apply(operation op, const coefficient& a) {
   const generic_values at = apply(op, a.at(), {});
   if (!a.is_number())

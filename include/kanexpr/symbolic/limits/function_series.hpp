@@ -9,7 +9,8 @@
 #include <utility>
 #include <vector>
 
-/// Functions of series, for ε > 0: Griewank & Walther, Evaluating Derivatives (2008), section 13.2.
+/// Functions of series, for ε > 0: Griewank & Walther, Evaluating Derivatives (2008), section 13.2. Inverse
+/// functions are integrals of algebraic functions.
 namespace kanexpr::symbolic::limits {
 
 namespace detail {
@@ -31,14 +32,14 @@ coefficient weighted(const series& s, int k, const Weights& w) {
 } // namespace detail
 
 /// The obstacle to expanding an entire function at this argument.
-inline obstacle unbounded(const series& s) {
+inline obstacle entire_function_obstacle(const series& s) {
   if (s.has_terms() && s.order() < 0) return obstacle::infinite_argument;
   return s.end() <= 0 ? obstacle::truncated : obstacle::none;
 }
 
 /// The circular or hyperbolic sine or cosine.
 inline expansion sine(const series& s, operation wanted) {
-  if (const obstacle met = unbounded(s); met != obstacle::none) return met;
+  if (const obstacle reason = entire_function_obstacle(s); reason != obstacle::none) return reason;
   if (s.is_constant()) return detail::constant_or(apply(wanted, s[0]), obstacle::not_real);
   const bool is_circular = wanted == operation::sin || wanted == operation::cos;
   const auto first_sine = apply(is_circular ? operation::sin : operation::sinh, s[0]),
@@ -57,7 +58,7 @@ inline expansion sine(const series& s, operation wanted) {
 
 /// Integrates t' = (1 + t²) s'; where the cosine vanishes, a quotient is used.
 inline expansion tan(const series& s) {
-  if (const obstacle met = unbounded(s); met != obstacle::none) return met;
+  if (const obstacle reason = entire_function_obstacle(s); reason != obstacle::none) return reason;
   const std::optional<coefficient> cosine = apply(operation::cos, s[0]);
   if (!cosine) return obstacle::not_real;
   if (cosine->is_zero()) {
@@ -139,7 +140,7 @@ inline expansion sign(const series& s) {
 
 /// s less whole turns. At an odd multiple of π, the first term that follows decides between π and -π.
 inline expansion wrap_to_pi(const series& s) {
-  if (const obstacle met = unbounded(s); met != obstacle::none) return met;
+  if (const obstacle reason = entire_function_obstacle(s); reason != obstacle::none) return reason;
   const std::optional<coefficient> first = apply(operation::wrap_to_pi, s[0]);
   if (!first || s.is_constant()) return detail::constant_or(first, obstacle::not_real);
   const series rest = s - series(s[0]);
@@ -149,6 +150,78 @@ inline expansion wrap_to_pi(const series& s) {
   if (!rest.has_terms()) return rest.is_zero() ? rest + series(*first) : expansion(obstacle::truncated);
   if (!rest.lead().is_number()) return obstacle::piecewise;
   return rest + series(rest.lead().value().negative() ? half_turn : -half_turn);
+}
+
+/// f + ∫ rate; fails if the rate has a pole.
+inline expansion integral_from(const std::optional<coefficient>& f, const expansion& rate) {
+  if (!f) return obstacle::not_real;
+  if (!rate) return rate;
+  if (rate->end() < 0) return obstacle::truncated;
+  if (rate->has_terms() && rate->order() < 0) return obstacle::fractional_order;
+  return integral(*rate, *f);
+}
+
+inline expansion log(const series& s) {
+  if (s.is_zero() || (s.has_terms() && s.order() != 0)) return obstacle::zero_logarithm;
+  if (!s.has_terms()) return obstacle::truncated;
+  const std::optional<coefficient> first = apply(operation::log, s[0]);
+  return integral_from(first, quotient(derivative(s), s));
+}
+
+inline expansion atan(const series& s) {
+  constexpr double right_angle = 1.57079632679489661923;
+  if (s.has_terms() && s.order() < 0) {
+    if (s.lead().at().vanishes_at_some()) return obstacle::piecewise;
+    const std::optional<coefficient> side = apply(operation::sign, s.lead());
+    const expansion rest = atan(series(coefficient(1)) / s);
+    if (!side || !rest) return obstacle::not_real;
+    return series(*side * coefficient(real(right_angle))) - *rest;
+  }
+  if (s.end() <= 0) return obstacle::truncated;
+  const std::optional<coefficient> first = apply(operation::atan, s[0]);
+  const series rate = derivative(s);
+  return integral_from(first, quotient(rate, series(coefficient(1)) + s * s));
+}
+
+/// The arcsine or arccosine. At the ends of its domain the rate is a quotient whose terms vanish.
+inline expansion arcsine(const series& s, operation wanted) {
+  if (s.has_terms() && s.order() < 0) return obstacle::not_real;
+  if (s.end() <= 0) return obstacle::truncated;
+  coefficient start = s[0];
+  if ((coefficient(1) - start * start).is_zero() && start.is_number())
+    start = coefficient(start.value().negative() ? -1 : 1);
+  const std::optional<coefficient> first = apply(wanted, start);
+  const series slope = derivative(s);
+  if (slope.is_zero()) return detail::constant_or(first, obstacle::not_real);
+  expansion leg = sqrt(series(coefficient(1)) - s * s);
+  if (!leg) return leg;
+  const expansion rate = quotient(slope, *leg);
+  if (wanted == operation::asin || !rate) return integral_from(first, rate);
+  return integral_from(first, -*rate);
+}
+
+namespace detail {
+
+/// On the negative x axis, the sign of y decides.
+inline std::optional<coefficient> initial_angle(const series& y, const series& x, int order) {
+  if (!y[order].is_zero() || !y.has_terms()) return apply(operation::atan2, y[order], x[order]);
+  const std::optional<coefficient> side = apply(operation::sign, y.lead()),
+                                   angle = apply(operation::atan2, coefficient(), x[order]);
+  return *side * *angle;
+}
+
+} // namespace detail
+
+/// The angle of (x, y) from (x y' - y x')/(x² + y²); only the ratio matters, so both may vanish.
+inline expansion atan2(const series& y, const series& x) {
+  if (y.is_zero() && x.is_zero()) return obstacle::zero_divisor;
+  const int order = (std::min)(y.order(), x.order());
+  if (y.end() <= order || x.end() <= order) return obstacle::truncated;
+  const bool is_positive = x[order].is_number() && !x[order].value().negative();
+  if (!y.has_terms() && !y.is_zero() && !is_positive) return obstacle::truncated;
+  const std::optional<coefficient> first = detail::initial_angle(y, x, order);
+  const series climb = x * derivative(y), turn = climb - y * derivative(x), square = x * x;
+  return integral_from(first, quotient(turn, square + y * y));
 }
 
 } // namespace kanexpr::symbolic::limits

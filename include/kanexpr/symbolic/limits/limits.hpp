@@ -110,12 +110,12 @@ private:
 
   static bool has_pole(const line& l, int id) { return l[id]->has_terms() && l[id]->order() < 0; }
   static bool is_truncated(const line& l, int id) {
-    return l[id] ? !has_pole(l, id) && l[id]->end() <= 0 : l[id].met() == obstacle::truncated;
+    return l[id] ? !has_pole(l, id) && l[id]->end() <= 0 : l[id].reason() == obstacle::truncated;
   }
   /// Along a line on which a denominator happens to vanish, nothing can be decided.
   static bool decides(const line& l, int id) {
-    const obstacle met = l[id].met();
-    return met != obstacle::zero_divisor && met != obstacle::singular_system && !is_truncated(l, id);
+    const obstacle reason = l[id].reason();
+    return reason != obstacle::zero_divisor && reason != obstacle::singular_system && !is_truncated(l, id);
   }
   static bool differ(const line& a, const line& b, int id) { return !((*a[id])[0] - (*b[id])[0]).is_zero(); }
 

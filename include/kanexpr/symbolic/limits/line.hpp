@@ -110,8 +110,8 @@ private:
     int without = gather(entries_of(g_, n.a), a);
     if (without < 0) without = gather(elements_of(g_, n.b), b);
     if (without >= 0) return passed(id, without);
-    const obstacle met = series_system(g_, n.op, std::move(a), std::move(b)).solve(x);
-    if (met != obstacle::none) return met;
+    const obstacle reason = series_system(g_, n.op, std::move(a), std::move(b)).solve(x);
+    if (reason != obstacle::none) return reason;
     return solutions_.emplace(id, std::move(x)).first->second.front();
   }
 

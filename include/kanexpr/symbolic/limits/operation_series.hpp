@@ -5,7 +5,7 @@
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
-#include <kanexpr/symbolic/limits/inverses.hpp>
+#include <kanexpr/symbolic/limits/function_series.hpp>
 
 #include <initializer_list>
 #include <optional>
@@ -54,7 +54,7 @@ inline expansion slope_of(operation op, const series& s, const series& f) {
 
 /// A function that is smooth at s_0, from f' = slope(s, f) s': each known order of f yields the next.
 inline expansion smooth(operation op, const series& s) {
-  if (const obstacle met = unbounded(s); met != obstacle::none) return met;
+  if (const obstacle reason = entire_function_obstacle(s); reason != obstacle::none) return reason;
   const std::optional<coefficient> first = apply(op, s[0]);
   if (!first || s.is_constant()) return detail::constant_or(first, obstacle::not_real);
   series f(0, {*first}, 1, s.most());
@@ -69,7 +69,7 @@ inline expansion smooth(operation op, const series& s) {
 /// A function of two arguments that is smooth at (a_0, b_0), in the same way.
 inline expansion smooth(operation op, const series& a, const series& b) {
   for (const series* each : {&a, &b})
-    if (const obstacle met = unbounded(*each); met != obstacle::none) return met;
+    if (const obstacle reason = entire_function_obstacle(*each); reason != obstacle::none) return reason;
   const std::optional<coefficient> first = apply(op, a[0], b[0]);
   if (!first || (a.is_constant() && b.is_constant())) return detail::constant_or(first, obstacle::not_real);
   graph g;

@@ -171,16 +171,16 @@ enum class obstacle {
 class expansion {
 public:
   expansion(series found) : found_(std::move(found)) {}
-  expansion(obstacle met) : met_(met) {}
+  expansion(obstacle reason) : reason_(reason) {}
 
-  explicit operator bool() const { return met_ == obstacle::none; }
+  explicit operator bool() const { return reason_ == obstacle::none; }
   const series& operator*() const { return found_; }
   const series* operator->() const { return &found_; }
-  obstacle met() const { return met_; }
+  obstacle reason() const { return reason_; }
 
 private:
   series found_{};
-  obstacle met_ = obstacle::none;
+  obstacle reason_ = obstacle::none;
 };
 
 inline expansion quotient(const series& a, const series& b) {
