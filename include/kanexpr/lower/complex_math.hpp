@@ -57,8 +57,8 @@ struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>>
     Real along = 0;
     for (int i = 0; i < f.operands; ++i) {
       const symbolic::external_function& slope = f.slope(i);
-      along += slope.is_given() ? static_cast<Real>(slope.value(operands)) * x[i].imag()
-                                : std::numeric_limits<Real>::quiet_NaN();
+      along += slope.is_provided() ? static_cast<Real>(slope.value(operands)) * x[i].imag()
+                                   : std::numeric_limits<Real>::quiet_NaN();
     }
     return {static_cast<Real>(f.value(operands)), along};
   }

@@ -20,7 +20,7 @@ constexpr base::sentence check_derivatives(const symbolic::matrix& result) {
   for (int id = 0; id < live.size(); ++id) {
     if (live[id] == 0 || g[id].op != symbolic::operation::call) continue;
     const symbolic::external_function& f = g.external_at(id);
-    if (!f.is_given())
+    if (!f.is_provided())
       return base::sentence({"the ", which[f.order], "derivative of ", f.original.view(),
                              " is required but not provided; pass it after the function: external<\"",
                              f.original.view(), "\", function, derivative", f.order > 1 ? ", ...>" : ">"});

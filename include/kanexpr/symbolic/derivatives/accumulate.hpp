@@ -98,11 +98,9 @@ private:
   /// NaN. If a derivative may be infinite, the selection is therefore applied to the derivative with respect
   /// to each symbol.
   constexpr void propagate_selection(const node& n, int adjoint) {
-    const sequence<char> live = live_nodes(graph_, {n.b});
     bool stays_finite = true;
     sequence<int> symbols;
-    for (int id = 0; id < live.size(); ++id) {
-      if (live[id] == 0) continue;
+    for (int id : live_values(graph_, {n.b})) {
       if (graph_[id].op == operation::symbol) symbols.push(id);
       stays_finite = stays_finite && has_finite_slopes(graph_[id]);
     }

@@ -22,7 +22,7 @@ struct external_function {
   /// The derivatives with respect to each operand; null if they are never needed.
   const external_function* const* slopes = nullptr;
 
-  constexpr bool is_given() const { return value != nullptr; }
+  constexpr bool is_provided() const { return value != nullptr; }
   /// Returns a derivative. If a function is not provided, neither are its derivatives.
   constexpr const external_function& slope(int operand) const {
     return slopes == nullptr ? *this : *slopes[operand];

@@ -53,20 +53,20 @@ struct monomial {
   }
 };
 
-/// A short sum of monomials with distinct powers; marked as not given if it would be too long.
+/// A short sum of monomials with distinct powers; `fits` is false if it would be too long.
 class sum_of_monomials {
 public:
   static constexpr int most_terms = 32;
 
   constexpr sum_of_monomials() = default;
   constexpr explicit sum_of_monomials(const monomial& only) { terms_.push(only); }
-  static constexpr sum_of_monomials not_given() {
+  static constexpr sum_of_monomials too_long() {
     sum_of_monomials none;
-    none.is_given_ = false;
+    none.fits_ = false;
     return none;
   }
 
-  constexpr bool is_given() const { return is_given_; }
+  constexpr bool fits() const { return fits_; }
   constexpr int size() const { return terms_.size(); }
   constexpr const monomial& operator[](int i) const { return terms_[i]; }
   constexpr const monomial* begin() const { return terms_.begin(); }
@@ -79,8 +79,8 @@ public:
       if (present.coefficient == exactly(0)) drop(static_cast<int>(&present - terms_.begin()));
       return;
     }
-    is_given_ = is_given_ && terms_.size() < most_terms && is_finite(term.coefficient);
-    if (is_given_) terms_.push(term);
+    fits_ = fits_ && terms_.size() < most_terms && is_finite(term.coefficient);
+    if (fits_) terms_.push(term);
   }
   constexpr void drop(int i) {
     for (; i + 1 < terms_.size(); ++i) terms_[i] = terms_[i + 1];
@@ -91,18 +91,18 @@ public:
     for (monomial& m : terms_) m.coefficient = -m.coefficient;
   }
   friend constexpr sum_of_monomials operator+(sum_of_monomials a, const sum_of_monomials& b) {
-    a.is_given_ = a.is_given_ && b.is_given_;
-    for (int i = 0; i < b.size() && a.is_given_; ++i) a.add(b[i]);
+    a.fits_ = a.fits_ && b.fits_;
+    for (int i = 0; i < b.size() && a.fits_; ++i) a.add(b[i]);
     return a;
   }
   friend constexpr sum_of_monomials operator*(const sum_of_monomials& a, const sum_of_monomials& b) {
     sum_of_monomials product;
-    product.is_given_ = a.is_given_ && b.is_given_;
+    product.fits_ = a.fits_ && b.fits_;
     for (const monomial& x : a)
       for (const monomial& y : b) {
-        if (!product.is_given_) return not_given();
+        if (!product.fits_) return too_long();
         monomial both = x;
-        if (!both.multiply_by(y)) return not_given();
+        if (!both.multiply_by(y)) return too_long();
         product.add(both);
       }
     return product;
@@ -110,7 +110,7 @@ public:
 
 private:
   sequence<monomial> terms_{};
-  bool is_given_ = true;
+  bool fits_ = true;
 };
 
 /// Replaces each sin² X + cos² X by X; returns whether there was one.

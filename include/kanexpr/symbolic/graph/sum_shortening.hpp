@@ -29,9 +29,8 @@ public:
   /// Whether any live sum may have terms that combine.
   constexpr bool may_combine() {
     extend_to_new_nodes();
-    const sequence<char> live = live_nodes(g_, outputs_);
-    for (int id = 0; id < live.size(); ++id)
-      if (live[id] != 0 && angles_[id].combining != 0) return true;
+    for (int id : live_values(g_, outputs_))
+      if (angles_[id].combining != 0) return true;
     return false;
   }
 
@@ -163,7 +162,7 @@ private:
     if (terms_in(id, about, true) > sum_of_monomials::most_terms) return id;
     has_combined_ = changes;
     sum_of_monomials sum = terms_of(id, about);
-    if (!sum.is_given()) return id;
+    if (!sum.fits()) return id;
     if (combine_sine_cosine_squares(g_, sum)) has_combined_ = true;
     if (!has_combined_ && angles_[id].shared == 0) return id;
     const number common = common_coefficient(sum);

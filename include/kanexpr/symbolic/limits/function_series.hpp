@@ -24,7 +24,7 @@ inline expansion constant_or(const std::optional<coefficient>& c, obstacle other
 template <class Weights>
 coefficient weighted(const series& s, int k, const Weights& w) {
   coefficient sum;
-  for (int j = 1; j <= k && j < s.stop(); ++j)
+  for (int j = 1; j <= k && j < s.nonzero_end(); ++j)
     sum = sum + coefficient(j) * s[j] * w[static_cast<std::size_t>(k - j)];
   return sum;
 }
@@ -46,14 +46,14 @@ inline expansion sine(const series& s, operation wanted) {
              first_cosine = apply(is_circular ? operation::cos : operation::cosh, s[0]);
   if (!first_sine || !first_cosine) return obstacle::not_real;
   std::vector<coefficient> sines{*first_sine}, cosines{*first_cosine};
-  for (int k = 1; k < s.last(); ++k) {
+  for (int k = 1; k < s.computed_end(); ++k) {
     const coefficient next = detail::weighted(s, k, cosines) / coefficient(k),
                       slope = detail::weighted(s, k, sines) / coefficient(k);
     cosines.push_back(is_circular ? -slope : slope);
     sines.push_back(next);
   }
   const bool is_sine = wanted == operation::sin || wanted == operation::sinh;
-  return series(0, std::move(is_sine ? sines : cosines), s.last(), s.most());
+  return series(0, std::move(is_sine ? sines : cosines), s.computed_end(), s.max_order());
 }
 
 /// Integrates t' = (1 + t²) s'; where the cosine vanishes, a quotient is used.
@@ -69,13 +69,13 @@ inline expansion tan(const series& s) {
   const std::optional<coefficient> first = apply(operation::tan, s[0]);
   if (!first || s.is_constant()) return detail::constant_or(first, obstacle::not_real);
   std::vector<coefficient> t{*first}, slope{coefficient(1) + *first * *first};
-  for (int k = 1; k < s.last(); ++k) {
+  for (int k = 1; k < s.computed_end(); ++k) {
     t.push_back(detail::weighted(s, k, slope) / coefficient(k));
     coefficient square;
     for (std::size_t j = 0; j < t.size(); ++j) square = square + t[j] * t[t.size() - 1 - j];
     slope.push_back(square);
   }
-  return series(0, std::move(t), s.last(), s.most());
+  return series(0, std::move(t), s.computed_end(), s.max_order());
 }
 
 /// sᵖ for a constant exponent, from h' s = p h s'. The leading term decides whether the result is real;
@@ -94,19 +94,19 @@ inline expansion power(const series& s, const coefficient& p, operation root = o
   const std::optional<coefficient> first =
       root == operation::power ? power(s.lead(), p) : apply(root, s.lead());
   if (!first) return obstacle::not_real;
-  if (s.end() == series::all_orders && s.stop() == s.order() + 1)
-    return series(order, {*first}, series::all_orders, s.most());
+  if (s.end() == series::all_orders && s.nonzero_end() == s.order() + 1)
+    return series(order, {*first}, series::all_orders, s.max_order());
   std::vector<coefficient> h{*first};
-  const int end = s.last() - s.order(); // that many terms of s are known
+  const int end = s.computed_end() - s.order(); // that many terms of s are known
   for (int k = 1; k < end; ++k) {
     coefficient sum;
-    for (int j = 1; j <= k && j + s.order() < s.stop(); ++j) {
+    for (int j = 1; j <= k && j + s.order() < s.nonzero_end(); ++j) {
       const coefficient weight = p * coefficient(j) - coefficient(k - j);
       sum = sum + weight * s[s.order() + j] * h[static_cast<std::size_t>(k - j)];
     }
     h.push_back(sum / (coefficient(k) * s.lead()));
   }
-  return series(order, std::move(h), order + end, s.most());
+  return series(order, std::move(h), order + end, s.max_order());
 }
 
 inline expansion sqrt(const series& s) { return power(s, coefficient(exactly(1, 2))); }
@@ -117,8 +117,8 @@ inline expansion magnitude(const series& s) {
   if (!s.has_terms()) return s;
   if (s.lead().is_number()) return s.lead().value().negative() ? -s : s;
   const std::optional<coefficient> side = apply(operation::sign, s.lead());
-  const series first(s.order(), {*apply(operation::abs, s.lead())}, series::all_orders, s.most());
-  return first + (s - series(s.order(), {s.lead()}, series::all_orders, s.most())) * series(*side);
+  const series first(s.order(), {*apply(operation::abs, s.lead())}, series::all_orders, s.max_order());
+  return first + (s - series(s.order(), {s.lead()}, series::all_orders, s.max_order())) * series(*side);
 }
 /// The leading term of the condition decides; if it is symbolic, every term gets a selection.
 inline expansion selected(operation op, const series& condition, const series& s) {
@@ -128,8 +128,8 @@ inline expansion selected(operation op, const series& condition, const series& s
   if (lead.is_number()) return lead.value().negative() == (op == operation::if_positive) ? series{} : s;
   if (s.is_zero()) return s;
   std::vector<coefficient> terms;
-  for (int k = s.order(); k < s.stop(); ++k) terms.push_back(selected(op, lead, s[k]));
-  return series(s.order(), std::move(terms), s.end(), s.most());
+  for (int k = s.order(); k < s.nonzero_end(); ++k) terms.push_back(selected(op, lead, s[k]));
+  return series(s.order(), std::move(terms), s.end(), s.max_order());
 }
 
 inline expansion sign(const series& s) {

@@ -36,10 +36,9 @@ public:
 
   /// For a node that is undefined even at generic values of all symbols.
   std::string describe_undefined_everywhere(const point_evaluation& generic, int id) const {
-    const sequence<char> live = live_nodes(g_, {id});
-    int first = 0;
-    while (first < id && (live[first] == 0 || !generic.is_singular(first))) ++first;
-    return describe_undefined(first);
+    for (int each : live_values(g_, {id}))
+      if (generic.is_singular(each)) return describe_undefined(each);
+    return describe_undefined(id);
   }
 
   /// For a node that tends to infinity along a line.
@@ -74,9 +73,8 @@ private:
 
   /// The extent of the series, which is limited by the derivatives that user-defined functions provide.
   std::string terms_known(int id) const {
-    const sequence<char> live = live_nodes(g_, {id});
-    for (int each = 0; each <= id; ++each)
-      if (live[each] != 0 && g_[each].op == operation::call)
+    for (int each : live_values(g_, {id}))
+      if (g_[each].op == operation::call)
         return "the given derivatives of " + std::string(g_.external_at(each).original.view());
     return "16 series terms";
   }
@@ -130,11 +128,10 @@ private:
   /// " at q1 = 0, q2 = pi": the replaced symbols in a node.
   std::string where(int id) const {
     constexpr int most_symbols = 6;
-    const sequence<char> live = live_nodes(g_, {id});
     std::string text;
     int count = 0;
-    for (int each = 0; each <= id; ++each) {
-      if (live[each] == 0 || g_[each].op != operation::symbol) continue;
+    for (int each : live_values(g_, {id})) {
+      if (g_[each].op != operation::symbol) continue;
       const replacement* const r = point_.replacing(each);
       if (r == nullptr) continue;
       if (++count > most_symbols) return text + ", ...";

@@ -25,9 +25,8 @@ class directions {
 public:
   /// Covers the replaced symbols that the outputs depend on.
   directions(const graph& g, const point_evaluation& point, const sequence<int>& outputs) {
-    const sequence<char> live = live_nodes(g, outputs);
-    for (int id = 0; id < live.size(); ++id)
-      if (live[id] != 0 && g[id].op == operation::symbol && point.depends_on_replaced(id)) replaced_.push(id);
+    for (int id : live_values(g, outputs))
+      if (g[id].op == operation::symbol && point.depends_on_replaced(id)) replaced_.push(id);
     for (int separated = 1; separated < replaced_.size(); separated *= 2) ++sign_patterns_;
   }
 
@@ -113,7 +112,7 @@ private:
     return l[id] ? !has_pole(l, id) && l[id]->end() <= 0 : l[id].reason() == obstacle::truncated;
   }
   /// Along a line on which a denominator happens to vanish, nothing can be decided.
-  static bool decides(const line& l, int id) {
+  static bool is_conclusive(const line& l, int id) {
     const obstacle reason = l[id].reason();
     return reason != obstacle::zero_divisor && reason != obstacle::singular_system && !is_truncated(l, id);
   }
@@ -124,20 +123,21 @@ private:
     const line* first = nullptr;
     bool is_open = false;
     for (const std::unique_ptr<line>& each : all) {
-      const std::string condition = decides(*each, id) ? limit_failure(first, *each, id) : "";
+      const std::string condition = is_conclusive(*each, id) ? limit_failure(first, *each, id) : "";
       if (!condition.empty()) return fail(id, condition);
-      if (first == nullptr && decides(*each, id)) first = each.get();
+      if (first == nullptr && is_conclusive(*each, id)) first = each.get();
       const bool is_special = ways_.has_equal_steps() && each == all.back();
       is_open = is_open || (is_truncated(*each, id) && !is_special);
     }
     if (is_open && !is_last) return false;
     if (first == nullptr) return fail(id, diagnostics_.describe_missing_series(*all.front(), id));
-    const bool is_simple = ways_.has_equal_steps() && decides(*all.back(), id);
+    const bool is_simple = ways_.has_equal_steps() && is_conclusive(*all.back(), id);
     found_[id] = {(*(is_simple ? *all.back() : *first)[id])[0].in(g_), {}};
     return true;
   }
 
-  /// The reason why there is no limit, from a line that decides and an earlier one; empty if they agree.
+  /// The reason why there is no limit, from a line that is_conclusive and an earlier one; empty if they
+  /// agree.
   std::string limit_failure(const line* first, const line& other, int id) const {
     if (!other[id]) return diagnostics_.describe_missing_series(other, id);
     if (has_pole(other, id)) return diagnostics_.describe_pole(other, id);
@@ -146,12 +146,11 @@ private:
   }
 
   int first_that_differs(const line& a, const line& b, int id) const {
-    const sequence<char> live = live_nodes(g_, {id});
     const auto is_finite = [](const line& l, int each) {
       return l.holds(each) && l[each] && !has_pole(l, each) && l[each]->end() > 0;
     };
-    for (int each = 0; each < id; ++each)
-      if (live[each] != 0 && is_finite(a, each) && is_finite(b, each) && differ(a, b, each)) return each;
+    for (int each : live_values(g_, {id}))
+      if (is_finite(a, each) && is_finite(b, each) && differ(a, b, each)) return each;
     return id;
   }
 

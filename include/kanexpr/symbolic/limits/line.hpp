@@ -24,10 +24,9 @@ public:
   line(graph& g, const point_evaluation& point, substitution& plain, const sequence<int>& outputs,
        Direction direction, int most)
       : g_(g), point_(point), plain_(plain), most_(most) {
-    const sequence<char> live = live_nodes(g, outputs);
-    for (int id = 0; id < live.size(); ++id) {
+    for (int id : live_values(g, outputs)) {
       const operation op = g[id].op;
-      if (live[id] == 0 || op == operation::pair || op == operation::factorization) continue;
+      if (op == operation::factorization) continue;
       found_.emplace(id,
                      op == operation::symbol && point.depends_on_replaced(id)
                          ? expansion(series::along(replacing(id), coefficient(exactly(direction(id))), most))
@@ -39,8 +38,8 @@ public:
   bool holds(int id) const { return found_.contains(id); }
   /// The first node without a series that a node depends on, or the node itself if there is none.
   int failing(int id) const {
-    const auto found = failing_.find(id);
-    return found == failing_.end() ? id : found->second;
+    const auto found = first_failing_node_.find(id);
+    return found == first_failing_node_.end() ? id : found->second;
   }
 
 private:
@@ -77,7 +76,7 @@ private:
   }
 
   expansion passed(int id, int operand) {
-    failing_[id] = failing(operand);
+    first_failing_node_[id] = failing(operand);
     return found_.at(operand);
   }
 
@@ -121,7 +120,7 @@ private:
   int most_;
   std::map<int, expansion> found_{};
   std::map<int, std::vector<series>> solutions_{};
-  std::map<int, int> failing_{};
+  std::map<int, int> first_failing_node_{};
 };
 
 } // namespace kanexpr::symbolic::limits

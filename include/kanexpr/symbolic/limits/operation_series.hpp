@@ -57,8 +57,8 @@ inline expansion smooth(operation op, const series& s) {
   if (const obstacle reason = entire_function_obstacle(s); reason != obstacle::none) return reason;
   const std::optional<coefficient> first = apply(op, s[0]);
   if (!first || s.is_constant()) return detail::constant_or(first, obstacle::not_real);
-  series f(0, {*first}, 1, s.most());
-  for (int k = 1; k < s.last(); ++k) {
+  series f(0, {*first}, 1, s.max_order());
+  for (int k = 1; k < s.computed_end(); ++k) {
     const expansion slope = slope_of(op, s, f);
     if (!slope) return slope;
     f = integral(*slope * derivative(s), *first);
@@ -77,8 +77,8 @@ inline expansion smooth(operation op, const series& a, const series& b) {
                    y = variable(g, {symbol_kind::parameter, "y", 1}),
                    value = variable(g, {symbol_kind::parameter, "f", 2});
   const binary_slopes<expression> by = binary_slopes_of(op, x, y, value);
-  series f(0, {*first}, 1, a.most());
-  for (int k = 1; k < (std::min)(a.last(), b.last()); ++k) {
+  series f(0, {*first}, 1, a.max_order());
+  for (int k = 1; k < (std::min)(a.computed_end(), b.computed_end()); ++k) {
     const expansion by_a = series_of(by.by_a, {&a, &b, &f}), by_b = series_of(by.by_b, {&a, &b, &f});
     if (!by_a || !by_b) return by_a ? by_b : by_a;
     f = integral(*by_a * derivative(a) + *by_b * derivative(b), *first);

@@ -94,7 +94,7 @@ private:
     if (known.singular) return;
     std::vector<generic_values> operands;
     for (int each : elements_of(g_, g_[id].a)) operands.push_back((*this)[each]);
-    known.values = called(g_.external_at(id), operands);
+    known.values = call_values(g_.external_at(id), operands);
   }
 
   void solve(int id, node_result& known) {

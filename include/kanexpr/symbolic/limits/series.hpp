@@ -22,12 +22,12 @@ public:
   /// The terms from order `first`; the series is unknown from order `end`, and terms beyond the order `most`
   /// are dropped.
   series(int first, std::vector<coefficient> terms, int end, int most)
-      : first_(first), end_(end), most_(most), terms_(std::move(terms)) {
-    const int kept = (std::min)(end_, most_ + 1) - first_;
+      : first_(first), end_(end), max_order_(most), terms_(std::move(terms)) {
+    const int kept = (std::min)(end_, max_order_ + 1) - first_;
     if (kept < size()) {
       const auto cut = terms_.begin() + (std::max)(kept, 0);
       if (std::any_of(cut, terms_.end(), [](const coefficient& c) { return !c.is_zero(); }))
-        end_ = (std::min)(end_, most_ + 1);
+        end_ = (std::min)(end_, max_order_ + 1);
       terms_.erase(cut, terms_.end());
     }
     while (!terms_.empty() && terms_.back().is_zero()) terms_.pop_back();
@@ -47,16 +47,16 @@ public:
   /// The order of the first term; without terms, the order from which on the series is unknown.
   int order() const { return terms_.empty() ? end_ : first_; }
   int end() const { return end_; }
-  int most() const { return most_; }
+  int max_order() const { return max_order_; }
   /// The end of the terms worth computing.
-  int last() const { return (std::min)(end_, most_ + 1); }
+  int computed_end() const { return (std::min)(end_, max_order_ + 1); }
   const coefficient& lead() const { return terms_.front(); }
   coefficient operator[](int k) const {
     const int place = k - first_;
     return place >= 0 && place < size() ? terms_[static_cast<std::size_t>(place)] : coefficient{};
   }
   /// The end of the nonzero terms.
-  int stop() const { return terms_.empty() ? end_ : first_ + size(); }
+  int nonzero_end() const { return terms_.empty() ? end_ : first_ + size(); }
 
   /// The series times εⁿ.
   series shifted(int n) const {
@@ -72,7 +72,7 @@ private:
 
   int first_ = 0;
   int end_ = all_orders;
-  int most_ = all_orders;
+  int max_order_ = all_orders;
   std::vector<coefficient> terms_{};
 };
 
@@ -90,9 +90,10 @@ series series_of(int first, int stop, int end, int most, Term term) {
 template <class Combine>
 series termwise(const series& a, const series& b, Combine combine) {
   const int end = (std::min)(a.end(), b.end());
-  const int stop = (std::min)(end, (std::max)(a.has_terms() ? a.stop() : 0, b.has_terms() ? b.stop() : 0));
-  return series_of((std::min)({a.order(), b.order(), stop}), stop, end, (std::min)(a.most(), b.most()),
-                   [&](int k) { return combine(a[k], b[k]); });
+  const int stop =
+      (std::min)(end, (std::max)(a.has_terms() ? a.nonzero_end() : 0, b.has_terms() ? b.nonzero_end() : 0));
+  return series_of((std::min)({a.order(), b.order(), stop}), stop, end,
+                   (std::min)(a.max_order(), b.max_order()), [&](int k) { return combine(a[k], b[k]); });
 }
 
 } // namespace detail
@@ -111,10 +112,11 @@ inline series operator*(const series& a, const series& b) {
     return known.end() == series::all_orders ? series::all_orders : known.end() + other.order();
   };
   const int end = (std::min)(reach(a, b), reach(b, a)), first = a.order() + b.order();
-  const int stop = a.has_terms() && b.has_terms() ? (std::min)(end, a.stop() + b.stop() - 1) : first;
-  return detail::series_of(first, stop, end, (std::min)(a.most(), b.most()), [&](int k) {
+  const int stop =
+      a.has_terms() && b.has_terms() ? (std::min)(end, a.nonzero_end() + b.nonzero_end() - 1) : first;
+  return detail::series_of(first, stop, end, (std::min)(a.max_order(), b.max_order()), [&](int k) {
     coefficient sum;
-    for (int j = a.order(); j <= k - b.order() && j < a.stop(); ++j) sum = sum + a[j] * b[k - j];
+    for (int j = a.order(); j <= k - b.order() && j < a.nonzero_end(); ++j) sum = sum + a[j] * b[k - j];
     return sum;
   });
 }
@@ -122,12 +124,12 @@ inline series operator*(const series& a, const series& b) {
 /// Requires that `b` has terms.
 inline series operator/(const series& a, const series& b) {
   if (a.is_zero()) return {};
-  const int most = (std::min)(a.most(), b.most()), first = a.order() - b.order();
-  const bool is_single = b.end() == series::all_orders && b.stop() == b.order() + 1;
+  const int most = (std::min)(a.max_order(), b.max_order()), first = a.order() - b.order();
+  const bool is_single = b.end() == series::all_orders && b.nonzero_end() == b.order() + 1;
   int end = a.end() == series::all_orders ? series::all_orders : a.end() - b.order();
   if (b.end() != series::all_orders) end = (std::min)(end, b.end() - b.order() + first);
   if (!is_single) end = (std::min)(end, most + 1);
-  const int stop = !a.has_terms() ? first : is_single ? (std::min)(end, a.stop() - b.order()) : end;
+  const int stop = !a.has_terms() ? first : is_single ? (std::min)(end, a.nonzero_end() - b.order()) : end;
   std::vector<coefficient> terms;
   for (int k = first; k < stop; ++k) {
     coefficient rest = a[k + b.order()];
@@ -141,16 +143,17 @@ inline series operator/(const series& a, const series& b) {
 /// The derivative with respect to ε.
 inline series derivative(const series& a) {
   const int end = a.end() == series::all_orders ? series::all_orders : a.end() - 1;
-  if (!a.has_terms()) return {end, {}, end, a.most()};
-  return detail::series_of(a.order() - 1, a.stop() - 1, end, a.most(),
+  if (!a.has_terms()) return {end, {}, end, a.max_order()};
+  return detail::series_of(a.order() - 1, a.nonzero_end() - 1, end, a.max_order(),
                            [&](int k) { return coefficient(k + 1) * a[k + 1]; });
 }
 
 /// The integral over ε of a series without a term of order -1, plus a constant.
 inline series integral(const series& a, const coefficient& constant) {
   const int end = a.end() == series::all_orders ? series::all_orders : a.end() + 1;
-  return series(0, {constant}, end, a.most()) +
-         detail::series_of((std::min)(a.order() + 1, end), a.has_terms() ? a.stop() + 1 : 0, end, a.most(),
+  return series(0, {constant}, end, a.max_order()) +
+         detail::series_of((std::min)(a.order() + 1, end), a.has_terms() ? a.nonzero_end() + 1 : 0, end,
+                           a.max_order(),
                            [&](int k) { return k == 0 ? coefficient{} : a[k - 1] / coefficient(k); });
 }
 

@@ -55,7 +55,7 @@ private:
     bool is_constant = true;
     for (const auto* all : {&a_, &b_})
       for (const series& s : *all) {
-        most = (std::min)(most, s.most()), is_constant = is_constant && s.is_constant();
+        most = (std::min)(most, s.max_order()), is_constant = is_constant && s.is_constant();
         if (all == &b_) first = (std::min)(first, s.order()), end = (std::min)(end, s.end());
       }
     for (const series& s : a_)

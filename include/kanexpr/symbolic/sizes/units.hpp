@@ -16,9 +16,7 @@ namespace kanexpr::symbolic {
 class units {
 public:
   constexpr units(const graph& g, const sequence<int>& sums) : g_(g) {
-    const sequence<char> live = live_nodes(g, sums);
-    for (int id = 0; id < live.size(); ++id)
-      if (live[id] != 0) live_.push(id), unit_.push(unit_of(id));
+    for (int id : live_values(g, sums)) live_.push(id), unit_.push(unit_of(id));
   }
 
   /// Whether two symbols must have the same unit.
