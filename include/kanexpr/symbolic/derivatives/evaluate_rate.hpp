@@ -19,6 +19,12 @@ struct value_and_rate {
   static constexpr value_and_rate undefined() {
     return {numeric::elementary::detail::not_a_number, numeric::elementary::detail::not_a_number};
   }
+  /// The result of an operation, given the values by node; linear systems are undefined.
+  static constexpr value_and_rate at_node(const graph& g, int id, const value_and_rate* value);
+
+private:
+  static constexpr value_and_rate of_call(const external_function& f, const sequence<int>& given,
+                                          const value_and_rate* value);
 };
 
 /// Applies an operation to numbers that change with time. Undefined results are NaN; the caller must check
@@ -57,23 +63,23 @@ constexpr value_and_rate evaluate_with_rate(operation op, value_and_rate a, valu
 
 constexpr bool is_finite(const value_and_rate& x) { return is_finite(x.value) && is_finite(x.rate); }
 
-/// Like `evaluate_with_rate`, but accepts undefined operands and a zero divisor, which constant expressions
-/// reject. The result is then NaN, unless the operation is a selection that does not select the operand.
-constexpr value_and_rate defined_value_of(operation op, const value_and_rate& a, const value_and_rate& b) {
+constexpr value_and_rate value_and_rate::at_node(const graph& g, int id, const value_and_rate* value) {
+  const node& n = g[id];
+  if (n.op == operation::call) return of_call(g.external_at(id), elements_of(g, n.a), value);
+  if (n.op >= operation::pair) return undefined();
+  const value_and_rate &a = value[n.a], b = is_binary(n.op) ? value[n.b] : value_and_rate{};
+  // constant expressions reject undefined operands and a zero divisor, except where a selection drops them
   const bool is_defined =
-      is_finite(a) && is_finite(b) && !(op == operation::divide && base::equal(b.value, 0.0)) &&
-      !(is_binary_function(op) && !binary_properties_of(op).is_smooth_at(a.value, b.value));
-  return is_defined || is_selection(op) ? evaluate_with_rate(op, a, b) : value_and_rate::undefined();
+      is_finite(a) && is_finite(b) && !(n.op == operation::divide && base::equal(b.value, 0.0)) &&
+      !(is_binary_function(n.op) && !binary_properties_of(n.op).is_smooth_at(a.value, b.value));
+  return is_defined || is_selection(n.op) ? evaluate_with_rate(n.op, a, b) : undefined();
 }
 
-/// The generic value of a call, given the values by node; linear systems are undefined.
-constexpr value_and_rate value_of_list_operation(const graph& g, int id, const value_and_rate* value) {
-  if (g[id].op != operation::call) return value_and_rate::undefined();
-  const external_function& f = g.external_at(id);
-  const sequence<int> given = elements_of(g, g[id].a);
+constexpr value_and_rate value_and_rate::of_call(const external_function& f, const sequence<int>& given,
+                                                 const value_and_rate* value) {
   sequence<double> operands;
   for (int each : given) {
-    if (!is_finite(value[each])) return value_and_rate::undefined();
+    if (!is_finite(value[each])) return undefined();
     operands.push(value[each].value);
   }
   value_and_rate found{substitute_value(f, operands.begin()), 0};

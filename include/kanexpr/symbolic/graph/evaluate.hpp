@@ -44,8 +44,8 @@ constexpr double defined_value_of(operation op, double a, double b) {
 
 /// Evaluates the nodes that the outputs need, for any number of sets of symbol values. Undefined values (0/0,
 /// the solution of a singular system) are NaN and propagate. Calls of user-defined functions get generic
-/// values, which are consistent with their derivatives. `Number` is double, or another type with
-/// `defined_value_of` and `value_of_list_operation`.
+/// values, which are consistent with their derivatives. `Number` is double, or a class whose `at_node`
+/// returns the result of an operation from the values by node.
 template <class Number>
 class basic_evaluation {
 public:
@@ -66,12 +66,12 @@ public:
         value[id] = Number{g_.number_at(id).value()};
       else if (n.op == operation::symbol)
         value[id] = value_of_symbol(id);
+      else if constexpr (!has_systems)
+        value[id] = Number::at_node(g_, id, value);
       else if (n.op < operation::pair)
-        value[id] = defined_value_of(n.op, value[n.a], is_binary(n.op) ? value[n.b] : Number{0});
-      else if constexpr (has_systems)
-        value[id] = solving(id, n);
+        value[id] = defined_value_of(n.op, value[n.a], is_binary(n.op) ? value[n.b] : 0.0);
       else
-        value[id] = value_of_list_operation(g_, id, value);
+        value[id] = solving(id, n);
     }
   }
 
