@@ -7,6 +7,7 @@
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 
+#include <cmath>
 #include <map>
 #include <random>
 
@@ -27,10 +28,8 @@ inline bool differ_numerically(const graph& g, const sequence<int>& both) {
     std::map<int, double> state;
     values.at([&](int id) { return state.try_emplace(id, any(random)).first->second; });
     const double a = values[both[0]], b = values[both[1]];
-    if (!numeric::elementary::detail::is_finite(a) || !numeric::elementary::detail::is_finite(b)) continue;
-    if (numeric::elementary::abs(a - b) <=
-        apart * (numeric::elementary::abs(a) + numeric::elementary::abs(b)))
-      return false;
+    if (!is_finite(a) || !is_finite(b)) continue;
+    if (std::abs(a - b) <= apart * (std::abs(a) + std::abs(b))) return false;
     ++seen;
   }
   return seen == wanted;

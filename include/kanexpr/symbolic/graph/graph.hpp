@@ -7,6 +7,7 @@
 #include <kanexpr/symbolic/numbers/number.hpp>
 
 #include <bit>
+#include <utility>
 
 namespace kanexpr::symbolic {
 
@@ -63,19 +64,11 @@ public:
 
   /// Records that the program put the integer 0 into an expression; `consume_integer_zero` returns this once.
   void record_integer_zero() { has_integer_zero_ = true; }
-  bool consume_integer_zero() {
-    const bool held = has_integer_zero_;
-    has_integer_zero_ = false;
-    return held;
-  }
+  bool consume_integer_zero() { return std::exchange(has_integer_zero_, false); }
 
   /// Records a clamp whose lower bound exceeds its upper bound.
   void record_reversed_bounds() { has_reversed_bounds_ = true; }
-  bool consume_reversed_bounds() {
-    const bool held = has_reversed_bounds_;
-    has_reversed_bounds_ = false;
-    return held;
-  }
+  bool consume_reversed_bounds() { return std::exchange(has_reversed_bounds_, false); }
 
   /// The user-defined functions called in this graph.
   constexpr sequence<const external_function*>& externals() { return externals_; }
