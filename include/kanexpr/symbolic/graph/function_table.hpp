@@ -7,7 +7,7 @@
 #include <iterator>
 #include <limits>
 
-/// The functions of one and of two arguments, a row each.
+/// The functions of one and of two arguments, one row each.
 namespace kanexpr::symbolic {
 
 /// The symmetry of a function: f(-x) is -f(x) if odd, f(x) if even.
@@ -213,12 +213,12 @@ enum class binary_unit_rule {
   kept,    ///< the unit of both arguments
 };
 
-/// The properties of a function of two arguments besides its derivatives (binary_functions.hpp). The defaults
+/// The properties of a function of two arguments except its derivatives (functions.hpp). The defaults
 /// are safe for every function.
 struct binary_function_properties {
   operation op;
   const char* name;                ///< its name in C++
-  double (*value)(double, double); ///< in constant expressions
+  double (*value)(double, double); ///< evaluates the function in constant expressions
   spelling_in_c in_c = {};
   bool (*is_smooth_at)(double, double) = [](double, double) { return true; };
   bool (*is_exact_at)(double, double) = [](double, double) { return false; }; ///< for exact arguments

@@ -44,8 +44,8 @@ Number sign_of(const Number& x) {
     return sign;
 }
 
-/// An angle less whole turns. The remainder is exact, so the value does not depend on the compiler or the
-/// processor.
+/// The equivalent angle in [-π, π). The remainder is exact, so the value does not depend on the compiler or
+/// the processor.
 template <class Number>
 Number wrapped_to_pi(const Number& x) {
   if constexpr (std::is_floating_point_v<Number>) {

@@ -113,7 +113,7 @@ private:
   bool fits_ = true;
 };
 
-/// Replaces each sin² X + cos² X by X; returns whether there was one.
+/// Replaces terms sin² X and cos² X, with equal factors X, by X; returns whether there were any.
 constexpr bool combine_sine_cosine_squares(const graph& g, sum_of_monomials& s) {
   const auto joined = [&] {
     for (int i = 0; i < s.size(); ++i)
