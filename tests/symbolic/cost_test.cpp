@@ -56,7 +56,7 @@ TEST_F(cost_of_code, counts_what_is_shared_once_and_what_is_dead_never) {
 
 constexpr cost compiled() {
   graph g;
-  const expression p = variable(g, {symbol_kind::coordinate, name("p"), 0});
+  const expression p = variable(g, {symbol_kind::coordinate, "p", 0});
   const expression e = sin(p) * sin(p) - p / (p + 1);
   return cost_of(g, {e.node()});
 }

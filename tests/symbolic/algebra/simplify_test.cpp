@@ -13,7 +13,7 @@ using namespace kanexpr::symbolic;
 TEST(simplify, takes_the_shortest_form) {
   graph g;
   const auto symbol = [&](const char* called, int place) {
-    return variable(g, {symbol_kind::parameter, name(called), place});
+    return variable(g, {symbol_kind::parameter, kanexpr::base::name(called), place});
   };
   const expression a = symbol("a", 0), b = symbol("b", 1), q = symbol("q", 2);
   EXPECT_EQ(print(simplify((a * a - b * b) / (a + b))), "a - b");

@@ -14,8 +14,8 @@ struct sum_in_a_graph {
   expression x, y, f;
 
   explicit sum_in_a_graph(int first) {
-    x = variable(g, {symbol_kind::coordinate, name("x"), 0});
-    y = variable(g, {symbol_kind::coordinate, name("y"), 1});
+    x = variable(g, {symbol_kind::coordinate, "x", 0});
+    y = variable(g, {symbol_kind::coordinate, "y", 1});
     const auto part = [&](int i) {
       const expression both = i % 2 == 0 ? x * y : y * x;
       return expression(g, g.constant(real(0.1 * i + 0.3))) * sin(both + i);

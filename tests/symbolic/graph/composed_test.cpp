@@ -157,7 +157,7 @@ TEST_F(composed, selection_counts_as_a_comparison) {
 
 constexpr double constant_minimum() {
   graph g;
-  const expression x = variable(g, {symbol_kind::input, name("x"), 0});
+  const expression x = variable(g, {symbol_kind::input, "x", 0});
   const expression e = (min)(x, x * x);
   return values_at(g, {e.node()}, [](int) { return 0.5; })[0];
 }

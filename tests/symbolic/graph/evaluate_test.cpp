@@ -30,7 +30,7 @@ TEST(values, agree_with_long_arithmetic) {
 /// 1/a, log(a) and the solution of [a 1; 1 a] x = [1 0] with its singularity measure, at two values of a.
 constexpr bool defined_or_not() {
   graph g;
-  const expression a = variable(g, {symbol_kind::parameter, name("a"), 0}), one{g, graph::one};
+  const expression a = variable(g, {symbol_kind::parameter, "a", 0}), one{g, graph::one};
   matrix m(g, 2, 2);
   m(0, 0) = m(1, 1) = a;
   m(0, 1) = m(1, 0) = one;
@@ -57,7 +57,7 @@ TEST(values, are_not_a_number_where_they_are_not_defined) { EXPECT_TRUE(defined_
 /// A cyclic matrix with a on and above the diagonal ring needs pivots; x is all ones.
 constexpr double worst_error(int n) {
   graph g;
-  const expression a = variable(g, {symbol_kind::parameter, name("a"), 0});
+  const expression a = variable(g, {symbol_kind::parameter, "a", 0});
   matrix m(g, n, n);
   sequence<expression> b(n, expression{g, graph::zero}), c = b;
   for (int i = 0; i < n; ++i)

@@ -33,7 +33,7 @@ protected:
 
   expression symbol(char first, char second) {
     const char called[]{first, second, '\0'};
-    return variable(g, {symbol_kind::parameter, name(called), 0});
+    return variable(g, {symbol_kind::parameter, kanexpr::base::name(called), 0});
   }
 };
 
@@ -135,7 +135,7 @@ TEST_F(expand, is_cheap_where_much_is_shared) {
 
 constexpr int compiled() {
   graph g;
-  const expression q = variable(g, {symbol_kind::coordinate, name("q"), 0});
+  const expression q = variable(g, {symbol_kind::coordinate, "q", 0});
   matrix a(g, 2, 2);
   a(0, 1) = q, a(1, 0) = sin(q), a(1, 1) = constant(g, exactly(3));
   return cost_of(g, nodes_of(solve(factorization(g, a), {q, q * q}))).multiplications;

@@ -168,7 +168,7 @@ TEST_F(solution_of_symbols, is_printed) {
 
 constexpr bool compiled() {
   graph g;
-  const expression q = variable(g, {symbol_kind::coordinate, name("q"), 0});
+  const expression q = variable(g, {symbol_kind::coordinate, "q", 0});
   matrix a(g, 2, 2);
   a(0, 1) = q, a(1, 0) = q * q, a(1, 1) = sin(q);
   const sequence<expression> x = solve(factorization(g, a), {q, cos(q)});

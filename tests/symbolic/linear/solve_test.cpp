@@ -42,7 +42,7 @@ public:
 
 private:
   expression next(double value) {
-    name called("s");
+    kanexpr::base::name called("s");
     called.append(static_cast<int>(values_.size()));
     values_.push_back(value);
     return variable(g, {symbol_kind::parameter, called, 0});
@@ -177,7 +177,7 @@ TEST(solve_linear, finds_the_blocks) {
 TEST(solve_linear, divides_where_one_unknown_is_left) {
   graph g;
   const auto symbol = [&g](const char* called) {
-    return variable(g, {symbol_kind::parameter, name(called), 0});
+    return variable(g, {symbol_kind::parameter, kanexpr::base::name(called), 0});
   };
   const expression a = symbol("a"), b = symbol("b"), c = symbol("c");
   matrix m(g, 3, 3), one(g, 3, 1), two(g, 3, 2);
@@ -260,10 +260,10 @@ TEST(solve_linear, measures_alike_in_all_units) {
 
 TEST(solve_linear, measures_by_what_does_not_vanish_with_the_equation) {
   graph g;
-  const expression angle = variable(g, {symbol_kind::coordinate, name("q"), 0});
-  const expression x = variable(g, {symbol_kind::coordinate, name("x"), 1});
-  const expression y = variable(g, {symbol_kind::coordinate, name("y"), 2});
-  const expression l = variable(g, {symbol_kind::parameter, name("l"), 0});
+  const expression angle = variable(g, {symbol_kind::coordinate, "q", 0});
+  const expression x = variable(g, {symbol_kind::coordinate, "x", 1});
+  const expression y = variable(g, {symbol_kind::coordinate, "y", 2});
+  const expression l = variable(g, {symbol_kind::parameter, "l", 0});
   const std::vector<double> at{1.2, 0.3, 0.4, 2};
   const auto scale = [&](const expression& a, const expression& b, const expression& sum) {
     const solved_block found = only_block(g, a, b, sum);

@@ -1,4 +1,5 @@
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/sizes/units.hpp>
 
 #include <gtest/gtest.h>
@@ -10,7 +11,7 @@ using namespace kanexpr::symbolic;
 class sums : public testing::Test {
 protected:
   expression of_kind(symbol_kind kind, const char* called, int position) {
-    return variable(g, {kind, name(called), position});
+    return variable(g, {kind, kanexpr::base::name(called), position});
   }
   expression coordinate(const char* called, int position) {
     return of_kind(symbol_kind::coordinate, called, position);
