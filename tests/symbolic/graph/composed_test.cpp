@@ -96,8 +96,9 @@ TEST_F(composed, selection_is_differentiated_where_it_goes) {
     EXPECT_DOUBLE_EQ(at(reverse.by(y), value), value > 0 ? std::sin(value) : 0);
     EXPECT_DOUBLE_EQ(at(reverse.by(z), value), value > 0 ? 0 : value * value);
     rate_evaluation rate(g, {e.node()});
-    rate.at(
-        [&](int id) { return id == x.node() ? rated{value, 1} : rated{id == y.node() ? 0.5 : -0.25, 0}; });
+    rate.at([&](int id) {
+      return id == x.node() ? value_and_rate{value, 1} : value_and_rate{id == y.node() ? 0.5 : -0.25, 0};
+    });
     EXPECT_DOUBLE_EQ(rate[e.node()].rate, by_x);
   }
   EXPECT_EQ(print(differentiate(hypot(x, y), x)), "x/sqrt(x^2 + y^2)");

@@ -13,7 +13,7 @@ using graph_evaluation::evaluate;
 
 class shortened_sums : public testing::Test, protected symbols {
 protected:
-  expression gathered_alone(expression e) { return {g, gathered(g, {e.node()}, {})[0]}; }
+  expression shortened(expression e) { return {g, shorten_sums(g, {e.node()}, {})[0]}; }
   expression quotient(expression above, expression below) {
     return {g, divide_in_lowest_terms(g, above.node(), below.node())};
   }
@@ -22,17 +22,17 @@ protected:
 TEST_F(shortened_sums, sees_squares_of_sine_and_cosine) {
   const expression sine = sin(x), cosine = cos(x);
   const auto operations = [&](expression e) { return cost_of(g, {e.node()}).nodes; };
-  EXPECT_EQ(operations(gathered_alone((a * sine) * (b * (a * sine)) + (a * cosine) * (b * (a * cosine)))),
+  EXPECT_EQ(operations(shortened((a * sine) * (b * (a * sine)) + (a * cosine) * (b * (a * cosine)))),
             2); // a² b
-  EXPECT_EQ(operations(gathered_alone((a * cosine) * (b * sine) - (a * sine) * (b * (y + cosine)))),
+  EXPECT_EQ(operations(shortened((a * cosine) * (b * sine) - (a * sine) * (b * (y + cosine)))),
             5); // −a b sin y
-  EXPECT_TRUE(gathered_alone((a * cosine) * (b * sine) - (b * cosine) * (sine * a)).is_zero());
-  EXPECT_EQ(gathered_alone(0.3 * sine * sine + 0.3 * cosine * cosine), number(0.3));
+  EXPECT_TRUE(shortened((a * cosine) * (b * sine) - (b * cosine) * (sine * a)).is_zero());
+  EXPECT_EQ(shortened(0.3 * sine * sine + 0.3 * cosine * cosine), number(0.3));
 }
 
 TEST_F(shortened_sums, keeps_sums_that_would_not_be_shorter) {
   for (const expression e : {a * sin(x) + b * cos(x), 2 * sin(x) * sin(x) + cos(x) * cos(x), a * b + a * y})
-    EXPECT_EQ(gathered_alone(e), e);
+    EXPECT_EQ(shortened(e), e);
 }
 
 TEST_F(shortened_sums, keeps_values_and_never_lengthens_a_sum) {
@@ -45,7 +45,7 @@ TEST_F(shortened_sums, keeps_values_and_never_lengthens_a_sum) {
       const expression sine = sin(of.x), cosine = cos(of.x);
       const expression first = f.e * sine * (sine * h.e) + cosine * f.e * (cosine * h.e),
                        second = sine * (f.e * (cosine + h.e)) - cosine * (sine * f.e);
-      const sequence<int> before{first.node(), second.node()}, after = gathered(of.g, before, {});
+      const sequence<int> before{first.node(), second.node()}, after = shorten_sums(of.g, before, {});
       const int nodes = cost_of(of.g, after).nodes;
       ASSERT_LE(nodes, cost_of(of.g, before).nodes) << seed << ' ' << i;
       shorter += nodes < cost_of(of.g, before).nodes ? 1 : 0;

@@ -18,7 +18,7 @@ public:
 
   /// For a node that has no series along a line.
   std::string describe_missing_series(const line& l, int id) const {
-    id = l.failing(id);
+    id = l.first_failing_node(id);
     switch (l[id].reason()) {
     case obstacle::none:
     case obstacle::truncated: return "no limit was found with " + terms_known(id) + where(id);

@@ -29,7 +29,7 @@ public:
       if (op == operation::factorization) continue;
       found_.emplace(id,
                      op == operation::symbol && point.depends_on_replaced(id)
-                         ? expansion(series::along(replacing(id), coefficient(exactly(direction(id))), most))
+                         ? expansion(series::linear(replacing(id), coefficient(exactly(direction(id))), most))
                          : expand(id));
     }
   }
@@ -37,7 +37,7 @@ public:
   const expansion& operator[](int id) const { return found_.at(id); }
   bool holds(int id) const { return found_.contains(id); }
   /// The first node without a series that a node depends on, or the node itself if there is none.
-  int failing(int id) const {
+  int first_failing_node(int id) const {
     const auto found = first_failing_node_.find(id);
     return found == first_failing_node_.end() ? id : found->second;
   }
@@ -56,17 +56,17 @@ private:
   expansion expand(int id) {
     const node n = g_[id];
     if (!point_.is_singular(id) && !point_.depends_on_replaced(id)) return series(plain(id));
-    if (n.op == operation::singularity_measure) return measured(id);
+    if (n.op == operation::singularity_measure) return singularity_series(id);
     if (is_solution(n.op)) return solve(id, n);
     if (n.op == operation::call) return call(id, n);
     const expansion& a = found_.at(n.a);
-    if (!a) return passed(id, n.a);
+    if (!a) return propagate_failure(id, n.a);
     if (n.op == operation::component)
       return solutions_.at(n.a)[static_cast<std::size_t>(integer_at(g_, n.b))];
     if (!is_binary(n.op)) return apply(n.op, *a, {});
     const expansion& b = found_.at(n.b);
     if (!b && is_selection(n.op) && never_selects(n.op, *a)) return series();
-    if (!b) return passed(id, n.b);
+    if (!b) return propagate_failure(id, n.b);
     return apply(n.op, *a, *b);
   }
 
@@ -75,13 +75,13 @@ private:
     return one && one->is_zero();
   }
 
-  expansion passed(int id, int operand) {
-    first_failing_node_[id] = failing(operand);
+  expansion propagate_failure(int id, int operand) {
+    first_failing_node_[id] = first_failing_node(operand);
     return found_.at(operand);
   }
 
   /// The singularity measure, which derivatives treat as a constant.
-  expansion measured(int id) {
+  expansion singularity_series(int id) {
     if (point_.is_singular(id)) return obstacle::truncated;
     return series(0, {plain(id)}, 1, most_);
   }
@@ -89,7 +89,7 @@ private:
   expansion call(int id, const node& n) {
     std::vector<series> operands;
     for (int each : elements_of(g_, n.a)) {
-      if (!found_.at(each)) return passed(id, each);
+      if (!found_.at(each)) return propagate_failure(id, each);
       operands.push_back(*found_.at(each));
     }
     const external_function& f = g_.external_at(id);
@@ -108,7 +108,7 @@ private:
     };
     int without = gather(entries_of(g_, n.a), a);
     if (without < 0) without = gather(elements_of(g_, n.b), b);
-    if (without >= 0) return passed(id, without);
+    if (without >= 0) return propagate_failure(id, without);
     const obstacle reason = series_system(g_, n.op, std::move(a), std::move(b)).solve(x);
     if (reason != obstacle::none) return reason;
     return solutions_.emplace(id, std::move(x)).first->second.front();

@@ -37,7 +37,7 @@ public:
     terms_.erase(terms_.begin(), lead);
   }
   /// constant + slope·ε
-  static series along(const coefficient& constant, const coefficient& slope, int most) {
+  static series linear(const coefficient& constant, const coefficient& slope, int most) {
     return {0, {constant, slope}, all_orders, most};
   }
 
