@@ -7,6 +7,8 @@
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <numbers>
 #include <type_traits>
 
@@ -107,47 +109,18 @@ constexpr Number function_slope(const Number& x, const Number& f) {
   if constexpr (op == operation::wrap_to_pi) return 1 + (x - x);
 }
 
-/// Calls `use.template operator()<op>()` for a function of one argument, with `op` as a constant.
+/// Calls `use.template operator()<op>()` for an operation in the rows of a table, with `op` as a constant.
+template <const auto& table, std::size_t place = 0, class Use>
+constexpr decltype(auto) with_row_of(operation op, const Use& use) {
+  if constexpr (place + 1 < std::size(table))
+    if (op != table[place].op) return with_row_of<table, place + 1>(op, use);
+  return use.template operator()<table[place].op>();
+}
+
+/// Calls `use.template operator()<op>()` for a function of one argument.
 template <class Use>
 constexpr decltype(auto) with_function(operation op, const Use& use) {
-  switch (op) {
-  case operation::sqrt: return use.template operator()<operation::sqrt>();
-  case operation::sin: return use.template operator()<operation::sin>();
-  case operation::cos: return use.template operator()<operation::cos>();
-  case operation::tan: return use.template operator()<operation::tan>();
-  case operation::asin: return use.template operator()<operation::asin>();
-  case operation::acos: return use.template operator()<operation::acos>();
-  case operation::atan: return use.template operator()<operation::atan>();
-  case operation::exp: return use.template operator()<operation::exp>();
-  case operation::log: return use.template operator()<operation::log>();
-  case operation::sinh: return use.template operator()<operation::sinh>();
-  case operation::cosh: return use.template operator()<operation::cosh>();
-  case operation::tanh: return use.template operator()<operation::tanh>();
-  case operation::abs: return use.template operator()<operation::abs>();
-  case operation::sign: return use.template operator()<operation::sign>();
-  case operation::cbrt: return use.template operator()<operation::cbrt>();
-  case operation::erf: return use.template operator()<operation::erf>();
-  case operation::wrap_to_pi: return use.template operator()<operation::wrap_to_pi>();
-  case operation::constant:
-  case operation::symbol:
-  case operation::negate:
-  case operation::add:
-  case operation::subtract:
-  case operation::multiply:
-  case operation::divide:
-  case operation::power:
-  case operation::atan2:
-  case operation::if_positive:
-  case operation::if_not_positive:
-  case operation::pair:
-  case operation::factorization:
-  case operation::solve:
-  case operation::transposed_solve:
-  case operation::component:
-  case operation::singularity_measure:
-  case operation::call: break;
-  }
-  __builtin_unreachable();
+  return with_row_of<functions>(op, use);
 }
 
 /// The derivative of a function of one argument at x, where its value is f.
@@ -189,11 +162,10 @@ struct binary_function<operation::atan2> {
   }
 };
 
-/// Calls `use.template operator()<op>()` for a function of two arguments, with `op` as a constant.
+/// Calls `use.template operator()<op>()` for a function of two arguments.
 template <class Use>
 constexpr decltype(auto) with_binary_function(operation op, const Use& use) {
-  if (op == operation::atan2) return use.template operator()<operation::atan2>();
-  __builtin_unreachable();
+  return with_row_of<binary_functions>(op, use);
 }
 
 /// The derivatives of a function of two arguments at (a, b), where its value is f.
