@@ -7,8 +7,8 @@
 #include <kanexpr/runtime/linearization_point.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
-#include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <optional>
 #include <string>
