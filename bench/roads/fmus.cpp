@@ -5,7 +5,7 @@
 #include <models/bicycle.hpp>
 #include <models/iiwa.hpp>
 #include <models/simple_pendulum.hpp>
-#include <simulation/falling_ball.hpp>
+#include <simulations/falling_ball.hpp>
 
 #include <fstream>
 #include <iostream>

@@ -10,7 +10,7 @@
 #include <models/n_pendulum_cart.hpp>
 #include <models/rolling_disc.hpp>
 #include <models/simple_pendulum.hpp>
-#include <simulation/falling_ball.hpp>
+#include <simulations/falling_ball.hpp>
 #include <steps/quaternions.hpp>
 
 #include <iostream>

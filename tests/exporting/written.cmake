@@ -1,9 +1,9 @@
 # Code that was written is compiled by a compiler of C, without fused operations, and linked with what tests it.
 find_program(KANEXPR_C_COMPILER NAMES cc gcc clang-19 REQUIRED)
 set(folder ${CMAKE_CURRENT_BINARY_DIR}/written)
-add_executable(export_models_in_c exporting/models_in_c.cpp)
-target_include_directories(export_models_in_c PRIVATE ${PROJECT_SOURCE_DIR}/examples ${CMAKE_CURRENT_SOURCE_DIR})
-target_link_libraries(export_models_in_c PRIVATE kanexpr::engine kanexpr_strict kanexpr_snippets)
+add_executable(exporting_models_in_c exporting/models_in_c.cpp)
+target_include_directories(exporting_models_in_c PRIVATE ${PROJECT_SOURCE_DIR}/examples ${CMAKE_CURRENT_SOURCE_DIR})
+target_link_libraries(exporting_models_in_c PRIVATE kanexpr::engine kanexpr_strict kanexpr_snippets)
 set(for_casadi cart driven a bound_pendulum disc)
 list(TRANSFORM for_casadi REPLACE "(.+)" "${folder}/\\1_casadi.c" OUTPUT_VARIABLE files_for_casadi)
 set(names iiwa iiwa_in_float curved curved_in_float four_bar four_bar_in_float disc disc_in_float bound_pendulum pendulum)
@@ -12,24 +12,24 @@ set(names_of_all ${names} ${names_of_steps})
 set(fmus bound_pendulum pendulum ball bead sliding strange lift four_bar)
 list(TRANSFORM fmus REPLACE "(.+)" "${folder}/\\1.fmu")
 list(TRANSFORM names_of_all REPLACE "(.+)" "${folder}/\\1.c" OUTPUT_VARIABLE files)
-add_custom_command(OUTPUT ${files} ${files_for_casadi} ${fmus} COMMAND export_models_in_c ${folder} DEPENDS export_models_in_c VERBATIM)
+add_custom_command(OUTPUT ${files} ${files_for_casadi} ${fmus} COMMAND exporting_models_in_c ${folder} DEPENDS exporting_models_in_c VERBATIM)
 foreach(name IN LISTS names_of_all)
   add_custom_command(OUTPUT ${folder}/${name}.o COMMAND ${KANEXPR_C_COMPILER} -std=c99 -O1 -ffp-contract=off -fPIE -pedantic
     -Wall -Wextra -Wconversion -Wshadow -Werror -c ${folder}/${name}.c -o ${folder}/${name}.o
     DEPENDS ${folder}/${name}.c VERBATIM)
   if(name IN_LIST names)
-    target_sources(export_c PRIVATE ${folder}/${name}.o)
+    target_sources(exporting_c PRIVATE ${folder}/${name}.o)
   else()
-    target_sources(export_c_steps PRIVATE ${folder}/${name}.o)
+    target_sources(exporting_c_steps PRIVATE ${folder}/${name}.o)
   endif()
 endforeach()
-target_link_libraries(export_c PRIVATE kanexpr_snippets)
-foreach(test IN ITEMS export_c export_c_steps)
+target_link_libraries(exporting_c PRIVATE kanexpr_snippets)
+foreach(test IN ITEMS exporting_c exporting_c_steps)
   target_include_directories(${test} SYSTEM PRIVATE ${folder})
 endforeach()
 set_source_files_properties(exporting/c_test.cpp exporting/c_steps_test.cpp PROPERTIES OBJECT_DEPENDS "${files}")
 
-kanexpr_of_room(export export_models_in_c bound_pendulum)
+kanexpr_of_room(exporting exporting_models_in_c bound_pendulum)
 
 # Every compiler takes it.
 add_test(NAME exporting_c_compilers COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/exporting/compilers ${folder})
@@ -40,7 +40,7 @@ kanexpr_export(bound_pendulum HEADER ${PROJECT_SOURCE_DIR}/examples/models/simpl
   STEP 0.01 STEP_METHOD ralston_3 RESULTS udot "mass_matrix forcing" EXPRESSIONS "tip=position_of<P, O>")
 target_include_directories(bound_pendulum_export PRIVATE ${PROJECT_SOURCE_DIR}/examples)
 foreach(file IN ITEMS bound_pendulum.c bound_pendulum.h bound_pendulum_casadi.c bound_pendulum_casadi.h bound_pendulum.fmu)
-  add_test(NAME export_${file} COMMAND ${CMAKE_COMMAND} -E compare_files ${CMAKE_CURRENT_BINARY_DIR}/by_cmake/${file} ${folder}/${file})
+  add_test(NAME exporting_${file} COMMAND ${CMAKE_COMMAND} -E compare_files ${CMAKE_CURRENT_BINARY_DIR}/by_cmake/${file} ${folder}/${file})
 endforeach()
 
 # In Python, with the commands of the guide
