@@ -4,6 +4,7 @@
 #include "curved.hpp"
 
 #include <kanexpr/export.hpp>
+#include <kanexpr/fmi.hpp>
 
 #include <models/four_bar.hpp>
 #include <models/iiwa.hpp>

@@ -1,5 +1,6 @@
 // Exports by builders, and what cannot be exported.
 #include <kanexpr/export.hpp>
+#include <kanexpr/fmi.hpp>
 #include <kanexpr/runtime/builder.hpp>
 
 #include <models/pendulum_nonminimal.hpp>

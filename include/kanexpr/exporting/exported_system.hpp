@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/version.hpp>
 #include <kanexpr/lower/statements.hpp>
 #include <kanexpr/symbolic/cost.hpp>
 
@@ -9,6 +10,12 @@
 
 /// A system as the backends see it: names and straight-line code, independent of how it was derived.
 namespace kanexpr::exporting {
+
+/// The name and version of the program that writes a file: "kanexpr 1.2.3".
+inline std::string generator() {
+  return "kanexpr " + std::to_string(KANEXPR_VERSION_MAJOR) + '.' + std::to_string(KANEXPR_VERSION_MINOR) +
+         '.' + std::to_string(KANEXPR_VERSION_PATCH);
+}
 
 /// One result of a function. Its entries are stored row by row, starting at entry `first` of the function; a
 /// sparse result stores its structurally nonzero entries column by column.

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kanexpr/base/status.hpp>
-#include <kanexpr/base/version.hpp>
 #include <kanexpr/exporting/c/c_templates.hpp>
 #include <kanexpr/exporting/c/code_writer.hpp>
 #include <kanexpr/exporting/c/sine_and_cosine.hpp>
@@ -50,9 +49,7 @@ private:
   const std::string& name() const { return mapped_.system.name; }
 
   std::string title() const {
-    return "Equations of motion of " + name() + ", written by kanexpr " +
-           std::to_string(KANEXPR_VERSION_MAJOR) + '.' + std::to_string(KANEXPR_VERSION_MINOR) + '.' +
-           std::to_string(KANEXPR_VERSION_PATCH) + '.';
+    return "Equations of motion of " + name() + ", written by " + generator() + '.';
   }
 
   std::string renamed_symbols_comment() const {

@@ -55,17 +55,21 @@ inline outcome write_c(const exported& of, const std::filesystem::path& folder, 
   return write_files(files);
 }
 
-/// The same as the format "c".
-inline outcome write_c(runtime::staged_derivation& derivation, const export_options& given) {
-  c_options chosen{.bound = given.bound,
-                   .number = given.number,
-                   .with_python = given.with_python,
-                   .with_cpp = given.with_cpp};
-  if (!given.functions.empty()) chosen.functions = given.functions;
-  return write_c(exporter(given.name, derivation, chosen).run(), given.folder, chosen);
-}
-
 } // namespace detail
+
+inline constexpr export_format c_format{
+    .name = "c",
+    .has_functions = true,
+    .has_float = true,
+    .has_callers = true,
+    .write = [](runtime::staged_derivation& derivation, const export_options& given) {
+      c_options chosen{.bound = given.bound,
+                       .number = given.number,
+                       .with_python = given.with_python,
+                       .with_cpp = given.with_cpp};
+      if (!given.functions.empty()) chosen.functions = given.functions;
+      return detail::write_c(exporter(given.name, derivation, chosen).run(), given.folder, chosen);
+    }};
 
 } // namespace exporting
 

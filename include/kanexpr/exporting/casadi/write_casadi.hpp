@@ -86,12 +86,12 @@ inline outcome write_casadi(runtime::staged_derivation& derivation, const std::f
             casadi_step(name, *steps::find_tableau(chosen.step), all.system, arguments).text()}});
 }
 
-/// The same as the format "casadi".
-inline outcome write_casadi(runtime::staged_derivation& derivation, const export_options& given) {
-  return write_casadi(derivation, given.folder, given.name, {.bound = given.bound});
-}
-
 } // namespace detail
+
+inline constexpr export_format casadi_format{
+    .name = "casadi", .write = [](runtime::staged_derivation& derivation, const export_options& given) {
+      return detail::write_casadi(derivation, given.folder, given.name, {.bound = given.bound});
+    }};
 
 } // namespace exporting
 

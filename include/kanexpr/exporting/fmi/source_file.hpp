@@ -1,15 +1,49 @@
 #pragma once
 
-#include <kanexpr/exporting/fmi/fmi_source.hpp>
 #include <kanexpr/exporting/fmi/fmu.hpp>
-#include <kanexpr/exporting/fmi/unsupported_in_c.hpp>
 #include <kanexpr/exporting/text/fill_template.hpp>
 #include <kanexpr/exporting/text/scalar.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kanexpr::exporting {
+
+/// The C code of FMUs. It is the same for all models and relies on `counts`, which comes before it. Memory is
+/// allocated only when an instance is created; instances share nothing.
+namespace fmi_templates {
+
+inline constexpr std::string_view counts = template_text(
+#include <kanexpr/exporting/fmi/counts.c.in>
+);
+
+/// Types of FMI 3.0 as defined by the standard, and the instance.
+inline constexpr std::string_view declarations = template_text(
+#include <kanexpr/exporting/fmi/declarations.c.in>
+);
+
+/// Used by functions that have checks.
+inline constexpr std::string_view failure = template_text(
+#include <kanexpr/exporting/fmi/failure.c.in>
+);
+
+/// The parts that call the functions of the model: constraints, events and steps of fixed length; creation,
+/// modes and steps of an instance; values and derivatives; functions that are not supported.
+inline constexpr std::string_view functions[]{template_text(
+#include <kanexpr/exporting/fmi/events_and_steps.c.in>
+                                                  ),
+                                              template_text(
+#include <kanexpr/exporting/fmi/lifecycle.c.in>
+                                                  ),
+                                              template_text(
+#include <kanexpr/exporting/fmi/values.c.in>
+                                                  ),
+                                              template_text(
+#include <kanexpr/exporting/fmi/unsupported.c.in>
+                                                  )};
+
+} // namespace fmi_templates
 
 /// Writes NAME_fmi.c: the functions of FMI 3.0, based on those of NAME.c.
 class fmu_source {
@@ -21,19 +55,17 @@ public:
     for (const char* header : {"math", "stdbool", "stddef", "stdint", "stdlib", "string"})
       text += std::string("#include <") + header + ".h>\n";
     text += "\nstatic const char token[] = \"{" + token + "}\";\n" + counts() + tables();
-    text += fmi_source::declarations;
+    text += fmi_templates::declarations;
     const std::string evaluated = evaluations();
-    if (evaluated.find(" failed(") != evaluated.npos) text += fmi_source::failure;
+    if (evaluated.find(" failed(") != evaluated.npos) text += fmi_templates::failure;
     text += evaluated;
-    text += fmi_source::events_and_steps;
-    text += fmi_source::lifecycle;
-    text += fmi_source::values;
-    return text + unsupported_in_c::all_refusals();
+    for (const std::string_view part : fmi_templates::functions) text += part;
+    return text;
   }
 
 private:
   std::string counts() const {
-    return fill_template(fmi_source::counts,
+    return fill_template(fmi_templates::counts,
                          {{"name", name_},
                           {"outputs", std::to_string(of_.outputs.size())},
                           {"indicators", std::to_string(of_.indicators.size())},
