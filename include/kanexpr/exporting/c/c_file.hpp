@@ -6,7 +6,7 @@
 #include <kanexpr/exporting/c/sine_and_cosine.hpp>
 #include <kanexpr/exporting/text/fill_template.hpp>
 #include <kanexpr/exporting/text/names_in_c.hpp>
-#include <kanexpr/exporting/text/printable.hpp>
+#include <kanexpr/exporting/text/identifiers.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 #include <kanexpr/symbolic/graph/function_table.hpp>
 

@@ -22,7 +22,7 @@ public:
       : of_(of), code_(of.code), system_(system), name_(std::move(name)), number_(number) {
     names_.reserve_words();
     names_.reserve_words_of_mathematics();
-    for (const char* taken : {"t", "x", "p", "r", "a", "w"}) names_.reserve(taken);
+    names_.reserve("t x p r a w");
     if (of.takes_step) names_.reserve("h");
     for (const exported_result& each : of.results) names_.reserve(each.name);
   }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kanexpr/exporting/casadi/kernels.hpp>
-#include <kanexpr/exporting/casadi/sparsity.hpp>
 #include <kanexpr/steps/tableaux.hpp>
 
 #include <utility>

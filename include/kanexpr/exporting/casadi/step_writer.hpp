@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/exporting/casadi/casadi_templates.hpp>
 #include <kanexpr/exporting/casadi/step_shapes.hpp>
 #include <kanexpr/exporting/text/fill_template.hpp>
 #include <kanexpr/exporting/text/scalar.hpp>
@@ -12,6 +11,25 @@
 #include <vector>
 
 namespace kanexpr::exporting {
+
+/// C code for the steps of CasADi. `@s@` is the prefix of a step's names. Each column of its derivatives
+/// belongs to an entry of the arguments x, r, h, p and t, in this order, so that the derivatives without
+/// parameters come first.
+///
+/// The second derivatives ∂²(λᵀ x⁺)/∂z² are the sum over the stages of Wᵀ H W, where W are the derivatives of
+/// the stage's arguments and H the weighted second derivatives of its rates, plus the terms from the product
+/// of h and the rates.
+inline constexpr std::string_view step_template = template_text(
+#include <kanexpr/exporting/casadi/step.c.in>
+);
+
+/// The bodies of the functions of a step. `moved` computes the points, slopes and derivatives of all stages;
+/// `after` holds those of the step, and `rest` is free. `moved_along` computes the derivatives `total` of a
+/// directional derivative: those of a stage's rates follow from the second derivatives of the rates along the
+/// stage's direction, and from the derivatives of that direction.
+inline constexpr std::string_view step_functions_template = template_text(
+#include <kanexpr/exporting/casadi/step_functions.c.in>
+);
 
 /// The common base of the functions of a step: the order of the derivatives, and the C functions that compute
 /// those of the rates.
@@ -133,17 +151,15 @@ protected:
 
   /// The code for the point of stage s and the direction there.
   std::string directed_in_c() const {
-    std::string text = fill_template(R"(    const double *y = w + 2 * s * @s@_n;
-    const double t = at->t + @s@_when[s] * at->h;
-    for (i = 0; i < @s@_n; ++i)
-      direction[i] = along_x[i] + (s > 0 ? @s@_a_of(s, i) * (at->h * rate_along[i] + along_h * (y - @s@_n)[i]) : 0);
-)",
-                                     {{"s", name_}});
+    std::string text = fill_template(template_part(step_functions_template, "directed"), {{"s", name_}});
     if (takes_time())
       text += fill_template("    direction[@s@_t - 1] = *@along_t@ + @s@_when[s] * along_h;\n",
                             {{"s", name_}, {"along_t", given_at(given_.size() + 5)}});
     return text;
   }
+
+  /// The filled part of the templates of functions.
+  std::string part(std::string_view name) const { return in(template_part(step_functions_template, name)); }
 
   std::string in(std::string_view text) const {
     std::string a, b, when;

@@ -3,8 +3,6 @@
 #include <kanexpr/base/outcome.hpp>
 #include <kanexpr/exporting/c/write_c.hpp>
 #include <kanexpr/exporting/casadi/casadi_file.hpp>
-#include <kanexpr/exporting/casadi/casadi_templates.hpp>
-#include <kanexpr/exporting/casadi/common_shapes.hpp>
 #include <kanexpr/exporting/casadi/step_file.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
@@ -14,6 +12,10 @@
 namespace kanexpr {
 
 namespace exporting {
+
+inline constexpr std::string_view casadi_helpers_template = template_text(
+#include <kanexpr/exporting/casadi/helpers.c.in>
+);
 
 struct casadi_options {
   std::vector<bound_parameter> bound{}; ///< parameters that are exported as numbers
@@ -27,8 +29,8 @@ inline std::string mistake_of_casadi_name(const std::string& name) {
   identifiers known;
   known.reserve_words();
   known.reserve_words_of_mathematics();
-  known.reserve_words_of_the_library();
-  for (const char* own : {"null", "jac", "hess"}) known.reserve(own);
+  known.reserve(library_words::words_of_the_library);
+  known.reserve("null jac hess");
   const bool has_two = (name + "_step").find("__") != name.npos;
   if (!name.empty() && name[0] != '_' && !has_two && known.of(name) == name) return {};
   return "the name of a CasADi function must begin with a letter, must have no two underscores in a row and "
@@ -44,7 +46,7 @@ inline bool depends_on_time(const exported_system& s) {
 }
 
 inline std::string casadi_helpers(const std::string& library, int most) {
-  return fill_template(casadi_templates::helpers, {{"library", library}, {"most", std::to_string(most)}});
+  return fill_template(casadi_helpers_template, {{"library", library}, {"most", std::to_string(most)}});
 }
 
 inline outcome write_casadi(runtime::staged_derivation& derivation, const std::filesystem::path& folder,

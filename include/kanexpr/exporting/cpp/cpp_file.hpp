@@ -35,8 +35,7 @@ public:
                                      {"rates", structure("rates", s.speeds, not_set())}});
     identifiers functions;
     functions.reserve_words();
-    for (const char* taken : {"state", "parameters", "inputs", "rates", "status", "status_of"})
-      functions.reserve(taken);
+    functions.reserve("state parameters inputs rates status status_of");
     for (const exported_function& f : s.functions) all += definition(f, functions.of(f.name));
     return all + "\n} // namespace " + own + "\n\n#endif\n";
   }
@@ -52,7 +51,7 @@ private:
     identifiers names;
     names.reserve_words();
     names.reserve_words_of_mathematics();
-    for (const char* taken : {"from", "put", "std", "entries"}) names.reserve(taken);
+    names.reserve("from put std entries");
     names.reserve(name);
     std::string declared, read, written;
     for (std::size_t i = 0; i < symbols.size(); ++i) {

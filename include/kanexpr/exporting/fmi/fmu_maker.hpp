@@ -5,7 +5,7 @@
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/exporting/exporter.hpp>
 #include <kanexpr/exporting/fmi/fmu.hpp>
-#include <kanexpr/exporting/text/printable.hpp>
+#include <kanexpr/exporting/text/identifiers.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/exporting/fmi/fmu.hpp>
-#include <kanexpr/exporting/text/printable.hpp>
+#include <kanexpr/exporting/text/identifiers.hpp>
 #include <kanexpr/exporting/text/scalar.hpp>
 
 #include <tinyxml2.h>

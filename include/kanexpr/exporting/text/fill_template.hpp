@@ -13,6 +13,13 @@ constexpr std::string_view template_text(std::string_view file) {
   return file;
 }
 
+/// Returns the part of a template file that follows the line `@@@ name`.
+inline std::string_view template_part(std::string_view file, std::string_view name) {
+  const std::string line = "@@@ " + std::string(name) + '\n';
+  file.remove_prefix(file.find(line) + line.size());
+  return file.substr(0, file.find("@@@ "));
+}
+
 /// Replaces each `@name@` in a text by its meaning.
 inline std::string fill_template(std::string_view text,
                                  std::initializer_list<std::pair<std::string_view, std::string>> meanings) {

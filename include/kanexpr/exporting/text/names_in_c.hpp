@@ -30,13 +30,12 @@ struct system_with_c_names {
 /// Maps all names to C. Symbols and functions share one set of names, as all have the prefix `NAME_`.
 inline system_with_c_names names_in_c(exported_system s) {
   identifiers taken;
-  for (const char* own : {"states", "coordinates", "speeds", "parameters", "inputs", "bits", "FUNCTION",
-                          "INLINE", "SINES_OF_THE_LIBRARY", "ANGLES_WITHOUT_END", "has_bits_of_that_size",
-                          "sine_and_cosine", "choose", "is_singular", "is_infinite", "is_not_above"})
-    taken.reserve(own);
+  taken.reserve("states coordinates speeds parameters inputs bits FUNCTION INLINE SINES_OF_THE_LIBRARY "
+                "ANGLES_WITHOUT_END has_bits_of_that_size sine_and_cosine choose is_singular is_infinite "
+                "is_not_above");
   for (const symbolic::operation each : written_functions()) taken.reserve(symbolic::function_name(each));
   identifiers functions = taken;
-  functions.reserve_words_of_python();
+  functions.reserve(words_of_python);
   std::vector<std::pair<std::string, std::string>> changed;
   const auto map = [&](std::string& name, identifiers& among) {
     const std::string mapped = among.of(name);
@@ -51,7 +50,7 @@ inline system_with_c_names names_in_c(exported_system s) {
     identifiers arguments; // of this function
     arguments.reserve_words();
     arguments.reserve_words_of_mathematics();
-    for (const char* own : {"t", "x", "p", "r", "a", "w"}) arguments.reserve(own);
+    arguments.reserve("t x p r a w");
     if (f.takes_step) arguments.reserve("h");
     for (exported_result& each : f.results) {
       map(each.name, arguments);
