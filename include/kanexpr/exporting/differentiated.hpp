@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/exporting/export_request.hpp>
+#include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/derivatives/jacobian.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -9,6 +10,7 @@
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,19 +19,15 @@
 namespace kanexpr::exporting {
 
 /// The symbols of a system with respect to which its results are differentiated.
-struct differentiable_symbols {
-  base::sequence<symbolic::expression> state{}, rates{}, inputs{}, parameters{}, time{};
+class differentiable_symbols {
+public:
+  using expressions = symbolic::sequence<symbolic::expression>;
 
-  const base::sequence<symbolic::expression>& of(symbols which) const {
-    switch (which) {
-    case symbols::state: return state;
-    case symbols::rates: return rates;
-    case symbols::inputs: return inputs;
-    case symbols::parameters: return parameters;
-    case symbols::time: break;
-    }
-    return time;
-  }
+  expressions& operator[](symbols which) { return all_[static_cast<std::size_t>(which)]; }
+  const expressions& of(symbols which) const { return all_[static_cast<std::size_t>(which)]; }
+
+private:
+  std::array<expressions, 5> all_{};
 };
 
 /// Derivatives of an arbitrary column of expressions, by the chain rule through its graph. Common
@@ -141,5 +139,19 @@ private:
   const differentiable_symbols& symbols_;
   std::optional<symbolic::accumulation> back_{};
 };
+
+/// The residual of the equations of motion at given rates: q̇ − q̇(q, u), the residual M u̇ − f of inverse
+/// dynamics in the rows of the independent speeds, and the rates of the constraints in the rows of the
+/// dependent speeds. It contains no multipliers, and no system is solved for u̇.
+inline symbolic::matrix implicit_form(symbolic::graph& g, mechanics::equations& of) {
+  const mechanics::general_form& form = of.linearized().freely().form();
+  const symbolic::sequence<symbolic::expression> force = mechanics::summed(form.f_2, form.f_3);
+  const int coordinates = form.q.size();
+  symbolic::matrix residual(g, coordinates + form.u.size(), 1);
+  for (int i = 0; i < coordinates; ++i) residual(i, 0) = form.qdot[i] - form.known.qdot[i];
+  for (int i = 0; i < force.size(); ++i) residual(coordinates + form.speeds.independent[i], 0) = force[i];
+  for (int i = 0; i < form.f_a.size(); ++i) residual(coordinates + form.speeds.dependent[i], 0) = form.f_a[i];
+  return residual;
+}
 
 } // namespace kanexpr::exporting

@@ -66,6 +66,19 @@ struct exported_system {
   std::string name{};
   std::vector<std::string> coordinates{}, speeds{}, parameters{}, inputs{};
   std::vector<exported_function> functions{};
+
+  /// Returns null if there is no function of this name.
+  const exported_function* function(const std::string& called) const {
+    const auto found = std::find_if(functions.begin(), functions.end(),
+                                    [&](const exported_function& f) { return f.name == called; });
+    return found != functions.end() ? &*found : nullptr;
+  }
+
+  std::vector<std::string> states() const {
+    std::vector<std::string> all = coordinates;
+    all.insert(all.end(), speeds.begin(), speeds.end());
+    return all;
+  }
 };
 
 } // namespace kanexpr::exporting

@@ -53,18 +53,13 @@ private:
     bool is_basic = false; ///< available without the derivatives by all arguments
   };
 
-  bool has_more() const { return find(begin_ + "jacobian_by_all") != nullptr; }
-
-  const exported_function* find(const std::string& called) const {
-    for (const exported_function& f : kernels_.functions)
-      if (f.name == called) return &f;
-    return nullptr;
-  }
+  bool has_more() const { return kernels_.function(begin_ + "jacobian_by_all") != nullptr; }
 
   /// The sparsity of a result; empty if the result is missing for lack of arguments.
   casadi_sparsity shape_of(const std::string& function, const std::string& result, int rows,
                            int columns) const {
-    for (const exported_result& each : find(begin_ + function + (has_more() ? "_by_all" : ""))->results)
+    for (const exported_result& each :
+         kernels_.function(begin_ + function + (has_more() ? "_by_all" : ""))->results)
       if (each.name == result) return casadi_sparsity::of(each);
     return casadi_sparsity::empty(rows, columns);
   }
@@ -88,7 +83,7 @@ private:
         if (arguments_[i].are == each) text += ", " + given_at(i);
     if (arguments_.back().are == symbols::time) time = '*' + given_at(arguments_.size() - 1);
     text = kernels_.name + '_' + kernel(function) + '(' + time + text;
-    if (find(kernel(function))->weights > 0) text += ", " + weights;
+    if (kernels_.function(kernel(function))->weights > 0) text += ", " + weights;
     for (const std::string& each : results) text += ", " + each;
     return text + ") != 0";
   }
@@ -113,9 +108,7 @@ private:
   }
 
   static std::string any_of(const std::vector<asked>& all) {
-    std::string text;
-    for (const asked& each : all) text += (text.empty() ? "" : " || ") + res(each.place);
-    return text;
+    return joined(all, " || ", [](const asked& each) { return res(each.place); });
   }
 
   static int entries_of(const std::vector<asked>& all) {
@@ -232,7 +225,7 @@ private:
     }
 )",
                              {{"to", res(place)},
-                              {"from", casadi_function::listed(family_.first[o].transposed().second)},
+                              {"from", joined(family_.first[o].transposed().second, ", ")},
                               {"size", std::to_string(family_.first[o].entries())},
                               {"begin", std::to_string(begin)}});
       begin += family_.first[o].entries();

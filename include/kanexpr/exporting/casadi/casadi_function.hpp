@@ -82,49 +82,37 @@ struct casadi_function {
 
   /// `library` is the prefix of the names that all functions share.
   std::string text(const std::string& library) const {
-    return fill_template(casadi_function_template, {{"name", name},
-                                                    {"library", library},
-                                                    {"body", body},
-                                                    {"entries", listed(entries())},
-                                                    {"n_in", std::to_string(in.size())},
-                                                    {"n_out", std::to_string(out.size())},
-                                                    {"names_in", names(in)},
-                                                    {"names_out", names(out)},
-                                                    {"shapes_in", shapes(in)},
-                                                    {"shapes_out", shapes(out)},
-                                                    {"scratch", std::to_string(scratch)}});
-  }
-
-  static std::string listed(const std::vector<int>& numbers) {
-    std::string all;
-    for (int each : numbers) all += (all.empty() ? "" : ", ") + std::to_string(each);
-    return all;
+    return fill_template(
+        casadi_function_template,
+        {{"name", name},
+         {"library", library},
+         {"body", body},
+         {"entries",
+          joined(out, ", ", [](const casadi_port& each) { return std::to_string(each.shape.entries()); })},
+         {"n_in", std::to_string(in.size())},
+         {"n_out", std::to_string(out.size())},
+         {"names_in", names(in)},
+         {"names_out", names(out)},
+         {"shapes_in", shapes(in)},
+         {"shapes_out", shapes(out)},
+         {"scratch", std::to_string(scratch)}});
   }
 
 private:
-  std::vector<int> entries() const {
-    std::vector<int> counts;
-    counts.reserve(out.size());
-    for (const casadi_port& each : out) counts.push_back(each.shape.entries());
-    return counts;
-  }
-
   static std::string names(const std::vector<casadi_port>& ports) {
-    std::string all;
-    for (const casadi_port& each : ports) all += (all.empty() ? "\"" : ", \"") + each.name + '"';
-    return all;
+    return joined(ports, ", ", [](const casadi_port& each) { return '"' + each.name + '"'; });
   }
 
   static std::string shapes(const std::vector<casadi_port>& ports) {
-    std::string begins, numbers;
-    int begin = 0;
-    for (const casadi_port& each : ports) {
-      begins += (begins.empty() ? "" : ", ") + std::to_string(begin);
-      numbers += (numbers.empty() ? "" : ",\n    ") + listed(each.shape.numbers());
-      begin += static_cast<int>(each.shape.numbers().size());
-    }
-    return "  static const int begin[] = {" + begins + "};\n  static const long long shapes[] = {\n    " +
-           numbers + "};";
+    std::vector<int> begins{0};
+    for (const casadi_port& each : ports)
+      begins.push_back(begins.back() + static_cast<int>(each.shape.numbers().size()));
+    begins.pop_back();
+    return "  static const int begin[] = {" + joined(begins, ", ") +
+           "};\n  static const long long shapes[] = {\n    " +
+           joined(ports, ",\n    ",
+                  [](const casadi_port& each) { return joined(each.shape.numbers(), ", "); }) +
+           "};";
   }
 };
 

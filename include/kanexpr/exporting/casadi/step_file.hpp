@@ -53,7 +53,7 @@ private:
     if (from.empty()) return {};
     return fill_template(template_part(step_functions_template, "copy"),
                          {{"place", std::to_string(place)},
-                          {"from", casadi_function::listed(from)},
+                          {"from", joined(from, ", ")},
                           {"size", std::to_string(from.size())},
                           {"all", all}});
   }
@@ -65,10 +65,8 @@ private:
 
   /// The C condition that one of these results is requested.
   static std::string any_of(const std::vector<std::size_t>& places) {
-    std::string text;
-    for (std::size_t each : places)
-      text += (text.empty() ? "res[" : " || res[") + std::to_string(each) + "] != 0";
-    return text.empty() ? "0" : text;
+    if (places.empty()) return "0";
+    return joined(places, " || ", [](std::size_t each) { return "res[" + std::to_string(each) + "] != 0"; });
   }
 
   int size_of_points() const { return 2 * stages() * n(); }

@@ -78,14 +78,10 @@ protected:
   /// Whether derivatives by argument i follow without those of the rates by parameters and time.
   bool is_basic(std::size_t i) const { return i < basic || (i == 3 && !takes_time()); }
 
-  const exported_function& kernel(const std::string& called) const {
-    return *std::find_if(kernels_.functions.begin(), kernels_.functions.end(),
-                         [&](const exported_function& f) { return f.name == called; });
-  }
-
   void take(sparse_results& into, const std::string& result, bool is_by_basic, int row, int column) const {
     into.begin[result] = into.places.size();
-    for (const exported_result& each : kernel(into.function + (has_more() ? "_by_all" : "")).results)
+    for (const exported_result& each :
+         kernels_.function(into.function + (has_more() ? "_by_all" : ""))->results)
       if (each.name == result)
         for (std::size_t e = 0; e < each.row_of.size(); ++e)
           into.places.emplace_back(row + each.row_of[e], column + each.column_of[e]);
@@ -101,10 +97,8 @@ protected:
     return '{' + first + ", " + second + '}';
   }
   static std::string listed(const entry_places& places) {
-    std::string all;
-    for (const auto& [row, column] : places)
-      all += (all.empty() ? "" : ", ") + pair(number(row), number(column));
-    return all.empty() ? pair("0", "0") : all;
+    if (places.empty()) return pair("0", "0");
+    return joined(places, ", ", [](const auto& at) { return pair(number(at.first), number(at.second)); });
   }
   std::string given_at(std::size_t place) const { return library_ + "_given(arg[" + number(place) + "])"; }
 
@@ -113,7 +107,7 @@ protected:
                    const std::map<std::string, std::size_t>& begin) const {
     const auto one = [&](const std::string& called) {
       std::string text = kernels_.name + '_' + called + "(t, y, at->p, at->r" + given;
-      for (const exported_result& each : kernel(called).results)
+      for (const exported_result& each : kernels_.function(called)->results)
         text += ", " + into + " + " + number(begin.at(each.name));
       return text + ')';
     };

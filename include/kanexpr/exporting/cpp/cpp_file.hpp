@@ -1,14 +1,31 @@
 #pragma once
 
-#include <kanexpr/exporting/cpp/cpp_templates.hpp>
 #include <kanexpr/exporting/text/fill_template.hpp>
 #include <kanexpr/exporting/text/names_in_c.hpp>
 #include <kanexpr/exporting/text/scalar.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kanexpr::exporting {
+
+/// The text of headers for C++.
+namespace cpp_templates {
+
+inline constexpr std::string_view header = template_text(
+#include <kanexpr/exporting/cpp/header.hpp.in>
+);
+
+inline constexpr std::string_view structure = template_text(
+#include <kanexpr/exporting/cpp/structure.hpp.in>
+);
+
+inline constexpr std::string_view function = template_text(
+#include <kanexpr/exporting/cpp/function.hpp.in>
+);
+
+} // namespace cpp_templates
 
 /// Writes NAME.hpp, which calls the functions of NAME.c from C++11 and later: structures with the names of
 /// the model, and results with a status.
@@ -23,13 +40,11 @@ public:
     namespaces.reserve_words_of_mathematics();
     namespaces.reserve("std");
     const std::string own = namespaces.of(s.name);
-    std::vector<std::string> states = s.coordinates;
-    states.insert(states.end(), s.speeds.begin(), s.speeds.end());
     std::string all = fill_template(cpp_templates::header,
                                     {{"name", s.name},
                                      {"own_header", "#include \"" + s.name + ".h\""},
                                      {"own", own},
-                                     {"state", structure("state", states, "0")},
+                                     {"state", structure("state", s.states(), "0")},
                                      {"parameters", structure("parameters", s.parameters, not_set())},
                                      {"inputs", structure("inputs", s.inputs, not_set())},
                                      {"rates", structure("rates", s.speeds, not_set())}});

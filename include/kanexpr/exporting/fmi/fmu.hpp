@@ -49,13 +49,6 @@ struct fmu {
   int first_output() const { return first_input() + static_cast<int>(inputs.size()); }
   int first_indicator() const { return first_output() + static_cast<int>(outputs.size()); }
 
-  /// Returns null if the function is not needed.
-  const exported_function* function(const std::string& name) const {
-    for (const exported_function& f : system.functions)
-      if (f.name == name) return &f;
-    return nullptr;
-  }
-
   /// Whether an entry of a result is identically zero.
   static bool is_zero(const exported_function& f, int entry) {
     const lower::statement& s = f.code.lines[f.code.results[entry]];

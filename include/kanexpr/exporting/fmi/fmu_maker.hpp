@@ -156,7 +156,7 @@ private:
 
   void describe_measured() {
     fmu& f = made_.of;
-    const exported_function* const measured = f.function(fmu::measured);
+    const exported_function* const measured = f.system.function(fmu::measured);
     const std::size_t events = chosen_.events.size(),
                       outputs = measured == nullptr ? 0 : measured->results.size() - events;
     for (std::size_t k = 0; k < outputs; ++k) {
@@ -177,7 +177,7 @@ private:
         if (place < 0)
           return refuse("event " + each.name + " sets " + one.what.name() +
                         ", which is neither a coordinate nor a speed");
-        if (f.function(fmu::changes)->results[f.changed.size()].entries() != 1)
+        if (f.system.function(fmu::changes)->results[f.changed.size()].entries() != 1)
           return refuse("event " + each.name + " sets " + one.what.name() +
                         " to a value that is not a scalar");
         f.changed.push_back({static_cast<int>(k), place});
@@ -208,18 +208,17 @@ private:
     for (const fmu_variable& each : f.parameters)
       if (const std::string& name = called(each); !given.contains(name))
         return refuse("parameter " + name + " has no start value");
-    if (const base::sentence impossible =
-            compiled::check_masses(*survey_, values_or_nan(first_parameters()).data()))
+    if (const mechanics::sentence impossible = compiled::check_masses(*survey_, first_parameters().data()))
       refuse(std::string(impossible.view()));
   }
 
   /// The values of the bound parameters, and the start values of the others.
-  std::vector<std::optional<double>> first_parameters() const {
-    std::vector<std::optional<double>> all;
+  std::vector<double> first_parameters() const {
+    std::vector<double> all;
     using symbolic::symbol_kind;
     for (int i = 0; i < survey_->parameters; ++i) {
       const std::string_view name = survey_->names[survey_->first_of(symbol_kind::parameter) + i].view();
-      all.emplace_back();
+      all.push_back(numeric::not_a_number<double>);
       for (const bound_parameter& each : chosen_.bound)
         if (each.name == name) all.back() = each.value;
       for (const fmu_variable& each : made_.of.parameters)

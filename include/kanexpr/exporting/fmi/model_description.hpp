@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/exporting/fmi/fmu.hpp>
+#include <kanexpr/exporting/text/fill_template.hpp>
 #include <kanexpr/exporting/text/identifiers.hpp>
 #include <kanexpr/exporting/text/scalar.hpp>
 
@@ -55,7 +56,7 @@ public:
 
   std::string text(const std::string& token) {
     const std::string& name = of_.system.name;
-    const bool is_watched = of_.function(fmu::correction) != nullptr || !of_.indicators.empty();
+    const bool is_watched = of_.system.function(fmu::correction) != nullptr || !of_.indicators.empty();
     xml_.open("fmiModelDescription", {{"fmiVersion", "3.0"},
                                       {"modelName", name},
                                       {"instantiationToken", '{' + token + '}'},
@@ -143,9 +144,7 @@ private:
   }
 
   void add_unknown(const char* kind, int reference, const std::vector<int>& on) {
-    std::string references;
-    for (const int each : on) references += (references.empty() ? "" : " ") + std::to_string(each);
-    xml_.add(kind, {{"valueReference", std::to_string(reference)}, {"dependencies", references}});
+    xml_.add(kind, {{"valueReference", std::to_string(reference)}, {"dependencies", joined(on, " ")}});
   }
   /// During initialization, parameters matter too, and values that follow from the constraints depend on all
   /// states; CasADi requires the full list, so all known variables are listed.
@@ -158,10 +157,10 @@ private:
   }
 
   std::vector<int> rate_depends_on(int i) const {
-    return depends_on(of_.function(fmu::jacobian), of_.function(fmu::rates_by_time), i);
+    return depends_on(of_.system.function(fmu::jacobian), of_.system.function(fmu::rates_by_time), i);
   }
   std::vector<int> measured_depends_on(int i) const {
-    const exported_function* by_all = of_.function(fmu::measured_derivatives);
+    const exported_function* by_all = of_.system.function(fmu::measured_derivatives);
     return depends_on(by_all, by_all, i);
   }
 

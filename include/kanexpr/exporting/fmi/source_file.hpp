@@ -70,14 +70,14 @@ private:
                           {"outputs", std::to_string(of_.outputs.size())},
                           {"indicators", std::to_string(of_.indicators.size())},
                           {"changes", std::to_string(of_.changed.size())},
-                          {"drifts", of_.function(fmu::correction) == nullptr ? "0" : "1"}});
+                          {"drifts", of_.system.function(fmu::correction) == nullptr ? "0" : "1"}});
   }
 
   /// An array; it gets one entry if there is none.
   static std::string array(const char* type, const char* called, const std::vector<std::string>& entries) {
-    std::string text = std::string("static const ") + type + ' ' + called + "[] = {";
-    for (std::size_t i = 0; i < entries.size(); ++i) text += (i == 0 ? "" : ", ") + entries[i];
-    return text + (entries.empty() ? "0};\n" : "};\n");
+    return std::string("static const ") + type + ' ' + called + "[] = {" +
+           (entries.empty() ? "0" : joined(entries, ", ", [](const std::string& each) { return each; })) +
+           "};\n";
   }
 
   static std::string number(double value) { return scalar(precision::double_precision).number(value); }
@@ -128,7 +128,8 @@ private:
                          const std::string& given = "instance *of") const {
     std::string text = "\nstatic fmi3Status find_" + called + '(' + given + ") {\n", made;
     for (const call& each : calls)
-      if (const exported_function* const f = of_.function(each.function)) made += evaluated(*f, each.into);
+      if (const exported_function* const f = of_.system.function(each.function))
+        made += evaluated(*f, each.into);
     if (made.empty()) return text + "  (void)of;\n  return fmi3OK;\n}\n";
     text += "  unsigned long long status;\n";
     if (!known.empty()) text += "  if (of->known & " + known + ") return fmi3OK;\n";

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <initializer_list>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 namespace kanexpr::exporting {
 
@@ -18,6 +20,17 @@ inline std::string_view template_part(std::string_view file, std::string_view na
   const std::string line = "@@@ " + std::string(name) + '\n';
   file.remove_prefix(file.find(line) + line.size());
   return file.substr(0, file.find("@@@ "));
+}
+
+/// Joins the texts of some entries.
+template <class Entries, class TextOf>
+std::string joined(const Entries& all, std::string_view between, const TextOf& text_of) {
+  std::string whole;
+  for (const auto& each : all) whole.append(&each == &*std::begin(all) ? "" : between).append(text_of(each));
+  return whole;
+}
+inline std::string joined(const std::vector<int>& all, std::string_view between) {
+  return joined(all, between, [](int each) { return std::to_string(each); });
 }
 
 /// Replaces each `@name@` in a text by its meaning.
