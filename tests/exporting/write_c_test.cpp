@@ -350,7 +350,7 @@ exported_function with_entry_at(int row, int column, int value) {
   exported_function f;
   f.results = {{"dense", 1, 1, 0}, {"sparse", 2, 2, 1}};
   f.results[1].is_sparse = true;
-  f.results[1].row_of = {row}, f.results[1].column_of = {column};
+  f.results[1].places = {{column, row}};
   for (const int number : {1, value, 4})
     f.code.results.push(f.code.lines.push({.a = f.code.numbers.push(symbolic::exactly(number))}));
   return f;
@@ -367,8 +367,7 @@ TEST(CommonShapes, PutsZerosWhereTheOtherHasAnEntry) {
   EXPECT_EQ(values(one), (std::vector<double>{1, 0, 2, 4}));
   EXPECT_EQ(values(other), (std::vector<double>{1, 3, 0, 4}));
   for (const exported_function& f : {one, other}) {
-    EXPECT_EQ(f.results[1].row_of, (std::vector<int>{1, 0}));
-    EXPECT_EQ(f.results[1].column_of, (std::vector<int>{0, 1}));
+    EXPECT_EQ(f.results[1].places, (std::vector<std::pair<int, int>>{{0, 1}, {1, 0}}));
   }
 }
 

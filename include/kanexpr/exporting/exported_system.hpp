@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// A system as the backends see it: names and straight-line code, independent of how it was derived.
@@ -26,9 +27,9 @@ struct exported_result {
   int first = 0;
   std::vector<std::string> row_symbols{}; ///< the symbols the rows belong to, if any
   bool is_sparse = false;
-  std::vector<int> row_of{}, column_of{}; ///< row and column of each entry, if sparse
+  std::vector<std::pair<int, int>> places{}; ///< column and row of each entry, if sparse
 
-  int entries() const { return is_sparse ? static_cast<int>(row_of.size()) : rows * columns; }
+  int entries() const { return is_sparse ? static_cast<int>(places.size()) : rows * columns; }
 };
 
 /// A check for a singularity. The pairs of measure and scale follow all results; see lower/regular.hpp.

@@ -221,8 +221,7 @@ private:
     for (int j = 0; j < found.columns; ++j)
       for (int i = 0; i < found.rows; ++i) {
         if (with_numbers[i * found.columns + j] == symbolic::graph::zero) continue;
-        made.row_of.push_back(i);
-        made.column_of.push_back(j);
+        made.places.emplace_back(j, i);
         nodes.push(found(i, j).node());
       }
     return made;

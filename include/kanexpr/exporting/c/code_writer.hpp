@@ -98,25 +98,28 @@ private:
       own = names_.of("w" + std::to_string(place));
       return declared(own) + "w[" + std::to_string(place) + "];\n";
     }
-    const char* vector = "x";
-    const std::string* symbol = nullptr;
-    if (from.from == symbol_kind::coordinate)
-      symbol = &system_.coordinates[place];
-    else if (from.from == symbol_kind::speed)
-      symbol = &system_.speeds[place];
-    else if (from.from == symbol_kind::parameter)
-      vector = "p", symbol = &system_.parameters[place];
-    else if (from.from == symbol_kind::input)
-      vector = "r", symbol = &system_.inputs[place];
-    else if (from.from == symbol_kind::coordinate_rate)
-      vector = "a", symbol = &system_.coordinates[place];
-    else
-      vector = "a", symbol = &system_.speeds[place];
-    own = names_.of(*symbol + (vector[0] == 'a' ? "_rate" : ""));
-    const bool is_behind =
-        from.from == symbol_kind::speed || (from.from == symbol_kind::speed_rate && of_.takes_all_rates);
-    const std::size_t index = is_behind ? system_.coordinates.size() + place : place;
-    return declared(own) + vector + '[' + std::to_string(index) + "];\n";
+    const auto [vector, names, first] = source_of(from.from);
+    own = names_.of(names[place] + (*vector == 'a' ? "_rate" : ""));
+    return declared(own) + vector + '[' + std::to_string(first + place) + "];\n";
+  }
+
+  /// The vector argument that contains a kind of symbols, and the index of the first of them.
+  struct source {
+    const char* vector;
+    const std::vector<std::string>& names;
+    std::size_t first = 0;
+  };
+  source source_of(symbolic::symbol_kind kind) const {
+    const std::size_t coordinates = system_.coordinates.size();
+    using enum symbolic::symbol_kind;
+    switch (kind) {
+    case coordinate: return {"x", system_.coordinates};
+    case speed: return {"x", system_.speeds, coordinates};
+    case parameter: return {"p", system_.parameters};
+    case input: return {"r", system_.inputs};
+    case coordinate_rate: return {"a", system_.coordinates};
+    default: return {"a", system_.speeds, of_.takes_all_rates ? coordinates : 0};
+    }
   }
 
   /// Computes sine and cosine of an angle together when the first of them is needed.
@@ -146,18 +149,8 @@ private:
     case form::power: return called("pow", first + ", " + second);
     case form::function: return called(s.op, first);
     case form::binary_function: return called(s.op, first + ", " + second);
-    case form::constant:
-    case form::symbol: // have no line of code
-    case form::selection:
-    case form::pair:
-    case form::factorization:
-    case form::solve:
-    case form::transposed_solve:
-    case form::component:
-    case form::singularity_measure: // are written out
-    case form::call: break;         // cannot be exported
+    default: return ""; // has no line, is written out, or cannot be exported
     }
-    return "";
   }
   std::string called(symbolic::operation op, const std::string& with) const {
     const symbolic::spelling_in_c& in_c = symbolic::spelling_of(op);

@@ -26,10 +26,7 @@ struct casadi_sparsity {
   static casadi_sparsity dense(int rows) { return {rows, 1, true, {}}; }
   static casadi_sparsity empty(int rows, int columns) { return {rows, columns, false, {}}; }
   static casadi_sparsity of(const exported_result& result) {
-    casadi_sparsity found = empty(result.rows, result.columns);
-    for (std::size_t i = 0; i < result.row_of.size(); ++i)
-      found.places.emplace_back(result.column_of[i], result.row_of[i]);
-    return found;
+    return {result.rows, result.columns, false, result.places};
   }
 
   int entries() const { return is_dense ? rows * columns : static_cast<int>(places.size()); }

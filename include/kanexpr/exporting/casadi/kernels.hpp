@@ -6,6 +6,7 @@
 #include <kanexpr/mechanics/quantity.hpp>
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -123,24 +124,21 @@ private:
 class common_shapes {
 public:
   static void unify(exported_function& one, exported_function& other) {
-    for (exported_result& a : one.results)
-      for (exported_result& b : other.results) {
-        if (a.name != b.name || !a.is_sparse) continue;
-        const auto of_a = casadi_sparsity::of(a).places, of_b = casadi_sparsity::of(b).places;
-        if (of_a == of_b) continue;
-        auto all = of_a;
-        all.insert(all.end(), of_b.begin(), of_b.end());
-        std::sort(all.begin(), all.end());
-        all.erase(std::unique(all.begin(), all.end()), all.end());
+    for (const exported_result& a : one.results)
+      for (const exported_result& b : other.results) {
+        if (a.name != b.name || !a.is_sparse || a.places == b.places) continue;
+        places all;
+        std::set_union(a.places.begin(), a.places.end(), b.places.begin(), b.places.end(),
+                       std::back_inserter(all));
         widen(one, a.name, all);
         widen(other, b.name, all);
       }
   }
 
 private:
-  using place = std::pair<int, int>; ///< column and row
+  using places = std::vector<std::pair<int, int>>;
 
-  static void widen(exported_function& f, const std::string& name, const std::vector<place>& to) {
+  static void widen(exported_function& f, const std::string& name, const places& to) {
     lower::statements& code = f.code;
     const int zero = code.lines.push({.a = code.numbers.push(symbolic::exactly(0))});
     symbolic::sequence<int> results;
@@ -151,13 +149,9 @@ private:
         for (int i = 0; i < each.entries(); ++i) results.push(code.results[next++]);
         continue;
       }
-      const std::vector<place> from = casadi_sparsity::of(each).places;
-      each.row_of.clear(), each.column_of.clear();
-      for (const place& at : to) {
-        const bool is_known = std::find(from.begin(), from.end(), at) != from.end();
-        results.push(is_known ? code.results[next++] : zero);
-        each.column_of.push_back(at.first), each.row_of.push_back(at.second);
-      }
+      const places from = std::exchange(each.places, to);
+      for (const auto& at : to)
+        results.push(std::binary_search(from.begin(), from.end(), at) ? code.results[next++] : zero);
     }
     while (next < code.results.size()) results.push(code.results[next++]); // those of the checks
     code.results = results;

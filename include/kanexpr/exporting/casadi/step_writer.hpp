@@ -83,8 +83,7 @@ protected:
     for (const exported_result& each :
          kernels_.function(into.function + (has_more() ? "_by_all" : ""))->results)
       if (each.name == result)
-        for (std::size_t e = 0; e < each.row_of.size(); ++e)
-          into.places.emplace_back(row + each.row_of[e], column + each.column_of[e]);
+        for (const auto& [j, i] : each.places) into.places.emplace_back(row + i, column + j);
     if (is_by_basic) into.basic = into.places.size();
   }
 

@@ -14,6 +14,7 @@ struct fmu_variable {
   std::string name{};
   std::string of{}; ///< its name in the model, if different
   double start = 0;
+  bool is_dependent = false; ///< follows from the constraints
 };
 
 /// A change of an entry of the state at an event.
@@ -35,7 +36,6 @@ struct fmu {
   std::vector<crossing> directions{}; ///< one for each event
   std::vector<bool> ends{};           ///< whether each event ends the motion
   std::vector<fmu_change> changed{};  ///< in the order of the entries of `changes`
-  std::vector<bool> dependent{};      ///< whether each state is dependent
   double step_length = 0;
 
   int count_of_states() const { return static_cast<int>(states.size()); }

@@ -137,15 +137,15 @@ private:
     fmu& f = made_.of;
     const exported_system& s = f.system;
     f.step_length = chosen_.step;
-    for (int i = 0; i < survey_->coordinates + survey_->speeds; ++i)
-      f.dependent.push_back(survey_->dependent[i]);
-    for (const std::vector<std::string>* names : {&s.coordinates, &s.speeds})
-      for (const std::string& each : *names) f.states.push_back(variable(each));
-    for (int i = 0, last = 0; i < survey_->coordinates; ++i)
-      if (survey_->quaternion_of[i] > last) {
-        last = survey_->quaternion_of[i];
-        f.states[static_cast<std::size_t>(i)].start = 1; // the identity rotation
-      }
+    int last_quaternion = 0;
+    for (const std::string& each : s.states()) {
+      const int i = f.count_of_states();
+      f.states.push_back(variable(each));
+      f.states.back().is_dependent = survey_->dependent[i];
+      if (i >= survey_->coordinates || survey_->quaternion_of[i] <= last_quaternion) continue;
+      last_quaternion = survey_->quaternion_of[i];
+      f.states.back().start = 1; // the identity rotation
+    }
     for (const std::string& each : s.parameters) f.parameters.push_back(variable(each));
     for (const std::string& each : s.inputs) f.inputs.push_back(variable(each));
     for (const fmu_variable& each : f.states)
@@ -199,8 +199,7 @@ private:
                       " to set a start value for");
       if (!numeric::is_finite(each.value)) return refuse("the start value of " + name + " is not finite");
       if (!given.insert(name).second) return refuse(name + " has two start values");
-      if (const int state = place_of(f.states, name);
-          state >= survey_->coordinates && f.dependent[static_cast<std::size_t>(state)])
+      if (found->is_dependent && place_of(f.states, name) >= survey_->coordinates)
         return refuse("speed " + name +
                       " is dependent and cannot have a start value; it follows from the constraints");
       found->start = each.value;

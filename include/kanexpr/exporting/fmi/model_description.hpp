@@ -88,7 +88,6 @@ public:
 
 private:
   static std::string number(double value) { return scalar(precision::double_precision).number(value); }
-  bool is_dependent(int state) const { return of_.dependent[static_cast<std::size_t>(state)]; }
 
   /// The attributes that variables of a kind have in common.
   struct kind {
@@ -113,19 +112,17 @@ private:
   }
 
   void add_variables() {
-    const kind calculated{.initial = "calculated"};
     add({of_.time, {}, 0}, {.causality = "independent"});
-    for (int i = 0; i < of_.count_of_states(); ++i)
-      add(of_.states[static_cast<std::size_t>(i)],
-          {.causality = "output", .initial = is_dependent(i) ? "approx" : "exact", .has_start = true});
-    for (int i = 0; i < of_.count_of_states(); ++i)
-      add(of_.rates_of_states[static_cast<std::size_t>(i)],
-          {.initial = "calculated", .derivative_of = fmu::first_state + i});
+    for (const fmu_variable& v : of_.states)
+      add(v, {.causality = "output", .initial = v.is_dependent ? "approx" : "exact", .has_start = true});
+    int state = fmu::first_state;
+    for (const fmu_variable& v : of_.rates_of_states)
+      add(v, {.initial = "calculated", .derivative_of = state++});
     for (const fmu_variable& v : of_.parameters)
       add(v, {.causality = "parameter", .initial = "exact", .has_start = true, .variability = "tunable"});
     for (const fmu_variable& v : of_.inputs) add(v, {.causality = "input", .has_start = true});
     for (const fmu_variable& v : of_.outputs) add(v, {.causality = "output", .initial = "calculated"});
-    for (const fmu_variable& v : of_.indicators) add(v, calculated);
+    for (const fmu_variable& v : of_.indicators) add(v, {.initial = "calculated"});
   }
 
   /// Lists each unknown with its dependencies.
@@ -136,7 +133,7 @@ private:
     for (int i = 0; i < states; ++i)
       add_unknown("ContinuousStateDerivative", of_.first_rate() + i, rate_depends_on(i));
     for (int i = 0; i < states; ++i)
-      if (is_dependent(i)) add_initial_unknown(fmu::first_state + i);
+      if (of_.states[static_cast<std::size_t>(i)].is_dependent) add_initial_unknown(fmu::first_state + i);
     for (int i = 0; i < outputs; ++i) add_initial_unknown(of_.first_output() + i);
     for (int i = 0; i < states; ++i) add_initial_unknown(of_.first_rate() + i);
     for (int i = 0; i < static_cast<int>(of_.indicators.size()); ++i)
@@ -150,8 +147,11 @@ private:
   /// states; CasADi requires the full list, so all known variables are listed.
   void add_initial_unknown(int reference) {
     std::vector<int> on{0};
-    for (int i = 0; i < of_.count_of_states(); ++i)
-      if (!is_dependent(i)) on.push_back(fmu::first_state + i);
+    int state = fmu::first_state;
+    for (const fmu_variable& v : of_.states) {
+      if (!v.is_dependent) on.push_back(state);
+      ++state;
+    }
     for (int i = of_.first_parameter(); i < of_.first_output(); ++i) on.push_back(i);
     add_unknown("InitialUnknown", reference, on);
   }

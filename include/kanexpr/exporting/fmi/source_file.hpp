@@ -74,33 +74,25 @@ private:
   }
 
   /// An array; it gets one entry if there is none.
-  static std::string array(const char* type, const char* called, const std::vector<std::string>& entries) {
+  template <class Entries, class TextOf>
+  static std::string array(const char* type, const char* called, const Entries& all, const TextOf& text_of) {
     return std::string("static const ") + type + ' ' + called + "[] = {" +
-           (entries.empty() ? "0" : joined(entries, ", ", [](const std::string& each) { return each; })) +
-           "};\n";
-  }
-
-  static std::string number(double value) { return scalar(precision::double_precision).number(value); }
-
-  static std::string starts(const char* called, const std::vector<fmu_variable>& variables) {
-    std::vector<std::string> entries;
-    entries.reserve(variables.size());
-    for (const fmu_variable& v : variables) entries.push_back(number(v.start));
-    return array("double", called, entries);
+           (all.empty() ? "0" : joined(all, ", ", text_of)) + "};\n";
   }
 
   std::string tables() const {
-    std::vector<std::string> direction, ends, by, place;
-    for (const crossing each : of_.directions) direction.push_back(std::to_string(static_cast<int>(each)));
-    for (const bool each : of_.ends) ends.emplace_back(each ? "true" : "false");
-    for (const fmu_change& each : of_.changed) {
-      by.push_back(std::to_string(each.event));
-      place.push_back(std::to_string(each.place));
-    }
-    return '\n' + starts("start_of_states", of_.states) + starts("start_of_parameters", of_.parameters) +
-           starts("start_of_inputs", of_.inputs) + array("int", "direction", direction) +
-           array("bool", "ends_motion", ends) + array("int", "changed_by", by) +
-           array("int", "changed_place", place) +
+    const auto number = [](double value) { return scalar(precision::double_precision).number(value); };
+    const auto start = [&](const fmu_variable& v) { return number(v.start); };
+    return '\n' + array("double", "start_of_states", of_.states, start) +
+           array("double", "start_of_parameters", of_.parameters, start) +
+           array("double", "start_of_inputs", of_.inputs, start) +
+           array("int", "direction", of_.directions,
+                 [](crossing each) { return std::to_string(static_cast<int>(each)); }) +
+           array("bool", "ends_motion", of_.ends, [](bool each) { return each ? "true" : "false"; }) +
+           array("int", "changed_by", of_.changed,
+                 [](const fmu_change& each) { return std::to_string(each.event); }) +
+           array("int", "changed_place", of_.changed,
+                 [](const fmu_change& each) { return std::to_string(each.place); }) +
            "static const double internal_step = " + number(of_.step_length) + ";\n";
   }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <initializer_list>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,7 +25,11 @@ inline std::string_view template_part(std::string_view file, std::string_view na
 template <class Entries, class TextOf>
 std::string joined(const Entries& all, std::string_view between, const TextOf& text_of) {
   std::string whole;
-  for (const auto& each : all) whole.append(&each == &*std::begin(all) ? "" : between).append(text_of(each));
+  std::string_view before;
+  for (const auto& each : all) {
+    whole.append(before).append(text_of(each));
+    before = between;
+  }
   return whole;
 }
 inline std::string joined(const std::vector<int>& all, std::string_view between) {
