@@ -46,13 +46,11 @@ private:
     };
     if (begins("scalar="))
       set_scalar(option);
-    else if (begins("bind=")) {
-      if (const auto [name, value] = parse_assignment(option, "parameter"); value)
-        chosen_.bound.push_back({name, *value});
-    } else if (begins("start=")) {
-      if (const auto [name, value] = parse_assignment(option, "symbol"); value)
-        chosen_.start.push_back({name, *value});
-    } else if (begins("step=")) {
+    else if (begins("bind="))
+      add_assignment(option, "parameter", chosen_.bound);
+    else if (begins("start="))
+      add_assignment(option, "symbol", chosen_.start);
+    else if (begins("step=")) {
       if (chosen_.step = number(option); !chosen_.step)
         cause_ = std::string(option) + " is not a valid step length";
     } else if (begins("compiler="))
@@ -94,18 +92,16 @@ private:
     return value;
   }
 
-  struct assignment {
-    std::string name{};
-    std::optional<double> value{};
-  };
-
-  assignment parse_assignment(std::string_view text, const char* to_what) {
+  /// Adds the value of `name=number`.
+  template <class Values>
+  void add_assignment(std::string_view text, const char* kind, Values& to) {
     const std::size_t equals = text.find('=');
-    assignment found;
-    if (equals != text.npos && equals != 0)
-      found = {std::string(text.substr(0, equals)), number(text.substr(equals + 1))};
-    if (!found.value) cause_ = std::string(text) + " is not of the form " + to_what + "=number";
-    return found;
+    std::optional<double> value;
+    if (equals != text.npos && equals != 0) value = number(text.substr(equals + 1));
+    if (value)
+      to.push_back({std::string(text.substr(0, equals)), *value});
+    else
+      cause_ = std::string(text) + " is not of the form " + kind + "=number";
   }
 
   const export_format& format_;

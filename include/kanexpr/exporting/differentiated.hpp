@@ -30,15 +30,15 @@ private:
   std::array<expressions, 5> all_{};
 };
 
-/// Derivatives of an arbitrary column of expressions, by the chain rule through its graph. Common
-/// subexpressions are shared.
+/// The derivatives of an arbitrary column of expressions, obtained by the chain rule through its graph.
+/// Common subexpressions are shared.
 class differentiated {
 public:
   differentiated(symbolic::graph& g, const base::sequence<symbolic::expression>& y,
                  const differentiable_symbols& of)
       : graph_(g), y_(y), symbols_(of) {}
 
-  bool is_of(const base::sequence<symbolic::expression>& y) const {
+  bool differentiates(const symbolic::sequence<symbolic::expression>& y) const {
     return std::equal(y.begin(), y.end(), y_.begin(), y_.end(),
                       [](const auto& a, const auto& b) { return a.node() == b.node(); });
   }
@@ -74,9 +74,10 @@ private:
   using expression = symbolic::expression;
   using expressions = base::sequence<expression>;
 
-  /// Named as in mechanics/linearize/second_order.hpp, whose results may appear in the same function.
-  expression given(symbolic::symbol_kind kind, std::string_view what, int place) {
-    base::name called(what);
+  /// Returns a variable with the same name as in mechanics/linearize/second_order.hpp, whose results may
+  /// appear in the same function.
+  expression seed(symbolic::symbol_kind kind, std::string_view what, int place) {
+    symbolic::name called(what);
     called.append(place + 1);
     return symbolic::variable(graph_, {kind, called, place});
   }
@@ -86,7 +87,7 @@ private:
     int place = 0;
     for (symbols each : which)
       for (const expression& s : symbols_.of(each)) {
-        d.set_rate(s, given(symbolic::symbol_kind::direction, "direction", place));
+        d.set_rate(s, seed(symbolic::symbol_kind::direction, "direction", place));
         ++place;
       }
     expressions rates;
@@ -95,14 +96,14 @@ private:
   }
 
   expressions gradient_by(symbols which) {
-    if (!back_) {
-      back_.emplace(graph_, y_);
+    if (!reverse_pass_) {
+      reverse_pass_.emplace(graph_, y_);
       for (int i = 0; i < y_.size(); ++i)
-        back_->seed(y_[i], given(symbolic::symbol_kind::weight, "weight", i));
-      back_->run();
+        reverse_pass_->seed(y_[i], seed(symbolic::symbol_kind::weight, "weight", i));
+      reverse_pass_->run();
     }
     expressions slopes;
-    for (const expression& s : symbols_.of(which)) slopes.push(back_->by(s));
+    for (const expression& s : symbols_.of(which)) slopes.push(reverse_pass_->by(s));
     return slopes;
   }
 
@@ -137,7 +138,7 @@ private:
   symbolic::graph& graph_;
   expressions y_;
   const differentiable_symbols& symbols_;
-  std::optional<symbolic::accumulation> back_{};
+  std::optional<symbolic::accumulation> reverse_pass_{};
 };
 
 /// The residual of the equations of motion at given rates: q̇ − q̇(q, u), the residual M u̇ − f of inverse

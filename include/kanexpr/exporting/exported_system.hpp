@@ -25,7 +25,7 @@ struct exported_result {
   int rows = 0;
   int columns = 0;
   int first = 0;
-  std::vector<std::string> row_symbols{}; ///< the symbols the rows belong to, if any
+  std::vector<std::string> row_symbols{}; ///< the symbols to which the rows belong, if any
   bool is_sparse = false;
   std::vector<std::pair<int, int>> places{}; ///< column and row of each entry, if sparse
 
@@ -35,7 +35,7 @@ struct exported_result {
 /// A check for a singularity. The pairs of measure and scale follow all results; see lower/regular.hpp.
 struct exported_check {
   std::string cause{};
-  bool of_finiteness = false;
+  bool is_finiteness_check = false;
   bool is_order_check = false; ///< fails unless the measure exceeds the scale
 };
 
@@ -48,7 +48,7 @@ struct exported_function {
   symbolic::cost cost{};
   bool takes_rates = false;     ///< takes the rates of the speeds as an argument
   bool takes_all_rates = false; ///< takes the rates of the state as an argument
-  bool takes_step = false;      ///< takes the step length as an argument: the time at position 1
+  bool takes_step = false;      ///< takes the step length as an argument, stored as the time at position 1
   int weights = 0; ///< number of weights, or of entries of the direction, that its derivatives take
 
   /// The distinct causes of the checks; each has one bit of the status.

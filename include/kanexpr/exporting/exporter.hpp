@@ -69,7 +69,7 @@ public:
 
 private:
   static bool is_identifier(const std::string& name) {
-    return name != "math" && identifiers().of(name) == name;
+    return name != "math" && identifiers().unique(name) == name;
   }
 
   void read_names() {
@@ -137,7 +137,7 @@ private:
     finish(std::move(made));
   }
 
-  /// The stage that the first result of a function starts from.
+  /// The stage from which the first result of a function is formed.
   static mechanics::stage first_stage(const requested_function& wanted) {
     if (wanted.results.empty() || wanted.results[0].written.is_given()) return mechanics::stage::constrained;
     return derivation::stage_for(wanted.results[0].request);
@@ -156,8 +156,10 @@ private:
     };
     const differentiable_symbols known_symbols = symbols_of(from);
     std::optional<differentiated> derivatives;
-    const auto derived = [&](const base::sequence<symbolic::expression>& of, const requested_derivative& by) {
-      if (!derivatives || !derivatives->is_of(of)) derivatives.emplace(from.graph(), of, known_symbols);
+    const auto derived = [&](const symbolic::sequence<symbolic::expression>& of,
+                             const requested_derivative& by) {
+      if (!derivatives || !derivatives->differentiates(of))
+        derivatives.emplace(from.graph(), of, known_symbols);
       made.weights = (std::max)(made.weights, derivatives->weights_for(by));
       symbolic::matrix found = derivatives->get(by);
       if (const base::sentence lacking = mechanics::check_derivatives(found))
@@ -262,8 +264,8 @@ private:
     return mechanics::row_of(wanted.wanted).takes_weights ? states : states + survey_->inputs;
   }
 
-  /// The block of `whole`, whose entries are derivatives by the state and the inputs, that belongs to the
-  /// symbols `which`.
+  /// Returns the block of `whole` that belongs to the symbols `which`; its entries are derivatives with
+  /// respect to the state and the inputs.
   symbolic::matrix part_of(model& from, const symbolic::matrix& whole,
                            const std::vector<symbols>& which) const {
     const int states = survey_->coordinates + survey_->speeds;
@@ -298,7 +300,7 @@ private:
     return with_numbers;
   }
 
-  /// The symbols whose rates or forces are in the rows.
+  /// The symbols whose rates or forces the rows contain.
   std::vector<std::string> symbols_of_rows(const derivation::request& r) const {
     using mechanics::extent_by;
     if (r.what != derivation::request::kind::result) return {};

@@ -42,7 +42,7 @@ constexpr exporting::export_format formats[]{exporting::c_format, exporting::cas
 #endif
 };
 
-/// The program that an environment variable names, or the default.
+/// Returns the program that an environment variable names, or the default.
 std::string program_from_environment(const char* variable, const char* otherwise) {
   const char* const chosen = std::getenv(variable);
   return chosen != nullptr && *chosen != '\0' ? chosen : otherwise;
@@ -196,7 +196,7 @@ int write_model(const request& r) {
   return std::system(call.c_str()) == 0 ? 0 : 1;
 }
 
-/// A sentence about an option that does not apply to the file; empty if all do.
+/// Reports an option that does not apply to the file; empty if all do.
 std::string inapplicable_option(const CLI::App& given, const request& r) {
   for (const char* option : {"--system", "--include"})
     if (r.is_robot() && given.count(option) != 0)

@@ -75,14 +75,14 @@ private:
     return text;
   }
 
-  /// The name without characters that would end the comment.
+  /// Returns the name without the characters that would end a comment.
   static std::string in_comment(const std::string& name) {
     std::string text = printable(name);
     for (std::size_t end; (end = text.find("*/")) != text.npos;) text.replace(end, 2, "* ");
     return text;
   }
 
-  /// Enumerators for the indices, followed by the counts.
+  /// The indices and the counts as enumerators.
   std::string places() const {
     const exported_system& s = system();
     std::string text = "enum {\n";
@@ -129,7 +129,7 @@ private:
     return text + " */\n";
   }
 
-  /// The arguments of a function before its results.
+  /// The arguments that precede the results of a function.
   static std::vector<std::string> arguments(const exported_function& f) {
     std::vector<std::string> all{"t", "x", "p", "r"};
     if (f.takes_step) all.insert(all.begin() + 2, "h");
@@ -194,9 +194,9 @@ private:
       const int place = f.entries() + 2 * static_cast<int>(i);
       const std::string measure = writer.value(f.code.results[place]),
                         scale = writer.value(f.code.results[place + 1]);
-      std::string asked = name() + (one.of_finiteness    ? "_is_infinite(" + measure
-                                    : one.is_order_check ? "_is_not_above(" + measure + ", " + scale
-                                                         : "_is_singular(" + measure + ", " + scale);
+      std::string asked = name() + (one.is_finiteness_check ? "_is_infinite(" + measure
+                                    : one.is_order_check    ? "_is_not_above(" + measure + ", " + scale
+                                                            : "_is_singular(" + measure + ", " + scale);
       asked += bit == 0 ? ")" : ") << " + std::to_string(bit);
       if (std::find(bits.begin(), bits.end(), asked) == bits.end()) bits.push_back(std::move(asked));
     }

@@ -27,8 +27,8 @@ public:
     for (const exported_result& each : of.results) names_.reserve(each.name);
   }
 
-  /// All lines; `value` returns the names of their results. Each argument is read just before its first use:
-  /// compilers keep that order and would spill arguments that are read earlier.
+  /// Returns all lines; `value` returns the names of their results. Each argument is read just before its
+  /// first use: compilers keep that order and would spill arguments that are read earlier.
   std::string lines() {
     std::string text;
     const auto count = static_cast<std::size_t>(code_.lines.size());
@@ -46,7 +46,7 @@ public:
 private:
   using kind = lower::statement::kind;
 
-  /// The line that reads an argument, unless it has been read already.
+  /// Returns the line that reads an argument, unless it has been read already.
   std::string read(int place) { return std::exchange(unread_[static_cast<std::size_t>(place)], {}); }
 
   std::string read_for(const lower::statement& s) {
@@ -76,7 +76,7 @@ private:
     return declared(own) + operation(s) + ";\n";
   }
 
-  std::string next(const char* letter) { return names_.of(letter + std::to_string(++count_)); }
+  std::string next(const char* letter) { return names_.unique(letter + std::to_string(++count_)); }
   std::string declared(const std::string& value) const {
     return std::string("  const ") + number_.type() + ' ' + value + " = ";
   }
@@ -95,11 +95,11 @@ private:
     }
     const auto place = static_cast<std::size_t>(from.position);
     if (from.from == symbol_kind::weight || from.from == symbol_kind::direction) {
-      own = names_.of("w" + std::to_string(place));
+      own = names_.unique("w" + std::to_string(place));
       return declared(own) + "w[" + std::to_string(place) + "];\n";
     }
     const auto [vector, names, first] = source_of(from.from);
-    own = names_.of(names[place] + (*vector == 'a' ? "_rate" : ""));
+    own = names_.unique(names[place] + (*vector == 'a' ? "_rate" : ""));
     return declared(own) + vector + '[' + std::to_string(first + place) + "];\n";
   }
 
@@ -130,7 +130,7 @@ private:
         values_[static_cast<std::size_t>(i)] = is_sine ? known.sine : known.cosine;
         return {};
       }
-    const angle one{s.a, next("s"), names_.of("c" + std::to_string(count_))};
+    const angle one{s.a, next("s"), names_.unique("c" + std::to_string(count_))};
     angles_.push_back(one);
     values_[static_cast<std::size_t>(i)] = is_sine ? one.sine : one.cosine;
     return std::string("  ") + number_.type() + ' ' + one.sine + ", " + one.cosine + ";\n  " + name_ +
@@ -149,7 +149,7 @@ private:
     case form::power: return called("pow", first + ", " + second);
     case form::function: return called(s.op, first);
     case form::binary_function: return called(s.op, first + ", " + second);
-    default: return ""; // has no line, is written out, or cannot be exported
+    default: return ""; // operations that have no line, are written out, or cannot be exported
     }
   }
   std::string called(symbolic::operation op, const std::string& with) const {

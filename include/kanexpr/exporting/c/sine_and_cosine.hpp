@@ -28,8 +28,8 @@ inline constexpr std::string_view sine_and_cosine = template_text(
 
 } // namespace detail
 
-/// The routine of numeric/sine_and_cosine.hpp in C, for one angle: the same operations in the same order.
-/// Beyond its range it returns NaN, without a branch.
+/// Returns the routine of numeric/sine_and_cosine.hpp in C, for one angle, with the same operations in the
+/// same order. Beyond its range it returns NaN, without a branch.
 inline std::string sine_and_cosine_in_c(const std::string& name, const scalar& of) {
   using numeric::detail::circular;
   const scalar wide(precision::double_precision);

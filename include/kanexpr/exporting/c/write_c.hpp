@@ -21,15 +21,16 @@ struct c_options {
   std::vector<requested_function> functions = default_results();
   std::vector<bound_parameter> bound{}; ///< parameters that are exported as numbers
   precision number = precision::double_precision;
-  bool with_python = false; ///< also `name`.py, a module that calls the functions by ctypes
-  bool with_cpp = false;    ///< also `name`.hpp, which calls them from C++11 and later with the model's names
+  bool with_python = false; ///< also writes `name`.py, a module that calls the functions through ctypes
+  bool with_cpp =
+      false; ///< also writes `name`.hpp, which calls them from C++11 and later with the model's names
 
   operator options() const { return {functions, bound}; }
 };
 
 namespace detail {
 
-/// Reports a number that is out of range of the scalar type; empty if there is none.
+/// Reports a number that is out of the range of the scalar type; empty if there is none.
 inline std::string mistake_of_numbers(const exported_system& s, precision number) {
   for (const exported_function& f : s.functions)
     for (const symbolic::number& n : f.code.numbers)

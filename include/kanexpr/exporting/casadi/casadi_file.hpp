@@ -47,15 +47,15 @@ public:
 
 private:
   /// A result of a C function, and its place in CasADi's results.
-  struct asked {
+  struct requested_output {
     std::size_t place = 0; ///< index in `res`
     int entries = 0;
-    bool is_basic = false; ///< available without the derivatives by all arguments
+    bool is_basic = false; ///< available without the derivatives with respect to all arguments
   };
 
   bool has_more() const { return kernels_.function(begin_ + "jacobian_by_all") != nullptr; }
 
-  /// The sparsity of a result; empty if the result is missing for lack of arguments.
+  /// The sparsity of a result; empty if the result is missing because the system has no such arguments.
   casadi_sparsity shape_of(const std::string& function, const std::string& result, int rows,
                            int columns) const {
     for (const exported_result& each :
@@ -66,34 +66,36 @@ private:
 
   static std::string arg(std::size_t i) { return "arg[" + std::to_string(i) + ']'; }
   static std::string res(std::size_t i) { return "res[" + std::to_string(i) + ']'; }
-  std::string given_at(std::size_t place) const { return library_ + "_given(" + arg(place) + ')'; }
-  std::string weights() const { return given_at(arguments_.size() + 1); }
+  std::string argument_at(std::size_t place) const { return library_ + "_given(" + arg(place) + ')'; }
+  std::string weights() const { return argument_at(arguments_.size() + 1); }
 
-  /// The C function of a derivative, or of the column itself.
+  /// The name of the C function for a derivative, or for the column itself.
   std::string kernel(const std::string& derivative) const {
     return derivative.empty() ? casadi_kernels::name_of_column(!begin_.empty()) : begin_ + derivative;
   }
 
-  /// The call of a C function as a condition that is true if there is no result.
+  /// Returns the call of a C function as a condition that is true if there is no result.
   std::string call(const std::string& function, const std::string& weights,
                    const std::vector<std::string>& results) const {
     std::string text, time = "0";
     for (symbols each : {symbols::state, symbols::parameters, symbols::inputs, symbols::rates})
       for (std::size_t i = 0; i < arguments_.size(); ++i)
-        if (arguments_[i].are == each) text += ", " + given_at(i);
-    if (arguments_.back().are == symbols::time) time = '*' + given_at(arguments_.size() - 1);
+        if (arguments_[i].are == each) text += ", " + argument_at(i);
+    if (arguments_.back().are == symbols::time) time = '*' + argument_at(arguments_.size() - 1);
     text = kernels_.name + '_' + kernel(function) + '(' + time + text;
     if (kernels_.function(kernel(function))->weights > 0) text += ", " + weights;
     for (const std::string& each : results) text += ", " + each;
     return text + ") != 0";
   }
 
-  /// Calls the function of the basic arguments if that suffices: if no other result is requested and
-  /// `needs_more` is zero. Results that are not requested go to `w`, from `scratch` on.
-  std::string call_for(const std::string& function, const std::string& weights, const std::vector<asked>& all,
-                       int scratch = 0, std::string needs_more = {}) const {
+  /// Returns the call of the function for the basic arguments if it suffices, that is, if no other result is
+  /// requested and `needs_more` is zero. Results that are not requested are written to `w`, starting at
+  /// `scratch`.
+  std::string call_for(const std::string& function, const std::string& weights,
+                       const std::vector<requested_output>& all, int scratch = 0,
+                       std::string needs_more = {}) const {
     std::vector<std::string> basic, more;
-    for (const asked& each : all) {
+    for (const requested_output& each : all) {
       const std::string to = library_ + "_or(" + res(each.place) + ", w + " + std::to_string(scratch) + ')';
       scratch += each.entries;
       more.push_back(to);
@@ -107,13 +109,13 @@ private:
     return '(' + needs_more + ")\n    ? " + call(function + "_by_all", weights, more) + "\n    : " + least;
   }
 
-  static std::string any_of(const std::vector<asked>& all) {
-    return joined(all, " || ", [](const asked& each) { return res(each.place); });
+  static std::string any_of(const std::vector<requested_output>& all) {
+    return joined(all, " || ", [](const requested_output& each) { return res(each.place); });
   }
 
-  static int entries_of(const std::vector<asked>& all) {
+  static int entries_of(const std::vector<requested_output>& all) {
     int count = 0;
-    for (const asked& each : all) count += each.entries;
+    for (const requested_output& each : all) count += each.entries;
     return count;
   }
 
@@ -123,9 +125,9 @@ private:
     return f;
   }
 
-  /// The derivatives by each argument, as results from `place` on.
-  std::vector<asked> first_derivatives(std::size_t place) const {
-    std::vector<asked> all;
+  /// The derivatives with respect to each argument, which are the results from `place` on.
+  std::vector<requested_output> first_derivatives(std::size_t place) const {
+    std::vector<requested_output> all;
     for (std::size_t i = 0; i < arguments_.size(); ++i)
       all.push_back({place + i, family_.first[i].entries(), i < basic_});
     return all;
@@ -133,14 +135,14 @@ private:
 
   casadi_function jacobian() const {
     casadi_function f = family_.jacobian();
-    const std::vector<asked> all = first_derivatives(0);
+    const std::vector<requested_output> all = first_derivatives(0);
     f.scratch = entries_of(all);
     f.body = "  return " + call_for("jacobian", "", all) + ";\n";
     return f;
   }
 
   /// Declares `i` and, if some arguments are not basic, `more`, which is nonzero if the direction has nonzero
-  /// entries for these. The direction fills the first entries of `w`.
+  /// entries for the others. The direction fills the first entries of `w`.
   std::string take_direction(int& size_of_all) const {
     std::string text = has_more() ? "  long long i;\n  int more = 0;\n" : "  long long i;\n";
     for (std::size_t k = 0; k < arguments_.size(); ++k) {
@@ -166,16 +168,16 @@ private:
     return f;
   }
 
-  /// The derivatives of the directional derivative by each argument, by the column (zero) and by the
+  /// The derivatives of the directional derivative with respect to each argument, the column (zero) and the
   /// direction (the first derivatives).
   casadi_function jacobian_of_forward() const {
     casadi_function f = family_.jacobian_of_forward();
     int direction = 0;
     f.body = take_direction(direction);
-    std::vector<asked> second;
+    std::vector<requested_output> second;
     for (std::size_t i = 0; i < arguments_.size(); ++i)
       second.push_back({i, family_.along[i].entries(), i < basic_});
-    const std::vector<asked> first = first_derivatives(arguments_.size() + 1);
+    const std::vector<requested_output> first = first_derivatives(arguments_.size() + 1);
     f.scratch = direction + (std::max)(entries_of(first), entries_of(second));
     f.body += "  if ((" + any_of(first) + ") && (" + call_for("jacobian", "", first, direction) +
               ")) return 1;\n  if (!(" + any_of(second) + ")) return 0;\n  return " +
@@ -185,7 +187,7 @@ private:
 
   casadi_function adjoint() const {
     casadi_function f = family_.adjoint();
-    std::vector<asked> all;
+    std::vector<requested_output> all;
     for (std::size_t i = 0; i < arguments_.size(); ++i)
       if (arguments_[i].size > 0) all.push_back({i, arguments_[i].size, i < basic_});
     f.scratch = entries_of(all);
@@ -193,11 +195,11 @@ private:
     return f;
   }
 
-  /// The derivatives of each adjoint by each argument, by the column (zero) and by the weights (the
+  /// The derivatives of each adjoint with respect to each argument, the column (zero) and the weights (the
   /// transposed first derivatives).
   casadi_function jacobian_of_adjoint() const {
     casadi_function f = family_.jacobian_of_adjoint();
-    std::vector<asked> second;
+    std::vector<requested_output> second;
     for (std::size_t o = 0; o < arguments_.size(); ++o)
       for (std::size_t i = 0; i < arguments_.size(); ++i)
         second.push_back(
@@ -208,7 +210,8 @@ private:
     return f;
   }
 
-  /// Returns the code for the derivatives of the adjoints by the weights; it uses `w` as scratch space.
+  /// Returns the code for the derivatives of the adjoints with respect to the weights; it uses `w` as scratch
+  /// space.
   std::string transposed_jacobian() const {
     std::string wanted, more, taken;
     std::vector<std::string> to, basic;

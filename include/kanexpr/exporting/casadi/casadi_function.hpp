@@ -31,7 +31,7 @@ struct casadi_sparsity {
 
   int entries() const { return is_dense ? rows * columns : static_cast<int>(places.size()); }
 
-  /// The transpose, and the index of each of its entries in this one.
+  /// Returns the transpose, and for each of its entries the index in this pattern.
   std::pair<casadi_sparsity, std::vector<int>> transposed() const {
     std::vector<std::pair<std::pair<int, int>, int>> exchanged;
     exchanged.reserve(places.size());
@@ -120,16 +120,17 @@ struct casadi_argument {
   symbols are{};
   int size = 0;
 
-  /// False for parameters and time, which come last: derivatives by them are computed only on request.
+  /// False for parameters and time, which come last: derivatives with respect to them are computed only on
+  /// request.
   bool is_basic() const { return are != symbols::parameters && are != symbols::time; }
 };
 
 /// The names, inputs and outputs of a function that returns a column y, and of the functions that CasADi
-/// looks up for its derivatives; the results of derivatives by y and its derivatives, which are arguments,
-/// too, are zero. The functions have no bodies yet.
+/// looks up for its derivatives. CasADi also passes y to the latter; derivatives with respect to it are zero.
+/// The caller adds the bodies.
 struct casadi_family {
   std::string name{}, column{};
-  int rows = 0; ///< of the column
+  int rows = 0; ///< of y
   std::vector<casadi_argument> arguments{};
   std::vector<casadi_sparsity> first{}, along{};      ///< ∂y/∂z and ∂((∂y/∂z) w)/∂z for each argument z
   std::vector<std::vector<casadi_sparsity>> second{}; ///< ∂²(λᵀy)/∂z∂z'

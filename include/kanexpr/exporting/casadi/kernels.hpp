@@ -20,8 +20,8 @@ inline std::size_t count_of_basic(const std::vector<casadi_argument>& arguments)
 }
 
 /// The C functions that CasADi may request for a column (the rates of the state or the residual of the
-/// implicit form): the column itself, its derivatives by the basic arguments, and its derivatives by all
-/// arguments, which cost more.
+/// implicit form): the column itself, its derivatives with respect to the basic arguments, and its
+/// derivatives with respect to all arguments, which cost more.
 class casadi_kernels {
 public:
   casadi_kernels(bool of_residual, const std::vector<casadi_argument>& by_all)
@@ -64,7 +64,7 @@ private:
     std::vector<symbols> all;
     all.reserve(count);
     for (std::size_t i = 0; i < count; ++i) all.push_back(by_all_[i].are);
-    // Together with derivatives by the parameters, those from the graph share more operations.
+    // Next to derivatives with respect to the parameters, those from the graph share more operations.
     const bool is_by_parameters = !by_all_[count - 1].is_basic();
     const auto to_second_order = [&](requested_result found, quantity by, std::vector<symbols> part) {
       if (of_residual_ || is_by_parameters) return found;
@@ -97,8 +97,8 @@ private:
       wanted.push_back(each);
   }
 
-  /// The Jacobian by one argument. That of the rates is taken from the linearized equations if they have it,
-  /// as this costs less than the chain rule.
+  /// The Jacobian with respect to one argument. For the rates, it is taken from the linearized equations if
+  /// they contain it, which costs less than the chain rule.
   requested_result jacobian_by(const casadi_argument& by) const {
     requested_result found = derived("by_" + by.name, {.type = kind::jacobian, .by = by.are});
     if (of_residual_ || !by.is_basic()) return found;
@@ -142,7 +142,7 @@ private:
     lower::statements& code = f.code;
     const int zero = code.lines.push({.a = code.numbers.push(symbolic::exactly(0))});
     symbolic::sequence<int> results;
-    int next = 0; // entry of the previous results
+    int next = 0; // an entry of the old results
     for (exported_result& each : f.results) {
       each.first = results.size();
       if (each.name != name) {

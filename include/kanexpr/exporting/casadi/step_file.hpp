@@ -34,7 +34,7 @@ public:
   }
 
 private:
-  /// The rows from `first_row` on and the columns of argument `by`.
+  /// The pattern of the rows from `first_row` on and of the columns of argument `by`.
   casadi_sparsity block(const pattern& all, int first_row, int rows, std::size_t by) const {
     casadi_sparsity found = casadi_sparsity::empty(rows, given_[by].size);
     for (int j = 0; j < found.columns; ++j)
@@ -43,8 +43,8 @@ private:
     return found;
   }
 
-  /// The code that copies result `place`, if it is requested, from the matrix `all` of the derivatives by all
-  /// arguments; `index` returns the place of an entry in this matrix.
+  /// Returns the code that copies result `place`, if it is requested, from the matrix `all` of the
+  /// derivatives with respect to all arguments; `index` returns the index of an entry in this matrix.
   template <class Index>
   static std::string copied(const casadi_function& f, std::size_t place, const std::string& all,
                             const Index& index) {
@@ -57,13 +57,13 @@ private:
                           {"size", std::to_string(from.size())},
                           {"all", all}});
   }
-  /// Copies derivatives of the next state by argument `by`.
+  /// Copies derivatives of the next state with respect to argument `by`.
   std::string copied_first(const casadi_function& f, std::size_t place, const std::string& all,
                            std::size_t by) const {
     return copied(f, place, all, [&](int row, int column) { return row * columns_ + begin_[by] + column; });
   }
 
-  /// The C condition that one of these results is requested.
+  /// Returns the C condition that one of these results is requested.
   static std::string any_of(const std::vector<std::size_t>& places) {
     if (places.empty()) return "0";
     return joined(places, " || ", [](std::size_t each) { return "res[" + std::to_string(each) + "] != 0"; });

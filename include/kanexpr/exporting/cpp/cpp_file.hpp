@@ -10,7 +10,7 @@
 
 namespace kanexpr::exporting {
 
-/// The text of headers for C++.
+/// The text of C++ headers.
 namespace cpp_templates {
 
 inline constexpr std::string_view header = template_text(
@@ -39,7 +39,7 @@ public:
     namespaces.reserve_words();
     namespaces.reserve_words_of_mathematics();
     namespaces.reserve("std");
-    const std::string own = namespaces.of(s.name);
+    const std::string own = namespaces.unique(s.name);
     std::string all = fill_template(cpp_templates::header,
                                     {{"name", s.name},
                                      {"own_header", "#include \"" + s.name + ".h\""},
@@ -51,7 +51,7 @@ public:
     identifiers functions;
     functions.reserve_words();
     functions.reserve("state parameters inputs rates status status_of");
-    for (const exported_function& f : s.functions) all += definition(f, functions.of(f.name));
+    for (const exported_function& f : s.functions) all += definition(f, functions.unique(f.name));
     return all + "\n} // namespace " + own + "\n\n#endif\n";
   }
 
@@ -70,7 +70,7 @@ private:
     names.reserve(name);
     std::string declared, read, written;
     for (std::size_t i = 0; i < symbols.size(); ++i) {
-      const std::string member = names.of(symbols[i]), entry = "entries[" + std::to_string(i) + ']';
+      const std::string member = names.unique(symbols[i]), entry = "entries[" + std::to_string(i) + ']';
       declared.append("  ").append(number_.type()).append(" ").append(member).append(" = ").append(at_first);
       declared += ";\n";
       read.append("    found.").append(member).append(" = ").append(entry).append(";\n");
@@ -91,7 +91,7 @@ private:
            std::to_string(entries > 0 ? entries : 1) + "];\n  " + name + ".put(given_" + name + ");\n";
   }
 
-  /// A parameter of a function; trailing ones have a default if the system has no such quantities.
+  /// A parameter of a function. Trailing parameters have a default if the system has no such quantities.
   static std::string taken(const std::string& type, const char* name, bool is_empty) {
     return "const " + type + " &" + name + (is_empty ? " = " + type + "()" : "");
   }
@@ -103,7 +103,7 @@ private:
     identifiers members;
     members.reserve("made");
     for (const exported_result& each : f.results) {
-      const std::string member = members.of(each.name), place = "found." + member;
+      const std::string member = members.unique(each.name), place = "found." + member;
       if (f.takes_step) {
         declared += "  state " + member + ";\n";
         filled_in += "  " + place + " = state::from(given_x);\n";

@@ -12,7 +12,7 @@ namespace kanexpr::exporting {
 /// A scalar variable of an FMU; its position in its list determines its value reference.
 struct fmu_variable {
   std::string name{};
-  std::string of{}; ///< its name in the model, if different
+  std::string name_in_model{}; ///< if different
   double start = 0;
   bool is_dependent = false; ///< follows from the constraints
 };
@@ -23,7 +23,7 @@ struct fmu_change {
   int place = 0; ///< index in the state
 };
 
-/// The contents of an FMU. Its system has functions with the names below, as far as they are needed.
+/// The contents of an FMU. Its system has functions with the names below if they are needed.
 struct fmu {
   static constexpr const char *rates = "rhs", *jacobian = "jacobian", *rates_by_time = "rhs_by_time",
                               *measured = "measured", *measured_derivatives = "measured_derivatives",

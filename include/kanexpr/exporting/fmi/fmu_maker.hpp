@@ -43,7 +43,7 @@ struct exported_event {
   after_event then = after_event::go_on;
 };
 
-/// The event that an expression of the model crosses zero, or that an equation comes to hold:
+/// The event that an expression of the model crosses zero, or that an equation becomes satisfied:
 /// `exporting::when<h>("bounce", crossing::falling, {exporting::set<-0.8 * u>(u)})`.
 template <auto watched, class Where = describe::file_of<watched>>
 exported_event when(const std::string& name, crossing direction = crossing::either,
@@ -205,7 +205,7 @@ private:
       found->start = each.value;
     }
     for (const fmu_variable& each : f.parameters)
-      if (const std::string& name = called(each); !given.contains(name))
+      if (const std::string& name = model_name(each); !given.contains(name))
         return refuse("parameter " + name + " has no start value");
     if (const mechanics::sentence impossible = compiled::check_masses(*survey_, first_parameters().data()))
       refuse(std::string(impossible.view()));
@@ -221,16 +221,18 @@ private:
       for (const bound_parameter& each : chosen_.bound)
         if (each.name == name) all.back() = each.value;
       for (const fmu_variable& each : made_.of.parameters)
-        if (called(each) == name) all.back() = each.start;
+        if (model_name(each) == name) all.back() = each.start;
     }
     return all;
   }
 
-  static const std::string& called(const fmu_variable& v) { return v.of.empty() ? v.name : v.of; }
+  static const std::string& model_name(const fmu_variable& v) {
+    return v.name_in_model.empty() ? v.name : v.name_in_model;
+  }
 
   static int place_of(const std::vector<fmu_variable>& among, const std::string& name) {
     for (std::size_t i = 0; i < among.size(); ++i)
-      if (called(among[i]) == name) return static_cast<int>(i);
+      if (model_name(among[i]) == name) return static_cast<int>(i);
     return -1;
   }
 

@@ -14,7 +14,7 @@
 
 namespace kanexpr::exporting {
 
-/// An XML document that is written from its beginning to its end.
+/// An XML document that is written from beginning to end.
 class xml_file {
 public:
   using attributes = std::initializer_list<std::pair<const char*, std::string>>;
@@ -23,6 +23,9 @@ public:
 
   void open(const char* name, attributes all = {}) {
     printer_.OpenElement(name);
+    add_attributes(all);
+  }
+  void add_attributes(attributes all) {
     for (const auto& [attribute, value] : all) printer_.PushAttribute(attribute, value.c_str());
   }
   void close() { printer_.CloseElement(); }
@@ -30,7 +33,6 @@ public:
     open(name, all);
     close();
   }
-  void attribute(const char* name, const std::string& value) { printer_.PushAttribute(name, value.c_str()); }
 
   std::string text() const { return printer_.CStr(); }
 
@@ -55,22 +57,15 @@ public:
   explicit model_description(const fmu& of) : of_(of) {}
 
   std::string text(const std::string& token) {
-    const std::string& name = of_.system.name;
-    const bool is_watched = of_.system.function(fmu::correction) != nullptr || !of_.indicators.empty();
     xml_.open("fmiModelDescription", {{"fmiVersion", "3.0"},
-                                      {"modelName", name},
+                                      {"modelName", of_.system.name},
                                       {"instantiationToken", '{' + token + '}'},
                                       {"generationTool", generator()},
                                       {"variableNamingConvention", "flat"}});
-    xml_.add("ModelExchange", {{"modelIdentifier", name},
-                               {"needsCompletedIntegratorStep", is_watched ? "true" : "false"},
-                               {"providesDirectionalDerivatives", "true"},
-                               {"providesAdjointDerivatives", "true"}});
-    xml_.add("CoSimulation", {{"modelIdentifier", name},
-                              {"canHandleVariableCommunicationStepSize", "true"},
-                              {"fixedInternalStepSize", number(of_.step_length)},
-                              {"providesDirectionalDerivatives", "true"},
-                              {"providesAdjointDerivatives", "true"}});
+    const bool is_watched = of_.system.function(fmu::correction) != nullptr || !of_.indicators.empty();
+    add_interface("ModelExchange", {{"needsCompletedIntegratorStep", is_watched ? "true" : "false"}});
+    add_interface("CoSimulation", {{"canHandleVariableCommunicationStepSize", "true"},
+                                   {"fixedInternalStepSize", number(of_.step_length)}});
     xml_.open("LogCategories");
     xml_.add("Category",
              {{"name", "logStatusDiscard"}, {"description", "results that cannot be computed at a state"}});
@@ -89,6 +84,13 @@ public:
 private:
   static std::string number(double value) { return scalar(precision::double_precision).number(value); }
 
+  void add_interface(const char* name, xml_file::attributes own) {
+    xml_.open(name, {{"modelIdentifier", of_.system.name}});
+    xml_.add_attributes(own);
+    xml_.add_attributes({{"providesDirectionalDerivatives", "true"}, {"providesAdjointDerivatives", "true"}});
+    xml_.close();
+  }
+
   /// The attributes that variables of a kind have in common.
   struct kind {
     const char* causality = "local";
@@ -98,16 +100,17 @@ private:
     int derivative_of = 0; ///< a value reference
   };
 
-  /// Adds a variable; value references follow one another.
+  /// Adds a variable with the next value reference.
   void add(const fmu_variable& v, const kind& of) {
     xml_.open("Float64", {{"name", v.name},
                           {"valueReference", std::to_string(next_reference_++)},
                           {"causality", of.causality},
                           {"variability", of.variability}});
-    if (of.initial != nullptr) xml_.attribute("initial", of.initial);
-    if (of.derivative_of != 0) xml_.attribute("derivative", std::to_string(of.derivative_of));
-    if (of.has_start) xml_.attribute("start", number(v.start));
-    if (!v.of.empty()) xml_.attribute("description", printable(v.of) + " in the model");
+    if (of.initial != nullptr) xml_.add_attributes({{"initial", of.initial}});
+    if (of.derivative_of != 0) xml_.add_attributes({{"derivative", std::to_string(of.derivative_of)}});
+    if (of.has_start) xml_.add_attributes({{"start", number(v.start)}});
+    if (!v.name_in_model.empty())
+      xml_.add_attributes({{"description", printable(v.name_in_model) + " in the model"}});
     xml_.close();
   }
 

@@ -10,7 +10,7 @@
 
 namespace kanexpr::exporting {
 
-/// The C code of FMUs. It is the same for all models and relies on `counts`, which comes before it. Memory is
+/// The C code of FMUs. It is the same for all models and uses `counts`, which precedes it. Memory is
 /// allocated only when an instance is created; instances share nothing.
 namespace fmi_templates {
 
@@ -73,7 +73,7 @@ private:
                           {"drifts", of_.system.function(fmu::correction) == nullptr ? "0" : "1"}});
   }
 
-  /// An array; it gets one entry if there is none.
+  /// Returns an array, which has one entry if there are none.
   template <class Entries, class TextOf>
   static std::string array(const char* type, const char* called, const Entries& all, const TextOf& text_of) {
     return std::string("static const ") + type + ' ' + called + "[] = {" +
@@ -115,7 +115,7 @@ private:
     std::vector<std::string> into; ///< members of the instance
   };
 
-  /// A C function that evaluates parts of the system into members of an instance.
+  /// Returns a C function that stores results of the system in members of an instance.
   std::string evaluation(const std::string& called, const std::string& known, const std::vector<call>& calls,
                          const std::string& given = "instance *of") const {
     std::string text = "\nstatic fmi3Status find_" + called + '(' + given + ") {\n", made;

@@ -47,13 +47,13 @@ class identifiers {
 public:
   /// Returns the name or a similar one: other characters become `u` and their code point, and a taken name
   /// gets an underscore appended.
-  std::string of(std::string_view name) {
+  std::string unique(std::string_view name) {
     std::string plain = spelled(name);
     while (!used_.insert(plain).second) plain += '_';
     return plain;
   }
 
-  /// Reserves words separated by spaces, each with this ending.
+  /// Reserves words separated by spaces, each with the suffix `end`.
   void reserve(std::string_view words, std::string_view end = {}) {
     for (std::string_view word = library_words::next_of(words); !word.empty();
          word = library_words::next_of(words))

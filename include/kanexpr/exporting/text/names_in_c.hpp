@@ -11,7 +11,7 @@
 
 namespace kanexpr::exporting {
 
-/// The functions that C lacks, which a file defines if its code calls them.
+/// Functions that C does not have; a file defines those that its code calls.
 inline std::vector<symbolic::operation> written_functions() {
   std::vector<symbolic::operation> all;
   for (const auto& f : symbolic::functions)
@@ -21,7 +21,7 @@ inline std::vector<symbolic::operation> written_functions() {
   return all;
 }
 
-/// A system with the names that it has in a C file.
+/// A system with the names used in a C file.
 struct system_with_c_names {
   exported_system system{};
   std::vector<std::pair<std::string, std::string>> changed{}; ///< model names and their replacements
@@ -38,7 +38,7 @@ inline system_with_c_names names_in_c(exported_system s) {
   functions.reserve(words_of_python);
   std::vector<std::pair<std::string, std::string>> changed;
   const auto map = [&](std::string& name, identifiers& among) {
-    const std::string mapped = among.of(name);
+    const std::string mapped = among.unique(name);
     if (mapped != name) changed.emplace_back(name, mapped);
     name = mapped;
   };
