@@ -109,10 +109,10 @@ private:
     const std::vector<std::string>& names;
     std::size_t first = 0;
   };
-  source source_of(symbolic::symbol_kind kind) const {
+  source source_of(symbolic::symbol_kind of) const {
     const std::size_t coordinates = system_.coordinates.size();
     using enum symbolic::symbol_kind;
-    switch (kind) {
+    switch (of) {
     case coordinate: return {"x", system_.coordinates};
     case speed: return {"x", system_.speeds, coordinates};
     case parameter: return {"p", system_.parameters};

@@ -7,6 +7,7 @@
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kanexpr {

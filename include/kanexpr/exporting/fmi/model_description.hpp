@@ -92,7 +92,7 @@ private:
   }
 
   /// The attributes that variables of a kind have in common.
-  struct kind {
+  struct variable_kind {
     const char* causality = "local";
     const char* initial = nullptr;
     bool has_start = false;
@@ -101,7 +101,7 @@ private:
   };
 
   /// Adds a variable with the next value reference.
-  void add(const fmu_variable& v, const kind& of) {
+  void add(const fmu_variable& v, const variable_kind& of) {
     xml_.open("Float64", {{"name", v.name},
                           {"valueReference", std::to_string(next_reference_++)},
                           {"causality", of.causality},
