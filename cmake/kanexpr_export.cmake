@@ -4,9 +4,9 @@
 # <name> writes results of a system for other languages to a folder. The format c writes <name>.c and <name>.h, and optionally
 # <name>.py for Python and <name>.hpp for C++; casadi writes the rates of the state and a step by STEP_METHOD with their derivatives,
 # <name>_casadi.c and .h, and the compiled <name>.so; fmi writes <name>.fmu, with the initial values START and, for co-simulation, the
-# step STEP by STEP_METHOD, and requires kanexpr::fmi. In C, each of RESULTS is a function of one or several results, separated by spaces, or one of the steps
-# runge_kutta_4, ralston_3 and semi_implicit_euler; each of EXPRESSIONS is an expression in the words of the model. If both are omitted,
-# M and f, u̇, ẋ, and A and B are exported. In an FMU they are outputs in addition to the state:
+# step STEP by STEP_METHOD, and requires kanexpr::fmi. In C, each of RESULTS is a function of one or several results, separated by spaces,
+# or one of the steps runge_kutta_4, ralston_3 and semi_implicit_euler; each of EXPRESSIONS is an expression in the words of the model. If
+# both are omitted, M and f, u̇, ẋ, and A and B are exported. In an FMU they are outputs in addition to the state:
 #
 #     kanexpr_export(pendulum HEADER models/pendulum.hpp SYSTEM pendulum::System FORMATS c OUTPUT exported
 #       SCALAR float BIND g=9.81 RESULTS udot "mass_matrix forcing" EXPRESSIONS "tip=position_of<P, O>")

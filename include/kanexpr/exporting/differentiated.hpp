@@ -21,7 +21,7 @@ namespace kanexpr::exporting {
 /// The symbols of a system with respect to which its results are differentiated.
 class differentiable_symbols {
 public:
-  using expressions = symbolic::sequence<symbolic::expression>;
+  using expressions = base::sequence<symbolic::expression>;
 
   expressions& operator[](symbols which) { return all_[static_cast<std::size_t>(which)]; }
   const expressions& of(symbols which) const { return all_[static_cast<std::size_t>(which)]; }
@@ -38,7 +38,7 @@ public:
                  const differentiable_symbols& of)
       : graph_(g), y_(y), symbols_(of) {}
 
-  bool differentiates(const symbolic::sequence<symbolic::expression>& y) const {
+  bool differentiates(const base::sequence<symbolic::expression>& y) const {
     return std::equal(y.begin(), y.end(), y_.begin(), y_.end(),
                       [](const auto& a, const auto& b) { return a.node() == b.node(); });
   }
@@ -77,7 +77,7 @@ private:
   /// Returns a variable with the same name as in mechanics/linearize/second_order.hpp, whose results may
   /// appear in the same function.
   expression seed(symbolic::symbol_kind kind, std::string_view what, int place) {
-    symbolic::name called(what);
+    base::name called(what);
     called.append(place + 1);
     return symbolic::variable(graph_, {kind, called, place});
   }
@@ -146,7 +146,7 @@ private:
 /// dependent speeds. It contains no multipliers, and no system is solved for u̇.
 inline symbolic::matrix implicit_form(symbolic::graph& g, mechanics::equations& of) {
   const mechanics::general_form& form = of.linearized().freely().form();
-  const symbolic::sequence<symbolic::expression> force = mechanics::summed(form.f_2, form.f_3);
+  const base::sequence<symbolic::expression> force = mechanics::summed(form.f_2, form.f_3);
   const int coordinates = form.q.size();
   symbolic::matrix residual(g, coordinates + form.u.size(), 1);
   for (int i = 0; i < coordinates; ++i) residual(i, 0) = form.qdot[i] - form.known.qdot[i];

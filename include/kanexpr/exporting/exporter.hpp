@@ -96,7 +96,7 @@ private:
       index_of_parameter_.push_back(static_cast<int>(s.parameters.size()));
       if (!is_bound(i)) s.parameters.push_back(parameters[i]);
     }
-    if (const mechanics::sentence impossible = compiled::check_masses(*survey_, bound_values_.data()))
+    if (const base::sentence impossible = compiled::check_masses(*survey_, bound_values_.data()))
       refuse(std::string(impossible.view()));
   }
 
@@ -156,8 +156,7 @@ private:
     };
     const differentiable_symbols known_symbols = symbols_of(from);
     std::optional<differentiated> derivatives;
-    const auto derived = [&](const symbolic::sequence<symbolic::expression>& of,
-                             const requested_derivative& by) {
+    const auto derived = [&](const base::sequence<symbolic::expression>& of, const requested_derivative& by) {
       if (!derivatives || !derivatives->differentiates(of))
         derivatives.emplace(from.graph(), of, known_symbols);
       made.weights = (std::max)(made.weights, derivatives->weights_for(by));
@@ -295,7 +294,7 @@ private:
       if (is_bound(i))
         numbers.replace(from.mechanism().parameters[static_cast<int>(i)],
                         from.mechanism().number(bound_values_[i]));
-    symbolic::sequence<int> with_numbers;
+    base::sequence<int> with_numbers;
     for (int id : nodes) with_numbers.push(numbers.in(symbolic::expression(from.graph(), id)).node());
     return with_numbers;
   }

@@ -141,7 +141,7 @@ private:
   static void widen(exported_function& f, const std::string& name, const places& to) {
     lower::statements& code = f.code;
     const int zero = code.lines.push({.a = code.numbers.push(symbolic::exactly(0))});
-    symbolic::sequence<int> results;
+    base::sequence<int> results;
     int next = 0; // an entry of the old results
     for (exported_result& each : f.results) {
       each.first = results.size();

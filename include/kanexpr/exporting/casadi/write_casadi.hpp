@@ -30,7 +30,7 @@ inline std::string mistake_of_casadi_name(const std::string& name) {
   identifiers known;
   known.reserve_words();
   known.reserve_words_of_mathematics();
-  known.reserve(library_words::words_of_the_library);
+  known.reserve(base::library_words::words_of_the_library);
   known.reserve("null jac hess");
   const bool has_two = (name + "_step").find("__") != name.npos;
   if (!name.empty() && name[0] != '_' && !has_two && known.unique(name) == name) return {};

@@ -207,7 +207,7 @@ private:
     for (const fmu_variable& each : f.parameters)
       if (const std::string& name = model_name(each); !given.contains(name))
         return refuse("parameter " + name + " has no start value");
-    if (const mechanics::sentence impossible = compiled::check_masses(*survey_, first_parameters().data()))
+    if (const base::sentence impossible = compiled::check_masses(*survey_, first_parameters().data()))
       refuse(std::string(impossible.view()));
   }
 

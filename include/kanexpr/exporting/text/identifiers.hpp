@@ -55,22 +55,22 @@ public:
 
   /// Reserves words separated by spaces, each with the suffix `end`.
   void reserve(std::string_view words, std::string_view end = {}) {
-    for (std::string_view word = library_words::next_of(words); !word.empty();
-         word = library_words::next_of(words))
+    for (std::string_view word = base::library_words::next_of(words); !word.empty();
+         word = base::library_words::next_of(words))
       used_.insert(std::string(word).append(end));
   }
 
   /// Reserves the words that no variable of a function may have as its name.
   void reserve_words() {
     reserve(words_of_cpp);
-    reserve(library_words::macros_of_the_library);
+    reserve(base::library_words::macros_of_the_library);
   }
 
   /// Reserves the names in math.h.
   void reserve_words_of_mathematics() {
-    for (const std::string_view end : library_words::ends_of_functions)
-      reserve(library_words::functions_of_mathematics, end);
-    reserve(library_words::other_words_of_mathematics);
+    for (const std::string_view end : base::library_words::ends_of_functions)
+      reserve(base::library_words::functions_of_mathematics, end);
+    reserve(base::library_words::other_words_of_mathematics);
   }
 
 private:
