@@ -1,4 +1,4 @@
-# kanexpr-export writes what write_c writes, to the byte, of models and of robots.
+# kanexpr-export writes the same bytes as write_c, for models and for robots.
 set(by_command ${CMAKE_CURRENT_BINARY_DIR}/by_command)
 add_test(NAME exporting_command_of_robot COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/exporting/command $<TARGET_FILE:kanexpr-export>
   ${CMAKE_CURRENT_SOURCE_DIR}/robots/files/arm.urdf ${by_command}_of_robot)
