@@ -28,9 +28,9 @@ enum class doubling : unsigned char {
 template <class Number, int states>
 struct riccati_solution {
   fixed_matrix<Number, states, states> x{};
-  doubling outcome = doubling::stops;
+  doubling result = doubling::stops;
 
-  constexpr bool found() const { return outcome == doubling::solves; }
+  constexpr bool found() const { return result == doubling::solves; }
 };
 
 /// Up to this bound, all required products are finite; a constant expression must not overflow.

@@ -191,7 +191,7 @@ constexpr status solve_balanced(const riccati_equation<Number, states>& e,
   x = nearby.x;
   if (!nearby.found() || !refine<domain>(weighted, x)) {
     if (is_graded(weighted.a) || !has_same_zeros(weighted.a, e.a)) return not_converged;
-    if (nearby.outcome == doubling::does_not_decay || nearby.outcome == doubling::halves)
+    if (nearby.result == doubling::does_not_decay || nearby.result == doubling::halves)
       return not_stabilizable;
     // If the inputs reach a motion only through rounding, its cost exceeds any cost that widely spread rates
     // can explain.
@@ -203,7 +203,7 @@ constexpr status solve_balanced(const riccati_equation<Number, states>& e,
   x = unit.template scaled<-1, -1>(x, unit);
   if (!is_moderate(x)) return not_converged;
   const riccati_solution<Number, states> rest = stabilizing<domain>(defect<domain>(e, x));
-  const bool halves = direct.outcome == doubling::halves || rest.outcome == doubling::halves;
+  const bool halves = direct.result == doubling::halves || rest.result == doubling::halves;
   if (!rest.found() && halves && !is_positive_definite(e.q))
     return domain == time_domain::continuous ? not_detectable_on_axis : not_detectable_on_circle;
   if (!rest.found()) return not_converged;
