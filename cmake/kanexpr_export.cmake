@@ -4,9 +4,9 @@
 # <name> writes results of a system for other languages to a folder. The format c writes <name>.c and <name>.h, and optionally
 # <name>.py for Python and <name>.hpp for C++; casadi writes the rates of the state and a step by STEP_METHOD with their derivatives,
 # <name>_casadi.c and .h, and the compiled <name>.so; fmi writes <name>.fmu, with the initial values START and, for co-simulation, the
-# step STEP by STEP_METHOD. In C, each of RESULTS is a function of one or several results, separated by spaces, or one of the steps
-# runge_kutta_4, ralston_3 and semi_implicit_euler; each of EXPRESSIONS is an expression in the words of the model. If both are omitted,
-# M and f, u̇, ẋ, and A and B are exported. In an FMU they are outputs in addition to the state:
+# step STEP by STEP_METHOD, and requires kanexpr::fmi. In C, each of RESULTS is a function of one or several results, separated by spaces,
+# or one of the steps runge_kutta_4, ralston_3 and semi_implicit_euler; each of EXPRESSIONS is an expression in the words of the model. If
+# both are omitted, M and f, u̇, ẋ, and A and B are exported. In an FMU they are outputs in addition to the state:
 #
 #     kanexpr_export(pendulum HEADER models/pendulum.hpp SYSTEM pendulum::System FORMATS c OUTPUT exported
 #       SCALAR float BIND g=9.81 RESULTS udot "mass_matrix forcing" EXPRESSIONS "tip=position_of<P, O>")
@@ -75,11 +75,13 @@ function(kanexpr_export name)
     string(APPEND writes "  written = kanexpr::write_c<${export_SYSTEM}>(arguments[1], \"${name}\", chosen);\n")
   endif()
   set(of_fmu "")
+  set(header_for_fmi "")
   if("fmi" IN_LIST export_FORMATS OR "casadi" IN_LIST export_FORMATS)
     find_program(KANEXPR_C_COMPILER NAMES cc gcc clang clang-19 REQUIRED)
   endif()
   if("fmi" IN_LIST export_FORMATS)
     list(APPEND files ${export_OUTPUT}/${name}.fmu)
+    set(header_for_fmi "#include <kanexpr/fmi.hpp>\n")
     set(of_fmu "  fmu.compiler = \"'${KANEXPR_C_COMPILER}'\";\n  fmu.method = \"${export_STEP_METHOD}\";\n")
     if(export_STEP)
       kanexpr_export_numbers(STEP "  fmu.step = @number@;\n" "s=${export_STEP}" of_fmu)
@@ -132,10 +134,14 @@ function(kanexpr_export name)
     string(PREPEND of_fmu "  kanexpr::exporting::fmu_options fmu;\n  fmu.bound = chosen.bound;\n")
   endif()
 
+  if("fmi" IN_LIST export_FORMATS AND NOT TARGET kanexpr::fmi)
+    message(FATAL_ERROR "kanexpr_export: the format fmi requires kanexpr::fmi: ${kanexpr_fmi_lacks}")
+  endif()
+
   set(directory ${CMAKE_CURRENT_BINARY_DIR}/${name}_exported)
   file(CONFIGURE OUTPUT ${directory}/write.cpp @ONLY CONTENT [[
 #include <kanexpr/export.hpp>
-
+@header_for_fmi@
 #include "@export_HEADER@"
 
 #include <cstdio>
@@ -152,6 +158,9 @@ int main(int, char** arguments) {
     target_link_libraries(${name}_export PRIVATE kanexpr::engine)
   else()
     target_link_libraries(${name}_export PRIVATE kanexpr::kanexpr)
+  endif()
+  if("fmi" IN_LIST export_FORMATS)
+    target_link_libraries(${name}_export PRIVATE kanexpr::fmi)
   endif()
   target_compile_options(${name}_export PRIVATE -O0) # it runs once
   add_custom_command(OUTPUT ${files} COMMAND ${name}_export ${export_OUTPUT} DEPENDS ${name}_export

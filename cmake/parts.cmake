@@ -62,6 +62,20 @@ if(NOT TARGET tinyxml2::tinyxml2)
   set(kanexpr_robots_lacks "tinyxml2 was not found")
 endif()
 
+# The file for CMake that Debian installs with libzip requires programs of other packages.
+find_path(kanexpr_zip_include zip.h)
+find_library(kanexpr_zip_library zip)
+mark_as_advanced(kanexpr_zip_include kanexpr_zip_library)
+set(kanexpr_fmi_lacks "${kanexpr_robots_lacks}")
+if(NOT kanexpr_fmi_lacks AND NOT (kanexpr_zip_include AND kanexpr_zip_library))
+  set(kanexpr_fmi_lacks "libzip was not found; on Debian, install libzip-dev")
+endif()
+if(NOT kanexpr_fmi_lacks AND NOT TARGET kanexpr_zip)
+  add_library(kanexpr_zip UNKNOWN IMPORTED GLOBAL)
+  set_target_properties(kanexpr_zip PROPERTIES IMPORTED_LOCATION ${kanexpr_zip_library}
+    INTERFACE_INCLUDE_DIRECTORIES ${kanexpr_zip_include})
+endif()
+
 # It prints messages about its search even if it is called with QUIET.
 set(kanexpr_log_level "${CMAKE_MESSAGE_LOG_LEVEL}")
 set(CMAKE_MESSAGE_LOG_LEVEL WARNING)

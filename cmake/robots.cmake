@@ -32,8 +32,13 @@ if(PROJECT_IS_TOP_LEVEL AND KANEXPR_BUILD_ENGINE AND CLI11_FOUND)
     kanexpr_strict CLI11::CLI11)
   add_executable(kanexpr-export ${PROJECT_SOURCE_DIR}/include/kanexpr/exporting/kanexpr_export.cpp)
   target_link_libraries(kanexpr-export PRIVATE kanexpr_engine kanexpr_robots $<TARGET_NAME_IF_EXISTS:kanexpr_robots_sdf>
-    kanexpr_strict CLI11::CLI11)
-  # it passes this to the compiler of a model
+    $<TARGET_NAME_IF_EXISTS:kanexpr_fmi> kanexpr_strict CLI11::CLI11)
+  # It passes these to the compiler of a model.
   target_compile_definitions(kanexpr-export PRIVATE KANEXPR_EIGEN="$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>")
+  if(TARGET kanexpr_fmi)
+    string(CONCAT options_for_fmi "-idirafter '${kanexpr_zip_include}' -idirafter '$<TARGET_PROPERTY:tinyxml2::tinyxml2,INTERFACE_INCLUDE_DIRECTORIES>' "
+      "'$<TARGET_FILE:tinyxml2::tinyxml2>' '${kanexpr_zip_library}'")
+    target_compile_definitions(kanexpr-export PRIVATE "KANEXPR_FMI_OPTIONS=\"${options_for_fmi}\"")
+  endif()
   install(TARGETS kanexpr-robot kanexpr-export RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()

@@ -1,11 +1,12 @@
 // Writes FMUs for with_fmpy.py into the folder that it is given, how they move, simulated here, and the same
 // models for CasADi.
 #include <kanexpr/export.hpp>
+#include <kanexpr/fmi.hpp>
 #include <kanexpr/simulate.hpp>
 #include <models/bicycle.hpp>
 #include <models/iiwa.hpp>
 #include <models/simple_pendulum.hpp>
-#include <simulation/falling_ball.hpp>
+#include <simulations/falling_ball.hpp>
 
 #include <fstream>
 #include <iostream>

@@ -1,9 +1,8 @@
 #pragma once
 
-/// Models exported by a program to other languages and tools: `write_c`, `write_casadi`, `write_fmu`.
+/// Models exported by a program to other languages and tools: `write_c`, `write_casadi`.
 
 #include <kanexpr/symbolic.hpp>
 
 #include <kanexpr/exporting/c/write_c.hpp>
 #include <kanexpr/exporting/casadi/write_casadi.hpp>
-#include <kanexpr/exporting/fmi/write_fmu.hpp>

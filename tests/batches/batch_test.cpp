@@ -68,7 +68,7 @@ TEST(batch, has_entries_by_name) {
   EXPECT_EQ(batch<2>::get(p, 1).mistake().cause(), "parameter m1 has no value");
 }
 
-// Angles of which some are so far that the C library reduces them, beside others that are near.
+// Angles, some so large that the C library reduces them, next to small ones.
 template <std::size_t lanes, class Number>
 void expect_sines_of_single_angles() {
   using pack = typename batch<lanes, Number>::number;

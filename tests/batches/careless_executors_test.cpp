@@ -1,4 +1,4 @@
-// What shares the work of many systems may leave chunks out, run them again, and throw.
+// An executor may omit chunks, run them again, and throw.
 #include <kanexpr/batch.hpp>
 #include <kanexpr/fixed_step.hpp>
 #include <kanexpr/kanexpr.hpp>
@@ -74,7 +74,7 @@ TEST(careless_executors, meet_inputs_that_throw) {
   EXPECT_TRUE(std::isnan(ahead.stored(1)[q](0)));
 }
 
-// A batch that went over two chunks would be moved by both.
+// Two chunks that shared a batch would both advance it.
 TEST(careless_executors, are_given_whole_batches) {
   for (const int systems : {1, 500, 19584, 100001})
     for (const int width : {1, 4, 16, 32, 128}) {

@@ -21,7 +21,7 @@ using namespace kanexpr;
 using bars = equations_of_motion<double_pendulum::System>;
 using pendulum = equations_of_motion<simple_pendulum::System>;
 
-// Different in every system, and the same in every run.
+// Values that differ between systems and are the same in every run.
 template <class Vector>
 many<Vector> varied(Eigen::Index systems, double from, double to) {
   many<Vector> all(systems);
@@ -105,7 +105,7 @@ TEST(many_results, are_of_linearizations) {
   }
 }
 
-// Masses of zero in lanes with others, in the last of a batch and in what is left over.
+// Zero masses in lanes among others, in the last lane of a batch, and in the remainder.
 TEST(many_results, say_which_systems_failed_and_why) {
   using namespace simple_pendulum;
   const auto x = varied<pendulum::state>(11, -2, 2);
@@ -133,7 +133,7 @@ TEST(many_results, say_which_systems_failed_and_why) {
   for (int i = 0; i < 11; ++i) EXPECT_TRUE(udot.status_of(i));
 }
 
-// Three masses on two sliders; without the outer ones the inner one can be moved by either.
+// Three masses on two sliders; without the outer masses, either slider can move the inner one.
 namespace sliders {
 
 constexpr coordinate<"q1"> q1;
@@ -158,7 +158,7 @@ struct System
 
 } // namespace sliders
 
-// What is infinite in one lane says nothing of what is singular in another.
+// An infinite result in one lane does not affect a singular system in another.
 TEST(many_results, do_not_notice_an_infinite_neighbour) {
   using eom = equations_of_motion<sliders::System>;
   const auto x = varied<eom::state>(2, 1, 2);
@@ -172,7 +172,7 @@ TEST(many_results, do_not_notice_an_infinite_neighbour) {
   EXPECT_FALSE(udot.status_of(0));
 }
 
-// Straight lines of bars, and less and less of a bend: single precision gives up before double does.
+// Bars in a line, with ever smaller bends: single precision fails before double precision.
 template <class Number>
 Eigen::Index failures_near_a_singular_state() {
   using System = four_bar::System;
@@ -218,7 +218,7 @@ TEST(many_results, refuse_other_numbers_of_systems) {
   EXPECT_TRUE(udot.evaluate(many<bars::state>(3), p, r));
 }
 
-// Chunks in reverse order on some threads.
+// Runs the chunks in reverse order on several threads.
 struct threads {
   int count;
   template <class Chunk>

@@ -86,7 +86,7 @@ TEST(rollout, takes_inputs_from_a_function) {
   }
 }
 
-// A motor that gives infinite torque beyond an angle: what goes over it fails, one after another.
+// A motor with infinite torque beyond an angle: the systems that exceed the angle fail one after another.
 TEST(rollout, leaves_systems_that_fail_and_goes_on_with_the_others) {
   const auto law = [](double, const eom::state& x) {
     return eom::inputs(x[q] > 0.3 ? std::numeric_limits<double>::infinity() : 0.2);

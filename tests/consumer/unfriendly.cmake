@@ -31,7 +31,7 @@ file(WRITE ${folder}/others_headers.hpp "${others}\n")
 
 add_library(consumer OBJECT unfriendly.cpp)
 target_include_directories(consumer PRIVATE ${folder})
-target_link_libraries(consumer PRIVATE kanexpr::hdf5 kanexpr::mpi kanexpr::animate kanexpr::robots_sdf)
+target_link_libraries(consumer PRIVATE kanexpr::hdf5 kanexpr::mpi kanexpr::animate kanexpr::fmi kanexpr::robots_sdf)
 set_target_properties(consumer PROPERTIES CXX_STANDARD 20 CXX_EXTENSIONS OFF)
 target_compile_options(consumer PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wsign-conversion
   -Wdouble-promotion -Wold-style-cast -Wfloat-equal -Weffc++ -Werror

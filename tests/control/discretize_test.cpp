@@ -1,4 +1,4 @@
-// Discrete forms beside those with 60 digits. references.py says how far SciPy's are off.
+// Discrete forms compared with 60-digit results. references.py reports the errors of SciPy.
 // builds: clang++ sanitize
 #include "control/matrices.hpp"
 #include "control/references.hpp"
@@ -63,7 +63,7 @@ TEST(discretize, is_the_same_in_a_constant_expression) {
   EXPECT_TRUE(close(numeric::as_eigen(by_the_compiler.c), found.c, 1e-15));
 }
 
-// Of a linearization that is a constant.
+// A linearization that is a constant.
 constexpr auto of_a_linearization = discretize(
     linearization<simple_pendulum::System>::explicit_form.constant({0, 0}, {1, 1, 4, 0}, {0}), 0.5);
 static_assert(of_a_linearization);
@@ -79,7 +79,7 @@ TEST(discretize, without_an_offset_has_none) {
   EXPECT_EQ(found.B, discretize(eigen(known.a), eigen(known.b), eigen(known.c), known.h).B);
 }
 
-// A pendulum that is turned about where it hangs: an oscillation of the frequency √(g/l).
+// A pendulum near its lower equilibrium: an oscillation of the frequency √(g/l).
 TEST(discretize, takes_a_linearization) {
   using lin = linearization<simple_pendulum::System>;
   const lin::state x;
@@ -101,7 +101,7 @@ TEST(discretize, takes_a_linearization) {
             "m has no finite value");
 }
 
-// A regulator of either takes them as they are, with what is wrong with them.
+// The regulators accept the results of both directly, with their statuses.
 TEST(lqr, takes_a_linearization_and_its_discrete_form) {
   using lin = linearization<simple_pendulum::System>;
   const lin::state x;
@@ -119,7 +119,7 @@ TEST(lqr, takes_a_linearization_and_its_discrete_form) {
   static_assert(constant);
 }
 
-// Weights of fewer digits lose nothing.
+// Weights of lower precision are converted exactly.
 TEST(lqr, takes_weights_of_fewer_digits) {
   const Eigen::Matrix2d a{{0, 1}, {0, 0}};
   const Eigen::Vector2d b(0, 1);

@@ -29,7 +29,7 @@ using namespace n_pendulum_cart;
 using cart = System<1>;
 namespace known = references::cart;
 
-// The place of the cart, the velocity of the bob along the track and the acceleration of the cart.
+// The position of the cart, the velocity of the bob along the track and the acceleration of the cart.
 template <class T>
 using filter = basic_ekf<cart, T, q<0>, dot(velocity_of<P<1>>, N::x), dot(acceleration_of<P<0>>, N::x)>;
 
@@ -43,7 +43,7 @@ struct noise {
   Eigen::Matrix<T, 4, 4> P = Eigen::Matrix<T, 4, 1>(T(1e-2), T(2e-2), T(4e-2), T(3e-2)).asDiagonal();
 };
 
-// Beside the same filter in NumPy, which updates by P − K C P.
+// Compares with the same filter in NumPy, which updates the covariance by P − K C P.
 template <class T>
 filter<T> run_of_references() {
   const noise<T> of;
@@ -78,7 +78,7 @@ TEST(ekf, works_in_single_precision) {
   EXPECT_TRUE(close(found.P.cast<double>(), eigen(known::filtered_covariance), 1e-3));
 }
 
-// Normal numbers by Box and Muller, the same with every library.
+// Normally distributed numbers by the Box-Muller method, the same with every library.
 class normal {
 public:
   double operator()() {
@@ -97,9 +97,10 @@ private:
   std::uniform_real_distribution<double> uniform_{0, 1};
 };
 
-// Of a right filter the error squared by the inverse of its covariance is the sum of the squares of as many
-// normal numbers as there are states (Bar-Shalom, Li & Kirubarajan, Estimation with Applications to Tracking
-// and Navigation, 2001, section 5.4); of 50 runs it is in these bounds in 99.9 % of all cases.
+// For a consistent filter, the squared error weighted by the inverse covariance is a sum of squares of as
+// many normally distributed numbers as there are states (Bar-Shalom, Li & Kirubarajan, Estimation with
+// Applications to Tracking and Navigation, 2001, section 5.4); for 50 runs, the sum is within these bounds
+// with a probability of 99.9 %.
 TEST(ekf, knows_how_uncertain_it_is) {
   constexpr int runs = 50, steps = 60;
   constexpr double h = 0.02;
@@ -199,7 +200,7 @@ TEST(ekf, stays_as_it_was_where_it_cannot_go_on) {
             "the covariance of the state is not finite");
 }
 
-// Whether no combination of states has a variance below zero, beside what rounding leaves of their variances.
+// Whether no combination of states has a negative variance, up to the rounding of their variances.
 template <class Covariance>
 bool is_covariance(const Covariance& given) {
   const Eigen::Matrix4d P = given.template cast<double>();
@@ -212,8 +213,8 @@ bool is_covariance(const Covariance& given) {
   return Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d>(correlation).eigenvalues()(0) >= -rounding;
 }
 
-// States that depend on each other in any units, sensors that are better by up to sixteen digits than what is
-// known, and disturbances of few states: what is taken up is never refused, and stays a covariance.
+// Correlated states in any units, sensors up to sixteen digits more accurate than the estimate, and
+// disturbances of few states: the filter accepts its own covariance, which remains positive semidefinite.
 template <class T>
 void keep_a_covariance() {
   normal random;
@@ -259,8 +260,7 @@ TEST(ekf, keeps_a_covariance_whatever_is_known) {
   keep_a_covariance<float>();
 }
 
-// Of variances that are rounded nothing is refused that is one; nearly parallel disturbances leave small
-// pivots.
+// Rounded covariances are accepted; nearly parallel disturbances lead to small pivots.
 TEST(ekf, tells_an_indefinite_covariance_from_a_rounded_one) {
   normal random;
   const input_values<cart> r(1.0);
@@ -273,7 +273,7 @@ TEST(ekf, tells_an_indefinite_covariance_from_a_rounded_one) {
     ekf<cart, q<0>> estimate(state<cart>(0, 1.5, 0, 0), m);
     const status predicted = estimate.predict(0, 1e-3, parameters, r, m);
     EXPECT_TRUE(predicted) << predicted.cause() << "\n" << m;
-    // Along the least of its directions it is made negative.
+    // The variance in its smallest direction is made negative.
     const Eigen::Vector4d size = m.diagonal().cwiseSqrt();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> of(size.cwiseInverse().asDiagonal() * m *
                                                             size.cwiseInverse().asDiagonal());
@@ -289,14 +289,15 @@ TEST(ekf, tells_an_indefinite_covariance_from_a_rounded_one) {
         estimate.update(Eigen::Matrix<double, 1, 1>(0), parameters, r, Eigen::Matrix<double, 1, 1>(1e-4))
             .cause(),
         "the covariance of the state is not positive semidefinite");
-    estimate.P = less(1e-10); // as it may be written and read
+    estimate.P = less(1e-10); // as after writing to and reading from a file
     EXPECT_TRUE(estimate.predict(0, 1e-3, parameters, r, m));
   }
 }
 
 } // namespace cart
 
-// A closed loop: the angle of the crank that is measured by that of the rocker. The dependent angles follow.
+// A closed loop: the angle of the crank is estimated from a measurement of the rocker angle. The dependent
+// angles follow.
 TEST(ekf, keeps_the_constraints) {
   using namespace four_bar;
   using eom = equations_of_motion<System>;

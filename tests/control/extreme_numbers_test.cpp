@@ -1,5 +1,5 @@
-// Linear-quadratic regulators and discrete forms of numbers near the ends of their range, and of rates far
-// apart: they are right, or a status says what is true of them.
+// Linear-quadratic regulators and discrete forms for numbers near the ends of their range and for widely
+// spread rates: the results are correct, or a status reports the true cause.
 // builds: clang++ sanitize
 #include <kanexpr/control/discretize.hpp>
 #include <kanexpr/control/lqr.hpp>
@@ -27,7 +27,7 @@ constexpr std::string_view too_inaccurate = "the Riccati equation could not be s
                                               "its inputs do not reach a motion that does not decay",
                            too_far = "the motion of the linear system over the step overflows";
 
-// Of a double integrator K = (√(q₁/r), √(q₂/r + 2 √(q₁/r)/b)).
+// For a double integrator, K = (√(q₁/r), √(q₂/r + 2 √(q₁/r)/b)).
 template <class T>
 void expect_gain_of_a_double_integrator(T b, T q1, T q2, T r) {
   const auto found =
@@ -62,7 +62,7 @@ TEST(lqr_of_extreme_numbers, does_not_depend_on_the_unit_of_time) {
     ASSERT_TRUE(found) << found.status;
     for (int i = 0; i < 2; ++i) EXPECT_NEAR(found.K(0, i) / std::sqrt(rate), plain.K(0, i), 1e-14);
   }
-  // The motion that grows by exp(t) is turned round by the least input.
+  // The smallest input reverses the motion that grows like exp(t).
   const auto unweighted = lqr(square<double, 1>{{1}}, column<double, 1>{{1}}, {0}, {1e300});
   ASSERT_TRUE(unweighted) << unweighted.status;
   EXPECT_NEAR(unweighted.K(0), 2, 1e-15);
@@ -91,7 +91,7 @@ TEST(lqr_of_extreme_numbers, looks_at_weights_of_any_size) {
   EXPECT_TRUE(lqr(numeric::by_rows({{-1.0, 0.5}, {0.0, -1.0}}), b, {1e-320, 1}, {1, 1}));
 }
 
-// What is left of Aᵀ P + P A − P B Bᵀ P + Q with Q = 1, R = 1, beside the terms that it is the sum of.
+// The residual Aᵀ P + P A − P B Bᵀ P + Q with Q = 1, R = 1, relative to its terms.
 template <class T>
 double left_of_equation(const square<T, 2>& a, const column<T, 2>& b, const square<T, 2>& p) {
   double most = 0, terms = 0;
@@ -112,7 +112,8 @@ double left_of_equation(const square<T, 2>& a, const column<T, 2>& b, const squa
   return most / terms;
 }
 
-// Stabilizable, with a weight on each state: there is a feedback, and only digits may be missing for it.
+// Stabilizable systems with a weight on each state: a feedback exists, and only the precision may not suffice
+// to find it.
 template <class T>
 void expect_true_sentences(int most_decades, int solved_decades) {
   const double c = std::cos(0.7), s = std::sin(0.7);
@@ -154,8 +155,7 @@ TEST(lqr_of_extreme_numbers, still_finds_what_no_input_reaches) {
             not_stabilizable);
 }
 
-// A constant expression must not overflow anywhere on its way. What the compiler finds is what a program
-// does.
+// A constant expression must not overflow anywhere. The compiler and a program obtain the same results.
 struct outcomes {
   int regulators = 0, discrete_regulators = 0, discrete_forms = 0;
 };
@@ -215,7 +215,7 @@ TEST(discretize_of_extreme_numbers, is_right_where_its_result_is_a_number) {
   ASSERT_TRUE(single) << single.status;
   EXPECT_NEAR(single.A(0, 1) / 1e28f, 1, 1e-6);
 
-  // Both a chain and motions that decay at once.
+  // A chain, and motions that decay instantly.
   const auto chain = discretize(numeric::by_rows({{0.0, 1e200, 0.0}, {0.0, 0.0, 1e-200}, {0.0, 0.0, 0.0}}),
                                 column<double, 3>{{0, 0, 1}}, 2.0);
   ASSERT_TRUE(chain) << chain.status;

@@ -1,4 +1,4 @@
-// What is not a number is told with -ffast-math too.
+// NaN is reported even with -ffast-math.
 #include <kanexpr/control/gain_schedule.hpp>
 #include <kanexpr/control/lqr.hpp>
 

@@ -1,5 +1,5 @@
 // builds: g++
-// Gains that the compiler computes: a bicycle that is balanced by the torque at its fork.
+// Gains computed at compile time: a torque at the fork balances a bicycle.
 #include "control/matrices.hpp"
 #include "control/references.hpp"
 
@@ -15,7 +15,7 @@ using namespace kanexpr;
 using namespace bicycle;
 using lin = linearization<SteeredSystem>;
 
-// Of lean, steer and their rates, among q1, q2, q5, u2, u3, u5.
+// The indices of lean, steer and their rates among q1, q2, q5, u2, u3, u5.
 constexpr auto regulator_at(double v) {
   const auto both = lin::explicit_form.constant(
       constant_state<SteeredSystem>(
@@ -37,7 +37,7 @@ TEST(gain_schedule, of_a_bicycle_has_the_gains_of_scipy) {
   agrees(6, references::bicycle::gain_at_6);
 }
 
-// Also between the points, and below the weave speed, where it falls over by itself.
+// It also does so between the points, and below the weave speed, where an uncontrolled bicycle falls over.
 TEST(gain_schedule, balances_a_bicycle) {
   for (double v = 2; v <= 6; v += 0.125) {
     lin::state x;

@@ -1,4 +1,5 @@
-// Linear-quadratic regulators beside those of SciPy, made exact; references.py says how far SciPy's are off.
+// Linear-quadratic regulators compared with those of SciPy, refined to full accuracy. references.py reports
+// the errors of SciPy.
 // builds: clang++ sanitize
 #include "control/matrices.hpp"
 #include "control/references.hpp"
@@ -33,11 +34,11 @@ struct result {
   MatrixXd K, P;
 };
 
-// Of matrices of any size: such code is compiled once.
+// For matrices of any size, so that this code is compiled once.
 void expect_agreement(const result& found, const expectation& known, bool continuous, double relative) {
   const auto& [a, b, r, x] = known;
-  // Beside the sizes of their own rows and columns, whatever the units; all beside each other where some
-  // vanish.
+  // Relative to the magnitudes of their rows and columns, which does not depend on the units; if some vanish,
+  // relative to the largest.
   const bool some_vanish = x.diagonal().minCoeff() < 1e-99 * x.norm();
   for (Eigen::Index i = 0; i < x.rows(); ++i)
     for (Eigen::Index j = 0; j < x.cols(); ++j)

@@ -14,7 +14,7 @@ namespace {
 using namespace kanexpr;
 using references::close;
 
-// Of a double integrator K = (√(q₁/r), √(q₂/r + 2 √(q₁/r))).
+// For a double integrator, K = (√(q₁/r), √(q₂/r + 2 √(q₁/r))).
 TEST(lqr, takes_weights_as_diagonals) {
   const Eigen::Matrix2d A{{0, 1}, {0, 0}};
   const Eigen::Vector2d B(0, 1);
@@ -70,8 +70,8 @@ private:
   std::mt19937 random_{7};
 };
 
-// Of two motions that inputs do not reach one grows. In the given coordinates their entries are zero; turned,
-// rounding reaches them.
+// The inputs do not reach two motions, one of which grows. In the given coordinates, their entries are zero;
+// after a rotation, rounding reaches them.
 TEST(lqr, finds_no_feedback_for_what_no_input_reaches) {
   numbers random;
   for (int k = 0; k < 500; ++k) {
@@ -92,7 +92,7 @@ TEST(lqr, finds_no_feedback_for_what_no_input_reaches) {
   }
 }
 
-// In any units: what is left of the equation, beside the terms that it is the sum of.
+// The residual of the equation relative to its terms, in any units.
 TEST(lqr, solves_its_equation_in_any_units) {
   numbers random;
   for (int k = 0; k < 500; ++k) {

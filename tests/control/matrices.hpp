@@ -19,7 +19,7 @@ auto eigen(const double (&written)[rows][columns]) {
   return kanexpr::numeric::as_eigen(fixed<T>(written));
 }
 
-// Beside the largest entry.
+// Relative to the largest entry.
 template <class Found, class Expected>
 testing::AssertionResult close(const Found& found, const Expected& expected, double relative) {
   const double off = (found - expected).cwiseAbs().maxCoeff(), size = expected.cwiseAbs().maxCoeff();

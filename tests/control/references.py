@@ -1,10 +1,10 @@
-"""Writes references.hpp: what the tests of control/ are compared with.
+"""Writes references.hpp, the reference values of the tests of control/.
 
     python3 references.py > references.hpp
 
 Needs NumPy, SciPy and mpmath. Discrete forms are computed with 60 digits. Solutions of Riccati equations are those of
-SciPy, made exact by Newton's method (Kleinman's, with linear systems of all entries) with 60 digits; how far SciPy's
-own are off stands beside them. The filter is the textbook's, dense, with derivatives by complex steps.
+SciPy, refined by Newton's method (Kleinman's, with one linear system for all entries) with 60 digits; comments give the
+errors of SciPy's own results. The filter is a textbook implementation with dense matrices and derivatives by complex steps.
 """
 
 import json
@@ -51,7 +51,7 @@ def discrete(name, a, b, c, h):
     e = rounded(mpmath.expm(whole, method="taylor"))
     ad, bd, cd = e[:n, :n], e[:n, n:n + m], e[:n, n + m:]
     found = cont2discrete((a, b, np.eye(n), np.zeros((n, m))), h)
-    print(f"// SciPy is off by {relative(found[0], ad):.1e} and {relative(found[1], bd):.1e}.")
+    print(f"// The errors of SciPy are {relative(found[0], ad):.1e} and {relative(found[1], bd):.1e}.")
     print(f"inline constexpr discrete<{n}, {m}> {name}{{{braces(a)}, {braces(b)}, {braces(c)}, {h!r}, "
           f"{braces(ad)}, {braces(bd)}, {braces(cd)}}};")
 
@@ -108,8 +108,7 @@ def riccati(name, a, b, q, r, continuous, start=None):
     except (np.linalg.LinAlgError, ValueError):
         found = None
     x = refined(a, b, q, r, found if start is None else start, continuous)
-    off = f"is off by {relative(found, x):.1e}" if found is not None else "finds none"
-    print(f"// SciPy {off}.")
+    print("// SciPy finds no solution." if found is None else f"// The error of SciPy is {relative(found, x):.1e}.")
     print(f"inline constexpr riccati<{n}, {m}> {name}{{{braces(a)}, {braces(b)}, {braces(q)}, {braces(r)}, "
           f"{braces(x)}}};")
 
@@ -277,7 +276,7 @@ struct riccati {
     bicycle()
     print("\n} // namespace bicycle\n")
 
-    print("// Between which the sum of squares of so many normal numbers is in 99.9 % of all cases.")
+    print("// The bounds within which the sum of squares of this many normally distributed numbers lies in 99.9 % of all cases.")
     for count in (200, 400):
         print(f"inline constexpr double chi_squared_{count}[]{{{float(chi2.ppf(0.0005, count))!r}, "
               f"{float(chi2.ppf(0.9995, count))!r}}};")

@@ -2,7 +2,7 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// A bead on a rod that turns evenly in the plane, pushed along the rod.
+/// A bead on a rod that rotates uniformly in the plane, pushed along the rod.
 namespace bead {
 
 using namespace kanexpr;

@@ -1,5 +1,5 @@
 // builds: all
-// Steps of tests/exporting/models_in_c.cpp, compiled as C, beside the compiled ones.
+// The steps of tests/exporting/models_in_c.cpp, compiled as C, compared with the compiled steps.
 #include "bead.hpp"
 
 #include <kanexpr/fixed_step.hpp>
@@ -21,7 +21,7 @@ namespace {
 
 using namespace kanexpr;
 
-/// Of 300 random states; how many of these steps could be made.
+/// Compares the steps from 300 random states; returns how many of them succeeded.
 template <class System, class Number, class Written, class Step>
 int steps_made(const Written& written, const char* const causes[], const Step& step) {
   std::mt19937 random{3};

@@ -1,5 +1,5 @@
 // builds: all
-// The code of tests/exporting/models_in_c.cpp, compiled as C, beside the compiled functions.
+// The code of tests/exporting/models_in_c.cpp, compiled as C, compared with the compiled functions.
 #include <kanexpr/kanexpr.hpp>
 #include <models/four_bar.hpp>
 #include <models/iiwa.hpp>
@@ -41,7 +41,7 @@ auto bits(Number x) {
     return std::bit_cast<std::uint32_t>(x);
 }
 
-/// Random calls, the same in every run.
+/// Random arguments, the same in every run.
 template <class System, class Number>
 struct calls {
   state<System, Number> x;
@@ -56,7 +56,7 @@ struct calls {
     for (auto& e : a.reshaped()) e = number(-3, 3);
   }
 
-  /// Entries that are nothing, tiny, infinite or no number; angles in the reach of the sines.
+  /// Entries that are zero, tiny, infinite or NaN; angles in the range of the sines.
   void next_extreme() {
     next();
     using limits = std::numeric_limits<Number>;
@@ -79,7 +79,7 @@ private:
   std::mt19937 random_{7};
 };
 
-/// The entries by rows.
+/// The entries, row by row.
 template <class Result>
 auto by_rows(const Result& result) {
   using Number = typename Result::Scalar;
@@ -97,7 +97,7 @@ void expect_same_bits(const std::vector<Number>& written, const Result& compiled
         << written[i] << " and " << expected[i] << " at " << i;
 }
 
-/// Of one result with a status or without, by a function of C that takes (t, x, p, r, result).
+/// Compares one result, with or without a status, with that of a C function (t, x, p, r, result).
 template <class Number, class Call, class Written, class Compiled>
 void expect_same(Call& at, const Written& written, const Compiled& compiled) {
   for (int repetition = 0; repetition < 600; ++repetition) {

@@ -1,4 +1,4 @@
-// What was written for C++, as C++11: the values of the functions of C, by names.
+// The C++ headers, compiled as C++11: the results of the C functions, with names.
 #include <bead_in_float.hpp>
 #include <four_bar.hpp>
 #include <pendulum.hpp>

@@ -2,7 +2,7 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// A pendulum on a nonlinear spring, with functions that <complex> lacks in its loads.
+/// A pendulum on a nonlinear spring; its loads call functions that <complex> does not have.
 namespace curved {
 
 using namespace kanexpr;

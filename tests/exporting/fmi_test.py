@@ -186,7 +186,7 @@ for q, u, T, l in ((0.4, 0.7, 0.0, 0.5), (-2.0, 1.1, 0.3, 0.8)):
         near(one.product("Adjoint", unknowns, knowns, seed), slopes[k], 1e-14)
 assert not one.wants_event_mode()
 
-# What does not exist is discarded, and said.
+# Results that do not exist are discarded and reported.
 one.EnterEventMode()
 one.set({"m": 0})
 one.EnterContinuousTimeMode()
@@ -195,11 +195,11 @@ assert one.told[0] == (DISCARD, "the mass matrix is singular at this state: its 
 one.set({"m": 2})
 one.rates()
 
-# Angles may be of any size, as in a simulation.
+# Angles may be arbitrarily large, as in a simulation.
 one.at(0.5, [2e5, 0.0])
 near(one.rates(), [0, 0.3 / inertia - 9.81 / 0.8 * math.sin(2e5)], 1e-14)
 
-# What is not understood is an error.
+# Unknown requests are errors.
 references, count = pendulum.references(["der(q)"])
 assert one.status("SetFloat64", references, count, (double * 1)(), count) == ERROR
 assert one.told[-1] == (ERROR, "this variable cannot be set")
@@ -214,7 +214,7 @@ one.free()
 other = Instance(pendulum, "ModelExchange", token="{another}")
 assert not other.pointer and other.told == [(ERROR, "the instantiation token belongs to a different model description")]
 
-# Names that XML or C do not have
+# Names that XML or C do not allow
 strange = Fmu("strange")
 assert strange.states == ["time", "ω <&>"] and strange.rates == ["der(time)_", "der(ω <&>)"]
 assert strange.names[0] == "time_"
@@ -226,7 +226,7 @@ near(one.rates(), [3, 2 * math.sin(1.4) * math.cos(0.2) / 6 - 9.81 / 2 * math.si
 near(one.product("Directional", ["der(ω <&>)"], ["time_"], [1.0]), [4 * math.cos(1.4) * math.cos(0.2) / 6], 1e-13)
 one.free()
 
-# Events that end the motion, and those without an end, at which it stays where it was
+# Events that end the motion, and events that do not
 one = Instance(strange, "CoSimulation").initialize()
 ends, reached = flag(), double()
 one.DoStep(double(0), double(1), flag(True), ctypes.byref(flag()), ctypes.byref(ends), ctypes.byref(flag()),
@@ -240,7 +240,7 @@ assert 0.0099 < reached < 0.0101
 near(one.get("time", "time_"), [0, reached], 1e-12)
 one.free()
 
-# A ball that bounces, by closed forms
+# A bouncing ball compared with closed forms
 ball = Fmu("ball")
 restitution, g, height = 0.8, 9.81, 1.2
 
@@ -283,7 +283,7 @@ for x in ({"h": 0, "v": 0}, {"h": 1e-7, "v": -1e-5}):
     assert abs(one.get("h")[0]) < 1e-7
     one.free()
 
-# What an event sets passes nothing, however far it jumps; what passes later happens. Internal steps are as long as steps at
+# A jump set by an event is no crossing, however large it is; later crossings are events. Internal steps are as long as steps at
 # most, and those without an end are refused.
 lift = Fmu("lift")
 one = Instance(lift, "CoSimulation").initialize()
@@ -303,7 +303,7 @@ for length, why in ((math.inf, "the length of a step must be positive and finite
     assert one.step(t, length) == (ERROR, t) and one.told[-1] == (ERROR, why)
 assert one.step(math.inf, 1) == (ERROR, t)
 
-# What is refused changes nothing.
+# Rejected calls have no effect.
 h = one.get("h")
 assert one.enter_initialization(start=77) == ERROR and one.get("time") == [t]
 assert one.status_of_set({"h": 3}) == ERROR and one.told[-1] == (ERROR, "the state of a co-simulation changes only by steps")
@@ -331,7 +331,7 @@ for t, x, passes in ((1, [3.75, 1], False), (2, [4, 1], True), (3, [4.5, 7], Fal
         one.EnterContinuousTimeMode()
 one.free()
 
-# The same as a tool integrates it, whose steps are exact here
+# The same, integrated by a tool, whose steps are exact here
 one = exchange(ball)
 x, t, bounces = one.state(), 0.0, 0
 assert x == [height, 0.0]
@@ -389,7 +389,7 @@ for k in range(9):
     motion.append(x)
 assert stepped(slider, {}, 9) == motion
 
-# A tool that loses the constraints is asked to come back to them, by its own tolerance.
+# A tool that violates the constraints must return to them, within its own tolerance.
 for tolerance, drift, is_far in ((None, 1e-7, True), (None, 1e-9, False), (1e-4, 1e-5, False), (1e-4, 1e-3, True)):
     one.Reset()
     one.initialize(tolerance)

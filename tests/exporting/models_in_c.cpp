@@ -1,16 +1,16 @@
-// Writes the C of some models into the folder that it is given, as double.c, …, for the tests that compile
-// it.
+// Exports models to the folder given as argument, for the tests that compile the files.
 #include "bead.hpp"
 #include "curved.hpp"
 
 #include <kanexpr/export.hpp>
+#include <kanexpr/fmi.hpp>
 
 #include <models/four_bar.hpp>
 #include <models/iiwa.hpp>
 #include <models/n_pendulum_cart.hpp>
 #include <models/rolling_disc.hpp>
 #include <models/simple_pendulum.hpp>
-#include <simulation/falling_ball.hpp>
+#include <simulations/falling_ball.hpp>
 #include <steps/quaternions.hpp>
 
 #include <iostream>
@@ -31,7 +31,7 @@ bool write(const char* folder, const char* name, c_options chosen) {
   return static_cast<bool>(written);
 }
 
-/// A pendulum that a force drives in time; nothing of it is bound.
+/// A pendulum driven by a force that depends on time; no parameter is bound.
 bool write_driven(const char* folder) {
   kanexpr::runtime::builder b("N");
   const auto q = b.coordinate("q"), u = b.speed("u"), g = b.parameter("g"),
@@ -46,7 +46,7 @@ bool write_driven(const char* folder) {
   return static_cast<bool>(kanexpr::write_casadi(b, folder, "driven"));
 }
 
-/// Neither inputs nor parameters, and names that C or what is written uses otherwise.
+/// A system without inputs and parameters, with names that C or the generated code uses otherwise.
 bool write_awkward(const char* folder) {
   kanexpr::runtime::builder b("N");
   const auto q = b.coordinate("by_x"), s = b.coordinate("int"), u = b.speed("residual"), v = b.speed("w 1");
@@ -74,7 +74,7 @@ bool is_whole(const kanexpr::exporting::written_fmu& written) {
   return written && written.note().empty();
 }
 
-/// A pendulum whose names neither C nor XML has, and which changes with time.
+/// A pendulum with names that C and XML do not allow, and with a load that depends on time.
 bool write_strange_fmu(const char* folder) {
   kanexpr::runtime::builder b("N");
   const auto q = b.coordinate("time"), u = b.speed("ω <&>"), g = b.parameter("der(time)"),
@@ -88,7 +88,7 @@ bool write_strange_fmu(const char* folder) {
   b.force(P, b.along(N, 0, amplitude * sin(2 * b.time()), 0));
   using kanexpr::crossing;
   const std::vector<exported_event> events{
-      when("flip", q, crossing::either, {set("time", -q)}), // without an end
+      when("flip", q, crossing::either, {set("time", -q)}), // does not end the motion
       when("half a second", b.time() - 0.5, crossing::rising, {}, kanexpr::after_event::stop)};
   return is_whole(
       kanexpr::write_fmu(b, folder, "strange",
@@ -111,8 +111,8 @@ bool write_ball_fmu(const char* folder) {
   return is_whole(ball);
 }
 
-/// A lift without weight that jumps up where it arrives, past where another event looks, in long steps
-/// inside.
+/// A weightless lift that jumps up when it arrives, past the position of another event, with long internal
+/// steps.
 bool write_lift_fmu(const char* folder) {
   kanexpr::runtime::builder b("N");
   const auto h = b.coordinate("h"), v = b.speed("v");
@@ -140,7 +140,7 @@ bool write_fmus(const char* folder, const options& of_bound) {
                   {"m1", 1},   {"m2", 2},   {"m3", 1.5},  {"I1", 0.1}, {"I2", 0.5}, {"I3", 0.3}};
   beaded.start = {{"s", 0.4}, {"m", 2}, {"w", 1.5}, {"g", 9.81}, {"push", 0.7}};
   sliding.method = "ralston_3";
-  beaded.step = sliding.step = 0.125; // all sums of such are exact
+  beaded.step = sliding.step = 0.125; // all sums of them are exact
   sliding.start = {{"e0", 0.6}, {"e1", 0.5}, {"e2", 0.3}, {"e3", 0.4}, {"u1", 0.3}, {"h", -0.2}};
   return is_whole(kanexpr::write_fmu<simple_pendulum::System>(folder, "bound_pendulum", bound)) &&
          write_pendulum_fmu(folder) && write_ball_fmu(folder) && write_strange_fmu(folder) &&

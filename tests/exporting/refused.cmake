@@ -1,4 +1,4 @@
-# cmake -P refused.cmake: kanexpr_export says in one sentence what it does not take, before anything is compiled.
+# cmake -P refused.cmake: kanexpr_export reports invalid arguments in one sentence, before anything is compiled.
 cmake_minimum_required(VERSION 3.25)
 set(root ${CMAKE_CURRENT_LIST_DIR}/../..)
 set(pendulum HEADER ${root}/examples/models/simple_pendulum.hpp SYSTEM simple_pendulum::System OUTPUT exported)
@@ -8,6 +8,7 @@ function(refuses sentence name)
   string(JOIN " " arguments ${ARGN})
   set(script ${CMAKE_CURRENT_BINARY_DIR}/refused_export.cmake)
   file(WRITE ${script} "cmake_minimum_required(VERSION 3.25)\ninclude(${root}/cmake/kanexpr_export.cmake)\n"
+    "set(kanexpr_fmi_lacks \"libzip was not found\")\n"
     "kanexpr_export(${name} ${arguments})\n")
   execute_process(COMMAND ${CMAKE_COMMAND} -P ${script} ERROR_VARIABLE told RESULT_VARIABLE status)
   file(REMOVE ${script})
@@ -36,6 +37,7 @@ refuses("kanexpr_export: SCALAR must be double or float, got half" arm ${pendulu
 refuses("kanexpr_export: BIND g is not of the form <symbol>=<number>" arm ${pendulum} FORMATS c BIND g)
 refuses("kanexpr_export: there is no result U!" arm ${pendulum} FORMATS c RESULTS U!)
 refuses("kanexpr_export: EXPRESSIONS tip is not of the form <name>=<expression>" arm ${pendulum} FORMATS c EXPRESSIONS tip)
+refuses("kanexpr_export: the format fmi requires kanexpr::fmi: libzip was not found" arm ${pendulum} FORMATS c fmi)
 if(wrong)
-  message(FATAL_ERROR "kanexpr_export takes what it should refuse, or says something else")
+  message(FATAL_ERROR "kanexpr_export accepts invalid arguments, or reports a different sentence")
 endif()

@@ -1,5 +1,6 @@
-// Exports by builders, and what cannot be exported.
+// Exports of builders, and refused exports.
 #include <kanexpr/export.hpp>
+#include <kanexpr/fmi.hpp>
 #include <kanexpr/runtime/builder.hpp>
 
 #include <models/pendulum_nonminimal.hpp>
@@ -24,7 +25,7 @@ using namespace kanexpr;
 using namespace exporting;
 using testing::HasSubstr;
 
-/// A folder that is gone with the test.
+/// A folder that is removed after the test.
 struct folder {
   std::filesystem::path path = std::filesystem::temp_directory_path() / "kanexpr_write_c_test";
   folder() { std::filesystem::remove_all(path); }
@@ -88,7 +89,7 @@ TEST(WriteC, NamesWhatCannotBeExported) {
 
 TEST(WriteC, LeavesNothingHalfWritten) {
   const folder to;
-  std::filesystem::create_directories(to.path / "arm.c"); // where a file should be
+  std::filesystem::create_directories(to.path / "arm.c"); // a folder in place of the file
   const outcome written = write_c<simple_pendulum::System>(to.path, "arm");
   ASSERT_FALSE(written);
   EXPECT_EQ(written.cause(), (to.path / "arm.c").string() + " cannot be written");
@@ -123,7 +124,7 @@ TEST(WriteC, TakesBackWhatItReplacedWhereTheNextFileCannotBe) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(to.path), {}), 1) << "something is left";
 }
 
-/// No file may have more bytes, as on a disk that is full.
+/// Limits the size of files, as on a full disk.
 struct full_disk {
   rlimit before{};
   full_disk() {
@@ -238,8 +239,8 @@ TEST(WriteC, CallsNothingWhatAHeaderDefines) {
   EXPECT_THAT(to.text_of("crane.c"), HasSubstr("const double errno_ = p[0];"));
 }
 
-/// A pendulum with terms of its force formed one after another, from the first or from the last, as compilers
-/// do with operands.
+/// A pendulum whose force has terms created in order, from the first or from the last, as compilers evaluate
+/// operands.
 std::string code_of_pendulum(const folder& to, bool from_the_first) {
   runtime::builder b("N");
   const auto q = b.coordinate("q"), u = b.speed("u"), m = b.parameter("m"), g = b.parameter("g"),
@@ -344,12 +345,12 @@ TEST(WriteCasadi, TellsTheMistakeOfAModel) {
   EXPECT_EQ(write_casadi(b, to.path, "arm").cause(), derive(b).mistake());
 }
 
-/// A result of one entry, 2 or 3, at a place; a dense one, 1, before it and what a check needs, 4, behind.
+/// A function with a dense result, 1, a sparse result with one entry, 2 or 3, and the value for a check, 4.
 exported_function with_entry_at(int row, int column, int value) {
   exported_function f;
   f.results = {{"dense", 1, 1, 0}, {"sparse", 2, 2, 1}};
   f.results[1].is_sparse = true;
-  f.results[1].row_of = {row}, f.results[1].column_of = {column};
+  f.results[1].places = {{column, row}};
   for (const int number : {1, value, 4})
     f.code.results.push(f.code.lines.push({.a = f.code.numbers.push(symbolic::exactly(number))}));
   return f;
@@ -366,14 +367,13 @@ TEST(CommonShapes, PutsZerosWhereTheOtherHasAnEntry) {
   EXPECT_EQ(values(one), (std::vector<double>{1, 0, 2, 4}));
   EXPECT_EQ(values(other), (std::vector<double>{1, 3, 0, 4}));
   for (const exported_function& f : {one, other}) {
-    EXPECT_EQ(f.results[1].row_of, (std::vector<int>{1, 0}));
-    EXPECT_EQ(f.results[1].column_of, (std::vector<int>{0, 1}));
+    EXPECT_EQ(f.results[1].places, (std::vector<std::pair<int, int>>{{0, 1}, {1, 0}}));
   }
 }
 
 TEST(WriteCasadi, LeavesNothingHalfWritten) {
   const folder to;
-  std::filesystem::create_directories(to.path / "arm_casadi.c"); // where a file should be
+  std::filesystem::create_directories(to.path / "arm_casadi.c"); // a folder in place of the file
   const outcome written = write_casadi<simple_pendulum::System>(to.path, "arm");
   ASSERT_FALSE(written);
   EXPECT_EQ(written.cause(), (to.path / "arm_casadi.c").string() + " cannot be written");
@@ -388,7 +388,7 @@ fmu_options with_starts() {
   return {.start = {{"q", 0.3}, {"m", 2}, {"l", 0.5}, {"g", 9.81}, {"c", 0.1}}, .compiler = ""};
 }
 
-/// Why there is no FMU of a pendulum with options that `change` changes.
+/// Returns the reason why there is no FMU of a pendulum with options modified by `change`.
 template <class Change>
 std::string cause_of_fmu(const Change& change, const std::string& name = "arm") {
   const folder to;
@@ -465,7 +465,7 @@ TEST(WriteFmu, SaysWhyThereIsNoLibrary) {
 
 TEST(WriteFmu, LeavesNothingHalfWritten) {
   const folder to;
-  std::filesystem::create_directories(to.path / "arm.fmu"); // where the file should be
+  std::filesystem::create_directories(to.path / "arm.fmu"); // a folder in place of the file
   const written_fmu written = write_fmu<simple_pendulum::System>(to.path, "arm", with_starts());
   EXPECT_EQ(written.cause(), (to.path / "arm.fmu").string() + " cannot be written");
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(to.path), {}), 1) << "something is left";

@@ -6,9 +6,11 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -24,12 +26,10 @@ constexpr int place_of(const compiled::value_vector<System, which, Scalar>*, con
 
 /// Writes NaN by its bits: with -ffast-math, compilers assume that no number is NaN and may omit code that
 /// writes one.
-inline void set_to_nan(double* to) {
-  constexpr std::uint64_t none = 0x7ff8'0000'0000'0000;
-  std::memcpy(to, &none, sizeof none);
-}
-inline void set_to_nan(float* to) {
-  constexpr std::uint32_t none = 0x7fc0'0000;
+template <class Number>
+void set_to_nan(Number* to) {
+  using bits = std::conditional_t<sizeof(Number) == sizeof(std::uint64_t), std::uint64_t, std::uint32_t>;
+  constexpr auto none = std::bit_cast<bits>(std::numeric_limits<Number>::quiet_NaN());
   std::memcpy(to, &none, sizeof none);
 }
 

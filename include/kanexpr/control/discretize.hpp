@@ -117,7 +117,7 @@ template <class Number, int states, int inputs>
 constexpr status mistake_in(const fixed_matrix<Number, states, states>& a,
                             const fixed_matrix<Number, states, inputs>& b,
                             const fixed_matrix<Number, states, 1>& c, Number h) {
-  if (!numeric::is_finite(fixed_matrix<Number, 1, 1>{{h}})) return status("the step length is not finite");
+  if (!numeric::is_finite(h)) return status("the step length is not finite");
   if (!numeric::is_finite(a)) return status("the state matrix A is not finite");
   if (!numeric::is_finite(b)) return status("the input matrix B is not finite");
   if (!numeric::is_finite(c)) return status("the offset c is not finite");

@@ -17,20 +17,20 @@ struct riccati_equation {
 
 /// The outcome of the doubling iteration.
 enum class doubling : unsigned char {
-  solves,   ///< the motion of the closed loop has decayed
-  halves,   ///< the motion halves with each doubling of the number of steps: an eigenvalue lies on the unit
-            ///< circle
-  does_not, ///< the motion grows, or does not decay
-  stops     ///< rounding or overflow ends the iteration
+  solves, ///< the motion of the closed loop has decayed
+  halves, ///< the motion halves with each doubling of the number of steps: an eigenvalue lies on the unit
+          ///< circle
+  does_not_decay, ///< the motion grows, or neither grows nor decays
+  stops           ///< rounding or overflow ends the iteration
 };
 
-/// A symmetric matrix and a flag that indicates whether it solves the equation.
+/// A symmetric matrix, and whether it solves the equation.
 template <class Number, int states>
 struct riccati_solution {
   fixed_matrix<Number, states, states> x{};
-  doubling comes_to = doubling::stops;
+  doubling result = doubling::stops;
 
-  constexpr bool found() const { return comes_to == doubling::solves; }
+  constexpr bool found() const { return result == doubling::solves; }
 };
 
 /// Up to this bound, all required products are finite; a constant expression must not overflow.
@@ -73,7 +73,7 @@ constexpr riccati_solution<Number, states> doubled(riccati_equation<Number, stat
   // Before the inputs take effect, a doubling at most squares the motion of one large step.
   const Number large = most * (1 + size * size), growth = large < most_of_any ? large : most_of_any;
   for (int k = 0; k < most_steps; ++k) {
-    if (!(size < growth)) return {e.q, doubling::does_not};
+    if (!(size < growth)) return {e.q, doubling::does_not_decay};
     if (slow_steps > most_slow_steps) return {e.q, doubling::halves};
     if (!is_moderate(e.g) || !is_moderate(e.q)) return {e.q, doubling::stops};
     const numeric::eliminated<Number, states> w(numeric::identity<Number, states>() + e.g * e.q);
@@ -89,7 +89,7 @@ constexpr riccati_solution<Number, states> doubled(riccati_equation<Number, stat
     if (size <= limits::epsilon() * limits::epsilon()) return {e.q, doubling::solves};
     if (size > little && size < medium && size > before / 4 && size < before * 3 / 4) ++slow_steps;
   }
-  return {e.q, doubling::does_not};
+  return {e.q, doubling::does_not_decay};
 }
 
 /// The Cayley transform of a continuous-time equation: the discrete-time equation with the same solution

@@ -5,7 +5,6 @@
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/control/discretize.hpp>
 #include <kanexpr/control/weights.hpp>
-#include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/semidefinite_factors.hpp>
 #include <kanexpr/steps/fixed_step.hpp>
@@ -98,7 +97,7 @@ public:
   /// Returns the measurements expected at the state of the filter.
   template <class Parameters, class Inputs>
   with_status<measurement> expected(const Parameters& p, const Inputs& r) const {
-    return seen(p, r).values;
+    return measure(p, r).values;
   }
 
   /// Corrects the state by the measurements y at the time of the filter, given the covariance of their noise.
@@ -162,47 +161,46 @@ private:
     if (!known) return status(of_state.negative);
     const factors<measurements> sensed(uncertainty, rounding<measurements>, rounding<measurements>);
     if (!sensed) return status(of_noise.negative);
-    const sight now = seen(p, r);
+    const measured_values now = measure(p, r);
     if (!now.values.status) return now.values.status;
     if (!now.slopes.status) return now.slopes.status;
-    const numeric::fixed_matrix<Number, measurements, 1> off = numeric::as_fixed(y - now.values);
+    const numeric::fixed_matrix<Number, measurements, 1> difference = numeric::as_fixed(y - now.values);
     const measured_by_states c = numeric::as_fixed(now.slopes);
-    if (!numeric::is_finite(off)) return status("a measurement is not finite");
+    if (!numeric::is_finite(difference)) return status("a measurement is not finite");
     const measured_by_states seen_factors = known.times_lower(c);
     const measured_square s = known.squares(seen_factors, uncertainty);
     if (!numeric::is_finite(s)) return status("the covariance of the innovation is not finite");
     const numeric::positive_factors<Number, measurements> solved(s);
     if (!solved) return status("the covariance of the innovation is not positive definite");
     const auto k = numeric::transposed(solved.solve(c * before));
-    const auto change = k * off;
+    const auto change = k * difference;
     state next = x;
     for (int i = 0; i < states; ++i) next(lin::places[static_cast<std::size_t>(i)]) += change(i);
     using correct = steps::correction<System, newton_steps>;
     if constexpr (correct::is_needed)
       if (const status corrected = correct::apply(t, next, p, r); !corrected) return corrected;
-    for (int i = 0; i < static_cast<int>(next.size()); ++i)
-      if (!lower::scalar_math<Number>::is_finite(next(i)))
-        return status("the state after the update is not finite");
+    if (!numeric::is_finite(numeric::as_fixed(next)))
+      return status("the state after the update is not finite");
     const square after = sensed.squares(sensed.times_lower(k), // Joseph's form
                                         known.squares(known.lower() - k * seen_factors));
     if (!numeric::is_finite(after)) return status(of_state.infinite);
     x = next;
     P = numeric::as_eigen(after);
-    innovation_ = numeric::as_eigen(off);
+    innovation_ = numeric::as_eigen(difference);
     innovation_covariance_ = numeric::as_eigen(s);
     return {};
   }
 
-  struct sight {
+  struct measured_values {
     with_status<measurement> values;
     with_status<Eigen::Matrix<Number, measurements, states>> slopes;
   };
 
   template <class Parameters, class Inputs>
-  sight seen(const Parameters& p, const Inputs& r) const {
-    constexpr function<System, measured..., derivation::sensitivity<false, measured...>{}> look{};
-    const auto found = look(t, x, p, r);
-    sight now{};
+  measured_values measure(const Parameters& p, const Inputs& r) const {
+    constexpr function<System, measured..., derivation::sensitivity<false, measured...>{}> evaluate{};
+    const auto found = evaluate(t, x, p, r);
+    measured_values now{};
     int row = 0;
     [&]<std::size_t... index>(std::index_sequence<index...>) {
       (put(now.values, row, std::get<index>(found)), ...);
@@ -241,7 +239,7 @@ private:
 
   /// The messages for an invalid covariance, worded as those of `lqr` for the weights.
   struct sentences {
-    std::string_view infinite, crooked, negative;
+    std::string_view infinite, asymmetric, negative;
   };
   static constexpr sentences of_state{"the covariance of the state is not finite",
                                       "the covariance of the state is not symmetric",
@@ -255,15 +253,14 @@ private:
   template <int order>
   static status mistake_in(const numeric::fixed_matrix<Number, order, order>& m, const sentences& of) {
     if (!numeric::is_finite(m)) return status(of.infinite);
-    return control::is_symmetric(m) ? status() : status(of.crooked);
+    return control::is_symmetric(m) ? status() : status(of.asymmetric);
   }
 
   template <class Matrix>
   static status finite(const Matrix& m) {
-    for (int i = 0; i < static_cast<int>(m.size()); ++i)
-      if (!lower::scalar_math<Number>::is_finite(m.data()[i]))
-        return status("a measured expression is not finite at this state");
-    return {};
+    return numeric::is_finite(numeric::as_fixed(m))
+               ? status()
+               : status("a measured expression is not finite at this state");
   }
 
   measurement innovation_ = measurement::Zero();

@@ -38,14 +38,12 @@ struct scheduled_gains {
 };
 
 /// Converts a gain to a different scalar type.
-template <class Other, class Number, int rows, int columns>
-constexpr numeric::fixed_matrix<Other, rows, columns>
-in_numbers(const numeric::fixed_matrix<Number, rows, columns>& gain) {
-  return gain.template cast<Other>();
-}
-template <class Other, class Derived>
-auto in_numbers(const Eigen::MatrixBase<Derived>& gain) {
-  return gain.template cast<Other>().eval();
+template <class Other, control::matrix Gain>
+constexpr auto in_numbers(const Gain& gain) {
+  if constexpr (control::is_fixed_matrix<Gain>)
+    return gain.template cast<Other>();
+  else
+    return gain.template cast<Other>().eval();
 }
 
 /// Converts a table to a different scalar type: `constexpr auto K = in_numbers<float>(gains);`.

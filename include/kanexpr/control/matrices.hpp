@@ -5,7 +5,6 @@
 #include <kanexpr/numeric/as_eigen.hpp>
 
 #include <Eigen/Core>
-#include <concepts>
 #include <type_traits>
 
 /// The functions in this folder accept Eigen matrices at run time and `numeric::fixed_matrix` in constant
@@ -84,18 +83,13 @@ constexpr fixed_matrix<Number, rows, columns> between(const fixed_matrix<Number,
   return m;
 }
 
-/// Whether a gain is finite.
-template <class Number, int rows, int columns>
-constexpr bool is_finite_gain(const fixed_matrix<Number, rows, columns>& gain) {
-  return numeric::is_finite(gain);
-}
-template <class Derived>
-bool is_finite_gain(const Eigen::MatrixBase<Derived>& gain) {
-  return numeric::is_finite(numeric::as_fixed(gain));
-}
-template <std::floating_point Number>
-constexpr bool is_finite_gain(Number gain) {
-  return numeric::is_finite(fixed_matrix<Number, 1, 1>{{gain}});
+/// Whether a gain, a matrix or a number, is finite.
+template <class Gain>
+constexpr bool is_finite_gain(const Gain& gain) {
+  if constexpr (matrix<Gain>)
+    return numeric::is_finite(fixed(gain));
+  else
+    return numeric::is_finite(gain);
 }
 
 /// Returns the first status that reports a failure.

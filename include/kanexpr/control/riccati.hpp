@@ -109,7 +109,7 @@ constexpr bool refine(const riccati_equation<Number, states>& e, fixed_matrix<Nu
   return before <= tolerable * numeric::largest_entry(x);
 }
 
-/// The states that the inputs reach, directly or through other states.
+/// Determines the states that the inputs reach, directly or through other states.
 template <class Number, int states>
 class reach {
 public:
@@ -132,7 +132,7 @@ public:
 
   /// Whether there is a state that depends on no other state, does not decay, and is reached by no input.
   template <time_domain domain>
-  constexpr bool leaves_out_what_does_not_decay(const fixed_matrix<Number, states, states>& a) const {
+  constexpr bool has_unreached_persistent_state(const fixed_matrix<Number, states, states>& a) const {
     for (int i = 0; i < states; ++i) {
       bool is_alone = !is_reached[i];
       for (int j = 0; j < states; ++j) is_alone = is_alone && (i == j || base::equal(a(i, j), Number(0)));
@@ -149,7 +149,7 @@ private:
   bool is_reached[static_cast<std::size_t>(states > 0 ? states : 1)]{};
 };
 
-/// Whether all nonzero entries are still nonzero after scaling.
+/// Whether the zero entries of a matrix are the same before and after scaling.
 template <class Number, int rows, int columns>
 constexpr bool has_same_zeros(const fixed_matrix<Number, rows, columns>& a,
                               const fixed_matrix<Number, rows, columns>& b) {
@@ -185,13 +185,14 @@ constexpr status solve_balanced(const riccati_equation<Number, states>& e,
   const riccati_equation<Number, states> weighted{unit.template scaled<-1, 1>(e.a, unit),
                                                   unit.template scaled<-1, -1>(e.g, unit),
                                                   numeric::identity<Number, states>()};
-  if (of_inputs.template leaves_out_what_does_not_decay<domain>(e.a)) return not_stabilizable;
+  if (of_inputs.template has_unreached_persistent_state<domain>(e.a)) return not_stabilizable;
   if (!is_moderate(weighted.a) || !is_moderate(weighted.g)) return not_converged;
   const riccati_solution<Number, states> nearby = stabilizing<domain>(weighted);
   x = nearby.x;
   if (!nearby.found() || !refine<domain>(weighted, x)) {
     if (is_graded(weighted.a) || !has_same_zeros(weighted.a, e.a)) return not_converged;
-    if (nearby.comes_to == doubling::does_not || nearby.comes_to == doubling::halves) return not_stabilizable;
+    if (nearby.result == doubling::does_not_decay || nearby.result == doubling::halves)
+      return not_stabilizable;
     // If the inputs reach a motion only through rounding, its cost exceeds any cost that widely spread rates
     // can explain.
     const Number size = numeric::largest_entry(weighted.a),
@@ -202,7 +203,7 @@ constexpr status solve_balanced(const riccati_equation<Number, states>& e,
   x = unit.template scaled<-1, -1>(x, unit);
   if (!is_moderate(x)) return not_converged;
   const riccati_solution<Number, states> rest = stabilizing<domain>(defect<domain>(e, x));
-  const bool halves = direct.comes_to == doubling::halves || rest.comes_to == doubling::halves;
+  const bool halves = direct.result == doubling::halves || rest.result == doubling::halves;
   if (!rest.found() && halves && !is_positive_definite(e.q))
     return domain == time_domain::continuous ? not_detectable_on_axis : not_detectable_on_circle;
   if (!rest.found()) return not_converged;

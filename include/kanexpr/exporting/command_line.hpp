@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/outcome.hpp>
-#include <kanexpr/exporting/formats.hpp>
+#include <kanexpr/exporting/format.hpp>
 
 #include <charconv>
 #include <cstdio>
@@ -12,13 +12,14 @@
 
 namespace kanexpr::exporting {
 
-/// An export request in the form in which the command kanexpr-export passes it on: a folder, a name, and
-/// options as strings.
+/// The arguments with which kanexpr-export calls a program that exports a model: a folder, a name, and
+/// options.
 class command_line {
 public:
   /// `others` are functions that a string cannot specify.
-  explicit command_line(const std::vector<std::string>& arguments,
-                        const std::vector<requested_function>& others = {}) {
+  command_line(const export_format& format, const std::vector<std::string>& arguments,
+               const std::vector<requested_function>& others = {})
+      : format_(format) {
     if (arguments.size() < 2) {
       cause_ = "a folder and a name are required";
       return;
@@ -29,11 +30,11 @@ public:
     if (cause_.empty()) check_format();
   }
 
-  /// The first mistake in the request; empty if there is none.
+  /// The first mistake in the arguments; empty if there is none.
   const std::string& cause() const { return cause_; }
 
   outcome write(runtime::staged_derivation& derivation) const {
-    return cause_.empty() ? find_format(format_)->write(derivation, chosen_) : outcome(cause_);
+    return cause_.empty() ? format_.write(derivation, chosen_) : outcome(cause_);
   }
 
 private:
@@ -43,17 +44,13 @@ private:
       option.remove_prefix(with.size());
       return true;
     };
-    if (begins("format="))
-      format_ = option;
-    else if (begins("scalar="))
+    if (begins("scalar="))
       set_scalar(option);
-    else if (begins("bind=")) {
-      if (const auto [name, value] = parse_assignment(option, "parameter"); value)
-        chosen_.bound.push_back({name, *value});
-    } else if (begins("start=")) {
-      if (const auto [name, value] = parse_assignment(option, "symbol"); value)
-        chosen_.start.push_back({name, *value});
-    } else if (begins("step=")) {
+    else if (begins("bind="))
+      add_assignment(option, "parameter", chosen_.bound);
+    else if (begins("start="))
+      add_assignment(option, "symbol", chosen_.start);
+    else if (begins("step=")) {
       if (chosen_.step = number(option); !chosen_.step)
         cause_ = std::string(option) + " is not a valid step length";
     } else if (begins("compiler="))
@@ -70,16 +67,14 @@ private:
 
   /// Checks that the format supports the options.
   void check_format() {
-    const export_format* const format = find_format(format_);
-    if (format == nullptr)
-      cause_ = "unknown format " + format_ + "; expected c, casadi or fmi";
-    else if (!format->has_float && chosen_.number == precision::single_precision)
-      cause_ = "the format " + format_ + " supports only double precision";
-    else if (!format->has_callers && (chosen_.with_python || chosen_.with_cpp))
+    const std::string name(format_.name);
+    if (!format_.has_float && chosen_.number == precision::single_precision)
+      cause_ = "the format " + name + " supports only double precision";
+    else if (!format_.has_callers && (chosen_.with_python || chosen_.with_cpp))
       cause_ = "files for Python and C++ require the format c";
-    else if (!format->has_functions && !chosen_.functions.empty())
-      cause_ = "the format " + format_ + " exports the rates of the state and no other results";
-    else if (!format->has_simulation && (!chosen_.start.empty() || chosen_.step))
+    else if (!format_.has_functions && !chosen_.functions.empty())
+      cause_ = "the format " + name + " exports the rates of the state and no other results";
+    else if (!format_.has_simulation && (!chosen_.start.empty() || chosen_.step))
       cause_ = "start values and a step require the format fmi";
   }
 
@@ -97,29 +92,28 @@ private:
     return value;
   }
 
-  struct assignment {
-    std::string name{};
-    std::optional<double> value{};
-  };
-
-  assignment parse_assignment(std::string_view text, const char* to_what) {
+  /// Adds the value of `name=number`.
+  template <class Values>
+  void add_assignment(std::string_view text, const char* kind, Values& to) {
     const std::size_t equals = text.find('=');
-    assignment found;
-    if (equals != text.npos && equals != 0)
-      found = {std::string(text.substr(0, equals)), number(text.substr(equals + 1))};
-    if (!found.value) cause_ = std::string(text) + " is not of the form " + to_what + "=number";
-    return found;
+    std::optional<double> value;
+    if (equals != text.npos && equals != 0) value = number(text.substr(equals + 1));
+    if (value)
+      to.push_back({std::string(text.substr(0, equals)), *value});
+    else
+      cause_ = std::string(text) + " is not of the form " + kind + "=number";
   }
 
-  std::string format_ = "c", cause_{};
+  const export_format& format_;
+  std::string cause_{};
   export_options chosen_{};
 };
 
 /// The main function of the program that kanexpr-export compiles together with a model.
 template <class System>
-int run_command_line(int count, const char* const* arguments,
+int run_command_line(const export_format& format, int count, const char* const* arguments,
                      const std::vector<requested_function>& expressions) {
-  const command_line given(std::vector<std::string>(arguments + 1, arguments + count), expressions);
+  const command_line given(format, {arguments + 1, arguments + count}, expressions);
   runtime::staged_derivation derivation([] { return derive<System>(); });
   const outcome written = given.write(derivation);
   if (!written) std::fprintf(stderr, "kanexpr-export: %s\n", written.cause().c_str());

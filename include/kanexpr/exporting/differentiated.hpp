@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/exporting/export_request.hpp>
+#include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/derivatives/jacobian.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -9,6 +10,7 @@
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,30 +19,26 @@
 namespace kanexpr::exporting {
 
 /// The symbols of a system with respect to which its results are differentiated.
-struct differentiable_symbols {
-  base::sequence<symbolic::expression> state{}, rates{}, inputs{}, parameters{}, time{};
+class differentiable_symbols {
+public:
+  using expressions = base::sequence<symbolic::expression>;
 
-  const base::sequence<symbolic::expression>& of(symbols which) const {
-    switch (which) {
-    case symbols::state: return state;
-    case symbols::rates: return rates;
-    case symbols::inputs: return inputs;
-    case symbols::parameters: return parameters;
-    case symbols::time: break;
-    }
-    return time;
-  }
+  expressions& operator[](symbols which) { return all_[static_cast<std::size_t>(which)]; }
+  const expressions& of(symbols which) const { return all_[static_cast<std::size_t>(which)]; }
+
+private:
+  std::array<expressions, 5> all_{};
 };
 
-/// Derivatives of an arbitrary column of expressions, by the chain rule through its graph. Common
-/// subexpressions are shared.
+/// The derivatives of an arbitrary column of expressions, obtained by the chain rule through its graph.
+/// Common subexpressions are shared.
 class differentiated {
 public:
   differentiated(symbolic::graph& g, const base::sequence<symbolic::expression>& y,
                  const differentiable_symbols& of)
       : graph_(g), y_(y), symbols_(of) {}
 
-  bool is_of(const base::sequence<symbolic::expression>& y) const {
+  bool differentiates(const base::sequence<symbolic::expression>& y) const {
     return std::equal(y.begin(), y.end(), y_.begin(), y_.end(),
                       [](const auto& a, const auto& b) { return a.node() == b.node(); });
   }
@@ -76,8 +74,9 @@ private:
   using expression = symbolic::expression;
   using expressions = base::sequence<expression>;
 
-  /// Named as in mechanics/linearize/second_order.hpp, whose results may appear in the same function.
-  expression given(symbolic::symbol_kind kind, std::string_view what, int place) {
+  /// Returns a variable with the same name as in mechanics/linearize/second_order.hpp, whose results may
+  /// appear in the same function.
+  expression seed(symbolic::symbol_kind kind, std::string_view what, int place) {
     base::name called(what);
     called.append(place + 1);
     return symbolic::variable(graph_, {kind, called, place});
@@ -88,7 +87,7 @@ private:
     int place = 0;
     for (symbols each : which)
       for (const expression& s : symbols_.of(each)) {
-        d.set_rate(s, given(symbolic::symbol_kind::direction, "direction", place));
+        d.set_rate(s, seed(symbolic::symbol_kind::direction, "direction", place));
         ++place;
       }
     expressions rates;
@@ -97,14 +96,14 @@ private:
   }
 
   expressions gradient_by(symbols which) {
-    if (!back_) {
-      back_.emplace(graph_, y_);
+    if (!reverse_pass_) {
+      reverse_pass_.emplace(graph_, y_);
       for (int i = 0; i < y_.size(); ++i)
-        back_->seed(y_[i], given(symbolic::symbol_kind::weight, "weight", i));
-      back_->run();
+        reverse_pass_->seed(y_[i], seed(symbolic::symbol_kind::weight, "weight", i));
+      reverse_pass_->run();
     }
     expressions slopes;
-    for (const expression& s : symbols_.of(which)) slopes.push(back_->by(s));
+    for (const expression& s : symbols_.of(which)) slopes.push(reverse_pass_->by(s));
     return slopes;
   }
 
@@ -139,7 +138,21 @@ private:
   symbolic::graph& graph_;
   expressions y_;
   const differentiable_symbols& symbols_;
-  std::optional<symbolic::accumulation> back_{};
+  std::optional<symbolic::accumulation> reverse_pass_{};
 };
+
+/// The residual of the equations of motion at given rates: q̇ − q̇(q, u), the residual M u̇ − f of inverse
+/// dynamics in the rows of the independent speeds, and the rates of the constraints in the rows of the
+/// dependent speeds. It contains no multipliers, and no system is solved for u̇.
+inline symbolic::matrix implicit_form(symbolic::graph& g, mechanics::equations& of) {
+  const mechanics::general_form& form = of.linearized().freely().form();
+  const base::sequence<symbolic::expression> force = mechanics::summed(form.f_2, form.f_3);
+  const int coordinates = form.q.size();
+  symbolic::matrix residual(g, coordinates + form.u.size(), 1);
+  for (int i = 0; i < coordinates; ++i) residual(i, 0) = form.qdot[i] - form.known.qdot[i];
+  for (int i = 0; i < force.size(); ++i) residual(coordinates + form.speeds.independent[i], 0) = force[i];
+  for (int i = 0; i < form.f_a.size(); ++i) residual(coordinates + form.speeds.dependent[i], 0) = form.f_a[i];
+  return residual;
+}
 
 } // namespace kanexpr::exporting

@@ -30,7 +30,7 @@ struct requested_derivative {
     weighted_jacobian     ///< ∂²(wᵀy)/∂z∂z', z of `by` and z' of `and_by`
   };
   kind type = kind::none;
-  std::vector<symbols> along{}; ///< all symbols for which the direction has entries
+  std::vector<symbols> along{}; ///< the symbols for which the direction has entries
   symbols by{}, and_by{};
 };
 
@@ -44,19 +44,19 @@ struct requested_result {
   bool is_sparse = false;      ///< omits the entries that are identically zero
 };
 
-/// A step of fixed length, as made by `runge_kutta_4<System, corrections>`.
+/// A step of fixed length, like that of `runge_kutta_4<System, corrections>`.
 struct requested_step {
   std::string method = "runge_kutta_4"; ///< name of the method; empty: only corrects the state
   int corrections = 1;
 };
 
-/// The results of one call.
+/// A function to export, with the results of one call.
 struct requested_function {
   std::string name{};
   std::vector<requested_result> results{};
   std::optional<requested_step> step{}; ///< replaces the results
   std::string mistake{};
-  std::vector<symbols> derivatives{}; ///< replace the results by the derivatives of all their entries
+  std::vector<symbols> derivatives{}; ///< replace the results by the derivatives of all of their entries
 };
 
 namespace detail {

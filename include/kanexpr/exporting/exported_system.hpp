@@ -1,14 +1,22 @@
 #pragma once
 
+#include <kanexpr/base/version.hpp>
 #include <kanexpr/lower/statements.hpp>
 #include <kanexpr/symbolic/cost.hpp>
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 /// A system as the backends see it: names and straight-line code, independent of how it was derived.
 namespace kanexpr::exporting {
+
+/// The name and version of the program that writes a file: "kanexpr 1.2.3".
+inline std::string generator() {
+  return "kanexpr " + std::to_string(KANEXPR_VERSION_MAJOR) + '.' + std::to_string(KANEXPR_VERSION_MINOR) +
+         '.' + std::to_string(KANEXPR_VERSION_PATCH);
+}
 
 /// One result of a function. Its entries are stored row by row, starting at entry `first` of the function; a
 /// sparse result stores its structurally nonzero entries column by column.
@@ -17,17 +25,17 @@ struct exported_result {
   int rows = 0;
   int columns = 0;
   int first = 0;
-  std::vector<std::string> row_symbols{}; ///< the symbols the rows belong to, if any
+  std::vector<std::string> row_symbols{}; ///< the symbols to which the rows belong, if any
   bool is_sparse = false;
-  std::vector<int> row_of{}, column_of{}; ///< row and column of each entry, if sparse
+  std::vector<std::pair<int, int>> places{}; ///< column and row of each entry, if sparse
 
-  int entries() const { return is_sparse ? static_cast<int>(row_of.size()) : rows * columns; }
+  int entries() const { return is_sparse ? static_cast<int>(places.size()) : rows * columns; }
 };
 
 /// A check for a singularity. The pairs of measure and scale follow all results; see lower/regular.hpp.
 struct exported_check {
   std::string cause{};
-  bool of_finiteness = false;
+  bool is_finiteness_check = false;
   bool is_order_check = false; ///< fails unless the measure exceeds the scale
 };
 
@@ -40,7 +48,7 @@ struct exported_function {
   symbolic::cost cost{};
   bool takes_rates = false;     ///< takes the rates of the speeds as an argument
   bool takes_all_rates = false; ///< takes the rates of the state as an argument
-  bool takes_step = false;      ///< takes the step length as an argument: the time at position 1
+  bool takes_step = false;      ///< takes the step length as an argument, stored as the time at position 1
   int weights = 0; ///< number of weights, or of entries of the direction, that its derivatives take
 
   /// The distinct causes of the checks; each has one bit of the status.
@@ -59,6 +67,19 @@ struct exported_system {
   std::string name{};
   std::vector<std::string> coordinates{}, speeds{}, parameters{}, inputs{};
   std::vector<exported_function> functions{};
+
+  /// Returns null if there is no function of this name.
+  const exported_function* function(const std::string& called) const {
+    const auto found = std::find_if(functions.begin(), functions.end(),
+                                    [&](const exported_function& f) { return f.name == called; });
+    return found != functions.end() ? &*found : nullptr;
+  }
+
+  std::vector<std::string> states() const {
+    std::vector<std::string> all = coordinates;
+    all.insert(all.end(), speeds.begin(), speeds.end());
+    return all;
+  }
 };
 
 } // namespace kanexpr::exporting

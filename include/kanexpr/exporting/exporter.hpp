@@ -7,7 +7,7 @@
 #include <kanexpr/exporting/differentiated.hpp>
 #include <kanexpr/exporting/export_request.hpp>
 #include <kanexpr/exporting/exported_system.hpp>
-#include <kanexpr/exporting/implicit_form.hpp>
+#include <kanexpr/exporting/text/identifiers.hpp>
 #include <kanexpr/exporting/written_step.hpp>
 #include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/mechanics/equations.hpp>
@@ -47,16 +47,7 @@ struct exported {
   std::string mistake{};
 };
 
-/// The values of the parameters; NaN for those that are not given.
-inline std::vector<double> values_or_nan(const std::vector<std::optional<double>>& given) {
-  std::vector<double> numbers;
-  numbers.reserve(given.size());
-  for (const std::optional<double>& each : given)
-    numbers.push_back(each.value_or(std::numeric_limits<double>::quiet_NaN()));
-  return numbers;
-}
-
-/// Forms each function in a model of its own, so that its code equals that of the compiled function,
+/// Forms each function in a separate model, so that its code equals that of the compiled function,
 /// regardless of what else is exported.
 class exporter {
 public:
@@ -77,11 +68,8 @@ public:
   }
 
 private:
-  static bool is_identifier(std::string_view name) {
-    constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
-    return !name.empty() && name != "math" && letters.find(name[0]) != letters.npos &&
-           std::all_of(name.begin(), name.end(),
-                       [&](char c) { return letters.find(c) != letters.npos || (c >= '0' && c <= '9'); });
+  static bool is_identifier(const std::string& name) {
+    return name != "math" && identifiers().unique(name) == name;
   }
 
   void read_names() {
@@ -93,25 +81,26 @@ private:
     s.coordinates = names_of(symbol_kind::coordinate), s.speeds = names_of(symbol_kind::speed);
     s.inputs = names_of(symbol_kind::input);
     const std::vector<std::string> parameters = names_of(symbol_kind::parameter);
-    bound_values_.assign(parameters.size(), std::nullopt);
+    bound_values_.assign(parameters.size(), numeric::not_a_number<double>);
     for (const bound_parameter& b : chosen_.bound) {
       const auto place = std::find(parameters.begin(), parameters.end(), b.name);
       if (place == parameters.end())
         return refuse("there is no parameter " + b.name + " to bind to a number");
       if (!numeric::is_finite(b.value))
         return refuse("parameter " + b.name + " must be bound to a finite number");
-      if (bound_values_[static_cast<std::size_t>(place - parameters.begin())])
-        return refuse("parameter " + b.name + " is bound twice");
-      bound_values_[static_cast<std::size_t>(place - parameters.begin())] = b.value;
+      double& value = bound_values_[static_cast<std::size_t>(place - parameters.begin())];
+      if (!numeric::is_nan(value)) return refuse("parameter " + b.name + " is bound twice");
+      value = b.value;
     }
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       index_of_parameter_.push_back(static_cast<int>(s.parameters.size()));
-      if (!bound_values_[i]) s.parameters.push_back(parameters[i]);
+      if (!is_bound(i)) s.parameters.push_back(parameters[i]);
     }
-    if (const base::sentence impossible =
-            compiled::check_masses(*survey_, values_or_nan(bound_values_).data()))
+    if (const base::sentence impossible = compiled::check_masses(*survey_, bound_values_.data()))
       refuse(std::string(impossible.view()));
   }
+
+  bool is_bound(std::size_t parameter) const { return !numeric::is_nan(bound_values_[parameter]); }
 
   std::vector<std::string> names_of(symbolic::symbol_kind kind) const {
     std::vector<std::string> names;
@@ -148,7 +137,7 @@ private:
     finish(std::move(made));
   }
 
-  /// The stage that the first result of a function starts from.
+  /// The stage from which the first result of a function is formed.
   static mechanics::stage first_stage(const requested_function& wanted) {
     if (wanted.results.empty() || wanted.results[0].written.is_given()) return mechanics::stage::constrained;
     return derivation::stage_for(wanted.results[0].request);
@@ -168,7 +157,8 @@ private:
     const differentiable_symbols known_symbols = symbols_of(from);
     std::optional<differentiated> derivatives;
     const auto derived = [&](const base::sequence<symbolic::expression>& of, const requested_derivative& by) {
-      if (!derivatives || !derivatives->is_of(of)) derivatives.emplace(from.graph(), of, known_symbols);
+      if (!derivatives || !derivatives->differentiates(of))
+        derivatives.emplace(from.graph(), of, known_symbols);
       made.weights = (std::max)(made.weights, derivatives->weights_for(by));
       symbolic::matrix found = derivatives->get(by);
       if (const base::sentence lacking = mechanics::check_derivatives(found))
@@ -232,8 +222,7 @@ private:
     for (int j = 0; j < found.columns; ++j)
       for (int i = 0; i < found.rows; ++i) {
         if (with_numbers[i * found.columns + j] == symbolic::graph::zero) continue;
-        made.row_of.push_back(i);
-        made.column_of.push_back(j);
+        made.places.emplace_back(j, i);
         nodes.push(found(i, j).node());
       }
     return made;
@@ -242,14 +231,14 @@ private:
   differentiable_symbols symbols_of(const model& of) const {
     const mechanics::mechanism& m = of.mechanism();
     differentiable_symbols all;
-    for (const symbolic::expression& q : m.coordinates) all.state.push(q);
-    for (const symbolic::expression& u : m.speeds) all.state.push(u);
-    all.rates = m.coordinate_rates;
-    for (const symbolic::expression& rate : m.speed_rates) all.rates.push(rate);
-    all.inputs = m.inputs;
+    for (const symbolic::expression& q : m.coordinates) all[symbols::state].push(q);
+    for (const symbolic::expression& u : m.speeds) all[symbols::state].push(u);
+    all[symbols::rates] = m.coordinate_rates;
+    for (const symbolic::expression& rate : m.speed_rates) all[symbols::rates].push(rate);
+    all[symbols::inputs] = m.inputs;
     for (int i = 0; i < m.parameters.size(); ++i)
-      if (!bound_values_[static_cast<std::size_t>(i)]) all.parameters.push(m.parameters[i]);
-    all.time.push(m.time);
+      if (!is_bound(static_cast<std::size_t>(i))) all[symbols::parameters].push(m.parameters[i]);
+    all[symbols::time].push(m.time);
     return all;
   }
 
@@ -274,8 +263,8 @@ private:
     return mechanics::row_of(wanted.wanted).takes_weights ? states : states + survey_->inputs;
   }
 
-  /// The block of `whole`, whose entries are derivatives by the state and the inputs, that belongs to the
-  /// symbols `which`.
+  /// Returns the block of `whole` that belongs to the symbols `which`; its entries are derivatives with
+  /// respect to the state and the inputs.
   symbolic::matrix part_of(model& from, const symbolic::matrix& whole,
                            const std::vector<symbols>& which) const {
     const int states = survey_->coordinates + survey_->speeds;
@@ -290,14 +279,8 @@ private:
   }
 
   static const char* name_of(symbols which) {
-    switch (which) {
-    case symbols::state: return "by_state";
-    case symbols::rates: return "by_rates";
-    case symbols::inputs: return "by_inputs";
-    case symbols::parameters: return "by_parameters";
-    case symbols::time: break;
-    }
-    return "by_time";
+    constexpr const char* names[]{"by_state", "by_rates", "by_inputs", "by_parameters", "by_time"};
+    return names[static_cast<int>(which)];
   }
 
   static bool contains_speed_rates(const derivation::request& r) {
@@ -308,25 +291,24 @@ private:
     if (chosen_.bound.empty()) return nodes;
     symbolic::substitution numbers(from.graph());
     for (std::size_t i = 0; i < bound_values_.size(); ++i)
-      if (bound_values_[i])
+      if (is_bound(i))
         numbers.replace(from.mechanism().parameters[static_cast<int>(i)],
-                        from.mechanism().number(*bound_values_[i]));
+                        from.mechanism().number(bound_values_[i]));
     base::sequence<int> with_numbers;
     for (int id : nodes) with_numbers.push(numbers.in(symbolic::expression(from.graph(), id)).node());
     return with_numbers;
   }
 
-  /// The symbols whose rates or forces are in the rows.
+  /// The symbols whose rates or forces the rows contain.
   std::vector<std::string> symbols_of_rows(const derivation::request& r) const {
     using mechanics::extent_by;
     if (r.what != derivation::request::kind::result) return {};
-    const exported_system& s = made_.system;
-    const auto pick = [&](bool coordinates, bool speeds, bool independent_alone) {
+    const auto pick = [&](bool coordinates, bool speeds, bool only_independent) {
       std::vector<std::string> names;
       const int first = coordinates ? 0 : survey_->coordinates;
       const int end = speeds ? survey_->coordinates + survey_->speeds : survey_->coordinates;
       for (int i = first; i < end; ++i)
-        if (!independent_alone || !survey_->dependent[i]) names.emplace_back(survey_->names[i].view());
+        if (!only_independent || !survey_->dependent[i]) names.emplace_back(survey_->names[i].view());
       return names;
     };
     switch (mechanics::row_of(r.wanted).rows) {
@@ -335,20 +317,9 @@ private:
     case extent_by::coordinates_and_speeds: return pick(true, true, false);
     case extent_by::independent_speeds: return pick(false, true, true);
     case extent_by::independent_states: return pick(true, true, true);
-    case extent_by::inputs: return s.inputs;
-    case extent_by::scalar:
-    case extent_by::one:
-    case extent_by::three:
-    case extent_by::configuration_constraints:
-    case extent_by::speed_constraints:
-    case extent_by::all_constraints:
-    case extent_by::redundant_constraints:
-    case extent_by::auxiliary_speeds:
-    case extent_by::unknowns:
-    case extent_by::state_and_inputs:
-    case extent_by::inertial_parameters: break;
+    case extent_by::inputs: return made_.system.inputs;
+    default: return {};
     }
-    return {};
   }
 
   void refuse(std::string because) { made_.mistake = std::move(because); }
@@ -356,7 +327,7 @@ private:
   runtime::staged_derivation& derivation_;
   options chosen_;
   std::shared_ptr<const derivation::survey> survey_{};
-  std::vector<std::optional<double>> bound_values_{};
+  std::vector<double> bound_values_{};    ///< NaN for parameters that are not bound
   std::vector<int> index_of_parameter_{}; ///< index of each parameter among those that are not bound
   exported made_{};
 };

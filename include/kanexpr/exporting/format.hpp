@@ -14,7 +14,7 @@
 
 namespace kanexpr::exporting {
 
-/// The options of the formats as a command line gives them.
+/// The options of the command kanexpr-export.
 struct export_options {
   std::filesystem::path folder{};
   std::string name{};
@@ -27,7 +27,7 @@ struct export_options {
   std::optional<std::string> compiler{};
 };
 
-/// A row of the table of formats: which options a format supports, and what writes its files.
+/// The options that a format supports, and the function that writes its files.
 struct export_format {
   std::string_view name{};
   bool has_functions = false;  ///< exports the requested functions

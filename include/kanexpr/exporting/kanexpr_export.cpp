@@ -1,4 +1,6 @@
 // kanexpr-export: exports a robot from a file, or a model from a header, to other languages.
+#include <kanexpr/exporting/c/write_c.hpp>
+#include <kanexpr/exporting/casadi/write_casadi.hpp>
 #include <kanexpr/exporting/command_line.hpp>
 #include <kanexpr/exporting/shell.hpp>
 #include <kanexpr/robots/read_urdf.hpp>
@@ -6,15 +8,20 @@
 #ifdef KANEXPR_ROBOTS_READ_SDF
 #include <kanexpr/robots/read_sdf.hpp>
 #endif
+#ifdef KANEXPR_FMI_OPTIONS
+#include <kanexpr/exporting/fmi/write_fmu.hpp>
+#endif
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -25,7 +32,17 @@ namespace files = std::filesystem;
 
 using exporting::shell_quoted;
 
-/// The program that an environment variable names, or the default.
+/// The formats; one that requires a missing library cannot write.
+constexpr exporting::export_format formats[]{exporting::c_format, exporting::casadi_format,
+#ifdef KANEXPR_FMI_OPTIONS
+                                             exporting::fmi_format
+#else
+#define KANEXPR_FMI_OPTIONS ""
+                                             {.name = "fmi"}
+#endif
+};
+
+/// Returns the program that an environment variable names, or the default.
 std::string program_from_environment(const char* variable, const char* otherwise) {
   const char* const chosen = std::getenv(variable);
   return chosen != nullptr && *chosen != '\0' ? chosen : otherwise;
@@ -38,11 +55,16 @@ struct request {
   std::vector<std::string> bound{}, start{}, results{}, expressions{}, include{};
   bool with_python = false, with_cpp = false, quiet = false;
 
-  bool is_of(const char* ending) const { return file.ends_with(ending); }
-  bool is_robot() const { return is_of(".urdf") || is_of(".sdf") || is_of(".world"); }
+  bool is_robot() const {
+    return file.ends_with(".urdf") || file.ends_with(".sdf") || file.ends_with(".world");
+  }
+  const exporting::export_format& row() const {
+    return *std::find_if(std::begin(formats), std::end(formats),
+                         [&](const exporting::export_format& each) { return each.name == format; });
+  }
 
   std::vector<std::string> arguments() const {
-    std::vector<std::string> all{folder, name, "format=" + format, "scalar=" + scalar};
+    std::vector<std::string> all{folder, name, "scalar=" + scalar};
     if (format == "fmi") all.push_back("compiler=" + program_from_environment("CC", "cc"));
     if (!step.empty()) all.push_back("step=" + step);
     for (const std::string& each : start) all.push_back("start=" + each);
@@ -98,7 +120,7 @@ int write_robot(const request& r) {
   if (!of.cause().empty()) return refuse(r.file + ": " + of.cause());
   std::vector<std::string> arguments = r.arguments();
   if (r.format == "fmi") add_start_values(arguments, r, of);
-  const exporting::command_line given(arguments);
+  const exporting::command_line given(r.row(), arguments);
   runtime::staged_derivation derivation([&] { return runtime::derive_in_own_graph(of); });
   const outcome written = given.write(derivation);
   return written ? 0 : refuse(written.cause());
@@ -128,17 +150,21 @@ std::string options(const request& r) {
   const files::path installed_headers = here.parent_path() / "include";
   if (files::exists(installed_headers / "kanexpr" / "export.hpp", unknown))
     all += " -I" + shell_quoted(installed_headers.string());
-  return all + " -isystem " + shell_quoted(KANEXPR_EIGEN);
+  all += " -isystem " + shell_quoted(KANEXPR_EIGEN);
+  return r.format == "fmi" ? all + ' ' + KANEXPR_FMI_OPTIONS : all;
 }
 
 /// The source of the program that exports a model. Expressions are looked up in the namespace of the system.
 std::string source_of_exporter(const request& r) {
-  std::string text = "#include <kanexpr/exporting/command_line.hpp>\n\n#include \"" +
-                     files::absolute(r.file).string() + "\"\n\nint main(int count, char** arguments) {\n";
+  const std::string header = r.format == "fmi" ? "fmi.hpp>\n" : "export.hpp>\n";
+  std::string text = "#include <kanexpr/exporting/command_line.hpp>\n#include <kanexpr/" + header +
+                     "\n#include \"" + files::absolute(r.file).string() +
+                     "\"\n\nint main(int count, char** arguments) {\n";
   const std::size_t end = r.system.substr(0, r.system.find('<')).rfind("::");
   if (end != std::string::npos && end > 0 && !r.expressions.empty())
     text += "  using namespace " + r.system.substr(0, end) + ";\n";
-  text += "  return kanexpr::exporting::run_command_line<" + r.system + ">(count, arguments, {";
+  text += "  return kanexpr::exporting::run_command_line<" + r.system + ">(kanexpr::exporting::" + r.format +
+          "_format, count, arguments, {";
   for (const std::string& each : r.expressions) {
     const std::size_t equals = each.find('=');
     text += "kanexpr::exporting::expression<(" + each.substr(equals + 1) + ")>(\"" + each.substr(0, equals) +
@@ -152,7 +178,7 @@ int write_model(const request& r) {
     return refuse("specify the system of " + r.file + " to export, as in --system arm::System");
   std::error_code unknown;
   if (!files::is_regular_file(r.file, unknown)) return refuse(r.file + " cannot be read");
-  if (const exporting::command_line given(r.arguments()); !given.cause().empty())
+  if (const exporting::command_line given(r.row(), r.arguments()); !given.cause().empty())
     return refuse(given.cause());
   for (const std::string& each : r.expressions)
     if (!has_name(each)) return refuse(each + " is not of the form name=expression");
@@ -160,9 +186,9 @@ int write_model(const request& r) {
   if (with.path().empty()) return refuse("the temporary folder for the export program cannot be created");
   const std::string source = (with.path() / "write.cpp").string(), program = (with.path() / "write").string();
   std::ofstream(source) << source_of_exporter(r);
-  if (std::system(
-          (compiler() + options(r) + ' ' + shell_quoted(source) + " -o " + shell_quoted(program)).c_str()) !=
-      0)
+  const std::string compile =
+      compiler() + ' ' + shell_quoted(source) + options(r) + " -o " + shell_quoted(program);
+  if (std::system(compile.c_str()) != 0)
     return refuse(r.file + " with the system " + r.system + " does not compile; " + compiler() +
                   " reports the errors");
   std::string call = shell_quoted(program);
@@ -170,7 +196,7 @@ int write_model(const request& r) {
   return std::system(call.c_str()) == 0 ? 0 : 1;
 }
 
-/// A sentence about an option that does not apply to the file; empty if all do.
+/// Reports an option that does not apply to the file; empty if all do.
 std::string inapplicable_option(const CLI::App& given, const request& r) {
   for (const char* option : {"--system", "--include"})
     if (r.is_robot() && given.count(option) != 0)
@@ -185,59 +211,53 @@ std::string inapplicable_option(const CLI::App& given, const request& r) {
 
 int main(int count, char** arguments) {
   request r;
-  std::vector<std::string> names;
-  for (const exporting::export_format& each : exporting::formats) names.emplace_back(each.name);
   CLI::App app("Exports the equations of motion of a robot or a model to other languages.");
-  app.add_option("file", r.file,
-                 "a robot file (.urdf, .sdf or .world), or the header of a model, which $CXX compiles")
+  const auto add = [&](const char* option, auto& to, const char* help) {
+    return app.add_option(option, to, help);
+  };
+  const auto add_repeated = [&](const char* option, auto& to, const char* help) {
+    return add(option, to, help)->expected(1)->take_all();
+  };
+  const auto add_choice = [&](const char* option, auto& to, const std::vector<std::string>& choices,
+                              const char* help) {
+    add(option, to, help)->check(CLI::IsMember(choices))->option_text(CLI::detail::join(choices, "|"));
+  };
+  std::vector<std::string> names;
+  for (const exporting::export_format& each : formats) names.emplace_back(each.name);
+  add("file", r.file, "a robot file (.urdf, .sdf or .world), or the header of a model, which $CXX compiles")
       ->required();
-  app.add_option("-s,--system", r.system, "the system in the header, as in arm::System");
-  app.add_option("-n,--name", r.name,
-                 "the name of the exported system; default: the file name without its extension");
-  app.add_option("-o,--output", r.folder, "the output folder")->required();
-  app.add_option("--format", r.format, "the output format; default: c")
-      ->check(CLI::IsMember(names))
-      ->option_text(CLI::detail::join(names, "|"));
-  app.add_option("--scalar", r.scalar, "the scalar type; default: double")
-      ->check(CLI::IsMember({"double", "float"}))
-      ->option_text("double|float");
-  app.add_option("--bind", r.bound, "a parameter to replace by a number; may be repeated")
-      ->option_text("PARAMETER=NUMBER")
-      ->expected(1)
-      ->take_all();
-  app.add_option("--start", r.start,
-                 "the start value of a parameter, an input or a state of an FMU; may be repeated")
-      ->option_text("SYMBOL=NUMBER")
-      ->expected(1)
-      ->take_all();
-  app.add_option("--step", r.step, "the internal step of an FMU's co-simulation, in s; default: 0.001")
+  add("-s,--system", r.system, "the system in the header, as in arm::System");
+  add("-n,--name", r.name, "the name of the exported system; default: the file name without its extension");
+  add("-o,--output", r.folder, "the output folder")->required();
+  add_choice("--format", r.format, names, "the output format; default: c");
+  add_choice("--scalar", r.scalar, {"double", "float"}, "the scalar type; default: double");
+  add_repeated("--bind", r.bound, "a parameter to replace by a number; may be repeated")
+      ->option_text("PARAMETER=NUMBER");
+  add_repeated("--start", r.start,
+               "the start value of a parameter, an input or a state of an FMU; may be repeated")
+      ->option_text("SYMBOL=NUMBER");
+  add("--step", r.step, "the internal step of an FMU's co-simulation, in s; default: 0.001")
       ->option_text("NUMBER");
-  app.add_option(
-         "--results", r.results,
-         "a function of one result, or of several separated by spaces; in an FMU, an output; may be repeated")
-      ->option_text("RESULTS")
-      ->expected(1)
-      ->take_all();
-  app.add_option("--expression", r.expressions,
-                 "a function that evaluates an expression of the header's model; may be repeated")
-      ->option_text("NAME=EXPRESSION")
-      ->expected(1)
-      ->take_all();
+  add_repeated(
+      "--results", r.results,
+      "a function of one result, or of several separated by spaces; in an FMU, an output; may be repeated")
+      ->option_text("RESULTS");
+  add_repeated("--expression", r.expressions,
+               "a function that evaluates an expression of the header's model; may be repeated")
+      ->option_text("NAME=EXPRESSION");
   app.add_flag("--with-python", r.with_python, "also write a Python module");
   app.add_flag("--with-cpp", r.with_cpp, "also write a C++ header with the names of the model");
-  app.add_option("-I,--include", r.include, "a folder to search for included headers; may be repeated")
-      ->expected(1)
-      ->take_all();
-  app.add_option("--base", r.base, "the base of the robot: fixed (default) or floating")
-      ->check(CLI::IsMember({"fixed", "floating"}))
-      ->option_text("fixed|floating");
-  app.add_option("--values", r.bind_robot,
-                 "export the masses and lengths of the robot as numbers (default) or as parameters")
-      ->check(CLI::IsMember({"numbers", "parameters"}))
-      ->option_text("numbers|parameters");
+  add_repeated("-I,--include", r.include, "a folder to search for included headers; may be repeated");
+  add_choice("--base", r.base, {"fixed", "floating"}, "the base of the robot: fixed (default) or floating");
+  add_choice("--values", r.bind_robot, {"numbers", "parameters"},
+             "export the masses and lengths of the robot as numbers (default) or as parameters");
   app.add_flag("-q,--quiet", r.quiet, "suppress the notes about the robot file");
   CLI11_PARSE(app, count, arguments);
   if (const std::string wrong = inapplicable_option(app, r); !wrong.empty()) return refuse(wrong);
+  if (r.row().write == nullptr)
+    return refuse(
+        "the format " + r.format +
+        " requires libzip, without which kanexpr-export was compiled; the Debian package is libzip-dev");
   if (r.name.empty()) r.name = std::filesystem::path(r.file).stem().string();
   return r.is_robot() ? write_robot(r) : write_model(r);
 }

@@ -52,7 +52,8 @@ struct step_in_code {
 /// Forms one result of a system; empty if it cannot be formed.
 using result_former = std::function<std::optional<formed_results>(mechanics::quantity)>;
 
-/// Equations for `stepping` that generate code: every value becomes a line, and every status a check.
+/// Equations for the functions of steps/ that generate code: every value becomes a line, and every status a
+/// check.
 class written_equations {
 public:
   using value = lower::written_value;
@@ -85,7 +86,7 @@ public:
   const written_equations& held(const value&, const written_vector&) const { return *this; }
 
   status finite(const value& asked, std::string_view cause) const {
-    add_check({.cause = std::string(cause), .of_finiteness = true}, asked, asked);
+    add_check({.cause = std::string(cause), .is_finiteness_check = true}, asked, asked);
     return {};
   }
 
@@ -156,7 +157,7 @@ struct identity_step {
   }
 };
 
-/// Generates the step by the method of this name.
+/// Generates a step by the method of this name.
 template <std::size_t... row>
 void write_step(const written_equations& of, std::string_view name, const lower::written_value& t,
                 written_vector& x, const lower::written_value& h, std::index_sequence<row...>) {

@@ -1,13 +1,11 @@
 #pragma once
 
 #include <kanexpr/base/status.hpp>
-#include <kanexpr/base/version.hpp>
-#include <kanexpr/exporting/c/c_templates.hpp>
 #include <kanexpr/exporting/c/code_writer.hpp>
 #include <kanexpr/exporting/c/sine_and_cosine.hpp>
 #include <kanexpr/exporting/text/fill_template.hpp>
+#include <kanexpr/exporting/text/identifiers.hpp>
 #include <kanexpr/exporting/text/names_in_c.hpp>
-#include <kanexpr/exporting/text/printable.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
 #include <kanexpr/symbolic/graph/function_table.hpp>
 
@@ -19,6 +17,23 @@
 #include <vector>
 
 namespace kanexpr::exporting {
+
+/// The text around the functions in C, and the functions that they call.
+namespace c_templates {
+
+inline constexpr std::string_view header = template_text(
+#include <kanexpr/exporting/c/header.h.in>
+);
+
+inline constexpr std::string_view source = template_text(
+#include <kanexpr/exporting/c/source.c.in>
+);
+
+inline constexpr std::string_view helpers = template_text(
+#include <kanexpr/exporting/c/helpers.c.in>
+);
+
+} // namespace c_templates
 
 /// Writes NAME.h and NAME.c: a C99 function for each function of the system, without branches and without
 /// allocating memory.
@@ -50,9 +65,7 @@ private:
   const std::string& name() const { return mapped_.system.name; }
 
   std::string title() const {
-    return "Equations of motion of " + name() + ", written by kanexpr " +
-           std::to_string(KANEXPR_VERSION_MAJOR) + '.' + std::to_string(KANEXPR_VERSION_MINOR) + '.' +
-           std::to_string(KANEXPR_VERSION_PATCH) + '.';
+    return "Equations of motion of " + name() + ", written by " + generator() + '.';
   }
 
   std::string renamed_symbols_comment() const {
@@ -62,42 +75,34 @@ private:
     return text;
   }
 
-  /// The name without characters that would end the comment.
+  /// Returns the name without the characters that would end a comment.
   static std::string in_comment(const std::string& name) {
     std::string text = printable(name);
     for (std::size_t end; (end = text.find("*/")) != text.npos;) text.replace(end, 2, "* ");
     return text;
   }
 
-  /// Enumerators for the indices, followed by the counts.
+  /// The indices and the counts as enumerators.
   std::string places() const {
     const exported_system& s = system();
     std::string text = "enum {\n";
-    int next = 0;
-    for (const std::vector<std::string>* names : {&s.coordinates, &s.speeds})
-      for (const std::string& each : *names)
-        text += "  " + name() + '_' + each + " = " + std::to_string(next++) + ",\n";
-    for (const std::vector<std::string>* names : {&s.parameters, &s.inputs}) {
-      next = 0;
-      for (const std::string& each : *names)
-        text += "  " + name() + '_' + each + " = " + std::to_string(next++) + ",\n";
-    }
-    const auto count = [&](const char* of, std::size_t n, const char* end) {
-      text += "  " + name() + '_' + of + " = " + std::to_string(n) + end;
+    const auto add = [&](const std::string& what, std::size_t number) {
+      text += "  " + name() + '_' + what + " = " + std::to_string(number) + ",\n";
     };
-    count("coordinates", s.coordinates.size(), ",\n");
-    count("speeds", s.speeds.size(), ",\n");
-    count("states", s.coordinates.size() + s.speeds.size(), ",\n");
-    count("parameters", s.parameters.size(), ",\n");
-    count("inputs", s.inputs.size(), "\n");
-    return text + "};\n";
-  }
-
-  static std::string counted(int n, const char* one, const char* many) {
-    return std::to_string(n) + ' ' + (n == 1 ? one : many);
+    for (const std::vector<std::string>& names : {s.states(), s.parameters, s.inputs})
+      for (std::size_t i = 0; i < names.size(); ++i) add(names[i], i);
+    add("coordinates", s.coordinates.size());
+    add("speeds", s.speeds.size());
+    add("states", s.coordinates.size() + s.speeds.size());
+    add("parameters", s.parameters.size());
+    add("inputs", s.inputs.size());
+    return text.erase(text.size() - 2, 1) + "};\n";
   }
 
   std::string header_comment(const exported_function& f) const {
+    const auto counted = [](int n, const char* one, const char* many) {
+      return std::to_string(n) + ' ' + (n == 1 ? one : many);
+    };
     const symbolic::cost& c = f.cost;
     std::string text = "\n/* " + counted(c.multiplications, "multiplication", "multiplications") + ", " +
                        counted(c.additions, "addition", "additions") + ", " +
@@ -124,16 +129,22 @@ private:
     return text + " */\n";
   }
 
+  /// The arguments that precede the results of a function.
+  static std::vector<std::string> arguments(const exported_function& f) {
+    std::vector<std::string> all{"t", "x", "p", "r"};
+    if (f.takes_step) all.insert(all.begin() + 2, "h");
+    if (f.takes_rates || f.takes_all_rates) all.emplace_back("a");
+    if (f.weights > 0) all.emplace_back("w");
+    return all;
+  }
+
   std::string signature(const exported_function& f) const {
-    const std::string given = std::string("const ") + number_.type() + " *";
-    std::string text = name() + "_FUNCTION unsigned long long " + name() + '_' + f.name + '(' +
-                       number_.type() + " t, " + given + "x, " +
-                       (f.takes_step ? number_.type() + std::string(" h, ") : "") + given + "p, " + given +
-                       'r';
-    if (f.takes_rates || f.takes_all_rates) text += ", " + given + 'a';
-    if (f.weights > 0) text += ", " + given + 'w';
-    for (const exported_result& each : f.results)
-      text += std::string(", ") + number_.type() + " *" + each.name;
+    const std::string number = number_.type();
+    std::string text = name() + "_FUNCTION unsigned long long " + name() + '_' + f.name + '(';
+    text += joined(arguments(f), ", ", [&](const std::string& each) {
+      return each == "t" || each == "h" ? number + ' ' + each : "const " + number + " *" + each;
+    });
+    for (const exported_result& each : f.results) text += ", " + number + " *" + each.name;
     return text + ')';
   }
 
@@ -157,10 +168,7 @@ private:
   std::string definition(const exported_function& f) const {
     code_writer writer(f, system(), name(), number_);
     std::string text = '\n' + signature(f) + " {\n" + writer.lines();
-    for (const char* given : {"t", "x", "p", "r"}) text += std::string("  (void)") + given + ";\n";
-    if (f.takes_step) text += "  (void)h;\n";
-    if (f.takes_rates || f.takes_all_rates) text += "  (void)a;\n";
-    if (f.weights > 0) text += "  (void)w;\n";
+    for (const std::string& each : arguments(f)) text += "  (void)" + each + ";\n";
     for (const exported_result& each : f.results)
       if (each.entries() == 0) text += "  (void)" + each.name + ";\n";
     for (const exported_result& each : f.results)
@@ -172,8 +180,7 @@ private:
     if (!causes.empty()) {
       text += "const char *const " + name() + '_' + f.name + "_causes[" + std::to_string(causes.size()) +
               "] = {\n";
-      for (std::size_t i = 0; i < causes.size(); ++i)
-        text += "  \"" + causes[i] + (i + 1 < causes.size() ? "\",\n" : "\"\n};\n");
+      text += joined(causes, ",\n", [](const std::string& each) { return "  \"" + each + '"'; }) + "\n};\n";
     }
     return text;
   }
@@ -187,20 +194,13 @@ private:
       const int place = f.entries() + 2 * static_cast<int>(i);
       const std::string measure = writer.value(f.code.results[place]),
                         scale = writer.value(f.code.results[place + 1]);
-      std::string asked = name();
-      if (one.of_finiteness)
-        asked.append("_is_infinite(").append(measure);
-      else
-        asked.append(one.is_order_check ? "_is_not_above(" : "_is_singular(")
-            .append(measure)
-            .append(", ")
-            .append(scale);
+      std::string asked = name() + (one.is_finiteness_check ? "_is_infinite(" + measure
+                                    : one.is_order_check    ? "_is_not_above(" + measure + ", " + scale
+                                                            : "_is_singular(" + measure + ", " + scale);
       asked += bit == 0 ? ")" : ") << " + std::to_string(bit);
       if (std::find(bits.begin(), bits.end(), asked) == bits.end()) bits.push_back(std::move(asked));
     }
-    std::string all;
-    for (const std::string& each : bits) all += (all.empty() ? "" : " | ") + each;
-    return all.empty() ? "0" : all;
+    return bits.empty() ? "0" : joined(bits, " | ", [](const std::string& each) { return each; });
   }
 
   /// The helper functions that the bodies call.
@@ -223,7 +223,6 @@ private:
                                   {"turn", number_.number(2 * std::numbers::pi)},
                                   {"exponent", number_.exponent_bits()}});
     };
-    std::string text;
     std::string functions;
     for (const symbolic::operation each : written_functions())
       if (calls(symbolic::function_name(each)))
@@ -231,48 +230,18 @@ private:
             in_text(std::string("\n@name@_INLINE @number@ @name@_") + symbolic::function_name(each) +
                     (symbolic::is_binary(each) ? "(@number@ x, @number@ y) {\n" : "(@number@ x) {\n") +
                     symbolic::spelling_of(each).body + "}\n");
+    const auto part = [&](const char* called) {
+      return in_text(template_part(c_templates::helpers, called));
+    };
     const bool turns = calls("sine_and_cosine"),
-               chooses = calls("choose") || functions.find("_choose(") != functions.npos,
-               ends = calls("is_infinite");
-    if (turns || chooses || ends)
-      text += in_text(R"(
-typedef union { @number@ number; @bits@ bits; } @name@_bits;
-typedef char @name@_has_bits_of_that_size[sizeof(@bits@) == sizeof(@number@) ? 1 : -1];
-)");
+               chooses = calls("choose") || functions.find("_choose(") != functions.npos;
+    std::string text;
+    if (turns || chooses || calls("is_infinite")) text += part("bits");
     if (turns) text += sine_and_cosine_in_c(name(), number_);
-    if (chooses)
-      text += in_text(R"(
-/* Returns the first value if `by` is positive, else the second. */
-@name@_INLINE @number@ @name@_choose(@number@ by, @number@ first, @number@ second) {
-  const @bits@ is_first = 0 - (@bits@)(by > @zero@);
-  @name@_bits one, other;
-  one.number = first;
-  other.number = second;
-  one.bits = (one.bits & is_first) | (other.bits & ~is_first);
-  return one.number;
-}
-)");
+    if (chooses) text += part("choose");
     text += functions;
-    if (calls("is_singular"))
-      text += in_text(R"(
-@name@_INLINE unsigned long long @name@_is_singular(@number@ measure, @number@ scale) {
-  return (unsigned long long)(@fabs@(measure) - @least@ * @fabs@(scale) <= @zero@);
-}
-)");
-    if (calls("is_not_above"))
-      text += in_text(R"(
-@name@_INLINE unsigned long long @name@_is_not_above(@number@ value, @number@ bound) {
-  return (unsigned long long)!(value > bound);
-}
-)");
-    if (ends)
-      text += in_text(R"(
-@name@_INLINE unsigned long long @name@_is_infinite(@number@ measure) {
-  @name@_bits given;
-  given.number = measure;
-  return (unsigned long long)((given.bits & @exponent@) == @exponent@);
-}
-)");
+    for (const char* check : {"is_singular", "is_not_above", "is_infinite"})
+      if (calls(check)) text += part(check);
     return text;
   }
 

@@ -22,13 +22,13 @@ public:
       : of_(of), code_(of.code), system_(system), name_(std::move(name)), number_(number) {
     names_.reserve_words();
     names_.reserve_words_of_mathematics();
-    for (const char* taken : {"t", "x", "p", "r", "a", "w"}) names_.reserve(taken);
+    names_.reserve("t x p r a w");
     if (of.takes_step) names_.reserve("h");
     for (const exported_result& each : of.results) names_.reserve(each.name);
   }
 
-  /// All lines; `value` returns the names of their results. Each argument is read just before its first use:
-  /// compilers keep that order and would spill arguments that are read earlier.
+  /// Returns all lines; `value` returns the names of their results. Each argument is read just before its
+  /// first use: compilers keep that order and would spill arguments that are read earlier.
   std::string lines() {
     std::string text;
     const auto count = static_cast<std::size_t>(code_.lines.size());
@@ -46,7 +46,7 @@ public:
 private:
   using kind = lower::statement::kind;
 
-  /// The line that reads an argument, unless it has been read already.
+  /// Returns the line that reads an argument, unless it has been read already.
   std::string read(int place) { return std::exchange(unread_[static_cast<std::size_t>(place)], {}); }
 
   std::string read_for(const lower::statement& s) {
@@ -76,7 +76,7 @@ private:
     return declared(own) + operation(s) + ";\n";
   }
 
-  std::string next(const char* letter) { return names_.of(letter + std::to_string(++count_)); }
+  std::string next(const char* letter) { return names_.unique(letter + std::to_string(++count_)); }
   std::string declared(const std::string& value) const {
     return std::string("  const ") + number_.type() + ' ' + value + " = ";
   }
@@ -95,28 +95,31 @@ private:
     }
     const auto place = static_cast<std::size_t>(from.position);
     if (from.from == symbol_kind::weight || from.from == symbol_kind::direction) {
-      own = names_.of("w" + std::to_string(place));
+      own = names_.unique("w" + std::to_string(place));
       return declared(own) + "w[" + std::to_string(place) + "];\n";
     }
-    const char* vector = "x";
-    const std::string* symbol = nullptr;
-    if (from.from == symbol_kind::coordinate)
-      symbol = &system_.coordinates[place];
-    else if (from.from == symbol_kind::speed)
-      symbol = &system_.speeds[place];
-    else if (from.from == symbol_kind::parameter)
-      vector = "p", symbol = &system_.parameters[place];
-    else if (from.from == symbol_kind::input)
-      vector = "r", symbol = &system_.inputs[place];
-    else if (from.from == symbol_kind::coordinate_rate)
-      vector = "a", symbol = &system_.coordinates[place];
-    else
-      vector = "a", symbol = &system_.speeds[place];
-    own = names_.of(*symbol + (vector[0] == 'a' ? "_rate" : ""));
-    const bool is_behind =
-        from.from == symbol_kind::speed || (from.from == symbol_kind::speed_rate && of_.takes_all_rates);
-    const std::size_t index = is_behind ? system_.coordinates.size() + place : place;
-    return declared(own) + vector + '[' + std::to_string(index) + "];\n";
+    const auto [vector, names, first] = source_of(from.from);
+    own = names_.unique(names[place] + (*vector == 'a' ? "_rate" : ""));
+    return declared(own) + vector + '[' + std::to_string(first + place) + "];\n";
+  }
+
+  /// The vector argument that contains a kind of symbols, and the index of the first of them.
+  struct source {
+    const char* vector;
+    const std::vector<std::string>& names;
+    std::size_t first = 0;
+  };
+  source source_of(symbolic::symbol_kind of) const {
+    const std::size_t coordinates = system_.coordinates.size();
+    using enum symbolic::symbol_kind;
+    switch (of) {
+    case coordinate: return {"x", system_.coordinates};
+    case speed: return {"x", system_.speeds, coordinates};
+    case parameter: return {"p", system_.parameters};
+    case input: return {"r", system_.inputs};
+    case coordinate_rate: return {"a", system_.coordinates};
+    default: return {"a", system_.speeds, of_.takes_all_rates ? coordinates : 0};
+    }
   }
 
   /// Computes sine and cosine of an angle together when the first of them is needed.
@@ -127,7 +130,7 @@ private:
         values_[static_cast<std::size_t>(i)] = is_sine ? known.sine : known.cosine;
         return {};
       }
-    const angle one{s.a, next("s"), names_.of("c" + std::to_string(count_))};
+    const angle one{s.a, next("s"), names_.unique("c" + std::to_string(count_))};
     angles_.push_back(one);
     values_[static_cast<std::size_t>(i)] = is_sine ? one.sine : one.cosine;
     return std::string("  ") + number_.type() + ' ' + one.sine + ", " + one.cosine + ";\n  " + name_ +

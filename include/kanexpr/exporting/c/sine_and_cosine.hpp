@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/exporting/c/c_templates.hpp>
 #include <kanexpr/exporting/text/fill_template.hpp>
 #include <kanexpr/exporting/text/scalar.hpp>
 #include <kanexpr/numeric/sine_and_cosine.hpp>
@@ -23,23 +22,14 @@ std::string polynomial(const Number (&coefficients)[count], const scalar& of) {
   return sum;
 }
 
-inline constexpr std::string_view sum_with_rest = R"(  along.number = offset + (rest + cube * @S@);
-  across.number = @one@ + (square * falling - offset * rest);
-)";
-
-inline constexpr std::string_view sum_of_float = R"(#if defined(__ARM_FEATURE_FMA) && !(__ARM_FP & 8)
-  along.number = offset + cube * @S@;
-  across.number = @one@ + square * falling;
-  rest = 0;
-  (void)rest;
-#else
-@sum_with_rest@#endif
-)";
+inline constexpr std::string_view sine_and_cosine = template_text(
+#include <kanexpr/exporting/c/sine_and_cosine.c.in>
+);
 
 } // namespace detail
 
-/// The routine of numeric/sine_and_cosine.hpp in C, for one angle: the same operations in the same order.
-/// Beyond its range it returns NaN, without a branch.
+/// Returns the routine of numeric/sine_and_cosine.hpp in C, for one angle, with the same operations in the
+/// same order. Beyond its range it returns NaN, without a branch.
 inline std::string sine_and_cosine_in_c(const std::string& name, const scalar& of) {
   using numeric::detail::circular;
   const scalar wide(precision::double_precision);
@@ -47,32 +37,33 @@ inline std::string sine_and_cosine_in_c(const std::string& name, const scalar& o
   const auto in_both = [&](auto known) {
     return std::pair(detail::polynomial(known.of_sine, of), detail::polynomial(known.of_cosine, of));
   };
+  const auto part = [](const char* called) { return template_part(detail::sine_and_cosine, called); };
   const auto [of_sine, of_cosine] = of.is_single ? in_both(circular<float>()) : in_both(circular<double>());
-  const std::string with_rest = fill_template(detail::sum_with_rest, {{"S", of_sine}, {"one", of.number(1)}});
+  const std::string with_rest = fill_template(part("sum_with_rest"), {{"S", of_sine}, {"one", of.number(1)}});
   const std::string reduction =
-      of.is_single ? fill_template(c_templates::reduction_of_float,
+      of.is_single ? fill_template(part("reduction_of_float"),
                                    {{"quadrants", single(circular<float>::quadrants)},
                                     {"integers", single(circular<float>::integers)},
                                     {"wide_quadrants", wide.number(circular<double>::quadrants)},
                                     {"wide_integers", wide.number(circular<double>::integers)}})
-                   : fill_template(c_templates::reduction_of_double,
+                   : fill_template(part("reduction_of_double"),
                                    {{"quadrants", wide.number(circular<double>::quadrants)},
                                     {"integers", wide.number(circular<double>::integers)}});
   const std::string sum =
-      of.is_single ? fill_template(detail::sum_of_float,
+      of.is_single ? fill_template(part("sum_of_float"),
                                    {{"S", of_sine}, {"one", of.number(1)}, {"sum_with_rest", with_rest}})
                    : with_rest;
-  return fill_template(c_templates::sine_and_cosine, {{"name", name},
-                                                      {"number", of.type()},
-                                                      {"bits", of.bits()},
-                                                      {"last", of.last_bit()},
-                                                      {"sin", of.function("sin")},
-                                                      {"cos", of.function("cos")},
-                                                      {"farthest", of.number(numeric::farthest_angle)},
-                                                      {"half", of.number(0.5)},
-                                                      {"C", of_cosine},
-                                                      {"reduction", reduction},
-                                                      {"sum", sum}});
+  return fill_template(part("function"), {{"name", name},
+                                          {"number", of.type()},
+                                          {"bits", of.bits()},
+                                          {"last", of.last_bit()},
+                                          {"sin", of.function("sin")},
+                                          {"cos", of.function("cos")},
+                                          {"farthest", of.number(numeric::farthest_angle)},
+                                          {"half", of.number(0.5)},
+                                          {"C", of_cosine},
+                                          {"reduction", reduction},
+                                          {"sum", sum}});
 }
 
 } // namespace kanexpr::exporting

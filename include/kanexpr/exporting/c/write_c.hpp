@@ -21,15 +21,16 @@ struct c_options {
   std::vector<requested_function> functions = default_results();
   std::vector<bound_parameter> bound{}; ///< parameters that are exported as numbers
   precision number = precision::double_precision;
-  bool with_python = false; ///< also `name`.py, a module that calls the functions by ctypes
-  bool with_cpp = false;    ///< also `name`.hpp, which calls them from C++11 and later with the model's names
+  bool with_python = false; ///< also writes `name`.py, a module that calls the functions through ctypes
+  bool with_cpp =
+      false; ///< also writes `name`.hpp, which calls them from C++11 and later with the model's names
 
   operator options() const { return {functions, bound}; }
 };
 
 namespace detail {
 
-/// Reports a number that is out of range of the scalar type; empty if there is none.
+/// Reports a number that is out of the range of the scalar type; empty if there is none.
 inline std::string mistake_of_numbers(const exported_system& s, precision number) {
   for (const exported_function& f : s.functions)
     for (const symbolic::number& n : f.code.numbers)
@@ -55,17 +56,21 @@ inline outcome write_c(const exported& of, const std::filesystem::path& folder, 
   return write_files(files);
 }
 
-/// The same as the format "c".
-inline outcome write_c(runtime::staged_derivation& derivation, const export_options& given) {
-  c_options chosen{.bound = given.bound,
-                   .number = given.number,
-                   .with_python = given.with_python,
-                   .with_cpp = given.with_cpp};
-  if (!given.functions.empty()) chosen.functions = given.functions;
-  return write_c(exporter(given.name, derivation, chosen).run(), given.folder, chosen);
-}
-
 } // namespace detail
+
+inline constexpr export_format c_format{
+    .name = "c",
+    .has_functions = true,
+    .has_float = true,
+    .has_callers = true,
+    .write = [](runtime::staged_derivation& derivation, const export_options& given) {
+      c_options chosen{.bound = given.bound,
+                       .number = given.number,
+                       .with_python = given.with_python,
+                       .with_cpp = given.with_cpp};
+      if (!given.functions.empty()) chosen.functions = given.functions;
+      return detail::write_c(exporter(given.name, derivation, chosen).run(), given.folder, chosen);
+    }};
 
 } // namespace exporting
 

@@ -21,11 +21,20 @@ public:
   /// functions of `casadi_kernels`.
   casadi_file(const std::string& library, bool of_residual, const exported_system& kernels,
               const std::vector<casadi_argument>& arguments)
-      : library_(library), name_(library + (of_residual ? "_implicit" : "")),
-        column_(of_residual ? "residual" : "rate"), begin_(casadi_kernels::begin_of_names(of_residual)),
-        kernels_(kernels), arguments_(arguments), basic_(count_of_basic(arguments)) {
-    for (std::size_t i = 0; i < arguments_.size(); ++i)
-      jacobian_.push_back(shape_of("jacobian", "by_" + arguments_[i].name, states(), arguments_[i].size));
+      : library_(library), begin_(casadi_kernels::begin_of_names(of_residual)), kernels_(kernels),
+        arguments_(arguments), basic_(count_of_basic(arguments)),
+        family_{library + (of_residual ? "_implicit" : ""), of_residual ? "residual" : "rate",
+                arguments[0].size, arguments} {
+    const int states = arguments[0].size;
+    for (const casadi_argument& each : arguments) {
+      const std::string result = "by_" + each.name;
+      family_.first.push_back(shape_of("jacobian", result, states, each.size));
+      family_.along.push_back(shape_of("directional_jacobian", result, states, each.size));
+      family_.second.emplace_back();
+      for (const casadi_argument& other : arguments)
+        family_.second.back().push_back(
+            shape_of("hessian", result + '_' + other.name, each.size, other.size));
+    }
   }
 
   std::string text() const {
@@ -37,75 +46,56 @@ public:
   }
 
 private:
-  using ports = std::vector<casadi_port>;
-
   /// A result of a C function, and its place in CasADi's results.
-  struct asked {
+  struct requested_output {
     std::size_t place = 0; ///< index in `res`
     int entries = 0;
-    bool is_basic = false; ///< available without the derivatives by all arguments
+    bool is_basic = false; ///< available without the derivatives with respect to all arguments
   };
 
-  int states() const { return arguments_[0].size; }
-  bool has_more() const { return find(begin_ + "jacobian_by_all") != nullptr; }
+  bool has_more() const { return kernels_.function(begin_ + "jacobian_by_all") != nullptr; }
 
-  const exported_function* find(const std::string& called) const {
-    for (const exported_function& f : kernels_.functions)
-      if (f.name == called) return &f;
-    return nullptr;
-  }
-
-  /// The sparsity of a result; empty if the result is missing for lack of arguments.
+  /// The sparsity of a result; empty if the result is missing because the system has no such arguments.
   casadi_sparsity shape_of(const std::string& function, const std::string& result, int rows,
                            int columns) const {
-    for (const exported_result& each : find(begin_ + function + (has_more() ? "_by_all" : ""))->results)
+    for (const exported_result& each :
+         kernels_.function(begin_ + function + (has_more() ? "_by_all" : ""))->results)
       if (each.name == result) return casadi_sparsity::of(each);
     return casadi_sparsity::empty(rows, columns);
   }
 
-  casadi_port of_column(const std::string& before) const {
-    return {before + column_, casadi_sparsity::dense(states())};
-  }
-  void add_arguments(ports& to, const std::string& before = "") const {
-    for (const casadi_argument& each : arguments_)
-      to.push_back({before + each.name, casadi_sparsity::dense(each.size)});
-  }
-  ports given() const {
-    ports all;
-    add_arguments(all);
-    return all;
-  }
-
   static std::string arg(std::size_t i) { return "arg[" + std::to_string(i) + ']'; }
   static std::string res(std::size_t i) { return "res[" + std::to_string(i) + ']'; }
-  std::string given_at(std::size_t place) const { return library_ + "_given(" + arg(place) + ')'; }
-  std::string weights() const { return given_at(arguments_.size() + 1); }
+  std::string argument_at(std::size_t place) const { return library_ + "_given(" + arg(place) + ')'; }
+  std::string weights() const { return argument_at(arguments_.size() + 1); }
 
-  /// The C function of a derivative, or of the column itself.
+  /// The name of the C function for a derivative, or for the column itself.
   std::string kernel(const std::string& derivative) const {
     return derivative.empty() ? casadi_kernels::name_of_column(!begin_.empty()) : begin_ + derivative;
   }
 
-  /// The call of a C function as a condition that is true if there is no result.
+  /// Returns the call of a C function as a condition that is true if there is no result.
   std::string call(const std::string& function, const std::string& weights,
                    const std::vector<std::string>& results) const {
     std::string text, time = "0";
     for (symbols each : {symbols::state, symbols::parameters, symbols::inputs, symbols::rates})
       for (std::size_t i = 0; i < arguments_.size(); ++i)
-        if (arguments_[i].are == each) text += ", " + given_at(i);
-    if (arguments_.back().are == symbols::time) time = '*' + given_at(arguments_.size() - 1);
+        if (arguments_[i].are == each) text += ", " + argument_at(i);
+    if (arguments_.back().are == symbols::time) time = '*' + argument_at(arguments_.size() - 1);
     text = kernels_.name + '_' + kernel(function) + '(' + time + text;
-    if (find(kernel(function))->weights > 0) text += ", " + weights;
+    if (kernels_.function(kernel(function))->weights > 0) text += ", " + weights;
     for (const std::string& each : results) text += ", " + each;
     return text + ") != 0";
   }
 
-  /// Calls the function of the basic arguments if that suffices: if no other result is requested and
-  /// `needs_more` is zero. Results that are not requested go to `w`, from `scratch` on.
-  std::string call_for(const std::string& function, const std::string& weights, const std::vector<asked>& all,
-                       int scratch = 0, std::string needs_more = {}) const {
+  /// Returns the call of the function for the basic arguments if it suffices, that is, if no other result is
+  /// requested and `needs_more` is zero. Results that are not requested are written to `w`, starting at
+  /// `scratch`.
+  std::string call_for(const std::string& function, const std::string& weights,
+                       const std::vector<requested_output>& all, int scratch = 0,
+                       std::string needs_more = {}) const {
     std::vector<std::string> basic, more;
-    for (const asked& each : all) {
+    for (const requested_output& each : all) {
       const std::string to = library_ + "_or(" + res(each.place) + ", w + " + std::to_string(scratch) + ')';
       scratch += each.entries;
       more.push_back(to);
@@ -119,41 +109,40 @@ private:
     return '(' + needs_more + ")\n    ? " + call(function + "_by_all", weights, more) + "\n    : " + least;
   }
 
-  static std::string any_of(const std::vector<asked>& all) {
-    std::string text;
-    for (const asked& each : all) text += (text.empty() ? "" : " || ") + res(each.place);
-    return text;
+  static std::string any_of(const std::vector<requested_output>& all) {
+    return joined(all, " || ", [](const requested_output& each) { return res(each.place); });
   }
 
-  static int entries_of(const std::vector<asked>& all) {
+  static int entries_of(const std::vector<requested_output>& all) {
     int count = 0;
-    for (const asked& each : all) count += each.entries;
+    for (const requested_output& each : all) count += each.entries;
     return count;
   }
 
   casadi_function column() const {
-    return {name_,
-            given(),
-            {of_column("")},
-            0,
-            "  (void)w;\n  if (!res[0]) return 0;\n  return " + call("", "", {"res[0]"}) + ";\n"};
+    casadi_function f = family_.value();
+    f.body = "  (void)w;\n  if (!res[0]) return 0;\n  return " + call("", "", {"res[0]"}) + ";\n";
+    return f;
+  }
+
+  /// The derivatives with respect to each argument, which are the results from `place` on.
+  std::vector<requested_output> first_derivatives(std::size_t place) const {
+    std::vector<requested_output> all;
+    for (std::size_t i = 0; i < arguments_.size(); ++i)
+      all.push_back({place + i, family_.first[i].entries(), i < basic_});
+    return all;
   }
 
   casadi_function jacobian() const {
-    casadi_function f{.name = "jac_" + name_, .in = given()};
-    f.in.push_back(of_column("out_"));
-    std::vector<asked> all;
-    for (std::size_t i = 0; i < arguments_.size(); ++i) {
-      f.out.push_back({"jac_" + column_ + '_' + arguments_[i].name, jacobian_[i]});
-      all.push_back({i, jacobian_[i].entries(), i < basic_});
-    }
+    casadi_function f = family_.jacobian();
+    const std::vector<requested_output> all = first_derivatives(0);
     f.scratch = entries_of(all);
     f.body = "  return " + call_for("jacobian", "", all) + ";\n";
     return f;
   }
 
   /// Declares `i` and, if some arguments are not basic, `more`, which is nonzero if the direction has nonzero
-  /// entries for these. The direction fills the first entries of `w`.
+  /// entries for the others. The direction fills the first entries of `w`.
   std::string take_direction(int& size_of_all) const {
     std::string text = has_more() ? "  long long i;\n  int more = 0;\n" : "  long long i;\n";
     for (std::size_t k = 0; k < arguments_.size(); ++k) {
@@ -172,37 +161,23 @@ private:
   }
 
   casadi_function forward() const {
-    casadi_function f{.name = "fwd1_" + name_, .in = given()};
-    f.in.push_back(of_column("out_"));
-    add_arguments(f.in, "fwd_");
-    f.out.push_back(of_column("fwd_"));
+    casadi_function f = family_.forward();
     f.body = take_direction(f.scratch) + "  if (!res[0]) return 0;\n";
     if (has_more()) f.body += "  if (more) return " + call("directional_by_all", "w", {"res[0]"}) + ";\n";
     f.body += "  return " + call("directional", "w", {"res[0]"}) + ";\n";
     return f;
   }
 
-  /// The derivatives of the directional derivative by each argument, by the column (zero) and by the
+  /// The derivatives of the directional derivative with respect to each argument, the column (zero) and the
   /// direction (the first derivatives).
   casadi_function jacobian_of_forward() const {
-    casadi_function f{.name = "jac_fwd1_" + name_, .in = given()};
-    f.in.push_back(of_column("out_"));
-    add_arguments(f.in, "fwd_");
-    f.in.push_back(of_column("out_fwd_"));
+    casadi_function f = family_.jacobian_of_forward();
     int direction = 0;
     f.body = take_direction(direction);
-    std::vector<asked> first, second;
-    for (std::size_t i = 0; i < arguments_.size(); ++i) {
-      const casadi_sparsity shape =
-          shape_of("directional_jacobian", "by_" + arguments_[i].name, states(), arguments_[i].size);
-      second.push_back({f.out.size(), shape.entries(), i < basic_});
-      f.out.push_back({"jac_fwd_" + column_ + '_' + arguments_[i].name, shape});
-    }
-    f.out.push_back({"jac_fwd_" + column_ + "_out_" + column_, casadi_sparsity::empty(states(), states())});
-    for (std::size_t i = 0; i < arguments_.size(); ++i) {
-      first.push_back({f.out.size(), jacobian_[i].entries(), i < basic_});
-      f.out.push_back({"jac_fwd_" + column_ + "_fwd_" + arguments_[i].name, jacobian_[i]});
-    }
+    std::vector<requested_output> second;
+    for (std::size_t i = 0; i < arguments_.size(); ++i)
+      second.push_back({i, family_.along[i].entries(), i < basic_});
+    const std::vector<requested_output> first = first_derivatives(arguments_.size() + 1);
     f.scratch = direction + (std::max)(entries_of(first), entries_of(second));
     f.body += "  if ((" + any_of(first) + ") && (" + call_for("jacobian", "", first, direction) +
               ")) return 1;\n  if (!(" + any_of(second) + ")) return 0;\n  return " +
@@ -211,11 +186,8 @@ private:
   }
 
   casadi_function adjoint() const {
-    casadi_function f{.name = "adj1_" + name_, .in = given()};
-    f.in.push_back(of_column("out_"));
-    f.in.push_back(of_column("adj_"));
-    add_arguments(f.out, "adj_");
-    std::vector<asked> all;
+    casadi_function f = family_.adjoint();
+    std::vector<requested_output> all;
     for (std::size_t i = 0; i < arguments_.size(); ++i)
       if (arguments_[i].size > 0) all.push_back({i, arguments_[i].size, i < basic_});
     f.scratch = entries_of(all);
@@ -223,39 +195,23 @@ private:
     return f;
   }
 
-  /// The derivatives of each adjoint by each argument, by the column (zero) and by the weights (the
+  /// The derivatives of each adjoint with respect to each argument, the column (zero) and the weights (the
   /// transposed first derivatives).
   casadi_function jacobian_of_adjoint() const {
-    casadi_function f{.name = "jac_adj1_" + name_, .in = given()};
-    f.in.push_back(of_column("out_"));
-    f.in.push_back(of_column("adj_"));
-    add_arguments(f.in, "out_adj_");
-    std::vector<asked> second;
-    for (std::size_t o = 0; o < arguments_.size(); ++o) {
-      const std::string begin = "jac_adj_" + arguments_[o].name + '_';
-      for (std::size_t i = 0; i < arguments_.size(); ++i) {
-        const casadi_sparsity shape =
-            shape_of("hessian", "by_" + arguments_[o].name + '_' + arguments_[i].name, arguments_[o].size,
-                     arguments_[i].size);
-        second.push_back({f.out.size(), shape.entries(), o < basic_ && i < basic_});
-        f.out.push_back({begin + arguments_[i].name, shape});
-      }
-      f.out.push_back({begin + "out_" + column_, casadi_sparsity::empty(arguments_[o].size, states())});
-      f.out.push_back({begin + "adj_" + column_, jacobian_[o].transposed().first});
-    }
-    f.scratch = (std::max)(entries_of(second), entries_of_jacobian());
+    casadi_function f = family_.jacobian_of_adjoint();
+    std::vector<requested_output> second;
+    for (std::size_t o = 0; o < arguments_.size(); ++o)
+      for (std::size_t i = 0; i < arguments_.size(); ++i)
+        second.push_back(
+            {o * (arguments_.size() + 2) + i, family_.second[o][i].entries(), o < basic_ && i < basic_});
+    f.scratch = (std::max)(entries_of(second), entries_of(first_derivatives(0)));
     f.body = transposed_jacobian() + "  if (!(" + any_of(second) + ")) return 0;\n  return " +
              call_for("hessian", weights(), second) + ";\n";
     return f;
   }
 
-  int entries_of_jacobian() const {
-    int count = 0;
-    for (const casadi_sparsity& each : jacobian_) count += each.entries();
-    return count;
-  }
-
-  /// Returns the code for the derivatives of the adjoints by the weights; it uses `w` as scratch space.
+  /// Returns the code for the derivatives of the adjoints with respect to the weights; it uses `w` as scratch
+  /// space.
   std::string transposed_jacobian() const {
     std::string wanted, more, taken;
     std::vector<std::string> to, basic;
@@ -263,7 +219,7 @@ private:
     for (std::size_t o = 0; o < arguments_.size(); ++o) {
       to.push_back("w + " + std::to_string(begin));
       if (o < basic_) basic = to;
-      if (jacobian_[o].entries() == 0) continue;
+      if (family_.first[o].entries() == 0) continue;
       const std::size_t place = (o + 1) * (arguments_.size() + 2) - 1;
       (o < basic_ ? wanted : more) += " || " + res(place);
       taken += fill_template(R"(    if (@to@) {
@@ -272,10 +228,10 @@ private:
     }
 )",
                              {{"to", res(place)},
-                              {"from", casadi_function::listed(jacobian_[o].transposed().second)},
-                              {"size", std::to_string(jacobian_[o].entries())},
+                              {"from", joined(family_.first[o].transposed().second, ", ")},
+                              {"size", std::to_string(family_.first[o].entries())},
                               {"begin", std::to_string(begin)}});
-      begin += jacobian_[o].entries();
+      begin += family_.first[o].entries();
     }
     std::string computed = call("jacobian", "", basic);
     if (!more.empty())
@@ -284,11 +240,11 @@ private:
            ") return 1;\n" + taken + "  }\n";
   }
 
-  std::string library_, name_, column_, begin_;
+  std::string library_, begin_;
   const exported_system& kernels_;
   const std::vector<casadi_argument>& arguments_;
   std::size_t basic_;
-  std::vector<casadi_sparsity> jacobian_{};
+  casadi_family family_;
 };
 
 } // namespace kanexpr::exporting

@@ -1,23 +1,17 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/exporting/casadi/casadi_function.hpp>
 #include <kanexpr/exporting/export_request.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace kanexpr::exporting {
-
-/// An argument of a CasADi function: the state x, its rates, the inputs r, the parameters p, or the time t.
-struct casadi_argument {
-  std::string name{};
-  symbols are{};
-  int size = 0;
-
-  /// False for parameters and time, which come last: derivatives by them are computed only on request.
-  bool is_basic() const { return are != symbols::parameters && are != symbols::time; }
-};
 
 inline std::size_t count_of_basic(const std::vector<casadi_argument>& arguments) {
   std::size_t count = 0;
@@ -26,8 +20,8 @@ inline std::size_t count_of_basic(const std::vector<casadi_argument>& arguments)
 }
 
 /// The C functions that CasADi may request for a column (the rates of the state or the residual of the
-/// implicit form): the column itself, its derivatives by the basic arguments, and its derivatives by all
-/// arguments, which cost more.
+/// implicit form): the column itself, its derivatives with respect to the basic arguments, and its
+/// derivatives with respect to all arguments, which cost more.
 class casadi_kernels {
 public:
   casadi_kernels(bool of_residual, const std::vector<casadi_argument>& by_all)
@@ -70,7 +64,7 @@ private:
     std::vector<symbols> all;
     all.reserve(count);
     for (std::size_t i = 0; i < count; ++i) all.push_back(by_all_[i].are);
-    // Together with derivatives by the parameters, those from the graph share more operations.
+    // Next to derivatives with respect to the parameters, those from the graph share more operations.
     const bool is_by_parameters = !by_all_[count - 1].is_basic();
     const auto to_second_order = [&](requested_result found, quantity by, std::vector<symbols> part) {
       if (of_residual_ || is_by_parameters) return found;
@@ -103,8 +97,8 @@ private:
       wanted.push_back(each);
   }
 
-  /// The Jacobian by one argument. That of the rates is taken from the linearized equations if they have it,
-  /// as this costs less than the chain rule.
+  /// The Jacobian with respect to one argument. For the rates, it is taken from the linearized equations if
+  /// they contain it, which costs less than the chain rule.
   requested_result jacobian_by(const casadi_argument& by) const {
     requested_result found = derived("by_" + by.name, {.type = kind::jacobian, .by = by.are});
     if (of_residual_ || !by.is_basic()) return found;
@@ -123,6 +117,45 @@ private:
 
   bool of_residual_;
   const std::vector<casadi_argument>& by_all_;
+};
+
+/// Gives sparse results of the same name in two functions the same sparsity by adding explicit zeros: two
+/// derivations of a derivative may find different entries to be zero.
+class common_shapes {
+public:
+  static void unify(exported_function& one, exported_function& other) {
+    for (const exported_result& a : one.results)
+      for (const exported_result& b : other.results) {
+        if (a.name != b.name || !a.is_sparse || a.places == b.places) continue;
+        places all;
+        std::set_union(a.places.begin(), a.places.end(), b.places.begin(), b.places.end(),
+                       std::back_inserter(all));
+        widen(one, a.name, all);
+        widen(other, b.name, all);
+      }
+  }
+
+private:
+  using places = std::vector<std::pair<int, int>>;
+
+  static void widen(exported_function& f, const std::string& name, const places& to) {
+    lower::statements& code = f.code;
+    const int zero = code.lines.push({.a = code.numbers.push(symbolic::exactly(0))});
+    base::sequence<int> results;
+    int next = 0; // an entry of the old results
+    for (exported_result& each : f.results) {
+      each.first = results.size();
+      if (each.name != name) {
+        for (int i = 0; i < each.entries(); ++i) results.push(code.results[next++]);
+        continue;
+      }
+      const places from = std::exchange(each.places, to);
+      for (const auto& at : to)
+        results.push(std::binary_search(from.begin(), from.end(), at) ? code.results[next++] : zero);
+    }
+    while (next < code.results.size()) results.push(code.results[next++]); // those of the checks
+    code.results = results;
+  }
 };
 
 } // namespace kanexpr::exporting

@@ -13,10 +13,20 @@ namespace kanexpr::exporting {
 /// on the C functions that compute the rates and their derivatives.
 class casadi_step : private step_writer {
 public:
-  using step_writer::step_writer;
+  casadi_step(const std::string& library, const steps::tableau& method, const exported_system& kernels,
+              const std::vector<casadi_argument>& arguments)
+      : step_writer(library, method, kernels, arguments), family_{name_, "next", n(), given_} {
+    for (std::size_t i = 0; i < given_.size(); ++i) {
+      family_.first.push_back(block(shapes_.first, 0, n(), i));
+      family_.along.push_back(block(shapes_.along, 0, n(), i));
+      family_.second.emplace_back();
+      for (std::size_t k = 0; k < given_.size(); ++k)
+        family_.second.back().push_back(block(shapes_.second, begin_[i], given_[i].size, k));
+    }
+  }
 
   std::string text() const {
-    std::string all = in(casadi_templates::step) + in(casadi_templates::second_order_of_step);
+    std::string all = in(step_template);
     for (const casadi_function& each :
          {value(), jacobian(), forward(), jacobian_of_forward(), adjoint(), jacobian_of_adjoint()})
       all += each.text(library_);
@@ -24,73 +34,39 @@ public:
   }
 
 private:
-  casadi_port next(const std::string& before) const { return {before + "next", casadi_sparsity::dense(n())}; }
-  void add_given(std::vector<casadi_port>& to, const std::string& before) const {
-    for (const casadi_argument& each : given_)
-      to.push_back({before + each.name, casadi_sparsity::dense(each.size)});
-  }
-  casadi_function named(const std::string& before) const {
-    casadi_function f{.name = before + name_};
-    add_given(f.in, "");
-    if (!before.empty()) f.in.push_back(next("out_"));
-    return f;
-  }
-
-  /// A block of derivatives, with the index of each entry in the full matrix.
-  struct block {
-    casadi_sparsity shape{};
-    std::vector<int> from{};
-  };
-
-  /// The derivatives of the next state or of an adjoint by argument `by`.
-  block by_given(const pattern& all, int first_row, int rows, std::size_t by) const {
-    block found{casadi_sparsity::empty(rows, given_[by].size), {}};
-    for (int j = 0; j < given_[by].size; ++j)
-      for (int i = 0; i < rows; ++i) {
-        const int row = first_row + i, column = begin_[by] + j;
-        if (!all(row, column)) continue;
-        found.shape.places.emplace_back(j, i);
-        const bool is_below = &all == &shapes_.second && row > column; // which is not computed
-        found.from.push_back(is_below ? column * columns_ + row : row * columns_ + column);
-      }
-    return found;
-  }
-  block first_by(std::size_t by) const { return by_given(shapes_.first, 0, n(), by); }
-
-  block transposed_first_by(std::size_t by) const {
-    block found{casadi_sparsity::empty(given_[by].size, n()), {}};
-    for (int i = 0; i < n(); ++i)
-      for (int j = 0; j < given_[by].size; ++j)
-        if (shapes_.first(i, begin_[by] + j)) {
-          found.shape.places.emplace_back(i, j);
-          found.from.push_back(i * columns_ + begin_[by] + j);
-        }
+  /// The pattern of the rows from `first_row` on and of the columns of argument `by`.
+  casadi_sparsity block(const pattern& all, int first_row, int rows, std::size_t by) const {
+    casadi_sparsity found = casadi_sparsity::empty(rows, given_[by].size);
+    for (int j = 0; j < found.columns; ++j)
+      for (int i = 0; i < rows; ++i)
+        if (all(first_row + i, begin_[by] + j)) found.places.emplace_back(j, i);
     return found;
   }
 
-  /// Adds a result and returns the code that copies it if it is requested.
-  static std::string add(casadi_function& to, const std::string& name, const block& one,
-                         const std::string& all) {
-    const std::string place = std::to_string(to.out.size());
-    to.out.push_back({name, one.shape});
-    if (one.from.empty()) return {};
-    return fill_template(R"(  if (res[@place@]) {
-    static const int from[] = {@from@};
-    for (i = 0; i < @size@; ++i) res[@place@][i] = @all@[from[i]];
-  }
-)",
-                         {{"place", place},
-                          {"from", casadi_function::listed(one.from)},
-                          {"size", std::to_string(one.from.size())},
+  /// Returns the code that copies result `place`, if it is requested, from the matrix `all` of the
+  /// derivatives with respect to all arguments; `index` returns the index of an entry in this matrix.
+  template <class Index>
+  static std::string copied(const casadi_function& f, std::size_t place, const std::string& all,
+                            const Index& index) {
+    std::vector<int> from;
+    for (const auto& [column, row] : f.out[place].shape.places) from.push_back(index(row, column));
+    if (from.empty()) return {};
+    return fill_template(template_part(step_functions_template, "copy"),
+                         {{"place", std::to_string(place)},
+                          {"from", joined(from, ", ")},
+                          {"size", std::to_string(from.size())},
                           {"all", all}});
   }
+  /// Copies derivatives of the next state with respect to argument `by`.
+  std::string copied_first(const casadi_function& f, std::size_t place, const std::string& all,
+                           std::size_t by) const {
+    return copied(f, place, all, [&](int row, int column) { return row * columns_ + begin_[by] + column; });
+  }
 
-  /// The C condition that one of these results is requested.
+  /// Returns the C condition that one of these results is requested.
   static std::string any_of(const std::vector<std::size_t>& places) {
-    std::string text;
-    for (std::size_t each : places)
-      text += (text.empty() ? "res[" : " || res[") + std::to_string(each) + "] != 0";
-    return text.empty() ? "0" : text;
+    if (places.empty()) return "0";
+    return joined(places, " || ", [](std::size_t each) { return "res[" + std::to_string(each) + "] != 0"; });
   }
 
   int size_of_points() const { return 2 * stages() * n(); }
@@ -99,86 +75,55 @@ private:
   }
 
   casadi_function value() const {
-    casadi_function f = named("");
-    f.out.push_back(next(""));
+    casadi_function f = family_.value();
     f.scratch = size_of_points();
-    f.body = in(R"(  const @s@_arguments given = @s@_take(arg), *const at = &given;
-  int i, s;
-  if (!res[0]) return 0;
-  if (@s@_points(at, w)) return 1;
-  for (i = 0; i < @s@_n; ++i) {
-    double after = at->x[i];
-    for (s = 0; s < @s@_stages; ++s) after += @s@_b_of(s, i) * at->h * w[(2 * s + 1) * @s@_n + i];
-    res[0][i] = after;
-  }
-  return 0;
-)");
+    f.body = part("value");
     return f;
   }
 
   casadi_function jacobian() const {
-    casadi_function f = named("jac_");
+    casadi_function f = family_.jacobian();
     std::vector<std::size_t> more;
     std::string gather;
     for (std::size_t i = 0; i < given_.size(); ++i) {
       if (!is_basic(i)) more.push_back(i);
-      gather += add(f, "jac_next_" + given_[i].name, first_by(i), "after");
+      gather += copied_first(f, i, "after", i);
     }
     f.scratch = size_of_moved();
-    f.body = "  const int by_all = " + any_of(more) + ";\n  int i;\n" + in(casadi_templates::moved) + gather +
-             "  return 0;\n";
+    f.body =
+        "  const int by_all = " + any_of(more) + ";\n  int i;\n" + part("moved") + gather + "  return 0;\n";
     return f;
   }
 
   casadi_function forward() const {
-    casadi_function f = named("fwd1_");
-    add_given(f.in, "fwd_");
-    f.out.push_back(next("fwd_"));
+    casadi_function f = family_.forward();
     f.scratch = size_of_points() + columns_ + 2 * n();
-    f.body = in(R"(  const @s@_arguments given = @s@_take(arg), *const at = &given;
-  double *direction = w + 2 * @s@_stages * @s@_n, *rate_along = direction + @s@_columns, *sum = rate_along + @s@_n;
-  int i, s, by_all = 0;
-@take_direction@  (void)by_all;
-  if (!res[0]) return 0;
-  if (@s@_points(at, w)) return 1;
-  for (i = 0; i < @s@_n; ++i) sum[i] = along_x[i];
-  for (s = 0; s < @s@_stages; ++s) {
-@directed@@directional@    for (i = 0; i < @s@_n; ++i) sum[i] += @s@_b_of(s, i) * (at->h * rate_along[i] + along_h * y[@s@_n + i]);
-  }
-  for (i = 0; i < @s@_n; ++i) res[0][i] = sum[i];
-  return 0;
-)");
+    f.body = part("forward");
     return f;
   }
 
-  /// The derivatives by the arguments, by the next state (zero) and by the direction.
   casadi_function jacobian_of_forward() const {
-    casadi_function f = named("jac_fwd1_");
-    add_given(f.in, "fwd_");
-    f.in.push_back(next("out_fwd_"));
+    casadi_function f = family_.jacobian_of_forward();
+    const std::size_t first_by_direction = given_.size() + 1;
     std::vector<std::size_t> more;
-    std::string gather;
+    std::string along, first;
     for (std::size_t i = 0; i < given_.size(); ++i) {
-      if (!is_basic(i)) more.push_back(i), more.push_back(given_.size() + 1 + i);
-      gather += add(f, "jac_fwd_next_" + given_[i].name, by_given(shapes_.along, 0, n(), i), "total");
+      if (!is_basic(i)) more.push_back(i), more.push_back(first_by_direction + i);
+      along += copied_first(f, i, "total", i);
+      first += copied_first(f, first_by_direction + i, "after", i);
     }
-    f.out.push_back({"jac_fwd_next_out_next", casadi_sparsity::empty(n(), n())});
-    for (std::size_t i = 0; i < given_.size(); ++i)
-      gather += add(f, "jac_fwd_next_fwd_" + given_[i].name, first_by(i), "after");
     f.scratch = size_of_moved() + 3 * n() * columns_ + columns_ + n() + bend_.size();
-    f.body = "  int i, s, c, e, by_all = " + any_of(more) + ";\n" + in(casadi_templates::moved_along) +
-             gather + "  return 0;\n";
+    f.body = "  int i, s, c, e, by_all = " + any_of(more) + ";\n" + part("moved_along") + along + first +
+             "  return 0;\n";
     return f;
   }
 
   casadi_function adjoint() const {
-    casadi_function f = named("adj1_");
-    f.in.push_back(next("adj_"));
+    casadi_function f = family_.adjoint();
     std::vector<std::size_t> more;
     std::string gather;
     for (std::size_t i = 0; i < given_.size(); ++i) {
       if (!is_basic(i)) more.push_back(i);
-      f.out.push_back({"adj_" + given_[i].name, casadi_sparsity::dense(given_[i].size)});
       gather +=
           fill_template("  if (res[@i@])\n    for (i = 0; i < @size@; ++i) res[@i@][i] = sum[@begin@ + i];\n",
                         {{"i", std::to_string(i)},
@@ -186,58 +131,37 @@ private:
                          {"begin", std::to_string(begin_[i])}});
     }
     f.scratch = size_of_points() + 2 * n() + 2 * columns_;
-    f.body = "  const int by_all = " + any_of(more) + ";\n" +
-             in(R"(  const @s@_arguments given = @s@_take(arg), *const at = &given;
-  const double *weights = @weights@;
-  double *weight = w + 2 * @s@_stages * @s@_n, *of_next = weight + @s@_n, *gradient = of_next + @s@_n,
-         *sum = gradient + @s@_columns;
-  int i, s;
-  (void)by_all;
-  if (@s@_points(at, w)) return 1;
-  for (i = 0; i < @s@_columns; ++i) gradient[i] = 0, sum[i] = i < @s@_n ? weights[i] : 0;
-  for (s = @s@_stages - 1; s >= 0; --s) {
-    const double *y = w + 2 * s * @s@_n;
-    const double t = at->t + @s@_when[s] * at->h;
-    @s@_weigh(s, weights, of_next, weight);
-@gradient@@turn@    for (i = 0; i < @s@_columns; ++i) sum[i] += at->h * gradient[i];
-    for (i = 0; i < @s@_n; ++i) {
-      sum[@s@_h] += weight[i] * y[@s@_n + i];
-      of_next[i] = at->h * gradient[i];
-    }
-  }
-)") + gather +
-             "  return 0;\n";
+    f.body = "  const int by_all = " + any_of(more) + ";\n" + part("adjoint") + gather + "  return 0;\n";
     return f;
   }
 
-  /// The derivatives by the arguments, by the next state (zero) and by the weights.
   casadi_function jacobian_of_adjoint() const {
-    casadi_function f = named("jac_adj1_");
-    f.in.push_back(next("adj_"));
-    add_given(f.in, "out_adj_");
+    casadi_function f = family_.jacobian_of_adjoint();
     std::vector<std::size_t> second, more;
     std::string gather;
-    for (std::size_t o = 0; o < given_.size(); ++o) {
-      const std::string begin = "jac_adj_" + given_[o].name + '_';
-      for (std::size_t i = 0; i < given_.size(); ++i) {
-        second.push_back(f.out.size());
-        if (!is_basic(o) || !is_basic(i)) more.push_back(f.out.size());
-        gather +=
-            add(f, begin + given_[i].name, by_given(shapes_.second, begin_[o], given_[o].size, i), "rest");
+    for (std::size_t o = 0, place = 0; o < given_.size(); ++o) {
+      for (std::size_t i = 0; i < given_.size(); ++i, ++place) {
+        second.push_back(place);
+        if (!is_basic(o) || !is_basic(i)) more.push_back(place);
+        // the entries below the diagonal are not computed
+        gather += copied(f, place, "rest", [&](int row, int column) {
+          const auto [first, last] = std::minmax({begin_[o] + row, begin_[i] + column});
+          return first * columns_ + last;
+        });
       }
-      f.out.push_back({begin + "out_next", casadi_sparsity::empty(given_[o].size, n())});
-      if (!is_basic(o)) more.push_back(f.out.size());
-      gather += add(f, begin + "adj_next", transposed_first_by(o), "after");
+      const std::size_t by_weights = ++place;
+      if (!is_basic(o)) more.push_back(by_weights);
+      gather += copied(f, by_weights, "after",
+                       [&](int row, int column) { return column * columns_ + begin_[o] + row; });
+      ++place;
     }
     f.scratch = size_of_moved() + 2 * columns_ * columns_ + 2 * n() + columns_ + curve_.size();
-    f.body = "  const int by_all = " + any_of(more) + ";\n  int i;\n" + in(casadi_templates::moved) +
-             "  if ((" + any_of(second) +
-             in(") &&\n      @s@_curved(at, by_all, w, slopes, by, @weights@, rest, rest + @s@_columns * "
-                "@s@_columns))\n"
-                "    return 1;\n") +
-             gather + "  return 0;\n";
+    f.body = "  const int by_all = " + any_of(more) + ";\n  int i;\n" + part("moved") + "  if ((" +
+             any_of(second) + part("curved") + gather + "  return 0;\n";
     return f;
   }
+
+  casadi_family family_;
 };
 
 } // namespace kanexpr::exporting

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kanexpr/exporting/casadi/kernels.hpp>
-#include <kanexpr/exporting/casadi/sparsity.hpp>
 #include <kanexpr/steps/tableaux.hpp>
 
 #include <utility>
@@ -32,7 +31,7 @@ private:
 /// Row and column of each entry of the derivatives of the rates, in the order of the arguments of a step.
 using entry_places = std::vector<std::pair<int, int>>;
 
-/// The sparsity of the derivatives of a step, found by applying its chain rule to sparsity patterns.
+/// The sparsity of the derivatives of a step, found by applying the chain rule to sparsity patterns.
 class step_shapes {
 public:
   step_shapes() = default;
@@ -64,7 +63,8 @@ public:
   pattern first{}, along{}, second{}; ///< ∂x⁺/∂z, ∂((∂x⁺/∂z) v)/∂z and ∂²(λᵀx⁺)/∂z²
 
 private:
-  /// The derivatives by the arguments of the step, from those by the arguments of a stage.
+  /// The derivatives with respect to the arguments of the step, from those with respect to the arguments of a
+  /// stage.
   pattern chained(const entry_places& places, const pattern& point, int rows) const {
     pattern all(rows, columns_);
     for (const auto& [row, column] : places) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/exporting/casadi/casadi_templates.hpp>
 #include <kanexpr/exporting/casadi/step_shapes.hpp>
 #include <kanexpr/exporting/text/fill_template.hpp>
 #include <kanexpr/exporting/text/scalar.hpp>
@@ -12,6 +11,25 @@
 #include <vector>
 
 namespace kanexpr::exporting {
+
+/// C code for the steps of CasADi. `@s@` is the prefix of a step's names. Each column of its derivatives
+/// belongs to an entry of the arguments x, r, h, p and t, in this order, so that the derivatives that do not
+/// involve parameters come first.
+///
+/// The second derivatives ∂²(λᵀ x⁺)/∂z² are the sum over the stages of Wᵀ H W, where W are the derivatives of
+/// the stage's arguments and H the weighted second derivatives of its rates, plus the terms from the product
+/// of h and the rates.
+inline constexpr std::string_view step_template = template_text(
+#include <kanexpr/exporting/casadi/step.c.in>
+);
+
+/// The bodies of the functions of a step. `moved` computes the points, slopes and derivatives of all stages;
+/// `after` holds those of the step, and `rest` is free. `moved_along` computes the derivatives `total` of a
+/// directional derivative: those of a stage's rates follow from the second derivatives of the rates along the
+/// stage's direction, and from the derivatives of that direction.
+inline constexpr std::string_view step_functions_template = template_text(
+#include <kanexpr/exporting/casadi/step_functions.c.in>
+);
 
 /// The common base of the functions of a step: the order of the derivatives, and the C functions that compute
 /// those of the rates.
@@ -43,7 +61,8 @@ public:
 protected:
   static constexpr std::size_t basic = 2; ///< basic arguments of the rates: the state and the inputs
 
-  /// The sparse results of a C function, one after another, those by the state and the inputs first.
+  /// The sparse results of a C function, one after another; those with respect to the state and the inputs
+  /// come first.
   struct sparse_results {
     std::string function{};
     entry_places places{};
@@ -57,20 +76,16 @@ protected:
   int stages() const { return method_.stages; }
   bool takes_time() const { return of_rates_.size() > 3; }
   bool has_more() const { return columns_ > h_ + 1; }
-  /// Whether derivatives by argument i follow without those of the rates by parameters and time.
+  /// Whether derivatives with respect to argument i follow without those of the rates with respect to
+  /// parameters and time.
   bool is_basic(std::size_t i) const { return i < basic || (i == 3 && !takes_time()); }
-
-  const exported_function& kernel(const std::string& called) const {
-    return *std::find_if(kernels_.functions.begin(), kernels_.functions.end(),
-                         [&](const exported_function& f) { return f.name == called; });
-  }
 
   void take(sparse_results& into, const std::string& result, bool is_by_basic, int row, int column) const {
     into.begin[result] = into.places.size();
-    for (const exported_result& each : kernel(into.function + (has_more() ? "_by_all" : "")).results)
+    for (const exported_result& each :
+         kernels_.function(into.function + (has_more() ? "_by_all" : ""))->results)
       if (each.name == result)
-        for (std::size_t e = 0; e < each.row_of.size(); ++e)
-          into.places.emplace_back(row + each.row_of[e], column + each.column_of[e]);
+        for (const auto& [j, i] : each.places) into.places.emplace_back(row + i, column + j);
     if (is_by_basic) into.basic = into.places.size();
   }
 
@@ -83,19 +98,18 @@ protected:
     return '{' + first + ", " + second + '}';
   }
   static std::string listed(const entry_places& places) {
-    std::string all;
-    for (const auto& [row, column] : places)
-      all += (all.empty() ? "" : ", ") + pair(number(row), number(column));
-    return all.empty() ? pair("0", "0") : all;
+    if (places.empty()) return pair("0", "0");
+    return joined(places, ", ", [](const auto& at) { return pair(number(at.first), number(at.second)); });
   }
-  std::string given_at(std::size_t place) const { return library_ + "_given(arg[" + number(place) + "])"; }
+  std::string argument_at(std::size_t place) const { return library_ + "_given(arg[" + number(place) + "])"; }
 
-  /// The call of a C function; the generated code returns if that has no result. `given` follows the inputs.
+  /// Returns the call of a C function; the generated code returns if it has no result. `given` follows the
+  /// inputs.
   std::string call(const std::string& function, const std::string& given, const std::string& into,
                    const std::map<std::string, std::size_t>& begin) const {
     const auto one = [&](const std::string& called) {
       std::string text = kernels_.name + '_' + called + "(t, y, at->p, at->r" + given;
-      for (const exported_result& each : kernel(called).results)
+      for (const exported_result& each : kernels_.function(called)->results)
         text += ", " + into + " + " + number(begin.at(each.name));
       return text + ')';
     };
@@ -111,18 +125,19 @@ protected:
     return takes_time() ? fill_template(text, {{"s", name_}, {"t", number(t_)}}) : std::string();
   }
 
-  /// The code that reads the direction, in the order of the arguments of the rates except the state.
+  /// Returns the code that reads the direction, in the order of the arguments of the rates, without the
+  /// state.
   std::string direction_in_c() const {
     const std::size_t first = given_.size() + 1;
     std::string text =
-        "  const double *along_x = " + given_at(first) + ", along_h = *" + given_at(first + 3) + ";\n";
+        "  const double *along_x = " + argument_at(first) + ", along_h = *" + argument_at(first + 3) + ";\n";
     int begin = n();
     for (std::size_t i = 1; i < of_rates_.size(); ++i) {
       if (of_rates_[i].size == 0) continue;
       const auto for_each = [&](std::string_view what) {
         text += fill_template(what, {{"size", number(of_rates_[i].size)},
                                      {"begin", number(begin)},
-                                     {"from", given_at(first + (i < 3 ? i : 4))}});
+                                     {"from", argument_at(first + (i < 3 ? i : 4))}});
       };
       for_each("  for (i = 0; i < @size@; ++i) direction[@begin@ + i] = @from@[i];\n");
       if (i >= basic) for_each("  for (i = 0; i < @size@; ++i) by_all |= direction[@begin@ + i] != 0;\n");
@@ -131,19 +146,17 @@ protected:
     return text + (takes_time() ? "  by_all |= along_h != 0;\n" : "");
   }
 
-  /// The code for the point of stage s and the direction there.
+  /// Returns the code for the point of stage s and the direction there.
   std::string directed_in_c() const {
-    std::string text = fill_template(R"(    const double *y = w + 2 * s * @s@_n;
-    const double t = at->t + @s@_when[s] * at->h;
-    for (i = 0; i < @s@_n; ++i)
-      direction[i] = along_x[i] + (s > 0 ? @s@_a_of(s, i) * (at->h * rate_along[i] + along_h * (y - @s@_n)[i]) : 0);
-)",
-                                     {{"s", name_}});
+    std::string text = fill_template(template_part(step_functions_template, "directed"), {{"s", name_}});
     if (takes_time())
       text += fill_template("    direction[@s@_t - 1] = *@along_t@ + @s@_when[s] * along_h;\n",
-                            {{"s", name_}, {"along_t", given_at(given_.size() + 5)}});
+                            {{"s", name_}, {"along_t", argument_at(given_.size() + 5)}});
     return text;
   }
+
+  /// Returns a part of the template of functions, filled in.
+  std::string part(std::string_view name) const { return in(template_part(step_functions_template, name)); }
 
   std::string in(std::string_view text) const {
     std::string a, b, when;
@@ -180,7 +193,7 @@ protected:
                           {"when", when},
                           {"method", std::string(method_.title)},
                           {"given", library_ + "_given"},
-                          {"time", takes_time() ? '*' + given_at(4) : "0"},
+                          {"time", takes_time() ? '*' + argument_at(4) : "0"},
                           {"kernels", kernels_.name},
                           {"jacobian", call(slope_, "", "slope")},
                           {"directional_jacobian", call(bend_, ", direction", "bend")},
@@ -195,14 +208,14 @@ protected:
       for (d = @s@_h; d < columns; ++d)
         all[@s@_h * @s@_columns + d] += @s@_when[s] * moved[@s@_t * @s@_columns + d];
 )")},
-                          {"weights", given_at(given_.size() + 1)}});
+                          {"weights", argument_at(given_.size() + 1)}});
   }
 
   std::string library_, name_;
   const steps::tableau& method_;
   const exported_system& kernels_;
   const std::vector<casadi_argument>& of_rates_;
-  std::vector<casadi_argument> given_; ///< the arguments of a step: x, r, p, h, t
+  std::vector<casadi_argument> given_; ///< arguments of a step: x, r, p, h, t
   std::vector<int> begin_{};           ///< the first column of each argument
   int h_ = 0, t_ = -1, columns_ = 0;
   sparse_results slope_{.function = "jacobian"}, bend_{.function = "directional_jacobian"},

@@ -3,17 +3,20 @@
 #include <kanexpr/base/outcome.hpp>
 #include <kanexpr/exporting/c/write_c.hpp>
 #include <kanexpr/exporting/casadi/casadi_file.hpp>
-#include <kanexpr/exporting/casadi/casadi_templates.hpp>
-#include <kanexpr/exporting/casadi/common_shapes.hpp>
 #include <kanexpr/exporting/casadi/step_file.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kanexpr {
 
 namespace exporting {
+
+inline constexpr std::string_view casadi_helpers_template = template_text(
+#include <kanexpr/exporting/casadi/helpers.c.in>
+);
 
 struct casadi_options {
   std::vector<bound_parameter> bound{}; ///< parameters that are exported as numbers
@@ -27,10 +30,10 @@ inline std::string mistake_of_casadi_name(const std::string& name) {
   identifiers known;
   known.reserve_words();
   known.reserve_words_of_mathematics();
-  known.reserve_words_of_the_library();
-  for (const char* own : {"null", "jac", "hess"}) known.reserve(own);
+  known.reserve(base::library_words::words_of_the_library);
+  known.reserve("null jac hess");
   const bool has_two = (name + "_step").find("__") != name.npos;
-  if (!name.empty() && name[0] != '_' && !has_two && known.of(name) == name) return {};
+  if (!name.empty() && name[0] != '_' && !has_two && known.unique(name) == name) return {};
   return "the name of a CasADi function must begin with a letter, must have no two underscores in a row and "
          "none at its end, and must not be a word of C, of its library or of CasADi; \"" +
          name + "\" is not such a name";
@@ -44,7 +47,7 @@ inline bool depends_on_time(const exported_system& s) {
 }
 
 inline std::string casadi_helpers(const std::string& library, int most) {
-  return fill_template(casadi_templates::helpers, {{"library", library}, {"most", std::to_string(most)}});
+  return fill_template(casadi_helpers_template, {{"library", library}, {"most", std::to_string(most)}});
 }
 
 inline outcome write_casadi(runtime::staged_derivation& derivation, const std::filesystem::path& folder,
@@ -86,12 +89,12 @@ inline outcome write_casadi(runtime::staged_derivation& derivation, const std::f
             casadi_step(name, *steps::find_tableau(chosen.step), all.system, arguments).text()}});
 }
 
-/// The same as the format "casadi".
-inline outcome write_casadi(runtime::staged_derivation& derivation, const export_options& given) {
-  return write_casadi(derivation, given.folder, given.name, {.bound = given.bound});
-}
-
 } // namespace detail
+
+inline constexpr export_format casadi_format{
+    .name = "casadi", .write = [](runtime::staged_derivation& derivation, const export_options& given) {
+      return detail::write_casadi(derivation, given.folder, given.name, {.bound = given.bound});
+    }};
 
 } // namespace exporting
 
@@ -99,8 +102,8 @@ inline outcome write_casadi(runtime::staged_derivation& derivation, const export
 /// derivatives, in `folder`/`name`_casadi.c and .h, which a C compiler turns into a shared library. The state
 /// x consists of the coordinates followed by the speeds; a system that depends on time takes it as the last
 /// argument, t. The library also has a step, `name`_step(x, r, p, h), and the residual of the implicit form,
-/// `name`_implicit(x, xdot, r, p), with the same kinds of derivatives. Reports why if it cannot; no file is
-/// left half-written.
+/// `name`_implicit(x, xdot, r, p), with the same kinds of derivatives. Reports the reason if it cannot; no
+/// file is left half-written.
 template <class System>
 outcome write_casadi(const std::filesystem::path& folder, const std::string& name,
                      const exporting::casadi_options& chosen = {}) {

@@ -1,14 +1,31 @@
 #pragma once
 
-#include <kanexpr/exporting/cpp/cpp_templates.hpp>
 #include <kanexpr/exporting/text/fill_template.hpp>
 #include <kanexpr/exporting/text/names_in_c.hpp>
 #include <kanexpr/exporting/text/scalar.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kanexpr::exporting {
+
+/// The text of C++ headers.
+namespace cpp_templates {
+
+inline constexpr std::string_view header = template_text(
+#include <kanexpr/exporting/cpp/header.hpp.in>
+);
+
+inline constexpr std::string_view structure = template_text(
+#include <kanexpr/exporting/cpp/structure.hpp.in>
+);
+
+inline constexpr std::string_view function = template_text(
+#include <kanexpr/exporting/cpp/function.hpp.in>
+);
+
+} // namespace cpp_templates
 
 /// Writes NAME.hpp, which calls the functions of NAME.c from C++11 and later: structures with the names of
 /// the model, and results with a status.
@@ -22,22 +39,19 @@ public:
     namespaces.reserve_words();
     namespaces.reserve_words_of_mathematics();
     namespaces.reserve("std");
-    const std::string own = namespaces.of(s.name);
-    std::vector<std::string> states = s.coordinates;
-    states.insert(states.end(), s.speeds.begin(), s.speeds.end());
+    const std::string own = namespaces.unique(s.name);
     std::string all = fill_template(cpp_templates::header,
                                     {{"name", s.name},
                                      {"own_header", "#include \"" + s.name + ".h\""},
                                      {"own", own},
-                                     {"state", structure("state", states, "0")},
+                                     {"state", structure("state", s.states(), "0")},
                                      {"parameters", structure("parameters", s.parameters, not_set())},
                                      {"inputs", structure("inputs", s.inputs, not_set())},
                                      {"rates", structure("rates", s.speeds, not_set())}});
     identifiers functions;
     functions.reserve_words();
-    for (const char* taken : {"state", "parameters", "inputs", "rates", "status", "status_of"})
-      functions.reserve(taken);
-    for (const exported_function& f : s.functions) all += definition(f, functions.of(f.name));
+    functions.reserve("state parameters inputs rates status status_of");
+    for (const exported_function& f : s.functions) all += definition(f, functions.unique(f.name));
     return all + "\n} // namespace " + own + "\n\n#endif\n";
   }
 
@@ -52,11 +66,11 @@ private:
     identifiers names;
     names.reserve_words();
     names.reserve_words_of_mathematics();
-    for (const char* taken : {"from", "put", "std", "entries"}) names.reserve(taken);
+    names.reserve("from put std entries");
     names.reserve(name);
     std::string declared, read, written;
     for (std::size_t i = 0; i < symbols.size(); ++i) {
-      const std::string member = names.of(symbols[i]), entry = "entries[" + std::to_string(i) + ']';
+      const std::string member = names.unique(symbols[i]), entry = "entries[" + std::to_string(i) + ']';
       declared.append("  ").append(number_.type()).append(" ").append(member).append(" = ").append(at_first);
       declared += ";\n";
       read.append("    found.").append(member).append(" = ").append(entry).append(";\n");
@@ -77,7 +91,7 @@ private:
            std::to_string(entries > 0 ? entries : 1) + "];\n  " + name + ".put(given_" + name + ");\n";
   }
 
-  /// A parameter of a function; trailing ones have a default if the system has no such quantities.
+  /// A parameter of a function. Trailing parameters have a default if the system has no such quantities.
   static std::string taken(const std::string& type, const char* name, bool is_empty) {
     return "const " + type + " &" + name + (is_empty ? " = " + type + "()" : "");
   }
@@ -89,7 +103,7 @@ private:
     identifiers members;
     members.reserve("made");
     for (const exported_result& each : f.results) {
-      const std::string member = members.of(each.name), place = "found." + member;
+      const std::string member = members.unique(each.name), place = "found." + member;
       if (f.takes_step) {
         declared += "  state " + member + ";\n";
         filled_in += "  " + place + " = state::from(given_x);\n";

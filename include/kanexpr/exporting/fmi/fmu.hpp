@@ -12,8 +12,9 @@ namespace kanexpr::exporting {
 /// A scalar variable of an FMU; its position in its list determines its value reference.
 struct fmu_variable {
   std::string name{};
-  std::string of{}; ///< its name in the model, if different
+  std::string name_in_model{}; ///< if different
   double start = 0;
+  bool is_dependent = false; ///< follows from the constraints
 };
 
 /// A change of an entry of the state at an event.
@@ -22,7 +23,7 @@ struct fmu_change {
   int place = 0; ///< index in the state
 };
 
-/// The contents of an FMU. Its system has functions with the names below, as far as they are needed.
+/// The contents of an FMU. Its system has functions with the names below if they are needed.
 struct fmu {
   static constexpr const char *rates = "rhs", *jacobian = "jacobian", *rates_by_time = "rhs_by_time",
                               *measured = "measured", *measured_derivatives = "measured_derivatives",
@@ -35,7 +36,6 @@ struct fmu {
   std::vector<crossing> directions{}; ///< one for each event
   std::vector<bool> ends{};           ///< whether each event ends the motion
   std::vector<fmu_change> changed{};  ///< in the order of the entries of `changes`
-  std::vector<bool> dependent{};      ///< whether each state is dependent
   double step_length = 0;
 
   int count_of_states() const { return static_cast<int>(states.size()); }
@@ -48,13 +48,6 @@ struct fmu {
   int first_input() const { return first_parameter() + static_cast<int>(parameters.size()); }
   int first_output() const { return first_input() + static_cast<int>(inputs.size()); }
   int first_indicator() const { return first_output() + static_cast<int>(outputs.size()); }
-
-  /// Returns null if the function is not needed.
-  const exported_function* function(const std::string& name) const {
-    for (const exported_function& f : system.functions)
-      if (f.name == name) return &f;
-    return nullptr;
-  }
 
   /// Whether an entry of a result is identically zero.
   static bool is_zero(const exported_function& f, int entry) {

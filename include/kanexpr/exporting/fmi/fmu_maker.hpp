@@ -5,7 +5,7 @@
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/exporting/exporter.hpp>
 #include <kanexpr/exporting/fmi/fmu.hpp>
-#include <kanexpr/exporting/text/printable.hpp>
+#include <kanexpr/exporting/text/identifiers.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
@@ -43,7 +43,7 @@ struct exported_event {
   after_event then = after_event::go_on;
 };
 
-/// The event that an expression of the model crosses zero, or that an equation comes to hold:
+/// The event that an expression of the model crosses zero, or that an equation becomes satisfied:
 /// `exporting::when<h>("bounce", crossing::falling, {exporting::set<-0.8 * u>(u)})`.
 template <auto watched, class Where = describe::file_of<watched>>
 exported_event when(const std::string& name, crossing direction = crossing::either,
@@ -137,15 +137,15 @@ private:
     fmu& f = made_.of;
     const exported_system& s = f.system;
     f.step_length = chosen_.step;
-    for (int i = 0; i < survey_->coordinates + survey_->speeds; ++i)
-      f.dependent.push_back(survey_->dependent[i]);
-    for (const std::vector<std::string>* names : {&s.coordinates, &s.speeds})
-      for (const std::string& each : *names) f.states.push_back(variable(each));
-    for (int i = 0, last = 0; i < survey_->coordinates; ++i)
-      if (survey_->quaternion_of[i] > last) {
-        last = survey_->quaternion_of[i];
-        f.states[static_cast<std::size_t>(i)].start = 1; // the identity rotation
-      }
+    int last_quaternion = 0;
+    for (const std::string& each : s.states()) {
+      const int i = f.count_of_states();
+      f.states.push_back(variable(each));
+      f.states.back().is_dependent = survey_->dependent[i];
+      if (i >= survey_->coordinates || survey_->quaternion_of[i] <= last_quaternion) continue;
+      last_quaternion = survey_->quaternion_of[i];
+      f.states.back().start = 1; // the identity rotation
+    }
     for (const std::string& each : s.parameters) f.parameters.push_back(variable(each));
     for (const std::string& each : s.inputs) f.inputs.push_back(variable(each));
     for (const fmu_variable& each : f.states)
@@ -156,7 +156,7 @@ private:
 
   void describe_measured() {
     fmu& f = made_.of;
-    const exported_function* const measured = f.function(fmu::measured);
+    const exported_function* const measured = f.system.function(fmu::measured);
     const std::size_t events = chosen_.events.size(),
                       outputs = measured == nullptr ? 0 : measured->results.size() - events;
     for (std::size_t k = 0; k < outputs; ++k) {
@@ -177,7 +177,7 @@ private:
         if (place < 0)
           return refuse("event " + each.name + " sets " + one.what.name() +
                         ", which is neither a coordinate nor a speed");
-        if (f.function(fmu::changes)->results[f.changed.size()].entries() != 1)
+        if (f.system.function(fmu::changes)->results[f.changed.size()].entries() != 1)
           return refuse("event " + each.name + " sets " + one.what.name() +
                         " to a value that is not a scalar");
         f.changed.push_back({static_cast<int>(k), place});
@@ -199,40 +199,40 @@ private:
                       " to set a start value for");
       if (!numeric::is_finite(each.value)) return refuse("the start value of " + name + " is not finite");
       if (!given.insert(name).second) return refuse(name + " has two start values");
-      if (const int state = place_of(f.states, name);
-          state >= survey_->coordinates && f.dependent[static_cast<std::size_t>(state)])
+      if (found->is_dependent && place_of(f.states, name) >= survey_->coordinates)
         return refuse("speed " + name +
                       " is dependent and cannot have a start value; it follows from the constraints");
       found->start = each.value;
     }
     for (const fmu_variable& each : f.parameters)
-      if (const std::string& name = called(each); !given.contains(name))
+      if (const std::string& name = model_name(each); !given.contains(name))
         return refuse("parameter " + name + " has no start value");
-    if (const base::sentence impossible =
-            compiled::check_masses(*survey_, values_or_nan(first_parameters()).data()))
+    if (const base::sentence impossible = compiled::check_masses(*survey_, first_parameters().data()))
       refuse(std::string(impossible.view()));
   }
 
   /// The values of the bound parameters, and the start values of the others.
-  std::vector<std::optional<double>> first_parameters() const {
-    std::vector<std::optional<double>> all;
+  std::vector<double> first_parameters() const {
+    std::vector<double> all;
     using symbolic::symbol_kind;
     for (int i = 0; i < survey_->parameters; ++i) {
       const std::string_view name = survey_->names[survey_->first_of(symbol_kind::parameter) + i].view();
-      all.emplace_back();
+      all.push_back(numeric::not_a_number<double>);
       for (const bound_parameter& each : chosen_.bound)
         if (each.name == name) all.back() = each.value;
       for (const fmu_variable& each : made_.of.parameters)
-        if (called(each) == name) all.back() = each.start;
+        if (model_name(each) == name) all.back() = each.start;
     }
     return all;
   }
 
-  static const std::string& called(const fmu_variable& v) { return v.of.empty() ? v.name : v.of; }
+  static const std::string& model_name(const fmu_variable& v) {
+    return v.name_in_model.empty() ? v.name : v.name_in_model;
+  }
 
   static int place_of(const std::vector<fmu_variable>& among, const std::string& name) {
     for (std::size_t i = 0; i < among.size(); ++i)
-      if (called(among[i]) == name) return static_cast<int>(i);
+      if (model_name(among[i]) == name) return static_cast<int>(i);
     return -1;
   }
 

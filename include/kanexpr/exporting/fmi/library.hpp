@@ -45,7 +45,7 @@ private:
 #endif
 };
 
-/// Compiles the files, whose paths contain no folder, with the shell command `compiler`.
+/// Compiles files with the shell command `compiler`; their paths must not contain folders.
 inline library compiled_library(const std::string& name, const std::vector<file_text>& files,
                                 const std::string& compiler) {
   if (library::platform().empty())

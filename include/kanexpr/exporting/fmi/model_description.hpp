@@ -1,128 +1,182 @@
 #pragma once
 
-#include <kanexpr/base/version.hpp>
-#include <kanexpr/exporting/fmi/escaped_for_xml.hpp>
-#include <kanexpr/exporting/fmi/fmi_source.hpp>
 #include <kanexpr/exporting/fmi/fmu.hpp>
 #include <kanexpr/exporting/text/fill_template.hpp>
+#include <kanexpr/exporting/text/identifiers.hpp>
 #include <kanexpr/exporting/text/scalar.hpp>
 
+#include <tinyxml2.h>
+
+#include <initializer_list>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace kanexpr::exporting {
 
-/// Writes modelDescription.xml and buildDescription.xml of FMI 3.0.
-class model_description {
+/// An XML document that is written from beginning to end.
+class xml_file {
 public:
-  explicit model_description(const fmu& of) : of_(of), system_(of.system) {}
+  using attributes = std::initializer_list<std::pair<const char*, std::string>>;
 
-  std::string text(const std::string& token) const {
-    return fill_template(
-        fmi_source::model_description,
-        {{"name", system_.name},
-         {"token", token},
-         {"version", version()},
-         {"watched", of_.function(fmu::correction) == nullptr && of_.indicators.empty() ? "false" : "true"},
-         {"step", number(of_.step_length)},
-         {"variables", variables()},
-         {"structure", structure()}});
+  xml_file() { printer_.PushDeclaration(R"(xml version="1.0" encoding="UTF-8")"); }
+
+  void open(const char* name, attributes all = {}) {
+    printer_.OpenElement(name);
+    add_attributes(all);
+  }
+  void add_attributes(attributes all) {
+    for (const auto& [attribute, value] : all) printer_.PushAttribute(attribute, value.c_str());
+  }
+  void close() { printer_.CloseElement(); }
+  void add(const char* name, attributes all) {
+    open(name, all);
+    close();
   }
 
-  /// The text of buildDescription.xml, which is stored with the sources.
-  std::string build() const { return fill_template(fmi_source::build_description, {{"name", system_.name}}); }
+  std::string text() const { return printer_.CStr(); }
 
 private:
-  static std::string version() {
-    return std::to_string(KANEXPR_VERSION_MAJOR) + '.' + std::to_string(KANEXPR_VERSION_MINOR) + '.' +
-           std::to_string(KANEXPR_VERSION_PATCH);
+  tinyxml2::XMLPrinter printer_{};
+};
+
+/// The text of buildDescription.xml, which is stored with the sources.
+inline std::string build_description(const std::string& name) {
+  xml_file xml;
+  xml.open("fmiBuildDescription", {{"fmiVersion", "3.0"}});
+  xml.open("BuildConfiguration", {{"modelIdentifier", name}});
+  xml.open("SourceFileSet", {{"language", "C99"}});
+  for (const char* end : {".c", "_fmi.c"}) xml.add("SourceFile", {{"name", name + end}});
+  for (int i = 0; i < 3; ++i) xml.close();
+  return xml.text();
+}
+
+/// Writes modelDescription.xml of FMI 3.0.
+class model_description {
+public:
+  explicit model_description(const fmu& of) : of_(of) {}
+
+  std::string text(const std::string& token) {
+    xml_.open("fmiModelDescription", {{"fmiVersion", "3.0"},
+                                      {"modelName", of_.system.name},
+                                      {"instantiationToken", '{' + token + '}'},
+                                      {"generationTool", generator()},
+                                      {"variableNamingConvention", "flat"}});
+    const bool is_watched = of_.system.function(fmu::correction) != nullptr || !of_.indicators.empty();
+    add_interface("ModelExchange", {{"needsCompletedIntegratorStep", is_watched ? "true" : "false"}});
+    add_interface("CoSimulation", {{"canHandleVariableCommunicationStepSize", "true"},
+                                   {"fixedInternalStepSize", number(of_.step_length)}});
+    xml_.open("LogCategories");
+    xml_.add("Category",
+             {{"name", "logStatusDiscard"}, {"description", "results that cannot be computed at a state"}});
+    xml_.add("Category", {{"name", "logStatusError"}, {"description", "invalid calls"}});
+    xml_.close();
+    xml_.open("ModelVariables");
+    add_variables();
+    xml_.close();
+    xml_.open("ModelStructure");
+    add_structure();
+    xml_.close();
+    xml_.close();
+    return xml_.text();
   }
+
+private:
   static std::string number(double value) { return scalar(precision::double_precision).number(value); }
 
-  static std::string variable(const fmu_variable& v, int reference, const std::string& attributes) {
-    std::string text = "    <Float64 name=\"" + escaped_for_xml(v.name) + "\" valueReference=\"" +
-                       std::to_string(reference) + "\" " + attributes;
-    if (!v.of.empty()) text += " description=\"" + escaped_for_xml(v.of) + " in the model\"";
-    return text + "/>\n";
+  void add_interface(const char* name, xml_file::attributes own) {
+    xml_.open(name, {{"modelIdentifier", of_.system.name}});
+    xml_.add_attributes(own);
+    xml_.add_attributes({{"providesDirectionalDerivatives", "true"}, {"providesAdjointDerivatives", "true"}});
+    xml_.close();
   }
-  static std::string start_of(const fmu_variable& v) { return " start=\"" + number(v.start) + '"'; }
 
-  std::string variables() const {
-    std::string text = variable({of_.time, {}, 0}, 0, R"(causality="independent" variability="continuous")");
-    for (int i = 0; i < of_.count_of_states(); ++i) {
-      const fmu_variable& v = of_.states[static_cast<std::size_t>(i)];
-      text +=
-          variable(v, fmu::first_state + i,
-                   std::string(R"(causality="output" variability="continuous" initial=")") +
-                       (of_.dependent[static_cast<std::size_t>(i)] ? "approx\"" : "exact\"") + start_of(v));
-    }
-    for (int i = 0; i < of_.count_of_states(); ++i)
-      text += variable(of_.rates_of_states[static_cast<std::size_t>(i)], of_.first_rate() + i,
-                       R"(causality="local" variability="continuous" initial="calculated" derivative=")" +
-                           std::to_string(fmu::first_state + i) + '"');
-    int reference = of_.first_parameter();
+  /// The attributes that variables of a kind have in common.
+  struct variable_kind {
+    const char* causality = "local";
+    const char* initial = nullptr;
+    bool has_start = false;
+    const char* variability = "continuous";
+    int derivative_of = 0; ///< a value reference
+  };
+
+  /// Adds a variable with the next value reference.
+  void add(const fmu_variable& v, const variable_kind& of) {
+    xml_.open("Float64", {{"name", v.name},
+                          {"valueReference", std::to_string(next_reference_++)},
+                          {"causality", of.causality},
+                          {"variability", of.variability}});
+    if (of.initial != nullptr) xml_.add_attributes({{"initial", of.initial}});
+    if (of.derivative_of != 0) xml_.add_attributes({{"derivative", std::to_string(of.derivative_of)}});
+    if (of.has_start) xml_.add_attributes({{"start", number(v.start)}});
+    if (!v.name_in_model.empty())
+      xml_.add_attributes({{"description", printable(v.name_in_model) + " in the model"}});
+    xml_.close();
+  }
+
+  void add_variables() {
+    add({of_.time, {}, 0}, {.causality = "independent"});
+    for (const fmu_variable& v : of_.states)
+      add(v, {.causality = "output", .initial = v.is_dependent ? "approx" : "exact", .has_start = true});
+    int state = fmu::first_state;
+    for (const fmu_variable& v : of_.rates_of_states)
+      add(v, {.initial = "calculated", .derivative_of = state++});
     for (const fmu_variable& v : of_.parameters)
-      text += variable(v, reference++,
-                       R"(causality="parameter" variability="tunable" initial="exact")" + start_of(v));
-    for (const fmu_variable& v : of_.inputs)
-      text += variable(v, reference++, R"(causality="input" variability="continuous")" + start_of(v));
-    for (const fmu_variable& v : of_.outputs)
-      text += variable(v, reference++, R"(causality="output" variability="continuous" initial="calculated")");
-    for (const fmu_variable& v : of_.indicators)
-      text += variable(v, reference++, R"(causality="local" variability="continuous" initial="calculated")");
-    return text;
+      add(v, {.causality = "parameter", .initial = "exact", .has_start = true, .variability = "tunable"});
+    for (const fmu_variable& v : of_.inputs) add(v, {.causality = "input", .has_start = true});
+    for (const fmu_variable& v : of_.outputs) add(v, {.causality = "output", .initial = "calculated"});
+    for (const fmu_variable& v : of_.indicators) add(v, {.initial = "calculated"});
   }
 
   /// Lists each unknown with its dependencies.
-  std::string structure() const {
-    std::string text;
-    for (int i = 0; i < of_.count_of_states(); ++i)
-      text += unknown("Output", fmu::first_state + i, ' ' + std::to_string(fmu::first_state + i));
-    for (int i = 0; i < static_cast<int>(of_.outputs.size()); ++i)
-      text += unknown("Output", of_.first_output() + i, measured_depends_on(i));
-    for (int i = 0; i < of_.count_of_states(); ++i)
-      text += unknown("ContinuousStateDerivative", of_.first_rate() + i, rate_depends_on(i));
-    for (int i = 0; i < of_.count_of_states(); ++i)
-      if (of_.dependent[static_cast<std::size_t>(i)]) text += initial_unknown(fmu::first_state + i);
-    for (int i = 0; i < static_cast<int>(of_.outputs.size()); ++i)
-      text += initial_unknown(of_.first_output() + i);
-    for (int i = 0; i < of_.count_of_states(); ++i) text += initial_unknown(of_.first_rate() + i);
+  void add_structure() {
+    const int states = of_.count_of_states(), outputs = static_cast<int>(of_.outputs.size());
+    for (int i = 0; i < states; ++i) add_unknown("Output", fmu::first_state + i, {fmu::first_state + i});
+    for (int i = 0; i < outputs; ++i) add_unknown("Output", of_.first_output() + i, measured_depends_on(i));
+    for (int i = 0; i < states; ++i)
+      add_unknown("ContinuousStateDerivative", of_.first_rate() + i, rate_depends_on(i));
+    for (int i = 0; i < states; ++i)
+      if (of_.states[static_cast<std::size_t>(i)].is_dependent) add_initial_unknown(fmu::first_state + i);
+    for (int i = 0; i < outputs; ++i) add_initial_unknown(of_.first_output() + i);
+    for (int i = 0; i < states; ++i) add_initial_unknown(of_.first_rate() + i);
     for (int i = 0; i < static_cast<int>(of_.indicators.size()); ++i)
-      text += unknown("EventIndicator", of_.first_indicator() + i,
-                      measured_depends_on(static_cast<int>(of_.outputs.size()) + i));
-    return text;
+      add_unknown("EventIndicator", of_.first_indicator() + i, measured_depends_on(outputs + i));
   }
 
-  static std::string unknown(const char* kind, int reference, const std::string& on) {
-    return std::string("    <") + kind + " valueReference=\"" + std::to_string(reference) +
-           "\" dependencies=\"" + (on.empty() ? on : on.substr(1)) + "\"/>\n";
+  void add_unknown(const char* kind, int reference, const std::vector<int>& on) {
+    xml_.add(kind, {{"valueReference", std::to_string(reference)}, {"dependencies", joined(on, " ")}});
   }
   /// During initialization, parameters matter too, and values that follow from the constraints depend on all
   /// states; CasADi requires the full list, so all known variables are listed.
-  std::string initial_unknown(int reference) const {
-    std::string on;
-    for (int i = 0; i < of_.count_of_states(); ++i)
-      if (!of_.dependent[static_cast<std::size_t>(i)]) on += ' ' + std::to_string(fmu::first_state + i);
-    for (int i = of_.first_parameter(); i < of_.first_output(); ++i) on += ' ' + std::to_string(i);
-    return unknown("InitialUnknown", reference, " 0" + on);
+  void add_initial_unknown(int reference) {
+    std::vector<int> on{0};
+    int state = fmu::first_state;
+    for (const fmu_variable& v : of_.states) {
+      if (!v.is_dependent) on.push_back(state);
+      ++state;
+    }
+    for (int i = of_.first_parameter(); i < of_.first_output(); ++i) on.push_back(i);
+    add_unknown("InitialUnknown", reference, on);
   }
 
-  std::string rate_depends_on(int i) const {
-    return depends_on(of_.function(fmu::jacobian), of_.function(fmu::rates_by_time), i);
+  std::vector<int> rate_depends_on(int i) const {
+    return depends_on(of_.system.function(fmu::jacobian), of_.system.function(fmu::rates_by_time), i);
   }
-  std::string measured_depends_on(int i) const {
-    const exported_function* by_all = of_.function(fmu::measured_derivatives);
+  std::vector<int> measured_depends_on(int i) const {
+    const exported_function* by_all = of_.system.function(fmu::measured_derivatives);
     return depends_on(by_all, by_all, i);
   }
 
   /// The columns of the nonzero entries in a row.
-  std::string depends_on(const exported_function* by_state, const exported_function* by_time, int row) const {
-    std::string on;
+  std::vector<int> depends_on(const exported_function* by_state, const exported_function* by_time,
+                              int row) const {
+    std::vector<int> on;
     const auto look = [&](const exported_function* f, const char* matrix, int first) {
       if (f == nullptr) return;
       for (const exported_result& each : f->results)
         if (each.name == matrix)
           for (int j = 0; j < each.columns; ++j)
-            if (!fmu::is_zero(*f, each.first + row * each.columns + j)) on += ' ' + std::to_string(first + j);
+            if (!fmu::is_zero(*f, each.first + row * each.columns + j)) on.push_back(first + j);
     };
     look(by_time, "by_time", 0);
     look(by_state, "by_state", fmu::first_state);
@@ -131,7 +185,8 @@ private:
   }
 
   const fmu& of_;
-  const exported_system& system_;
+  xml_file xml_{};
+  int next_reference_ = 0;
 };
 
 } // namespace kanexpr::exporting

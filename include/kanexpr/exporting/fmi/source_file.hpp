@@ -1,15 +1,49 @@
 #pragma once
 
-#include <kanexpr/exporting/fmi/fmi_source.hpp>
 #include <kanexpr/exporting/fmi/fmu.hpp>
-#include <kanexpr/exporting/fmi/unsupported_in_c.hpp>
 #include <kanexpr/exporting/text/fill_template.hpp>
 #include <kanexpr/exporting/text/scalar.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kanexpr::exporting {
+
+/// The C code of FMUs. It is the same for all models and uses `counts`, which precedes it. Memory is
+/// allocated only when an instance is created; instances share nothing.
+namespace fmi_templates {
+
+inline constexpr std::string_view counts = template_text(
+#include <kanexpr/exporting/fmi/counts.c.in>
+);
+
+/// Types of FMI 3.0 as defined by the standard, and the instance.
+inline constexpr std::string_view declarations = template_text(
+#include <kanexpr/exporting/fmi/declarations.c.in>
+);
+
+/// Used by functions that have checks.
+inline constexpr std::string_view failure = template_text(
+#include <kanexpr/exporting/fmi/failure.c.in>
+);
+
+/// The parts that call the functions of the model: constraints, events and steps of fixed length; creation,
+/// modes and steps of an instance; values and derivatives; functions that are not supported.
+inline constexpr std::string_view functions[]{template_text(
+#include <kanexpr/exporting/fmi/events_and_steps.c.in>
+                                                  ),
+                                              template_text(
+#include <kanexpr/exporting/fmi/lifecycle.c.in>
+                                                  ),
+                                              template_text(
+#include <kanexpr/exporting/fmi/values.c.in>
+                                                  ),
+                                              template_text(
+#include <kanexpr/exporting/fmi/unsupported.c.in>
+                                                  )};
+
+} // namespace fmi_templates
 
 /// Writes NAME_fmi.c: the functions of FMI 3.0, based on those of NAME.c.
 class fmu_source {
@@ -21,54 +55,44 @@ public:
     for (const char* header : {"math", "stdbool", "stddef", "stdint", "stdlib", "string"})
       text += std::string("#include <") + header + ".h>\n";
     text += "\nstatic const char token[] = \"{" + token + "}\";\n" + counts() + tables();
-    text += fmi_source::declarations;
+    text += fmi_templates::declarations;
     const std::string evaluated = evaluations();
-    if (evaluated.find(" failed(") != evaluated.npos) text += fmi_source::failure;
+    if (evaluated.find(" failed(") != evaluated.npos) text += fmi_templates::failure;
     text += evaluated;
-    text += fmi_source::events_and_steps;
-    text += fmi_source::lifecycle;
-    text += fmi_source::values;
-    return text + unsupported_in_c::all_refusals();
+    for (const std::string_view part : fmi_templates::functions) text += part;
+    return text;
   }
 
 private:
   std::string counts() const {
-    return fill_template(fmi_source::counts,
+    return fill_template(fmi_templates::counts,
                          {{"name", name_},
                           {"outputs", std::to_string(of_.outputs.size())},
                           {"indicators", std::to_string(of_.indicators.size())},
                           {"changes", std::to_string(of_.changed.size())},
-                          {"drifts", of_.function(fmu::correction) == nullptr ? "0" : "1"}});
+                          {"drifts", of_.system.function(fmu::correction) == nullptr ? "0" : "1"}});
   }
 
-  /// An array; it gets one entry if there is none.
-  static std::string array(const char* type, const char* called, const std::vector<std::string>& entries) {
-    std::string text = std::string("static const ") + type + ' ' + called + "[] = {";
-    for (std::size_t i = 0; i < entries.size(); ++i) text += (i == 0 ? "" : ", ") + entries[i];
-    return text + (entries.empty() ? "0};\n" : "};\n");
-  }
-
-  static std::string number(double value) { return scalar(precision::double_precision).number(value); }
-
-  static std::string starts(const char* called, const std::vector<fmu_variable>& variables) {
-    std::vector<std::string> entries;
-    entries.reserve(variables.size());
-    for (const fmu_variable& v : variables) entries.push_back(number(v.start));
-    return array("double", called, entries);
+  /// Returns an array, which has one entry if there are none.
+  template <class Entries, class TextOf>
+  static std::string array(const char* type, const char* called, const Entries& all, const TextOf& text_of) {
+    return std::string("static const ") + type + ' ' + called + "[] = {" +
+           (all.empty() ? "0" : joined(all, ", ", text_of)) + "};\n";
   }
 
   std::string tables() const {
-    std::vector<std::string> direction, ends, by, place;
-    for (const crossing each : of_.directions) direction.push_back(std::to_string(static_cast<int>(each)));
-    for (const bool each : of_.ends) ends.emplace_back(each ? "true" : "false");
-    for (const fmu_change& each : of_.changed) {
-      by.push_back(std::to_string(each.event));
-      place.push_back(std::to_string(each.place));
-    }
-    return '\n' + starts("start_of_states", of_.states) + starts("start_of_parameters", of_.parameters) +
-           starts("start_of_inputs", of_.inputs) + array("int", "direction", direction) +
-           array("bool", "ends_motion", ends) + array("int", "changed_by", by) +
-           array("int", "changed_place", place) +
+    const auto number = [](double value) { return scalar(precision::double_precision).number(value); };
+    const auto start = [&](const fmu_variable& v) { return number(v.start); };
+    return '\n' + array("double", "start_of_states", of_.states, start) +
+           array("double", "start_of_parameters", of_.parameters, start) +
+           array("double", "start_of_inputs", of_.inputs, start) +
+           array("int", "direction", of_.directions,
+                 [](crossing each) { return std::to_string(static_cast<int>(each)); }) +
+           array("bool", "ends_motion", of_.ends, [](bool each) { return each ? "true" : "false"; }) +
+           array("int", "changed_by", of_.changed,
+                 [](const fmu_change& each) { return std::to_string(each.event); }) +
+           array("int", "changed_place", of_.changed,
+                 [](const fmu_change& each) { return std::to_string(each.place); }) +
            "static const double internal_step = " + number(of_.step_length) + ";\n";
   }
 
@@ -91,12 +115,13 @@ private:
     std::vector<std::string> into; ///< members of the instance
   };
 
-  /// A C function that evaluates parts of the system into members of an instance.
+  /// Returns a C function that stores results of the system in members of an instance.
   std::string evaluation(const std::string& called, const std::string& known, const std::vector<call>& calls,
                          const std::string& given = "instance *of") const {
     std::string text = "\nstatic fmi3Status find_" + called + '(' + given + ") {\n", made;
     for (const call& each : calls)
-      if (const exported_function* const f = of_.function(each.function)) made += evaluated(*f, each.into);
+      if (const exported_function* const f = of_.system.function(each.function))
+        made += evaluated(*f, each.into);
     if (made.empty()) return text + "  (void)of;\n  return fmi3OK;\n}\n";
     text += "  unsigned long long status;\n";
     if (!known.empty()) text += "  if (of->known & " + known + ") return fmi3OK;\n";

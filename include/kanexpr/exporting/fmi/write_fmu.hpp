@@ -2,11 +2,11 @@
 
 #include <kanexpr/base/outcome.hpp>
 #include <kanexpr/exporting/c/write_c.hpp>
-#include <kanexpr/exporting/fmi/archive.hpp>
 #include <kanexpr/exporting/fmi/fmu_maker.hpp>
 #include <kanexpr/exporting/fmi/library.hpp>
 #include <kanexpr/exporting/fmi/model_description.hpp>
 #include <kanexpr/exporting/fmi/source_file.hpp>
+#include <kanexpr/exporting/fmi/zip_archive.hpp>
 
 #include <cstdio>
 #include <string>
@@ -22,7 +22,7 @@ class [[nodiscard]] written_fmu : public outcome {
 public:
   using outcome::outcome;
 
-  /// Explains why the FMU holds sources only; empty if it holds a library.
+  /// Explains why the FMU holds only sources; empty if it holds a library.
   const std::string& note() const { return note_; }
   void set_note(std::string why) { note_ = std::move(why); }
 
@@ -40,47 +40,51 @@ inline written_fmu write_fmu(runtime::staged_derivation& derivation, const std::
       !mistake.empty())
     return written_fmu(mistake);
   const c_file model(made.of.system, precision::double_precision);
-  const model_description description(made.of);
   const fmu_source source(made.of);
   const std::string header = model.header(),
                     code = "#define " + name + "_ANGLES_WITHOUT_END\n" + model.source();
   // computed from everything that defines the model
-  const std::string token = content_hash({description.text({}), source.text({}), header, code});
+  const std::string token =
+      content_hash({model_description(made.of).text({}), source.text({}), header, code});
   const std::vector<file_text> sources{
       {name + ".h", header}, {name + ".c", code}, {name + "_fmi.c", source.text(token)}};
   const library compiled = compiled_library(name, sources, chosen.compiler);
   if (!compiled.mistake.empty()) return written_fmu(compiled.mistake);
-  archive all;
-  all.add("modelDescription.xml", description.text(token));
-  all.add("sources/buildDescription.xml", description.build());
-  for (const file_text& each : sources) all.add("sources/" + each.path.string(), each.text);
+  std::vector<file_text> all{{"modelDescription.xml", model_description(made.of).text(token)},
+                             {"sources/buildDescription.xml", build_description(name)}};
+  for (const file_text& each : sources) all.push_back({"sources" / each.path, each.text});
   if (!compiled.bytes.empty())
-    all.add("binaries/" + library::platform() + '/' + name + library::ending(), compiled.bytes);
-  const outcome written = write_files({{folder / (name + ".fmu"), all.bytes()}});
+    all.push_back({"binaries/" + library::platform() + '/' + name + library::ending(), compiled.bytes});
+  const std::string bytes = zipped(all);
+  if (bytes.empty()) return written_fmu("not enough memory for the archive of " + name + ".fmu");
+  const outcome written = write_files({{folder / (name + ".fmu"), bytes}});
   if (!written) return written_fmu(written.cause());
   written_fmu done;
   if (!compiled.note.empty()) done.set_note(name + ".fmu " + compiled.note);
   return done;
 }
 
-/// The format "fmi".
-inline outcome write_fmi(runtime::staged_derivation& derivation, const export_options& given) {
-  fmu_options chosen{.outputs = given.functions, .bound = given.bound, .start = given.start};
-  if (given.step) chosen.step = *given.step;
-  if (given.compiler) chosen.compiler = *given.compiler;
-  written_fmu written = write_fmu(derivation, given.folder, given.name, chosen);
-  if (!written.note().empty()) std::fprintf(stderr, "kanexpr-export: note: %s\n", written.note().c_str());
-  return written;
-}
-
 } // namespace detail
+
+inline constexpr export_format fmi_format{
+    .name = "fmi",
+    .has_functions = true,
+    .has_simulation = true,
+    .write = [](runtime::staged_derivation& derivation, const export_options& given) -> outcome {
+      fmu_options chosen{.outputs = given.functions, .bound = given.bound, .start = given.start};
+      if (given.step) chosen.step = *given.step;
+      if (given.compiler) chosen.compiler = *given.compiler;
+      written_fmu written = detail::write_fmu(derivation, given.folder, given.name, chosen);
+      if (!written.note().empty()) std::fprintf(stderr, "kanexpr-export: note: %s\n", written.note().c_str());
+      return written;
+    }};
 
 } // namespace exporting
 
 /// Writes `folder`/`name`.fmu, an FMU of FMI 3.0 with its sources and a library for the host machine, or
-/// reports why it cannot; no file is left half-written. The library is compiled by `chosen.compiler`; if that
-/// is not available, the FMU holds sources only, and `note()` explains why. The functions of `chosen` are its
-/// outputs.
+/// reports why it cannot; no file is left half-written. The library is compiled by `chosen.compiler`; if it
+/// is not available, the FMU holds only the sources, and `note()` explains why. The functions of `chosen` are
+/// its outputs.
 template <class System>
 exporting::written_fmu write_fmu(const std::filesystem::path& folder, const std::string& name,
                                  const exporting::fmu_options& chosen = {}) {

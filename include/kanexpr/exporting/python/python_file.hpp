@@ -1,14 +1,27 @@
 #pragma once
 
-#include <kanexpr/exporting/python/python_templates.hpp>
 #include <kanexpr/exporting/text/fill_template.hpp>
 #include <kanexpr/exporting/text/names_in_c.hpp>
 #include <kanexpr/exporting/text/scalar.hpp>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kanexpr::exporting {
+
+/// The text of Python modules.
+namespace python_templates {
+
+inline constexpr std::string_view module = template_text(
+#include <kanexpr/exporting/python/module.py.in>
+);
+
+inline constexpr std::string_view function = template_text(
+#include <kanexpr/exporting/python/function.py.in>
+);
+
+} // namespace python_templates
 
 /// Writes NAME.py, a module that calls the functions of NAME.c through ctypes, with names and plain lists.
 class python_file {
@@ -17,11 +30,9 @@ public:
 
   std::string text() const {
     const exported_system& s = mapped_.system;
-    std::vector<std::string> states = s.coordinates;
-    states.insert(states.end(), s.speeds.begin(), s.speeds.end());
     std::string all =
         fill_template(python_templates::module, {{"name", s.name},
-                                                 {"states", tuple(states)},
+                                                 {"states", tuple(s.states())},
                                                  {"speeds", tuple(s.speeds)},
                                                  {"parameters", tuple(s.parameters)},
                                                  {"inputs", tuple(s.inputs)},
@@ -32,27 +43,26 @@ public:
 
 private:
   static std::string tuple(const std::vector<std::string>& names) {
-    std::string all = "(";
-    for (const std::string& each : names) all += '"' + each + "\", ";
-    if (names.size() > 1) all.resize(all.size() - 2);
-    return names.size() == 1 ? all.substr(0, all.size() - 1) + ')' : all + ')';
+    return '(' + joined(names, ", ", [](const std::string& each) { return '"' + each + '"'; }) +
+           (names.size() == 1 ? ",)" : ")");
+  }
+
+  static std::string size_of(const exported_result& of) {
+    return '(' + std::to_string(of.rows) + ", " + std::to_string(of.columns) + ')';
   }
 
   std::string definition(const exported_function& f) const {
-    std::string sizes, called, causes;
-    for (const exported_result& each : f.results) {
-      sizes += "(" + std::to_string(each.rows) + ", " + std::to_string(each.columns) + "), ";
-      called += (called.empty() ? "" : ", ") + each.name;
-    }
+    std::string causes;
     for (const std::string& each : f.causes()) causes += "\n    \"" + each + "\",";
-    return fill_template(python_templates::function, {{"function", f.name},
-                                                      {"name", mapped_.system.name},
-                                                      {"causes", causes + (causes.empty() ? "" : "\n")},
-                                                      {"h", f.takes_step ? ", h" : ""},
-                                                      {"a", f.takes_rates ? ", a=()" : ""},
-                                                      {"more", more_vectors(f)},
-                                                      {"called", called},
-                                                      {"sizes", sizes.substr(0, sizes.size() - 2)}});
+    return fill_template(python_templates::function,
+                         {{"function", f.name},
+                          {"name", mapped_.system.name},
+                          {"causes", causes + (causes.empty() ? "" : "\n")},
+                          {"h", f.takes_step ? ", h" : ""},
+                          {"a", f.takes_rates ? ", a=()" : ""},
+                          {"more", more_vectors(f)},
+                          {"called", joined(f.results, ", ", [](const auto& each) { return each.name; })},
+                          {"sizes", joined(f.results, ", ", size_of)}});
   }
 
   /// The arguments that a function takes in addition to states, parameters and inputs.

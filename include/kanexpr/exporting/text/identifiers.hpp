@@ -8,90 +8,72 @@
 
 namespace kanexpr::exporting {
 
+/// The keywords of C and C++, and predefined macros.
+inline constexpr std::string_view words_of_cpp = R"(
+alignas alignof and and_eq asm auto bitand bitor bool break case catch char class compl concept const
+continue decltype default delete do double else enum explicit export extern false float for friend goto if
+inline int long mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public
+register requires restrict return short signed sizeof static struct switch template this throw true try
+typedef typeid typename typeof union unsigned using virtual void volatile while xor xor_eq linux unix char8_t
+char16_t char32_t wchar_t consteval constexpr constinit const_cast dynamic_cast reinterpret_cast static_cast
+static_assert thread_local co_await co_return co_yield typeof_unqual
+)";
+
+/// The keywords of Python, and the names that a generated module uses.
+inline constexpr std::string_view words_of_python = R"(
+False None True and as assert async await break class continue def del elif else except finally for from
+global if import in is lambda nonlocal not or pass raise return try while with yield ctypes dict enumerate
+isinstance len list pathlib range str zip ArithmeticError KeyError Singular ValueError
+)";
+
+/// Makes a text fit for comments and XML: valid UTF-8 without control characters. Each invalid byte becomes
+/// an underscore.
+inline std::string printable(std::string_view text) {
+  std::string fit;
+  while (!text.empty()) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const std::size_t length = byte(0) < 0x80 ? 1 : byte(0) < 0xe0 ? 2 : byte(0) < 0xf0 ? 3 : 4;
+    bool is_fit = byte(0) < 0x80 ? byte(0) >= ' ' && byte(0) != 0x7f : byte(0) >= 0xc2 && byte(0) < 0xf5;
+    is_fit = is_fit && length <= text.size();
+    for (std::size_t i = 1; is_fit && i < length; ++i) is_fit = (byte(i) & 0xc0u) == 0x80;
+    fit += is_fit ? text.substr(0, length) : "_";
+    text.remove_prefix(is_fit ? length : 1);
+  }
+  return fit;
+}
+
 /// Maps names to unique identifiers of C and C++.
 class identifiers {
 public:
   /// Returns the name or a similar one: other characters become `u` and their code point, and a taken name
   /// gets an underscore appended.
-  std::string of(std::string_view name) {
+  std::string unique(std::string_view name) {
     std::string plain = spelled(name);
     while (!used_.insert(plain).second) plain += '_';
     return plain;
   }
 
-  void reserve(std::string_view name) { used_.emplace(name); }
+  /// Reserves words separated by spaces, each with the suffix `end`.
+  void reserve(std::string_view words, std::string_view end = {}) {
+    for (std::string_view word = base::library_words::next_of(words); !word.empty();
+         word = base::library_words::next_of(words))
+      used_.insert(std::string(word).append(end));
+  }
 
   /// Reserves the words that no variable of a function may have as its name.
   void reserve_words() {
-    for (const std::string_view word :
-         {"alignas",      "alignof",       "and",          "and_eq",     "asm",          "auto",
-          "bitand",       "bitor",         "bool",         "break",      "case",         "catch",
-          "char",         "class",         "compl",        "concept",    "const",        "continue",
-          "decltype",     "default",       "delete",       "do",         "double",       "else",
-          "enum",         "explicit",      "export",       "extern",     "false",        "float",
-          "for",          "friend",        "goto",         "if",         "inline",       "int",
-          "long",         "mutable",       "namespace",    "new",        "noexcept",     "not",
-          "not_eq",       "nullptr",       "operator",     "or",         "or_eq",        "private",
-          "protected",    "public",        "register",     "requires",   "restrict",     "return",
-          "short",        "signed",        "sizeof",       "static",     "struct",       "switch",
-          "template",     "this",          "throw",        "true",       "try",          "typedef",
-          "typeid",       "typename",      "typeof",       "union",      "unsigned",     "using",
-          "virtual",      "void",          "volatile",     "while",      "xor",          "xor_eq",
-          "linux",        "unix",          "char8_t",      "char16_t",   "char32_t",     "wchar_t",
-          "consteval",    "constexpr",     "constinit",    "const_cast", "dynamic_cast", "reinterpret_cast",
-          "static_cast",  "static_assert", "thread_local", "co_await",   "co_return",    "co_yield",
-          "typeof_unqual"})
-      reserve(word);
-    reserve_all(base::library_words::macros_of_the_library);
-  }
-
-  /// Reserves the words that no function of a Python module may have as its name.
-  void reserve_words_of_python() {
-    for (const std::string_view word : {"False",      "None",
-                                        "True",       "and",
-                                        "as",         "assert",
-                                        "async",      "await",
-                                        "break",      "class",
-                                        "continue",   "def",
-                                        "del",        "elif",
-                                        "else",       "except",
-                                        "finally",    "for",
-                                        "from",       "global",
-                                        "if",         "import",
-                                        "in",         "is",
-                                        "lambda",     "nonlocal",
-                                        "not",        "or",
-                                        "pass",       "raise",
-                                        "return",     "try",
-                                        "while",      "with",
-                                        "yield",      "ctypes",
-                                        "dict",       "enumerate",
-                                        "isinstance", "len",
-                                        "list",       "pathlib",
-                                        "range",      "str",
-                                        "zip",        "ArithmeticError",
-                                        "KeyError",   "Singular",
-                                        "ValueError"})
-      reserve(word);
+    reserve(words_of_cpp);
+    reserve(base::library_words::macros_of_the_library);
   }
 
   /// Reserves the names in math.h.
   void reserve_words_of_mathematics() {
     for (const std::string_view end : base::library_words::ends_of_functions)
-      reserve_all(base::library_words::functions_of_mathematics, end);
-    reserve_all(base::library_words::other_words_of_mathematics);
+      reserve(base::library_words::functions_of_mathematics, end);
+    reserve(base::library_words::other_words_of_mathematics);
   }
-
-  /// Reserves the names that no function with external linkage may have.
-  void reserve_words_of_the_library() { reserve_all(base::library_words::words_of_the_library); }
 
 private:
-  void reserve_all(std::string_view words, std::string_view end = {}) {
-    for (std::string_view word = base::library_words::next_of(words); !word.empty();
-         word = base::library_words::next_of(words))
-      reserve(std::string(word).append(end));
-  }
-
   static bool is_letter(unsigned char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
   }

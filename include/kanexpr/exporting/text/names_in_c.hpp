@@ -11,7 +11,7 @@
 
 namespace kanexpr::exporting {
 
-/// The functions that C lacks, which a file defines if its code calls them.
+/// Functions that C does not have; a file defines those that its code calls.
 inline std::vector<symbolic::operation> written_functions() {
   std::vector<symbolic::operation> all;
   for (const auto& f : symbolic::functions)
@@ -21,7 +21,7 @@ inline std::vector<symbolic::operation> written_functions() {
   return all;
 }
 
-/// A system with the names that it has in a C file.
+/// A system with the names used in a C file.
 struct system_with_c_names {
   exported_system system{};
   std::vector<std::pair<std::string, std::string>> changed{}; ///< model names and their replacements
@@ -30,16 +30,15 @@ struct system_with_c_names {
 /// Maps all names to C. Symbols and functions share one set of names, as all have the prefix `NAME_`.
 inline system_with_c_names names_in_c(exported_system s) {
   identifiers taken;
-  for (const char* own : {"states", "coordinates", "speeds", "parameters", "inputs", "bits", "FUNCTION",
-                          "INLINE", "SINES_OF_THE_LIBRARY", "ANGLES_WITHOUT_END", "has_bits_of_that_size",
-                          "sine_and_cosine", "choose", "is_singular", "is_infinite", "is_not_above"})
-    taken.reserve(own);
+  taken.reserve("states coordinates speeds parameters inputs bits FUNCTION INLINE SINES_OF_THE_LIBRARY "
+                "ANGLES_WITHOUT_END has_bits_of_that_size sine_and_cosine choose is_singular is_infinite "
+                "is_not_above");
   for (const symbolic::operation each : written_functions()) taken.reserve(symbolic::function_name(each));
   identifiers functions = taken;
-  functions.reserve_words_of_python();
+  functions.reserve(words_of_python);
   std::vector<std::pair<std::string, std::string>> changed;
   const auto map = [&](std::string& name, identifiers& among) {
-    const std::string mapped = among.of(name);
+    const std::string mapped = among.unique(name);
     if (mapped != name) changed.emplace_back(name, mapped);
     name = mapped;
   };
@@ -51,7 +50,7 @@ inline system_with_c_names names_in_c(exported_system s) {
     identifiers arguments; // of this function
     arguments.reserve_words();
     arguments.reserve_words_of_mathematics();
-    for (const char* own : {"t", "x", "p", "r", "a", "w"}) arguments.reserve(own);
+    arguments.reserve("t x p r a w");
     if (f.takes_step) arguments.reserve("h");
     for (exported_result& each : f.results) {
       map(each.name, arguments);

@@ -7,7 +7,7 @@ namespace kanexpr::exporting {
 
 enum class precision : unsigned char { double_precision, single_precision };
 
-/// A scalar type as spelled in C.
+/// A scalar type in C.
 struct scalar {
   bool is_single = false;
 
@@ -21,7 +21,7 @@ struct scalar {
   /// The name of a function of math.h: `sqrt` or `sqrtf`.
   std::string function(const std::string& name) const { return is_single ? name + 'f' : name; }
 
-  /// The number rounded to this type, with enough digits to restore it exactly.
+  /// Returns the number rounded to this type, with enough digits to restore it exactly.
   std::string number(double value) const {
     char letters[40];
     char* const end = is_single

@@ -1,0 +1,7 @@
+#pragma once
+
+/// Models exported by a program as FMUs for simulation tools: `write_fmu`. Link kanexpr::fmi.
+
+#include <kanexpr/symbolic.hpp>
+
+#include <kanexpr/exporting/fmi/write_fmu.hpp>
