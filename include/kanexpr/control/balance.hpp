@@ -2,7 +2,6 @@
 
 #include <kanexpr/numeric/fixed_matrix.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/numeric/semidefinite_factors.hpp>
 
 #include <limits>
 
@@ -72,16 +71,6 @@ constexpr bool is_positive_definite(const fixed_matrix<Number, order, order>& m)
   const fixed_matrix<Number, order, order> normalized = unit.template scaled<1, 1>(m, unit);
   return !exceeds_its_diagonal(normalized) &&
          static_cast<bool>(numeric::positive_factors<Number, order>(normalized));
-}
-
-/// Whether a symmetric matrix is positive semidefinite up to rounding, regardless of the units of its rows.
-template <class Number, int order>
-constexpr bool is_positive_semidefinite(const fixed_matrix<Number, order, order>& m) {
-  constexpr Number rounding = 8 * Number(order) * std::numeric_limits<Number>::epsilon();
-  const units<order> unit = diagonal_units(m);
-  const fixed_matrix<Number, order, order> normalized = unit.template scaled<1, 1>(m, unit);
-  return !exceeds_its_diagonal(normalized) &&
-         static_cast<bool>(numeric::semidefinite_factors<Number, order>(normalized, rounding, rounding));
 }
 
 /// The exponents of the quantities that grow with a unit, linearly or quadratically, and of those that

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 #include <concepts>
+#include <limits>
 
 namespace kanexpr::control {
 
@@ -77,6 +78,42 @@ constexpr bool is_symmetric(const fixed_matrix<Entry, order, order>& m) {
           64 * std::numeric_limits<Entry>::epsilon() * (magnitude(one) + magnitude(other)))
         return false;
     }
+  return true;
+}
+
+/// Whether a symmetric matrix is positive semidefinite up to rounding, regardless of the units of its rows.
+/// Each elimination step takes the pivot that is largest relative to its original entry.
+template <class Entry, int order>
+constexpr bool is_positive_semidefinite(fixed_matrix<Entry, order, order> m) {
+  const units<order> unit = diagonal_units(m);
+  m = unit.template scaled<1, 1>(m, unit);
+  if (exceeds_its_diagonal(m)) return false;
+  const fixed_matrix<Entry, order, order> given = m;
+  const Entry rounding = 8 * Entry(order) * std::numeric_limits<Entry>::epsilon();
+  bool done[static_cast<std::size_t>(order > 0 ? order : 1)]{};
+  for (int step = 0; step < order; ++step) {
+    int next = -1;
+    for (int i = 0; i < order; ++i) {
+      if (done[i]) continue;
+      if (!(m(i, i) >= -rounding * given(i, i))) return false;
+      if (next < 0 || m(i, i) * given(next, next) > m(next, next) * given(i, i)) next = i;
+    }
+    const Entry pivot = m(next, next);
+    done[next] = true;
+    if (!(pivot > rounding * given(next, next))) {
+      // The remaining diagonal entries are rounding errors, so the remaining off-diagonal entries must be,
+      // too.
+      for (int i = 0; i < order; ++i) {
+        if (done[i] || m(i, next) == 0) continue;
+        if (given(i, i) == 0 || given(next, next) == 0) return false;
+        if (m(i, next) / given(i, i) * (m(i, next) / given(next, next)) > rounding) return false;
+      }
+      continue;
+    }
+    for (int i = 0; i < order; ++i)
+      for (int j = 0; j < order; ++j)
+        if (!done[i] && !done[j]) m(i, j) -= m(i, next) / pivot * m(next, j);
+  }
   return true;
 }
 
