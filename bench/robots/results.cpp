@@ -28,7 +28,7 @@ public:
     Eigen::VectorXd q = vector([](const auto& j) { return j.coordinates.size(); }, p);
     Eigen::Index at = 0;
     for (const robots::planned_joint& j : p.joints) {
-      if (j.is == robots::joint_kind::floating) q.segment<4>(at + 3).normalize();
+      if (j.kind == robots::joint_kind::floating) q.segment<4>(at + 3).normalize();
       at += static_cast<Eigen::Index>(j.coordinates.size());
     }
     const Eigen::VectorXd u = vector([](const auto& j) { return j.speeds.size(); }, p);
@@ -55,13 +55,13 @@ void print_joints(const robots::robot& r, const robots::plan& p) {
   std::size_t q = 0, u = 0;
   for (const robots::planned_joint& j : p.joints) {
     const std::string called = j.joint < 0 ? "root_joint" : r.joints[static_cast<std::size_t>(j.joint)].name;
-    std::cout << "joint " << static_cast<int>(j.is) << ' ' << q << ' ' << u << ' ' << !j.input.empty() << ' '
+    std::cout << "joint " << static_cast<int>(j.kind) << ' ' << q << ' ' << u << ' ' << !j.input.empty() << ' '
               << called << '\n';
     q += j.coordinates.size(), u += j.speeds.size();
   }
   for (std::size_t j = 0; j < r.joints.size(); ++j) {
     if (!r.joints[j].mimic) continue;
-    const robots::mimicry how = robots::followed_by(r, static_cast<int>(j));
+    const robots::mimic_rule how = robots::resolved_mimic(r, static_cast<int>(j));
     std::cout << "follows " << how.multiplier << ' ' << how.offset << ' '
               << p.joint_of[static_cast<std::size_t>(how.leader)] << ' ' << r.joints[j].name << '\n';
   }

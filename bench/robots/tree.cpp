@@ -23,8 +23,8 @@ void print_link(const moving_body& b, int parent, int axis) {
   const inertia_matrix& i = b.inertia;
   std::cout << "link " << parent << ' ' << axis << ' ' << b.mass;
   print(b.center), print({i.xx, i.yy, i.zz}), print({i.xy, i.yz, i.zx});
-  for (const vector3& row : b.origin.turn) print(row);
-  print(b.origin.at);
+  for (const vector3& row : b.origin.orientation) print(row);
+  print(b.origin.position);
   std::cout << '\n';
 }
 
@@ -44,7 +44,7 @@ int main(int count, char** arguments) {
     if (b.joint < 0) continue;
     const joint& j = read.robot.joints[static_cast<std::size_t>(b.joint)];
     const int axis = axis_of(j);
-    if (axis < 0 || j.mimic || (j.is != joint_kind::revolute && j.is != joint_kind::continuous))
+    if (axis < 0 || j.mimic || (j.kind != joint_kind::revolute && j.kind != joint_kind::continuous))
       return std::cerr << "joint " << j.name << " is not known to the peers\n", 1;
     print_link(b, b.parent - 1 + floats, axis);
   }

@@ -1,5 +1,5 @@
 // builds: clang++ sanitize
-// Robots that programs make, as they should not be: a sentence, and never a model.
+// Invalid robots from programs are rejected with a sentence.
 #include <kanexpr/robots/header_writer.hpp>
 
 #include <gtest/gtest.h>
@@ -22,12 +22,12 @@ kanexpr::robots::link massive(const std::string& name) {
 joint between(int parent, int child, joint_kind is = joint_kind::revolute) {
   joint j;
   j.name = "j" + std::to_string(child);
-  j.is = is;
+  j.kind = is;
   j.parent = parent, j.child = child;
   return j;
 }
 
-/// A chain of links that turn.
+/// A chain of revolute joints.
 robot chain(int links, joint_kind is = joint_kind::revolute) {
   robot r;
   r.root = 0;
@@ -54,7 +54,7 @@ TEST(check_robot, knows_what_is_no_tree) {
   EXPECT_EQ(cause_of([](robot& r) { r.joints[1].parent = 2; }), "joint j2 connects a link to itself");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[1].child = 1; }), "joint j2 connects a link to itself");
   EXPECT_EQ(cause_of([](robot& r) { r.joints.pop_back(); }),
-            "no joint has link l0 or link l2as its child; a robot has one such link, its root");
+            "no joint has link l0 or link l2 as its child; a robot has one such link, its root");
   EXPECT_EQ(cause_of([](robot& r) { r.joints.push_back(between(2, 0)); }),
             "the joints form a loop: every link is the child of a joint");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[0].parent = 2; }),
@@ -71,11 +71,11 @@ TEST(check_robot, knows_what_is_no_number) {
   EXPECT_EQ(cause_of([](robot& r) { r.links[2].inertial->inertia.zx = inf; }),
             "the mass or the inertia of link l2 is not a finite number");
   EXPECT_EQ(cause_of([](robot& r) { r.links[2].inertial->mass = -1; }), "the mass of link l2 is negative");
-  EXPECT_EQ(cause_of([](robot& r) { r.links[2].inertial->center.at[1] = nan; }),
+  EXPECT_EQ(cause_of([](robot& r) { r.links[2].inertial->center.position[1] = nan; }),
             "the mass center of link l2 is not placed by finite numbers and a rotation matrix");
-  EXPECT_EQ(cause_of([](robot& r) { r.joints[0].origin.at[2] = inf; }),
+  EXPECT_EQ(cause_of([](robot& r) { r.joints[0].origin.position[2] = inf; }),
             "the origin of joint j1 is not placed by finite numbers and a rotation matrix");
-  EXPECT_EQ(cause_of([](robot& r) { r.joints[0].origin.turn[0][0] = -1; }), // mirrors
+  EXPECT_EQ(cause_of([](robot& r) { r.joints[0].origin.orientation[0][0] = -1; }), // mirrors
             "the origin of joint j1 is not placed by finite numbers and a rotation matrix");
   for (const vector3& axis : {vector3{}, {0, 0, 2}, {nan, 0, 1}, {1e-300, 0, 0}, {inf, 0, 0}})
     EXPECT_EQ(cause_of([&](robot& r) { r.joints[0].axis = axis; }),
@@ -94,7 +94,7 @@ TEST(check_robot, knows_who_follows_nobody) {
   EXPECT_EQ(cause_of([](robot& r) { r.joints[1].mimic = {1, 2, 0}; }),
             "joint j2 mimics a joint that in turn mimics it");
   EXPECT_EQ(cause_of([](robot& r) {
-              r.joints[0].is = joint_kind::fixed;
+              r.joints[0].kind = joint_kind::fixed;
               r.joints[1].mimic = {0, 2, 0};
             }),
             "joint j2 mimics j1, which does not have exactly one coordinate");
@@ -102,7 +102,7 @@ TEST(check_robot, knows_who_follows_nobody) {
             "joint j2 mimics another joint with a multiplier or offset that is not finite");
 }
 
-// A chain and a star of many links that do not move are one body, and are written in no time.
+// A chain and a star of many fixed links form one body and are written quickly.
 TEST(check_robot, takes_ten_thousand_links) {
   robot long_one = chain(10000, joint_kind::fixed), star = long_one;
   for (joint& j : star.joints) j.parent = 0;
@@ -111,11 +111,11 @@ TEST(check_robot, takes_ten_thousand_links) {
     ASSERT_EQ(writer.cause(), "");
     EXPECT_NE(writer.write("many", "").find("body<10000, "), std::string::npos);
   }
-  for (joint& j : long_one.joints) j.is = joint_kind::revolute;
+  for (joint& j : long_one.joints) j.kind = joint_kind::revolute;
   EXPECT_EQ(header_writer(long_one, {}).cause(), "the robot has 10000 moving links; a model has at most 400");
 }
 
-// Names of other languages, of C++ and of the library, and none at all: all are told apart.
+// Names in other scripts, words of C++ and of the library, and empty names become distinct identifiers.
 TEST(check_robot, takes_any_name) {
   robot r = chain(8);
   const char* names[]{"", "class", "N", "pin", "\xe8\xbd\xb4", "a b", "a-b", "kanexpr"};

@@ -1,4 +1,4 @@
-// Models of robots that kanexpr_add_robot wrote and the compiler derived, beside the numbers of Pinocchio.
+// Robots written by kanexpr_add_robot and derived by the compiler, compared with results of Pinocchio.
 #include "robots/files.hpp"
 
 #include <arm_robot.hpp>
@@ -56,7 +56,7 @@ TEST(compiled_robots, agree_with_pinocchio) {
   agrees<gripper_robot::System>("gripper.fixed", gripper_robot::values());
 }
 
-// What gravity does not act on, beside the model of the program.
+// Links without gravity, compared with the run-time model.
 TEST(compiled_robots, let_links_without_gravity_float) {
   const robots::read_robot read = robots::read_urdf(robot_files::path_of("balancer.urdf"));
   ASSERT_TRUE(read) << read.cause();
@@ -74,7 +74,7 @@ TEST(compiled_robots, let_links_without_gravity_float) {
             1e-12 * wanted.norm());
 }
 
-// A joint of the arm in two lines, and what is folded away is still there to be asked for.
+// A joint of the arm takes two lines, and merged links remain available.
 TEST(compiled_robots, can_be_asked_for_their_links) {
   state<arm_robot::System> x = arm_robot::at_rest();
   x[arm_robot::q_waist] = 0.3, x[arm_robot::u_waist] = 2;

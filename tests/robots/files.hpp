@@ -18,7 +18,7 @@ inline std::string text_of(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Files in which bytes are changed, left out and repeated: as many of each robot, the same in each run.
+/// Files with changed, omitted and repeated bytes: the same number for each robot, the same in every run.
 template <class Use>
 void each_broken(int of_each, Use&& use) {
   std::mt19937 random(2026);
@@ -41,7 +41,7 @@ void each_broken(int of_each, Use&& use) {
   }
 }
 
-/// What Pinocchio says of a robot at one state, by name: bench/robots/compare_with_pinocchio.py --write.
+/// Pinocchio's results for a robot at one state, by name: bench/robots/compare_with_pinocchio.py --write.
 using reference = std::map<std::string, std::vector<double>>;
 
 inline std::vector<reference> references_of(const std::string& robot) {

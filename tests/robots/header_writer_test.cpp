@@ -1,5 +1,5 @@
 // builds: clang++ sanitize
-// Models of robots as the text of a header, of robots as they should not be, too.
+// Headers of robots, including unusual and invalid robots.
 #include "robots/files.hpp"
 
 #include <kanexpr/robots/header_writer.hpp>
@@ -40,13 +40,13 @@ robot robot_in(const std::string& elements) {
 }
 
 TEST(header_writer, writes_numbers_with_all_their_digits) {
-  EXPECT_EQ(header_text::digits(0.1), "0.1");
-  EXPECT_EQ(header_text::digits(1. / 3), "0.3333333333333333");
-  EXPECT_EQ(header_text::digits(-0.0), "0");
-  EXPECT_EQ(header_text::digits(1e-30), "1e-30");
-  EXPECT_EQ(header_text::digits(123456789012.), "1.23456789012e+11");
-  EXPECT_EQ(header_text::along("A", {0, -1, 0.5}), "-A::y + 0.5 * A::z");
-  EXPECT_EQ(header_text::along("A", {}), "0.0 * A::x");
+  EXPECT_EQ(text::number(0.1), "0.1");
+  EXPECT_EQ(text::number(1. / 3), "0.3333333333333333");
+  EXPECT_EQ(text::number(-0.0), "0");
+  EXPECT_EQ(text::number(1e-30), "1e-30");
+  EXPECT_EQ(text::number(123456789012.), "1.23456789012e+11");
+  EXPECT_EQ(text::along("A", {0, -1, 0.5}), "-A::y + 0.5 * A::z");
+  EXPECT_EQ(text::along("A", {}), "0.0 * A::x");
 }
 
 TEST(header_writer, writes_what_a_person_can_read) {
@@ -58,14 +58,14 @@ TEST(header_writer, writes_what_a_person_can_read) {
                                 "by<q_waist, u_waist>,\n"));
   EXPECT_THAT(header, HasSubstr("struct Forearm : pin<Forearm, Upper_arm, axis<-own::y>, "));
   EXPECT_THAT(header, HasSubstr("motor<Shoulder, T_waist>, joint_friction<Shoulder, 0.6>"));
-  EXPECT_THAT(header, HasSubstr("struct Tool : weld<Tool, Forearm,")); // folded, and still there
+  EXPECT_THAT(header, HasSubstr("struct Tool : weld<Tool, Forearm,")); // merged, but still available
   EXPECT_THAT(header, HasSubstr("  static constexpr double upper[]{2.5, no_limit, 2.1};"));
   EXPECT_THAT(header_of(robot_of("arm.urdf"), {.damping = false}), Not(HasSubstr("joint_friction")));
   EXPECT_THAT(header_of(robot_of("arm.urdf"), {.friction = true}),
               HasSubstr("motor<Shoulder, T_waist - 0.2 * sign(u_waist)>"));
 }
 
-// What follows another has no coordinate: it is fixed where that says.
+// A mimic joint has no coordinate: its leader determines its location.
 TEST(header_writer, writes_joints_that_follow_others) {
   const std::string header = header_of(robot_of("gripper.urdf"));
   EXPECT_THAT(header, HasSubstr("at<(1.2 * q_left_slide + 0.004) * Right_finger_start::y>"));
@@ -80,7 +80,7 @@ TEST(header_writer, writes_parameters_and_their_values) {
   EXPECT_THAT(header, HasSubstr("gravity<-g * N::z>"));
 }
 
-/// Words of the library that stand in code, with arguments or with axes.
+/// The words of the library that the header uses, with arguments or with axes.
 std::set<std::string> words_in(const std::string& header) {
   static const std::regex word("(^|[ <(-])([a-z_]+)(<|::[xyz]|\\(u_)");
   std::set<std::string> all;
@@ -92,7 +92,7 @@ std::set<std::string> words_in(const std::string& header) {
   return all;
 }
 
-// A namespace hides the word of the library that has its name.
+// A namespace hides a word of the library with the same name.
 TEST(header_writer, writes_robots_that_are_called_as_words_of_the_library) {
   std::set<std::string> words;
   for (const char* file : {"arm.urdf", "balancer.urdf", "carts.urdf", "gripper.urdf", "walker.urdf"})
@@ -140,10 +140,10 @@ TEST(header_writer, writes_names_that_are_identifiers) {
       HasSubstr("/// Names in the file: System_2 is System, Link_3 is 3 *//_, Link is __, joint is !, "
                 "joint_2 is <.\nnamespace"));
   EXPECT_THAT(header_of(robot_of("gripper.urdf")), Not(HasSubstr("Names in the file")));
-  EXPECT_TRUE(is_namespace("arm_2"));
+  EXPECT_TRUE(is_valid_namespace("arm_2"));
   for (const char* no :
        {"", "2arm", "_arm", "arm_", "a__b", "a-b", "int", "kanexpr", "std", "index", "sinf", "errno"})
-    EXPECT_FALSE(is_namespace(no)) << no;
+    EXPECT_FALSE(is_valid_namespace(no)) << no;
 }
 
 TEST(header_writer, writes_what_a_robot_looks_like) {
@@ -157,7 +157,7 @@ TEST(header_writer, writes_what_a_robot_looks_like) {
   EXPECT_THAT(picture, HasSubstr("ground<>"));
   EXPECT_THAT(picture_writer(arm, {.base = base_kind::floating}).write("arm"), Not(HasSubstr("ground<>")));
   EXPECT_THAT(picture_writer(robot_of("walker.urdf"), {}).write("walker"),
-              HasSubstr("show<sphere<Left_thigh, 0.017>, colour<")); // nothing of it is seen
+              HasSubstr("show<sphere<Left_thigh, 0.017>, colour<")); // it is invisible
 }
 
 class meshes : public testing::Test {
@@ -170,7 +170,7 @@ protected:
     std::ofstream(root_ / file) << "solid";
   }
   std::string folder() const { return (root_ / "some robot/urdf").string(); }
-  /// Of an arm whose link is seen by one mesh, and another that is there.
+  /// An arm with one missing mesh and one that exists.
   std::string picture_of(const std::string& mesh, const std::string& origin = "",
                          std::string* note = nullptr) {
     leave("some robot/urdf/hand.dae");
@@ -207,7 +207,8 @@ TEST_F(meshes, have_scales_and_poses) {
   leave("some robot/urdf/arm.stl");
   EXPECT_THAT(picture_of("filename='arm.stl' scale='0.001 0.001 0.001'"), HasSubstr("\"arm.stl\", 0.001>"));
   EXPECT_THAT(picture_of("filename='arm.stl' scale='1 -1 1'"), HasSubstr("\"arm.stl\", 1, -1, 1>"));
-  EXPECT_THAT(picture_of("filename='arm.stl' scale='1 0 1'"), Not(HasSubstr("arm.stl"))); // nothing is seen
+  EXPECT_THAT(picture_of("filename='arm.stl' scale='1 0 1'"),
+              Not(HasSubstr("arm.stl"))); // nothing is visible
   const std::string turned = picture_of("filename='arm.stl'", "<origin xyz='0 0 0.1' rpy='0 1.5708 0'/>");
   EXPECT_THAT(turned, HasSubstr("struct B_shape : offset<B_shape, B, 0.1 * B::z> {};"));
   EXPECT_THAT(
@@ -227,7 +228,7 @@ TEST_F(meshes, are_found_in_packages) {
   EXPECT_THAT(picture_of("filename='../meshes/arm.OBJ'"), HasSubstr("\"../meshes/arm.OBJ\""));
   const std::string whole = (root_ / "some robot/meshes/arm.OBJ").string();
   EXPECT_THAT(picture_of("filename='file://" + whole + "'"), HasSubstr("\"" + whole + "\""));
-  leave("other/arm.stl"); // the package itself goes before what is like it
+  leave("other/arm.stl"); // the package itself takes precedence over similar folders
   leave("some robot/arm.stl");
   EXPECT_THAT(picture_of("filename='package://other/arm.stl'"), HasSubstr("\"../../other/arm.stl\""));
 }
@@ -276,7 +277,7 @@ TEST(header_writer, says_why_there_is_none) {
   EXPECT_EQ(header_of(robot_in(many)), "the robot has 10000 moving links; a model has at most 400");
 }
 
-// Each is read, or refused with a sentence.
+// Each file is read or rejected with a sentence.
 TEST(header_writer, survives_broken_files) {
   int read_well = 0, refused = 0;
   robot_files::each_broken(1500, [&](const std::string& text) {

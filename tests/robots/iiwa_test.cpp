@@ -1,4 +1,4 @@
-// The iiwa of a file beside that of words written by hand: no more operations, and the same results.
+// The iiwa from a file, compared with the model written by hand: no more operations, and the same results.
 #include <iiwa_robot.hpp>
 
 #include <models/iiwa.hpp>

@@ -1,5 +1,5 @@
-// Robots from the text of SDF files, beside the same ones from URDF, and the sentences about files that hold
-// none.
+// Robots from SDF files, compared with the same robots from URDF files, and the sentences that report invalid
+// files.
 #include <kanexpr/robots/articulation.hpp>
 #include <kanexpr/robots/read_sdf.hpp>
 #include <kanexpr/robots/read_urdf.hpp>
@@ -48,16 +48,16 @@ void expect_close(const vector3& ours, const vector3& theirs) {
   for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(ours[i], theirs[i], 1e-15);
 }
 
-/// To the last digits, and exact zeros as there.
+/// Equal except for rounding, with the same exact zeros.
 void expect_near(const pose& ours, const pose& theirs) {
-  expect_close(ours.at, theirs.at);
+  expect_close(ours.position, theirs.position);
   for (std::size_t i = 0; i < 3; ++i) {
-    expect_close(ours.turn[i], theirs.turn[i]);
-    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(ours.turn[i][k] == 0, theirs.turn[i][k] == 0);
+    expect_close(ours.orientation[i], theirs.orientation[i]);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(ours.orientation[i][k] == 0, theirs.orientation[i][k] == 0);
   }
 }
 
-/// Whether the same moves: bodies with their joints and masses, in the same order.
+/// Expects the same bodies with their joints and masses, in the same order.
 void expect_same(const read_robot& ours, const read_robot& theirs) {
   ASSERT_TRUE(ours) << ours.cause();
   ASSERT_TRUE(theirs) << theirs.cause();
@@ -73,7 +73,7 @@ void expect_same(const read_robot& ours, const read_robot& theirs) {
     expect_close({x.inertia.xy, x.inertia.yz, x.inertia.zx}, {y.inertia.xy, y.inertia.yz, y.inertia.zx});
     const joint &j = ours.robot.joints[static_cast<std::size_t>(x.joint)],
                 &k = theirs.robot.joints[static_cast<std::size_t>(y.joint)];
-    EXPECT_EQ(j.is, k.is);
+    EXPECT_EQ(j.kind, k.kind);
     expect_close(j.axis, k.axis);
   }
 }
@@ -82,7 +82,7 @@ const std::string inertial =
     "<inertial><origin xyz='0.1 0.02 -0.4' rpy='0.3 0 0'/><mass value='1.5'/><inertia "
     "ixx='0.05' iyy='0.06' izz='0.04' ixy='0.002' ixz='0' iyz='-0.001'/></inertial>";
 
-/// Two links on a wall, and a tool that is fixed to them.
+/// Two links on a wall, with a fixed tool.
 const std::string by_urdf =
     "<robot name='r'><link name='wall'/><link name='upper'>" + inertial + "</link><link name='lower'>" +
     inertial + "</link><link name='tool'>" + inertial +
@@ -129,7 +129,7 @@ TEST(read_sdf, knows_poses_relative_to_others) {
       read_urdf_text(by_urdf));
 }
 
-// The same of a joint that is not where its child is: with a link on the axis.
+// The same for a joint away from the origin of its child, with an additional link on the axis.
 TEST(read_sdf, puts_joints_where_they_are) {
   expect_same(in_model(link_at("a", "1 0 0 0 0 0", "__model__") +
                        joint_of("j", "revolute", "world", "a", "<pose>0 0.5 0 0 0 0</pose>" + axis("0 0 1"))),
@@ -162,7 +162,7 @@ TEST(read_sdf, reads_universal_joints_and_those_that_follow) {
   EXPECT_NEAR(r.joints[2].mimic->offset, -0.1, 1e-16);
 }
 
-// Gravity is against z of the root, so a root that lies on its side gets one below it that is upright.
+// Gravity points along −z of the root, so an upright link is added below a rotated root.
 TEST(read_sdf, knows_how_a_robot_stands) {
   const read_robot read =
       read_sdf_text("<sdf version='1.9'><world name='w'><model name='m'><pose>5 6 7 0 1.5708 0</pose>" +
@@ -171,7 +171,7 @@ TEST(read_sdf, knows_how_a_robot_stands) {
   ASSERT_TRUE(read) << read.cause();
   const robot& r = read.robot;
   EXPECT_EQ(r.links[static_cast<std::size_t>(r.root)].name, "m");
-  EXPECT_EQ(r.joints.back().origin.turn, (rotation{{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}}));
+  EXPECT_EQ(r.joints.back().origin.orientation, (rotation{{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}}));
 }
 
 const std::string arm_of_two = link_at("a", "0 0 1 0 0 0", "__model__") +
@@ -192,8 +192,9 @@ TEST(read_sdf, knows_where_a_model_is_in_the_world) {
   ASSERT_TRUE(read) << read.cause();
   const articulation a = articulation_of(read.robot);
   ASSERT_EQ(a.bodies.size(), 2u);
-  EXPECT_EQ(a.bodies[1].origin.turn, (rotation{{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}}));
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_NEAR(a.bodies[1].origin.at[i], (vector3{1, -3, 7})[i], 1e-12);
+  EXPECT_EQ(a.bodies[1].origin.orientation, (rotation{{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}}));
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_NEAR(a.bodies[1].origin.position[i], (vector3{1, -3, 7})[i], 1e-12);
 }
 
 TEST(read_sdf, knows_which_axis_a_joint_follows) {
@@ -212,7 +213,7 @@ TEST(read_sdf, knows_which_axis_a_joint_follows) {
 
 TEST(read_sdf, knows_the_gravity_of_the_world) {
   EXPECT_FALSE(in_model(arm_of_two).robot.gravity);
-  EXPECT_EQ(in_world(arm_of_two).robot.gravity, (vector3{0, 0, -9.8})); // what SDF takes it for
+  EXPECT_EQ(in_world(arm_of_two).robot.gravity, (vector3{0, 0, -9.8})); // the default of SDF
   EXPECT_EQ(in_world(arm_of_two, "<gravity>0.1 0 -1.62</gravity>").robot.gravity, (vector3{0.1, 0, -1.62}));
 }
 
@@ -230,7 +231,7 @@ TEST(read_sdf, knows_links_on_which_gravity_does_not_act) {
   const read_robot none = in_world(light(one, "a"));
   EXPECT_THAT(none.notes, IsEmpty());
   EXPECT_EQ(none.robot.gravity, vector3{});
-  const std::string base = joint_of("k", "fixed", "world", "a", ""); // falls in no case
+  const std::string base = joint_of("k", "fixed", "world", "a", ""); // does not fall in any case
   EXPECT_EQ(in_world(one + base).robot.gravity, vector3{});
   const read_robot still = in_world(light(arm_of_two, "a") + base, "<gravity>0 0 -1</gravity>");
   EXPECT_THAT(still.notes, IsEmpty());
@@ -281,7 +282,7 @@ TEST(read_sdf, reads_models_in_models) {
   ASSERT_TRUE(read) << read.cause();
   ASSERT_EQ(read.robot.joints.size(), 2u);
   EXPECT_EQ(read.robot.joints[0].name, "wrist");
-  EXPECT_EQ(read.robot.joints[0].origin.at, (vector3{0, 0, 2}));
+  EXPECT_EQ(read.robot.joints[0].origin.position, (vector3{0, 0, 2}));
   EXPECT_EQ(read.robot.joints[1].name, "hand::bend");
 }
 
@@ -317,7 +318,7 @@ TEST(read_sdf, says_what_is_wrong) {
                                        "and 1 kg m^2 about each axis"));
 }
 
-// Each is read, or refused with a sentence.
+// Each file is read or rejected with a sentence.
 TEST(read_sdf, survives_broken_files) {
   const std::string whole =
       "<sdf version='1.9'><model name='r'>" + link_at("a", "0 0 1 0 0 0", "__model__") +

@@ -1,5 +1,5 @@
 // builds: clang++ sanitize
-// Robots from the text of URDF files, and the sentences about files that hold none.
+// Robots from URDF files, and the sentences that report invalid files.
 #include "robots/files.hpp"
 
 #include <kanexpr/robots/read_urdf.hpp>
@@ -46,14 +46,14 @@ TEST(read_urdf, reads_what_is_in_a_file) {
   EXPECT_EQ(r.links[1].inertial->mass, 3.7);
   EXPECT_EQ(r.links[1].inertial->inertia.zx, -0.0011);
   ASSERT_EQ(r.links[1].visual.size(), 1u);
-  EXPECT_EQ(r.links[1].visual[0].is, shape_kind::cylinder);
+  EXPECT_EQ(r.links[1].visual[0].kind, shape_kind::cylinder);
   EXPECT_EQ(r.links[1].visual[0].size, (vector3{0.06, 0.2, 0}));
-  EXPECT_EQ(r.links[1].visual[0].placed.turn, (rotation{{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}}));
+  EXPECT_EQ(r.links[1].visual[0].origin.orientation, (rotation{{{0, 0, 1}, {0, 1, 0}, {-1, 0, 0}}}));
   EXPECT_EQ(r.links[1].collision[0].size, (vector3{0.1, 0.2, 0.3}));
   EXPECT_EQ(r.links[2].visual[0].file, "package://arm/upper.stl");
   EXPECT_EQ(r.links[2].visual[0].size, (vector3{0.001, 0.001, 0.001}));
   ASSERT_EQ(r.joints.size(), 5u);
-  EXPECT_EQ(r.joints[0].is, joint_kind::revolute);
+  EXPECT_EQ(r.joints[0].kind, joint_kind::revolute);
   EXPECT_EQ(r.joints[0].limits.upper, 2.5);
   EXPECT_EQ(r.joints[0].limits.effort, 80);
   EXPECT_EQ(r.joints[0].damping, 0.6);
@@ -68,18 +68,18 @@ TEST(read_urdf, knows_right_angles_and_half_of_them) {
   const std::string turned = two_links + joint_with("<origin rpy='1.5707 -3.1416 0'/><axis xyz='0 1e-9 1'/>");
   const read_robot exact = in_robot(turned), written = in_robot(turned, {.right_angles = 0});
   ASSERT_TRUE(exact && written);
-  EXPECT_EQ(exact.robot.joints[0].origin.turn, (rotation{{{-1, 0, 0}, {0, 0, -1}, {0, -1, 0}}}));
+  EXPECT_EQ(exact.robot.joints[0].origin.orientation, (rotation{{{-1, 0, 0}, {0, 0, -1}, {0, -1, 0}}}));
   EXPECT_EQ(exact.robot.joints[0].axis, (vector3{0, 0, 1}));
-  EXPECT_NEAR(written.robot.joints[0].origin.turn[1][1], std::cos(1.5707), 1e-16);
+  EXPECT_NEAR(written.robot.joints[0].origin.orientation[1][1], std::cos(1.5707), 1e-16);
   EXPECT_EQ(written.robot.joints[0].axis[1], 1e-9);
   for (int eighth = -20; eighth <= 20; ++eighth) {
     const double angle = eighth * std::numbers::pi / 4;
-    const sine_and_cosine of = of_angle(angle + 5e-5, 1e-4);
+    const sine_and_cosine of = sine_and_cosine_of(angle + 5e-5, 1e-4);
     EXPECT_NEAR(of.sine, std::sin(angle), 1e-14);
     EXPECT_NEAR(of.cosine, std::cos(angle), 1e-14);
     EXPECT_EQ(of.sine * of.cosine == 0, eighth % 2 == 0);
   }
-  EXPECT_EQ(of_angle(1.57, 1e-4).cosine, std::cos(1.57)); // is further away
+  EXPECT_EQ(sine_and_cosine_of(1.57, 1e-4).cosine, std::cos(1.57)); // is farther away
 }
 
 TEST(read_urdf, reads_numbers_the_same_in_every_country) {
@@ -168,7 +168,7 @@ TEST(read_urdf, takes_quaternions) {
     const read_robot read = in_robot(two_links + joint_with("<origin " + origin + "/>"), options);
     EXPECT_TRUE(read) << read.cause();
     EXPECT_THAT(read.notes, IsEmpty());
-    return read ? read.robot.joints[0].origin.turn : rotation{};
+    return read ? read.robot.joints[0].origin.orientation : rotation{};
   };
   EXPECT_EQ(turn_of("quat_xyzw='0 0 0.7071 0.7071'"), (rotation{{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}}));
   EXPECT_EQ(turn_of("quat_xyzw='0 0.7071068 0 0.7071068'"), turn_of("rpy='0 1.5708 0'"));
@@ -190,7 +190,7 @@ TEST(read_urdf, notes_angles_that_may_be_degrees) {
   EXPECT_THAT(in_robot(two_links + joint_with("<origin rpy='0 -6.2832 6.2832'/>")).notes, IsEmpty());
 }
 
-// What an element has twice is read once, and what is not known is not read.
+// Repeated elements are read once, and unknown ones are ignored.
 TEST(read_urdf, notes_what_is_left_out) {
   const std::string box = "<inertial><mass value='1'/><inertia ixx='1' iyy='1' izz='1'/></inertial>";
   EXPECT_THAT(in_robot("<link name='a'>" + box + "\n" + box + "</link>").notes,
@@ -273,7 +273,7 @@ TEST(read_urdf, says_why_links_are_no_tree) {
   EXPECT_EQ(cause_of(links + joint_between("i", "a", "c") + joint_between("j", "b", "c")),
             "line 4: link c is the child of two joints, i and j");
   EXPECT_EQ(cause_of(links + joint_between("i", "a", "b")),
-            "line 1: no joint has link a or link cas its child; a robot has one such link, its root");
+            "line 1: no joint has link a or link c as its child; a robot has one such link, its root");
   EXPECT_EQ(cause_of(links + joint_between("i", "b", "c") + joint_between("j", "c", "b")),
             "line 4: the joints form a loop: link b is its own ancestor");
   EXPECT_EQ(cause_of(links + joint_between("i", "a", "b") + joint_between("j", "b", "c") +
@@ -301,10 +301,10 @@ TEST(read_urdf, says_what_is_wrong_with_joints_that_follow_others) {
 TEST(read_urdf, fixes_what_follows_a_fixed_joint) {
   const read_robot read = in_robot(mimicking("fixed", "j"));
   ASSERT_TRUE(read) << read.cause();
-  EXPECT_EQ(read.robot.joints[0].is, joint_kind::fixed);
+  EXPECT_EQ(read.robot.joints[0].kind, joint_kind::fixed);
   EXPECT_THAT(read.notes, ElementsAre("line 4: joint j is fixed, so its mimic is ignored",
                                       "line 3: joint i mimics j, which is fixed, so it is fixed too"));
-  EXPECT_EQ(read.robot.joints[0].origin.turn, (rotation{{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}}));
+  EXPECT_EQ(read.robot.joints[0].origin.orientation, (rotation{{{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}}));
 }
 
 TEST(read_urdf, reads_gears_and_rotors) {
@@ -328,7 +328,7 @@ TEST(read_urdf, reads_gears_and_rotors) {
               ElementsAre("line 4: a transmission refers to joint k, which does not exist; it is ignored"));
 }
 
-// n² J is right of one rotor that turns with one joint.
+// n² J holds for one rotor that rotates with one joint.
 TEST(read_urdf, notes_rotors_that_are_not_alone) {
   const std::string robot = two_links + joint_with("<axis xyz='0 0 1'/>") + "\n",
                     rotor = "<actuator name='m'><rotorInertia>2</rotorInertia></actuator>";

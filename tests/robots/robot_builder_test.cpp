@@ -1,4 +1,4 @@
-// Models of robots while the program runs, beside the numbers of Pinocchio at random states.
+// Run-time models of robots, compared with results of Pinocchio at random states.
 #include "robots/files.hpp"
 
 #include <kanexpr/robots/read_urdf.hpp>
@@ -94,7 +94,7 @@ TEST(robot_builder, knows_links_by_their_names_in_the_file) {
   EXPECT_EQ(arm.mechanism().inputs.size(), 4);
 }
 
-// Damping, dry friction and rotors are felt at their joints and nowhere else.
+// Damping, dry friction and rotors act only at their joints.
 TEST(robot_builder, feels_what_is_at_joints) {
   robot r = robot_of("arm.urdf");
   r.joints[1].gear_ratio = -20, r.joints[1].rotor_inertia = 0.003;
@@ -113,7 +113,7 @@ TEST(robot_builder, feels_what_is_at_joints) {
   EXPECT_TRUE((forcing(x, none, inputs) - plain(x, none, inputs)).isApprox(felt, 1e-12));
 }
 
-// A robot that hangs on a wall, by the inputs that hold it still.
+// A robot on a wall and the inputs that hold it still.
 TEST(robot_builder, falls_along_the_gravity_of_the_robot) {
   robot r = robot_of("arm.urdf");
   Eigen::VectorXd x(6);
@@ -145,7 +145,7 @@ TEST(robot_builder, falls_along_the_gravity_of_the_robot) {
             "the gravity in the model options is not finite");
 }
 
-// Against weights at the mass centers of the links, without gravity.
+// Compared with weights at the mass centers of the links, without gravity.
 TEST(robot_builder, lets_links_without_gravity_float) {
   const robot r = robot_of("balancer.urdf");
   robot heavy = r;
@@ -159,7 +159,7 @@ TEST(robot_builder, lets_links_without_gravity_float) {
       for (const robots::link& l : r.links) {
         if (l.weightless || by_hand.body_of(l.name).empty()) continue; // that of the ground is empty
         const auto weight = by_hand.along(by_hand.inertial_frame(), 0, 0, -9.81 * l.inertial->mass);
-        const vector3& c = l.inertial->center.at;
+        const vector3& c = l.inertial->center.position;
         const auto at = by_hand.offset("Weight_" + l.name, by_hand.origin_of(l.name),
                                        by_hand.along(by_hand.frame_of(l.name), c[0], c[1], c[2] + 0.0));
         by_hand.force(at, weight);
@@ -187,7 +187,7 @@ TEST(robot_builder, lets_links_without_gravity_float) {
     }
 }
 
-// The cart carries along what floats off it, along the axis of the rail.
+// The cart moves a floating link with it along the rail.
 TEST(robot_builder, floats_off_a_slide) {
   const read_robot read = read_urdf_text(
       "<robot name='r'><link name='ground'/>"
@@ -235,7 +235,7 @@ TEST(robot_builder, says_what_is_wrong) {
   EXPECT_NE(robot_builder(light.robot).cause(), "");
 }
 
-// That the last link has no mass is found when the mass matrix is formed: from there on nothing has a value.
+// The massless last link is detected when the mass matrix is formed; all later results have no values.
 TEST(robot_builder, tells_of_a_mistake_in_every_function) {
   robot r = robot_of("arm.urdf");
   for (robots::link& l : r.links)

@@ -17,18 +17,18 @@ struct moving_body {
   pose origin{};   ///< pose of the joint in the axes of the parent
   double mass = 0;
   vector3 center{};
-  inertia_matrix inertia{}; ///< about the mass center
-  double weightless = 0;    ///< the part of the mass on which gravity does not act
+  inertia_matrix inertia{};   ///< about the mass center
+  double weightless_mass = 0; ///< the part of the mass on which gravity does not act
   vector3 weightless_center{};
 
   bool has_mass() const { return mass > 0 || inertia.largest() > 0; }
-  bool is_weightless() const { return weightless >= mass; }
+  bool is_weightless() const { return weightless_mass >= mass; }
 };
 
 /// The pose of a link in the axes of the moving body to which it belongs.
 struct placed_link {
   int body = -1;
-  pose at{};
+  pose pose_in_body{};
 };
 
 struct articulation {
@@ -37,13 +37,6 @@ struct articulation {
   std::vector<int> joints{};         ///< joints that move independently, in the order of the robot
 };
 
-/// Merges links connected by fixed joints, by the parallel-axis theorem.
-inline articulation articulation_of(const robot& r);
-
-} // namespace kanexpr::robots
-
-namespace kanexpr::robots {
-
 namespace detail {
 
 inline inertia_matrix sum(const inertia_matrix& a, const inertia_matrix& b) {
@@ -51,7 +44,7 @@ inline inertia_matrix sum(const inertia_matrix& a, const inertia_matrix& b) {
 }
 
 /// The inertia of a point mass at r about the origin.
-inline inertia_matrix of_point(double mass, const vector3& r) {
+inline inertia_matrix point_inertia(double mass, const vector3& r) {
   return {mass * (r[1] * r[1] + r[2] * r[2]),
           mass * (r[2] * r[2] + r[0] * r[0]),
           mass * (r[0] * r[0] + r[1] * r[1]),
@@ -60,7 +53,7 @@ inline inertia_matrix of_point(double mass, const vector3& r) {
           -mass * r[2] * r[0]};
 }
 
-inline inertia_matrix turned(const rotation& by, const inertia_matrix& i) {
+inline inertia_matrix rotated(const rotation& by, const inertia_matrix& i) {
   if (by == no_rotation) return i; // exactly
   const rotation given{{{i.xx, i.xy, i.zx}, {i.xy, i.yy, i.yz}, {i.zx, i.yz, i.zz}}};
   const rotation t = product(by, product(given, transposed(by)));
@@ -80,40 +73,40 @@ inline void add_mass(double& mass, vector3& center, double added, const vector3&
 /// Adds the mass of a link. If the body has only one link, its mass center is exactly that of the link.
 inline void add(moving_body& to, const inertial& of, const pose& at) {
   const pose center = product(at, of.center);
-  const inertia_matrix inertia = turned(center.turn, of.inertia);
+  const inertia_matrix inertia = rotated(center.orientation, of.inertia);
   if (!to.has_mass()) {
-    to.mass = of.mass, to.center = center.at, to.inertia = inertia;
+    to.mass = of.mass, to.center = center.position, to.inertia = inertia;
     return;
   }
   double whole = to.mass;
   vector3 middle = to.center;
-  add_mass(whole, middle, of.mass, center.at);
-  to.inertia = sum(sum(to.inertia, of_point(to.mass, to.center - middle)),
-                   sum(inertia, of_point(of.mass, center.at - middle)));
+  add_mass(whole, middle, of.mass, center.position);
+  to.inertia = sum(sum(to.inertia, point_inertia(to.mass, to.center - middle)),
+                   sum(inertia, point_inertia(of.mass, center.position - middle)));
   to.mass = whole, to.center = middle;
 }
 
 } // namespace detail
 
-/// Visits the links depth first, starting at the root.
-class folding {
+/// Merges links connected by fixed joints: visits the links depth first, starting at the root.
+class body_merger {
 public:
-  explicit folding(const robot& r) : robot_(r), outward_(r.links.size()) {
+  explicit body_merger(const robot& r) : robot_(r), outward_(r.links.size()) {
     into_.links.resize(r.links.size());
   }
 
-  articulation fold() {
+  articulation merge() {
     for (std::size_t j = 0; j < robot_.joints.size(); ++j) {
       const joint& each = robot_.joints[j];
-      outward_[static_cast<std::size_t>(each.parent)].push_back(static_cast<int>(j));
-      if (each.is != joint_kind::fixed && !each.mimic) into_.joints.push_back(static_cast<int>(j));
+      entry(outward_, each.parent).push_back(static_cast<int>(j));
+      if (each.kind != joint_kind::fixed && !each.mimic) into_.joints.push_back(static_cast<int>(j));
     }
-    begin_body({.link = robot_.root});
+    into_.bodies.push_back({.link = robot_.root});
     open_.push_back({robot_.root, 0, {}});
     while (!open_.empty()) {
       const step next = open_.back();
       open_.pop_back();
-      take(next);
+      visit(next);
     }
     return std::move(into_);
   }
@@ -126,26 +119,25 @@ private:
     int joint = -1;
   };
 
-  void begin_body(const moving_body& b) { into_.bodies.push_back(b); }
-
-  void take(step s) {
+  void visit(step s) {
     if (s.joint >= 0) {
-      begin_body({.link = s.link, .joint = s.joint, .parent = s.body, .origin = s.at});
+      into_.bodies.push_back({.link = s.link, .joint = s.joint, .parent = s.body, .origin = s.at});
       s.body = static_cast<int>(into_.bodies.size()) - 1;
       s.at = {};
     }
     const auto link = static_cast<std::size_t>(s.link);
     into_.links[link] = {s.body, s.at};
     if (const auto& of = robot_.links[link].inertial) {
-      moving_body& b = into_.bodies[static_cast<std::size_t>(s.body)];
+      moving_body& b = entry(into_.bodies, s.body);
       detail::add(b, *of, s.at);
       if (robot_.links[link].weightless)
-        detail::add_mass(b.weightless, b.weightless_center, of->mass, product(s.at, of->center).at);
+        detail::add_mass(b.weightless_mass, b.weightless_center, of->mass,
+                         product(s.at, of->center).position);
     }
     const std::vector<int>& next = outward_[link];
     for (auto j = next.rbegin(); j != next.rend(); ++j) {
-      const joint& by = robot_.joints[static_cast<std::size_t>(*j)];
-      const bool moves = by.is != joint_kind::fixed;
+      const joint& by = entry(robot_.joints, *j);
+      const bool moves = by.kind != joint_kind::fixed;
       open_.push_back({by.child, s.body, product(s.at, by.origin), moves ? *j : -1});
     }
   }
@@ -156,16 +148,17 @@ private:
   std::vector<step> open_{};
 };
 
-inline articulation articulation_of(const robot& r) { return folding(r).fold(); }
+/// Merges links connected by fixed joints, by the parallel-axis theorem.
+inline articulation articulation_of(const robot& r) { return body_merger(r).merge(); }
 
 /// Sets gravity to zero if it acts on no link that can move. Links fixed to a link named "world" cannot move.
-inline void settle_gravity(robot& r) {
+inline void simplify_gravity(robot& r) {
   const articulation moving = articulation_of(r);
-  const bool in_world = r.links[static_cast<std::size_t>(r.root)].name == "world";
+  const bool in_world = entry(r.links, r.root).name == "world";
   bool any = false, all = true;
   for (const moving_body& b : moving.bodies) {
     if (in_world && b.joint < 0) continue;
-    any = any || b.weightless > 0;
+    any = any || b.weightless_mass > 0;
     all = all && b.is_weightless();
   }
   if (!any || !all) return;
@@ -174,14 +167,14 @@ inline void settle_gravity(robot& r) {
 }
 
 /// The relation between a joint and the independent joint that it mimics: q = multiplier · q_leader + offset.
-inline mimicry followed_by(const robot& r, int joint) {
-  mimicry f{joint, 1, 0};
-  while (const auto& next = r.joints[static_cast<std::size_t>(f.leader)].mimic) {
-    f.offset += f.multiplier * next->offset;
-    f.multiplier *= next->multiplier;
-    f.leader = next->leader;
+inline mimic_rule resolved_mimic(const robot& r, int joint) {
+  mimic_rule resolved{joint, 1, 0};
+  while (const auto& next = entry(r.joints, resolved.leader).mimic) {
+    resolved.offset += resolved.multiplier * next->offset;
+    resolved.multiplier *= next->multiplier;
+    resolved.leader = next->leader;
   }
-  return f;
+  return resolved;
 }
 
 } // namespace kanexpr::robots

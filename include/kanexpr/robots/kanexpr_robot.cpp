@@ -56,8 +56,8 @@ bool draw(const robot& seen, const request& r) {
 
 int write(request r) {
   const std::string file = std::filesystem::path(r.file).stem().string();
-  const std::string name = r.name.empty() ? letters_of(file) : r.name;
-  if (!is_namespace(name))
+  const std::string name = r.name.empty() ? identifier_from(file) : r.name;
+  if (!is_valid_namespace(name))
     return refuse(r.name.empty() ? file + " is not a valid namespace name; set one with --name"
                                  : name + " is not a valid namespace name");
   r.name = name;

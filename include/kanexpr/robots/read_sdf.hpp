@@ -1,12 +1,11 @@
 #pragma once
 
-#include <kanexpr/robots/read_file.hpp>
+#include <kanexpr/robots/read_urdf.hpp>
 #include <kanexpr/robots/sdf/reader.hpp>
 
 #include <string>
 
-/// Reads robots from files in the Simulation Description Format (SDF) with libsdformat, which no other header
-/// includes.
+/// Reads robots from SDF files. Only this header and the folder `sdf` include libsdformat.
 namespace kanexpr::robots {
 
 /// Reads a robot from a text in the Simulation Description Format (SDF).

@@ -1,11 +1,52 @@
 #pragma once
 
-#include <kanexpr/robots/read_file.hpp>
+#include <kanexpr/base/outcome.hpp>
+#include <kanexpr/robots/options.hpp>
+#include <kanexpr/robots/robot.hpp>
+#include <kanexpr/robots/urdf/document.hpp>
 #include <kanexpr/robots/urdf/reader.hpp>
 
+#include <fstream>
+#include <iterator>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace kanexpr::robots {
+
+/// A robot, or the reason why it could not be read: "line 12 of arm.urdf: the mass of link elbow is
+/// negative".
+struct [[nodiscard]] read_robot : outcome {
+  using outcome::outcome;
+
+  robots::robot robot{};
+  /// Sentences about ignored or unusual contents: "line 80 of arm.urdf: the inertia of link hand is not
+  /// physical: …".
+  std::vector<std::string> notes{};
+};
+
+namespace detail {
+
+/// Reads a robot from a text with the reader of one format.
+template <class Reader>
+read_robot read_text(const std::string& text, const std::string& called, const reading_options& options) {
+  urdf::document from(called, options.right_angles);
+  Reader reader(from, options);
+  read_robot read = reader.read(text) ? read_robot() : read_robot(from.mistake());
+  if (read) read.robot = std::move(reader.robot);
+  read.notes = from.take_notes();
+  return read;
+}
+
+template <class Reader>
+read_robot read_file(const std::string& path, const reading_options& options) {
+  std::ifstream file(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (!file.is_open() || file.bad()) return read_robot(path + " cannot be read");
+  return read_text<Reader>(text, path.substr(path.rfind('/') + 1), options);
+}
+
+} // namespace detail
 
 /// Reads a robot from a text in the Unified Robot Description Format (URDF).
 inline read_robot read_urdf_text(const std::string& text, const reading_options& options = {}) {

@@ -7,10 +7,18 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 /// A robot as a plain value: links and the joints between them, as files describe them, in SI units.
 namespace kanexpr::robots {
+
+/// Returns text from a file for use in a sentence: truncated and without control characters.
+inline std::string printable(std::string_view text, std::size_t most = 60) {
+  std::string plain;
+  for (char c : text.substr(0, most)) plain += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+  return text.size() > most ? plain + "..." : plain;
+}
 
 /// The symmetric inertia matrix about the mass center; xy is the matrix entry −∫ x y dm.
 struct inertia_matrix {
@@ -20,6 +28,8 @@ struct inertia_matrix {
   double largest() const {
     return (std::max)({std::abs(xx), std::abs(yy), std::abs(zz), std::abs(xy), std::abs(yz), std::abs(zx)});
   }
+  /// Finite only if all entries are.
+  double sum() const { return xx + yy + zz + xy + yz + zx; }
 };
 
 struct inertial {
@@ -32,8 +42,8 @@ enum class shape_kind : unsigned char { box, cylinder, sphere, capsule, mesh };
 
 /// A visual or collision shape of a link.
 struct shape {
-  shape_kind is = shape_kind::box;
-  pose placed{};
+  shape_kind kind = shape_kind::box;
+  pose origin{};  ///< in the axes of the link
   vector3 size{}; ///< edges of a box; radius and length of a cylinder or capsule along z; radius of a sphere;
                   ///< scale of a mesh
   std::string file{}; ///< the file of a mesh, as written
@@ -56,12 +66,12 @@ enum class joint_kind : unsigned char {
 };
 
 /// Whether the joint has exactly one coordinate.
-constexpr bool has_one_coordinate(joint_kind is) {
-  return is == joint_kind::revolute || is == joint_kind::continuous || is == joint_kind::prismatic;
+constexpr bool has_one_coordinate(joint_kind k) {
+  return k == joint_kind::revolute || k == joint_kind::continuous || k == joint_kind::prismatic;
 }
 
 /// Whether the joint has an axis to rotate about or to move along or across.
-constexpr bool has_axis(joint_kind is) { return is != joint_kind::fixed && is != joint_kind::floating; }
+constexpr bool has_axis(joint_kind k) { return k != joint_kind::fixed && k != joint_kind::floating; }
 
 struct joint_limits {
   double lower = -std::numeric_limits<double>::infinity(), upper = std::numeric_limits<double>::infinity();
@@ -69,23 +79,26 @@ struct joint_limits {
 };
 
 /// The rule by which a joint mimics another: q = multiplier · q_leader + offset.
-struct mimicry {
+struct mimic_rule {
   int leader = -1; ///< index of the joint
   double multiplier = 1, offset = 0;
 };
 
 struct joint {
   std::string name{};
-  joint_kind is = joint_kind::fixed;
+  joint_kind kind = joint_kind::fixed;
   int parent = -1, child = -1; ///< indices of links
   pose origin{};               ///< pose of the child at q = 0, in the axes of the parent
   vector3 axis{1, 0, 0};       ///< unit vector in the axes of the child
   joint_limits limits{};
   double damping = 0;  ///< the torque or force −damping·q̇
   double friction = 0; ///< the torque or force −friction·sign(q̇)
-  std::optional<mimicry> mimic{};
+  std::optional<mimic_rule> mimic{};
   double gear_ratio = 1;    ///< turns of the rotor per turn of the joint
   double rotor_inertia = 0; ///< about the axis of the rotor
+
+  /// The inertia n² J of the rotor as it acts at the joint.
+  double reflected_inertia() const { return gear_ratio * gear_ratio * rotor_inertia; }
 };
 
 /// A robot. Its links form a tree: every link except `root` is the child of one joint.

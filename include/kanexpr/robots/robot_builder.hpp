@@ -33,17 +33,17 @@ public:
 
   /// Return the axes and the origin of the link with the given name in the file; those of the ground if there
   /// is no such link.
-  frame_id frame_of(std::string_view link) const { return frames_[place_of(link)]; }
-  point_id origin_of(std::string_view link) const { return origins_[place_of(link)]; }
+  frame_id frame_of(std::string_view link) const { return frames_[index_of(link)]; }
+  point_id origin_of(std::string_view link) const { return origins_[index_of(link)]; }
 
   /// Returns the name of the body that contains the mass of a link and of all links fixed to it. The body is
   /// named after the moving link: "Forearm_body" for a tool on a forearm. The name is empty if the link is
   /// part of the ground or the body has no mass.
   std::string body_of(std::string_view link) const {
-    const std::size_t place = place_of(link);
-    if (place >= plan_.what.links.size()) return {};
-    const moving_body& b = plan_.what.bodies[static_cast<std::size_t>(plan_.what.links[place].body)];
-    return is_on_ground(b) || !b.has_mass() ? "" : name(b.link) + "_body";
+    const std::size_t place = index_of(link);
+    if (place >= plan_.tree.links.size()) return {};
+    const moving_body& b = entry(plan_.tree.bodies, plan_.tree.links[place].body);
+    return plan_.is_on_ground(b) || !b.has_mass() ? "" : plan_.name(b.link) + "_body";
   }
 
   /// The parameters with their values in the file, in order.
@@ -55,7 +55,7 @@ public:
     for (const planned_joint& j : plan_.joints) {
       for (const std::string& q : j.coordinates) x[q] = 0;
       for (const std::string& u : j.speeds) x[u] = 0;
-      if (j.is == joint_kind::floating) x[j.coordinates.back()] = 1;
+      if (j.kind == joint_kind::floating) x[j.coordinates.back()] = 1;
     }
     return x;
   }
@@ -77,40 +77,32 @@ private:
     point_id center{};
   };
 
-  std::size_t place_of(std::string_view link) const {
-    const auto found = places_.find(link);
-    return found == places_.end() ? frames_.size() - 1 : found->second;
+  std::size_t index_of(std::string_view link) const {
+    const auto found = index_by_name_.find(link);
+    return found == index_by_name_.end() ? frames_.size() - 1 : found->second;
   }
-  frame_id& frame(int link) { return frames_[static_cast<std::size_t>(link)]; }
-  point_id& origin(int link) { return origins_[static_cast<std::size_t>(link)]; }
-  const std::string& name(int link) const { return plan_.links[static_cast<std::size_t>(link)]; }
-  const joint& joint_of(const moving_body& b) const {
-    return robot_.joints[static_cast<std::size_t>(b.joint)];
-  }
-  bool is_on_ground(const moving_body& b) const { return b.joint < 0 && options_.base == base_kind::fixed; }
-  const moving_body& parent_of(const moving_body& b) const {
-    return plan_.what.bodies[static_cast<std::size_t>(b.parent)];
-  }
+  frame_id& frame(int link) { return entry(frames_, link); }
+  point_id& origin(int link) { return entry(origins_, link); }
 
   vector along_numbers(frame_id axes, const vector3& v) { return along(axes, v[0], v[1], v[2]); }
 
   /// Returns a number from the file, or a parameter with that value.
-  expression value(const std::string& called, double of_file) {
-    if (options_.bind == binding::numbers) return number(of_file);
-    values_.emplace_back(called, of_file);
+  expression value(const std::string& called, double in_file) {
+    if (plan_.binds_numbers()) return number(in_file);
+    values_.emplace_back(called, in_file);
     return parameter(called);
   }
   /// Adds a frame rotated relative to `in`; returns `in` itself if there is no rotation.
-  frame_id turned(const std::string& called, frame_id in, const rotation& by) {
+  frame_id rotated_frame(const std::string& called, frame_id in, const rotation& by) {
     if (by == no_rotation) return in;
-    const auto row = [&](const vector3& v) {
-      return mechanics::components{number(v[0]), number(v[1]), number(v[2])};
-    };
     mechanics::matrix3 to_parent;
-    for (int i = 0; i < 3; ++i) to_parent.row[i] = row(by[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < 3; ++i) {
+      const vector3& row = entry(by, i);
+      to_parent.row[i] = {number(row[0]), number(row[1]), number(row[2])};
+    }
     return direction_cosines(called, in, to_parent);
   }
-  point_id moved(const std::string& called, point_id from, frame_id axes, const vector3& by) {
+  point_id offset_point(const std::string& called, point_id from, frame_id axes, const vector3& by) {
     return is_zero(by) ? from : offset(called, from, along_numbers(axes, by));
   }
 
@@ -135,46 +127,48 @@ private:
 
   /// Returns the motion of a joint; the motion of a mimic joint is expressed by the symbols of its leader.
   motion motion_of(int joint) {
-    const mimicry how = followed_by(robot_, joint);
-    const motion& leader =
-        motions_[static_cast<std::size_t>(plan_.joint_of[static_cast<std::size_t>(how.leader)])];
-    if (how.leader == joint) return leader;
-    return {{how.multiplier * leader.q[0] + how.offset}, {how.multiplier * leader.u[0]}, mechanism().zero()};
+    const mimic_rule rule = resolved_mimic(robot_, joint);
+    const motion& leader = entry(motions_, entry(plan_.joint_of, rule.leader));
+    if (rule.leader == joint) return leader;
+    return {
+        {rule.multiplier * leader.q[0] + rule.offset}, {rule.multiplier * leader.u[0]}, mechanism().zero()};
   }
 
   void add_root() {
-    const moving_body& root = plan_.what.bodies[0];
+    const moving_body& root = plan_.tree.bodies[0];
     const point_id ground = builder::origin("O");
     frame(root.link) = inertial_frame(), origin(root.link) = ground;
     frames_.back() = inertial_frame(), origins_.back() = ground;
-    if (options_.base == base_kind::floating) float_free(root.link, inertial_frame(), ground, motions_[0]);
+    if (plan_.has_floating_base()) add_floating_joint(root.link, inertial_frame(), ground, motions_[0]);
   }
 
   void add_joint(const moving_body& b) {
-    const moving_body& in = parent_of(b);
+    const moving_body& in = plan_.parent_of(b);
     const motion m = motion_of(b.joint);
-    const joint& j = joint_of(b);
-    const std::string& called = name(b.link);
-    if (j.is == joint_kind::prismatic) {
-      const frame_id axes = turned(called, frame(in.link), b.origin.turn);
-      const point_id start = moved(called + "_start", origin(in.link), frame(in.link), b.origin.at);
+    const joint& j = plan_.joint_of_body(b);
+    const std::string& called = plan_.name(b.link);
+    if (j.kind == joint_kind::prismatic) {
+      const frame_id axes = rotated_frame(called, frame(in.link), b.origin.orientation);
+      const point_id start =
+          offset_point(called + "_start", origin(in.link), frame(in.link), b.origin.position);
       const vector axis = along_numbers(axes, j.axis);
       frame(b.link) = axes;
       origin(b.link) = offset(called + "_origin", start, m.q[0] * axis);
-      force_between(origin(b.link), start, driving(b, m) * axis);
+      force_between(origin(b.link), start, drive_of(b, m) * axis);
       return;
     }
-    const frame_id home = turned(called + "_home", frame(in.link), b.origin.turn);
-    if (j.is == joint_kind::revolute || j.is == joint_kind::continuous) {
+    const frame_id home = rotated_frame(called + "_home", frame(in.link), b.origin.orientation);
+    if (j.kind == joint_kind::revolute || j.kind == joint_kind::continuous) {
       const vector axis = along_numbers(home, j.axis);
       frame(b.link) = rotated(called, home, m.q[0], axis);
-      origin(b.link) = moved(called + "_origin", origin(in.link), frame(in.link), b.origin.at);
-      torque_between(frame(b.link), frame(in.link), driving(b, m) * axis);
+      origin(b.link) = offset_point(called + "_origin", origin(in.link), frame(in.link), b.origin.position);
+      torque_between(frame(b.link), frame(in.link), drive_of(b, m) * axis);
       return;
     }
-    const point_id start = moved(called + "_start", origin(in.link), frame(in.link), b.origin.at);
-    if (j.is == joint_kind::floating) return float_free(b.link, home, start, m);
-    const auto [first, second] = across(j.axis);
+    const point_id start =
+        offset_point(called + "_start", origin(in.link), frame(in.link), b.origin.position);
+    if (j.kind == joint_kind::floating) return add_floating_joint(b.link, home, start, m);
+    const auto [first, second] = normal_directions(j.axis);
     frame(b.link) = rotated(called, home, m.q[2], along_numbers(home, j.axis));
     vector gone = m.q[0] * along_numbers(home, first);
     gone.add(m.q[1] * along_numbers(home, second));
@@ -183,8 +177,8 @@ private:
 
   /// Lets a link move freely. The position is expressed in the parent's axes, the velocity and the angular
   /// velocity in the axes of the link.
-  void float_free(int link, frame_id in, point_id start, const motion& m) {
-    const std::string& called = name(link);
+  void add_floating_joint(int link, frame_id in, point_id start, const motion& m) {
+    const std::string& called = plan_.name(link);
     const frame_id own = quaternion(called, in, m.q[6], m.q[3], m.q[4], m.q[5]);
     angular_velocity(own, in, along(own, m.u[3], m.u[4], m.u[5]));
     const point_id at = offset(called + "_origin", start, along(in, m.q[0], m.q[1], m.q[2]));
@@ -200,20 +194,21 @@ private:
   }
 
   /// The torque or force along the axis of a joint.
-  expression driving(const moving_body& b, const motion& m) {
-    const joint& j = joint_of(b);
+  expression drive_of(const moving_body& b, const motion& m) {
+    const joint& j = plan_.joint_of_body(b);
     expression drive = m.drive;
-    if (options_.damping && j.damping > 0) drive = drive - value("c_" + name(b.link), j.damping) * m.u[0];
-    if (options_.friction && j.friction > 0) {
-      const expression force = value("f_" + name(b.link), j.friction);
+    if (plan_.options.damping && j.damping > 0)
+      drive = drive - value("c_" + plan_.name(b.link), j.damping) * m.u[0];
+    if (plan_.options.friction && j.friction > 0) {
+      const expression force = value("f_" + plan_.name(b.link), j.friction);
       drive = drive - force * sign(m.u[0]);
     }
     return drive;
   }
 
   void add_mass(const moving_body& b) {
-    if (is_on_ground(b) || !b.has_mass()) return;
-    const std::string& called = name(b.link);
+    if (plan_.is_on_ground(b) || !b.has_mass()) return;
+    const std::string& called = plan_.name(b.link);
     const frame_id axes = frame(b.link);
     const inertia_matrix& i = b.inertia;
     const expression m = value("m_" + called, b.mass);
@@ -221,95 +216,95 @@ private:
     const expression xx = value("ixx_" + called, i.xx), yy = value("iyy_" + called, i.yy),
                      zz = value("izz_" + called, i.zz), xy = value("ixy_" + called, i.xy),
                      yz = value("iyz_" + called, i.yz), zx = value("izx_" + called, i.zx);
-    const bool is_at_origin = options_.bind == binding::numbers && is_zero(b.center);
+    const bool is_at_origin = plan_.binds_numbers() && is_zero(b.center);
     const point_id center =
         is_at_origin ? origin(b.link) : offset(called + "_center", origin(b.link), to_center);
     weights_[b.link] = {m, center};
     rigid_body(called + "_body", center, axes, m, inertia(axes, xx, yy, zz, xy, yz, zx));
-    if (is_of_no_body(i)) effective_inertia(called + "_body");
+    if (is_unphysical(i)) effective_inertia(called + "_body");
   }
 
   /// Adds a rotor that turns n times as fast as the joint. It contributes n² J at the joint and nothing else.
   void add_rotor(const moving_body& b) {
-    const joint& j = joint_of(b);
-    const double felt = j.gear_ratio * j.gear_ratio * j.rotor_inertia;
-    if (!(felt > 0) || !has_one_coordinate(j.is)) return;
-    const std::string called = name(b.link) + "_rotor";
+    const joint& j = plan_.joint_of_body(b);
+    if (!(j.reflected_inertia() > 0) || !has_one_coordinate(j.kind)) return;
+    const std::string called = plan_.name(b.link) + "_rotor";
     const vector axis = along(inertial_frame(), 0, 0, 1);
     const frame_id axes = rotated(called, inertial_frame(), motion_of(b.joint).q[0], axis);
-    const expression own = value("j_" + name(b.link), felt);
+    const expression own = value("j_" + plan_.name(b.link), j.reflected_inertia());
     rigid_body(called, origins_.back(), axes, number(0.0), inertia(axes, 0, 0, own));
   }
 
-  void fall(const vector3& g) {
-    const bool numbers = options_.bind == binding::numbers;
+  void add_gravity(const vector3& g) {
+    const bool numbers = plan_.binds_numbers();
     const vector to = along_numbers(inertial_frame(), numbers ? g : direction_of_gravity(g));
     const vector free_fall = numbers ? to : value("g", std::hypot(g[0], g[1], g[2])) * to;
     gravity(free_fall);
     if (numbers && is_zero(g)) return;
-    expression lifting{};
-    for (const moving_body& b : plan_.what.bodies)
-      if (b.weightless > 0 && !is_on_ground(b))
-        lifting =
-            lifting.is_given() ? lifting + energy_of_lifting(b, free_fall) : energy_of_lifting(b, free_fall);
-    if (lifting.is_given()) potential_energy(lifting); // one sum: the wheels of an axle have equal terms
+    expression energy{}; // one sum, because the wheels of an axle have equal terms
+    for (const moving_body& b : plan_.tree.bodies) {
+      if (!(b.weightless_mass > 0) || plan_.is_on_ground(b)) continue;
+      const expression term = weight_cancelling_energy(b, free_fall);
+      energy = energy.is_given() ? energy + term : term;
+    }
+    if (energy.is_given()) potential_energy(energy);
   }
 
   /// A potential energy that cancels gravity on a weightless body, so that energy is conserved.
-  expression energy_of_lifting(const moving_body& b, const vector& free_fall) {
+  expression weight_cancelling_energy(const moving_body& b, const vector& free_fall) {
     weight lifted;
     if (b.is_weightless()) {
       lifted = weights_.at(b.link);
     } else {
-      const std::string called = name(b.link) + "_weightless";
-      lifted.mass = value("m_" + called, b.weightless);
+      const std::string called = plan_.name(b.link) + "_weightless";
+      lifted.mass = value("m_" + called, b.weightless_mass);
       lifted.center =
           offset(called, origin(b.link), symbols_along(called, frame(b.link), b.weightless_center));
     }
     return lifted.mass * builder::dot(free_fall, position_of(lifted.center, origins_.back()));
   }
 
-  void place_folded() {
+  void place_fixed_links() {
     for (std::size_t l = 0; l < robot_.links.size(); ++l) {
-      const placed_link& here = plan_.what.links[l];
-      const int body = plan_.what.bodies[static_cast<std::size_t>(here.body)].link;
+      const placed_link& here = plan_.tree.links[l];
+      const int body = entry(plan_.tree.bodies, here.body).link;
       if (body == static_cast<int>(l)) continue;
-      frames_[l] = turned(plan_.links[l], frame(body), here.at.turn);
-      origins_[l] = moved(plan_.links[l] + "_origin", origin(body), frame(body), here.at.at);
+      frames_[l] = rotated_frame(plan_.links[l], frame(body), here.pose_in_body.orientation);
+      origins_[l] =
+          offset_point(plan_.links[l] + "_origin", origin(body), frame(body), here.pose_in_body.position);
     }
   }
 
   robot robot_;
-  model_options options_;
   robots::plan plan_;
   std::vector<motion> motions_{};
   std::vector<frame_id> frames_{}; ///< the frames of the links, then that of the ground
   std::vector<point_id> origins_{};
-  std::map<std::string, std::size_t, std::less<>> places_{};
+  std::map<std::string, std::size_t, std::less<>> index_by_name_{};
   std::vector<std::pair<std::string, double>> values_{};
   std::map<int, weight> weights_{}; ///< weights of the bodies, by link
 };
 
 inline robot_builder::robot_builder(robot r, const model_options& options)
-    : builder("N"), robot_(std::move(r)), options_(options), plan_(plan_of(robot_, options)) {
+    : builder("N"), robot_(std::move(r)), plan_(plan_of(robot_, options)) {
   frames_.resize(robot_.links.size() + 1);
   origins_.resize(robot_.links.size() + 1);
   if (!plan_.mistake.empty()) return;
-  for (std::size_t l = 0; l < robot_.links.size(); ++l) places_.emplace(robot_.links[l].name, l);
+  for (std::size_t l = 0; l < robot_.links.size(); ++l) index_by_name_.emplace(robot_.links[l].name, l);
   add_symbols();
   add_root();
-  for (const planned_joint& j : plan_.joints) {
-    const motion& m = motions_[static_cast<std::size_t>(&j - plan_.joints.data())];
-    if (j.is == joint_kind::floating) continue;
+  for (std::size_t j = 0; j < motions_.size(); ++j) {
+    if (plan_.joints[j].kind == joint_kind::floating) continue;
+    const motion& m = motions_[j];
     for (std::size_t i = 0; i < m.q.size(); ++i) kinematic_equation(dot(m.q[i]) - m.u[i]);
   }
-  for (const moving_body& b : plan_.what.bodies) {
+  for (const moving_body& b : plan_.tree.bodies) {
     if (b.joint >= 0) add_joint(b);
     add_mass(b);
     if (b.joint >= 0) add_rotor(b);
   }
-  place_folded();
-  fall(gravity_of(robot_, options_));
+  place_fixed_links();
+  add_gravity(gravity_of(robot_, options));
 }
 
 } // namespace kanexpr::robots

@@ -17,7 +17,7 @@ using ignition::math::Pose3d;
 
 /// The poses of the links in the world if all coordinates are zero.
 struct placed_links {
-  std::map<std::string, int> places{};
+  std::map<std::string, int> index_by_name{};
   std::vector<Pose3d> poses{};
 };
 
@@ -31,17 +31,17 @@ public:
 
   /// `scope` is the prefix of the names in the model that contains the joint.
   bool read(const ::sdf::Joint& j, const std::string& scope) {
-    const std::string called = scope + j.Name(), whose = "joint " + shown(called);
+    const std::string called = scope + j.Name(), whose = "joint " + printable(called);
     std::string child, parent;
     if (!j.ResolveChildLink(child).empty() || !j.ResolveParentLink(parent).empty())
       return from_.fail(line_of(j), whose + " has a parent or a child that is not a link");
-    Pose3d sits;
-    if (!j.SemanticPose().Resolve(sits, child).empty())
+    Pose3d joint_pose;
+    if (!j.SemanticPose().Resolve(joint_pose, child).empty())
       return from_.fail(line_of(j), "the pose of " + whose + " cannot be resolved");
-    const int from = place_of(parent, scope), to = place_of(child, scope);
+    const int from = index_of(parent, scope), to = index_of(child, scope);
     if (from < 0 || to < 0)
       return from_.fail(line_of(j), whose + " has a parent or a child that is not a link");
-    begin_ = {called, from, to, links_.poses[static_cast<std::size_t>(to)], sits.Pos()};
+    begin_ = {called, from, to, entry(links_.poses, to), joint_pose.Pos()};
     const bool has_two = j.Type() == ::sdf::JointType::UNIVERSAL || j.Type() == ::sdf::JointType::REVOLUTE2;
     if (j.Axis(1) && !has_two) from_.note(line_of(j), "the second axis of " + whose + " is ignored");
     switch (j.Type()) {
@@ -67,7 +67,7 @@ public:
       joint& of = into_.joints[place];
       const auto leader = joints_.find(m.leader);
       if (leader == joints_.end())
-        return from_.fail(m.line, "joint " + shown(of.name) + " mimics " + shown(m.leader) +
+        return from_.fail(m.line, "joint " + printable(of.name) + " mimics " + printable(m.leader) +
                                       ", which is not a joint");
       of.mimic = {static_cast<int>(leader->second), m.multiplier, m.offset};
     }
@@ -78,8 +78,8 @@ private:
   struct beginning {
     std::string called{};
     int from = -1, to = -1;
-    Pose3d child{};                  ///< in the world
-    ignition::math::Vector3d sits{}; ///< position of the joint, in the axes of the child
+    Pose3d child{};                            ///< in the world
+    ignition::math::Vector3d joint_position{}; ///< in the axes of the child
   };
   struct following {
     std::string leader{};
@@ -94,13 +94,13 @@ private:
   }
 
   /// Returns the index of a link. If a joint refers to the ground, the ground becomes the link "world".
-  int place_of(const std::string& link, const std::string& scope) {
+  int index_of(const std::string& link, const std::string& scope) {
     if (link == "world") {
-      const auto known = links_.places.find("world");
-      return known == links_.places.end() ? add_link("world", Pose3d::Zero) : known->second;
+      const auto known = links_.index_by_name.find("world");
+      return known == links_.index_by_name.end() ? add_link("world", Pose3d::Zero) : known->second;
     }
-    const auto found = links_.places.find(scope + link);
-    return found == links_.places.end() ? -1 : found->second;
+    const auto found = links_.index_by_name.find(scope + link);
+    return found == links_.index_by_name.end() ? -1 : found->second;
   }
   int add_link(const std::string& called, const Pose3d& at) {
     link made;
@@ -108,18 +108,18 @@ private:
     into_.links.push_back(std::move(made));
     links_.poses.push_back(at);
     const int place = static_cast<int>(into_.links.size()) - 1;
-    links_.places.emplace(called, place);
+    links_.index_by_name.emplace(called, place);
     return place;
   }
   Pose3d at_joint() const {
-    return begin_.child * Pose3d(begin_.sits, ignition::math::Quaterniond::Identity);
+    return begin_.child * Pose3d(begin_.joint_position, ignition::math::Quaterniond::Identity);
   }
 
   /// Adds a joint from the link added last to a link with the pose `at`.
   bool add(joint_kind is, const std::string& called, int to, const Pose3d& at) {
-    const Pose3d seen = links_.poses[static_cast<std::size_t>(begin_.from)].Inverse() * at;
+    const Pose3d seen = entry(links_.poses, begin_.from).Inverse() * at;
     joint made;
-    made.name = called, made.is = is, made.parent = begin_.from, made.child = to;
+    made.name = called, made.kind = is, made.parent = begin_.from, made.child = to;
     made.origin = pose_of(seen, from_.tolerance());
     joints_.emplace(called, into_.joints.size());
     into_.joints.push_back(std::move(made));
@@ -128,7 +128,7 @@ private:
   }
 
   bool add_slide(const ::sdf::Joint& j, const std::string& scope) {
-    return add(joint_kind::prismatic, begin_.called, begin_.to, begin_.child) && take_axis(j, 0, scope);
+    return add(joint_kind::prismatic, begin_.called, begin_.to, begin_.child) && read_axis(j, 0, scope);
   }
   /// Adds a revolute joint, and a link on its axis if the axis does not pass through the origin of the child.
   bool add_turn(const ::sdf::Joint& j, unsigned which, const std::string& scope, const std::string& called,
@@ -136,13 +136,13 @@ private:
     const bool to_cross = to != begin_.to;
     vector3 axis{};
     if (!axis_of(j, which, axis)) return false;
-    const vector3 beside = cross(vector_of(begin_.sits), axis);
+    const vector3 beside = cross(vector_of(begin_.joint_position), axis);
     if (to_cross || !(std::sqrt(dot(beside, beside)) > 1e-12)) {
       return add(joint_kind::revolute, called, to, to_cross ? at_joint() : begin_.child) &&
-             take_axis(j, which, scope);
+             read_axis(j, which, scope);
     }
     const int on_axis = add_link(called + "_axis", at_joint());
-    return add(joint_kind::revolute, called, on_axis, at_joint()) && take_axis(j, which, scope) &&
+    return add(joint_kind::revolute, called, on_axis, at_joint()) && read_axis(j, which, scope) &&
            add(joint_kind::fixed, called + "_fixed", to, begin_.child);
   }
 
@@ -151,15 +151,15 @@ private:
     ignition::math::Vector3d along;
     std::string child;
     if (!axis || !j.ResolveChildLink(child).empty() || !axis->ResolveXyz(along, child).empty())
-      return from_.fail(line_of(j), "joint " + shown(j.Name()) + " has no axis");
+      return from_.fail(line_of(j), "joint " + printable(j.Name()) + " has no axis");
     into = direction_of(vector_of(along), (std::max)(from_.tolerance(), 1e-15));
     return !is_zero(into) ||
-           from_.fail(line_of(j), "the axis of joint " + shown(j.Name()) + " has zero length");
+           from_.fail(line_of(j), "the axis of joint " + printable(j.Name()) + " has zero length");
   }
 
-  bool take_axis(const ::sdf::Joint& j, unsigned which, const std::string& scope) {
+  bool read_axis(const ::sdf::Joint& j, unsigned which, const std::string& scope) {
     joint& into = into_.joints.back();
-    const std::string whose = "joint " + shown(into.name);
+    const std::string whose = "joint " + printable(into.name);
     if (!axis_of(j, which, into.axis)) return false;
     const ::sdf::JointAxis& axis = *j.Axis(which);
     const double none = std::numeric_limits<double>::infinity();
@@ -167,24 +167,24 @@ private:
     into.limits = {within(axis.Lower()), within(axis.Upper()),
                    axis.Effort() < 0 ? none : within(axis.Effort()),
                    axis.MaxVelocity() < 0 ? none : within(axis.MaxVelocity())};
-    if (into.is == joint_kind::revolute && !numeric::is_finite(into.limits.lower) &&
+    if (into.kind == joint_kind::revolute && !numeric::is_finite(into.limits.lower) &&
         !numeric::is_finite(into.limits.upper))
-      into.is = joint_kind::continuous;
+      into.kind = joint_kind::continuous;
     into.damping = axis.Damping(), into.friction = axis.Friction();
     if (into.damping < 0) return from_.fail(line_of(j), "the damping of " + whose + " is negative");
     if (into.friction < 0) return from_.fail(line_of(j), "the friction of " + whose + " is negative");
     if (std::abs(axis.SpringStiffness()) > 0)
       from_.note(line_of(j), "the spring of " + whose + " is ignored");
-    return take_mimic(axis, scope);
+    return read_mimic(axis, scope);
   }
 
   /// Reads the mimic of a joint. Mimics were introduced in SDF 1.11; older versions of libsdformat keep the
   /// element without reading it.
-  bool take_mimic(const ::sdf::JointAxis& axis, const std::string& scope) {
+  bool read_mimic(const ::sdf::JointAxis& axis, const std::string& scope) {
     const ::sdf::ElementPtr mimic = axis.Element() ? axis.Element()->FindElement("mimic") : nullptr;
     if (!mimic) return true;
     const int line = mimic->LineNumber().value_or(1);
-    const std::string whose = "the mimic of joint " + shown(into_.joints.back().name);
+    const std::string whose = "the mimic of joint " + printable(into_.joints.back().name);
     following read{.line = line};
     const auto leader = mimic->GetAttribute("joint");
     if (!leader) return from_.fail(line, whose + " has no joint");

@@ -2,10 +2,9 @@
 
 #include <kanexpr/robots/articulation.hpp>
 #include <kanexpr/robots/check_robot.hpp>
-#include <kanexpr/robots/reading_options.hpp>
+#include <kanexpr/robots/options.hpp>
 #include <kanexpr/robots/sdf/joint_reader.hpp>
-#include <kanexpr/robots/sdf/left_out.hpp>
-#include <kanexpr/robots/sdf/messages.hpp>
+#include <kanexpr/robots/sdf/notes.hpp>
 
 #include <sdf/Error.hh>
 #include <sdf/Model.hh>
@@ -32,26 +31,26 @@ public:
     const urdf::element* const root = from_.open(text);
     if (!root) return from_.fail(1, "there is no element, so the file does not describe a robot");
     if (std::string_view(root->Name()) != "sdf")
-      return from_.fail(*root, "the root element is <" + shown(root->Name()) + ">, expected <sdf>");
-    const messages said;
+      return from_.fail(*root, "the root element is <" + printable(root->Name()) + ">, expected <sdf>");
+    const messages printed;
     ::sdf::ParserConfig strict;
     strict.SetUnrecognizedElementsPolicy(::sdf::EnforcementPolicy::WARN);
     ::sdf::Root file;
     try {
-      if (!is_sound(file.LoadSdfString(text, strict))) return false;
+      if (!has_no_errors(file.LoadSdfString(text, strict))) return false;
     } catch (const std::exception& e) { // for example, an invalid number in the version
-      return from_.fail(std::string("libsdformat failed: ") + shown(e.what()));
+      return from_.fail(std::string("libsdformat failed: ") + printable(e.what()));
     }
     const ::sdf::Model* const model = model_of(file);
     if (!model) return false;
     robot.name = model->Name();
-    said.note_in(from_);
-    left_out(from_).note_in(file.Element());
+    printed.note_in(from_);
+    unsupported_elements(from_).note_in(file.Element());
     if (file.WorldCount() == 1) robot.gravity = vector_of(file.WorldByIndex(0)->Gravity());
-    Pose3d stands;
-    if (!model->SemanticPose().Resolve(stands).empty()) stands = model->RawPose();
-    return read_links(*model, "", stands) && read_joints(*model, "") &&
-           (!options_.mimic || joints_.read_mimics()) && is_robot(*model) && (settle_gravity(robot), true);
+    Pose3d model_pose;
+    if (!model->SemanticPose().Resolve(model_pose).empty()) model_pose = model->RawPose();
+    return read_links(*model, "", model_pose) && read_joints(*model, "") &&
+           (!options_.mimic || joints_.read_mimics()) && is_robot(*model) && (simplify_gravity(robot), true);
   }
 
   robots::robot robot{};
@@ -59,7 +58,7 @@ public:
 private:
   /// Returns true if libsdformat found no errors. Inertias that are not physical are accepted here, although
   /// libsdformat rejects them in a world.
-  bool is_sound(const ::sdf::Errors& errors) {
+  bool has_no_errors(const ::sdf::Errors& errors) {
     const auto is_inertia = [](const ::sdf::Error& e) {
       return e.Code() == ::sdf::ErrorCode::LINK_INERTIA_INVALID;
     };
@@ -68,7 +67,7 @@ private:
     const auto first = std::ranges::find_if(errors, is_inertia);
     const ::sdf::Error& e = first == errors.end() ? *worst : *first;
     const std::string message = e.Message();
-    const std::string said = "libsdformat reports: " + shown(message.substr(0, message.find('\n')), 200);
+    const std::string said = "libsdformat reports: " + printable(message.substr(0, message.find('\n')), 200);
     return e.LineNumber() ? from_.fail(*e.LineNumber(), said) : from_.fail(said);
   }
 
@@ -82,18 +81,18 @@ private:
     return nullptr;
   }
 
-  bool read_links(const ::sdf::Model& m, const std::string& scope, const Pose3d& stands) {
-    if (m.Static()) return from_.fail(line_of(m), "the model " + shown(m.Name()) + " is static");
+  bool read_links(const ::sdf::Model& m, const std::string& scope, const Pose3d& model_pose) {
+    if (m.Static()) return from_.fail(line_of(m), "the model " + printable(m.Name()) + " is static");
     for (std::uint64_t i = 0; i < m.LinkCount(); ++i) {
       const ::sdf::Link& l = *m.LinkByIndex(i);
       Pose3d at;
       if (!l.SemanticPose().Resolve(at, "__model__").empty())
-        return from_.fail(line_of(l), "the pose of link " + shown(l.Name()) + " cannot be resolved");
+        return from_.fail(line_of(l), "the pose of link " + printable(l.Name()) + " cannot be resolved");
       const std::string called = scope + l.Name();
       link read;
       if (!link_reader(from_).read(l, called, read)) return false;
-      links_.places.emplace(called, static_cast<int>(robot.links.size()));
-      links_.poses.push_back(stands * at);
+      links_.index_by_name.emplace(called, static_cast<int>(robot.links.size()));
+      links_.poses.push_back(model_pose * at);
       read.weightless = l.Element() && !l.Element()->Get<bool>("gravity", true).first;
       robot.links.push_back(std::move(read));
     }
@@ -101,8 +100,9 @@ private:
       const ::sdf::Model& inner = *m.ModelByIndex(i);
       Pose3d at;
       if (!inner.SemanticPose().Resolve(at, "__model__").empty())
-        return from_.fail(line_of(inner), "the pose of model " + shown(inner.Name()) + " cannot be resolved");
-      if (!read_links(inner, scope + inner.Name() + "::", stands * at)) return false;
+        return from_.fail(line_of(inner),
+                          "the pose of model " + printable(inner.Name()) + " cannot be resolved");
+      if (!read_links(inner, scope + inner.Name() + "::", model_pose * at)) return false;
     }
     return true;
   }
@@ -119,17 +119,16 @@ private:
   /// link named after the model is added below it.
   bool is_robot(const ::sdf::Model& m) {
     const found_root found = root_of(robot);
-    if (!found.mistake.what.empty()) return from_.fail(line_of(m), found.mistake.what);
+    if (!found.mistake.empty()) return from_.fail(line_of(m), found.mistake);
     robot.root = found.link;
-    const Pose3d stands(ignition::math::Vector3d::Zero,
-                        links_.poses[static_cast<std::size_t>(found.link)].Rot());
-    const pose turned = pose_of(stands, from_.tolerance());
-    if (turned.turn != no_rotation) {
+    const Pose3d without_position(ignition::math::Vector3d::Zero, entry(links_.poses, found.link).Rot());
+    const pose tilt = pose_of(without_position, from_.tolerance());
+    if (tilt.orientation != no_rotation) {
       joint upright;
       upright.name = robot.name + "_stands";
       upright.parent = static_cast<int>(robot.links.size());
       upright.child = found.link;
-      upright.origin = turned;
+      upright.origin = tilt;
       robot.root = upright.parent;
       link below;
       below.name = robot.name;

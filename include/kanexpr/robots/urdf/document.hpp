@@ -1,24 +1,59 @@
 #pragma once
 
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/robots/pose.hpp>
-#include <kanexpr/robots/shown.hpp>
-#include <kanexpr/robots/urdf/numbers.hpp>
+#include <kanexpr/robots/robot.hpp>
 
 #include <tinyxml2.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
+/// Reads numbers in the text of a file, independently of the locale.
 namespace kanexpr::robots::urdf {
 
+inline constexpr std::string_view spaces = " \t\r\n\f\v";
+
+/// Removes the next word from a text and returns it; empty at the end of the text.
+inline std::string_view next_word(std::string_view& text) {
+  const std::size_t from = text.find_first_not_of(spaces);
+  if (from == std::string_view::npos) return text = {};
+  text.remove_prefix(from);
+  const std::string_view word = text.substr(0, text.find_first_of(spaces));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+/// The value of a word if the whole word is a finite number. Numbers that underflow are 0.
+inline std::optional<double> number_in(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  if (word.empty() || word.starts_with('+')) return {};
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (end != word.data() + word.size()) return {};
+  if (error == std::errc::result_out_of_range)
+    return word.find("e-") == word.npos && word.find("E-") == word.npos ? std::nullopt : std::optional(0.0);
+  if (error != std::errc() || !numeric::is_finite(value)) return {};
+  return value;
+}
+
 using element = tinyxml2::XMLElement;
+
+/// Returns the child elements with the given name, or all if no name is given.
+inline std::vector<const element*> children(const element& in, const char* name = nullptr) {
+  std::vector<const element*> all;
+  for (const element* e = in.FirstChildElement(name); e; e = e->NextSiblingElement(name)) all.push_back(e);
+  return all;
+}
 
 /// A file that is being read: its elements, the numbers in them, and the first mistake.
 class document {
@@ -54,9 +89,9 @@ public:
     return false;
   }
   void note(int line, const std::string& what) {
-    if (notes_.size() < most_notes)
+    if (notes_.size() < max_notes)
       notes_.push_back(at(line) + what);
-    else if (notes_.size() == most_notes)
+    else if (notes_.size() == max_notes)
       notes_.push_back("further notes are not listed");
   }
   void note(const element& e, const std::string& what) { note(e.GetLineNum(), what); }
@@ -69,44 +104,45 @@ public:
   }
 
   /// Reads an attribute into a number, which is left unchanged if the attribute is missing.
-  bool take(const element& e, const char* attribute, double& into, const std::string& whose) {
+  bool read(const element& e, const char* attribute, double& into, const std::string& whose) {
     const char* const found = e.Attribute(attribute);
-    return !found || take_words(e, attribute, found, &into, 1, whose);
+    return !found || read_numbers(e, attribute, found, &into, 1, whose);
   }
-  bool take(const element& e, const char* attribute, vector3& into, const std::string& whose) {
+  bool read(const element& e, const char* attribute, vector3& into, const std::string& whose) {
     const char* const found = e.Attribute(attribute);
-    return !found || take_words(e, attribute, found, into.data(), 3, whose);
+    return !found || read_numbers(e, attribute, found, into.data(), 3, whose);
   }
   /// Returns the child element with the given name; notes a second one.
-  const element* only(const element& in, const char* name, const std::string& whose) {
+  const element* single_child(const element& in, const char* name, const std::string& whose) {
     const element* const first = in.FirstChildElement(name);
     if (const element* const second = first ? first->NextSiblingElement(name) : nullptr)
       note(*second, whose + " has a second <" + name + ">, which is ignored");
     return first;
   }
   /// Notes the unknown attributes of an element.
-  void know(const element& e, std::initializer_list<std::string_view> known, const std::string& whose) {
+  void note_unknown_attributes(const element& e, std::initializer_list<std::string_view> known,
+                               const std::string& whose) {
     for (const tinyxml2::XMLAttribute* a = e.FirstAttribute(); a; a = a->Next())
       if (std::ranges::find(known, a->Name()) == known.end())
-        note(e, whose + " has the unknown attribute " + shown(a->Name()) + ", which is ignored");
+        note(e, whose + " has the unknown attribute " + printable(a->Name()) + ", which is ignored");
   }
   /// Notes the unknown child elements of an element.
-  void know_elements(const element& in, std::initializer_list<std::string_view> known,
-                     const std::string& whose) {
-    for (const element* e = in.FirstChildElement(); e; e = e->NextSiblingElement())
+  void note_unknown_elements(const element& in, std::initializer_list<std::string_view> known,
+                             const std::string& whose) {
+    for (const element* e : children(in))
       if (std::ranges::find(known, e->Name()) == known.end())
-        note(*e, whose + " contains the unknown element <" + shown(e->Name()) + ">, which is ignored");
+        note(*e, whose + " contains the unknown element <" + printable(e->Name()) + ">, which is ignored");
   }
 
   /// Reads the <origin> of an element.
-  bool take_origin(const element& in, pose& into, const std::string& whose) {
-    const element* const origin = only(in, "origin", whose);
+  bool read_origin(const element& in, pose& into, const std::string& whose) {
+    const element* const origin = single_child(in, "origin", whose);
     if (!origin) return true;
     const std::string of = "the origin of " + whose;
-    know(*origin, {"xyz", "rpy", "quat_xyzw"}, of);
-    return take(*origin, "xyz", into.at, of) &&
-           (origin->Attribute("quat_xyzw") ? take_quaternion(*origin, into.turn, of)
-                                           : take_angles(*origin, into.turn, of));
+    note_unknown_attributes(*origin, {"xyz", "rpy", "quat_xyzw"}, of);
+    return read(*origin, "xyz", into.position, of) &&
+           (origin->Attribute("quat_xyzw") ? read_quaternion(*origin, into.orientation, of)
+                                           : read_angles(*origin, into.orientation, of));
   }
 
 private:
@@ -126,47 +162,47 @@ private:
     return word.find(',') == word.npos ? "" : "; use a decimal point";
   }
 
-  bool take_angles(const element& e, rotation& into, const std::string& of) {
+  bool read_angles(const element& e, rotation& into, const std::string& of) {
     constexpr double turn = 2 * std::numbers::pi + 1e-3;
     vector3 angles{};
-    if (!take(e, "rpy", angles, of)) return false;
+    if (!read(e, "rpy", angles, of)) return false;
     if (std::ranges::any_of(angles, [&](double a) { return std::abs(a) > turn; }))
-      note(e, "rpy=\"" + shown(e.Attribute("rpy")) + "\" of " + of +
+      note(e, "rpy=\"" + printable(e.Attribute("rpy")) + "\" of " + of +
                   " exceeds a full turn; angles are read in radians");
-    into = by_roll_pitch_yaw(angles, tolerance_);
+    into = rotation_by_rpy(angles, tolerance_);
     return true;
   }
-  bool take_quaternion(const element& e, rotation& into, const std::string& of) {
+  bool read_quaternion(const element& e, rotation& into, const std::string& of) {
     if (e.Attribute("rpy")) return fail(e, of + " has both rpy and quat_xyzw");
     double q[4]{};
-    if (!take_words(e, "quat_xyzw", e.Attribute("quat_xyzw"), q, 4, of)) return false;
+    if (!read_numbers(e, "quat_xyzw", e.Attribute("quat_xyzw"), q, 4, of)) return false;
     const double norm = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
     if (!(std::abs(norm - 1) < 1e-2))
-      return fail(e,
-                  "quat_xyzw=\"" + shown(e.Attribute("quat_xyzw")) + "\" of " + of + " does not have norm 1");
+      return fail(e, "quat_xyzw=\"" + printable(e.Attribute("quat_xyzw")) + "\" of " + of +
+                         " does not have norm 1");
     for (double& each : q) each /= norm;
-    into = with_right_angles(by_quaternion(q[0], q[1], q[2], q[3]), tolerance_);
+    into = round_right_angles(rotation_by_quaternion(q[0], q[1], q[2], q[3]), tolerance_);
     return true;
   }
 
-  bool take_words(const element& e, const char* attribute, std::string_view words, double* into, int count,
-                  const std::string& whose) {
-    const std::string what = std::string(attribute) + "=\"" + shown(words) + "\" of " + whose;
+  bool read_numbers(const element& e, const char* attribute, std::string_view words, double* into, int count,
+                    const std::string& whose) {
+    const std::string what = std::string(attribute) + "=\"" + printable(words) + "\" of " + whose;
     for (int i = 0; i < count; ++i) {
       const std::string_view word = next_word(words);
       if (word.empty())
         return fail(e, what + " has too few numbers: " + std::to_string(i) + " of " + std::to_string(count));
       const std::optional<double> value = number_in(word);
       if (!value)
-        return fail(e,
-                    what + " contains " + shown(word) + ", which is not a finite number" + advice_on(word));
+        return fail(e, what + " contains " + printable(word) + ", which is not a finite number" +
+                           advice_on(word));
       into[i] = *value;
     }
     return next_word(words).empty() ||
            fail(e, what + " has more than " + std::to_string(count) + (count == 1 ? " number" : " numbers"));
   }
 
-  static constexpr std::size_t most_notes = 100;
+  static constexpr std::size_t max_notes = 100;
 
   tinyxml2::XMLDocument xml_{};
   std::string called_, mistake_{};

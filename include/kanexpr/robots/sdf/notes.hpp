@@ -2,6 +2,7 @@
 
 #include <kanexpr/robots/urdf/document.hpp>
 
+#include <sdf/Console.hh>
 #include <sdf/Element.hh>
 #include <sdf/Param.hh>
 
@@ -9,18 +10,53 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <ostream>
 #include <set>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
 
 namespace kanexpr::robots::sdf {
 
+/// Captures the messages that libsdformat would print. (libsdformat passes text that is not SDF to urdfdom,
+/// which still prints a line.)
+class messages {
+public:
+  messages() : stream_(::sdf::Console::Instance()->GetMsgStream()), to_(stream_.GetStream()) {
+    stream_.SetStream(&kept_);
+  }
+  ~messages() { stream_.SetStream(to_); }
+  messages(const messages&) = delete;
+  messages& operator=(const messages&) = delete;
+
+  /// Notes the elements and attributes that libsdformat does not know, except those of mimics, which are read
+  /// elsewhere.
+  void note_in(urdf::document& from) const {
+    std::istringstream all(kept_.str());
+    for (std::string line; std::getline(all, line);) {
+      const std::size_t is = line.find(" XML "), end = line.find(" not defined in SDF");
+      if (is == line.npos || end == line.npos || line.find("Element[mimic]") != line.npos) continue;
+      const std::size_t place = line.rfind(":L", is);
+      const auto number = urdf::number_in(
+          place == line.npos ? "" : line.substr(place + 2, line.find(']', place) - place - 2));
+      from.note(static_cast<int>(number.value_or(1)),
+                "libsdformat reports: " + printable(line.substr(is + 1, end - is - 1), 200) +
+                    " not defined in SDF; it is ignored");
+    }
+  }
+
+private:
+  std::ostringstream kept_{};
+  ::sdf::Console::ConsoleStream& stream_;
+  std::ostream* to_;
+};
+
 /// Notes the elements of a file that affect the motion but are not supported, and angles that may be in
 /// degrees.
-class left_out {
+class unsupported_elements {
 public:
-  explicit left_out(urdf::document& from) : from_(from) {}
+  explicit unsupported_elements(urdf::document& from) : from_(from) {}
 
   /// Checks an element and its descendants.
   void note_in(const ::sdf::ElementPtr& e) {
@@ -31,11 +67,11 @@ public:
 
 private:
   void note(::sdf::Element& e) {
-    if (e.GetName() == "plugin") return say(e, "plugin " + shown(name_of(e)) + " is ignored");
+    if (e.GetName() == "plugin") return say(e, "plugin " + printable(name_of(e)) + " is ignored");
     if (!e.GetValue()) return;
     const std::string text = e.GetValue()->GetAsString();
     const std::string what =
-        "<" + e.GetName() + ">" + shown(text) + "</" + e.GetName() + "> of " + owner_of(e);
+        "<" + e.GetName() + ">" + printable(text) + "</" + e.GetName() + "> of " + owner_of(e);
     if (e.GetName() == "pose") {
       if (!is_in_degrees(e) && is_more_than_a_turn(text))
         say(e, what + " exceeds a full turn; angles are read in radians");
@@ -59,7 +95,7 @@ private:
   }
   static std::string called(::sdf::Element& e) {
     const std::string name = name_of(e);
-    return e.GetName() + (name.empty() ? "" : " " + shown(name));
+    return e.GetName() + (name.empty() ? "" : " " + printable(name));
   }
   static std::string owner_of(::sdf::Element& e) {
     const ::sdf::ElementPtr in = e.GetParent();

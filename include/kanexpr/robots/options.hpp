@@ -6,6 +6,16 @@
 
 namespace kanexpr::robots {
 
+/// Options for reading a file.
+struct reading_options {
+  /// The tolerance in radians within which angles are rounded to multiples of π/4 and directions to basis
+  /// vectors: files contain numbers such as 1.5707 and 3.1416, whose cosine or sine is not exactly zero. 0
+  /// keeps angles as written.
+  double right_angles = 1e-4;
+  /// Whether mimic joints follow their leaders; if not, they move independently.
+  bool mimic = true;
+};
+
 enum class base_kind : unsigned char {
   fixed,    ///< the root is fixed to the ground
   floating, ///< the root moves freely, described by its position and a unit quaternion
@@ -22,8 +32,8 @@ struct model_options {
   binding bind = binding::numbers;
   std::optional<double> gravity{}; ///< along −z of the root, m/s²; default: the gravity of the robot, or 9.81
   bool damping = true;             ///< whether to apply the torques −c q̇ of the file
-  bool friction =
-      false; ///< whether to apply the torques −f sign(q̇) of the file, which are not differentiable at rest
+  /// Whether to apply the torques −f sign(q̇) of the file, which are not differentiable at rest.
+  bool friction = false;
 };
 
 /// The gravitational acceleration of a model, in the axes of its root.
