@@ -11,7 +11,7 @@
 
 namespace agreement {
 
-/// Random values, the same for each run.
+/// Random values, the same in every run.
 template <class Vector>
 Vector random(std::mt19937_64& source, double from, double to) {
   std::uniform_real_distribution<double> distribution(from, to);
@@ -30,7 +30,7 @@ void expect_same_bits(const Compiled& compiled, const Interpreted& interpreted) 
           << "entry " << i << ", " << j << ": " << compiled(i, j) << " and " << interpreted(i, j);
 }
 
-/// The right side ẋ of one system, which rests on everything else.
+/// The rates ẋ of one system, which depend on all other results.
 template <class System>
 void check_rhs() {
   using eom = kanexpr::equations_of_motion<System>;

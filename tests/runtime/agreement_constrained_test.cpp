@@ -17,7 +17,7 @@ TEST(agreement, chaplygin_sleigh) { agreement::check_rhs<chaplygin_sleigh::Syste
 TEST(agreement, pendulum_nonminimal) { agreement::check_rhs<pendulum_nonminimal::System>(); }
 TEST(agreement, andrews) { agreement::check_rhs<andrews::System>(); }
 
-// Everything that is asked of constraints, with one block that is solved with row exchanges.
+// All results of a constrained system, with one block that is solved with row exchanges.
 TEST(agreement, dense_constraints) {
   using eom = kanexpr::equations_of_motion<dense_constraints::System>;
   auto derived = kanexpr::derive<dense_constraints::System>();
@@ -51,13 +51,13 @@ TEST(agreement, dense_constraints) {
     agreement::expect_same_bits(j, jacobian(t, x, p, r));
     agreement::expect_same_bits(d, dependency(t, x, p, r));
     agreement::expect_same_bits(b, bias(t, x, p, r));
-    // and they are right: speeds as the constraints ask for leave nothing
+    // and they are correct: the residual vanishes at the dependent speeds
     auto placed = x;
     constexpr int dependent[]{1, 2, 3, 5};
     for (int i = 0; i < 4; ++i) placed(6 + dependent[i]) = u(i);
     EXPECT_LE(eom::velocity_residual(t, placed, p, r).norm(), 1e-12 * (1 + j.norm() * placed.norm()));
   }
-  EXPECT_GE(solved, 45); // the others are too near to singular states
+  EXPECT_GE(solved, 45); // the others are too close to singular states
 }
 
 } // namespace

@@ -1,5 +1,4 @@
-// The derivatives of the whole right side, and the forces of all speeds, as compiled code and as the
-// interpreted derivation, to the last bit.
+// The derivatives of ẋ and the forces of all speeds: compiled and interpreted results agree to the last bit.
 #include "models/four_bar.hpp"
 #include "runtime/agreement.hpp"
 

@@ -1,4 +1,4 @@
-// Linearizations as compiled code and as the interpreted derivation, to the last bit.
+// Compiled and interpreted linearizations agree to the last bit.
 #include "models/four_bar.hpp"
 #include "models/rotating_tube.hpp"
 #include "no_heap.hpp"
@@ -14,8 +14,7 @@ auto without_heap(Function function, const Arguments&... arguments) {
   return function(arguments...);
 }
 
-// Several results in one column: what is solved on the way is written out in the way that is cheapest for
-// all.
+// Several results in one column: shared linear systems are expanded in the form that is cheapest for all.
 template <class Model>
 kanexpr::symbolic::matrix column(Model& derived, std::initializer_list<quantity> wanted) {
   kanexpr::symbolic::matrix all(derived.graph(), 0, 1);

@@ -1,5 +1,5 @@
 // builds: no-exceptions
-// Putting a state together: the compiled and the derived system do the same.
+// Compiled and run-time systems assemble the same states.
 #include "four_bars.hpp"
 #include "no_heap.hpp"
 
@@ -10,7 +10,8 @@
 
 namespace {
 
-// Both ways of assembling a four-bar from the same guess; x is that of the compiled system.
+// Assembles a four-bar linkage from the same guess as a compiled and a run-time system; x is that of the
+// compiled one.
 struct assembled_both_ways {
   kanexpr::assembly compiled, derived;
   Eigen::VectorXd by_derived;
@@ -39,7 +40,7 @@ TEST(assemble, closes_the_loop_and_gives_the_dependent_speeds) {
   EXPECT_EQ(b.x[q1], guess[q1]);
   EXPECT_EQ(b.x[u1], guess[u1]);
   EXPECT_LT((b.x - guess).norm(), 3); // the branch that was guessed
-  // by hand: the loop, and its rate
+  // computed by hand: the loop and its rate
   const double a = b.x[q1], c = a + b.x[q2], d = c + b.x[q3], wa = b.x[u1], wc = wa + b.x[u2],
                wd = wc + b.x[u3];
   EXPECT_NEAR(0.7 * std::cos(a) + 1.8 * std::cos(c) + 1.2 * std::cos(d), 2, 1e-15);
@@ -50,7 +51,7 @@ TEST(assemble, closes_the_loop_and_gives_the_dependent_speeds) {
 
 TEST(assemble, says_that_lengths_do_not_reach_and_leaves_the_state) {
   four_bars b;
-  b.p[four_bar::l0] = 5; // the bars together are 3.7 long
+  b.p[four_bar::l0] = 5; // the total length of the bars is 3.7
   const auto guess = b.x;
   const assembled_both_ways done(b);
   EXPECT_EQ(b.x, guess);
@@ -62,7 +63,7 @@ TEST(assemble, says_that_lengths_do_not_reach_and_leaves_the_state) {
   }
 }
 
-// In place, but all bars in line.
+// Assembled, but with all bars in line.
 TEST(assemble, says_that_speeds_are_singular) {
   using namespace four_bar;
   four_bars b;

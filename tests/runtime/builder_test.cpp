@@ -25,7 +25,7 @@ using kanexpr::runtime::point_id;
 using kanexpr::runtime::vector;
 using kanexpr::symbolic::expression;
 
-// A pendulum on a cart: enough to have something of every kind.
+// A pendulum on a cart, with an element of every kind.
 struct pendulum_on_cart : builder {
   expression x = coordinate("x"), theta = coordinate("theta"), v = speed("v"), omega = speed("omega");
   expression m = parameter("m"), length = parameter("l"), push = input("F");
@@ -81,7 +81,7 @@ TEST(builder, gives_the_equations_of_what_was_built) {
   EXPECT_DOUBLE_EQ(force[1], -ml * 9.81 * s);
 }
 
-// A wheel without mass on the rod, beside one that has an inertia of 0.07 about its axis.
+// A massless wheel on the rod, and one with an inertia of 0.07 about its axis.
 TEST(builder, takes_a_body_without_mass) {
   for (const bool by_parameter : {false, true}) {
     pendulum_on_cart b;
@@ -148,7 +148,7 @@ TEST(builder, keeps_constraints_and_what_depends_on_them) {
 
 TEST(builder, derives_what_is_constrained) {
   pendulum_on_cart b;
-  b.velocity_constraint(b.v); // the cart stands still
+  b.velocity_constraint(b.v); // the cart is at rest
   ASSERT_EQ(b.check().view(), "");
   equations derived(b.system());
   derived.constrain();
@@ -271,7 +271,7 @@ TEST(interpreter, evaluates_in_other_scalar_types) {
   EXPECT_NEAR(static_cast<double>(found[0] - std::sin(0.7L) / 3), 0, 1e-18);
 }
 
-// ---- mistakes: what a person may do wrong, and the sentence that tells it
+// ---- mistakes and the sentences that report them
 
 template <class Mistake>
 std::string told(Mistake mistake) {
@@ -290,7 +290,7 @@ TEST(builder, takes_numbers_beside_expressions) {
             print(b.number(1.5) - (b.number(0.5) + b.x / b.number(2.5)) / b.number(0.25) +
                   b.number(2.5) * b.m - b.number(0.75)));
   EXPECT_EQ(print(0.5 / b.m + b.x * (b.m + 0.25)), print(b.number(0.5) / b.m + b.x * (b.m + b.number(0.25))));
-  // not cut to an int
+  // not truncated to an int
   EXPECT_EQ(print(b.m * 9.81 + b.x * 0.5F), print(9.81 * b.m + 0.5 * b.x));
   EXPECT_EQ(print(b.m * 5'000'000'000 + 3U * b.x), print(5e9 * b.m + 3.0 * b.x));
   EXPECT_EQ(b.check().view(), "");
@@ -388,7 +388,7 @@ TEST(builder_mistakes, knows_what_a_name_is) {
   EXPECT_EQ(told([](auto& b) { b.time(), b.time(), b.parameter("t"); }), "the name t is used twice");
 }
 
-// Of a name that is too long for a sentence both ends are left.
+// A name that is too long for a sentence is shortened in the middle.
 TEST(builder_mistakes, keep_the_ends_of_names) {
   const auto called = [](char last) { return "Link" + std::string(300, 'x') + last; };
   for (const char last : {'a', 'b'}) {
@@ -514,14 +514,14 @@ TEST(builder_mistakes, compares_velocities_with_positions) {
   };
   EXPECT_EQ(told([&](auto& b) { slides(b, false); }), expected);
   EXPECT_EQ(told([&](auto& b) { slides(b, true); }), "");
-  EXPECT_EQ(told([](auto& b) { // as the rod sees it
+  EXPECT_EQ(told([](auto& b) { // in the axes of the rod
               const auto place = b.offset("Q", b.o, b.along(b.rod, b.x, 0, 0));
               b.velocity(place, b.rod, b.along(b.rod, b.dot(b.x), 0, 0));
             }),
             "");
 }
 
-// Where an equality holds at some states alone, or beside something large.
+// An equality holds only at some states, or is hidden by a large term.
 TEST(builder_mistakes, compares_velocities_at_many_states_and_with_each_speed) {
   const std::string
       velocity = "the velocity of point Q is not the rate of its position; if this is intended, "
@@ -606,7 +606,7 @@ TEST(builder_mistakes, finds_those_of_the_finished_mechanism) {
             "the mass of A changes with speed omega");
 }
 
-// To C++ 1/2 is the whole number 0.
+// In C++, 1/2 is the integer 0.
 TEST(builder_mistakes, takes_no_whole_zero) {
   const std::string which = ", which is also the value of 1/2 in C++; write ",
                     meant = ", or 0.0 if you mean zero";
@@ -632,7 +632,7 @@ TEST(builder_mistakes, finds_what_is_made_and_used_by_nothing) {
             "input T is declared but not used in the system; if this is intended, call used_elsewhere");
   EXPECT_EQ(told([](auto& b) {
               const expression r = b.prescribed("r");
-              b.force(b.bob, b.along(b.n, b.dot(r), 0, 0)); // its other rates are there with it
+              b.force(b.bob, b.along(b.n, b.dot(r), 0, 0)); // its rates are inputs, too
             }),
             "");
   EXPECT_EQ(told([](auto& b) { b.auxiliary_speed("lift"); }),
@@ -684,7 +684,7 @@ TEST(builder_mistakes, looks_at_numbers_of_orientations) {
     return told([&](auto& b) { b.direction_cosines("A", b.n, rows(b, numbers)); });
   };
   EXPECT_EQ(turned({0.6, -0.8, 0, 0.8, 0.6, 0, 0, 0, 1}), "");
-  EXPECT_EQ(turned({0.8660254, -0.5, 0, 0.5, 0.8660254, 0, 0, 0, 1}), ""); // as it is written down
+  EXPECT_EQ(turned({0.8660254, -0.5, 0, 0.5, 0.8660254, 0, 0, 0, 1}), ""); // as written
   const std::string skew = "the direction cosines of frame A are not orthonormal; write irrational entries "
                            "as sqrt or cos of numbers";
   EXPECT_EQ(turned({0.6, 0.8, 0, 0.8, 0.6, 0, 0, 0, 1}), skew);
@@ -708,7 +708,7 @@ TEST(builder_mistakes, looks_at_numbers_of_orientations) {
   const std::string no_unit = "the quaternion of frame A does not have unit length";
   EXPECT_EQ(quaternion(1, 1), no_unit);
   EXPECT_EQ(quaternion(0, 0), no_unit);
-  EXPECT_EQ(quaternion(2, 0), no_unit); // of which no direction cosine shows it
+  EXPECT_EQ(quaternion(2, 0), no_unit); // which no direction cosine contains
   EXPECT_EQ(quaternion(0, 1e200), no_unit);
 }
 
@@ -722,7 +722,7 @@ TEST(builder_mistakes, looks_at_orientations_by_functions_of_angles) {
   EXPECT_EQ(quaternion(half_cosine, half_sine), "");
   EXPECT_EQ(quaternion(half_cosine, [](auto& b) { return 2 * sin(b.theta / 2); }), no_unit);
   EXPECT_EQ(quaternion(half_cosine, [](auto& b) { return sin(b.theta); }), no_unit);
-  EXPECT_EQ(quaternion([](auto& b) { return b.m; }, half_sine), ""); // as long as m is
+  EXPECT_EQ(quaternion([](auto& b) { return b.m; }, half_sine), ""); // if m is nonzero
   const auto turned = [](auto xx, auto yy) {
     return told([&](auto& b) {
       kanexpr::mechanics::matrix3 m = rows(b, {0, 0, 0, 0, 0, 0, 0, 0, 1});
@@ -764,7 +764,7 @@ TEST(builder_mistakes, looks_at_masses_and_inertias) {
   EXPECT_EQ(body(m, of({1, 1, 0, 0, 0, 0})), "");          // a rod
   EXPECT_EQ(body(m, of({1.23, 2.34, 3.58, 0, 0, 0})), ""); // a plate, rounded
   EXPECT_EQ(body(m, of({0, 0, 0, 0, 0, 0})), "");
-  EXPECT_EQ(body(m, of({0, 0, 5, 0, 0, 0})), ""); // of a planar motion
+  EXPECT_EQ(body(m, of({0, 0, 5, 0, 0, 0})), ""); // for a planar motion
   EXPECT_EQ(body(m, of({1e-9, 1e-9, 1e-9, 0.2e-9, 0, 0.1e-9})), "");
   const std::string none = "the inertia of A is not physical: one principal moment exceeds the sum of the "
                            "other two; if this is intended, wrap it in effective_inertia<...>";
@@ -780,18 +780,18 @@ TEST(builder_mistakes, looks_at_masses_and_inertias) {
   EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, -(b.m + b.length * b.m / 3)); }),
             "the mass of A is negative");
   EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m - b.length); }), "");
-  const auto about = [&](std::initializer_list<double> numbers) { // a point at (1, 2, 0) of the mass centre
+  const auto about = [&](std::initializer_list<double> numbers) { // a point at (1, 2, 0) from the mass center
     return told([&](auto& b) {
       const point_id other = b.offset("Other", b.bob, b.along(b.rod, 1, 2, 0));
       b.rigid_body("A", b.bob, b.rod, b.number(2), of(numbers)(b), other);
     });
   };
-  EXPECT_EQ(about({8, 2, 10, -4, 0, 0}), ""); // of the mass alone
+  EXPECT_EQ(about({8, 2, 10, -4, 0, 0}), ""); // of the mass only
   EXPECT_EQ(about({9, 3, 11, -4, 0, 0}), "");
   EXPECT_EQ(about({7, 6, 10, -4, 0, 0}),
             "the inertia of A about Other is smaller than the parallel-axis term of its mass");
   EXPECT_EQ(about({9, 3, 14, -4, 0, 0}), none);
-  EXPECT_EQ(about({0, 0, 10, 0, 0, 0}), ""); // of a planar motion
+  EXPECT_EQ(about({0, 0, 10, 0, 0, 0}), ""); // for a planar motion
   EXPECT_EQ(about({0, 0, 9, 0, 0, 0}),
             "the inertia of A about Other is smaller than the parallel-axis term of its mass");
   const auto in_two_frames = [&](double product, double back, double third) {

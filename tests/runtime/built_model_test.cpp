@@ -1,4 +1,4 @@
-// A model of what a builder built, beside that of the same system described as types.
+// Models from a builder, compared with models of the same systems described by types.
 #include "no_heap.hpp"
 #include "runtime/agreement.hpp"
 #include "runtime/built_pendulum.hpp"
@@ -125,7 +125,7 @@ TEST(model, is_shared_by_its_copies) {
   EXPECT_EQ(print(first.mass_matrix()), "[l^2*m]");
 }
 
-// Carts on one rail: the first takes all others along.
+// Carts on one rail; the first pulls all others.
 struct train : builder {
   static constexpr int carts = 60;
 

@@ -2,7 +2,7 @@
 
 #include <kanexpr/runtime/builder.hpp>
 
-/// A bob on a rod that turns about a fixed point; x points down. A motor may turn the rod.
+/// A bob on a rod that rotates about a fixed point; x points down. A motor may drive the rod.
 struct built_pendulum : kanexpr::runtime::builder {
   using expression = kanexpr::symbolic::expression;
   expression q = coordinate("q"), u = speed("u"), m = parameter("m"), l = parameter("l"), g = parameter("g"),

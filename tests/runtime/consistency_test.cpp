@@ -1,4 +1,4 @@
-// Checking a state, and binding its speeds: the compiled and the derived system say the same.
+// Compiled and run-time systems check states and solve for dependent speeds with the same results.
 #include "four_bars.hpp"
 #include "models/pendulum_nonminimal.hpp"
 #include "runtime/agreement.hpp"
@@ -19,7 +19,7 @@ TEST(assemble, says_that_the_start_is_singular) {
   using eom = kanexpr::equations_of_motion<System>;
   eom::parameters p = eom::parameters::Ones();
   eom::state x;
-  x << 0.5, 0, 1, 2; // beside the pivot nothing tells up from down
+  x << 0.5, 0, 1, 2; // level with the pivot, up and down are equivalent
   const eom::state guess = x;
   const kanexpr::assembly a = kanexpr::assemble<System>(x, p);
   EXPECT_FALSE(a);
@@ -65,10 +65,10 @@ TEST(check_consistency, names_the_constraint_and_the_amount) {
   moved[q1] += std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(both(moved));
   moved = b.x;
-  moved[u1] = std::numeric_limits<double>::infinity(); // as are the terms that it is beside
+  moved[u1] = std::numeric_limits<double>::infinity(); // and so are its terms
   EXPECT_FALSE(both(moved));
 
-  b.p[l0] += 0.5; // along x alone
+  b.p[l0] += 0.5; // only along x
   EXPECT_EQ(both(b.x).cause(), "configuration constraint 1 has a residual of -0.5");
   EXPECT_NEAR(both(b.x).configuration_residual, 0.5, 1e-14);
 }
@@ -83,7 +83,7 @@ TEST(imposed, replaces_the_dependent_speeds) {
   energy.entries[0] = model.equations().imposed(energy.entries[0]);
   auto bound = model.function(energy);
   auto x = b.x;
-  x[u2] = x[u3] = std::numeric_limits<double>::quiet_NaN(); // are not asked for
+  x[u2] = x[u3] = std::numeric_limits<double>::quiet_NaN(); // are not requested
   EXPECT_NEAR(bound(x, b.p, b.r)(0), expected, 1e-14 * expected);
   EXPECT_TRUE(bound.status());
   x[q3] = 0;

@@ -1,5 +1,5 @@
-// Six beads on six wires under four constraints that hold all of their speeds, so that the dependent ones
-// hang together in one block.
+// Six beads on six wires, with four constraints that contain all speeds, so that the dependent speeds form
+// one block.
 #pragma once
 
 #include <kanexpr/kanexpr.hpp>
@@ -29,7 +29,7 @@ template <int i>
 using spring = force<P<i>, -k * q<i> * N::x>;
 
 template <int i>
-constexpr double n = i; // a whole number 0 may be a quotient that was cut off
+constexpr double n = i; // an integer 0 may be a truncated quotient
 template <int i>
 constexpr auto bound = u<0> * cos(q<0> + n<i>) + u<1> * (a + sin(n<i> * q<1>)) + u<2> * cos(n<i> * q<2> - a) +
                            u<3> * (n<i> - q<3>)+u<4> * sin(q<4> + n<i * i>) + u<5> * (a - n<i> * q<5>) ==

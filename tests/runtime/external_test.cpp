@@ -1,5 +1,4 @@
-// Functions of the program in derivations at run time: printed, listed, interpreted, differentiated, with
-// limits.
+// User-defined functions in derivations at run time: printing, listing, evaluation, derivatives and limits.
 
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/runtime/builder.hpp>
@@ -67,7 +66,7 @@ TEST(external, is_interpreted_as_it_is_compiled) {
   }
 }
 
-/// Without a derivative, as there are none in its motion.
+/// Without a derivative, which the equations of motion do not need.
 constexpr external<"rough", brush> rough;
 struct Rough : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
                            loads<torque<A, -rough(u, 1) * N::z>>> {};
@@ -88,7 +87,7 @@ TEST(external, without_derivatives_has_no_linearization) {
   EXPECT_EQ(slope.status().cause(), lacking);
 }
 
-/// Mixed derivatives are one.
+/// Mixed derivatives are identical.
 struct product {
   constexpr double operator()(double x, double y) const { return x * x * y; }
 };

@@ -1,4 +1,4 @@
-// A four-bar linkage with numbers, near a position in which it closes.
+// A four-bar linkage with numbers, close to an assembled position.
 #pragma once
 
 #include "models/four_bar.hpp"

@@ -1,6 +1,5 @@
 // builds: clang++ sanitize
-// Linearization while the program runs: what a textbook prints, operating points in parts, what is wrong with
-// them, and limits.
+// Linearization at run time: textbook results, merged operating points and their mistakes, and limits.
 #include "models/double_pendulum.hpp"
 #include "models/four_bar.hpp"
 #include "models/pendulum_nonminimal.hpp"
@@ -41,7 +40,7 @@ TEST(linearization, prints_a_pendulum_as_a_textbook_does) {
   EXPECT_THAT(linear.inputs(), ElementsAre("T"));
 }
 
-// The same by Lagrange's method, whose state is [q; dq/dt], also with a constraint in place of the angle.
+// The same by Lagrange's method with the state [q; dq/dt], also with a constraint instead of the angle.
 TEST(linearization, prints_the_same_by_lagrange) {
   using namespace simple_pendulum;
   auto angle = kanexpr::derive<LagrangeSystem>();
@@ -64,7 +63,7 @@ TEST(linearization, prints_the_same_by_lagrange) {
                                               "[0, 0, 0, m,   -2*L]");
 }
 
-// A motor whose torque is written so that it is 0/0 where the pendulum hangs.
+// A motor whose torque is written such that it is 0/0 for the hanging pendulum.
 namespace undetermined {
 using namespace simple_pendulum;
 struct System
@@ -104,7 +103,7 @@ TEST(linearization, leaves_symbols_that_the_point_does_not_name) {
                                                                           "[-g/2, -c/(4*m)]");
 }
 
-// A length that the model does not have, and a value in the words of the model.
+// A length that is not in the model, and a value written as an expression of the model.
 TEST(linearization, takes_expressions_and_new_parameters) {
   using namespace simple_pendulum;
   constexpr kanexpr::parameter<"f"> f;
@@ -152,7 +151,7 @@ TEST(linearization, checks_rates_that_the_point_gives) {
           "the operating point does not satisfy dynamic differential equation 1: the residual is 0.5"));
 }
 
-// With symbols for the lengths it is satisfied for some of them only.
+// With symbolic lengths, the point satisfies the constraints only for some lengths.
 TEST(linearization, checks_points_whose_parameters_are_open) {
   using namespace pendulum_nonminimal;
   auto model = kanexpr::derive<System>();
@@ -188,7 +187,7 @@ TEST(linearization, takes_prescribed_quantities_and_their_derivatives_as_inputs)
   EXPECT_EQ(print(linear.explicit_form().B(1, 1)), "2*q*theta'");
 }
 
-// Everything by numbers, by a half of them and by none is the same.
+// All values, half of the values or no values as numbers give the same result.
 TEST(linearization, agrees_with_itself_however_much_is_given) {
   using namespace double_pendulum;
   auto model = kanexpr::derive<System>();
@@ -223,7 +222,7 @@ TEST(linearization, gives_outputs) {
                            "[1/(l*m)]");
 }
 
-// The model may be gone.
+// The model may no longer exist.
 TEST(linearization, keeps_what_it_needs) {
   using namespace simple_pendulum;
   auto linear = kanexpr::derive<System>().linearize({{q, 0}, {c, 0}});
@@ -244,7 +243,7 @@ TEST(linearization, tells_the_mistake_of_a_system) {
   EXPECT_THAT(linear.states(), IsEmpty());
 }
 
-// A pendulum of no length moves no mass, whatever its mass is.
+// A pendulum of length zero moves no mass, whatever its mass.
 TEST(linearization, says_that_the_rates_cannot_be_solved_for) {
   using namespace simple_pendulum;
   auto model = kanexpr::derive<System>();

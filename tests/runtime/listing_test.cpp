@@ -1,4 +1,4 @@
-// The code of results as text: read back by a parser of its own, it gives the values of the interpreter.
+// The code of results as text: a separate parser reads it and obtains the values of the interpreter.
 #include <kanexpr/runtime/listing.hpp>
 #include <kanexpr/symbolic.hpp>
 #include <kanexpr/symbolic/graph/composed.hpp>
@@ -137,7 +137,7 @@ TEST(listing, read_back_gives_the_interpreted_values) {
   expect_the_interpreted_values(derive<bicycle::System>().udot());
 }
 
-// Rows are exchanged, and both triangles used in both directions.
+// Rows are exchanged, and both triangles are used in both directions.
 TEST(listing, writes_linear_systems_out) {
   for (int order = 1; order < 8; ++order) {
     moving_system s(order, 5);
@@ -167,7 +167,7 @@ TEST(listing, has_all_functions) {
     all.entries.push(e);
   all.rows = all.entries.size();
   const std::string text = listing(all, "f");
-  EXPECT_NE(text.find("atan2(x, t_"), std::string::npos) << text; // t1 is a name of the model
+  EXPECT_NE(text.find("atan2(x, t_"), std::string::npos) << text; // the model contains the name t1
   expect_the_interpreted_values(all);
 }
 

@@ -1,5 +1,5 @@
 // builds: sanitize
-// What a system derived at run time shows to a person.
+// Printed results of a system derived at run time.
 #include "models/rolling_disc.hpp"
 
 #include <kanexpr/runtime/assemble.hpp>
@@ -92,7 +92,7 @@ TEST(model, tells_in_the_status_why_a_result_was_not_formed) {
   auto derived = derive<System>();
   const symbolic::matrix refused = derived.get<speed<"w">{} * u1>();
   auto now = derived.function(refused);
-  derived.mass_matrix(); // lets go of what was refused
+  derived.mass_matrix(); // clears the rejected request
   auto later = derived.function(refused);
   for (auto* f : {&now, &later})
     EXPECT_EQ((*f)(state<System>::Zero().eval(), parameter_values<System>(1, 1, 1)).size(), 0);

@@ -1,6 +1,6 @@
-// The regressor of inverse dynamics: against inverse dynamics itself, whose masses and inertias come another
-// way, at random states that satisfy no constraint; against a textbook's; what is derived in the compiler to
-// the last bit. Base parameters against counts and formulas of the literature, and inverse dynamics by them.
+// The regressor, compared with inverse dynamics, which treats masses and inertias differently, at random
+// states that violate the constraints, and with a textbook; compiled and run-time results agree to the last
+// bit. Base parameters, compared with counts and formulas of the literature and with inverse dynamics.
 #include "runtime/agreement.hpp"
 
 #include <kanexpr/runtime/base_parameters.hpp>
@@ -41,7 +41,7 @@ struct linear_dynamics {
 
   explicit linear_dynamics(kanexpr::model of) : m(std::move(of)) {}
 
-  /// Where the model is at random, with given parameters; π is a function of what it returns.
+  /// A random state with given parameters.
   template <class Values>
   void expect_linear(const VectorXd& p, std::mt19937_64& source, const Values& values_of) {
     const double t = random_numbers(source, 1, -1, 1)(0);
@@ -75,8 +75,8 @@ TEST(regressor, iiwa) { expect_linear(kanexpr::derive<iiwa::System>()); }
 TEST(regressor, four_bar) { expect_linear(kanexpr::derive<four_bar::System>()); }
 TEST(regressor, rolling_disc) { expect_linear(kanexpr::derive<rolling_disc_constrained::System>()); }
 
-/// A body that turns about two axes, on it one that slides and turns, with a particle; all that they have is
-/// a parameter.
+/// A body that rotates about two axes and carries a second one, which slides and rotates, and a particle; all
+/// their properties are parameters.
 namespace chain {
 
 using namespace kanexpr;
@@ -124,7 +124,7 @@ struct System
 
 } // namespace chain
 
-/// Steiner's theorem by hand, for ten numbers that begin with the mass and the mass centre.
+/// The parallel-axis theorem, written by hand for ten numbers that start with the mass and the mass center.
 VectorXd about_joint(const VectorXd& given) {
   const double mass = given(0);
   const Vector3d center = given.segment<3>(1);
@@ -136,7 +136,7 @@ VectorXd about_joint(const VectorXd& given) {
   return pi;
 }
 
-// More sets of parameters than columns: so each column is right by itself.
+// There are more sets of parameters than columns, so every column is correct.
 TEST(regressor, columns) {
   linear_dynamics linear(kanexpr::derive<chain::System>());
   ASSERT_EQ(linear.m.mistake(), "");
@@ -220,7 +220,7 @@ TEST(regressor, is_of_masses_that_stay) {
   EXPECT_EQ(kanexpr::find_base_parameters(m, VectorXd::Ones(4)).cause(), expected);
 }
 
-/// Y π for any π, at states that were not among those where the parameters were found.
+/// Y π for any π, at states other than those from which the parameters were found.
 void expect_same_forces(kanexpr::model& m, const kanexpr::base_parameters& base, const VectorXd& p) {
   auto regressor = m.function(m.get(quantity::regressor)), udot = m.function(m.get(quantity::udot));
   std::mt19937_64 source(101);
@@ -247,11 +247,11 @@ void expect_count(kanexpr::model m, std::size_t count, const VectorXd& p = {}) {
   expect_same_forces(m, base, p);
 }
 
-// Mayeda, Yoshida & Osuka, Base Parameters of Manipulator Dynamic Models (1990): 7 n − 4 β − 2 of n revolute
-// joints, the first about the vertical and parallel to β − 1 of those that follow it at once.
+// Mayeda, Yoshida & Osuka, Base Parameters of Manipulator Dynamic Models (1990): 7 n − 4 β − 2 for n revolute
+// joints, the first of which is vertical and parallel to the next β − 1.
 TEST(base_parameters, puma) { expect_count(kanexpr::derive<puma::System>(), 36); }
 TEST(base_parameters, iiwa) { expect_count(kanexpr::derive<iiwa::System>(), 43); }
-// Three bars in a row have nine; a particle at the bearing that the last bar ends at takes no force.
+// Three bars in a row have nine; a particle at the last bearing needs no force.
 TEST(base_parameters, four_bar) {
   auto m = kanexpr::derive<four_bar::System>();
   expect_count(m, 8, VectorXd::LinSpaced(m.mechanism().parameters.size(), 1, 1.6));
@@ -279,7 +279,7 @@ TEST(base_parameters, need_the_parameters_of_the_model) {
   EXPECT_EQ(kanexpr::find_base_parameters(m, VectorXd::Ones(10), {.tolerance = 0.01}).cause(),
             "dependent and independent inertial parameters cannot be separated with a tolerance of 0.01");
   VectorXd p = VectorXd::Ones(10);
-  p(4) = 1e6; // a length, in micrometres
+  p(4) = 1e6; // a length in micrometers
   EXPECT_EQ(kanexpr::find_base_parameters(m, p).cause(),
             "dependent and independent inertial parameters cannot be separated with a tolerance of 1e-09");
   p(4) = std::numeric_limits<double>::infinity();

@@ -5,8 +5,8 @@
 #include <complex>
 #include <random>
 
-/// Second derivatives of weighted rates against complex steps of the first ones, at random states that
-/// satisfy no constraint.
+/// Compares second derivatives of weighted rates with complex steps of the first derivatives, at random
+/// states that violate the constraints.
 namespace to_second_order {
 
 using complex = std::complex<double>;
@@ -35,7 +35,7 @@ struct derivatives {
   Index coordinates = m.mechanism().coordinates.size(), speeds = m.mechanism().speeds.size(),
         inputs = m.mechanism().inputs.size(), parameters = m.mechanism().parameters.size();
   Index states = coordinates + speeds, size = states + inputs;
-  int quaternion = -1; ///< where one begins among the coordinates
+  int quaternion = -1; ///< index of the first one among the coordinates
 
   explicit derivatives(kanexpr::model of) : m(std::move(of)) {}
 
@@ -49,13 +49,13 @@ struct derivatives {
   }
 };
 
-// λᵀẋ along a path z(s), which keeps the norm of a quaternion: its second derivative at s = 0 by a complex
-// step.
+// The second derivative of λᵀẋ at s = 0 along a path z(s) that preserves the norms of quaternions, by a
+// complex step.
 inline double bend(derivatives& of, double t, const VectorXd& z, const VectorXd& p, const VectorXd& w,
                    const VectorXd& v) {
   const complex s(0, step);
   VectorXcd there = z + s * v, velocity = v;
-  if (of.quaternion >= 0) { // e cos ωs + e' sin ωs / ω, to the first order in s
+  if (of.quaternion >= 0) { // e cos ωs + e' sin ωs / ω, to first order in s
     const auto e = z.segment(of.quaternion, 4);
     velocity.segment(of.quaternion, 4) -= s * v.segment(of.quaternion, 4).squaredNorm() * e;
   }

@@ -1,4 +1,4 @@
-// Second derivatives of weighted rates of all examples that the other test leaves out.
+// Second derivatives of weighted rates for the examples that the other test omits.
 #include "runtime/second_order.hpp"
 
 #include <models/andrews.hpp>

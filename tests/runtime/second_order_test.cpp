@@ -1,5 +1,5 @@
-// Second derivatives of weighted rates against complex steps of the first ones, at random states that satisfy
-// no constraint; what is derived in the compiler to the last bit.
+// Second derivatives of weighted rates, compared with complex steps of the first derivatives at random states
+// that violate the constraints; compiled and run-time results agree to the last bit.
 #include "runtime/second_order.hpp"
 
 #include <models/double_pendulum.hpp>
@@ -57,7 +57,7 @@ TEST(second_order, is_the_same_in_the_compiler) {
                               each(quantity::directional_derivative)(0, x, p, r, v));
 }
 
-// Against complex steps along the parameters.
+// Compared with complex steps along the parameters.
 TEST(second_order, sensitivity) {
   auto m = kanexpr::derive<four_bar::System>();
   auto found = m.function(m.sensitivity<four_bar::l1, four_bar::g>());

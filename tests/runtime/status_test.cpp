@@ -1,4 +1,4 @@
-// Where something cannot be solved: the compiled and the derived system say the same.
+// Equations that cannot be solved: compiled and run-time systems report the same status.
 #include "four_bars.hpp"
 #include "models/rolling_disc_constrained.hpp"
 
@@ -14,7 +14,7 @@
 #include <type_traits>
 #include <utility>
 
-/// The four-bar linkage with its loop closed along other directions.
+/// The four-bar linkage, with its loop closed along different directions.
 namespace four_bar {
 struct TurnedSystem
     : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u2, u3>,
@@ -24,7 +24,7 @@ struct TurnedSystem
                   loads<gravity<-g * N::y>, torque<A, T * N::z>>> {};
 } // namespace four_bar
 
-/// A top with the rates of its angles as speeds, of numbers or of symbols.
+/// A top whose speeds are the rates of its angles, with numbers or symbols.
 namespace gimbal {
 using namespace kanexpr;
 constexpr coordinate<"q1"> q1;
@@ -44,7 +44,7 @@ struct System : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u2,
                             kinematics<dot(q1) == u1, dot(q2) == u2, dot(q3) == u3>, bodies<Top>> {};
 } // namespace gimbal
 
-/// Two rods of numbers, of which no configuration is singular.
+/// Two rods with numbers, without singular configurations.
 namespace two_rods {
 using namespace kanexpr;
 constexpr coordinate<"q1"> q1;
@@ -63,7 +63,7 @@ struct System : kane_system<inertial<N>, coordinates<q1, q2>, speeds<u1, u2>,
                             kinematics<dot(q1) == u1, dot(q2) == u2>, bodies<Upper, Lower>> {};
 } // namespace two_rods
 
-/// Beads on parallel wires, each told by an angle that stops it at a right one.
+/// Beads on parallel wires, described by angles that become singular at right angles.
 namespace beads {
 using namespace kanexpr;
 constexpr int count = 36;
@@ -85,7 +85,7 @@ system_of<i...> all(std::integer_sequence<int, i...>);
 struct System : decltype(all(std::make_integer_sequence<int, count>{})){};
 } // namespace beads
 
-/// A bead in a plane on a spring to a point beside it, pushed by what has no value where x is 0.
+/// A bead in a plane, on a spring to a point outside of the plane, with a force that is undefined at x = 0.
 namespace pushed_bead {
 using namespace kanexpr;
 constexpr coordinate<"x"> x;
@@ -105,7 +105,7 @@ struct System
                   bodies<Bead>, loads<spring<P, Q, k, l>, force<P, k * log(x) * N::x>>> {};
 } // namespace pushed_bead
 
-/// A bead on a table of numbers that turns, and has two slides.
+/// A bead on a rotating table with two slides, with numbers.
 namespace turntable {
 using namespace kanexpr;
 constexpr coordinate<"q"> q;
@@ -128,7 +128,7 @@ namespace {
 
 using kanexpr::mechanics::quantity;
 
-// The status of ẋ on both sides.
+// The status of ẋ of both systems.
 template <class System, class X, class P, class R>
 void expect_status(const X& x, const P& p, const R& r, const std::string& cause) {
   using eom = kanexpr::equations_of_motion<System>;
@@ -155,7 +155,7 @@ TEST(status, names_speeds_that_cannot_be_solved_for) {
   expect_status<four_bars::System>(b.x, b.p, b.r, "");
 }
 
-// Nearer to where coupler and rocker are in line rounding takes more than a millionth of u̇.
+// Closer to the position in which coupler and rocker are in line, rounding exceeds a millionth of u̇.
 TEST(status, lets_no_more_than_a_millionth_of_error_through) {
   const auto exactly = [](const auto& given) {
     return Eigen::Matrix<long double, std::remove_cvref_t<decltype(given)>::SizeAtCompileTime, 1>(
@@ -175,8 +175,8 @@ TEST(status, lets_no_more_than_a_millionth_of_error_through) {
   EXPECT_LT(good, 25);
 }
 
-// A parallelogram with all bars in line has more ways to move than one: u̇ is not what its dependent speeds
-// say.
+// A parallelogram with all bars in line can move in more than one way: its dependent speeds do not determine
+// u̇.
 TEST(status, does_not_rest_on_what_vanishes_with_a_constraint) {
   four_bars b;
   using namespace four_bar;
@@ -193,7 +193,7 @@ TEST(status, does_not_rest_on_what_vanishes_with_a_constraint) {
   }
 }
 
-// In micrometres or light years, of dust or of suns, it is the same mechanism.
+// In micrometers or light years, with masses of dust or suns, the mechanism is the same.
 TEST(status, does_not_rest_on_units) {
   using namespace four_bar;
   for (const double angle : {-1.7, 1e-6, 0.0}) {
@@ -211,7 +211,7 @@ TEST(status, does_not_rest_on_units) {
         b.r *= mass * length * length;
         const auto udot = four_bars::eom::udot(b.x, b.p, b.r);
         EXPECT_EQ(udot.status.cause(), expected.status.cause()) << length << ' ' << mass;
-        if (angle < -1) { // nearer to singular, rounding is all
+        if (angle < -1) { // closer to the singularity, rounding dominates
           EXPECT_LE((udot - expected).norm(), 1e-12 * expected.norm()) << length << ' ' << mass;
         }
       }
@@ -234,7 +234,7 @@ TEST(status, knows_any_number_of_causes) {
   using eom = kanexpr::equations_of_motion<beads::System>;
   eom::state x = eom::state::Constant(0.4);
   expect_status<beads::System>(x, eom::parameters(), eom::inputs(), "");
-  for (const int which : {beads::count - 1, 33, 2}) { // the first one is told
+  for (const int which : {beads::count - 1, 33, 2}) { // the first cause is reported
     x(which) = std::numbers::pi / 2;
     expect_status<beads::System>(
         x, eom::parameters(), eom::inputs(),
@@ -250,7 +250,7 @@ TEST(status, names_the_speed_at_which_the_mass_matrix_fails) {
   expect_status<System>(x, eom::parameters(), eom::inputs(), "");
   x[gimbal::q2] = 1e-4; // nearly
   expect_status<System>(x, eom::parameters(), eom::inputs(), "");
-  x[gimbal::q2] = 0; // the first and the last axis are one
+  x[gimbal::q2] = 0; // the first and the last axis coincide
   expect_status<System>(x, eom::parameters(), eom::inputs(),
                         "the mass matrix is singular at this state: its elimination fails at the speed u1");
 }
@@ -266,7 +266,7 @@ TEST(status, names_the_speed_that_a_mass_of_zero_leaves_alone) {
   }
 }
 
-// What is not a number, or infinite, is not singular.
+// NaN and infinite values are not reported as singular.
 TEST(status, does_not_call_singular_what_is_not_finite) {
   using namespace four_bar;
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -298,7 +298,7 @@ TEST(status, is_left_out_where_no_mass_can_be_missing) {
 TEST(status, is_not_asked_for_what_needs_no_solution) {
   four_bars b;
   b.x[four_bar::q3] = 0;
-  const double energy = four_bars::eom::kinetic_energy(b.x, b.p, b.r); // comes without one
+  const double energy = four_bars::eom::kinetic_energy(b.x, b.p, b.r); // has no status
   EXPECT_GT(energy, 0);
   auto derived = kanexpr::derive<four_bars::System>();
   auto interpreted = derived.function(derived.get(quantity::kinetic_energy));
@@ -306,7 +306,7 @@ TEST(status, is_not_asked_for_what_needs_no_solution) {
   EXPECT_TRUE(interpreted.status());
 }
 
-// What the model itself divides by, a logarithm, and a spring without length.
+// A quotient of the model, a logarithm, and a spring of zero length.
 TEST(status, tells_what_is_not_finite) {
   using namespace pushed_bead;
   using eom = kanexpr::equations_of_motion<System>;
@@ -326,7 +326,7 @@ TEST(status, tells_what_is_not_finite) {
   expect_at(0, 1, cause);  // log(0)
   expect_at(-1, 1, cause); // log(-1)
   expect_at(3, 0, cause);  // 0/0 for the direction of the spring
-  p[m] = 1e-40;            // 1/m has no float
+  p[m] = 1e-40;            // 1/m overflows float
   eom::state at;
   at << 2, 1, 0.3, -0.4;
   EXPECT_TRUE(eom::rhs(at, p).status);
@@ -351,11 +351,11 @@ TEST(status, of_finiteness_comes_with_what_may_not_be) {
   EXPECT_EQ((kanexpr::function<System, k / y>{}(at, p).status.cause()),
             "the results are not finite at this state; check for unset values, and check the quotients and "
             "functions of y");
-  // the root of a sum of squares always is a number
+  // the root of a sum of squares is always a number
   static_assert(std::is_same_v<decltype(eom::potential_energy(at, p)), double>);
 }
 
-// Where lengths have no bounds, rounding may leave nothing of what cannot vanish.
+// If lengths are unbounded, a nonzero value may be lost by rounding.
 TEST(status, tells_of_pivots_that_rounding_takes) {
   using namespace turntable;
   using eom = kanexpr::equations_of_motion<System>;

@@ -1,4 +1,4 @@
-// The same mechanisms in metres, millimetres and micrometres, kilograms and nanograms: the same answers.
+// The same mechanisms in meters, millimeters and micrometers, kilograms and nanograms: the results agree.
 #include "four_bars.hpp"
 #include "models/n_pendulum_cart.hpp"
 #include "models/pendulum_nonminimal.hpp"
@@ -25,7 +25,7 @@ using kanexpr::runtime::frame_id;
 using kanexpr::runtime::point_id;
 using kanexpr::symbolic::expression;
 
-// How many new units are in an old one.
+// The number of new units in an old one.
 struct units {
   double length, mass, time;
 };
@@ -58,7 +58,7 @@ struct slider_crank : builder {
 };
 
 struct motion {
-  std::vector<int> coordinates, speeds; // the dependent ones
+  std::vector<int> coordinates, speeds; // the dependent speeds
   VectorXd udot;                        // in old units
 };
 
@@ -104,7 +104,7 @@ TEST(units, of_a_slider_crank_do_not_matter) {
   }
 }
 
-// Said twice, the second time as a number times the first.
+// A repeated constraint, the second time multiplied by a number.
 TEST(units, of_a_redundant_constraint_do_not_matter) {
   for (const double scale : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
     slider_crank b({scale, 1, 1});
@@ -141,7 +141,7 @@ TEST(units, of_a_four_bar_do_not_matter_to_assembly_and_checks) {
     off = b.x;
     off[u3] += 1e-8;
     EXPECT_FALSE(kanexpr::check_consistency<System>(off, b.p, b.r)) << scale;
-    b.p[l0] *= 2; // out of reach
+    b.p[l0] *= 2; // unreachable
     const kanexpr::assembly none = kanexpr::assemble<System>(b.x, b.p, b.r);
     EXPECT_FALSE(none) << scale;
   }
@@ -176,7 +176,7 @@ TEST(units, of_lengths_do_not_matter_to_a_pendulum_in_two_coordinates) {
   }
 }
 
-// A wheel of radius 2 turned by a drives a bead at x along a groove that grows with the square of the angle.
+// A wheel of radius 2, rotated by a, drives a bead at x along a groove whose radius grows with a².
 TEST(units, of_lengths_do_not_matter_beside_angles_in_one_constraint) {
   for (const double scale : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
     builder b("N");
@@ -206,14 +206,14 @@ TEST(units, of_lengths_do_not_matter_beside_angles_in_one_constraint) {
     state << 0.5, 3 * scale, 0.2, 0, 0, 0;
     f(state, VectorXd(VectorXd::Constant(1, 2 * scale)));
     EXPECT_TRUE(f.status()) << scale << ": " << f.status().cause();
-    state(0) = 0; // there is no constraint left
+    state(0) = 0; // no constraint remains
     f(state, VectorXd(VectorXd::Constant(1, 2 * scale)));
     EXPECT_FALSE(f.status()) << scale;
   }
 }
 
-// A slab in the plane with its mass centre at d along A.x: of symbols beside a number nothing says how large
-// they are.
+// A slab in the plane with its mass center at d along A.x: the size of symbols relative to a number is
+// unknown.
 std::string mistake_of_slab(double inertia, bool spins) {
   builder b("N");
   const expression x = b.coordinate("x"), y = b.coordinate("y"), turn = b.coordinate("turn");
@@ -243,7 +243,7 @@ TEST(units, of_a_number_beside_symbols_do_not_make_a_mass_matrix_singular) {
       "speeds u, v and w move the same mass in any configuration: the mass matrix is numerically singular");
 }
 
-// A rod that stands upright on a cart twice as heavy as its bob: lengths, masses and angles in one matrix.
+// An upright rod on a cart twice as heavy as its bob: lengths, masses and angles in one matrix.
 TEST(units, do_not_matter_to_a_linearization_in_numbers) {
   using namespace n_pendulum_cart;
   auto model = kanexpr::derive<System<1>>();

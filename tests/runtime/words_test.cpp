@@ -1,4 +1,4 @@
-// What is wrong with the words of a system is the same sentence in the compiler and while a program runs.
+// A mistake in a system is reported by the same sentence at compile time and at run time.
 #include <kanexpr/kanexpr.hpp>
 #include <kanexpr/symbolic.hpp>
 

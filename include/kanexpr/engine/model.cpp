@@ -1,2 +1,3 @@
+#include <kanexpr/runtime/builder.ipp>
 #include <kanexpr/runtime/model.ipp>
 #include <kanexpr/runtime/staged_derivation.ipp>

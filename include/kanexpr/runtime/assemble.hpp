@@ -1,16 +1,94 @@
 #pragma once
 
 #include <kanexpr/base/engine.hpp>
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/status.hpp>
+#include <kanexpr/compiled/fitting.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/assembly.hpp>
 #include <kanexpr/numeric/independence.hpp>
-#include <kanexpr/runtime/least_multipliers.hpp>
+#include <kanexpr/numeric/least_multipliers.hpp>
 #include <kanexpr/runtime/model.hpp>
 
 #include <Eigen/Core>
+
 #include <span>
 #include <vector>
 
 namespace kanexpr {
+
+namespace runtime {
+
+/// The equations of a model that `constrained_motion` needs to find multipliers at a state: all constraints
+/// on the speeds, followed by the redundant ones.
+class constraint_equations {
+  using quantity = mechanics::quantity;
+  using vector = Eigen::VectorXd;
+
+public:
+  using number = double;
+  static constexpr int fixed_coordinates = -1, fixed_speeds = -1, fixed_rows_of_coordinates = -1,
+                       fixed_rows_of_speeds = -1;
+
+  /// Requires a model without a mistake.
+  constraint_equations(model& m, double t, const vector& p, const vector& r)
+      : coordinates_(m.mechanism().coordinates.size()), speeds_(m.mechanism().speeds.size()),
+        solved_(m.get(quantity::constraint_jacobian).rows),
+        redundant_(m.get(quantity::redundant_jacobian).rows), t_(t), p_(p), r_(r),
+        qdot_(m.function(m.get(quantity::qdot))), mass_(m.function(m.get(quantity::unreduced_mass_matrix))),
+        force_(m.function(m.get(quantity::unreduced_forcing))),
+        bias_(m.function(m.get(quantity::constraint_bias))),
+        redundant_bias_(m.function(m.get(quantity::redundant_bias))),
+        jacobian_(m.function(m.get(quantity::constraint_jacobian))),
+        redundant_jacobian_(m.function(m.get(quantity::redundant_jacobian))) {}
+
+  int coordinates() const { return coordinates_; }
+  int speeds() const { return speeds_; }
+  int solved() const { return solved_; }
+  static int rows_of_coordinates() { return 0; }
+  int rows_of_speeds() const { return solved_ + redundant_; }
+
+  static void configuration(const vector&, vector&, Eigen::MatrixXd&) {}
+  void velocities(const vector& x, vector&, Eigen::MatrixXd& by_speeds) const {
+    by_speeds.topRows(solved_) = jacobian_(t_, x, p_, r_);
+    by_speeds.bottomRows(redundant_) = redundant_jacobian_(t_, x, p_, r_);
+  }
+  status motion(const vector& x, vector& qdot, Eigen::MatrixXd& mass, vector& force, vector& bias) const {
+    qdot = qdot_(t_, x, p_, r_), mass = mass_(t_, x, p_, r_), force = force_(t_, x, p_, r_);
+    bias.head(solved_) = bias_(t_, x, p_, r_);
+    bias.tail(redundant_) = redundant_bias_(t_, x, p_, r_);
+    for (const auto* each : {&qdot_, &mass_, &force_, &bias_, &redundant_bias_})
+      if (const status s = each->status(); !s) return s;
+    return {};
+  }
+
+private:
+  int coordinates_, speeds_, solved_, redundant_;
+  double t_;
+  const vector &p_, &r_;
+  // these own the matrices that they return
+  mutable interpreted<double> qdot_, mass_, force_, bias_, redundant_bias_, jacobian_, redundant_jacobian_;
+};
+
+} // namespace runtime
+
+/// Finds u̇ and the multipliers of least norm at a state where constraints may be redundant, as for a compiled
+/// system.
+template <class Parameters = Eigen::VectorXd, class Inputs = Eigen::VectorXd>
+numeric::least_multipliers<Eigen::VectorXd, Eigen::VectorXd>
+find_least_multipliers(model& m, const Eigen::VectorXd& x, const Parameters& p = {}, const Inputs& r = {},
+                       double t = 0) {
+  m.udot(); // may report a mistake, and clears that of the previous request
+  if (!m.mistake().empty()) return {.failure = base::sentence({m.mistake()})};
+  const mechanics::mechanism& of = m.mechanism();
+  if (const base::sentence wrong = compiled::check_size("state", "the model", static_cast<int>(x.size()),
+                                                        of.coordinates.size() + of.speeds.size()))
+    return {.failure = wrong};
+  const Eigen::VectorXd parameters = p, inputs = r;
+  const runtime::constraint_equations equations(m, t, parameters, inputs);
+  return numeric::find_least_multipliers(equations, x, equations.solved());
+}
 
 namespace runtime {
 

@@ -18,61 +18,65 @@ namespace kanexpr::runtime {
 
 /// Provides the constraints of a run-time model to the numerical methods that satisfy them.
 class constraints_at {
-  using given_vector = Eigen::Map<const Eigen::VectorXd>;
+  using quantity = mechanics::quantity;
+
+  /// The time, parameters and inputs at which the constraints are evaluated.
+  struct arguments {
+    double t;
+    Eigen::Map<const Eigen::VectorXd> p, r;
+  };
+
+  /// A result as a function of the state.
+  struct function_of_state {
+    const arguments& at;
+    mutable interpreted<double> result;
+
+    Eigen::VectorXd operator()(const Eigen::VectorXd& x) const { return result(at.t, x, at.p, at.r); }
+  };
 
 public:
   using coordinate_vector = Eigen::VectorXd;
 
   constraints_at(model& m, double t, std::span<const double> p, std::span<const double> r)
-      : coordinates_(m.equations().coordinates().dependent), speeds_(m.equations().speeds().dependent),
-        quaternions_(mechanics::unit_quaternions(m.mechanism())), mechanism_(m.mechanism()),
-        first_speed_(m.mechanism().coordinates.size()), t_(t), p_(p.data(), size_of(p)),
-        r_(r.data(), size_of(r)), residual_(m.function(m.get(mechanics::quantity::configuration_residual))),
-        terms_(m.function(m.get(mechanics::quantity::configuration_terms))),
-        redundant_(m.function(m.get(mechanics::quantity::redundant_residual))),
-        redundant_terms_(m.function(m.get(mechanics::quantity::redundant_terms))),
-        redundant_rate_(m.function(m.get(mechanics::quantity::redundant_rate))),
-        redundant_rate_terms_(m.function(m.get(mechanics::quantity::redundant_rate_terms))),
-        jacobian_(m.function(m.get(mechanics::quantity::configuration_jacobian_by_all))),
-        velocity_residual_(m.function(m.get(mechanics::quantity::velocity_residual))),
-        velocity_terms_(m.function(m.get(mechanics::quantity::velocity_terms))),
-        speeds_solved_(m.function(m.get(mechanics::quantity::dependent_speeds))) {}
+      : arguments_{t, vector_of(p), vector_of(r)}, configuration_terms(of(m, quantity::configuration_terms)),
+        velocity_residual(of(m, quantity::velocity_residual)),
+        velocity_terms(of(m, quantity::velocity_terms)),
+        redundant_residual(of(m, quantity::redundant_residual)),
+        redundant_terms(of(m, quantity::redundant_terms)), redundant_rate(of(m, quantity::redundant_rate)),
+        redundant_rate_terms(of(m, quantity::redundant_rate_terms)),
+        residual_(of(m, quantity::configuration_residual)), speeds_solved_(of(m, quantity::dependent_speeds)),
+        jacobian_(m.function(m.get(quantity::configuration_jacobian_by_all))), mechanism_(m.mechanism()),
+        coordinates_(m.equations().coordinates().dependent), speeds_(m.equations().speeds().dependent),
+        quaternions_(mechanics::unit_quaternions(m.mechanism())) {}
 
-  int all_coordinates() const { return first_speed_; }
+private:
+  arguments arguments_;
+
+public:
+  function_of_state configuration_terms, velocity_residual, velocity_terms, redundant_residual,
+      redundant_terms, redundant_rate, redundant_rate_terms;
+
+  int all_coordinates() const { return mechanism_.coordinates.size(); }
   int coordinates() const { return coordinates_.size(); }
   int place_of_coordinate(int i) const { return coordinates_[i]; }
 
-  Eigen::VectorXd configuration_residual(const Eigen::VectorXd& x) {
-    return residual_(t_, at_norm_one(x), p_, r_);
-  }
+  Eigen::VectorXd configuration_residual(const Eigen::VectorXd& x) { return residual_(normalized(x)); }
   Eigen::MatrixXd configuration_jacobian_by_all(const Eigen::VectorXd& x) {
-    const Eigen::VectorXd at = at_norm_one(x);
-    Eigen::MatrixXd by_all = jacobian_(t_, at, p_, r_), by_dependent(by_all.rows(), coordinates());
+    const Eigen::VectorXd at = normalized(x);
+    Eigen::MatrixXd by_all = jacobian_(arguments_.t, at, arguments_.p, arguments_.r),
+                    by_dependent(by_all.rows(), coordinates());
     for (const base::sequence<int>& places : quaternions_) lower::leave_norm_out(by_all, at, places);
     for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all.col(coordinates_[i]);
     return by_dependent;
   }
-  Eigen::VectorXd configuration_terms(const Eigen::VectorXd& x) { return terms_(t_, x, p_, r_); }
-  Eigen::VectorXd velocity_residual(const Eigen::VectorXd& x) { return velocity_residual_(t_, x, p_, r_); }
-  Eigen::VectorXd velocity_terms(const Eigen::VectorXd& x) { return velocity_terms_(t_, x, p_, r_); }
-  Eigen::VectorXd redundant_residual(const Eigen::VectorXd& x) { return redundant_(t_, x, p_, r_); }
-  Eigen::VectorXd redundant_terms(const Eigen::VectorXd& x) { return redundant_terms_(t_, x, p_, r_); }
-  Eigen::VectorXd redundant_rate(const Eigen::VectorXd& x) { return redundant_rate_(t_, x, p_, r_); }
-  Eigen::VectorXd redundant_rate_terms(const Eigen::VectorXd& x) {
-    return redundant_rate_terms_(t_, x, p_, r_);
-  }
   /// Whether the configuration constraints hold to within rounding.
   bool configuration_holds(const Eigen::VectorXd& x) {
-    return numeric::is_rounding(
-        configuration_residual(x),
-        numeric::usual_terms([&](const Eigen::VectorXd& at) { return configuration_terms(at); }, x,
-                             all_coordinates()));
+    return numeric::is_rounding(configuration_residual(x),
+                                numeric::usual_terms(configuration_terms, x, all_coordinates()));
   }
   bool velocities_hold(const Eigen::VectorXd& x) {
-    return numeric::is_rounding(
-        velocity_residual(x),
-        numeric::usual_terms([&](const Eigen::VectorXd& at) { return velocity_terms(at); }, x,
-                             all_coordinates()));
+    return numeric::is_rounding(velocity_residual(x),
+                                numeric::usual_terms(velocity_terms, x, all_coordinates()));
   }
   /// The residuals (e·e − 1)/2 of the quaternion norms.
   Eigen::VectorXd quaternion_residual(const Eigen::VectorXd& x) const {
@@ -94,36 +98,35 @@ public:
     return {};
   }
   kanexpr::status solve_speeds(Eigen::VectorXd& x) {
-    const Eigen::VectorXd u = speeds_solved_(t_, x, p_, r_);
-    if (speeds_solved_.status())
-      for (int i = 0; i < speeds_.size(); ++i) x(first_speed_ + speeds_[i]) = u(i);
-    return speeds_solved_.status();
+    const Eigen::VectorXd u = speeds_solved_(x);
+    const kanexpr::status solved = speeds_solved_.result.status();
+    if (solved)
+      for (int i = 0; i < speeds_.size(); ++i) x(all_coordinates() + speeds_[i]) = u(i);
+    return solved;
   }
 
 private:
-  static Eigen::Index size_of(std::span<const double> values) {
-    return static_cast<Eigen::Index>(values.size());
+  static Eigen::Map<const Eigen::VectorXd> vector_of(std::span<const double> values) {
+    return {values.data(), static_cast<Eigen::Index>(values.size())};
   }
-  Eigen::VectorXd at_norm_one(Eigen::VectorXd x) {
+  function_of_state of(model& m, quantity wanted) const { return {arguments_, m.function(m.get(wanted))}; }
+
+  Eigen::VectorXd normalized(Eigen::VectorXd x) {
     normalize_quaternions(x);
     return x;
   }
 
+  function_of_state residual_, speeds_solved_;
+  interpreted<double> jacobian_;
+  const mechanics::mechanism& mechanism_;
   base::sequence<int> coordinates_, speeds_;
   base::sequence<base::sequence<int>> quaternions_;
-  const mechanics::mechanism& mechanism_;
-  base::sentence far_from_one_;
-  int first_speed_;
-  double t_;
-  given_vector p_;
-  given_vector r_;
-  interpreted<double> residual_, terms_, redundant_, redundant_terms_, redundant_rate_, redundant_rate_terms_,
-      jacobian_, velocity_residual_, velocity_terms_, speeds_solved_;
+  base::sentence far_from_one_{};
 };
 
 /// The reason why the constraints of a model cannot be evaluated at a state with `entries` entries; empty if
 /// they can.
-inline base::sentence mistake_of_constraints(model& m, std::size_t entries) {
+inline base::sentence check_constraints(model& m, std::size_t entries) {
   m.get(mechanics::quantity::velocity_residual); // clears the mistake of the previous request
   if (!m.mistake().empty()) return base::sentence({m.mistake()});
   return compiled::check_size("state", "the model", static_cast<int>(entries),
@@ -132,7 +135,7 @@ inline base::sentence mistake_of_constraints(model& m, std::size_t entries) {
 
 KANEXPR_ENGINE assembly assemble(model& m, std::span<double> x, std::span<const double> p,
                                  std::span<const double> r, double t, const assembly_options& options) {
-  if (const base::sentence wrong = mistake_of_constraints(m, x.size())) return {.failure = wrong};
+  if (const base::sentence wrong = check_constraints(m, x.size())) return {.failure = wrong};
   constraints_at constraints(m, t, p, r);
   Eigen::Map<Eigen::VectorXd> given(x.data(), static_cast<Eigen::Index>(x.size()));
   Eigen::VectorXd placed = given;
@@ -143,7 +146,7 @@ KANEXPR_ENGINE assembly assemble(model& m, std::span<double> x, std::span<const 
 
 KANEXPR_ENGINE consistency check_consistency(model& m, std::span<const double> x, std::span<const double> p,
                                              std::span<const double> r, double t, double tolerance) {
-  if (const base::sentence wrong = mistake_of_constraints(m, x.size())) return {.failure = wrong};
+  if (const base::sentence wrong = check_constraints(m, x.size())) return {.failure = wrong};
   constraints_at constraints(m, t, p, r);
   const Eigen::VectorXd state =
       Eigen::Map<const Eigen::VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));

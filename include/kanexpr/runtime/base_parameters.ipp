@@ -29,13 +29,13 @@ public:
 
   /// Returns stacked regressors with several times as many rows as columns; there are no rows if no states
   /// were found.
-  Eigen::MatrixXd draw(Eigen::Index columns) {
+  Eigen::MatrixXd stacked(Eigen::Index columns) {
     const Eigen::Index rows = m_.mechanism().speeds.size() - m_.equations().speeds().dependent.size();
     const Eigen::Index states = rows == 0 ? 0 : 3 * columns / rows + 3;
     Eigen::MatrixXd all(rows * states, columns);
     Eigen::Index found = 0;
     for (Eigen::Index tried = 0; found < states && tried < 20 * states; ++tried)
-      if (move()) all.middleRows(rows * found++, rows) = y_(t_, x_, p_, r_, a_);
+      if (draw_state()) all.middleRows(rows * found++, rows) = y_(t_, x_, p_, r_, a_);
     return found < states ? Eigen::MatrixXd(0, columns) : all;
   }
 
@@ -48,7 +48,7 @@ private:
     return Eigen::VectorXd::NullaryExpr(count, [&] { return unit(source_); });
   }
 
-  bool move() {
+  bool draw_state() {
     const mechanics::mechanism& moving = m_.mechanism();
     const mechanics::partition& speeds = m_.equations().speeds();
     t_ = numbers(1, 1)(0);
@@ -119,7 +119,7 @@ KANEXPR_ENGINE found_base_parameters find_base_parameters(model& m, std::span<co
           base::sentence({"parameter ", m.graph().symbol_at(m.mechanism().parameters[i].node()).called.view(),
                           " is not finite"}));
   random_regressors states(m, p, options.seed);
-  const Eigen::MatrixXd all = states.draw(y.columns);
+  const Eigen::MatrixXd all = states.stacked(y.columns);
   if (all.rows() == 0)
     return refuse(base::sentence(
         {"no states were found at which base parameters can be computed: ", states.cause().view()}));

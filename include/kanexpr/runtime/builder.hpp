@@ -7,7 +7,7 @@
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
-#include <kanexpr/runtime/inspector.hpp>
+#include <kanexpr/runtime/builder_checks.hpp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/graph/compose.hpp>
 
@@ -76,7 +76,7 @@ private:
 };
 
 /// A vector whose components along `directions` vanish.
-struct vanishing {
+struct zero_components {
   vector value;
   std::vector<vector> directions;
 };
@@ -97,7 +97,7 @@ public:
 
   /// The first mistake made while building, or the first in the resulting system; empty if there is none.
   sentence(check)() const;
-  const sentence& mistake() const { return inspect_.mistake(); }
+  const sentence& mistake() const { return checks_.mistake(); }
 
   const mechanics::multibody_system& system() const { return system_; }
   const mechanics::mechanism& mechanism() const { return system_.mechanism; }
@@ -105,10 +105,10 @@ public:
 
   // ---- scalars
 
-  expression coordinate(std::string_view q);
-  expression speed(std::string_view u);
-  expression parameter(std::string_view p);
-  expression input(std::string_view r);
+  expression coordinate(std::string_view q) { return checks_.is_new_symbol(q), m_.coordinate(q); }
+  expression speed(std::string_view u) { return checks_.is_new_symbol(u), m_.speed(u); }
+  expression parameter(std::string_view p) { return checks_.is_new_symbol(p), m_.parameter(p); }
+  expression input(std::string_view r) { return checks_.is_new_symbol(r), m_.input(r); }
   /// A quantity that is a known function of time. It adds three consecutive inputs: r, dot(r) and
   /// dot(dot(r)).
   expression prescribed(std::string_view r);
@@ -116,12 +116,12 @@ public:
   /// parameter or input is a mistake.
   void used_elsewhere(expression parameter_or_input);
   /// A speed that is always zero; it brings a force that does no work into evidence.
-  expression auxiliary_speed(std::string_view u);
+  expression auxiliary_speed(std::string_view u) { return checks_.is_new_symbol(u), m_.auxiliary_speed(u); }
   /// Selects Lagrange's method: the rates of the coordinates declared so far are used as speeds.
   void rates_as_speeds();
   /// Specifies a Lagrangian instead of bodies; call it after `rates_as_speeds`.
   void lagrangian(expression energy);
-  expression time() { return inspect_.take_time(), m_.time; }
+  expression time() { return checks_.take_time(), m_.time; }
   /// A constant; write zero as 0.0.
   expression number(given_number value);
 
@@ -130,7 +130,9 @@ public:
 
   /// A kinematic differential equation: an expression that vanishes and is linear in the rates of the
   /// coordinates, such as `dot(q) - u`.
-  void kinematic_equation(expression vanishes);
+  void kinematic_equation(expression vanishes) {
+    if (checks_.owns("a kinematic differential equation", vanishes)) m_.kinematics.push(vanishes);
+  }
   /// The equations that equate the angular velocity derived from the orientation of a frame with the declared
   /// one.
   void kinematics_of(frame_id frame, frame_id reference);
@@ -146,10 +148,8 @@ public:
   /// An inertia dyadic with the given entries in the axes of a frame; the products of inertia have the sign
   /// of Σ m (r·r E − r r).
   dyadic inertia(frame_id axes, const number_or_expression& xx, const number_or_expression& yy,
-                 const number_or_expression& zz, const number_or_expression& xy,
-                 const number_or_expression& yz, const number_or_expression& zx);
-  dyadic inertia(frame_id axes, const number_or_expression& xx, const number_or_expression& yy,
-                 const number_or_expression& zz);
+                 const number_or_expression& zz, const number_or_expression& xy = 0,
+                 const number_or_expression& yz = 0, const number_or_expression& zx = 0);
 
   // ---- frames
 
@@ -158,9 +158,13 @@ public:
   /// A frame rotated by `angle` about an axis that is fixed in the parent.
   frame_id rotated(std::string_view called, frame_id parent, expression angle, const vector& axis);
   frame_id body_fixed(std::string_view called, frame_id parent, std::string_view letters, expression first,
-                      expression second, expression third);
+                      expression second, expression third) {
+    return rotated_by_sequence(called, parent, letters, {first, second, third}, false);
+  }
   frame_id space_fixed(std::string_view called, frame_id parent, std::string_view letters, expression first,
-                       expression second, expression third);
+                       expression second, expression third) {
+    return rotated_by_sequence(called, parent, letters, {first, second, third}, true);
+  }
   /// A frame rotated by the unit quaternion e0 + e1 i + e2 j + e3 k.
   frame_id quaternion(std::string_view called, frame_id parent, expression e0, expression e1, expression e2,
                       expression e3);
@@ -172,9 +176,13 @@ public:
   frame_id direction_cosines(std::string_view called, frame_id parent, const mechanics::matrix3& to_parent);
   /// Declares the angular velocity of a frame in `reference`, used in place of the derived one. It must agree
   /// with the orientation, except for a spin about an axis whose angle the orientation omits.
-  void angular_velocity(frame_id frame, frame_id reference, const vector& value);
+  void angular_velocity(frame_id frame, frame_id reference, const vector& value) {
+    declare_angular_velocity(frame, reference, value, false);
+  }
   /// The same for a frame whose orientation intentionally does not follow its angular velocity.
-  void angular_velocity_apart_from_orientation(frame_id frame, frame_id reference, const vector& value);
+  void angular_velocity_apart_from_orientation(frame_id frame, frame_id reference, const vector& value) {
+    declare_angular_velocity(frame, reference, value, true);
+  }
 
   // ---- points
 
@@ -198,14 +206,16 @@ public:
 
   void particle(std::string_view called, point_id at, expression mass);
   void rigid_body(std::string_view called, point_id center, frame_id frame, expression mass,
-                  const dyadic& inertia);
+                  const dyadic& inertia) {
+    rigid_body(called, center, frame, mass, inertia, center);
+  }
   /// A rigid body with its inertia about any point of the body.
   void rigid_body(std::string_view called, point_id center, frame_id frame, expression mass,
                   const dyadic& inertia, point_id about);
   /// Declares that the inertia of a rigid body intentionally varies in body-fixed axes.
   void changing_inertia(std::string_view body);
   /// Declares that the inertia of a body is intentionally not that of a mass distribution.
-  void effective_inertia(std::string_view of);
+  void effective_inertia(std::string_view body);
   void force(point_id at, const vector& value);
   void torque(frame_id on, const vector& value);
   /// A force on the point `at` and the opposite force on `other`.
@@ -218,12 +228,14 @@ public:
   void potential_energy(expression energy);
   /// A straight spring that pulls two points together with the force stiffness·(distance − natural length).
   void spring(point_id at, point_id other, expression stiffness, expression natural_length);
-  void spring(point_id at, point_id other, expression stiffness);
+  void spring(point_id at, point_id other, expression stiffness) { spring(at, other, stiffness, m_.zero()); }
   /// A damper that pulls two points together with the force damping·(rate of their distance).
   void damper(point_id at, point_id other, expression damping);
   /// A torsional spring that returns an angle to its rest position with the torque stiffness·(angle − rest).
   void torsional_spring(expression angle, expression stiffness, expression rest);
-  void torsional_spring(expression angle, expression stiffness);
+  void torsional_spring(expression angle, expression stiffness) {
+    torsional_spring(angle, stiffness, m_.zero());
+  }
   /// A torque −damping·ω on the frame `on` and the opposite torque on `other`, where ω is the angular
   /// velocity of `on` relative to `other`.
   void torsional_damper(frame_id on, frame_id other, expression damping);
@@ -234,58 +246,57 @@ public:
   /// `b.configuration_constraint(b.zero_along(b.position_of(P, Q), b.along(N, 1, 0, 0), b.along(N, 0, 1,
   /// 0)))`.
   template <std::same_as<vector>... Directions>
-  static vanishing zero_along(const vector& v, const Directions&... directions) {
+  static zero_components zero_along(const vector& v, const Directions&... directions) {
     return {v, {directions...}};
   }
 
   /// An expression of the coordinates that vanishes.
   void configuration_constraint(expression vanishes);
   /// Requires the components of a position along given directions to vanish; see `zero_along`.
-  void configuration_constraint(const vanishing& v);
+  void configuration_constraint(const zero_components& v);
   /// An expression that vanishes and is linear in speeds or rates of coordinates.
   void velocity_constraint(expression vanishes);
   /// Requires the component of a velocity along `direction` to vanish.
   void velocity_constraint(const vector& vanishes, const vector& direction);
   /// Requires the components of a velocity along given directions to vanish; see `zero_along`.
-  void velocity_constraint(const vanishing& v);
+  void velocity_constraint(const zero_components& v);
   /// An expression that vanishes and is linear in the rates of the speeds, such as `dot(u1) + dot(u2)`.
   void acceleration_constraint(expression vanishes);
   /// Selects a coordinate or speed for which the constraints are solved.
   void dependent(expression e);
   /// Declares that a configuration constraint, counted from 1, follows from the others at every position that
   /// satisfies them all.
-  void redundant(int configuration_constraint);
+  void redundant(int configuration_constraint) {
+    system_.constraints.redundant.push(configuration_constraint);
+  }
 
 private:
   friend model kanexpr::derive(const builder& built);
 
-  expression of(const number_or_expression& given);
+  expression as_expression(const number_or_expression& given);
   /// Whether at least one of the arguments is not the integer 0.
   bool not_all_zero(std::initializer_list<const number_or_expression*> given, std::string_view whose);
-  bool may_vanish(const vector& v, const vector& direction, std::string_view whose);
-  void declare(frame_id frame, frame_id reference, const vector& value, bool apart);
 
   std::string_view name_of(frame_id f) const { return m_.frames[place(f)].called.view(); }
   std::string_view name_of(point_id p) const { return m_.points[place(p)].called.view(); }
 
-  template <class Id>
-  bool both(Id first, Id second, std::string_view whom) {
-    return inspect_.present(first, whom) && inspect_.present(second, whom);
+  template <class... Arguments>
+  bool is_new_frame(std::string_view called, frame_id parent, const Arguments&... orientation) {
+    return checks_.is_new("frames", called, m_.frames) && checks_.owns(called, parent, orientation...);
   }
+  frame_id rotated_by_sequence(std::string_view called, frame_id parent, std::string_view letters,
+                               const base::sequence<expression>& angles, bool space_fixed);
+  void declare_angular_velocity(frame_id frame, frame_id reference, const vector& value, bool apart);
 
-  bool new_frame(std::string_view called, frame_id parent);
-
-  /// Checks that the motion of a point has not been declared yet.
-  bool unsaid_motion(point_id p);
-  bool may_move(point_id point, frame_id reference, const vector& velocity);
-
-  frame_id by_sequence(std::string_view called, frame_id parent, std::string_view letters,
-                       const base::sequence<expression>& angles, bool space_fixed);
+  bool is_motion_undeclared(point_id p);
+  bool may_declare_velocity(point_id point, frame_id reference, const vector& velocity);
+  void mark_body(std::string_view body, bool mechanics::body::* mark, std::string_view whose);
+  bool is_valid_direction(const vector& v, const vector& direction, std::string_view whose);
 
   std::shared_ptr<symbolic::graph> graph_ = std::make_shared<symbolic::graph>(); ///< shared with models
   mechanics::multibody_system system_;
   mechanics::mechanism& m_ = system_.mechanism;
-  inspector inspect_;
+  builder_checks checks_;
   base::sequence<expression> used_elsewhere_{};
 };
 
@@ -293,8 +304,6 @@ private:
 
 #ifndef KANEXPR_COMPILED_ENGINE
 #include <kanexpr/runtime/builder.ipp>
-#include <kanexpr/runtime/builder_constraints.ipp>
-#include <kanexpr/runtime/builder_loads.ipp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #endif

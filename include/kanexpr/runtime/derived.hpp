@@ -8,13 +8,9 @@
 
 namespace kanexpr {
 
-namespace symbolic {
-class graph;
-}
 namespace mechanics {
-struct mechanism;
 class equations;
-} // namespace mechanics
+}
 namespace derivation {
 class reader;
 struct image;
@@ -43,7 +39,7 @@ public:
   /// The same system in a separate graph, resumed from what it stored.
   virtual std::shared_ptr<derived> resumed(const derivation::image& from) const = 0;
 
-  /// The mistake in the last request; the system itself is sound.
+  /// The mistake in the last request, not in the system itself.
   base::sentence refused{};
 };
 

@@ -4,7 +4,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
-#include <kanexpr/runtime/checked_code.hpp>
+#include <kanexpr/runtime/interpreter.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
@@ -22,8 +22,8 @@ namespace kanexpr::runtime {
 /// status reports the cause.
 template <class Scalar = double>
 class interpreted {
-  /// Represents omitted arguments.
-  struct nothing {
+  /// An omitted argument.
+  struct omitted {
     static constexpr Eigen::Index size() { return 0; }
     Scalar operator[](Eigen::Index) const { return not_a_number(); }
   };
@@ -53,18 +53,18 @@ public:
 
   template <class State>
   const matrix& operator()(const State& x) {
-    return (*this)(Scalar(0), x, nothing{}, nothing{});
+    return (*this)(Scalar(0), x, omitted{}, omitted{});
   }
   template <class State, class Parameters>
   const matrix& operator()(const Eigen::MatrixBase<State>& x, const Parameters& p) {
-    return (*this)(Scalar(0), x.derived(), p, nothing{});
+    return (*this)(Scalar(0), x.derived(), p, omitted{});
   }
   template <class State, class Parameters, class Inputs>
   const matrix& operator()(const Eigen::MatrixBase<State>& x, const Parameters& p, const Inputs& r) {
     return (*this)(Scalar(0), x.derived(), p, r);
   }
-  template <class State, class Parameters, class Inputs, class First = nothing, class Second = nothing,
-            class Third = nothing>
+  template <class State, class Parameters, class Inputs, class First = omitted, class Second = omitted,
+            class Third = omitted>
   const matrix& operator()(Scalar t, const State& x, const Parameters& p, const Inputs& r,
                            const First& a = {}, const Second& b = {}, const Third& c = {}) {
     using symbolic::symbol_kind;

@@ -1,19 +1,29 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/lower/evaluate_steps.hpp>
+#include <kanexpr/lower/regular.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
+#include <kanexpr/mechanics/checks/check_derivatives.hpp>
+#include <kanexpr/mechanics/dynamics/singularity_check.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
+
+#include <limits>
 
 namespace kanexpr::runtime {
 
-/// Evaluates a tape that is known only at run time. It performs the same steps in the same order and
-/// arithmetic as compiled code, so the results agree to the last bit. The constructor allocates all memory.
-template <class Number = double>
+/// Evaluates code that is known only at run time, a tape or a view of one. It performs the same steps in the
+/// same order and arithmetic as compiled code, so the results agree to the last bit. The constructor
+/// allocates all memory.
+template <class Number = double, class Code = lower::tape>
 class interpreter {
 public:
-  explicit interpreter(const lower::tape& code);
+  explicit interpreter(const Code& code);
 
-  const lower::tape& code() const { return code_; }
+  const Code& code() const { return code_; }
   int size() const { return code_.results.size(); }
 
   /// Writes `results[i]` for each result; `value_of(load)` returns the value of a symbol by its kind and
@@ -29,29 +39,100 @@ public:
 private:
   void run();
 
-  lower::tape code_;
+  Code code_;
   base::sequence<Number> slots_;
-  base::sequence<Number> aside_; ///< working memory of a step
+  base::sequence<Number> scratch_; ///< working memory of a step
 };
 
 // These members are defined outside the class; inside it they would be inline, and every file would compile
 // them.
 
-template <class Number>
-interpreter<Number>::interpreter(const lower::tape& code)
+template <class Number, class Code>
+interpreter<Number, Code>::interpreter(const Code& code)
     : code_(code), slots_(code.slot_count(), lower::scalar_math<Number>::from(0)),
-      aside_(lower::aside_of(code), lower::scalar_math<Number>::from(0)) {
+      scratch_(lower::aside_of(code), lower::scalar_math<Number>::from(0)) {
   for (int i = 0; i < code_.numbers.size(); ++i) slots_[i] = lower::number_as<Number>(code_.numbers[i]);
 }
 
-template <class Number>
-void interpreter<Number>::run() {
-  lower::evaluate_steps(code_, slots_.begin(), aside_.begin());
+template <class Number, class Code>
+void interpreter<Number, Code>::run() {
+  lower::evaluate_steps(code_, slots_.begin(), scratch_.begin());
+}
+
+/// Whether a check passes: its measure is finite or, compared with its scale, not singular.
+template <class Scalar>
+bool passes(bool of_finiteness, const Scalar& measure, const Scalar& scale) {
+  constexpr double least = base::least_singularity_measure<Scalar>();
+  return of_finiteness ? lower::passes<true>(measure, scale, least)
+                       : lower::passes<false>(measure, scale, least);
+}
+
+/// The code of a result, with checks that all systems of equations on which it depends can be solved at a
+/// state. The evaluation does not allocate memory.
+template <class Scalar>
+class checked_code {
+public:
+  /// `checks` detect singularities in the computation of the result.
+  checked_code(symbolic::graph& g, const symbolic::matrix& wanted,
+               const base::sequence<mechanics::singularity_check>& checks);
+
+  /// Returns the entries of the result, row by row.
+  template <class Arguments>
+  const Scalar* evaluate(const Arguments& value_of) {
+    code_.evaluate(value_of, found_.begin());
+    return found_.begin();
+  }
+
+  const lower::tape& code() const { return code_.code(); }
+  symbolic::cost cost() const { return lower::cost_of(code_.code()); }
+  /// Reports whether all systems of equations could be solved in the last evaluation.
+  kanexpr::status status() const;
+
+private:
+  static base::sequence<int> nodes(symbolic::graph& g, const symbolic::matrix& wanted,
+                                   const base::sequence<mechanics::singularity_check>& checks);
+
+  interpreter<Scalar> code_;
+  base::sequence<Scalar> found_;        ///< the result, then the measure and the scale of each check
+  base::sentence missing_derivative_{}; ///< reports an unknown derivative; then there are no values
+  base::sequence<mechanics::singularity_check> checks_;
+};
+
+template <class Scalar>
+checked_code<Scalar>::checked_code(symbolic::graph& g, const symbolic::matrix& wanted,
+                                   const base::sequence<mechanics::singularity_check>& checks)
+    : code_(lower::tape_of(g, nodes(g, wanted, checks))),
+      found_(code_.size(), lower::scalar_math<Scalar>::from(0)),
+      missing_derivative_(mechanics::check_derivatives(wanted)), checks_(checks) {}
+
+template <class Scalar>
+base::sequence<int> checked_code<Scalar>::nodes(symbolic::graph& g, const symbolic::matrix& wanted,
+                                                const base::sequence<mechanics::singularity_check>& checks) {
+  base::sequence<int> ids = symbolic::nodes_of(wanted.entries);
+  for (const mechanics::singularity_check& each : checks) {
+    ids.push(each.measure.node());
+    ids.push(each.scale.node());
+  }
+  if (mechanics::check_derivatives(wanted))
+    for (int& id : ids) id = g.constant(symbolic::real(std::numeric_limits<double>::quiet_NaN()));
+  return ids;
+}
+
+template <class Scalar>
+kanexpr::status checked_code<Scalar>::status() const {
+  if (missing_derivative_) return kanexpr::status(missing_derivative_.view());
+  const int results = code_.size() - 2 * checks_.size();
+  for (int i = 0; i < checks_.size(); ++i)
+    if (!passes(checks_[i].of_finiteness, found_[results + 2 * i], found_[results + 2 * i + 1]))
+      return kanexpr::status(checks_[i].cause.view());
+  return {};
 }
 
 #if defined KANEXPR_COMPILED_ENGINE
 extern template class interpreter<double>;
 extern template class interpreter<float>;
+extern template class checked_code<double>;
+extern template class checked_code<float>;
 #endif
 
 } // namespace kanexpr::runtime

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <kanexpr/base/engine.hpp>
 #include <kanexpr/describe/symbol_name.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
+#include <algorithm>
 #include <concepts>
 #include <initializer_list>
 #include <variant>
@@ -40,24 +40,38 @@ public:
   };
 
   linearization_point() = default;
-  linearization_point(std::initializer_list<entry> entries);
+  linearization_point(std::initializer_list<entry> entries) {
+    for (const entry& e : entries) {
+      const std::size_t known = entries_.size();
+      set(e.what, e.value);
+      if (entries_.size() == known) duplicates_.push_back(e.what);
+    }
+  }
 
-  linearization_point& set(const symbol_name& what, const point_value& value);
+  linearization_point& set(const symbol_name& what, const point_value& value) {
+    const auto known = std::ranges::find(entries_, what, &entry::what);
+    if (known != entries_.end())
+      known->value = value;
+    else
+      entries_.push_back({what, value});
+    return *this;
+  }
 
   /// Merges both sets of values; if both name a symbol, the value of `other` is used.
-  linearization_point with(const linearization_point& other) const;
+  linearization_point with(const linearization_point& other) const {
+    linearization_point both = *this;
+    for (const entry& e : other.entries_) both.set(e.what, e.value);
+    both.duplicates_.insert(both.duplicates_.end(), other.duplicates_.begin(), other.duplicates_.end());
+    return both;
+  }
 
   const std::vector<entry>& entries() const { return entries_; }
   /// The symbols that a list names twice by mistake.
-  const std::vector<symbol_name>& doubled() const { return doubled_; }
+  const std::vector<symbol_name>& duplicates() const { return duplicates_; }
 
 private:
   std::vector<entry> entries_{};
-  std::vector<symbol_name> doubled_{};
+  std::vector<symbol_name> duplicates_{};
 };
 
 } // namespace kanexpr
-
-#ifndef KANEXPR_COMPILED_ENGINE
-#include <kanexpr/runtime/linearization_point.ipp>
-#endif

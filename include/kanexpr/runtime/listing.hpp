@@ -20,9 +20,9 @@ namespace runtime {
 
 /// Writes statements as text: `s1 = sin(q1)`. Numbers and arguments are written at the places where they are
 /// used.
-class lister {
+class code_printer {
 public:
-  lister(const lower::statements& code, const symbolic::graph& g) : code_(code), graph_(g) {
+  code_printer(const lower::statements& code, const symbolic::graph& g) : code_(code), graph_(g) {
     while (is_taken()) separator_ += '_';
     for (const lower::statement& line : code.lines) names_.push_back(name_of(line));
   }
@@ -145,7 +145,7 @@ inline std::string listing(const symbolic::matrix& result, std::string_view call
   if (result.entries.empty()) return "";
   const symbolic::graph& g = result.entries[0].owner();
   const lower::statements code = lower::statements_of(lower::tape_of(g, symbolic::nodes_of(result.entries)));
-  const runtime::lister lines(code, g);
+  const runtime::code_printer lines(code, g);
   std::string text = lines.text();
   for (int i = 0; i < result.entries.size(); ++i) {
     text += called;

@@ -5,7 +5,7 @@
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/derivation/take_survey.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
-#include <kanexpr/runtime/derived_from_words.ipp>
+#include <kanexpr/runtime/derived.ipp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -28,9 +28,10 @@ inline std::string enumerated(derived& system, const base::sequence<symbolic::ex
   return text;
 }
 
-/// Forms a result of a sound system. A mistake in the request itself is reported; the next request clears it.
+/// Forms a result of a system without a mistake. A mistake in the request itself is reported; the next
+/// request clears it.
 template <class Form>
-auto asked_of(derived& system, const Form& form) {
+auto try_form(derived& system, const Form& form) {
   using result = decltype(form());
   system.refused = {};
   if (system.mistake()) return result();
@@ -44,7 +45,7 @@ auto asked_of(derived& system, const Form& form) {
 }
 
 /// Forms a result of a system in the same stages as at compile time.
-inline symbolic::matrix result_of(derived& system, const derivation::request& wanted) {
+inline symbolic::matrix form_result(derived& system, const derivation::request& wanted) {
   if (wanted.what == derivation::request::kind::result)
     system.refused = system.equations()->check_bodies(wanted.wanted);
   if (system.refused) return {};
@@ -84,11 +85,11 @@ KANEXPR_ENGINE symbolic::matrix model::get(mechanics::quantity wanted) {
 }
 
 KANEXPR_ENGINE symbolic::matrix model::get(const derivation::request& wanted) {
-  return runtime::asked_of(*system_, [&] { return runtime::result_of(*system_, wanted); });
+  return runtime::try_form(*system_, [&] { return runtime::form_result(*system_, wanted); });
 }
 
 KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const derivation::request> measured) {
-  return runtime::asked_of(*system_, [&] {
+  return runtime::try_form(*system_, [&] {
     derivation::visit(measured, system_->reader());
     symbolic::matrix all(graph(), 0, 1);
     for (const derivation::request& each : measured)
@@ -101,7 +102,7 @@ KANEXPR_ENGINE symbolic::matrix model::measured_by(std::span<const derivation::r
 }
 
 KANEXPR_ENGINE mechanics::vector model::vector(const describe::phrase& words) {
-  return runtime::asked_of(*system_, [&] {
+  return runtime::try_form(*system_, [&] {
     system_->reader().visit(words.tokens, words.size);
     system_->reader().add_late_entities();
     const derivation::value found = system_->reader().evaluate(words, "an expression");

@@ -56,11 +56,11 @@ public:
   /// The value of a symbol. If the model has no symbol of that name, the value is NaN, assignments are
   /// ignored, and `mistake` reports the name.
   double& operator[](std::string_view name) {
-    const int i = place(name);
-    return i >= 0 ? (*this)(i) : nothing_ = not_a_number;
+    const int i = index(name);
+    return i >= 0 ? (*this)(i) : unknown_value_ = not_a_number;
   }
   double operator[](std::string_view name) const {
-    const int i = place(name);
+    const int i = index(name);
     return i >= 0 ? (*this)(i) : not_a_number;
   }
 
@@ -89,7 +89,7 @@ private:
       if (known_->names[among.first + i].view() == name) return i;
     return -1;
   }
-  int place(std::string_view name) const {
+  int index(std::string_view name) const {
     const int found = find(name);
     if (found < 0) unknown_ = name;
     return found;
@@ -98,7 +98,7 @@ private:
   std::shared_ptr<const derivation::survey> known_{};
   symbols_of which_ = symbols_of::state;
   mutable std::string unknown_{};
-  double nothing_ = not_a_number; ///< receives assignments to unknown symbols
+  double unknown_value_ = not_a_number; ///< receives assignments to unknown symbols
 };
 
 /// Values for a vector of a model, specified by name or as a vector of numbers. They are assigned to symbols
@@ -151,18 +151,26 @@ private:
   std::optional<Eigen::VectorXd> numbers_{};
 };
 
+/// The state, parameters or inputs of a model.
+template <symbols_of which>
+class values_of_model : public value_vector {
+public:
+  values_of_model() = default;
+  explicit values_of_model(const model& of) : value_vector(of.known(), which) {}
+  explicit values_of_model(value_vector&& values) : value_vector(std::move(values)) {}
+  template <class Derived>
+  values_of_model(const Eigen::EigenBase<Derived>& numbers) : value_vector(numbers) {}
+  using value_vector::operator=;
+};
+
 } // namespace runtime
 
 /// The state [q; u] of a model, initially zero.
 template <>
-class state<model> : public runtime::value_vector {
+class state<model> : public runtime::values_of_model<compiled::symbols_of::state> {
 public:
-  state() = default;
-  explicit state(const model& of) : value_vector(of.known(), compiled::symbols_of::state) {}
-  explicit state(runtime::value_vector&& values) : value_vector(std::move(values)) {}
-  template <class Derived>
-  state(const Eigen::EigenBase<Derived>& numbers) : value_vector(numbers) {}
-  using value_vector::operator=;
+  using values_of_model::values_of_model;
+  using values_of_model::operator=;
 
   auto q() { return head(known()->coordinates); }
   auto q() const { return head(known()->coordinates); }
@@ -172,26 +180,18 @@ public:
 
 /// The parameters of a model, NaN until they are set.
 template <>
-class parameter_values<model> : public runtime::value_vector {
+class parameter_values<model> : public runtime::values_of_model<compiled::symbols_of::parameters> {
 public:
-  parameter_values() = default;
-  explicit parameter_values(const model& of) : value_vector(of.known(), compiled::symbols_of::parameters) {}
-  explicit parameter_values(runtime::value_vector&& values) : value_vector(std::move(values)) {}
-  template <class Derived>
-  parameter_values(const Eigen::EigenBase<Derived>& numbers) : value_vector(numbers) {}
-  using value_vector::operator=;
+  using values_of_model::values_of_model;
+  using values_of_model::operator=;
 };
 
 /// The inputs of a model, NaN until they are set. The rate of a prescribed quantity theta is called "theta'".
 template <>
-class input_values<model> : public runtime::value_vector {
+class input_values<model> : public runtime::values_of_model<compiled::symbols_of::inputs> {
 public:
-  input_values() = default;
-  explicit input_values(const model& of) : value_vector(of.known(), compiled::symbols_of::inputs) {}
-  explicit input_values(runtime::value_vector&& values) : value_vector(std::move(values)) {}
-  template <class Derived>
-  input_values(const Eigen::EigenBase<Derived>& numbers) : value_vector(numbers) {}
-  using value_vector::operator=;
+  using values_of_model::values_of_model;
+  using values_of_model::operator=;
 };
 
 template <>

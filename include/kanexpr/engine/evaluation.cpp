@@ -1,4 +1,5 @@
-#include <kanexpr/runtime/checked_code.hpp>
+#include <kanexpr/compiled/values_reader.ipp>
+#include <kanexpr/runtime/interpreter.hpp>
 
 template class kanexpr::runtime::interpreter<double>;
 template class kanexpr::runtime::interpreter<float>;

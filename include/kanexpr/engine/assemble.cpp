@@ -1,2 +1,0 @@
-#include <kanexpr/runtime/assemble.ipp>
-#include <kanexpr/runtime/base_parameters.ipp>

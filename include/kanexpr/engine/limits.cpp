@@ -1,1 +1,0 @@
-#include <kanexpr/symbolic/limits/limits.hpp>

@@ -1,1 +1,0 @@
-#include <kanexpr/compiled/values_reader.ipp>
