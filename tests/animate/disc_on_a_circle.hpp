@@ -8,8 +8,8 @@
 
 namespace tests {
 
-/// A disc that leans by a constant angle and rolls in a circle, in closed form. It need not be a motion under
-/// gravity; it is one without slipping.
+/// A disc that leans by a constant angle and rolls in a circle, in closed form. It rolls without
+/// slipping but does not satisfy the equations of motion.
 struct disc_on_a_circle {
   double radius = 0.3, lean = 0.35, turning = 0.8, spin = 4.1; ///< rates of q1 and q3
 
@@ -25,7 +25,7 @@ struct disc_on_a_circle {
     return x;
   }
 
-  /// The mass centre moves with ω × r = radius u2 along the heading, which turns.
+  /// The mass center moves with ω × r = radius u2 along the heading, which turns.
   Eigen::Vector3d centre(double t) const {
     const double speed = radius * (spin + turning * std::sin(lean)), yaw = turning * t;
     return Eigen::Vector3d(0, -radius * std::sin(lean), radius * std::cos(lean)) +
@@ -42,7 +42,7 @@ struct disc_on_a_circle {
             AngleAxisd(spin * t, Vector3d::UnitY()))
         .matrix();
   }
-  /// Of a shape about the disc's y axis: its x is that of the disc, its z along the axis.
+  /// The axes of a shape about the y axis of the disc: x as in the disc, z along the axis.
   Eigen::Matrix3d about_spin(double t) const {
     Eigen::Matrix3d turned;
     turned << axes(t).col(0), -axes(t).col(2), axes(t).col(1);

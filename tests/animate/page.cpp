@@ -47,7 +47,7 @@ nlohmann::json poses_at(const kanexpr::animation& a, std::size_t k) {
     const Eigen::Vector3d& p = s.placements[k].position;
     const Eigen::Matrix3d& r = s.placements[k].orientation;
     nlohmann::json one{{"name", s.name}, {"position", {p(0), p(1), p(2)}}};
-    if (s.placed_by == kanexpr::animate::placing::pose)
+    if (s.placed_by == kanexpr::animate::placement_kind::pose)
       one["axes"] = {{r(0, 0), r(1, 0), r(2, 0)}, {r(0, 1), r(1, 1), r(2, 1)}, {r(0, 2), r(1, 2), r(2, 2)}};
     if (s.kind == "mesh") one["corners"] = corners_of(s, k);
     poses.push_back(one);

@@ -188,7 +188,7 @@ TEST_F(page, tells_why_it_is_not_written) {
       "the empty page cannot be read, " + path("none.html") + "; the target kanexpr_page builds it with npm");
 }
 
-/// Two meshes of one file, and what else is seen of the pendulum.
+/// Two meshes from one file, and the other shapes of the pendulum.
 kanexpr::animation hammer() {
   kanexpr::animation a = pendulum_along(swing({0.3}));
   a.folder = "/no/such/folder";
@@ -250,7 +250,7 @@ TEST_F(page, tells_which_mesh_it_cannot_hold) {
   std::filesystem::remove(path("meshes/head.stl"));
   write("meshes/head.stl", "");
   EXPECT_EQ(cause(path("meshes")), file + " is empty");
-  std::filesystem::resize_file(path("meshes/head.stl"), 256'000'001); // of holes
+  std::filesystem::resize_file(path("meshes/head.stl"), 256'000'001); // of a sparse file
   EXPECT_EQ(cause(path("meshes")), file + " is too large; a page can hold at most 256 MB of meshes");
   a.shapes[2].file = "/other/head.stl";
   EXPECT_EQ(cause(path("meshes")), "the file of the head, /other/head.stl, does not exist");

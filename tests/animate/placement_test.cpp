@@ -1,4 +1,4 @@
-#include <kanexpr/animate/placed.hpp>
+#include <kanexpr/animate/camera.hpp>
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@ struct sample {
   kanexpr::input_values<System> r;
 };
 
-/// The least that a picture asks of a trajectory: samples and parameters.
+/// The minimum that a picture requires of a trajectory: samples and parameters.
 template <class System>
 struct samples {
   std::vector<sample<System>> all;

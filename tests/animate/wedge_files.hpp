@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-/// A wedge, in each kind of file that pages show, and files that are none.
+/// A wedge in each file format that pages support, and invalid files.
 namespace wedge {
 
 using corner = std::array<float, 3>;
@@ -18,7 +18,7 @@ inline std::string three(const corner& c) {
   return std::to_string(c[0]) + " " + std::to_string(c[1]) + " " + std::to_string(c[2]);
 }
 
-/// Normals are zero, as many programs write them.
+/// Normals are zero, as in the output of many programs.
 inline std::string binary_stl() {
   std::string all(80, ' ');
   const auto append = [&all](auto value) {
@@ -55,10 +55,10 @@ inline std::string obj() {
     for (int i : t) all += " " + std::to_string(i + 1);
     all += "\n";
   }
-  return all + "l 1 2\n"; // left behind by a program
+  return all + "l 1 2\n"; // remains of a program
 }
 
-/// In centimetres, z up, a metre beside its place, to which its node brings it, beside a lamp.
+/// In centimeters, z up, with a lamp; a node moves the wedge by one meter to its place.
 inline std::string dae(const std::string& diffuse) {
   std::string places, indices;
   for (const corner& c : corners) places += three({100 * c[0] - 100, 100 * c[1], 100 * c[2]}) + " ";
@@ -94,7 +94,7 @@ inline std::string dae(const std::string& diffuse) {
 )";
 }
 
-/// Entities that would be three thousand million letters.
+/// Entities that would expand to three billion letters.
 inline std::string entities() {
   std::string all = "<?xml version=\"1.0\"?><!DOCTYPE COLLADA [<!ENTITY e0 \"ha\">";
   for (int i = 1; i < 10; ++i) {

@@ -1,7 +1,7 @@
 // Robots from files: docs/robots.md.
 #include <arm_picture.hpp>
 
-#include <kanexpr/animate/mesh_files.hpp>
+#include <kanexpr/animate/page_text.hpp>
 #include <kanexpr/robots.hpp>
 #include <kanexpr/simulate.hpp>
 #include <kanexpr/simulations/model.hpp>
@@ -24,7 +24,7 @@ TEST(robots, are_controlled) {
   EXPECT_TRUE(seen) << seen.cause();
   const auto meshes = animate::read_meshes(seen, seen.folder); // the one of the upper arm
   EXPECT_TRUE(meshes) << meshes.cause();
-  EXPECT_EQ(meshes.all().size(), 1u);
+  EXPECT_EQ(meshes.all.size(), 1u);
   EXPECT_LT(v.norm(), 0.05);
   EXPECT_EQ(equations_of_motion<Pushed>::inputs::RowsAtCompileTime, 4);
 }

@@ -1,12 +1,29 @@
 #pragma once
 
-#include <kanexpr/animate/placement.hpp>
-
 #include <Eigen/Core>
+
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+namespace kanexpr::animate {
+
+/// The placement of a shape at one time, in inertial axes.
+struct placement {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Vector3d end = Eigen::Vector3d::Zero();             ///< second point of a shape between two points
+  Eigen::Matrix3d orientation = Eigen::Matrix3d::Identity(); ///< its columns are the shape's axes
+};
+
+/// The parts of a placement that a shape uses.
+enum class placement_kind : unsigned char {
+  place, ///< a point
+  ends,  ///< two points
+  pose,  ///< a point and an orientation
+};
+
+} // namespace kanexpr::animate
 
 namespace kanexpr {
 
@@ -18,7 +35,7 @@ struct animation {
     std::string file{};         ///< the file of a mesh, as specified in the picture
     double opacity = 1;
     std::vector<double> sizes{};
-    animate::placing placed_by = animate::placing::place;
+    animate::placement_kind placed_by = animate::placement_kind::place;
     std::vector<animate::placement> placements{}; ///< one for each time
   };
   /// The values of a coordinate or speed at each time.

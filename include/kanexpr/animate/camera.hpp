@@ -1,19 +1,149 @@
 #pragma once
 
-#include <kanexpr/animate/filming.hpp>
+#include <kanexpr/animate/animation.hpp>
 #include <kanexpr/animate/scene.hpp>
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/mechanics/motion/triple.hpp>
+#include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/table_interpreter.hpp>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
+#include <charconv>
+#include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+/// Evaluates a picture along a motion and converts its numbers to shapes.
 namespace kanexpr::animate {
+
+/// Returns the orientation with z along `axis` and x as close as possible to the frame's axis `x`, or to `y`
+/// if `axis` is within 30 degrees of `x`.
+inline Eigen::Matrix3d about_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& x,
+                                  const Eigen::Vector3d& y) {
+  const Eigen::Vector3d z = axis.normalized();
+  const Eigen::Vector3d across = std::abs(z.dot(x)) < std::sqrt(0.75) ? x : y;
+  Eigen::Matrix3d r;
+  r.col(0) = (across - across.dot(z) * z).normalized();
+  r.col(1) = z.cross(r.col(0));
+  r.col(2) = z;
+  return r;
+}
+
+inline Eigen::Vector3d triple(const double* numbers) { return {numbers[0], numbers[1], numbers[2]}; }
+
+inline Eigen::Matrix3d axes_of(const element_record& r, const double* numbers) {
+  if (r.has_axis) return about_axis(triple(numbers), triple(numbers + 3), triple(numbers + 6));
+  Eigen::Matrix3d axes;
+  axes.col(0) = triple(numbers);
+  axes.col(1) = triple(numbers + 3);
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return axes;
+}
+
+inline placement placement_from(const element_record& r, const double* numbers) {
+  placement here;
+  here.position = triple(numbers);
+  if (r.placed_by == placement_kind::ends) here.end = triple(numbers + 3);
+  if (r.placed_by == placement_kind::pose) here.orientation = axes_of(r, numbers + 3);
+  return here;
+}
+
+/// The numbers of a picture and the integrals of its rates, one column for each time.
+struct recorded_numbers {
+  Eigen::MatrixXd numbers{}, integrals{};
+};
+
+inline Eigen::Vector3d triple(const Eigen::MatrixXd& m, int row, Eigen::Index column) {
+  return m.block<3, 1>(row, column);
+}
+
+inline animation::shape shape_of(const element_record& r, const recorded_numbers& recorded) {
+  animation::shape s;
+  s.name = r.looks.name.empty() ? r.name.view() : r.looks.name;
+  s.kind = r.shape;
+  s.colour = r.looks.colour;
+  s.file = r.file;
+  s.opacity = r.looks.opacity;
+  s.placed_by = r.placed_by;
+  for (int i = 0; i < r.constant; ++i) s.sizes.push_back(recorded.numbers(r.first_constant + i, 0));
+  for (Eigen::Index k = 0; k < recorded.numbers.cols(); ++k) {
+    placement here = placement_from(r, recorded.numbers.col(k).data() + r.first_varying);
+    if (r.rates == 1)
+      here.orientation *=
+          Eigen::AngleAxisd(recorded.integrals(r.first_rate, k), Eigen::Vector3d::UnitZ()).matrix();
+    s.placements.push_back(here);
+  }
+  return s;
+}
+
+/// Moves all shapes with the origin. Its path follows from the velocity of a point; see `carried`.
+inline void move_with_origin(animation& a, const element_record& r, const recorded_numbers& recorded) {
+  a.carried = true;
+  for (Eigen::Index k = 0; k < recorded.numbers.cols(); ++k) {
+    const Eigen::Vector3d way = triple(recorded.integrals, r.first_rate, k) -
+                                triple(recorded.numbers, r.first_varying, k) +
+                                triple(recorded.numbers, r.first_varying, 0);
+    const Eigen::Vector3d level = way - way.dot(a.up) * a.up;
+    for (animation::shape& s : a.shapes) {
+      s.placements[static_cast<std::size_t>(k)].position += level;
+      s.placements[static_cast<std::size_t>(k)].end += level;
+    }
+  }
+}
+
+inline void make_shapes(animation& a, std::span<const element_record> elements,
+                        const recorded_numbers& recorded) {
+  for (const element_record& r : elements) {
+    if (!r.shape.empty()) a.shapes.push_back(shape_of(r, recorded));
+    if (r.word == "up") a.up = triple(recorded.numbers, r.first_constant, 0).normalized();
+    if (r.word == "seen_from") a.seen_from = triple(recorded.numbers, r.first_constant, 0).normalized();
+    if (r.word == "files_in") a.folder = r.file;
+    if (r.word == "ground") a.ground = recorded.numbers(r.first_constant, 0);
+  }
+  for (const element_record& r : elements)
+    if (r.word == "carried") move_with_origin(a, r, recorded);
+}
+
+inline std::string at_time(double t) {
+  char digits[32];
+  return " at t = " + std::string(digits, std::to_chars(digits, digits + sizeof digits, t).ptr);
+}
+
+/// Checks a size or a scale. A scale may be negative, which mirrors the mesh.
+inline std::string check_number(const animation::shape& s, double size) {
+  const bool is_scale = s.kind == "mesh";
+  if (numeric::is_finite(size) && (size > 0 || (is_scale && size < 0))) return {};
+  if (is_scale) return "a scale of the " + s.name + " must be finite and nonzero";
+  return "a size of the " + s.name + " must be positive and finite";
+}
+
+/// Returns a sentence that names the first value in an animation that is not finite or out of range; empty if
+/// there is none.
+inline std::string check_numbers(const animation& a) {
+  if (!numeric::all_finite(a.up) || !(a.up.norm() > 0.5))
+    return "the direction of up must be a nonzero vector";
+  if (a.seen_from && (!numeric::all_finite(*a.seen_from) || !(a.seen_from->norm() > 0.5)))
+    return "the direction of seen_from must be a nonzero vector";
+  if (a.ground && !numeric::is_finite(*a.ground)) return "the height of the ground must be finite";
+  for (const animation::shape& s : a.shapes) {
+    for (double size : s.sizes)
+      if (std::string cause = check_number(s, size); !cause.empty()) return cause;
+    for (std::size_t k = 0; k < s.placements.size(); ++k) {
+      const placement& here = s.placements[k];
+      if (!numeric::all_finite(here.position) || !numeric::all_finite(here.end))
+        return "the position of the " + s.name + " is not finite" + at_time(a.times[k]);
+      if (!numeric::all_finite(here.orientation))
+        return "the orientation of the " + s.name + " is not finite" + at_time(a.times[k]);
+    }
+  }
+  return {};
+}
 
 /// Evaluates a picture along a motion.
 class camera {
@@ -29,11 +159,11 @@ public:
   animation film() {
     name_columns();
     if (scene_.samples() == 0) made_.failure = "the trajectory has no samples";
-    film_.numbers.resize(scene_.numbers, static_cast<Eigen::Index>(scene_.samples()));
+    recorded_.numbers.resize(scene_.numbers, static_cast<Eigen::Index>(scene_.samples()));
     for (std::size_t i = 0; i < scene_.samples() && made_; ++i) take(i);
     if (!made_) return std::move(made_);
     integrate();
-    develop(made_, scene_.words, film_);
+    make_shapes(made_, scene_.elements, recorded_);
     made_.failure = check_numbers(made_);
     return std::move(made_);
   }
@@ -52,7 +182,7 @@ private:
   void take(std::size_t sample) {
     double t = 0;
     scene_.sample(sample, t, x_.data(), r_.data());
-    const status s = evaluate(t, column(film_.numbers, sample));
+    const status s = evaluate(t, column(recorded_.numbers, sample));
     if (!s) made_.failure = s.cause() + at_time(t);
     for (const double entry : x_)
       if (!numeric::is_finite(entry)) made_.failure = "the state is not finite" + at_time(t);
@@ -80,16 +210,16 @@ private:
   /// by the trapezoidal rule.
   void integrate() {
     const std::size_t count = made_.times.size();
-    film_.integrals.setZero(scene_.rates, static_cast<Eigen::Index>(count));
+    recorded_.integrals.setZero(scene_.rates, static_cast<Eigen::Index>(count));
     if (scene_.rates == 0) return;
     std::vector<double> halfway(static_cast<std::size_t>(scene_.numbers));
     for (std::size_t k = 0; k + 1 < count; ++k) {
       const double before = made_.times[k], after = made_.times[k + 1];
       const bool is_between = before < after && take_between((before + after) / 2, halfway.data());
-      const double *here = column(film_.numbers, k) + scene_.first_rate, *there = here + scene_.numbers;
+      const double *here = column(recorded_.numbers, k) + scene_.first_rate, *there = here + scene_.numbers;
       const double* between = halfway.data() + scene_.first_rate;
-      const double* was = column(film_.integrals, k);
-      double* becomes = column(film_.integrals, k + 1);
+      const double* was = column(recorded_.integrals, k);
+      double* becomes = column(recorded_.integrals, k + 1);
       for (int i = 0; i < scene_.rates; ++i) {
         const double ends = (here[i] + there[i]) / 2;
         becomes[i] = was[i] + (after - before) * (is_between ? (ends + 2 * between[i]) / 3 : ends);
@@ -101,7 +231,7 @@ private:
   runtime::table_interpreter<double> numbers_;
   std::vector<double> x_, p_, r_;
   animation made_{};
-  footage film_{};
+  recorded_numbers recorded_{};
 };
 
 KANEXPR_PAGES animation film(const scene& shown) { return camera(shown).film(); }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/animate/words.hpp>
+#include <kanexpr/animate/elements.hpp>
 #include <kanexpr/base/mesh_kind.hpp>
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/state.hpp>
@@ -16,39 +16,34 @@ namespace kanexpr::animate {
 using base::sentence;
 using describe::point_record;
 
-template <class Word>
-concept picture_word = requires { Word::word; };
-template <class Word>
-concept shown_word = picture_word<Word> && requires { typename Word::attachment; };
+template <class Element>
+concept picture_element = requires { Element::word; };
+template <class Element>
+concept shape_element = picture_element<Element> && requires { typename Element::attachment; };
 
-/// The title of a shape, such as "sphere at P" or "rod from O to P".
-struct title {
-  base::name letters{};
-  constexpr std::string_view view() const { return letters.view(); }
-};
-
-template <shown_word Word>
+template <shape_element Element>
 constexpr std::string_view kind_of() {
-  if constexpr (requires { Word::attachment::shape; })
-    return Word::attachment::shape;
+  if constexpr (requires { Element::attachment::shape; })
+    return Element::attachment::shape;
   else
-    return Word::word;
+    return Element::word;
 }
 
-template <class Word>
-constexpr title title_of() {
-  title t;
-  if constexpr (shown_word<Word>) {
-    constexpr auto& points = Word::attachment::points;
+/// The title of a shape, such as "sphere at P" or "rod from O to P".
+template <class Element>
+constexpr base::name title_of() {
+  base::name title;
+  if constexpr (shape_element<Element>) {
+    constexpr auto& points = Element::attachment::points;
     const bool two = std::size(points) == 2;
-    for (std::string_view piece : {kind_of<Word>(), std::string_view(two ? " from " : " at "),
+    for (std::string_view piece : {kind_of<Element>(), std::string_view(two ? " from " : " at "),
                                    points[0]->called, std::string_view(two ? " to " : "")})
-      t.letters.append(piece);
-    if (two) t.letters.append(points[std::size(points) - 1]->called);
+      title.append(piece);
+    if (two) title.append(points[std::size(points) - 1]->called);
   } else {
-    t.letters.append(Word::word);
+    title.append(Element::word);
   }
-  return t;
+  return title;
 }
 
 /// Checks that a size is a scalar that depends only on parameters.
@@ -121,7 +116,7 @@ constexpr sentence check_sizes(const phrases<size>& sizes, const std::string_vie
 
 /// Returns the name of a type without its template arguments.
 template <class Type>
-constexpr std::string_view name_of() {
+constexpr std::string_view template_name() {
   return type_name<Type>().substr(0, type_name<Type>().find('<'));
 }
 
@@ -129,7 +124,7 @@ template <class Option, class Shape>
 constexpr sentence check_option(std::string_view whom) {
   if constexpr (!option_of_shape<Option>)
     return sentence(
-        {"the ", whom, " is shown with ", name_of<Option>(), ", which is not an option of a shape"});
+        {"the ", whom, " is shown with ", template_name<Option>(), ", which is not an option of a shape"});
   if constexpr (requires { Option::spin; }) {
     if constexpr (!requires { Shape::axis; }) return sentence({"the ", whom, " is spinning but has no axis"});
     if (Option::spin.kind != shape::scalar)

@@ -1,19 +1,89 @@
 #pragma once
 
-#include <kanexpr/animate/mesh_files.hpp>
+#include <kanexpr/animate/animation.hpp>
 #include <kanexpr/base/equal.hpp>
+#include <kanexpr/base/mesh_kind.hpp>
 #include <kanexpr/base/name_of_time.hpp>
+#include <kanexpr/base/outcome.hpp>
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <charconv>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
-/// Converts an animation to the text that the page reads.
+/// Converts an animation to the text that the page reads, and mesh files to the form that it embeds.
 namespace kanexpr::animate {
+
+/// Encodes bytes in base64 (RFC 4648).
+inline std::string base64(std::string_view bytes) {
+  constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string written;
+  written.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t given = bytes.size() - i < 3 ? bytes.size() - i : 3;
+    std::uint32_t three = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      three = three << 8 | (k < given ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k) written += k <= given ? letters[three >> (18 - 6 * k) & 63u] : '=';
+  }
+  return written;
+}
+
+struct mesh_file {
+  std::string name{}; ///< as specified in the picture
+  std::string data{}; ///< in base64
+};
+
+/// The files of all meshes in an animation, each of them once, or the reason why one of them cannot be
+/// embedded in a page.
+struct mesh_files : outcome {
+  using outcome::outcome;
+
+  std::vector<mesh_file> all{};
+};
+
+/// Browsers reject much longer texts.
+inline constexpr std::uintmax_t most_bytes_of_meshes = 256'000'000;
+
+/// Whether one of the files or columns has the given name.
+template <class Named>
+bool is_among(const std::vector<Named>& all, const std::string& name) {
+  return std::ranges::find(all, name, &Named::name) != all.end();
+}
+
+inline mesh_files read_meshes(const animation& a, const std::string& folder) {
+  mesh_files read;
+  std::uintmax_t bytes = 0;
+  for (const animation::shape& s : a.shapes) {
+    if (s.kind != "mesh" || is_among(read.all, s.file)) continue;
+    const std::filesystem::path path = std::filesystem::path(folder) / s.file;
+    const std::string whose = "the file of the " + s.name + ", " + path.string() + ",";
+    if (mesh_kind_of(s.file).empty()) return mesh_files(whose + " is not of the type .stl, .dae or .obj");
+    std::error_code failed;
+    if (!std::filesystem::exists(path, failed)) return mesh_files(whose + " does not exist");
+    if (!std::filesystem::is_regular_file(path, failed)) return mesh_files(whose + " is not a file");
+    const std::uintmax_t size = std::filesystem::file_size(path, failed);
+    if (failed) return mesh_files(whose + " cannot be read");
+    if (size == 0) return mesh_files(whose + " is empty");
+    if (size > most_bytes_of_meshes - bytes)
+      return mesh_files(whose + " is too large; a page can hold at most 256 MB of meshes");
+    bytes += size;
+    std::ifstream file(path, std::ios::binary);
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    if (!file.is_open() || file.bad() || text.size() != size) return mesh_files(whose + " cannot be read");
+    read.all.push_back({s.file, base64(text)});
+  }
+  return read;
+}
 
 /// Rounds to seven digits; the difference is not visible.
 inline double rounded(double value) {
@@ -40,41 +110,25 @@ inline std::vector<double> rows_of(const animation::shape& s) {
   std::vector<double> all;
   for (const placement& here : s.placements) {
     all.insert(all.end(), here.position.begin(), here.position.end());
-    if (s.placed_by == placing::ends) all.insert(all.end(), here.end.begin(), here.end.end());
-    if (s.placed_by != placing::pose) continue;
+    if (s.placed_by == placement_kind::ends) all.insert(all.end(), here.end.begin(), here.end.end());
+    if (s.placed_by != placement_kind::pose) continue;
     const Eigen::Quaterniond turned(here.orientation);
     all.insert(all.end(), {turned.x(), turned.y(), turned.z(), turned.w()});
   }
   return all;
 }
 
-inline std::string_view word_for(placing p) {
-  switch (p) {
-  case placing::place: return "place";
-  case placing::ends: return "ends";
-  case placing::pose: return "pose";
-  }
-  return "";
-}
-
 inline nlohmann::json shape_text(const animation::shape& s) {
+  constexpr const char* kinds_of_placement[]{"place", "ends", "pose"};
   nlohmann::json one{{"name", s.name},
                      {"kind", s.kind},
-                     {"placed", word_for(s.placed_by)},
+                     {"placed", kinds_of_placement[static_cast<int>(s.placed_by)]},
                      {"opacity", s.opacity},
                      {"sizes", list_of(s.sizes)},
                      {"rows", list_of(rows_of(s))}};
   if (!s.colour.empty()) one["colour"] = s.colour;
   if (!s.file.empty()) one["file"] = s.file;
   return one;
-}
-
-inline auto has_column(const animation& a) {
-  return [&a](const std::string& name) {
-    for (const animation::column& c : a.columns)
-      if (c.name == name) return true;
-    return false;
-  };
 }
 
 inline std::string written(const nlohmann::json& all) {
@@ -95,15 +149,16 @@ inline bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
 /// Returns an animation as JSON. It contains no `<`, so that it can be inserted into a page without escaping.
 inline std::string page_text(const animation& a, const std::string& title, const std::string& text,
                              const std::vector<mesh_file>& files = {}) {
-  nlohmann::json all{{"title", title},
-                     {"text", text},
-                     {"times", list_of(a.times)},
-                     {"nameOfTime", base::name_of_time(has_column(a))},
-                     {"up", list_of(a.up)},
-                     {"carried", a.carried},
-                     {"shapes", nlohmann::json::array()},
-                     {"columns", nlohmann::json::array()},
-                     {"files", nlohmann::json::array()}};
+  nlohmann::json all{
+      {"title", title},
+      {"text", text},
+      {"times", list_of(a.times)},
+      {"nameOfTime", base::name_of_time([&](const std::string& name) { return is_among(a.columns, name); })},
+      {"up", list_of(a.up)},
+      {"carried", a.carried},
+      {"shapes", nlohmann::json::array()},
+      {"columns", nlohmann::json::array()},
+      {"files", nlohmann::json::array()}};
   if (a.seen_from) all["seenFrom"] = list_of(*a.seen_from);
   if (a.ground) all["ground"] = rounded(*a.ground);
   for (const animation::shape& s : a.shapes) all["shapes"].push_back(shape_text(s));

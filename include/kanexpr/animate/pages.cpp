@@ -1,2 +1,2 @@
 #include <kanexpr/animate/camera.hpp>
-#include <kanexpr/animate/page_file.hpp>
+#include <kanexpr/animate/write_page.ipp>

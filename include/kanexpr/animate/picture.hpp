@@ -1,7 +1,11 @@
 #pragma once
 
-#include <kanexpr/animate/check.hpp>
+#include <kanexpr/animate/check_picture.hpp>
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/compiled/function.hpp>
+
+#include <array>
+
 namespace kanexpr {
 
 /// Describes the appearance of a moving system: simple shapes on its frames and points, the paths of points,
@@ -9,7 +13,7 @@ namespace kanexpr {
 ///
 ///     using picture = kanexpr::picture<System, up<N::z>, ground<>, trace<P>,
 ///                                      show<rod<O, P, 0.02>>, show<sphere<P, 0.1>, colour<"#c0392b">>>;
-template <class System, class... Words>
+template <class System, class... Elements>
 struct picture;
 
 namespace animate {
@@ -23,10 +27,58 @@ struct valid_picture {
 
 } // namespace animate
 
-template <class System_, class... Words>
+template <class System_, class... Elements>
 struct picture {
   using System = System_;
-  static constexpr base::sentence mistake = animate::check_words<Words...>();
+  static constexpr base::sentence mistake = animate::check_elements<Elements...>();
+};
+
+namespace animate {
+
+/// The concatenated phrases of several elements, and the index at which the numbers of each element begin.
+template <std::size_t... sizes>
+struct layout {
+  static constexpr std::size_t elements = sizeof...(sizes);
+  phrases<(sizes + ... + 0)> all{};
+  std::array<int, elements + 1> begin{};
+
+  constexpr explicit layout(const phrases<sizes>&... lists) {
+    std::size_t element = 0, next = 0;
+    (
+        [&] {
+          for (const phrase& p : lists) all[next++] = p;
+          begin[element + 1] = begin[element] + numbers_in(lists);
+          ++element;
+        }(),
+        ...);
+  }
+  constexpr int numbers() const { return begin[elements]; }
+};
+
+/// All numbers of a picture at one time, evaluated by a single function so that they share common
+/// subexpressions: the time-varying ones, then the constant ones, then the rates.
+template <class Picture>
+struct numbers_of;
+
+template <class System, class... Elements>
+struct numbers_of<picture<System, Elements...>> {
+  static constexpr layout varying{Elements::varying...};
+  static constexpr layout constant{Elements::constant...};
+  static constexpr layout rates{Elements::rates...};
+  static constexpr layout all{varying.all, constant.all, rates.all};
+  static constexpr int first_constant = all.begin[1];
+  static constexpr int first_rate = all.begin[2];
+  static constexpr int count = all.numbers();
+  static constexpr int rate_count = rates.numbers();
+};
+
+} // namespace animate
+
+template <class Picture, animate::numbers_of<Picture> wanted>
+struct derivation::requested<wanted> {
+  static constexpr request value{.what = request::kind::expressions,
+                                 .phrases = animate::numbers_of<Picture>::all.all,
+                                 .whom = "the picture"};
 };
 
 } // namespace kanexpr

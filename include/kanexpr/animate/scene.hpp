@@ -2,13 +2,67 @@
 
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/animate/compiled_pages.hpp>
-#include <kanexpr/animate/word_record.hpp>
+#include <kanexpr/animate/picture.hpp>
 #include <kanexpr/compiled/code_table.hpp>
 #include <kanexpr/derivation/survey.hpp>
 
+#include <array>
 #include <span>
+#include <string_view>
 
 namespace kanexpr::animate {
+
+/// An element of a picture as a plain value.
+struct element_record {
+  std::string_view word{};
+  base::name name{};        ///< "sphere at P"
+  std::string_view shape{}; ///< "sphere"; empty: shows no shape
+  std::string_view file{};  ///< file of a mesh, or folder of files_in
+  look looks{};
+  placement_kind placed_by = placement_kind::place;
+  bool has_axis = false; ///< if true, its axis precedes those of the frame
+  int first_varying = 0; ///< index of its first number among all numbers
+  int first_constant = 0;
+  int constant = 0;
+  int first_rate = 0; ///< index among the rates
+  int rates = 0;
+};
+
+template <class Element>
+constexpr element_record record_of_element() {
+  element_record r;
+  r.word = Element::word;
+  r.constant = numbers_in(Element::constant);
+  r.rates = numbers_in(Element::rates);
+  if constexpr (shape_element<Element>) {
+    using attachment = typename Element::attachment;
+    r.name = title_of<Element>();
+    r.shape = kind_of<Element>();
+    r.looks = Element::look;
+    r.placed_by = attachment::placed_by;
+    r.has_axis = requires { attachment::axis; };
+    if constexpr (requires { attachment::file; }) r.file = attachment::file;
+  }
+  if constexpr (requires { Element::folder; }) r.file = Element::folder;
+  return r;
+}
+
+template <class Picture>
+struct records_of;
+
+template <class System, class... Elements>
+struct records_of<picture<System, Elements...>> {
+  static constexpr std::array<element_record, sizeof...(Elements)> list = [] {
+    using numbers = numbers_of<picture<System, Elements...>>;
+    std::array<element_record, sizeof...(Elements)> made{record_of_element<Elements>()...};
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      made[i].first_varying = numbers::varying.begin[i];
+      made[i].first_constant = numbers::first_constant + numbers::constant.begin[i];
+      made[i].first_rate = numbers::rates.begin[i];
+    }
+    return made;
+  }();
+};
 
 /// An interface, independent of the system type, to a motion and to the numbers of its picture.
 class scene {
@@ -16,7 +70,7 @@ public:
   virtual ~scene() = default;
 
   const derivation::survey& known;
-  std::span<const word_record> words;
+  std::span<const element_record> elements;
   const compiled::code_table& table; ///< evaluates all numbers of the picture
   int numbers, first_rate, rates;    ///< their count, and the range of those that are integrated
 
@@ -28,9 +82,9 @@ public:
   virtual bool between(double t, double* x, double* r) const = 0;
 
 protected:
-  scene(const derivation::survey& of, std::span<const word_record> shown, const compiled::code_table& code,
+  scene(const derivation::survey& of, std::span<const element_record> shown, const compiled::code_table& code,
         int all, int first, int integrated)
-      : known(of), words(shown), table(code), numbers(all), first_rate(first), rates(integrated) {}
+      : known(of), elements(shown), table(code), numbers(all), first_rate(first), rates(integrated) {}
 };
 
 KANEXPR_PAGES animation film(const scene& shown);

@@ -1,18 +1,33 @@
 #pragma once
 
 #include <kanexpr/animate/animated.hpp>
-#include <kanexpr/animate/page_options.hpp>
-
-#ifndef KANEXPR_COMPILED_PAGES
-#include <kanexpr/animate/page_file.hpp>
+#include <kanexpr/animate/animation.hpp>
+#include <kanexpr/animate/compiled_pages.hpp>
 #include <kanexpr/base/outcome.hpp>
 
 #include <string>
+
+#ifndef KANEXPR_PAGE // path of the empty page, set by the target kanexpr::animate
+#define KANEXPR_PAGE ""
 #endif
 
 namespace kanexpr {
 
-/// Writes an animated page of a system moving along a trajectory, which a browser opens without network
+struct page_options {
+  std::string title{};                  ///< default: the name of the system
+  std::string text{};                   ///< a sentence under the title
+  std::string empty_page{KANEXPR_PAGE}; ///< path of the empty page, without a motion
+  std::string folder{}; ///< folder of files with relative names; empty: the folder that the picture specifies
+};
+
+namespace animate {
+
+/// Writes an animation to a page.
+KANEXPR_PAGES outcome write_page(const std::string& path, const animation& a, const page_options& options);
+
+} // namespace animate
+
+/// Writes an animated page of a system that moves along a trajectory, which a browser opens without network
 /// access, or reports why it cannot.
 template <class Picture, class Trajectory>
 outcome write_page(const std::string& path, const Trajectory& trajectory, page_options options = {}) {
@@ -21,3 +36,7 @@ outcome write_page(const std::string& path, const Trajectory& trajectory, page_o
 }
 
 } // namespace kanexpr
+
+#ifndef KANEXPR_COMPILED_PAGES
+#include <kanexpr/animate/write_page.ipp>
+#endif

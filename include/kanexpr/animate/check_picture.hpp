@@ -8,31 +8,32 @@
 /// Checks for mistakes in a picture.
 namespace kanexpr::animate {
 
-template <class Word>
-struct check_word {
+template <class Element>
+struct check_element {
   static constexpr sentence mistake() {
-    if constexpr (requires { Word::shape; }) {
-      return sentence({Word::shape, "<...> is a shape, not an element of the picture; wrap it in show<...>"});
-    } else if constexpr (!picture_word<Word>) {
-      return sentence({name_of<Word>(), " is not an element of a picture"});
+    if constexpr (requires { Element::shape; }) {
+      return sentence(
+          {Element::shape, "<...> is a shape, not an element of the picture; wrap it in show<...>"});
+    } else if constexpr (!picture_element<Element>) {
+      return sentence({template_name<Element>(), " is not an element of a picture"});
     } else {
-      if constexpr (requires { Word::size_names; })
-        return check_sizes(Word::still, Word::size_names, Word::word);
-      if constexpr (requires { Word::vector_name; })
-        return check_vector(Word::still[0], "the direction of ", Word::word);
+      if constexpr (requires { Element::size_names; })
+        return check_sizes(Element::constant, Element::size_names, Element::word);
+      if constexpr (requires { Element::vector_name; })
+        return check_vector(Element::constant[0], "the direction of ", Element::word);
       return {};
     }
   }
 };
 
 template <class Shape, class... Options>
-struct check_word<show<Shape, Options...>> {
+struct check_element<show<Shape, Options...>> {
   static constexpr sentence mistake() {
     using shown = show<Shape, Options...>;
-    if constexpr (!shown_word<shown>) {
-      return sentence({"the picture shows ", name_of<Shape>(), ", which is not a shape"});
+    if constexpr (!shape_element<shown>) {
+      return sentence({"the picture shows ", template_name<Shape>(), ", which is not a shape"});
     } else {
-      constexpr title whom = title_of<shown>();
+      constexpr base::name whom = title_of<shown>();
       sentence found;
       if constexpr (requires { Shape::file; })
         found = check_mesh(Shape::file, Shape::scale_count, whom.view());
@@ -46,10 +47,10 @@ struct check_word<show<Shape, Options...>> {
 };
 
 template <class Point, class... Options>
-struct check_word<trace<Point, Options...>> {
+struct check_element<trace<Point, Options...>> {
   static constexpr sentence mistake() {
     using traced = trace<Point, Options...>;
-    constexpr title whom = title_of<traced>();
+    constexpr base::name whom = title_of<traced>();
     const sentence found = check_options<at<Point>, Options...>(whom.view());
     return found ? found : check_look(traced::look, whom.view());
   }
@@ -65,12 +66,12 @@ struct origin_check {
   const point_record* first = nullptr;
   sentence mistake{};
 
-  template <class Word>
-  constexpr void look_at() {
-    if constexpr (shown_word<Word>)
-      for (const point_record* p : Word::attachment::points) compare(p);
-    else if constexpr (requires { Word::points; })
-      for (const point_record* p : Word::points) compare(p);
+  template <class Element>
+  constexpr void check() {
+    if constexpr (shape_element<Element>)
+      for (const point_record* p : Element::attachment::points) compare(p);
+    else if constexpr (requires { Element::points; })
+      for (const point_record* p : Element::points) compare(p);
   }
 
 private:
@@ -86,26 +87,26 @@ private:
   }
 };
 
-template <class Word>
+template <class Element>
 constexpr bool has_keyword(std::string_view word) {
-  if constexpr (picture_word<Word>)
-    return Word::word == word;
+  if constexpr (picture_element<Element>)
+    return Element::word == word;
   else
     return false;
 }
 
-template <class... Words>
-constexpr sentence check_words() {
+template <class... Elements>
+constexpr sentence check_elements() {
   sentence found;
-  ((found = found ? found : check_word<Words>::mistake()), ...);
+  ((found = found ? found : check_element<Elements>::mistake()), ...);
   if (found) return found;
-  const auto times = [](std::string_view word) { return ((has_keyword<Words>(word) ? 1 : 0) + ... + 0); };
+  const auto times = [](std::string_view word) { return ((has_keyword<Elements>(word) ? 1 : 0) + ... + 0); };
   if (times("show") + times("trace") == 0) return sentence({"the picture shows nothing"});
   if (times("up") == 0) return sentence({"the picture does not specify the up direction; add up<vector>"});
   for (std::string_view word : {"up", "seen_from", "ground", "carried", "files_in"})
     if (times(word) > 1) return sentence({"the picture lists ", word, "<...> twice"});
   origin_check origins;
-  (origins.look_at<Words>(), ...);
+  (origins.check<Elements>(), ...);
   return origins.mistake;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/animate/page_options.hpp>
 #include <kanexpr/animate/page_text.hpp>
+#include <kanexpr/animate/write_page.hpp>
 #include <kanexpr/base/outcome.hpp>
 
 #include <fstream>
@@ -11,12 +11,12 @@
 
 namespace kanexpr::animate {
 
-inline constexpr std::string_view place_of_motion = "@motion@";
-inline constexpr std::string_view place_of_title = "@title@";
+inline constexpr std::string_view motion_placeholder = "@motion@";
+inline constexpr std::string_view title_placeholder = "@title@";
 
 /// Escapes a title for use as the text of an element. Control characters, which a page may not contain,
 /// become spaces; invalid UTF-8 becomes U+FFFD.
-inline std::string without_markup(const std::string& text) {
+inline std::string escaped_title(const std::string& text) {
   std::string plain;
   for (const char c : valid_utf8(text))
     if (c == '&' || c == '<')
@@ -30,11 +30,11 @@ inline std::string without_markup(const std::string& text) {
 /// not searched for them.
 inline outcome fill(std::string& page, const std::string& title, const std::string& motion,
                     const std::string& from) {
-  const std::size_t title_at = page.find(place_of_title), motion_at = page.find(place_of_motion);
+  const std::size_t title_at = page.find(title_placeholder), motion_at = page.find(motion_placeholder);
   if (title_at == std::string::npos || motion_at == std::string::npos || motion_at < title_at)
     return outcome(from + " is not an empty page for a motion");
-  page.replace(motion_at, place_of_motion.size(), motion);
-  page.replace(title_at, place_of_title.size(), title);
+  page.replace(motion_at, motion_placeholder.size(), motion);
+  page.replace(title_at, title_placeholder.size(), title);
   return {};
 }
 
@@ -48,8 +48,8 @@ KANEXPR_PAGES outcome write_page(const std::string& path, const animation& a, co
                    "; the target kanexpr_page builds it with npm");
   const mesh_files meshes = read_meshes(a, options.folder.empty() ? a.folder : options.folder);
   if (!meshes) return outcome(meshes.cause());
-  const std::string motion = page_text(a, options.title, options.text, meshes.all());
-  outcome filled = fill(page, without_markup(options.title), motion, options.empty_page);
+  const std::string motion = page_text(a, options.title, options.text, meshes.all);
+  outcome filled = fill(page, escaped_title(options.title), motion, options.empty_page);
   if (!filled) return filled;
   std::ofstream out(path, std::ios::binary);
   out << page;
