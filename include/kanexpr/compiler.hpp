@@ -6,7 +6,7 @@
 #if __cplusplus < 202002L
 #error "kanexpr requires C++20: compile with -std=c++20 or a later standard"
 #include <nothing_without_c++20>
-#define constexpr // clang++ continues silently, up to a destructor at which it would crash
+#define constexpr // otherwise clang++ continues silently and crashes at a destructor
 #elif defined __GNUC__ && !defined __clang__ && __GNUC__ < 12
 #error "kanexpr requires g++ 12 or later, or clang"
 #include <nothing_for_this_compiler>

@@ -2,7 +2,7 @@
 
 /// The tools that a control loop needs in addition to the equations: discretization of linear systems,
 /// linear-quadratic regulators, also at compile time, the extended Kalman filter, and steps with their
-/// derivatives. No heap is used.
+/// derivatives. They do not allocate memory.
 
 #include <kanexpr/compiler.hpp>
 
