@@ -34,36 +34,41 @@ class constraints_at {
     Eigen::VectorXd operator()(const Eigen::VectorXd& x) const { return result(at.t, x, at.p, at.r); }
   };
 
+  base::sequence<int> coordinates_, speeds_;
+  base::sequence<base::sequence<int>> quaternions_;
+  const mechanics::mechanism& mechanism_;
+  base::sentence far_from_one_{};
+  arguments arguments_;
+
 public:
   using coordinate_vector = Eigen::VectorXd;
 
   constraints_at(model& m, double t, std::span<const double> p, std::span<const double> r)
-      : arguments_{t, vector_of(p), vector_of(r)}, configuration_terms(of(m, quantity::configuration_terms)),
-        velocity_residual(of(m, quantity::velocity_residual)),
-        velocity_terms(of(m, quantity::velocity_terms)),
+      : coordinates_(m.equations().coordinates().dependent), speeds_(m.equations().speeds().dependent),
+        quaternions_(mechanics::unit_quaternions(m.mechanism())), mechanism_(m.mechanism()),
+        arguments_{t, vector_of(p), vector_of(r)}, residual(of(m, quantity::configuration_residual)),
+        configuration_terms(of(m, quantity::configuration_terms)),
         redundant_residual(of(m, quantity::redundant_residual)),
         redundant_terms(of(m, quantity::redundant_terms)), redundant_rate(of(m, quantity::redundant_rate)),
         redundant_rate_terms(of(m, quantity::redundant_rate_terms)),
-        residual_(of(m, quantity::configuration_residual)), speeds_solved_(of(m, quantity::dependent_speeds)),
-        jacobian_(m.function(m.get(quantity::configuration_jacobian_by_all))), mechanism_(m.mechanism()),
-        coordinates_(m.equations().coordinates().dependent), speeds_(m.equations().speeds().dependent),
-        quaternions_(mechanics::unit_quaternions(m.mechanism())) {}
+        jacobian(m.function(m.get(quantity::configuration_jacobian_by_all))),
+        velocity_residual(of(m, quantity::velocity_residual)),
+        velocity_terms(of(m, quantity::velocity_terms)), speeds_solved(of(m, quantity::dependent_speeds)) {}
 
-private:
-  arguments arguments_;
-
-public:
-  function_of_state configuration_terms, velocity_residual, velocity_terms, redundant_residual,
-      redundant_terms, redundant_rate, redundant_rate_terms;
+  // formed in this order, which determines their rounding
+  function_of_state residual, configuration_terms, redundant_residual, redundant_terms, redundant_rate,
+      redundant_rate_terms;
+  interpreted<double> jacobian;
+  function_of_state velocity_residual, velocity_terms, speeds_solved;
 
   int all_coordinates() const { return mechanism_.coordinates.size(); }
   int coordinates() const { return coordinates_.size(); }
   int place_of_coordinate(int i) const { return coordinates_[i]; }
 
-  Eigen::VectorXd configuration_residual(const Eigen::VectorXd& x) { return residual_(normalized(x)); }
+  Eigen::VectorXd configuration_residual(const Eigen::VectorXd& x) { return residual(normalized(x)); }
   Eigen::MatrixXd configuration_jacobian_by_all(const Eigen::VectorXd& x) {
     const Eigen::VectorXd at = normalized(x);
-    Eigen::MatrixXd by_all = jacobian_(arguments_.t, at, arguments_.p, arguments_.r),
+    Eigen::MatrixXd by_all = jacobian(arguments_.t, at, arguments_.p, arguments_.r),
                     by_dependent(by_all.rows(), coordinates());
     for (const base::sequence<int>& places : quaternions_) lower::leave_norm_out(by_all, at, places);
     for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all.col(coordinates_[i]);
@@ -98,8 +103,8 @@ public:
     return {};
   }
   kanexpr::status solve_speeds(Eigen::VectorXd& x) {
-    const Eigen::VectorXd u = speeds_solved_(x);
-    const kanexpr::status solved = speeds_solved_.result.status();
+    const Eigen::VectorXd u = speeds_solved(x);
+    const kanexpr::status solved = speeds_solved.result.status();
     if (solved)
       for (int i = 0; i < speeds_.size(); ++i) x(all_coordinates() + speeds_[i]) = u(i);
     return solved;
@@ -115,13 +120,6 @@ private:
     normalize_quaternions(x);
     return x;
   }
-
-  function_of_state residual_, speeds_solved_;
-  interpreted<double> jacobian_;
-  const mechanics::mechanism& mechanism_;
-  base::sequence<int> coordinates_, speeds_;
-  base::sequence<base::sequence<int>> quaternions_;
-  base::sentence far_from_one_{};
 };
 
 /// The reason why the constraints of a model cannot be evaluated at a state with `entries` entries; empty if
