@@ -40,13 +40,13 @@ robot robot_in(const std::string& elements) {
 }
 
 TEST(header_writer, writes_numbers_with_all_their_digits) {
-  EXPECT_EQ(text::number(0.1), "0.1");
-  EXPECT_EQ(text::number(1. / 3), "0.3333333333333333");
-  EXPECT_EQ(text::number(-0.0), "0");
-  EXPECT_EQ(text::number(1e-30), "1e-30");
-  EXPECT_EQ(text::number(123456789012.), "1.23456789012e+11");
-  EXPECT_EQ(text::along("A", {0, -1, 0.5}), "-A::y + 0.5 * A::z");
-  EXPECT_EQ(text::along("A", {}), "0.0 * A::x");
+  EXPECT_EQ(cpp::number(0.1), "0.1");
+  EXPECT_EQ(cpp::number(1. / 3), "0.3333333333333333");
+  EXPECT_EQ(cpp::number(-0.0), "0");
+  EXPECT_EQ(cpp::number(1e-30), "1e-30");
+  EXPECT_EQ(cpp::number(123456789012.), "1.23456789012e+11");
+  EXPECT_EQ(cpp::along("A", {0, -1, 0.5}), "-A::y + 0.5 * A::z");
+  EXPECT_EQ(cpp::along("A", {}), "0.0 * A::x");
 }
 
 TEST(header_writer, writes_what_a_person_can_read) {
