@@ -40,7 +40,7 @@ public:
   virtual std::shared_ptr<derived> resumed(const derivation::image& from) const = 0;
 
   /// The mistake in the last request, not in the system itself.
-  base::sentence refused{};
+  base::sentence request_mistake{};
 };
 
 } // namespace runtime

@@ -19,19 +19,21 @@
 
 namespace kanexpr::runtime {
 
-/// A system derived from the words of a model.
-class derived_from_words final : public derived {
+/// A system derived from the types of a model.
+class derived_from_types final : public derived {
 public:
-  derived_from_words(const derivation::checked_words& from, std::span<const derivation::request> also,
-                     std::span<const std::uint64_t> meant)
+  derived_from_types(const derivation::checked_words& from,
+                     std::span<const derivation::request> extra_requests,
+                     std::span<const std::uint64_t> expected_digests)
       : mistake_(from.mistake), record_(from.record), system_(from.record) {
     if (mistake_) return;
-    if (!meant.empty()) mistake_ = derivation::entity_digests(from.record).unlike(meant);
+    if (!expected_digests.empty())
+      mistake_ = derivation::entity_digests(from.record).unlike(expected_digests);
     if (mistake_) return;
     derivation::go_on(system_, derivation::stage::constrained);
-    derivation::visit(also, system_.reader());
+    derivation::visit(extra_requests, system_.reader());
   }
-  derived_from_words(const describe::system_record& record, const derivation::image& from)
+  derived_from_types(const describe::system_record& record, const derivation::image& from)
       : record_(record), system_(record, from) {}
 
   const base::sentence& mistake() const override { return mistake_ ? mistake_ : system_.mistake(); }
@@ -42,7 +44,7 @@ public:
 
   void store(derivation::image& into) const override { system_.write(into); }
   std::shared_ptr<derived> resumed(const derivation::image& from) const override {
-    return std::make_shared<derived_from_words>(record_, from);
+    return std::make_shared<derived_from_types>(record_, from);
   }
 
 private:

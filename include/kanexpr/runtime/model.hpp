@@ -40,10 +40,11 @@ class staged_derivation;
 /// their linearizations; only one thread at a time may use it.
 class model {
 public:
-  /// `also` are expressions with points and frames that the system itself does not use. `meant` are the
-  /// digests of the entities in the file that refers to the system.
-  explicit model(const derivation::checked_words& from, std::span<const derivation::request> also = {},
-                 std::span<const std::uint64_t> meant = {});
+  /// `extra_requests` are expressions with points and frames that the system itself does not use.
+  /// `expected_digests` are the digests of the entities in the file that refers to the system.
+  explicit model(const derivation::checked_words& from,
+                 std::span<const derivation::request> extra_requests = {},
+                 std::span<const std::uint64_t> expected_digests = {});
   explicit model(std::shared_ptr<runtime::derived> system) : system_(std::move(system)) {}
 
   /// The first mistake of the system as a sentence, or that of the last requested result; empty if there is
@@ -131,7 +132,7 @@ public:
   /// Returns a function that interprets a result with the same steps as the compiled function. The first
   /// requested result agrees with the compiled one to the last bit. Later results share expressions with
   /// earlier ones, which may change the order of operations and thus the last bits. If the model has a
-  /// mistake, or the result was refused or belongs to a different model, the function has no values, and its
+  /// mistake, or the result was rejected or belongs to a different model, the function has no values, and its
   /// status reports the cause.
   template <class Scalar = double>
   runtime::interpreted<Scalar> function(const symbolic::matrix& result) {
@@ -163,14 +164,15 @@ private:
 };
 
 /// Derives a system at run time.
-template <class System, auto... also, std::uint64_t described = derivation::digests_as_read<System>[0]>
+template <class System, auto... extra_requests,
+          std::uint64_t described = derivation::digests_as_read<System>[0]>
 model derive() {
-  const std::span<const std::uint64_t> meant(derivation::digests_as_meant<System, described>);
-  if constexpr (sizeof...(also) == 0) {
-    return model(derivation::words_of<System>, {}, meant.subspan(1));
+  const std::span<const std::uint64_t> expected_digests(derivation::digests_as_meant<System, described>);
+  if constexpr (sizeof...(extra_requests) == 0) {
+    return model(derivation::words_of<System>, {}, expected_digests.subspan(1));
   } else {
-    const derivation::request all[]{derivation::requested<also>::value...};
-    return model(derivation::words_of<System>, all, meant.subspan(1));
+    const derivation::request all[]{derivation::requested<extra_requests>::value...};
+    return model(derivation::words_of<System>, all, expected_digests.subspan(1));
   }
 }
 

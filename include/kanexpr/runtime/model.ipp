@@ -33,22 +33,22 @@ inline std::string enumerated(derived& system, const base::sequence<symbolic::ex
 template <class Form>
 auto try_form(derived& system, const Form& form) {
   using result = decltype(form());
-  system.refused = {};
+  system.request_mistake = {};
   if (system.mistake()) return result();
   const derivation::symbol_reader::count known = system.reader().symbols_known();
   const result found = form();
   if (system.reader().mistake()) {
-    system.refused = system.reader().mistake();
+    system.request_mistake = system.reader().mistake();
     system.reader().forget_mistake(known);
   }
-  return system.refused || system.mistake() ? result() : found;
+  return system.request_mistake || system.mistake() ? result() : found;
 }
 
 /// Forms a result of a system in the same stages as at compile time.
 inline symbolic::matrix form_result(derived& system, const derivation::request& wanted) {
   if (wanted.what == derivation::request::kind::result)
-    system.refused = system.equations()->check_bodies(wanted.wanted);
-  if (system.refused) return {};
+    system.request_mistake = system.equations()->check_bodies(wanted.wanted);
+  if (system.request_mistake) return {};
   for (const derivation::stage next : {derivation::stage::equations, derivation::stage::linearized})
     if (derivation::stage_for(wanted) >= next && !system.equations()->mistake())
       derivation::go_on(*system.equations(), next);
@@ -58,12 +58,13 @@ inline symbolic::matrix form_result(derived& system, const derivation::request& 
 
 } // namespace runtime
 
-KANEXPR_ENGINE model::model(const derivation::checked_words& from, std::span<const derivation::request> also,
-                            std::span<const std::uint64_t> meant)
-    : system_(std::make_shared<runtime::derived_from_words>(from, also, meant)) {}
+KANEXPR_ENGINE model::model(const derivation::checked_words& from,
+                            std::span<const derivation::request> extra_requests,
+                            std::span<const std::uint64_t> expected_digests)
+    : system_(std::make_shared<runtime::derived_from_types>(from, extra_requests, expected_digests)) {}
 
 KANEXPR_ENGINE std::string model::mistake() const {
-  return std::string((system_->mistake() ? system_->mistake() : system_->refused).view());
+  return std::string((system_->mistake() ? system_->mistake() : system_->request_mistake).view());
 }
 
 KANEXPR_ENGINE std::string model::names_of_dependent_coordinates() {
@@ -155,7 +156,8 @@ KANEXPR_ENGINE base::sentence model::mistake_of(const symbolic::matrix& result) 
   if (system_->mistake()) return system_->mistake();
   if (!owns(result)) return base::sentence({"the result to be evaluated belongs to a different model"});
   if (result.rows != 0 || result.columns != 0) return {};
-  return system_->refused ? system_->refused : base::sentence({"the result to be evaluated was not formed"});
+  return system_->request_mistake ? system_->request_mistake
+                                  : base::sentence({"the result to be evaluated was not formed"});
 }
 
 KANEXPR_ENGINE int model::coordinates() const { return mechanism().coordinates.size(); }
