@@ -158,7 +158,7 @@ private:
       error = (std::max)(error,
                          context_.absolute_tolerances()[static_cast<std::size_t>(i)] / context_.sizes()(i));
     const double tolerance = (std::max)(1e-6, 1e3 * error); // steps leave residuals in the other constraints
-    const mechanics::sentence violation =
+    const base::sentence violation =
         context_.constraints()->redundant_violation(t, x, context_.r(), tolerance);
     return !violation || fail_here(violation.cause() + " at t = " + digits(t) +
                                    ": it does not follow from the other constraints");
@@ -269,7 +269,7 @@ private:
       if (!assemble_at(t, x)) return false;
       const auto is_changed = [&](std::size_t i) {
         const auto k = static_cast<Eigen::Index>(i);
-        return !numeric::equal(given(k), state_(k));
+        return !base::equal(given(k), state_(k));
       };
       if (std::string mistake = contradiction(known(), given, x, is_changed); !mistake.empty())
         return fail_here(mistake + " after the handler of an event");

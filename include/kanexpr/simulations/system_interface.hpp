@@ -143,11 +143,11 @@ public:
 /// program.
 class unknown_name_error : public std::exception {
 public:
-  explicit unknown_name_error(const mechanics::sentence& why) : why_(why) {}
+  explicit unknown_name_error(const base::sentence& why) : why_(why) {}
   const char* what() const noexcept override { return why_.letters; }
 
 private:
-  mechanics::sentence why_;
+  base::sentence why_;
 };
 
 } // namespace kanexpr::simulations

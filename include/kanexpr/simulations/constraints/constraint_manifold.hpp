@@ -51,8 +51,7 @@ public:
   vector configuration_residual(double t, const vector& x, const vector& r) override {
     return constraints(*this, t, r).configuration_residual(x);
   }
-  mechanics::sentence redundant_violation(double t, const vector& x, const vector& r,
-                                          double tolerance) override {
+  base::sentence redundant_violation(double t, const vector& x, const vector& r, double tolerance) override {
     const constraints here(*this, t, r);
     const vector left = here.redundant_residual(x);
     vector terms = here.redundant_terms(x), nearby = x;

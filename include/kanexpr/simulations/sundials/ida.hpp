@@ -30,7 +30,7 @@ public:
   ida(implicit_problem& problem, double from, std::vector<double> start, std::vector<double> start_rates,
       stepper_options options)
       : adaptive(problem, from, std::move(start), std::move(options)), ydot_(std::move(start_rates)) {
-    if (numeric::equal(options_.first_step, 0.0)) options_.first_step = first_step();
+    if (base::equal(options_.first_step, 0.0)) options_.first_step = first_step();
     rates_at_ = vector_on(ydot_.data(), size(), context_);
     kinds_ = new_vector(size(), context_);
     memory_ = IDACreate(context_);

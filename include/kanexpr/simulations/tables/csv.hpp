@@ -4,9 +4,9 @@
 /// quoted if necessary (RFC 4180). Numbers have the fewest digits that reproduce the same bits; nan and inf
 /// are numbers. The format does not depend on the locale.
 
+#include <kanexpr/base/file_path.hpp>
 #include <kanexpr/base/outcome.hpp>
 #include <kanexpr/simulations/compiled_simulations.hpp>
-#include <kanexpr/simulations/tables/file_path.hpp>
 #include <kanexpr/simulations/tables/table.hpp>
 
 #include <functional>

@@ -97,9 +97,9 @@ private:
   /// "the rate of speed u2 is 0.31", "… instead of 0.3", "velocity constraint 1 has a residual of 0.31".
   std::string left_at(Eigen::Index i) const {
     const condition& c = equation(i);
-    if (c.place < of_.residuals()) return name_of(i) + " has a residual of " + digits(left_(i), 3);
-    return name_of(i) + " is " + digits(left_(i) + c.wanted, 3) +
-           (numeric::equal(c.wanted, 0.0) ? "" : " instead of " + digits(c.wanted, 3));
+    if (c.place < of_.residuals()) return name_of(i) + " has a residual of " + base::digits(left_(i), 3);
+    return name_of(i) + " is " + base::digits(left_(i) + c.wanted, 3) +
+           (base::equal(c.wanted, 0.0) ? "" : " instead of " + base::digits(c.wanted, 3));
   }
 
   const conditions& of_;
