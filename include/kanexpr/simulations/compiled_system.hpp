@@ -28,6 +28,7 @@ class compiled_system final : public simulated_system<System> {
   using quantity = mechanics::quantity;
   static constexpr const derivation::survey& of = compiled::survey_of<System>;
   static constexpr int n = of.coordinates, o = of.speeds, m = of.constraints;
+  static constexpr bool is_implicit = by == integrator::differential_algebraic;
   using simulated_system<System>::p_;
   template <class Number, int size>
   using vector = Eigen::Matrix<Number, size, 1>;
@@ -40,7 +41,6 @@ public:
 
   /// Returns a hash by which the system and its equations of motion are identified.
   static std::uint64_t digest() {
-    constexpr bool is_implicit = by == integrator::differential_algebraic;
     constexpr quantity first = is_implicit ? quantity::qdot : quantity::rhs; // derived in any case
     return out_of_line<function<System, first>>::digest();
   }
@@ -50,7 +50,8 @@ public:
   }
   status evaluate(results wanted, const instant<std::complex<double>>& at,
                   outputs<std::complex<double>> into) const override {
-    return evaluate_any(wanted, at, into, all_results);
+    if constexpr (is_implicit) return evaluate_any(wanted, at, into, all_results);
+    return {};
   }
 
 private:
@@ -66,10 +67,9 @@ private:
   status evaluate_any(results wanted, const instant<Number>& at, outputs<Number> into,
                       std::index_sequence<each...>) const {
     status s;
-    const auto evaluate_if = [&]<results one>() {
-      if (wanted == one) s = evaluate<one>(at, into);
-    };
-    (evaluate_if.template operator()<static_cast<results>(each)>(), ...);
+    static_cast<void>(((wanted == static_cast<results>(each) &&
+                        (s = evaluate<static_cast<results>(each)>(at, into), true)) ||
+                       ...));
     return s;
   }
   template <results wanted, class Number>

@@ -38,7 +38,7 @@ public:
       integrate();
       end();
     }
-    std::ranges::copy(state_, x);
+    std::copy_n(state_.data(), state_.size(), x);
     return std::move(result_);
   }
 

@@ -165,10 +165,18 @@ private:
 /// Coordinates and speeds both satisfy their constraints; μ, which is zero in the solution, makes this
 /// possible (Gear, Gupta & Leimkuhler 1985). Quaternion norms are omitted: a multiplier for each takes three
 /// times as many evaluations and gains nothing.
-class multiplier_motion final : public motion<implicit_problem> {
+///
+/// A template on its problem, so that the other methods compile none of it.
+template <class Problem = implicit_problem>
+class multiplier_motion final : public motion<Problem> {
+  using base = motion<Problem>;
+  using base::context_, base::entries_, base::states_, base::inputs_by_state_;
+
 public:
+  using typename base::vector;
+
   explicit multiplier_motion(simulation_context& context)
-      : motion(context, context.known().constraints + context.known().configuration_constraints) {}
+      : base(context, context.known().constraints + context.known().configuration_constraints) {}
 
   bool is_algebraic(int entry) const override { return entry >= states_; }
 
@@ -191,7 +199,7 @@ public:
 
   answer residual(double elapsed, const double* y, const double* ydot, double* left) override {
     const double t = context_.time(elapsed);
-    if (const answer a = begin_rates(t, y); a != answer::success) return a;
+    if (const answer a = base::begin_rates(t, y); a != answer::success) return a;
     if (const status s = evaluate(t, y, ydot, context_.r().data(), left); !s) return context_.fail(s);
     return context_.check_finite(Eigen::Map<vector>(left, entries_),
                                  "the equations of motion are not finite");
@@ -204,7 +212,7 @@ public:
     if (const answer a = context_.set_state(t, y); a != answer::success) return a;
     const int inputs = context_.known().inputs;
     if (inputs != 0)
-      if (const answer a = differentiate_inputs(t); a != answer::success) return a;
+      if (const answer a = base::differentiate_inputs(t); a != answer::success) return a;
     Eigen::VectorXcd at = Eigen::Map<const vector>(y, entries_),
                      rate = Eigen::Map<const vector>(ydot, entries_);
     Eigen::VectorXcd left(entries_);
@@ -219,7 +227,7 @@ public:
       for (int i = 0; i < entries_; ++i) columns[j * entries_ + i] = left(i).imag() / step;
       at(j) = y[j], rate(j) = ydot[j];
     }
-    return check_derivatives(columns);
+    return base::check_derivatives(columns);
   }
 
 private:

@@ -142,7 +142,7 @@ private:
   simulation_context& context_;
   stepper_options options_{};
   integrated<explicit_motion<has_newton(by) || has_multipliers>, rate_integrator> by_rates_;
-  std::conditional_t<has_multipliers, integrated<multiplier_motion, ida>, nothing> by_multipliers_;
+  std::conditional_t<has_multipliers, integrated<multiplier_motion<>, ida>, nothing> by_multipliers_;
   bool uses_rates_ = true;
 };
 

@@ -74,7 +74,7 @@ public:
 
 private:
   std::size_t place_of(std::string_view name) const {
-    return static_cast<std::size_t>(std::ranges::find(names_, name) - names_.begin());
+    return static_cast<std::size_t>(std::find(names_.begin(), names_.end(), name) - names_.begin());
   }
   std::string enumerated_names() const {
     if (names_.empty()) return "none";

@@ -55,7 +55,8 @@ struct piece {
 /// Evaluates the polynomial of the step that contains a time, the later one where two meet; returns whether
 /// there is one.
 inline bool evaluate(const std::vector<piece>& pieces, double t, double* out, std::size_t entries) {
-  const auto after = std::ranges::upper_bound(pieces, t, {}, &piece::begin);
+  const auto after = std::upper_bound(pieces.begin(), pieces.end(), t,
+                                      [](double time, const piece& p) { return time < p.begin; });
   if (after == pieces.begin() || t > std::prev(after)->end) return false;
   std::prev(after)->evaluate(t, out, entries);
   return true;
@@ -112,7 +113,8 @@ protected:
   template <class Rates>
   std::optional<sample> interpolate(double t, const Rates& rates) const {
     if (empty() || !(numeric::is_finite(t) && t >= front().t && t <= back().t)) return std::nullopt;
-    const auto after = std::ranges::upper_bound(samples_, t, {}, &sample::t);
+    const auto after = std::upper_bound(samples_.begin(), samples_.end(), t,
+                                        [](double time, const sample& s) { return time < s.t; });
     const sample& a = *std::prev(after);
     if (base::equal(a.t, t) || after == samples_.end()) return a;
     const sample& b = *after;
