@@ -1,5 +1,5 @@
 // builds: g++
-// Andrews' squeezing mechanism over its 30 ms, in which the crank turns two and a half times.
+// Andrews' squeezing mechanism over 30 ms, in which its crank turns two and a half times.
 #include "systems/andrews_reference.hpp"
 
 #include <kanexpr/simulate.hpp>
@@ -49,9 +49,9 @@ TEST(andrews, ends_where_published_by_explicit_runge_kutta) {
 
 TEST(andrews, ends_where_published_by_adams) { ends_where_published<integrator::adams>(1e-11); }
 
-// Adams' formulas once began anew where they had drifted from the constraints, with low orders, which drift
-// fastest: at small tolerances some simulations took a hundred times the evaluations for a thousandth of the
-// accuracy.
+// Adams' formulas once restarted when they had drifted from the constraints. They then had low orders, which
+// drift fastest: at small tolerances some simulations took a hundred times as many evaluations for a
+// thousandth of the accuracy.
 TEST(andrews, is_no_harder_for_adams_with_small_tolerances) {
   double tolerance = 1e-8;
   for (int i = 0; i <= 20; ++i, tolerance /= std::pow(10, 0.25)) {

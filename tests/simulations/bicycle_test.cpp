@@ -1,5 +1,5 @@
 // builds: g++
-// A bicycle that is pushed, beside what its linearized equations say of that.
+// The motion of a bicycle after a push, compared with its linearized equations.
 #include "oracles.hpp"
 
 #include <kanexpr/simulate.hpp>
@@ -31,7 +31,7 @@ Eigen::Vector4cd small_motion(const state<BoundSystem>& x) {
   return x(places).cast<std::complex<double>>();
 }
 
-// What Π (A − λⱼ) over all other eigenvalues leaves of any row is a left eigenvector (Cayley and Hamilton).
+// The product of any row and Π (A − λⱼ) over all other eigenvalues is a left eigenvector (Cayley-Hamilton).
 Eigen::RowVector4cd left_eigenvector(const Eigen::Matrix4d& a,
                                      const std::vector<std::complex<double>>& values, std::size_t which) {
   Eigen::RowVector4cd row(1, 1, 1, 1);
@@ -40,8 +40,8 @@ Eigen::RowVector4cd left_eigenvector(const Eigen::Matrix4d& a,
   return row.normalized();
 }
 
-// Along it the motion is exp(λ t) alone: slow and fast ones, growing and dying out, as Meijaard,
-// Papadopoulos, Ruina & Schwab (2007) have them.
+// Along an eigenvector the motion is exp(λ t). The slow and fast, growing and decaying modes are those of
+// Meijaard, Papadopoulos, Ruina & Schwab (2007).
 TEST(bicycle, moves_in_the_modes_of_its_linearization) {
   const oracle::bicycle benchmark = oracle::load_bicycle();
   for (const int v : {3, 5, 7}) {
@@ -68,7 +68,7 @@ double largest_lean(const simulation<BoundSystem>& run, double from, double to) 
   return largest;
 }
 
-TEST(bicycle, recovers_from_a_push_at_some_speeds_alone) {
+TEST(bicycle, recovers_from_a_push_only_at_some_speeds) {
   const auto stable = pushed(4.6, 0.1, 10), unstable = pushed(3.5, 0.1, 2);
   ASSERT_TRUE(stable) << stable.cause();
   ASSERT_TRUE(unstable) << unstable.cause();

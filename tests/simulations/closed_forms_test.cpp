@@ -40,9 +40,8 @@ TEST(closed_form, period_of_a_pendulum) {
   }
 }
 
-// The error of a run is that of its steps, which add up: the same number of tolerances, however small they
-// are.
-TEST(closed_form, errors_of_adams_are_in_proportion_to_the_tolerance) {
+// The error of a run is the sum of the errors of its steps, so it is a fixed multiple of the tolerance.
+TEST(closed_form, errors_of_adams_are_proportional_to_the_tolerance) {
   using namespace simple_pendulum;
   const double amplitude = 2.5, ten_periods = 40 * boost::math::ellint_1(std::sin(amplitude / 2));
   for (double tolerance = 1e-5; tolerance > 5e-14; tolerance /= 10) {
@@ -105,7 +104,7 @@ TEST(closed_form, body_without_torque) {
   for (const auto& each : momenta) EXPECT_LT((each - momenta[0]).norm(), 1e-8 * momenta[0].norm());
 }
 
-// A fast top whose axis is at rest when it is let go. With y = cos θ₀ − cos θ of the greatest lean,
+// A fast top whose axis is at rest when it is released. With y = cos θ₀ − cos θ of the greatest lean,
 // y² + (p − 2 cos θ₀) y − sin² θ₀ = 0 (Goldstein, Classical Mechanics, 5.7).
 TEST(closed_form, nutation_of_a_spinning_top) {
   using namespace spinning_top;
@@ -131,7 +130,7 @@ TEST(closed_form, disc_is_back_after_a_turn_in_its_circle) {
   using namespace rolling_disc;
   const double radius = 0.3, strength = 9.81, lean = 0.35, turning = 1.9,
                about_lean = turning * std::cos(lean);
-  // The moments about the contact, along the ground and across the disc's path, are in balance.
+  // The moments about the contact point, along the ground and across the path of the disc, balance.
   const double spin = (about_lean * about_lean * std::tan(lean) / 4 - strength / radius * std::sin(lean)) /
                       (1.5 * about_lean);
   const auto run = simulate<System>({{q1, 0}, {q2, lean}, {q3, 0}, {u1, 0}, {u2, spin}, {u3, about_lean}},

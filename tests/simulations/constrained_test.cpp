@@ -1,5 +1,5 @@
 // builds: clang++ sanitize
-// How systems with constraints begin, and how they end where a constraint cannot be met.
+// The beginning of simulations with constraints, and their end if a constraint cannot be satisfied.
 #include "simulations/led_bars.hpp"
 
 #include <cmath>
@@ -13,7 +13,7 @@ using led_bars::System;
 
 TEST(constrained, begins_on_its_constraints) {
   using namespace led_bars;
-  // The second bar's angle and rate are found; the angle that is given is where the search starts.
+  // The angle and rate of the second bar are computed; the search starts at the given angle.
   for (const double guess : {0.5, -0.5}) {
     const auto run = simulate<System>({{q1, 0.3}, {q2, guess}, {u1, 0.2}}, {}, {0, 1},
                                       {.inputs = led_at(1.5, 0.1), .guesses_dependent = true});
@@ -36,8 +36,8 @@ TEST(constrained, cannot_begin_where_no_state_is_near) {
   EXPECT_THAT(run.cause(), testing::HasSubstr("the search for the dependent coordinates"));
 }
 
-// What is given for a dependent coordinate or speed holds, or is called a guess.
-TEST(constrained, keeps_what_is_given) {
+// A value of a dependent coordinate or speed must be consistent, unless it is declared a guess.
+TEST(constrained, requires_consistent_values) {
   using namespace led_bars;
   const auto said = [](const given_state<System>& from, const simulation_options<System>& options) {
     const auto run = simulate<System>(from, {}, {0, 0.1}, options);
@@ -63,7 +63,7 @@ TEST(constrained, keeps_what_is_given) {
                 base::digits(rate) + advice);
 }
 
-TEST(constrained, keeps_what_a_handler_changes) {
+TEST(constrained, requires_consistent_changes_by_a_handler) {
   using namespace led_bars;
   const auto run = [](double to) {
     return simulate<System>(
@@ -83,7 +83,7 @@ TEST(constrained, keeps_what_a_handler_changes) {
   EXPECT_THAT(changed.cause(), testing::EndsWith("after the handler of an event"));
 }
 
-// By the other methods in singular_positions_test.cpp: with sanitizers they take minutes.
+// The other methods are tested in singular_positions_test.cpp, because they take minutes with sanitizers.
 TEST(constrained, ends_at_a_singular_configuration) {
   led_bars::ends_where_they_are_stretched<integrator::bdf>();
 }
@@ -108,8 +108,8 @@ TEST(constrained, ends_with_its_last_sample) {
   ends_with_its_last_sample<integrator::differential_algebraic>();
 }
 
-// After a handler the state is brought to the constraints again, by which a function may be before zero
-// again.
+// After a handler the state is projected onto the constraints. This may return a function to the side of zero
+// from which it came.
 template <integrator by>
 void passes_once_what_goes_on() {
   using namespace led_bars;
@@ -130,7 +130,7 @@ void passes_once_what_goes_on() {
   EXPECT_GT(count(0.05, {}), 1u);
 }
 
-TEST(constrained, passes_once_what_goes_on_after_a_handler) {
+TEST(constrained, passes_an_event_once_if_the_motion_continues) {
   passes_once_what_goes_on<integrator::explicit_runge_kutta>();
   passes_once_what_goes_on<integrator::adams>();
   passes_once_what_goes_on<integrator::bdf>();

@@ -42,7 +42,7 @@ TEST(csv, writes_names_and_then_rows) {
   EXPECT_EQ(written(run), "t,q1\n0,nan\n0.1,-inf\n-1e-300,3\n");
 }
 
-TEST(csv, gives_the_same_bits_again) {
+TEST(csv, reproduces_all_bits) {
   std::mt19937_64 random(7);
   std::vector<double> any, usual,
       special{0.0,
@@ -77,7 +77,7 @@ TEST(csv, gives_the_same_bits_again) {
           << run.names()[j] << " " << run.values(j)[i];
 }
 
-TEST(csv, quotes_names_where_it_must) {
+TEST(csv, quotes_names_if_necessary) {
   table run;
   const std::vector<std::string> names{"q1",         "a,b", "the \"rate\"", " before",       "after ",
                                        "two\nlines", "\"",  "\",\"\n\"",    "dq1/dt (rad/s)"};
@@ -90,7 +90,7 @@ TEST(csv, quotes_names_where_it_must) {
   EXPECT_EQ(again.rows(), 2u);
 }
 
-TEST(csv, reads_what_other_programs_write) {
+TEST(csv, reads_files_of_other_programs) {
   const table run =
       read("\xEF\xBB\xBF t , \"q1\" ,u1\r\n 0 , +1.5e3,NaN \r\n\"-.5\",INF,-infinity\r\n\r\n\n \t\n");
   ASSERT_TRUE(run) << run.cause();
@@ -107,14 +107,14 @@ TEST(csv, reads_a_last_line_without_its_end) {
   EXPECT_EQ(run.values(0), (std::vector<double>{1, 2}));
 }
 
-TEST(csv, reads_a_header_alone) {
+TEST(csv, reads_a_header_without_rows) {
   const table run = read("t,q1\n");
   ASSERT_TRUE(run) << run.cause();
   EXPECT_EQ(run.columns(), 2u);
   EXPECT_EQ(run.rows(), 0u);
 }
 
-TEST(csv, says_what_is_wrong_and_where) {
+TEST(csv, reports_mistakes_with_their_position) {
   const auto expect_refused = [](const std::string& text, const std::string& cause) {
     const table run = read(text);
     EXPECT_FALSE(run) << text;
@@ -149,8 +149,8 @@ TEST(csv, says_what_is_wrong_and_where) {
   expect_refused("\"two\nlines\",b\n1,2\n1,x\n", "line 4 of run.csv: 'x' in column b is not a number");
 }
 
-// Lines of old Macintosh programs, which would all be one.
-TEST(csv, refuses_carriage_returns_alone) {
+// Lines that end with a carriage return, as old Macintosh programs wrote them, would be read as one line.
+TEST(csv, rejects_lone_carriage_returns) {
   for (const char* text : {"t,q1\r0,1\r2,3\r", "t\r0\r1", "\"t\",\"q1\"\r0,1", "\"t\",\"q1\"\r,1",
                            "t,\r0,1\n", "t,q1\r\"0\",1\n"})
     EXPECT_EQ(read(text).cause(),
@@ -162,7 +162,7 @@ TEST(csv, refuses_carriage_returns_alone) {
   EXPECT_EQ(read("\"two\r\nlines\"\r\n1\r\n").names()[0], "two\r\nlines");
 }
 
-TEST(csv, reads_the_mark_of_utf_8) {
+TEST(csv, reads_the_byte_order_mark_of_utf_8) {
   const std::string mark = "\xEF\xBB\xBF";
   for (const char* text : {"t\n1\n", "\"t\"\r\n1\r\n"}) {
     const table run = read(mark + text);
@@ -177,7 +177,7 @@ TEST(csv, reads_the_mark_of_utf_8) {
   EXPECT_EQ(read(written(marked)).names(), marked.names());
 }
 
-TEST(csv, refuses_utf_16) {
+TEST(csv, rejects_utf_16) {
   const auto in_utf_16 = [](const std::string& text, bool small_end_first) {
     std::string wide;
     for (const char c : text)
@@ -220,7 +220,7 @@ TEST(csv, writes_and_reads_files) {
   EXPECT_EQ(read_csv(testing::TempDir()).cause(), testing::TempDir() + " cannot be read");
 }
 
-TEST(csv, says_that_the_disk_is_full) {
+TEST(csv, reports_a_full_disk) {
   table run;
   EXPECT_TRUE(run.add("t", std::vector<double>(100, 0.1)));
   EXPECT_EQ(write_csv(run, "/dev/full").cause(), "writing /dev/full failed after row 100");
@@ -231,7 +231,7 @@ TEST(csv, says_that_the_disk_is_full) {
   EXPECT_TRUE(done.cause().starts_with("writing /dev/full failed at row ")) << done.cause();
 }
 
-// Numbers with a comma and groups of digits, as some languages write them.
+// Numbers with a decimal comma and groups of digits, as in some locales.
 struct foreign : std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
   char do_thousands_sep() const override { return '.'; }
@@ -262,7 +262,7 @@ TEST(csv_writer, streams_rows) {
   EXPECT_EQ(out.str(), "t,\"q,1\"\n0,0.1\n1,2.5\n");
 }
 
-TEST(csv_writer, refuses_a_row_of_wrong_length_and_what_follows) {
+TEST(csv_writer, rejects_a_row_of_wrong_length_and_later_rows) {
   std::ostringstream out;
   csv_writer writer(out, {"t", "q1"});
   EXPECT_TRUE(writer.row({0, 1}));
@@ -275,8 +275,8 @@ TEST(csv_writer, refuses_a_row_of_wrong_length_and_what_follows) {
   EXPECT_EQ(out.str(), "t,q1\n0,1\n");
 }
 
-// It could not be read.
-TEST(csv_writer, refuses_a_header_that_is_none) {
+// A table that could not be read.
+TEST(csv_writer, rejects_an_invalid_header) {
   std::ostringstream out;
   csv_writer doubled(out, {"t", "q", "t"}), nameless(out, {"t", ""});
   EXPECT_EQ(doubled.cause(), "column t already exists");
@@ -285,7 +285,7 @@ TEST(csv_writer, refuses_a_header_that_is_none) {
   EXPECT_EQ(out.str(), "");
 }
 
-TEST(csv_writer, says_that_the_stream_failed) {
+TEST(csv_writer, reports_a_failed_stream) {
   std::ostringstream out;
   csv_writer writer(out, {"t"}, "run.csv");
   EXPECT_TRUE(writer.row({0}));

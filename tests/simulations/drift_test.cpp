@@ -1,5 +1,5 @@
 // builds: g++
-// A constraint of configurations holds however long a simulation is.
+// Configuration constraints hold in long simulations.
 #include <kanexpr/simulate.hpp>
 
 #include <models/pendulum_nonminimal.hpp>

@@ -1,4 +1,4 @@
-// A double pendulum without friction keeps its energy.
+// A double pendulum without friction conserves its energy.
 #include <kanexpr/simulate.hpp>
 
 #include <models/double_pendulum.hpp>

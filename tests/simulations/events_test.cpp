@@ -27,7 +27,8 @@ event<System> contact(event_handler<System> handler) {
   return when<System, dot(position_of<P, O>, N::z)>("contact", crossing::falling, std::move(handler));
 }
 
-// The ball meets the ground first after √(2h/g), then after twice that times the restitution's powers.
+// The ball reaches the ground first after √(2h/g), then after twice that time multiplied by powers of the
+// coefficient of restitution.
 double time_of_bounce(int k) {
   const double first = std::sqrt(2 * height / gravity_strength);
   double t = first;
@@ -78,8 +79,8 @@ TEST(events, may_stop_a_simulation) {
   EXPECT_NEAR(run.state[h], 0, 1e-9);
 }
 
-// At the top of the flight after a bounce the speed falls through zero; nothing is done about it.
-TEST(events, without_a_handler_are_noted) {
+// At the highest point after a bounce the speed crosses zero; the event has no handler.
+TEST(events, without_a_handler_are_recorded) {
   const auto run =
       simulate<System>({{h, 0}, {v, 3}}, ball, {0, 0.6},
                        {.events = {when<System, v>("top", crossing::falling),
@@ -94,7 +95,8 @@ TEST(events, without_a_handler_are_noted) {
   EXPECT_EQ(run.time, 0.6);
 }
 
-// Sums of tenths miss 0.3 and 0.6 by a bit: the event leaves no time until the next sample, or the end.
+// Sums of tenths differ from 0.3 and 0.6 in the last bit, so no time remains between the event and the next
+// sample or the end.
 template <integrator by>
 void goes_on_right_before_a_sample() {
   const auto kick = [](moment<System>& now) { now.x[v] += 1; };
@@ -109,7 +111,7 @@ void goes_on_right_before_a_sample() {
   EXPECT_NEAR(run.trajectory[5].x[v], 1 - gravity_strength * 0.5, 1e-7);
 }
 
-TEST(events, may_happen_right_before_a_sample) {
+TEST(events, may_occur_right_before_a_sample) {
   goes_on_right_before_a_sample<integrator::adams>();
   goes_on_right_before_a_sample<integrator::bdf>();
   goes_on_right_before_a_sample<integrator::explicit_runge_kutta>();
@@ -117,8 +119,8 @@ TEST(events, may_happen_right_before_a_sample) {
   goes_on_right_before_a_sample<integrator::differential_algebraic>();
 }
 
-// A handler that leaves the ball where the event happens again at once.
-TEST(events, that_happen_ever_faster_end_a_simulation) {
+// A handler that leaves the ball at a state at which the event occurs again immediately.
+TEST(events, that_occur_faster_and_faster_end_a_simulation) {
   const auto run = simulate<System>(start, ball, {0, 20}, {.events = {contact(bounce)}});
   EXPECT_FALSE(run);
   EXPECT_THAT(run.cause(), testing::HasSubstr("events occur faster and faster"));
@@ -156,8 +158,8 @@ TEST(events, whose_value_is_not_a_number_end_a_simulation) {
   EXPECT_GT(run.trajectory.size(), 1u);
 }
 
-// Integrators look for changes of sign. A ball that begins on the ground, or below it by less than can be
-// told, meets it at once if it goes down.
+// Integrators detect changes of sign. A ball that begins on the ground, or below it by less than the
+// tolerance, touches it immediately if it moves down.
 template <integrator by>
 void takes_what_is_zero_at_the_start_by_its_direction() {
   struct beginning {
@@ -177,7 +179,7 @@ void takes_what_is_zero_at_the_start_by_its_direction() {
   }
 }
 
-TEST(events, at_the_start_are_taken_by_their_direction) {
+TEST(events, at_the_start_depend_on_their_direction) {
   takes_what_is_zero_at_the_start_by_its_direction<integrator::adams>();
   takes_what_is_zero_at_the_start_by_its_direction<integrator::bdf>();
   takes_what_is_zero_at_the_start_by_its_direction<integrator::explicit_runge_kutta>();
@@ -185,7 +187,7 @@ TEST(events, at_the_start_are_taken_by_their_direction) {
   takes_what_is_zero_at_the_start_by_its_direction<integrator::differential_algebraic>();
 }
 
-// Nothing holds a ball that a handler brings to rest: it must say what happens.
+// Nothing supports a ball that a handler brings to rest, so the handler must stop the simulation.
 template <integrator by>
 void does_not_let_a_ball_at_rest_fall_through_the_ground() {
   for (const double at : {0.0, -1e-17, 1e-17}) {
@@ -216,8 +218,8 @@ TEST(events, do_not_let_a_ball_at_rest_fall_through_the_ground) {
   does_not_let_a_ball_at_rest_fall_through_the_ground<integrator::differential_algebraic>();
 }
 
-// The ball dives: its speed is halved, and it goes on.
-TEST(events, happen_once_where_the_motion_goes_on) {
+// The ball dives into a fluid: its speed is halved, and it continues to fall.
+TEST(events, occur_once_if_the_motion_continues) {
   const auto run = simulate<System>(
       start, ball, {0, 2}, {.events = {contact([](moment<System>& now) { now.x[v] = now.x[v] / 2; })}});
   ASSERT_TRUE(run) << run.cause();
@@ -225,8 +227,8 @@ TEST(events, happen_once_where_the_motion_goes_on) {
   EXPECT_LT(run.state[h], -2);
 }
 
-// It is held up by what pulls it later.
-TEST(events, that_were_zero_since_the_start_happen_where_they_leave_it) {
+// The ball rests on the ground without gravity until it is pushed down.
+TEST(events, that_are_zero_since_the_start_occur_when_they_leave_zero) {
   const auto run =
       simulate<System>({{h, 0}, {v, 0}}, {{m, 0.3}, {g, 0}}, {0, 2},
                        {.events = {contact(bounce),
@@ -238,7 +240,7 @@ TEST(events, that_were_zero_since_the_start_happen_where_they_leave_it) {
   EXPECT_NEAR(run.state[h], restitution, 1e-8);
 }
 
-// A function that is zero at first leaves it within a step: by a jump, or steadily.
+// A function that is zero at the start leaves zero within a step, by a jump or continuously.
 template <integrator by>
 void happen_where_a_function_leaves_zero() {
   for (const bool jumps : {true, false}) {
@@ -259,7 +261,7 @@ void happen_where_a_function_leaves_zero() {
   }
 }
 
-TEST(events, happen_where_a_function_leaves_zero) {
+TEST(events, occur_when_a_function_leaves_zero) {
   happen_where_a_function_leaves_zero<integrator::adams>();
   happen_where_a_function_leaves_zero<integrator::bdf>();
   happen_where_a_function_leaves_zero<integrator::explicit_runge_kutta>();
@@ -267,7 +269,7 @@ TEST(events, happen_where_a_function_leaves_zero) {
   happen_where_a_function_leaves_zero<integrator::differential_algebraic>();
 }
 
-TEST(events, at_the_start_happen_also_in_no_time) {
+TEST(events, at_the_start_occur_in_a_span_of_zero_length) {
   for (const double speed : {-3.0, 0.0, 3.0}) {
     const auto run =
         simulate<System>({{h, 0}, {v, speed}}, ball, {0, 0}, {.events = {contact(after_event::stop)}});
@@ -277,7 +279,7 @@ TEST(events, at_the_start_happen_also_in_no_time) {
   }
 }
 
-TEST(events, of_a_function_that_is_always_zero_do_not_happen) {
+TEST(events, of_a_function_that_is_always_zero_do_not_occur) {
   for (const crossing direction : {crossing::rising, crossing::falling, crossing::either}) {
     const auto run = simulate<System>(
         start, ball, {0, 1},
@@ -287,7 +289,7 @@ TEST(events, of_a_function_that_is_always_zero_do_not_happen) {
   }
 }
 
-TEST(events, at_the_end_happen) {
+TEST(events, at_the_end_occur) {
   const auto run =
       simulate<System>(start, ball, {0, 0.25},
                        {.events = {{"end", [](double t, auto&, auto&, auto&) { return t - 0.25; },
@@ -299,8 +301,8 @@ TEST(events, at_the_end_happen) {
   EXPECT_EQ(run.trajectory.back().x[v], 7);
 }
 
-// Each at a time of its own, as rounding leaves them.
-TEST(events, may_be_many_at_one_time) {
+// Rounding gives each event a different time.
+TEST(events, may_coincide) {
   for (const event_handler<System>& handler :
        {event_handler<System>(), event_handler<System>([](moment<System>&) {})}) {
     std::vector<event<System>> many;
@@ -315,7 +317,7 @@ TEST(events, may_be_many_at_one_time) {
   }
 }
 
-// Where it came to zero could not be found.
+// The time at which the function reached zero cannot be found.
 TEST(events, that_stay_at_zero_end_a_simulation) {
   const auto run = simulate<System>(
       start, ball, {0, 1},
@@ -339,7 +341,7 @@ TEST(events, without_a_value_at_the_start_end_a_simulation) {
   EXPECT_EQ(run.trajectory.size(), 1u);
 }
 
-// However short the steps between them are, and however slowly they pass beside the other entries of the
+// Even if the steps between them are short, and they change slowly compared with the other entries of the
 // state.
 TEST(events, may_follow_one_another_closely) {
   std::vector<event<System>> close;
@@ -353,8 +355,8 @@ TEST(events, may_follow_one_another_closely) {
   EXPECT_EQ(run.events.size(), 40u);
 }
 
-// The same motion on clocks that count from elsewhere: events of the state and of the time, with handlers and
-// without, and samples at times that are asked for.
+// The same motion with different clock origins: events of the state and of the time, with and without
+// handlers, and samples at requested times.
 template <integrator by>
 void is_the_same_at_any_time() {
   std::optional<simulation<System>> first;
@@ -409,7 +411,7 @@ void falls_freely_at_any_time() {
   EXPECT_TRUE(lost.state.allFinite());
 }
 
-TEST(events, or_none_a_ball_falls_freely_at_any_time) {
+TEST(events, are_not_needed_for_free_fall_at_any_time) {
   falls_freely_at_any_time<integrator::adams>();
   falls_freely_at_any_time<integrator::bdf>();
   falls_freely_at_any_time<integrator::explicit_runge_kutta>();

@@ -1,4 +1,4 @@
-// A cart that balances a pendulum by feedback of its state, which is designed for the linearized equations.
+// A cart that balances a pendulum by state feedback, designed with the linearized equations.
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/simulate.hpp>
 
@@ -33,7 +33,7 @@ Eigen::RowVector<double, order> feedback(const square& A, const column& B, const
   return controllability.inverse().row(order - 1) * polynomial;
 }
 
-TEST(feedback, decays_as_the_slowest_of_its_poles) {
+TEST(feedback, decays_like_its_slowest_pole) {
   const operating_point<balanced> upright({{q<1>, 1.4}}, {{m<0>, 1.5}, {m<1>, 0.4}, {l<0>, 0.8}, {g, 9.81}},
                                           {.held = {q<0>}});
   ASSERT_TRUE(upright) << upright.cause();

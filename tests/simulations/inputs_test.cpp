@@ -1,4 +1,4 @@
-// Controllers, prescribed motions, and the derivatives that stiff methods need of them.
+// Controllers and prescribed motions, and the derivatives of controllers that stiff methods need.
 #include <kanexpr/simulate.hpp>
 #include <kanexpr/simulations/prescribe.hpp>
 
@@ -55,7 +55,7 @@ TEST(inputs, are_prescribed_with_their_derivatives) {
   ASSERT_TRUE(other) << other.cause();
   EXPECT_LT((one.state - other.state).norm(), 1e-10);
 
-  // In the pivot's frame it is a pendulum in a gravity that swings: l q̈ = −g sin q − ẍ cos q.
+  // In the frame of the pivot it is a pendulum in oscillating gravity: l q̈ = −g sin q − ẍ cos q.
   double angle = 0.2, rate = 0;
   const int steps = 200000;
   const double dt = 5.0 / steps;
@@ -72,7 +72,7 @@ TEST(inputs, are_prescribed_with_their_derivatives) {
   EXPECT_NEAR(one.state[u], rate, 1e-7);
 }
 
-TEST(inputs, are_prescribed_with_the_rates_that_they_have) {
+TEST(inputs, are_prescribed_with_consistent_rates) {
   using namespace on_a_cart;
   const auto cause = [](const simulation_options<System>& options, double to = 5) {
     return simulate<System>({{q, 0.2}, {u, 0}}, {{g, 9.81}, {l, 0.5}}, {0, to}, options).cause();
@@ -104,7 +104,7 @@ TEST(inputs, are_prescribed_with_the_rates_that_they_have) {
               testing::StartsWith("prescribed quantity x changes at the rate "));
   EXPECT_THAT(cause({.inputs = given(sine, cosine, [&](double t) { return -second(t); })}),
               testing::StartsWith("prescribed quantity dot(x) changes at the rate "));
-  // What happens later alone.
+  // A contradiction that occurs only later.
   const auto late = [](double t) { return t > 1 ? (t - 1) * (t - 1) : 0.0; };
   EXPECT_EQ(cause({.inputs = given(late, zero, zero)}),
             "prescribed quantity x changes at the rate 2 at t = 2, but its rate is given as 0");
@@ -175,7 +175,7 @@ TEST(inputs, come_from_a_stiff_controller) {
   check.operator()<integrator::differential_algebraic>();
 }
 
-// How an integration fares from one start is luck; over many the differences must be paid for.
+// The work of a single run depends on chance; over many starts, finite differences cost more.
 TEST(inputs, need_fewer_rates_with_exact_derivatives) {
   using namespace controlled;
   const auto count = [](bool exact) {
@@ -210,7 +210,7 @@ TEST(inputs, are_constants_in_a_vector_of_the_system) {
   EXPECT_EQ(at_end(options), by_name);
 }
 
-TEST(inputs, that_a_function_forgets_are_told) {
+TEST(inputs, that_a_function_leaves_unset_are_reported) {
   using namespace simple_pendulum;
   const auto run = simulate<System>({{q, 0}, {u, 0}}, controlled::numbers, {0, 1},
                                     {.inputs = [](double, const state<System>&, input_values<System>&) {}});

@@ -1,4 +1,4 @@
-// A system by Lagrange's method moves as the same one by Kane's.
+// Lagrange's and Kane's methods give the same motion.
 #include <kanexpr/simulate.hpp>
 
 #include <models/pendulum_nonminimal.hpp>
@@ -44,7 +44,7 @@ TEST(lagrange, moves_as_by_kane_with_every_integrator) {
   moves_as_by_kane<integrator::differential_algebraic>(1e-6);
 }
 
-TEST(lagrange, asks_for_rates_by_their_names) {
+TEST(lagrange, names_rates_that_are_missing) {
   EXPECT_EQ((simulate<LagrangeSystem>({{q2, 0.6}, {q1, 0.8}}, numbers, {0, 5}).cause()),
             "the rate of coordinate q2 has no value");
 }

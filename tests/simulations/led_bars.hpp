@@ -1,4 +1,4 @@
-// Two bars on a pin; the end of the second is led along a line that stands across the ground.
+// Two bars on a pin; the end of the second is guided along a line perpendicular to the ground.
 #pragma once
 
 #include <kanexpr/simulate.hpp>
@@ -38,7 +38,7 @@ inline auto led_at(double start, double speed) {
   };
 }
 
-// At x = 2 both bars are in line and the constraint is singular; beyond, there is no state.
+// At x = 2 the bars are aligned and the constraint is singular; beyond, no state exists.
 template <integrator by>
 void ends_where_they_are_stretched() {
   for (const double every : {0.0, 0.1}) {

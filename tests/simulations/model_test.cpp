@@ -1,4 +1,4 @@
-// Models that are derived while the program runs, and what a builder built, move as the same system of types.
+// Run-time models, derived from types or from a builder, move like the compile-time system.
 #include "runtime/built_pendulum.hpp"
 #include "simulations/falling_ball.hpp"
 
@@ -71,7 +71,7 @@ void moves_alike() {
   expect_same_motion(simulate<by>(pendulum(), start, numbers, {0, 3}, controlled_by_name()), compiled);
 }
 
-TEST(simulated_model, moves_with_a_controller_by_each_method_as_the_system_to_the_last_bit) {
+TEST(simulated_model, matches_the_system_to_the_last_bit_with_each_method) {
   moves_alike<integrator::adams>();
   moves_alike<integrator::bdf>();
   moves_alike<integrator::explicit_runge_kutta>();
@@ -126,7 +126,7 @@ TEST(simulated_model, keeps_a_trajectory_like_that_of_the_system) {
   EXPECT_TRUE(path.along(derive(other).mass_matrix()).empty());
 }
 
-TEST(simulated_model, takes_no_mass_that_is_negative_by_an_expression) {
+TEST(simulated_model, rejects_a_mass_whose_expression_is_negative) {
   kanexpr::runtime::builder b("N");
   const auto n = b.inertial_frame();
   const expression x = b.coordinate("x"), v = b.speed("v"), whole = b.parameter("m"), lost = b.parameter("k");
@@ -140,7 +140,7 @@ TEST(simulated_model, takes_no_mass_that_is_negative_by_an_expression) {
   EXPECT_EQ(cause(1, 1), "the mass of Tank is negative");
 }
 
-TEST(simulated_model, tells_what_is_missing_before_the_first_step) {
+TEST(simulated_model, reports_missing_values_before_the_first_step) {
   const pendulum b;
   const simulation_options<model> idle{.inputs = {{"T", 0}}};
   const auto cause = [&](const given_state<model>& x, const given_parameters<model>& p,
@@ -164,7 +164,7 @@ TEST(simulated_model, tells_what_is_missing_before_the_first_step) {
             "in the tolerances, the model has no coordinate or speed w");
 }
 
-TEST(simulated_model, tells_of_names_that_functions_ask_for) {
+TEST(simulated_model, reports_unknown_names_in_functions) {
   const pendulum b;
   const auto cause = [&](const simulation_options<model>& o) {
     return simulate(b, start, numbers, {0, 1}, o).cause();
@@ -187,7 +187,7 @@ TEST(simulated_model, tells_of_names_that_functions_ask_for) {
               testing::HasSubstr("the event odd: the model has no parameter k"));
 }
 
-TEST(simulated_model, has_the_mistake_of_its_model) {
+TEST(simulated_model, reports_the_mistake_of_its_model) {
   pendulum b;
   b.speed("q");
   const auto run = simulate(b, start, numbers, {0, 1});
@@ -196,7 +196,7 @@ TEST(simulated_model, has_the_mistake_of_its_model) {
   EXPECT_TRUE(run.trajectory.energies().total.empty());
 }
 
-TEST(simulated_model, moves_after_a_request_that_was_refused) {
+TEST(simulated_model, moves_after_a_rejected_request) {
   model m = derive<System>();
   EXPECT_EQ(m.get<speed<"w">{} * simple_pendulum::u>().entries.size(), 0);
   EXPECT_NE(m.mistake(), "");
@@ -220,7 +220,7 @@ TEST(simulated_model, begins_with_the_inputs_of_a_function_of_time) {
 
 } // namespace bob
 
-TEST(simulated_model, bounces_as_the_system) {
+TEST(simulated_model, bounces_like_the_system) {
   using namespace falling_ball;
   const std::initializer_list<named_value> start{{"h", 2}, {"v", 0}}, numbers{{"m", 0.3}, {"g", 9.81}};
   const event<System> stop(
@@ -262,7 +262,7 @@ TEST(simulated_model, bounces_as_the_system) {
             "the event odd has no function");
 }
 
-TEST(simulated_model, is_led_by_a_prescribed_quantity) {
+TEST(simulated_model, follows_a_prescribed_quantity) {
   using namespace rotating_tube;
   const std::initializer_list<named_value> start{{"q", 0.4}, {"u", 0}};
   const std::initializer_list<named_value> numbers{
@@ -292,7 +292,7 @@ TEST(simulated_model, is_led_by_a_prescribed_quantity) {
             "prescribed quantity dot(theta) changes at the rate 2 at t = 0.002, but its rate is given as -2");
 }
 
-TEST(simulated_model, takes_no_inertia_that_no_body_has) {
+TEST(simulated_model, rejects_an_impossible_inertia) {
   kanexpr::runtime::builder b("N");
   const expression q = b.coordinate("q"), u = b.speed("u"), across = b.parameter("J"), m = b.parameter("m");
   b.kinematic_equation(b.dot(q) - u);
@@ -313,7 +313,7 @@ const std::map<std::string, double> numbers{{"l0", 2},   {"l1", 0.7}, {"l2", 1.8
                                             {"I1", 0.5}, {"I2", 0.5}, {"I3", 0.5}, {"g", 9.81}};
 const std::initializer_list<named_value> start{{"q1", 0.6}, {"q2", 0.3}, {"q3", -1.7}, {"u1", 1.4}};
 
-// The same four bars, whose coordinates and speeds are dependent by the same choice.
+// The same four-bar linkage with the same choice of dependent coordinates and speeds.
 struct built : builder {
   built() : builder("N") {
     const expression q[]{coordinate("q1"), coordinate("q2"), coordinate("q3")};
@@ -359,7 +359,7 @@ void moves_alike() {
   EXPECT_LT(std::ranges::max(run.trajectory.constraint_residuals()), 1e-8);
 }
 
-TEST(simulated_model, keeps_four_bars_together_as_the_system) {
+TEST(simulated_model, keeps_a_four_bar_linkage_closed_like_the_system) {
   moves_alike<integrator::adams>();
   moves_alike<integrator::bdf>();
   moves_alike<integrator::explicit_runge_kutta>();
@@ -367,13 +367,13 @@ TEST(simulated_model, keeps_four_bars_together_as_the_system) {
   moves_alike<integrator::differential_algebraic>();
 }
 
-TEST(simulated_model, takes_no_guess_for_a_value) {
+TEST(simulated_model, rejects_inconsistent_dependent_values) {
   EXPECT_THAT(simulate(built(), start, numbers, {0, 2}, {.inputs = {{"T", 0}}}).cause(),
               testing::StartsWith(
                   "coordinate q2, which is dependent, was given as 0.3, but the constraints require -0.146"));
 }
 
-TEST(simulated_model, cannot_begin_where_its_bars_do_not_meet) {
+TEST(simulated_model, cannot_begin_if_its_bars_do_not_meet) {
   std::map<std::string, double> apart = numbers;
   apart["l0"] = 9;
   const auto run = simulate(built(), start, apart, {0, 2}, {.inputs = {{"T", 0}}});

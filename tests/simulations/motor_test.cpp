@@ -1,4 +1,4 @@
-// A motor that turns a four-bar linkage, whose loop stays closed.
+// A motor drives a four-bar linkage, whose loop stays closed.
 #include <motion/four_bar.hpp>
 
 #include <gtest/gtest.h>

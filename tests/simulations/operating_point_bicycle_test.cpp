@@ -1,5 +1,5 @@
 // builds: g++
-// A bicycle that circles by itself.
+// A bicycle that circles without a steering torque.
 #include "models/bicycle.hpp"
 
 #include <kanexpr/operating_point.hpp>
@@ -53,9 +53,9 @@ TEST(operating_point, is_a_turn_of_a_bicycle) {
   }
 }
 
-// With little lean it circles at the critical speed of the capsize alone, and steers as the linearized
-// equations tell: those of Meijaard, Papadopoulos, Ruina & Schwab (2007), table 2 and equation (5.3) in a
-// steady turn.
+// With little lean it circles only at the critical speed of the capsize mode, and the steering angle is that
+// of the linearized equations of Meijaard, Papadopoulos, Ruina & Schwab (2007), table 2 and equation (5.3),
+// in a steady turn.
 TEST(operating_point, tends_to_the_capsize_speed) {
   const double lean = 1e-4;
   const operating_point slight = turn(lean, 6);
@@ -66,7 +66,7 @@ TEST(operating_point, tends_to_the_capsize_speed) {
   EXPECT_NEAR(std::abs(slight.x[q5]), steer, 1e-6 * steer);
 }
 
-TEST(operating_point, is_none_of_a_bicycle_that_nobody_steers_at_another_speed) {
+TEST(operating_point, does_not_exist_for_an_unsteered_bicycle_at_a_different_speed) {
   eom::state x = straight_ahead(4);
   x[q2] = 0.1;
   const operating_point none(x, {}, {.held = {q2, u3}, .changing = {q1}});

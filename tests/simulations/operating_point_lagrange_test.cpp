@@ -1,5 +1,5 @@
-// Operating points of systems derived by Lagrange's method, and of those with prescribed quantities and with
-// time.
+// Operating points of systems derived by Lagrange's method, and of systems that depend on prescribed
+// quantities and on time.
 #include "models/rocket.hpp"
 #include "models/rotating_tube.hpp"
 #include "models/simple_pendulum.hpp"
@@ -15,7 +15,7 @@ namespace {
 
 using kanexpr::dot;
 
-TEST(operating_point, is_one_of_lagranges_equations_too) {
+TEST(operating_point, is_found_with_lagranges_equations) {
   using namespace simple_pendulum;
   using lagrange_point = kanexpr::operating_point<LagrangeSystem>;
   const double mgl = 2 * 0.5 * 9.81;

@@ -1,4 +1,4 @@
-// An operating point as a system that is derived while the program runs is linearized about it.
+// The linearization of a run-time model at an operating point.
 #include "models/simple_pendulum.hpp"
 
 #include <kanexpr/operating_point.hpp>
@@ -24,7 +24,7 @@ TEST(operating_point, is_linearized) {
   EXPECT_NEAR(A(1, 1), -0.1 / (2 * 0.5 * 0.5), 1e-15);
 }
 
-// A spring that grows stiffer: what holds at an instant is linearized there.
+// A spring that becomes stiffer: the equations are linearized at the time of the operating point.
 struct Stiffening
     : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<m, l, c>,
                   inputs<T>, bodies<Bob>, loads<torque<A, (T - c * time_variable() * q) * N::z>>> {};

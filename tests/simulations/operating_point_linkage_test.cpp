@@ -1,4 +1,4 @@
-// A four-bar linkage that a motor holds: more equations than unknowns, which agree.
+// A four-bar linkage that is held by a motor: more equations than unknowns, but consistent ones.
 #include "models/four_bar.hpp"
 
 #include <kanexpr/operating_point.hpp>
@@ -36,7 +36,7 @@ double energy_at(double crank) { return linkage(crank).energy(crank); }
 TEST(operating_point, is_a_linkage_that_a_motor_holds) {
   for (const double crank : {0.9, 2.3, -1.1, 4.0}) {
     const linkage built(crank);
-    // the guess fits nowhere and moves
+    // the guess is inconsistent and moving
     const operating_point held({{q1, crank},
                                 {q2, built.coupler - crank + 0.2},
                                 {q3, built.rocker - built.coupler - 0.2},
@@ -67,7 +67,7 @@ TEST(operating_point, is_where_a_linkage_comes_to_rest) {
   EXPECT_GT(std::abs(crank + 1.8), 1e-3);
 }
 
-TEST(operating_point, is_sought_at_a_state_where_the_motion_is_known) {
+TEST(operating_point, is_found_from_a_state_whose_motion_is_known) {
   // stretched out: coupler and rocker in line
   kanexpr::parameter_values<System> p = dimensions.values;
   p[l0] = 3.7;

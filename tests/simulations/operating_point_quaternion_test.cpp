@@ -1,4 +1,4 @@
-// A body that hangs still: its quaternion keeps norm 1 in the search.
+// A body that hangs at rest: the search keeps the norm of its quaternion at 1.
 #include <kanexpr/operating_point.hpp>
 
 #include <models/pivot_body.hpp>

@@ -47,7 +47,7 @@ TEST(operating_point, is_where_a_bead_rests_on_a_hoop) {
   const kanexpr::operating_point<System> freed({{q, pi / 3}}, p, {.held = {q}, .freed = {w}});
   ASSERT_TRUE(freed) << freed.cause();
   EXPECT_NEAR(freed.p[w], std::sqrt(2 * 9.81 / 0.25), 1e-13);
-  // slower than sqrt(g/r) there is no raised place
+  // below sqrt(g/r) there is no raised equilibrium
   const kanexpr::operating_point<System> none({{q, 0.5}}, {{m, 0.3}, {radius, 0.25}, {g, 9.81}, {w, 5}},
                                               {.held = {q}});
   EXPECT_FALSE(none);
@@ -74,7 +74,7 @@ TEST(operating_point, is_a_disc_that_rolls_in_a_circle) {
       EXPECT_NEAR(rates(0), yaw_rate, 1e-13);
       EXPECT_LE(kanexpr::equations_of_motion<System>::velocity_residual(circle.x, circle.p).norm(), 1e-12);
       EXPECT_LE(rates.segment<3>(5).norm(), 1e-10);
-      // the centre goes round at the yaw rate: its acceleration is across its velocity
+      // the center moves on a circle at the yaw rate: its acceleration is perpendicular to its velocity
       EXPECT_NEAR(rates(8), -yaw_rate * circle.x[u5], 1e-10);
       EXPECT_NEAR(rates(9), yaw_rate * circle.x[u4], 1e-10);
       EXPECT_EQ(circle.freedom, 3); // spin angle and place of the centre

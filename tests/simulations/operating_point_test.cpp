@@ -1,5 +1,4 @@
-// Operating points of a pendulum with a motor, in closed form, and what is wrong with those that are asked
-// for.
+// Operating points of a pendulum with a motor, compared with closed forms, and mistakes in the options.
 #include "models/simple_pendulum.hpp"
 
 #include <kanexpr/operating_point.hpp>
@@ -49,7 +48,7 @@ TEST(operating_point, finds_the_input_that_holds_a_state) {
   ASSERT_TRUE(held) << held.cause();
   EXPECT_EQ(held.x[q], 2.3);
   EXPECT_NEAR(held.r[T], mgl * std::sin(2.3), 1e-14);
-  // the input gives way before the state does
+  // the input changes before the state does
   const operating_point free({{q, 2.3}, {u, 0.3}}, some_parameters());
   ASSERT_TRUE(free) << free.cause();
   EXPECT_NEAR(free.x[q], 2.3, 1e-14);
@@ -57,7 +56,7 @@ TEST(operating_point, finds_the_input_that_holds_a_state) {
   EXPECT_EQ(free.freedom, 1);
 }
 
-TEST(operating_point, finds_what_is_freed) {
+TEST(operating_point, finds_freed_parameters) {
   const operating_point longer({{q, 0.7}}, some_parameters(),
                                {.inputs = {{"T", 4.1}}, .held = {q, T}, .freed = {l}});
   ASSERT_TRUE(longer) << longer.cause();
@@ -65,8 +64,8 @@ TEST(operating_point, finds_what_is_freed) {
   EXPECT_EQ(longer.p[m], 2);
 }
 
-TEST(operating_point, may_move_at_rates_that_are_given) {
-  // turned at a constant speed the friction is overcome as well
+TEST(operating_point, may_have_given_rates) {
+  // at a constant speed the motor also overcomes the friction
   const operating_point turning({{q, 1}}, some_parameters(), {.held = {q}, .rates = {{dot(q), 3}}});
   ASSERT_TRUE(turning) << turning.cause();
   EXPECT_NEAR(turning.x[u], 3, 1e-15);
@@ -84,7 +83,7 @@ TEST(operating_point, is_linearized_about) {
   EXPECT_NEAR(B(1, 0), 1 / (2 * 0.5 * 0.5), 1e-15);
 }
 
-TEST(operating_point, is_none_where_the_motor_is_too_strong) {
+TEST(operating_point, does_not_exist_if_the_motor_is_too_strong) {
   const operating_point none({{q, 0.5}}, some_parameters(), {.inputs = {{T, 12}}, .held = {T}});
   EXPECT_FALSE(none);
   EXPECT_THAT(none.cause(),
@@ -95,13 +94,13 @@ TEST(operating_point, is_none_where_the_motor_is_too_strong) {
   EXPECT_NEAR(none.residuals()[1].value, (12 - mgl) / (2 * 0.5 * 0.5), 1e-3);
 }
 
-TEST(operating_point, is_none_where_nothing_is_left_to_find) {
+TEST(operating_point, does_not_exist_without_unknowns) {
   const operating_point none({{q, 0.5}}, some_parameters(), {.held = {q, u, T}});
   EXPECT_EQ(none.cause(), "no operating point: the rate of speed u is -9.41 where the search ended");
   EXPECT_TRUE(operating_point({{q, 0}}, some_parameters(), {.held = {q, u, T}}));
 }
 
-TEST(operating_point, tells_what_is_wrong_with_the_question) {
+TEST(operating_point, reports_mistakes_in_the_options) {
   const auto cause = [](const kanexpr::operating_point_options<System>& options) {
     return operating_point({{q, 0.5}}, some_parameters(), options).cause();
   };
@@ -121,7 +120,7 @@ TEST(operating_point, tells_what_is_wrong_with_the_question) {
             "at the guess: the mass matrix is singular at this state: its elimination fails at the speed u");
 }
 
-TEST(operating_point, refuses_options_that_make_no_sense) {
+TEST(operating_point, rejects_invalid_options) {
   const double infinite = std::numeric_limits<double>::infinity();
   const auto cause = [](const kanexpr::operating_point_options<System>& options) {
     return operating_point({{q, 0.2}}, some_parameters(), options).cause();

@@ -14,7 +14,7 @@ namespace {
 
 using kanexpr::progress_bar;
 
-// A terminal and what has been written to it.
+// A terminal and the text written to it.
 class terminal {
 public:
   terminal() : master_(::posix_openpt(O_RDWR | O_NOCTTY)) {
@@ -62,7 +62,7 @@ TEST(progress_bar, draws_a_line_and_ends_it) {
   EXPECT_TRUE(screen.written().ends_with(" s\x1b[K\r\n"));
 }
 
-TEST(progress_bar, draws_ten_times_a_second_at_most) {
+TEST(progress_bar, draws_at_most_ten_times_a_second) {
   terminal screen;
   progress_bar bar(screen.out());
   const auto begin = std::chrono::steady_clock::now();
@@ -77,7 +77,7 @@ TEST(progress_bar, draws_ten_times_a_second_at_most) {
   EXPECT_LE(drawn, static_cast<long>(elapsed / 0.1) + 1);
 }
 
-TEST(progress_bar, clears_the_line_if_the_run_does_not_end) {
+TEST(progress_bar, clears_the_line_of_an_incomplete_run) {
   terminal screen;
   {
     progress_bar bar(screen.out());
@@ -87,7 +87,7 @@ TEST(progress_bar, clears_the_line_if_the_run_does_not_end) {
   EXPECT_TRUE(screen.written().ends_with(erased));
 }
 
-TEST(progress_bar, has_nothing_to_clear_after_the_end_or_before_the_begin) {
+TEST(progress_bar, clears_nothing_before_the_start_or_after_the_end) {
   terminal screen;
   {
     progress_bar unused(screen.out());
@@ -100,7 +100,7 @@ TEST(progress_bar, has_nothing_to_clear_after_the_end_or_before_the_begin) {
   EXPECT_TRUE(screen.written().ends_with("\n"));
 }
 
-TEST(progress_bar, serves_several_runs_and_times_that_run_backwards) {
+TEST(progress_bar, supports_several_runs_and_times_that_run_backward) {
   terminal screen;
   progress_bar bar(screen.out());
   bar(5, 1, 5);

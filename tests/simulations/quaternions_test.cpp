@@ -1,5 +1,5 @@
 // builds: g++
-// Quaternions keep norm 1 however long a simulation is.
+// Quaternions keep norm 1 in long simulations.
 #include "steps/quaternions.hpp"
 
 #include <kanexpr/simulate.hpp>
@@ -73,7 +73,7 @@ TEST(quaternions, keep_their_norm_with_coarse_tolerances_and_between_steps) {
   EXPECT_LT(most_off_one(body::tumble<integrator::differential_algebraic>(100, o)), 1e-12);
 }
 
-TEST(quaternions, that_are_rounded_get_norm_one_and_others_are_told) {
+TEST(quaternions, that_are_rounded_are_normalized_and_others_rejected) {
   const auto rounded = body::tumble(0.1, body::options(1e-8), 0.999);
   ASSERT_TRUE(rounded) << rounded.cause();
   EXPECT_EQ(rounded.trajectory.front().x[pivot_body::e0], 1);
@@ -84,7 +84,7 @@ TEST(quaternions, that_are_rounded_get_norm_one_and_others_are_told) {
   EXPECT_TRUE(twice.trajectory.empty());
 }
 
-TEST(quaternions, that_a_handler_changes_get_norm_one) {
+TEST(quaternions, that_a_handler_changes_are_normalized) {
   auto o = body::options(1e-8);
   o.events = {event<pivot_body::System>(
       "turned", [](double t, const auto&, const auto&, const auto&) { return t - 0.5; }, crossing::rising,
@@ -95,7 +95,7 @@ TEST(quaternions, that_a_handler_changes_get_norm_one) {
   EXPECT_LT(most_off_one(run), 1e-12);
 }
 
-// The kinematic equations of the second are solved.
+// The kinematic equations of the second body have to be solved.
 TEST(quaternions, of_two_bodies) {
   using namespace quaternions;
   state<Two> x;

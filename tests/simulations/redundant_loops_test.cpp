@@ -1,5 +1,5 @@
 // builds: g++
-// Loops that are closed by more equations than they need.
+// Loops that are closed by more equations than necessary.
 #include <kanexpr/assemble.hpp>
 #include <kanexpr/runtime/assemble.hpp>
 #include <kanexpr/runtime/builder.hpp>
@@ -57,7 +57,7 @@ struct bead_in_a_plane : builder {
   }
 };
 
-/// A bead where z = x² holds on a cylinder about z: neither follows from the other.
+/// A bead with z = x² on a cylinder about z: neither constraint follows from the other.
 struct bead_in_a_bowl : builder {
   explicit bead_in_a_bowl(bool has_parameter) : builder("N") {
     const expression x = coordinate("x"), y = coordinate("y"), z = coordinate("z");
@@ -73,7 +73,7 @@ struct bead_in_a_bowl : builder {
   }
 };
 
-/// A four-bar linkage; in space it is closed by a hinge, with all of its five equations.
+/// A four-bar linkage; in space it is closed by all five equations of a hinge.
 class four_bar : public linkage {
 public:
   four_bar(bool in_space, std::initializer_list<int> left_out = {}) {
@@ -100,7 +100,7 @@ public:
   }
 };
 
-TEST(redundant_constraints, are_named_by_the_sentence_that_refuses_them) {
+TEST(redundant_constraints, are_named_by_the_sentence_that_rejects_them) {
   EXPECT_EQ(
       derive(four_bar(true)).mistake(),
       "configuration constraints 3, 4 and 5 contain no coordinate; add redundant<3, 4, 5> to drop them");
@@ -123,15 +123,14 @@ TEST(redundant_constraints, of_a_planar_loop_in_space_leave_its_motion) {
   for (int i = 0; i < 6; ++i) EXPECT_NEAR(planar.state(i), spatial.state(i), 1e-9);
 }
 
-/// Bricard's loop of six hinges between rods of 1 m, of which each is at right angles to the next, as
-/// IFToMM's library of benchmarks has it. Five hinges are angles; the sixth closes the loop, which asks for
-/// five equations though four would do. `turns` makes the last hinge an angle too; then the loop is closed by
-/// six equations.
+/// Bricard's loop of six hinges between rods of 1 m, each perpendicular to the next, as in IFToMM's library
+/// of benchmarks. Five hinges are angles; the sixth closes the loop with five equations, although four would
+/// suffice. `turns` makes the last hinge an angle too; then six equations close the loop.
 class bricard : public linkage {
 public:
   explicit bricard(bool turns, std::initializer_list<int> left_out = {}) {
     constexpr int axis_of_hinge[]{1, 0, 2, 1, 0, 2};
-    // the rods of the square spiral that closes: x, −z … seen from the hinges between them
+    // the directions of the rods in the closed position, seen from the hinges between them
     constexpr std::array<std::array<int, 3>, 5> ways{
         {{0, 0, -1}, {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}, {0, -1, 0}}};
     const frame_id n = inertial_frame();
@@ -176,7 +175,7 @@ TEST(redundant_constraints, of_bricards_loop) {
     EXPECT_EQ(derive(bricard(turns)).mistake(),
               "the constraints determine every speed, so nothing can move; where all hold, configuration "
               "constraint 5 follows from the preceding ones; add redundant<5> to drop it");
-  // Of six equations any may be left out that the others do not bind apart from it; of five all of them.
+  // Any of the six equations may be omitted if the others do not imply its independence; any of five may be.
   const auto moved = [](bool turns, int left_out) {
     const auto run = simulate(derive(bricard(turns, {left_out})), at_rest(turns), {}, {0, 1},
                               {.relative_tolerance = 1e-11});
@@ -195,7 +194,7 @@ TEST(redundant_constraints, of_bricards_loop) {
     }
 }
 
-/// The rows that a model solves with and those that it leaves out, in the order of all.
+/// The rows that a model uses and those that it omits, in the original order.
 std::vector<int> order_of_rows(int rows, int left_out) {
   std::vector<int> order;
   for (int i = 1; i <= rows; ++i)
@@ -204,8 +203,8 @@ std::vector<int> order_of_rows(int rows, int left_out) {
   return order;
 }
 
-// Whichever row is left out, the forces that close the loop are shared among all of them.
-TEST(redundant_constraints, share_the_multipliers_of_least_norm) {
+// Regardless of the omitted row, the forces that close the loop are distributed over all rows.
+TEST(redundant_constraints, share_the_multipliers_of_minimum_norm) {
   const auto run =
       simulate(derive(bricard(true, {5})), at_rest(true), {}, {0, 0.7}, {.relative_tolerance = 1e-12});
   ASSERT_TRUE(run) << run.cause();
@@ -218,7 +217,7 @@ TEST(redundant_constraints, share_the_multipliers_of_least_norm) {
     EXPECT_EQ(found.cause(), "");
     EXPECT_EQ(found.constraints.rank, 5);
     EXPECT_EQ(found.constraints.cause(), "redundant constraint 1 depends on other constraints at this state");
-    // J and M as the model has them, and Eigen's least solution
+    // J and M of the model, and the minimum-norm solution by Eigen
     const auto value = [&](mechanics::quantity of) -> Eigen::MatrixXd {
       return m.function(m.get(of))(x, Eigen::VectorXd(), Eigen::VectorXd());
     };
@@ -264,8 +263,8 @@ struct System
 
 } // namespace sliding
 
-// A redundant constraint is solved for nothing, and states are held against it.
-TEST(redundant_constraints, hold_states) {
+// A redundant constraint is not solved for anything, but states are checked against it.
+TEST(redundant_constraints, are_checked_at_states) {
   using sliding::System;
   state<System> at{{sliding::x, 1}, {sliding::y, 1}, {sliding::u, 2}, {sliding::v, 2}};
   EXPECT_TRUE(check_consistency<System>(at));
@@ -276,21 +275,22 @@ TEST(redundant_constraints, hold_states) {
   EXPECT_EQ(m.get(mechanics::quantity::redundant_residual).rows, 1);
 }
 
-// Others that call what does not follow redundant: where numbers say all, while deriving.
-TEST(redundant_constraints, that_bind_are_refused) {
+// Constraints that are declared redundant but do not follow: found during derivation if all numbers are
+// known.
+TEST(redundant_constraints, that_restrict_the_motion_are_rejected) {
   bead_in_a_plane across;
   across.configuration_constraint(across.x - across.y);
   across.configuration_constraint(across.x + across.y - 2);
   across.redundant(1);
   EXPECT_EQ(derive(across).mistake(), "configuration constraint 1 does not follow from the others, so it is "
                                       "not redundant; remove redundant<1>");
-  // The bead of a bowl that is bent in one direction, on a cylinder.
+  // A bead in a bowl that is curved in one direction, on a cylinder.
   EXPECT_EQ(derive(bead_in_a_bowl(false)).mistake(), "configuration constraint 2 does not follow from the "
                                                      "others, so it is not redundant; remove redundant<2>");
 }
 
-// Where values of parameters decide, as of bars that have one length, when states are there.
-TEST(redundant_constraints, that_do_not_hold_are_told) {
+// If this depends on values of parameters, such as equal lengths of bars, it is found when states are known.
+TEST(redundant_constraints, that_do_not_hold_are_reported) {
   bead_in_a_plane b;
   b.configuration_constraint(b.x - b.y);
   const expression k = b.parameter("l"); // at 1 they follow from each other

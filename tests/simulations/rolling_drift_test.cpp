@@ -1,5 +1,5 @@
 // builds: g++
-// Constraints on velocities alone hold however long a simulation is.
+// Velocity constraints hold in long simulations.
 #include <kanexpr/simulate.hpp>
 
 #include <models/rolling_disc_constrained.hpp>

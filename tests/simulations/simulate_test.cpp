@@ -1,5 +1,5 @@
 // builds: clang++ sanitize
-// How a simulation is asked for, and what it gives.
+// The arguments of a simulation and its result.
 #include <kanexpr/simulate.hpp>
 
 #include <models/simple_pendulum.hpp>
@@ -42,7 +42,7 @@ TEST(simulate, takes_values_by_name) {
   EXPECT_EQ(one.state, other.state);
 }
 
-TEST(simulate, tells_what_is_missing_before_the_first_step) {
+TEST(simulate, reports_missing_values_before_the_first_step) {
   EXPECT_EQ(simulate<System>({{q, 0.3}}, numbers, {0, 1}, {.inputs = idle}).cause(), "speed u has no value");
   EXPECT_EQ(simulate<System>(start, {{m, 1}, {l, 1}, {g, 9.81}}, {0, 1}, {.inputs = idle}).cause(),
             "parameter c has no value");
@@ -52,7 +52,7 @@ TEST(simulate, tells_what_is_missing_before_the_first_step) {
   EXPECT_EQ(cause_with({}), "input T has no value");
 }
 
-TEST(simulate, refuses_what_it_cannot_do) {
+TEST(simulate, rejects_invalid_options) {
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinite = std::numeric_limits<double>::infinity();
   EXPECT_EQ(cause_with({.inputs = idle}, {1, 0}), "the time span ends at 0, before it begins at 1");
@@ -101,7 +101,7 @@ TEST(simulate, refuses_what_it_cannot_do) {
   EXPECT_EQ(cause_with({.inputs = idle, .events = {{"odd", nullptr}}}), "the event odd has no function");
 }
 
-TEST(simulate, gives_samples_when_they_are_asked_for) {
+TEST(simulate, takes_samples_at_requested_times) {
   const auto steps = run_with({.inputs = idle});
   EXPECT_EQ(steps.trajectory.front().t, 0);
   EXPECT_EQ(steps.trajectory.back().t, 1);
@@ -119,14 +119,14 @@ TEST(simulate, gives_samples_when_they_are_asked_for) {
   EXPECT_LT((listed.trajectory[1].x - steps.trajectory.at(0.5)->x).norm(), 1e-6);
 }
 
-TEST(simulate, of_no_time_gives_the_start) {
+TEST(simulate, over_no_time_returns_the_start) {
   const auto run = run_with({.inputs = idle}, {2, 2});
   ASSERT_TRUE(run) << run.cause();
   ASSERT_EQ(run.trajectory.size(), 1u);
   EXPECT_EQ(run.trajectory[0].x[q], 0.3);
 }
 
-TEST(simulate, hands_samples_on_without_keeping_them) {
+TEST(simulate, passes_samples_on_without_keeping_them) {
   std::vector<double> seen;
   const auto run =
       run_with({.inputs = idle, .output_every = 0.25, .keep = false, .each_sample = [&](const auto& s) {
@@ -137,7 +137,7 @@ TEST(simulate, hands_samples_on_without_keeping_them) {
   EXPECT_THAT(seen, testing::ElementsAre(0, 0.25, 0.5, 0.75, 1));
 }
 
-TEST(simulate, tells_how_far_it_is) {
+TEST(simulate, reports_its_progress) {
   std::vector<double> told;
   const auto run = run_with({.inputs = idle, .progress = [&](double t, time_span span) {
                                EXPECT_EQ(span.to, 1);
@@ -147,13 +147,13 @@ TEST(simulate, tells_how_far_it_is) {
   EXPECT_EQ(told.back(), 1);
 }
 
-TEST(simulate, keeps_to_the_greatest_step) {
+TEST(simulate, respects_the_greatest_step) {
   const auto run = run_with({.inputs = idle, .greatest_step = 0.01});
   EXPECT_GE(run.statistics.steps, 100);
 }
 
-// A pendulum driven so hard that no step is short enough.
-TEST(simulate, ends_where_the_step_size_collapses) {
+// A pendulum that is driven so strongly that no step is short enough.
+TEST(simulate, ends_when_the_step_size_collapses) {
   const auto run = run_with({.inputs = [](double t) {
     input_values<System> r;
     r[T] = 1 / (0.5 - t) / (0.5 - t) / (0.5 - t);
@@ -171,14 +171,14 @@ TEST(simulate, names_the_least_step_that_ends_it) {
               testing::EndsWith("; the least step is 0.5"));
 }
 
-TEST(simulate, ends_after_the_most_steps) {
+TEST(simulate, ends_after_the_maximum_number_of_steps) {
   EXPECT_THAT(run_with({.inputs = idle, .most_steps = 5}).cause(),
               testing::EndsWith("the maximum number of steps was reached"));
   const auto run = run_with({.inputs = idle, .output_times = {1}, .most_steps = 5});
   EXPECT_THAT(run.cause(), testing::EndsWith("the maximum number of steps was reached"));
 }
 
-TEST(simulate, ends_where_a_function_given_to_it_throws) {
+TEST(simulate, ends_when_a_user_function_throws) {
   const auto run = run_with({.inputs = idle, .each_sample = [](const auto& s) {
                                if (s.t > 0.5) throw 7;
                              }});
@@ -186,7 +186,7 @@ TEST(simulate, ends_where_a_function_given_to_it_throws) {
   EXPECT_GT(run.trajectory.size(), 3u);
 }
 
-// Where a simulation fails, the time and the state that it tells are those of its last sample.
+// If a simulation fails, the reported time and state are those of its last sample.
 void expect_one_end(const simulation<System>& run, const std::vector<sample<System>>& handed) {
   EXPECT_FALSE(run);
   ASSERT_FALSE(run.trajectory.empty());
@@ -240,7 +240,7 @@ void ends_at_one_state() {
   }
 }
 
-TEST(simulate, ends_at_one_state_where_it_fails) {
+TEST(simulate, ends_at_its_last_sample_if_it_fails) {
   ends_at_one_state<integrator::adams>();
   ends_at_one_state<integrator::explicit_runge_kutta>();
   ends_at_one_state<integrator::differential_algebraic>();
@@ -259,7 +259,7 @@ void leaves_the_start_where_the_first_step_fails() {
   }
 }
 
-TEST(simulate, leaves_the_start_where_the_first_step_fails) {
+TEST(simulate, ends_at_the_start_if_the_first_step_fails) {
   leaves_the_start_where_the_first_step_fails<integrator::adams>();
   leaves_the_start_where_the_first_step_fails<integrator::explicit_runge_kutta>();
   leaves_the_start_where_the_first_step_fails<integrator::differential_algebraic>();

@@ -1,6 +1,6 @@
 // builds: g++
-// Mechanisms that pass positions where their constraints depend on each other, or where these cannot be
-// solved for what is dependent.
+// Mechanisms that pass positions where their constraints depend on each other, or cannot be solved for the
+// dependent speeds.
 #include "simulations/led_bars.hpp"
 #include "steps/double_four_bar.hpp"
 
@@ -49,7 +49,7 @@ void passes_at_any_tolerance(double until = 10, double least_change = 1e-6, doub
   }
 }
 
-TEST(singular_positions, are_passed_at_any_tolerance_and_leave_the_energy) {
+TEST(singular_positions, are_passed_at_any_tolerance_with_constant_energy) {
   passes_at_any_tolerance<integrator::adams>();
   passes_at_any_tolerance<integrator::bdf>();
   passes_at_any_tolerance<integrator::explicit_runge_kutta>();
@@ -62,7 +62,7 @@ void expect_passed(const simulation<model>& run) {
   EXPECT_NEAR(energy(run.state), energy(run.trajectory[0].x), 1e-5);
 }
 
-// All bars in line, where sines of whole turns leave their own rounding.
+// All bars are aligned; the sines of multiples of π differ from zero by rounding.
 TEST(singular_positions, can_be_begun_at) {
   model m = derive<double_four_bar::System>();
   for (const double other : {0.0, pi, -pi, 3 * pi}) {
@@ -79,7 +79,7 @@ TEST(singular_positions, can_be_begun_at) {
   }
 }
 
-// Where J is singular to the last bit.
+// Positions where J is exactly singular.
 template <integrator by>
 void can_be_begun_at_any_tolerance() {
   const model m = derive<double_four_bar::System>();
@@ -97,7 +97,7 @@ TEST(singular_positions, can_be_begun_at_by_every_integrator) {
   can_be_begun_at_any_tolerance<integrator::differential_algebraic>();
 }
 
-TEST(singular_positions, say_which_constraints_repeat_others) {
+TEST(singular_positions, name_the_redundant_constraints) {
   using double_four_bar::System;
   auto at = double_four_bar::upright();
   EXPECT_TRUE(check_independence<System>(at));
@@ -112,7 +112,7 @@ TEST(singular_positions, say_which_constraints_repeat_others) {
   }
 }
 
-/// u̇ and λ of M u̇ = f + Jᵀ λ and J u̇ + γ = 0, the least solution by Eigen.
+/// u̇ and λ of M u̇ = f + Jᵀ λ and J u̇ + γ = 0: the minimum-norm solution by Eigen.
 template <class System>
 Eigen::VectorXd decomposed(const state<System>& x) {
   using eom = equations_of_motion<System>;
@@ -126,7 +126,7 @@ Eigen::VectorXd decomposed(const state<System>& x) {
   return all.completeOrthogonalDecomposition().solve(right);
 }
 
-TEST(singular_positions, have_multipliers_of_least_norm) {
+TEST(singular_positions, have_multipliers_of_minimum_norm) {
   using double_four_bar::System;
   model m = derive<System>();
   for (const double q : {0.0, pi, 0.3, 1.9}) {
@@ -151,8 +151,8 @@ TEST(singular_positions, have_multipliers_of_least_norm) {
   }
 }
 
-// Bars that are stretched, whose end is drawn on.
-TEST(singular_positions, say_where_constraints_contradict_each_other) {
+// Two aligned bars whose end is pulled further.
+TEST(singular_positions, report_constraints_that_contradict_each_other) {
   using namespace led_bars;
   const state<System> x = state<System>::Zero();
   const input_values<System> drawn(2, 0, 0.3);
@@ -162,8 +162,8 @@ TEST(singular_positions, say_where_constraints_contradict_each_other) {
   EXPECT_EQ(find_least_multipliers<System>(x).cause(), "x has no finite value");
 }
 
-// A state on the circle where it cannot be solved for what is dependent.
-TEST(singular_positions, of_the_choice_of_dependent_speeds_are_none_of_the_motion) {
+// A state on the circle where the constraint cannot be solved for the dependent speed.
+TEST(singular_positions, of_the_choice_of_dependent_speeds_do_not_affect_the_motion) {
   const model m = derive<pendulum_nonminimal::System>();
   const auto run =
       simulate(m, {{"q1", 0}, {"q2", 1}, {"u1", 3}, {"u2", 0}}, {{"m", 1}, {"L", 1}, {"g", 9.81}}, {0, 2});
@@ -176,7 +176,7 @@ TEST(singular_positions, of_the_choice_of_dependent_speeds_are_none_of_the_motio
   }
 }
 
-TEST(singular_positions, end_a_motion_that_has_no_way_on) {
+TEST(singular_positions, end_a_motion_that_cannot_continue) {
   led_bars::ends_where_they_are_stretched<integrator::explicit_runge_kutta>();
   led_bars::ends_where_they_are_stretched<integrator::adams>();
   led_bars::ends_where_they_are_stretched<integrator::differential_algebraic>();

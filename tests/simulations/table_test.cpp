@@ -15,7 +15,7 @@ table two_columns() {
   return run;
 }
 
-TEST(table, gives_columns_by_name) {
+TEST(table, has_columns_by_name) {
   const table run = two_columns();
   EXPECT_EQ(run.rows(), 3u);
   EXPECT_EQ(run.columns(), 2u);
@@ -29,7 +29,7 @@ TEST(table, gives_columns_by_name) {
   EXPECT_EQ(run.values(1), (std::vector<double>{0.3, -0.2, 0.1}));
 }
 
-TEST(table, says_that_a_column_is_missing) {
+TEST(table, reports_a_missing_column) {
   table run;
   EXPECT_EQ(run["q"].cause(), "the table has no column q; it has none");
   EXPECT_TRUE(run.add("t", {1}));
@@ -43,7 +43,7 @@ TEST(table, says_that_a_column_is_missing) {
   EXPECT_EQ(missing.cause(), "the table has no column q; it has t, q1 and q2");
 }
 
-TEST(table, that_could_not_be_read_says_so_wherever_it_is_used) {
+TEST(table, that_could_not_be_read_reports_it_wherever_it_is_used) {
   table none{kanexpr::outcome("run.csv is empty")};
   EXPECT_FALSE(none);
   EXPECT_TRUE(table());
@@ -52,7 +52,7 @@ TEST(table, that_could_not_be_read_says_so_wherever_it_is_used) {
   EXPECT_EQ(none.columns(), 0u);
 }
 
-TEST(table, refuses_columns_that_do_not_fit) {
+TEST(table, rejects_columns_that_do_not_fit) {
   table run = two_columns();
   const auto expect_refused = [&](const std::string& name, std::vector<double> values, const char* cause) {
     const kanexpr::outcome added = run.add(name, std::move(values));

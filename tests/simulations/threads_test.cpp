@@ -1,4 +1,4 @@
-// Several threads at once: each with objects of its own, all with constants that they share.
+// Several threads simultaneously, each with its own objects; all share constants.
 #include "models/pendulum_nonminimal.hpp"
 
 #include <kanexpr/assemble.hpp>
@@ -30,7 +30,7 @@ struct shared {
   }
 };
 
-// What one thread finds, by all that the library does.
+// The results of one thread, with all parts of the library.
 struct findings {
   eom::state rates, moved, at_rest;
   Eigen::VectorXd derived;
@@ -54,7 +54,7 @@ struct findings {
   }
 };
 
-TEST(threads, find_the_same_at_once_as_alone) {
+TEST(threads, find_the_same_results_as_one_thread) {
   const shared given;
   findings alone;
   alone.find(given);

@@ -1,5 +1,5 @@
 // builds: clang++ sanitize
-// What a trajectory knows: states between its samples, expressions along it, columns by name.
+// Trajectories: states between the samples, expressions along them, columns by name.
 #include "simulations/falling_ball.hpp"
 
 #include <kanexpr/simulate.hpp>
@@ -28,7 +28,7 @@ simulation<System> run_with(simulation_options<System> options) {
 
 } // namespace swinging
 
-// The integrator's own polynomials keep its accuracy between the samples.
+// The polynomials of the integrator preserve its accuracy between the samples.
 template <integrator by>
 void knows_the_states_between_samples(double error) {
   using namespace swinging;
@@ -49,7 +49,7 @@ void knows_the_states_between_samples(double error) {
   EXPECT_EQ(sparse.trajectory.at(5)->x, sparse.state);
 }
 
-TEST(trajectory, is_dense_where_that_is_asked_for) {
+TEST(trajectory, is_dense_on_request) {
   knows_the_states_between_samples<integrator::adams>(2e-6);
   knows_the_states_between_samples<integrator::bdf>(2e-5);
   knows_the_states_between_samples<integrator::explicit_runge_kutta>(2e-6);
@@ -73,7 +73,7 @@ TEST(trajectory, has_cubics_between_samples_otherwise) {
   EXPECT_NEAR(errors[0] / errors[1], 16, 3); // of fourth order
 }
 
-// A bounce stays sharp: before it the ball falls, after it the ball rises.
+// A bounce is not smoothed: before it the ball falls, after it the ball rises.
 TEST(trajectory, is_dense_on_both_sides_of_an_event) {
   using namespace falling_ball;
   const auto run = simulate<System>(
@@ -129,7 +129,7 @@ TEST(trajectory, is_a_table_with_names) {
   EXPECT_THAT(read["t"], testing::ElementsAreArray(run.trajectory.times()));
 }
 
-// A model that has taken the names that its time could have.
+// A model that uses the usual names of the time for its symbols.
 namespace named_as_time {
 
 constexpr coordinate<"t"> t;
@@ -145,7 +145,7 @@ struct System : kane_system<inertial<N>, coordinates<t>, speeds<time>, kinematic
 
 } // namespace named_as_time
 
-TEST(trajectory, is_a_table_with_every_column_whatever_the_model_calls_its_own) {
+TEST(trajectory, is_a_table_with_every_column_for_any_names_in_the_model) {
   trajectory<named_as_time::System> path;
   path.add({5, {1, 2}, {}});
   const table columns = path.table();

@@ -1,4 +1,4 @@
-// A pendulum in the two coordinates of its bob, simulated and trimmed in other units.
+// A pendulum in the two coordinates of its bob, simulated and trimmed in different units.
 #include "models/n_pendulum_cart.hpp"
 #include "models/pendulum_nonminimal.hpp"
 
@@ -40,7 +40,7 @@ TEST(units, do_not_matter_to_a_simulation_at_the_defaults) {
   }
 }
 
-// Forces, which are its multipliers, have a unit too.
+// The multipliers are forces, so they have a unit too.
 TEST(units, do_not_matter_to_a_differential_algebraic_system) {
   const auto plain = swing<integrator::differential_algebraic>(1, 1, 1);
   ASSERT_TRUE(plain) << plain.cause();
@@ -54,7 +54,7 @@ TEST(units, do_not_matter_to_a_differential_algebraic_system) {
     }
 }
 
-// The cart is set in motion by the rod alone, or by a force that comes later.
+// Only the rod, or a force that acts later, sets the cart in motion.
 namespace cart = n_pendulum_cart;
 simulation<cart::System<1>> roll(double angle, double length) {
   using rolling = cart::System<1>;
@@ -66,7 +66,7 @@ simulation<cart::System<1>> roll(double angle, double length) {
                            {0, 5}, {.inputs = push});
 }
 
-TEST(units, do_not_matter_to_lengths_beside_angles) {
+TEST(units, do_not_matter_to_lengths_next_to_angles) {
   for (const double angle : {0.0, 0.3}) {
     const auto plain = roll(angle, 1);
     ASSERT_TRUE(plain) << plain.cause();
@@ -127,7 +127,7 @@ TEST(units, do_not_matter_to_a_motion_that_begins_at_rest) {
   }
 }
 
-// Pushed from its lowest point, where the dependent speed and its rate are zero.
+// A push at the lowest point, where the dependent speed and its rate are zero.
 namespace pushed {
 
 constexpr coordinate<"x"> x;
@@ -151,7 +151,7 @@ simulation<System> swing(double force, double length, double scale) {
 
 } // namespace pushed
 
-// Its energy with that of the force stays zero.
+// The sum of its energy and that of the force stays zero.
 TEST(units, do_not_matter_to_a_pendulum_that_is_pushed_from_its_lowest_point) {
   for (const double force : {1e-6, 1e-3, 0.2, 1.0, 50.0})
     for (const double length : {0.5, 0.7, 1.0}) {
@@ -203,7 +203,7 @@ TEST(units, do_not_matter_to_an_operating_point) {
   }
 }
 
-TEST(units, do_not_matter_to_what_is_no_operating_point) {
+TEST(units, do_not_matter_if_there_is_no_operating_point) {
   for (const double length : scales)
     for (const double other : {1e-12, 1.0, 1e12}) {
       const auto none = rest(length, other, other, {.held = {q2}});

@@ -6,10 +6,11 @@
 namespace kanexpr::base {
 
 /// Formats a number for a sentence; a zero is written without a sign.
-inline std::string digits(double number) {
+inline std::string digits(double number, int significant) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.9g", number + 0.0);
+  std::snprintf(text, sizeof text, "%.*g", significant, number + 0.0);
   return text;
 }
+inline std::string digits(double number) { return digits(number, 9); }
 
 } // namespace kanexpr::base

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <kanexpr/base/file_path.hpp>
 #include <kanexpr/ensembles/compiled_ensembles.hpp>
 #include <kanexpr/ensembles/results_file.hpp>
-#include <kanexpr/simulations/tables/file_path.hpp>
 
 #include <memory>
 

@@ -2,7 +2,7 @@
 
 #include <kanexpr/ensembles/reduction.hpp>
 #include <kanexpr/ensembles/results_file.hpp>
-#include <kanexpr/simulations/tables/file_path.hpp>
+#include <kanexpr/base/file_path.hpp>
 
 #include <functional>
 #include <memory>

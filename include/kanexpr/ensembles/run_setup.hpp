@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/state.hpp>
-#include <kanexpr/simulations/simulation_options.hpp>
+#include <kanexpr/simulations/simulation.hpp>
 
 namespace kanexpr {
 

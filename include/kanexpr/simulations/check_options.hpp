@@ -48,9 +48,10 @@ inline std::string check_span(const time_span& span) {
   return {};
 }
 
-inline std::string check_tolerance(double tolerance) {
-  if (!numeric::is_finite(tolerance)) return "a tolerance is not finite";
-  return tolerance > 0 ? "" : "a tolerance must be positive";
+/// Checks a tolerance or a step size; a step size of 0 leaves the choice to the integrator.
+inline std::string check_positive(double value, const std::string& what, bool may_be_zero) {
+  if (!numeric::is_finite(value)) return what + " is not finite";
+  return value > 0 || (may_be_zero && value >= 0) ? "" : what + " must be positive";
 }
 
 /// Checks that regular samples can be resolved in the time span and, if they are kept, fit into memory.
@@ -70,12 +71,6 @@ inline std::string check_output_every(double every, const time_span& span, std::
   return {};
 }
 
-/// Checks a step size; 0 leaves the choice to the integrator.
-inline std::string check_step(double size) {
-  if (!numeric::is_finite(size)) return "a step size is not finite";
-  return size >= 0 ? "" : "a step size must be positive";
-}
-
 inline std::string check_output_times(const std::vector<double>& times, const time_span& span) {
   double last = span.from;
   for (double t : times) {
@@ -91,7 +86,8 @@ inline std::string check_options(const settings& o, const time_span& span) {
   if (const std::string mistake = check_span(span); !mistake.empty()) return mistake;
   if (!o.mistake_in_inputs.empty()) return std::string(o.mistake_in_inputs);
   for (const double tolerance : {o.relative_tolerance, o.absolute_tolerance.value_or(1)})
-    if (std::string mistake = check_tolerance(tolerance); !mistake.empty()) return mistake;
+    if (std::string mistake = check_positive(tolerance, "a tolerance", false); !mistake.empty())
+      return mistake;
   if (o.relative_tolerance >= 1)
     return "the relative tolerance is " + digits(o.relative_tolerance) + "; it must be below 1";
   if (std::string mistake = check_output_every(o.output_every, span, o.keep ? o.bytes_of_sample : 0);
@@ -100,7 +96,7 @@ inline std::string check_options(const settings& o, const time_span& span) {
   if (o.output_every > 0 && !o.output_times.empty())
     return "output_every and output_times are both set; set only one of them";
   for (const double step : {o.first_step, o.least_step, o.greatest_step})
-    if (std::string mistake = check_step(step); !mistake.empty()) return mistake;
+    if (std::string mistake = check_positive(step, "a step size", true); !mistake.empty()) return mistake;
   if (o.greatest_step > 0 && o.least_step > o.greatest_step)
     return "the least step, " + digits(o.least_step) + ", is longer than the greatest, " +
            digits(o.greatest_step);

@@ -8,13 +8,15 @@
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/runtime/table_interpreter.hpp>
-#include <kanexpr/simulations/integrator.hpp>
 #include <kanexpr/simulations/simulated_system.hpp>
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <complex>
 #include <cstdint>
+#include <iterator>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace kanexpr::simulations {
@@ -25,8 +27,7 @@ template <class System, integrator by>
 class compiled_system final : public simulated_system<System> {
   using quantity = mechanics::quantity;
   static constexpr const derivation::survey& of = compiled::survey_of<System>;
-  static constexpr int n = of.coordinates, o = of.speeds;
-  static constexpr int m = of.constraints, l = of.configuration_constraints;
+  static constexpr int n = of.coordinates, o = of.speeds, m = of.constraints;
   static constexpr bool is_implicit = by == integrator::differential_algebraic;
   using simulated_system<System>::p_;
   template <class Number, int size>
@@ -44,118 +45,94 @@ public:
     return out_of_line<function<System, first>>::digest();
   }
 
-  status evaluate(results wanted, double t, const double* x, const double* r, outputs into) const override {
-    switch (wanted) {
-    case results::rates: return evaluate<results::rates>(t, x, r, into);
-    case results::configuration: return evaluate<results::configuration>(t, x, r, into);
-    case results::redundant: return evaluate<results::redundant>(t, x, r, into);
-    case results::velocities: return evaluate<results::velocities>(t, x, r, into);
-    case results::dependent_speeds: return evaluate<results::dependent_speeds>(t, x, r, into);
-    case results::unreduced: return evaluate<results::unreduced>(t, x, r, into);
-    case results::jacobian: return evaluate<results::jacobian>(t, x, r, into);
-    case results::multipliers: return evaluate<results::multipliers>(t, x, r, into);
-    }
+  status evaluate(results wanted, const instant<double>& at, outputs<double> into) const override {
+    return evaluate_any(wanted, at, into, all_results);
+  }
+  status evaluate(results wanted, const instant<std::complex<double>>& at,
+                  outputs<std::complex<double>> into) const override {
+    if constexpr (is_implicit) return evaluate_any(wanted, at, into, all_results);
     return {};
-  }
-  status implicit(double t, const double* y, const double* ydot, const double* r,
-                  double* left) const override {
-    return residual(t, y, ydot, r, left);
-  }
-  status implicit(double t, const std::complex<double>* y, const std::complex<double>* ydot,
-                  const std::complex<double>* r, std::complex<double>* left) const override {
-    return residual(t, y, ydot, r, left);
   }
 
 private:
+  static constexpr auto all_results = std::make_index_sequence<std::size(lists_of_results)>();
+
   static constexpr manifold_factory factory_of_manifold() {
-    if constexpr (m + l + of.quaternions != 0) return manifold_of<system_interface>;
+    if constexpr (m + of.configuration_constraints + of.quaternions != 0)
+      return manifold_of<system_interface>;
     return nullptr;
   }
 
-  template <int size, class Number = double>
+  template <class Number, std::size_t... each>
+  status evaluate_any(results wanted, const instant<Number>& at, outputs<Number> into,
+                      std::index_sequence<each...>) const {
+    status s;
+    static_cast<void>(((wanted == static_cast<results>(each) &&
+                        (s = evaluate<static_cast<results>(each)>(at, into), true)) ||
+                       ...));
+    return s;
+  }
+  template <results wanted, class Number>
+  status evaluate(const instant<Number>& at, outputs<Number> into) const {
+    constexpr bool is_real = std::is_same_v<Number, double>;
+    if constexpr (!(is_real ? is_needed(wanted, of, by) : is_needed_in_complex(wanted, of, by)))
+      return {};
+    else if constexpr (wanted == results::unreduced && !compiled::is_linked<System>)
+      return interpret_unreduced(at, into);
+    else
+      return evaluate<wanted>(at, into, std::make_index_sequence<list_of(wanted).size>());
+  }
+  template <results wanted, class Number, std::size_t... i>
+  status evaluate(const instant<Number>& at, outputs<Number> into, std::index_sequence<i...>) const {
+    if constexpr (wanted == results::jacobian)
+      return store(call<finite_function<System, list_of(wanted).quantities[i]...>>(at), into);
+    else if constexpr (wanted == results::redundant) // each without the others, as only checks need them
+      return (store(call<function<System, list_of(wanted).quantities[i]>>(at), into.begin()[i]), ...);
+    else if constexpr (wanted == results::forces)
+      return store(call<function<System, list_of(wanted).quantities[i]...>>(at, vector_of<o>(at.udot)), into);
+    else
+      return store(call<function<System, list_of(wanted).quantities[i]...>>(at), into);
+  }
+
+  template <class Function, class Number, class... Rates>
+  auto call(const instant<Number>& at, const Rates&... udot) const {
+    const auto x = vector_of<n + o>(at.x);
+    const auto r = vector_of<of.inputs>(at.r);
+    if constexpr (std::is_same_v<Number, double>)
+      return out_of_line<Function>{}(at.t, x, p_, r, udot...);
+    else
+      return out_of_line<Function>{}(at.t, x, vector<Number, of.parameters>(p_.template cast<Number>()), r,
+                                     udot...);
+  }
+  template <int size, class Number>
   static vector<Number, size> vector_of(const Number* entries) {
     vector<Number, size> v;
     std::copy_n(entries, size, v.data());
     return v;
   }
-
-  template <results wanted>
-  status evaluate(double t, const double* x, const double* r, outputs into) const {
-    if constexpr (!is_needed(wanted, of, by))
-      return {};
-    else if constexpr (wanted == results::unreduced && !compiled::is_linked<System>)
-      return interpret_unreduced(t, x, r, into);
-    else
-      return evaluate<wanted>(t, x, r, into, std::make_index_sequence<list_of(wanted).size>());
-  }
-  template <results wanted, std::size_t... i>
-  status evaluate(double t, const double* x, const double* r, outputs into, std::index_sequence<i...>) const {
-    if constexpr (wanted == results::jacobian)
-      return store(call<finite_function<System, list_of(wanted).quantities[i]...>>(t, x, r), into);
-    else if constexpr (wanted == results::redundant) // each without the others, as only checks need them
-      return (store(call<function<System, list_of(wanted).quantities[i]>>(t, x, r), into.begin()[i]), ...);
-    else
-      return store(call<function<System, list_of(wanted).quantities[i]...>>(t, x, r), into);
-  }
-  template <class Function>
-  auto call(double t, const double* x, const double* r) const {
-    return out_of_line<Function>{}(t, vector_of<n + o>(x), p_, vector_of<of.inputs>(r));
-  }
-  template <class Found>
-  static status store(const Found& found, double* into) {
+  template <class Found, class Number>
+  static status store(const Found& found, Number* into) {
     std::copy_n(found.data(), found.size(), into);
     return status_of(found);
   }
-  template <class Found>
-  static status store(const Found& found, outputs into) {
+  template <class Found, class Number>
+  static status store(const Found& found, outputs<Number> into) {
     return store(found, *into.begin());
   }
-  template <class First, class... More>
-  static status store(const std::tuple<First, More...>& found, outputs into) {
-    double* const* next = into.begin();
+  template <class First, class... More, class Number>
+  static status store(const std::tuple<First, More...>& found, outputs<Number> into) {
+    Number* const* next = into.begin();
     std::apply([&](const auto&... each) { (store(each, *next++), ...); }, found);
     return status_of(std::get<0>(found));
   }
 
-  status interpret_unreduced(double t, const double* x, const double* r, outputs into) const {
+  status interpret_unreduced(const instant<double>& at, outputs<double> into) const {
     double all[static_cast<std::size_t>(n + o * o + o + m)];
-    const status s = unreduced_.evaluate(t, x, p_.data(), r, all);
+    const status s = unreduced_.evaluate(at.t, at.x, p_.data(), at.r, all);
     const double* next = all;
     for (std::size_t i = 0; const int size : {n, o * o, o, m}) {
       std::copy_n(next, size, into.begin()[i++]);
       next += size;
-    }
-    return s;
-  }
-
-  template <class Number>
-  status residual(double t, const Number* y, const Number* ydot, const Number* inputs_at, Number* out) const {
-    status s;
-    if constexpr (is_implicit) {
-      const auto x = vector_of<n + o>(y);
-      const auto udot = vector_of<o>(ydot + n);
-      const vector<Number, of.parameters> p = p_.template cast<Number>();
-      const auto r = vector_of<of.inputs>(inputs_at);
-      Eigen::Map<vector<Number, n + o + m + l>> left(out);
-      const auto qdot = out_of_line<function<System, quantity::qdot>>{}(t, x, p, r);
-      s = status_of(qdot);
-      left.template head<n>() = vector<Number, n>(ydot) - qdot;
-      left.template segment<o>(n) =
-          out_of_line<function<System, quantity::unreduced_forces>>{}(t, x, p, r, udot);
-      if constexpr (m != 0) {
-        const auto [kept, jacobian] =
-            out_of_line<function<System, quantity::velocity_residual, quantity::constraint_jacobian>>{}(t, x,
-                                                                                                        p, r);
-        left.template segment<o>(n) += jacobian.transpose() * vector<Number, m>(y + n + o);
-        left.template segment<m>(n + o) = kept;
-      }
-      if constexpr (l != 0) {
-        const auto [kept, jacobian] = out_of_line<
-            function<System, quantity::configuration_residual, quantity::configuration_jacobian_by_all>>{}(
-            t, x, p, r);
-        left.template head<n>() -= jacobian.transpose() * vector<Number, l>(y + n + o + m);
-        left.template tail<l>() = kept;
-      }
     }
     return s;
   }

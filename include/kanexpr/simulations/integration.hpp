@@ -31,14 +31,14 @@ public:
       : options_(options), span_(span), context_(of, span, options), moving_(context_),
         sampling_(options, span, context_) {}
 
-  run_outcome run(const double* x) {
+  simulation_end run(double* x) {
     result_.time = span_.from;
     state_ = Eigen::Map<const state>(x, context_.system().states());
     if (begin()) {
       integrate();
       end();
     }
-    result_.state.assign(state_.data(), state_.data() + state_.size());
+    std::copy_n(state_.data(), state_.size(), x);
     return std::move(result_);
   }
 
@@ -78,12 +78,10 @@ private:
     context_.set_sizes(span_.from, first, found.sizes());
     if (!passes(read_tolerances(context_.system(), options_, found.sizes(), o.absolute_tolerances)))
       return false;
-    const tolerances of_entries = tolerances_of(o);
-    events_at_start_.set(of_entries), sampling_.set(of_entries);
-    absolute_tolerances_ = o.absolute_tolerances;
+    context_.set_absolute_tolerances(o.absolute_tolerances);
     context_.update_singularity(span_.from, state_, moving_.least_distinctness);
     if (moving_.start(state_, o) != answer::success) return fail_here("");
-    if (stepper().failed()) return fail_here(stepper().failed().sentence);
+    if (!stepper().failure().empty()) return fail_here(stepper().failure());
     if (context_.is_near_singular()) set_tolerances();
     has_begun_ = true;
     return sampling_.begin(span_.from, state_) || fail_here("");
@@ -126,15 +124,10 @@ private:
   /// smaller tolerances.
   void set_tolerances() {
     const double least = context_.is_near_singular() ? least_tolerance_near_singular : 0;
-    std::vector<double> absolute = absolute_tolerances_;
+    std::vector<double> absolute = context_.absolute_tolerances();
     for (std::size_t i = 0; i < absolute.size(); ++i)
       absolute[i] = (std::max)(absolute[i], least * context_.sizes()(static_cast<Eigen::Index>(i)));
     moving_.set_tolerances((std::max)(options_.relative_tolerance, least), absolute);
-  }
-
-  static tolerances tolerances_of(const simulations::stepper_options& o) {
-    const auto entries = static_cast<Eigen::Index>(o.absolute_tolerances.size());
-    return {o.relative_tolerance, Eigen::Map<const state>(o.absolute_tolerances.data(), entries)};
   }
 
   simulations::stepper_options stepper_options() const {
@@ -160,18 +153,15 @@ private:
   bool holds_redundant(double t, const state& x) {
     if (known().redundant_constraints == 0 || context_.constraints() == nullptr) return true;
     if (context_.set_state(t, x) != answer::success) return fail_here("");
-    const double error = (std::max)(options_.relative_tolerance, largest_absolute_tolerance()),
-                 tolerance =
-                     (std::max)(1e-6, 1e3 * error); // steps leave small residuals in the other constraints
-    const base::sentence off = context_.constraints()->redundant_violation(t, x, context_.r(), tolerance);
-    return !off || fail_here(off.cause() + " at t = " + digits(t) +
-                             ": it does not follow from the other constraints");
-  }
-  double largest_absolute_tolerance() const {
-    double most = 0;
-    for (std::size_t i = 0; i < absolute_tolerances_.size(); ++i)
-      most = (std::max)(most, absolute_tolerances_[i] / context_.sizes()(static_cast<Eigen::Index>(i)));
-    return most;
+    double error = options_.relative_tolerance;
+    for (int i = 0; i < context_.system().states(); ++i)
+      error = (std::max)(error,
+                         context_.absolute_tolerances()[static_cast<std::size_t>(i)] / context_.sizes()(i));
+    const double tolerance = (std::max)(1e-6, 1e3 * error); // steps leave residuals in the other constraints
+    const base::sentence violation =
+        context_.constraints()->redundant_violation(t, x, context_.r(), tolerance);
+    return !violation || fail_here(violation.cause() + " at t = " + digits(t) +
+                                   ": it does not follow from the other constraints");
   }
 
   void integrate() {
@@ -186,17 +176,15 @@ private:
   /// accepted.
   bool step() {
     if (moving_.steps() >= options_.most_steps) return fail_here("the maximum number of steps was reached");
-    const simulations::arrival arrived = stepper().advance(context_.length());
-    if (arrived == simulations::arrival::failed)
-      return continue_near_singular() || fail_here(stepper().failed().sentence);
+    const arrival arrived = stepper().advance(context_.length());
+    if (arrived == arrival::failed) return continue_near_singular() || fail_here(stepper().failure());
     context_.clear_error();
     events_at_start_.set_look_ahead(stepper().step_end() - stepper().step_begin());
     double elapsed = stepper().time(), t = context_.time(elapsed);
     state x = Eigen::Map<const state>(stepper().state(), state_.size());
     if (!numeric::all_finite(x)) return fail_here(overflow_message(x));
-    std::vector<int> passed = arrived == simulations::arrival::event
-                                  ? stepper().events()
-                                  : std::vector<int>(options_.events.size());
+    std::vector<int> passed =
+        arrived == arrival::event ? stepper().events() : std::vector<int>(options_.events.size());
     if (events_at_start_.has_missed_return(t, x, passed)) return fail_here(ever_faster);
     const std::vector<int> left = events_at_start_.left(t, x, passed);
     if (is_any(left)) {
@@ -243,7 +231,7 @@ private:
     return context_.name_of_state(i) + " overflows double";
   }
 
-  /// Rejects functions that stay at zero, for which integrators report an arbitrary time.
+  /// Rejects functions that stay at zero; integrators report an arbitrary time for them.
   bool is_passing(const std::vector<int>& passed) {
     const int resting = events_at_start_.stationary_event(result_.time, state_, passed);
     return resting < 0 || fail_here("the event " + options_.events[static_cast<std::size_t>(resting)].name +
@@ -277,14 +265,14 @@ private:
     if (changed && !numeric::all_finite(x))
       return fail_here("the handler of an event left a state that is not finite");
     if (changed) {
-      const state told = x;
+      const state given = x;
       if (!assemble_at(t, x)) return false;
       const auto is_changed = [&](std::size_t i) {
         const auto k = static_cast<Eigen::Index>(i);
-        return !base::equal(told(k), state_(k));
+        return !base::equal(given(k), state_(k));
       };
-      if (std::string said = contradiction(known(), told, x, is_changed); !said.empty())
-        return fail_here(said + " after the handler of an event");
+      if (std::string mistake = contradiction(known(), given, x, is_changed); !mistake.empty())
+        return fail_here(mistake + " after the handler of an event");
     }
     events_at_start_.record_passed(t, state_, x, passed);
     state_ = x;
@@ -296,7 +284,7 @@ private:
   /// Restarts the integrator at the current state.
   bool restart() {
     begun_ = elapsed_, has_tightened_tolerances_ = false;
-    return moving_.restart(elapsed_, state_) || fail_here(stepper().failed().sentence);
+    return moving_.restart(elapsed_, state_) || fail_here(stepper().failure());
   }
 
   /// Whether the time is so large that a function may stay at zero for longer than the integrators allow.
@@ -323,19 +311,18 @@ private:
   }
 
   static constexpr double least_tolerance_near_singular = 1e-10;
-  static constexpr double not_far = 0.5; ///< a distinctness
+  static constexpr double not_far = 0.5; ///< as a distinctness of the constraints
   static constexpr const char* ever_faster = "events occur faster and faster; a handler must stop this";
 
   const settings& options_;
   const time_span span_;
   simulation_context context_;
   moving_system<by> moving_;
-  run_outcome result_{};
+  simulation_end result_{};
   state state_{}; ///< the current state
   sampling sampling_;
   events_at_start events_at_start_{context_};
-  std::vector<double> absolute_tolerances_{}; ///< as requested
-  double elapsed_ = 0;                        ///< the current time, since the start
+  double elapsed_ = 0; ///< from the start to the current time
   double begun_ = -std::numeric_limits<double>::infinity();
   /// Counts how many times in succession an event has occurred at the same time.
   struct repetition {
@@ -349,8 +336,8 @@ private:
 };
 
 template <integrator by>
-run_outcome run(system_interface& moved, const double* from, const time_span& span, const settings& options) {
-  return integration<by>(moved, span, options).run(from);
+simulation_end run(system_interface& moved, double* state, const time_span& span, const settings& options) {
+  return integration<by>(moved, span, options).run(state);
 }
 
 } // namespace kanexpr::simulations

@@ -8,8 +8,6 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/runtime/values.hpp>
-#include <kanexpr/simulations/integrator.hpp>
-#include <kanexpr/simulations/motions/unknown_name_error.hpp>
 #include <kanexpr/simulations/simulated_system.hpp>
 #include <kanexpr/simulations/trajectory/model_trajectory.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -81,7 +79,6 @@ private:
 /// A run-time model with the parameters and options of a simulation. Only the results that the method needs
 /// are derived.
 class interpreted_system final : public simulated_system<model> {
-  using quantity = mechanics::quantity;
   template <class Number>
   using vector = Eigen::Matrix<Number, Eigen::Dynamic, 1>;
   template <class Number>
@@ -93,28 +90,18 @@ public:
                      trajectory<model>& kept)
       : simulated_system({of, nothing_bound(), runtime::name_of_models, factory_of_manifold(of)}, p, source,
                          options, kept, state(m), inputs(m)) {
-    for (std::size_t i = 0; i < results_.size(); ++i)
-      if (is_needed(static_cast<results>(i), of, by)) results_[i].emplace(m, lists_of_results[i]);
-    if (by == integrator::differential_algebraic) {
-      real_.emplace(m, of, p);
-      complex_.emplace(m, of, p);
-    }
+    for (std::size_t i = 0; i < real_.size(); ++i)
+      if (is_needed(static_cast<results>(i), of, by)) real_[i].emplace(m, lists_of_results[i]);
+    for (std::size_t i = 0; i < complex_.size(); ++i)
+      if (is_needed_in_complex(static_cast<results>(i), of, by)) complex_[i].emplace(m, lists_of_results[i]);
   }
 
-  status evaluate(results wanted, double t, const double* x, const double* r, outputs into) const override {
-    std::optional<interpreted_results<double>>& found = results_[static_cast<std::size_t>(wanted)];
-    if (!found) return {};
-    const status s = found->evaluate(t, argument<double>(x, states()), p_, argument<double>(r, known.inputs));
-    for (std::size_t i = 0; double* each : into) found->write(i++, each);
-    return s;
+  status evaluate(results wanted, const instant<double>& at, outputs<double> into) const override {
+    return evaluate(real_, p_, wanted, at, into);
   }
-  status implicit(double t, const double* y, const double* ydot, const double* r,
-                  double* left) const override {
-    return real_ ? real_->residual(known, t, y, ydot, r, left) : status();
-  }
-  status implicit(double t, const std::complex<double>* y, const std::complex<double>* ydot,
-                  const std::complex<double>* r, std::complex<double>* left) const override {
-    return complex_ ? complex_->residual(known, t, y, ydot, r, left) : status();
+  status evaluate(results wanted, const instant<std::complex<double>>& at,
+                  outputs<std::complex<double>> into) const override {
+    return evaluate(complex_, complex_p_, wanted, at, into);
   }
 
 private:
@@ -126,48 +113,22 @@ private:
     static constexpr describe::system_record none{};
     return none;
   }
-  /// F of the method with multipliers, for real or complex numbers.
+
   template <class Number>
-  class multiplier_equations {
-  public:
-    multiplier_equations(model& m, const derivation::survey& of, const parameter_values<model>& p)
-        : p_(p.template cast<Number>()), qdot_(m, {1, {quantity::qdot}}),
-          forces_(m, {1, {quantity::unreduced_forces}}) {
-      if (of.constraints != 0) velocities_.emplace(m, list_of(results::velocities));
-      if (of.configuration_constraints != 0) configuration_.emplace(m, list_of(results::configuration));
-    }
+  using all_results = std::array<std::optional<interpreted_results<Number>>, std::size(lists_of_results)>;
 
-    status residual(const derivation::survey& of, double time, const Number* y, const Number* ydot,
-                    const Number* inputs_at, Number* out) {
-      const int n = of.coordinates, o = of.speeds, m = of.constraints, l = of.configuration_constraints;
-      const Number t = lower::scalar_math<Number>::from(time);
-      const argument<Number> x(y, n + o), udot(ydot + n, o), r(inputs_at, of.inputs);
-      const status s = qdot_.evaluate(t, x, p_, r);
-      qdot_.write(0, out);
-      Eigen::Map<vector<Number>> left(out, n + o + m + l);
-      left.head(n) = argument<Number>(ydot, n) - left.head(n);
-      forces_.evaluate(t, x, p_, r, udot);
-      forces_.write(0, out + n);
-      if (m != 0) {
-        Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> by_speeds(m, o);
-        velocities_->evaluate(t, x, p_, r);
-        velocities_->write(0, out + n + o), velocities_->write(1, by_speeds.data());
-        left.segment(n, o) += by_speeds.transpose().lazyProduct(argument<Number>(y + n + o, m));
-      }
-      if (l != 0) {
-        Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> by_coordinates(l, n);
-        configuration_->evaluate(t, x, p_, r);
-        configuration_->write(0, out + n + o + m), configuration_->write(1, by_coordinates.data());
-        left.head(n) -= by_coordinates.transpose().lazyProduct(argument<Number>(y + n + o + m, l));
-      }
-      return s;
-    }
-
-  private:
-    vector<Number> p_;
-    interpreted_results<Number> qdot_, forces_;
-    std::optional<interpreted_results<Number>> velocities_{}, configuration_{};
-  };
+  template <class Number, class Parameters>
+  status evaluate(all_results<Number>& all, const Parameters& p, results wanted, const instant<Number>& at,
+                  outputs<Number> into) const {
+    std::optional<interpreted_results<Number>>& found = all[static_cast<std::size_t>(wanted)];
+    if (!found) return {};
+    const Number t = lower::scalar_math<Number>::from(at.t);
+    const argument<Number> x(at.x, states()), r(at.r, known.inputs), udot(at.udot, known.speeds);
+    const status s =
+        wanted == results::forces ? found->evaluate(t, x, p, r, udot) : found->evaluate(t, x, p, r);
+    for (std::size_t i = 0; Number * each : into) found->write(i++, each);
+    return s;
+  }
 
   void validate(const state& at, const inputs& given, compiled::symbols_of which) const override {
     const bool is_state = which == compiled::symbols_of::state;
@@ -182,9 +143,9 @@ private:
       throw unknown_name_error(found);
   }
 
-  mutable std::array<std::optional<interpreted_results<double>>, std::size(lists_of_results)> results_{};
-  mutable std::optional<multiplier_equations<double>> real_{};
-  mutable std::optional<multiplier_equations<std::complex<double>>> complex_{};
+  const vector<std::complex<double>> complex_p_ = p_.template cast<std::complex<double>>();
+  mutable all_results<double> real_{};
+  mutable all_results<std::complex<double>> complex_{};
 };
 
 } // namespace kanexpr::simulations

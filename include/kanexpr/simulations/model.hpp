@@ -43,7 +43,7 @@ simulation<model> simulate(model m, given_state<model> x, given_parameters<model
   asked.mistake_in_inputs = inputs.mistake().view();
   asked.bytes_of_sample += sizeof(double) * static_cast<std::size_t>(moved.states() + known->inputs);
   asked.is_left_out = x.is_left_out;
-  simulations::run_into<by>(result, moved, span, asked);
+  static_cast<simulation_end&>(result) = simulations::run<by>(moved, result.state.data(), span, asked);
   return result;
 }
 

@@ -70,8 +70,8 @@ public:
   }
 
   explicit operator bool() const { return cause_.empty(); }
-  /// Returns why the search failed, as a sentence; empty on success. After a failure x, p and r hold the
-  /// point where the search ended.
+  /// Returns why the search failed, as a sentence; empty on success. After a failure, x, p and r
+  /// contain the point where the search ended.
   std::string cause() const { return cause_; }
   /// Returns the residual of each equation.
   const std::vector<residual>& residuals() const { return residuals_; }
@@ -104,9 +104,8 @@ private:
   }
 
   void find(const operating_point_options<System>& o) {
-    simulations::search_result found =
-        simulations::find({known, System::record, type_name<System>(), constraints(), rates(), library()},
-                          {o.held, o.freed, o.changing, o.rates, o.t, o.tolerance, o.most_iterations}, all());
+    simulations::search_result found = simulations::find(
+        functions(), {o.held, o.freed, o.changing, o.rates, o.t, o.tolerance, o.most_iterations}, all());
     const double* values = found.values.data();
     std::copy_n(values, states, x.data());
     std::copy_n(values + states, known.parameters, p.data());
@@ -123,30 +122,22 @@ private:
   template <int size>
   using vector = Eigen::Matrix<number, size, 1>;
 
-  /// Interpreted, since a search evaluates it only a few hundred times, and in complex numbers, whose
-  /// compiled code would be long.
-  static const compiled::code_table* constraints() {
-    if constexpr (is_constrained && !compiled::is_linked<System>)
-      return &table_for<mechanics::quantity::constraint_residual>();
-    else
-      return nullptr;
-  }
-  static const compiled::code_table* rates() {
-    if constexpr (compiled::is_linked<System>)
-      return nullptr;
-    else
-      return &table_for<mechanics::quantity::rhs>();
+  /// Unless a library contains them, the functions are interpreted: a search evaluates them only a few
+  /// hundred times, and compiled code for complex numbers would be long.
+  static simulations::system_functions functions() {
+    simulations::system_functions of{known, System::record, type_name<System>(), nullptr, nullptr, nullptr};
+    if constexpr (compiled::is_linked<System>) {
+      of.compiled = evaluate;
+    } else {
+      if constexpr (is_constrained) of.constraints = &table_for<mechanics::quantity::constraint_residual>();
+      of.rates = &table_for<mechanics::quantity::rhs>();
+    }
+    return of;
   }
   template <mechanics::quantity wanted>
   static const compiled::code_table& table_for() {
     return compiled::table_for<System, number, vector<states>, vector<known.parameters>, vector<known.inputs>,
                                wanted>();
-  }
-  static constexpr simulations::system_functions::library library() {
-    if constexpr (compiled::is_linked<System>)
-      return evaluate;
-    else
-      return nullptr;
   }
 
   static std::string_view evaluate(double t, const number* at, number* result) {

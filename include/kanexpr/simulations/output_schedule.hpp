@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/equal.hpp>
-#include <kanexpr/simulations/time_span.hpp>
+#include <kanexpr/simulations/settings.hpp>
 
 #include <algorithm>
 #include <cmath>

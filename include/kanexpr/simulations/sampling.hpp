@@ -3,8 +3,7 @@
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/simulations/constraints/manifold.hpp>
-#include <kanexpr/simulations/motions/runge_kutta_step.hpp>
-#include <kanexpr/simulations/motions/tolerances.hpp>
+#include <kanexpr/simulations/motions/simulation_context.hpp>
 #include <kanexpr/simulations/output_schedule.hpp>
 #include <kanexpr/simulations/sundials/stepper.hpp>
 
@@ -18,7 +17,7 @@
 namespace kanexpr::simulations {
 
 /// Takes the samples of a simulation when they are due, and stores them or passes them on. If a sample cannot
-/// be taken, the context holds the cause.
+/// be taken, the context reports the cause.
 class sampling {
 public:
   using state = Eigen::VectorXd;
@@ -29,29 +28,27 @@ public:
   sampling(const sampling&) = delete;
   sampling& operator=(const sampling&) = delete;
 
-  /// Sets the tolerances by which corrections are measured.
-  void set(const tolerances& of_entries) { tolerances_ = of_entries; }
-
   bool takes_each_step() const { return schedule_.takes_each_step(); }
 
   /// Takes the samples that are due before the first step.
   bool begin(double t, const state& x) {
     if (takes_each_step()) return record(t, x);
-    for (; !is_over() && next() <= t; schedule_.advance())
+    for (; !schedule_.is_over() && schedule_.next() <= t; schedule_.advance())
       if (!record(t, x)) return false;
     return true;
   }
 
   /// Takes the samples that became due during a step, up to a time since the start. If a sample is due at
   /// that time, the state is projected onto the constraints.
-  bool record_due_samples(simulations::stepper& s, double elapsed, state& x) {
+  bool record_due_samples(stepper& s, double elapsed, state& x) {
     const double t = context_.time(elapsed);
     if (takes_each_step()) return record(t, x);
-    for (; !is_over() && context_.elapsed(next()) <= elapsed; schedule_.advance()) {
-      if (context_.elapsed(next()) < elapsed) {
-        state due = x;
-        if (!interpolate(s, context_.elapsed(next()), due) || !project(next(), due) || !record(next(), due))
-          return false;
+    for (; !schedule_.is_over(); schedule_.advance()) {
+      const double next = schedule_.next(), due = context_.elapsed(next);
+      if (due > elapsed) break;
+      if (due < elapsed) {
+        state between = x;
+        if (!interpolate(s, due, between) || !project(next, between) || !record(next, between)) return false;
       } else if ((!s.reports_projected_states() && !project(t, x)) || !record(t, x)) {
         return false;
       }
@@ -85,7 +82,7 @@ public:
   }
 
   /// Keeps the polynomial of the last step, from the last event or later up to a time since the start.
-  void keep_polynomial(simulations::stepper& s, double elapsed, double last_event) {
+  void keep_polynomial(stepper& s, double elapsed, double last_event) {
     piece p{context_.time((std::max)(s.step_begin(), last_event)), context_.time(elapsed), {}};
     double factorial = 1;
     for (int k = 0; k <= s.degree(); ++k) {
@@ -98,15 +95,12 @@ public:
   }
 
   /// Evaluates the state at a time within the last step.
-  bool state_at(simulations::stepper& s, double elapsed, state& x) {
+  bool state_at(stepper& s, double elapsed, state& x) {
     return interpolate(s, elapsed, x) && project(context_.time(elapsed), x);
   }
 
 private:
-  bool is_over() const { return schedule_.is_over(); }
-  double next() const { return schedule_.next(); }
-
-  bool interpolate(simulations::stepper& s, double elapsed, state& x) {
+  bool interpolate(stepper& s, double elapsed, state& x) {
     const bool found = s.derivative(elapsed, 0, buffer_for(s));
     if (found) std::copy_n(whole_.begin(), x.size(), x.begin());
     if (!found || !numeric::all_finite(x)) context_.fail("the solution could not be interpolated");
@@ -117,9 +111,7 @@ private:
   bool project(double t, state& x) {
     if (manifold_ == nullptr) return true;
     if (context_.set_state(t, x) != answer::success) return false;
-    state weights = tolerances_.at(x);
-    for (double& weight : weights) weight = 1 / weight;
-    if (!manifold_->project(t, x, context_.r(), weights)) {
+    if (!manifold_->project(t, x, context_.r(), context_.tolerances_at(x).cwiseInverse())) {
       context_.fail(off_manifold);
       return false;
     }
@@ -128,12 +120,12 @@ private:
   }
 
   /// Returns storage for all entries of an integrator, which may be more than the state.
-  double* buffer_for(const simulations::stepper& s) {
+  double* buffer_for(const stepper& s) {
     whole_.resize(static_cast<std::size_t>(s.entries()));
     return whole_.data();
   }
 
-  struct instant {
+  struct recorded {
     double t;
     state x;
   };
@@ -142,9 +134,8 @@ private:
   output_schedule schedule_;
   simulation_context& context_;
   manifold* manifold_;
-  std::optional<instant> last_{};
+  std::optional<recorded> last_{};
   bool is_refused_ = false; ///< by the function each_sample
-  tolerances tolerances_{};
   std::vector<double> whole_{};
 };
 

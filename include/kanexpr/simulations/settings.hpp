@@ -3,7 +3,6 @@
 #include <kanexpr/base/crossing.hpp>
 #include <kanexpr/base/statistics.hpp>
 #include <kanexpr/compiled/named_values.hpp>
-#include <kanexpr/simulations/time_span.hpp>
 
 #include <functional>
 #include <optional>
@@ -13,10 +12,47 @@
 
 namespace kanexpr {
 
+/// A time span, in seconds.
+struct time_span {
+  double from = 0;
+  double to = 0;
+};
+
+/// The integration method of a simulation.
+enum class integrator {
+  /// Adams' multistep formulas of order 1 to 12 (CVODE): the fewest evaluations for smooth motions. The state
+  /// is projected onto the constraints after each step, and the drift of the formulas is corrected.
+  adams,
+  /// Backward differentiation of order 1 to 5 with exact derivatives (CVODE): stiff systems.
+  bdf,
+  /// Dormand & Prince's explicit Runge-Kutta pair of order 5 (ARKODE): many events and inputs that jump,
+  /// since each step starts afresh.
+  explicit_runge_kutta,
+  /// Kvaerno's implicit pair of order 5 with exact derivatives (ARKODE): stiff systems with many events.
+  implicit_runge_kutta,
+  /// The equations of all speeds with their multipliers, as a differential-algebraic system (IDA). No choice
+  /// of dependent coordinates and speeds is involved, so a motion may pass positions where that choice is
+  /// singular. The constraints are satisfied within the tolerances. Near positions where they depend on each
+  /// other, `bdf` replaces this method.
+  differential_algebraic,
+};
+
 /// An event that occurred.
 struct occurrence {
   double t;
   std::string name;
+};
+
+/// The end of a simulation: the part of its result that does not depend on the system.
+struct simulation_end {
+  std::vector<occurrence> events{}; ///< in chronological order
+  integration_statistics statistics{};
+  double time = 0;               ///< the time at which it ended
+  bool stopped_by_event = false; ///< as the handler of the last event requested
+  std::string failure{};         ///< the cause of a failure, as a sentence; empty on success
+
+  explicit operator bool() const { return failure.empty(); }
+  std::string cause() const { return failure; }
 };
 
 namespace simulations {
@@ -46,16 +82,6 @@ struct settings {
   std::size_t bytes_of_sample;
   bool guesses_dependent;
   std::vector<bool> is_left_out{}; ///< for each entry of the state; empty if all are given
-};
-
-/// The outcome of a simulation, apart from its samples.
-struct run_outcome {
-  double time = 0;
-  std::vector<double> state{};
-  std::vector<occurrence> events{};
-  integration_statistics statistics{};
-  bool stopped_by_event = false;
-  std::string failure{};
 };
 
 } // namespace simulations

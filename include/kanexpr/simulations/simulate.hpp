@@ -7,16 +7,15 @@
 #include <kanexpr/simulations/constraints/constraint_manifold.hpp>
 #include <kanexpr/simulations/integration.hpp>
 
-#include <utility>
 #endif
 
 namespace kanexpr {
 
 namespace simulations {
 
-/// Simulates a system from a state over a time span.
+/// Simulates a system over a time span from a state, which becomes the state at the end.
 template <integrator by>
-run_outcome run(system_interface& moved, const double* from, const time_span& span, const settings& options);
+simulation_end run(system_interface& moved, double* state, const time_span& span, const settings& options);
 
 template <class System>
 settings settings_of(const simulation_options<System>& o) {
@@ -46,18 +45,6 @@ settings settings_of(const simulation_options<System>& o) {
   return s;
 }
 
-/// Runs from the state in the result, and stores the outcome there.
-template <integrator by, class System>
-void run_into(simulation<System>& result, system_interface& moved, time_span span, const settings& options) {
-  run_outcome end = run<by>(moved, result.state.data(), span, options);
-  result.time = end.time;
-  std::copy_n(end.state.data(), end.state.size(), result.state.data());
-  result.events = std::move(end.events);
-  result.statistics = end.statistics;
-  result.stopped_by_event = end.stopped_by_event;
-  result.failure = std::move(end.failure);
-}
-
 } // namespace simulations
 
 /// Simulates a system from a state over a time span: `simulate<System>({{q, 0.1}, {u, 0}}, {{m, 1}, {g,
@@ -78,7 +65,7 @@ simulation<System> simulate(const given_state<System>& x, const given_parameters
   simulations::compiled_system<System, by> moved(p.values, options, result.trajectory);
   simulations::settings asked = simulations::settings_of(options);
   asked.is_left_out.assign(x.is_left_out.begin(), x.is_left_out.end());
-  simulations::run_into<by>(result, moved, span, asked);
+  static_cast<simulation_end&>(result) = simulations::run<by>(moved, result.state.data(), span, asked);
   return result;
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/simulations/inputs/prescribed_rates.hpp>
-#include <kanexpr/simulations/simulation_options.hpp>
+#include <kanexpr/simulations/simulation.hpp>
 #include <kanexpr/simulations/system_interface.hpp>
 
 #include <algorithm>

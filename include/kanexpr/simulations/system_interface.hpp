@@ -1,23 +1,23 @@
 #pragma once
 
 #include <kanexpr/base/crossing.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
-#include <kanexpr/simulations/integrator.hpp>
-#include <kanexpr/simulations/trajectory/dense_output.hpp>
+#include <kanexpr/simulations/settings.hpp>
+#include <kanexpr/simulations/trajectory/samples.hpp>
 
 #include <complex>
 #include <cstddef>
+#include <exception>
 #include <functional>
 #include <initializer_list>
 #include <memory>
 #include <string_view>
 
-namespace kanexpr {
-
-namespace simulations {
+namespace kanexpr::simulations {
 
 class manifold;
 class system_interface;
@@ -30,34 +30,41 @@ std::unique_ptr<manifold> manifold_of(const System& of);
 /// The results of a system that its simulation evaluates together, in the order in which they are derived.
 enum class results : unsigned char {
   rates,         ///< ẋ
-  configuration, ///< the residuals of the configuration constraints; their derivatives by all coordinates
+  configuration, ///< the residuals of the configuration constraints; their derivatives with respect to the
+                 ///< coordinates
   redundant,     ///< the residuals of the redundant constraints and the magnitudes of their terms; the same
                  ///< for their rates
-  velocities,    ///< the residuals of the velocity constraints; their derivatives by all speeds
+  velocities,    ///< the residuals of the velocity constraints; their derivatives with respect to the speeds
   dependent_speeds, ///< the dependent speeds
   unreduced,        ///< q̇, and the terms of the equations of all speeds, M u̇ = f + Jᵀ λ with J u̇ + γ = 0
   jacobian,         ///< ∂ẋ/∂x and ∂ẋ/∂r, for methods with Newton's iteration
-  multipliers,      ///< λ, for the method with multipliers
+  multipliers,      ///< λ, for the method with multipliers, like the next two
+  coordinate_rates, ///< q̇
+  forces,           ///< F_r + F_r* of all speeds, for the given u̇
 };
+
+using mechanics::quantity;
 
 struct result_list {
   std::size_t size;
-  mechanics::quantity quantities[4];
+  quantity quantities[4];
 };
 /// The quantities of all results.
 inline constexpr result_list lists_of_results[] = {
-    {1, {mechanics::quantity::rhs}},
-    {2, {mechanics::quantity::configuration_residual, mechanics::quantity::configuration_jacobian_by_all}},
+    {1, {quantity::rhs}},
+    {2, {quantity::configuration_residual, quantity::configuration_jacobian_by_all}},
     {4,
-     {mechanics::quantity::redundant_residual, mechanics::quantity::redundant_terms,
-      mechanics::quantity::redundant_rate, mechanics::quantity::redundant_rate_terms}},
-    {2, {mechanics::quantity::velocity_residual, mechanics::quantity::constraint_jacobian}},
-    {1, {mechanics::quantity::dependent_speeds}},
+     {quantity::redundant_residual, quantity::redundant_terms, quantity::redundant_rate,
+      quantity::redundant_rate_terms}},
+    {2, {quantity::velocity_residual, quantity::constraint_jacobian}},
+    {1, {quantity::dependent_speeds}},
     {4,
-     {mechanics::quantity::qdot, mechanics::quantity::unreduced_mass_matrix,
-      mechanics::quantity::unreduced_forcing, mechanics::quantity::constraint_bias}},
-    {2, {mechanics::quantity::state_jacobian, mechanics::quantity::input_jacobian}},
-    {1, {mechanics::quantity::multipliers}},
+     {quantity::qdot, quantity::unreduced_mass_matrix, quantity::unreduced_forcing,
+      quantity::constraint_bias}},
+    {2, {quantity::state_jacobian, quantity::input_jacobian}},
+    {1, {quantity::multipliers}},
+    {1, {quantity::qdot}},
+    {1, {quantity::unreduced_forces}},
 };
 constexpr const result_list& list_of(results r) { return lists_of_results[static_cast<std::size_t>(r)]; }
 
@@ -65,18 +72,35 @@ constexpr bool has_newton(integrator by) {
   return by == integrator::bdf || by == integrator::implicit_runge_kutta;
 }
 
+/// Whether a method evaluates a result of a system in real numbers.
 constexpr bool is_needed(results wanted, const derivation::survey& known, integrator by) {
+  const bool is_implicit = by == integrator::differential_algebraic;
   switch (wanted) {
   case results::rates: return true;
   case results::configuration: return known.configuration_constraints != 0;
   case results::redundant: return known.redundant_constraints != 0;
   case results::jacobian: return has_newton(by);
-  case results::multipliers: return by == integrator::differential_algebraic && known.constraints != 0;
+  case results::multipliers: return is_implicit && known.constraints != 0;
+  case results::coordinate_rates:
+  case results::forces: return is_implicit;
   default: return known.constraints != 0;
   }
 }
+/// The same for complex numbers, which the method with multipliers uses for its derivatives.
+constexpr bool is_needed_in_complex(results wanted, const derivation::survey& known, integrator by) {
+  return by == integrator::differential_algebraic && is_needed(wanted, known, by) &&
+         (wanted == results::configuration || wanted == results::velocities ||
+          wanted == results::coordinate_rates || wanted == results::forces);
+}
 
-using outputs = std::initializer_list<double*>;
+/// The arguments of a result: a time, a state, inputs and, for `results::forces`, u̇.
+template <class Number>
+struct instant {
+  double t;
+  const Number *x, *r, *udot = nullptr;
+};
+template <class Number>
+using outputs = std::initializer_list<Number*>;
 
 /// The part of a system that does not change.
 struct system_description {
@@ -84,28 +108,23 @@ struct system_description {
   const describe::system_record& record;
   std::string_view name;
   manifold_factory create_manifold; ///< null if there are no constraints and no quaternions
+
+  int states() const { return known.coordinates + known.speeds; }
 };
 
 /// The interface of a system in a simulation: its survey, and functions over plain arrays in the order of its
 /// vectors. Implementations add its parameters and options. Code that uses only this interface does not
 /// depend on the model and is compiled without it.
-class system_interface {
+class system_interface : public system_description {
 public:
-  explicit system_interface(const system_description& of)
-      : known(of.known), record(of.record), name(of.name), create_manifold(of.create_manifold) {}
+  explicit system_interface(const system_description& of) : system_description(of) {}
   virtual ~system_interface() = default;
 
-  int states() const { return known.coordinates + known.speeds; }
-
-  /// Evaluates results at a time, a state and inputs, each in column-major order. Results that the method or
-  /// the system does not need are left as they are.
-  virtual status evaluate(results wanted, double t, const double* x, const double* r, outputs into) const = 0;
-
-  /// For the method with multipliers: evaluates F(t, y, ẏ) in y = [q; u; λ; μ].
-  virtual status implicit(double t, const double* y, const double* ydot, const double* r,
-                          double* left) const = 0;
-  virtual status implicit(double t, const std::complex<double>* y, const std::complex<double>* ydot,
-                          const std::complex<double>* r, std::complex<double>* left) const = 0;
+  /// Evaluates results at an instant, each in column-major order. Results that the method or the system does
+  /// not need remain unchanged.
+  virtual status evaluate(results wanted, const instant<double>& at, outputs<double> into) const = 0;
+  virtual status evaluate(results wanted, const instant<std::complex<double>>& at,
+                          outputs<std::complex<double>> into) const = 0;
 
   /// The user's functions, which may throw.
   virtual void evaluate_inputs(double t, const double* x, double* r) const = 0;
@@ -118,13 +137,17 @@ public:
   /// Store a sample and a polynomial.
   virtual void store_sample(double t, const double* x, const double* r) = 0;
   virtual void store_polynomial(piece p) = 0;
-
-  const derivation::survey& known;
-  const describe::system_record& record;
-  std::string_view name;
-  manifold_factory create_manifold; ///< null if there are no constraints and no quaternions
 };
 
-} // namespace simulations
+/// Thrown when a user function uses a name that the model does not have. It ends the simulation, not the
+/// program.
+class unknown_name_error : public std::exception {
+public:
+  explicit unknown_name_error(const base::sentence& why) : why_(why) {}
+  const char* what() const noexcept override { return why_.letters; }
 
-} // namespace kanexpr
+private:
+  base::sentence why_;
+};
+
+} // namespace kanexpr::simulations

@@ -2,17 +2,21 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/status.hpp>
+#include <kanexpr/lower/unit_quaternion.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
+#include <kanexpr/numeric/assembly.hpp>
 #include <kanexpr/numeric/constrained_motion.hpp>
 #include <kanexpr/numeric/factorized.hpp>
-#include <kanexpr/simulations/constraints/constraints_of.hpp>
 #include <kanexpr/simulations/constraints/manifold.hpp>
+#include <kanexpr/simulations/constraints/unit_norms.hpp>
+#include <kanexpr/simulations/system_interface.hpp>
 
 #include <Eigen/Core>
 #include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <vector>
 
 namespace kanexpr::simulations {
 
@@ -29,7 +33,10 @@ public:
   explicit constraint_manifold(const System& of)
       : of_(of), norms_(of.known), n_(of.known.coordinates), o_(of.known.speeds),
         units_(vector::Zero(of.states())), correction_(vector::Zero(of.states())),
-        by_q_(of.known.configuration_constraints + norms_.count(), n_), by_u_(of.known.constraints, o_) {}
+        by_q_(of.known.configuration_constraints + norms_.count(), n_), by_u_(of.known.constraints, o_) {
+    for (int i = 0; i < of.states(); ++i)
+      if (of.known.dependent[i]) dependent_.push_back(i);
+  }
 
   assembly assemble(double t, vector& x, const vector& r) override {
     if (!norms_.are_bound())
@@ -38,23 +45,20 @@ public:
         failed.failure = base::sentence({s.view()});
         return failed;
       }
-    const auto motion = [&](const vector& at) -> unreduced_motion& { return motion_at(t, at, r); };
-    constraints_of<System, decltype(motion)> constraints(of_, norms_, t, r, motion);
-    return numeric::assemble(constraints, x, {});
+    constraints at(*this, t, r);
+    return numeric::assemble(at, x, {});
   }
   vector configuration_residual(double t, const vector& x, const vector& r) override {
-    const auto motion = [&](const vector& at) -> unreduced_motion& { return motion_at(t, at, r); };
-    return constraints_of<System, decltype(motion)>(of_, norms_, t, r, motion).configuration_residual(x);
+    return constraints(*this, t, r).configuration_residual(x);
   }
   base::sentence redundant_violation(double t, const vector& x, const vector& r, double tolerance) override {
-    const auto motion = [&](const vector& at) -> unreduced_motion& { return motion_at(t, at, r); };
-    const constraints_of<System, decltype(motion)> constraints(of_, norms_, t, r, motion);
-    const vector left = constraints.redundant_residual(x);
-    vector terms = constraints.redundant_terms(x), nearby = x;
+    const constraints here(*this, t, r);
+    const vector left = here.redundant_residual(x);
+    vector terms = here.redundant_terms(x), nearby = x;
     if ((left.cwiseAbs().array() <= tolerance * terms.array()).all()) return {};
-    for (int looks = 1; looks <= 3; ++looks) { // terms that vanish here may be larger nearby
-      for (int i = 0; i < n_; ++i) nearby(i) = x(i) + std::sin(looks + 2.4 * i) * sizes_(i);
-      terms = terms.cwiseMax(constraints.redundant_terms(nearby)).eval();
+    for (int point = 1; point <= 3; ++point) { // terms that vanish here may be larger nearby
+      for (int i = 0; i < n_; ++i) nearby(i) = x(i) + std::sin(point + 2.4 * i) * sizes_(i);
+      terms = terms.cwiseMax(here.redundant_terms(nearby)).eval();
     }
     for (Eigen::Index i = 0; i < left.size(); ++i)
       if (!(std::abs(left(i)) <= tolerance * terms(i)))
@@ -114,6 +118,80 @@ private:
     return spread.lazyProduct(b);
   }
 
+  /// The constraints at a fixed time with its inputs, in the form that `numeric::assemble` requires. If one
+  /// is solved for a coordinate of a quaternion, all are evaluated at norm 1.
+  class constraints {
+  public:
+    using coordinate_vector = vector;
+
+    constraints(constraint_manifold& of, double t, const vector& r)
+        : on_(of), known_(of.of_.known), t_(t), r_(r), left_(coordinates()),
+          by_all_(coordinates(), known_.coordinates) {}
+
+    int all_coordinates() const { return known_.coordinates; }
+    int coordinates() const { return known_.configuration_constraints; }
+    int place_of_coordinate(int i) const { return on_.dependent_[static_cast<std::size_t>(i)]; }
+
+    const vector& configuration_residual(const vector& x) {
+      if (coordinates() != 0) evaluate(x);
+      return left_;
+    }
+    matrix configuration_jacobian_by_all(const vector& x) {
+      evaluate(x);
+      matrix by_dependent(coordinates(), coordinates());
+      for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all_.col(place_of_coordinate(i));
+      return by_dependent;
+    }
+    vector velocity_residual(const vector& x) const {
+      vector left(known_.constraints);
+      matrix by_speeds(left.size(), known_.speeds);
+      on_.of_.evaluate(results::velocities, at(x), {left.data(), by_speeds.data()});
+      return left;
+    }
+    vector redundant_residual(const vector& x) const { return redundant(x).col(0); }
+    vector redundant_terms(const vector& x) const { return redundant(x).col(1); }
+    vector redundant_rate(const vector& x) const { return redundant(x).col(2); }
+    vector redundant_rate_terms(const vector& x) const { return redundant(x).col(3); }
+    bool configuration_holds(const vector& x) const {
+      return on_.motion_at(t_, x, r_).configuration_holds(x);
+    }
+    bool velocities_hold(const vector& x) const { return on_.motion_at(t_, x, r_).velocities_hold(x); }
+    status normalize_quaternions(vector& x) const { return on_.norms_.normalize(x, lower::norm_range{}); }
+
+    /// Sets the dependent speeds of the state, if they can be solved for.
+    status solve_speeds(vector& x) const {
+      vector u(known_.constraints);
+      const status s = on_.of_.evaluate(results::dependent_speeds, at(x), {u.data()});
+      if (s)
+        for (int i = 0; i < u.size(); ++i) x(place_of_coordinate(coordinates() + i)) = u(i);
+      return s;
+    }
+
+  private:
+    instant<double> at(const vector& x) const { return {t_, x.data(), r_.data()}; }
+
+    matrix redundant(const vector& x) const {
+      const Eigen::Index rows = known_.redundant_constraints;
+      matrix all(rows, 4);
+      on_.of_.evaluate(results::redundant, at(x),
+                       {all.data(), all.data() + rows, all.data() + 2 * rows, all.data() + 3 * rows});
+      return all;
+    }
+    void evaluate(const vector& x) {
+      vector normalized = x;
+      if (on_.norms_.are_bound()) normalize_quaternions(normalized);
+      on_.of_.evaluate(results::configuration, at(normalized), {left_.data(), by_all_.data()});
+      if (on_.norms_.are_bound()) on_.norms_.leave_out(by_all_, normalized);
+    }
+
+    constraint_manifold& on_;
+    const derivation::survey& known_;
+    double t_;
+    const vector& r_;
+    vector left_;
+    matrix by_all_;
+  };
+
   /// The system in the form that `constrained_motion` requires, at a fixed time with its inputs.
   struct all_speeds {
     using number = double;
@@ -132,10 +210,10 @@ private:
       by_coordinates = of.by_q_;
     }
     void velocities(const vector& x, vector& left, matrix& by_speeds) const {
-      of.of_.evaluate(results::velocities, t, x.data(), r.data(), {left.data(), by_speeds.data()});
+      of.of_.evaluate(results::velocities, {t, x.data(), r.data()}, {left.data(), by_speeds.data()});
     }
     status motion(const vector& x, vector& qdot, matrix& mass, vector& force, vector& bias) const {
-      return of.of_.evaluate(results::unreduced, t, x.data(), r.data(),
+      return of.of_.evaluate(results::unreduced, {t, x.data(), r.data()},
                              {qdot.data(), mass.data(), force.data(), bias.data()});
     }
   };
@@ -151,17 +229,17 @@ private:
   /// Returns the residuals of the configuration constraints followed by those of the quaternion norms, and
   /// evaluates their derivatives with respect to all coordinates.
   vector configuration_residual_with_norms(double t, const vector& x, const vector& r) {
-    const int constraints = of_.known.configuration_constraints;
+    const int norms_from = of_.known.configuration_constraints;
     vector left(by_q_.rows());
     by_q_.setZero();
-    if (constraints != 0) {
-      matrix by_coordinates(constraints, n_);
-      of_.evaluate(results::configuration, t, x.data(), r.data(), {left.data(), by_coordinates.data()});
-      by_q_.topRows(constraints) = by_coordinates;
+    if (norms_from != 0) {
+      matrix by_coordinates(norms_from, n_);
+      of_.evaluate(results::configuration, {t, x.data(), r.data()}, {left.data(), by_coordinates.data()});
+      by_q_.topRows(norms_from) = by_coordinates;
     }
     for (int k = 0; k < norms_.count(); ++k) {
-      left(constraints + k) = norms_.residual(k, x.data());
-      for (const int place : norms_.places_of(k)) by_q_(constraints + k, place) = x(place);
+      left(norms_from + k) = norms_.residual(k, x.data());
+      for (const int place : norms_.places_of(k)) by_q_(norms_from + k, place) = x(place);
     }
     return left;
   }
@@ -186,7 +264,7 @@ private:
     if (by_u_.rows() != 0) {
       const vector x = y + correction_;
       vector left(by_u_.rows());
-      of_.evaluate(results::velocities, t, x.data(), r.data(), {left.data(), by_u_.data()});
+      of_.evaluate(results::velocities, {t, x.data(), r.data()}, {left.data(), by_u_.data()});
       correction_.tail(o_) = minimum_norm_solution(by_u_, n_, -left);
     }
     return numeric::all_finite(correction_);
@@ -198,7 +276,8 @@ private:
 
   const System& of_;
   unit_norms norms_;
-  int n_, o_; ///< coordinates, speeds
+  int n_, o_;                    ///< coordinates, speeds
+  std::vector<int> dependent_{}; ///< the indices of the dependent entries of the state
   vector units_, correction_;
   matrix by_q_, by_u_;
   vector sizes_ = vector::Ones(n_ + o_);

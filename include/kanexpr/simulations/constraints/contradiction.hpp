@@ -39,8 +39,9 @@ std::string contradiction(const derivation::survey& known, const Eigen::VectorXd
 template <class IsGiven>
 std::string contradiction_at_start(const derivation::survey& known, const Eigen::VectorXd& given,
                                    const Eigen::VectorXd& found, const IsGiven& is_given) {
-  const std::string said = contradiction(known, given, found, is_given);
-  return said.empty() ? said : said + "; omit it, declare others dependent<...>, or set guesses_dependent";
+  const std::string mistake = contradiction(known, given, found, is_given);
+  return mistake.empty() ? mistake
+                         : mistake + "; omit it, declare others dependent<...>, or set guesses_dependent";
 }
 
 } // namespace kanexpr::simulations

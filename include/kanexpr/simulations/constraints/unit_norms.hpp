@@ -20,9 +20,7 @@ public:
       places_[static_cast<std::size_t>(known.quaternion_of[i] - 1)].push_back(i);
       are_bound_ = are_bound_ || known.dependent[i];
     }
-    for (int k = 0; k < known.quaternions; ++k)
-      far_from_one_.push_back(
-          base::sentence({"the norm of ", steps::quaternion_called(known, k).view(), " is far from 1"}));
+    for (int k = 0; k < known.quaternions; ++k) far_from_one_.push_back(steps::far_from_norm_1(known, k));
   }
 
   int count() const { return static_cast<int>(places_.size()); }

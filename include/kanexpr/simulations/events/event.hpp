@@ -53,7 +53,7 @@ private:
   std::optional<after_event> always_{};
 };
 
-/// An event occurs where a function crosses zero. Without a handler it is only recorded.
+/// An event occurs when a function crosses zero. Without a handler it is only recorded.
 template <class System>
 struct event {
   using function = std::function<double(double t, const state<System>&, const parameter_values<System>&,

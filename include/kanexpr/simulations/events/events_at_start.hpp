@@ -2,8 +2,7 @@
 
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/simulations/motions/runge_kutta_step.hpp>
-#include <kanexpr/simulations/motions/tolerances.hpp>
+#include <kanexpr/simulations/motions/simulation_context.hpp>
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -13,15 +12,13 @@
 
 namespace kanexpr::simulations {
 
-/// Watched functions that are zero where an integration begins, at the start or after a handler. Integrators
+/// Watched functions that are zero when an integration begins, at the start or after a handler. Integrators
 /// detect only changes of sign, so they miss these.
 class events_at_start {
 public:
   using state = Eigen::VectorXd;
 
   explicit events_at_start(simulation_context& context) : context_(context) {}
-
-  void set(const tolerances& of_entries) { tolerances_ = of_entries; }
 
   /// Finds the functions that cross zero at the start: those that are zero there, within the tolerances, and
   /// leave zero in the direction of their event. An event of either direction must be seen on both sides of
@@ -86,7 +83,7 @@ public:
     return -1;
   }
 
-  /// Whether a function that has crossed zero was exactly zero where `resting` evaluated it.
+  /// Whether a function that has crossed zero was exactly zero when `stationary_event` evaluated it.
   bool is_zero(const std::vector<int>& passed) const {
     for (std::size_t i = 0; i < passed.size(); ++i)
       if (passed[i] != 0 && base::equal(here_[i], 0.0)) return true;
@@ -112,7 +109,7 @@ public:
   }
 
   /// After a step: removes from `passed` the functions whose passage was already handled, and returns whether
-  /// a function that was expected to return is beyond zero without having been seen to pass it.
+  /// a function that was expected to return is beyond zero, although no crossing was detected.
   bool has_missed_return(double t, const state& x, std::vector<int>& passed) {
     if (none(returning_) && none(completing_)) return false;
     if (!evaluate(t, x, later_)) return false;
@@ -145,7 +142,7 @@ private:
   /// the time by rounding.
   void find_margins(double t, const state& x) {
     margins_.assign(count(), 0);
-    const state units = tolerances_.at(x);
+    const state units = context_.tolerances_at(x);
     const auto add = [&](double at, const state& nearby) {
       if (evaluate(at, nearby, later_))
         for (std::size_t i = 0; i < count(); ++i) margins_[i] += std::abs(later_[i] - here_[i]);
@@ -162,7 +159,7 @@ private:
 
   /// Extrapolates farther and farther until it is clear to which side each function at zero moves.
   void extrapolate(double t, const state& x, double farthest, std::vector<int>& passed) {
-    const state units = tolerances_.at(x);
+    const state units = context_.tolerances_at(x);
     state slope, rough, fine;
     if (!context_.find_rates(t, x, slope)) return;
     for (double ahead = 1e-3 / fastest(x, slope); ahead <= farthest && !none(waiting_); ahead *= 2) {
@@ -196,10 +193,11 @@ private:
   }
 
   /// Returns the largest rate in units of the tolerances.
-  double fastest(const state& x, const state& rates) const { return largest(rates, tolerances_.at(x)); }
+  double fastest(const state& x, const state& rates) const {
+    return largest(rates, context_.tolerances_at(x));
+  }
 
   simulation_context& context_;
-  tolerances tolerances_{};
   double least_ahead_ = 0;
   std::vector<int> waiting_{};                  ///< the direction in which each must leave zero
   std::vector<int> returning_{}, completing_{}; ///< the direction in which each is expected to pass

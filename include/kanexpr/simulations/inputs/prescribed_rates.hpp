@@ -3,7 +3,7 @@
 #include <kanexpr/base/digits.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
-#include <kanexpr/simulations/time_span.hpp>
+#include <kanexpr/simulations/settings.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <algorithm>
@@ -80,16 +80,16 @@ public:
     // not a round fraction of the span, which may be a period
     const double h = (std::max)(1.37e-8 * length_, 1e5 * eps * latest);
     if (!(length_ > 0) || h > 1e-4 * length_) return {};
-    std::vector<look> looks;
+    std::vector<window> windows;
     for (const double part : {0.001, 0.4, 0.999})
-      if (look one{span_.from + part * length_, h, {}}; take(one)) looks.push_back(std::move(one));
+      if (window one{span_.from + part * length_, h, {}}; evaluate(one)) windows.push_back(std::move(one));
     for (const rate_pair& each : prescribed_rates(known_)) {
       double scale = 0;
-      for (const look& one : looks)
+      for (const window& one : windows)
         scale =
             (std::max)({scale, std::abs(one.at(2, each.rate)), std::abs(one.difference(1, 3, each.value))});
-      for (const look& one : looks)
-        if (contradicts(one, each, scale, looks) && !agrees_on_the_whole(one.t, each, scale) &&
+      for (const window& one : windows)
+        if (contradicts(one, each, scale, windows) && !agrees_on_the_whole(one.t, each, scale) &&
             !depends(one.t, each))
           return "prescribed quantity " + each.name + " changes at the rate " +
                  base::digits(one.difference(1, 3, each.value)) + " at t = " + base::digits(one.t) +
@@ -100,7 +100,7 @@ public:
 
 private:
   /// The inputs at five times, h apart.
-  struct look {
+  struct window {
     double t, h;
     std::vector<double> r[5];
 
@@ -111,27 +111,28 @@ private:
     }
   };
 
-  bool take(look& one) const {
+  bool evaluate(window& one) const {
     for (int k = 0; k < 5; ++k)
-      if (!take(one.time(k), one.r[k])) return false;
+      if (!evaluate(one.time(k), one.r[k])) return false;
     return true;
   }
-  bool take(double t, std::vector<double>& r) const {
+  bool evaluate(double t, std::vector<double>& r) const {
     r.resize(static_cast<std::size_t>(known_.inputs));
     return give_(t, r.data()) && std::ranges::all_of(r, [](double each) { return numeric::is_finite(each); });
   }
 
-  static bool contradicts(const look& one, const rate_pair& of, double scale,
-                          const std::vector<look>& looks) {
+  static bool contradicts(const window& one, const rate_pair& of, double scale,
+                          const std::vector<window>& windows) {
+    const auto differs = [&](double value) { return std::abs(value - one.at(2, of.value)) > 0; };
     double largest = 0;
-    bool stands = true, stands_everywhere = true;
+    bool is_constant = true;
     for (int k = 0; k < 5; ++k) {
       largest = (std::max)(largest, std::abs(one.at(k, of.value)));
-      stands = stands && !(std::abs(one.at(k, of.value) - one.at(2, of.value)) > 0);
+      is_constant = is_constant && !differs(one.at(k, of.value));
     }
-    for (const look& other : looks)
-      stands_everywhere = stands_everywhere && !(std::abs(other.at(2, of.value) - one.at(2, of.value)) > 0);
-    if (stands && !stands_everywhere) return false; // piecewise constant
+    if (is_constant && // piecewise
+        std::ranges::any_of(windows, [&](const window& other) { return differs(other.at(2, of.value)); }))
+      return false;
     const double rounding = 64 * std::numeric_limits<double>::epsilon() * largest / one.h,
                  tolerance = 1e-4 * scale + rounding, given = one.at(2, of.rate);
     const double narrow = one.difference(1, 3, of.value), wider = one.difference(0, 4, of.value);
@@ -151,7 +152,7 @@ private:
     double integral = 0, first = 0, last = 0;
     std::vector<double> r;
     for (int i = 0; i <= parts; ++i) { // by the trapezoidal rule
-      if (!take(i < parts ? from + (to - from) * i / parts : to, r)) return true;
+      if (!evaluate(i < parts ? from + (to - from) * i / parts : to, r)) return true;
       last = r[static_cast<std::size_t>(of.value)];
       if (i == 0) first = last;
       integral +=

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/statistics.hpp>
-#include <kanexpr/simulations/integrator.hpp>
-#include <kanexpr/simulations/motions/explicit_motion.hpp>
-#include <kanexpr/simulations/motions/multiplier_motion.hpp>
+#include <kanexpr/simulations/motions/motion.hpp>
 #include <kanexpr/simulations/sundials/arkode.hpp>
 #include <kanexpr/simulations/sundials/cvode.hpp>
 #include <kanexpr/simulations/sundials/ida.hpp>
@@ -15,148 +13,137 @@
 
 namespace kanexpr::simulations {
 
-/// A system together with its integrator.
-template <integrator by>
-class moving_system {
-public:
-  /// The distinctness of the constraints below which the equations of all speeds are used.
-  static constexpr double least_distinctness = 0.05;
+/// A motion with its integrator, which is created when it is first needed.
+template <class Motion, class Integrator>
+struct integrated {
+  explicit integrated(simulation_context& context) : motion(context) {}
 
-  explicit moving_system(simulation_context& context) : motion_(context) {}
-
-  /// Sets up the integrator at the start of the span; on failure the stepper or the context holds the
-  /// cause.
-  answer start(const Eigen::VectorXd& x, const simulations::stepper_options& options) {
-    integrating_.emplace(formulas, motion_, 0, std::vector<double>(x.begin(), x.end()), options);
-    return answer::success;
-  }
-
-  simulations::stepper& stepper() { return *integrating_; }
-
-  /// Restarts from a different state, at the same or an earlier time.
-  bool restart(double elapsed, const Eigen::VectorXd& x) {
-    integrating_->go_back_to(elapsed);
-    std::ranges::copy(x, integrating_->state());
-    return integrating_->restart();
-  }
-  /// Whether a different integrator has to continue from the end of the last step.
-  static bool has_to_change() { return false; }
-
-  void set_tolerances(double relative, const std::vector<double>& absolute) {
-    integrating_->set_tolerances(relative, absolute);
-  }
-
-  long steps() const { return integrating_->steps(); }
-  integration_statistics statistics() const {
-    integration_statistics all = integrating_->statistics();
-    all.rate_evaluations = motion_.rate_evaluations();
-    all.projections = motion_.projections();
-    return all;
-  }
-
-private:
-  static constexpr auto formulas_of() {
-    if constexpr (by == integrator::adams)
-      return simulations::cvode::formulas::adams;
-    else if constexpr (by == integrator::bdf)
-      return simulations::cvode::formulas::backward_differences;
-    else if constexpr (by == integrator::implicit_runge_kutta)
-      return simulations::arkode::formulas::implicit_stages;
-    else
-      return simulations::arkode::formulas::explicit_stages;
-  }
-  static constexpr auto formulas = formulas_of();
-  using stepper_type = std::conditional_t<by == integrator::adams || by == integrator::bdf,
-                                          simulations::cvode, simulations::arkode>;
-
-  explicit_motion<has_newton(by)> motion_;
-  std::optional<stepper_type> integrating_{};
+  Motion motion;
+  std::optional<Integrator> integrator{};
 };
 
-/// Uses the equations with multipliers; near singular positions, where these are not determined, it uses
-/// backward differentiation of the rates.
-template <>
-class moving_system<integrator::differential_algebraic> {
+/// A system together with its integrator. `differential_algebraic` uses the equations with multipliers; near
+/// singular positions, where these are not determined, backward differentiation of the rates replaces them.
+template <integrator by>
+class moving_system {
+  static constexpr bool has_multipliers = by == integrator::differential_algebraic;
+
 public:
-  static constexpr double least_distinctness = 0.2; ///< multipliers lose digits sooner
+  /// The distinctness of the constraints below which the equations of all speeds are used. Multipliers lose
+  /// digits sooner.
+  static constexpr double least_distinctness = has_multipliers ? 0.2 : 0.05;
 
   explicit moving_system(simulation_context& context)
-      : context_(context), motion_(context), passing_motion_(context) {}
+      : context_(context), by_rates_(context), by_multipliers_(context) {}
 
-  answer start(const Eigen::VectorXd& x, const simulations::stepper_options& options) {
+  /// Sets up the integrator at the start of the span; on failure the stepper or the context reports
+  /// the cause.
+  answer start(const Eigen::VectorXd& x, const stepper_options& options) {
     options_ = options;
+    uses_rates_ = needs_rates();
     return begin(0, x);
   }
 
   simulations::stepper& stepper() {
-    return is_passing_ ? static_cast<simulations::stepper&>(*passing_) : *integrating_;
+    if constexpr (has_multipliers)
+      if (!uses_rates_) return *by_multipliers_.integrator;
+    return *by_rates_.integrator;
   }
 
+  /// Restarts from a different state, at the same or an earlier time.
   bool restart(double elapsed, const Eigen::VectorXd& x) {
-    const bool has_one = context_.is_near_singular() ? passing_.has_value() : integrating_.has_value();
-    if (!has_one) return begin(elapsed, x) == answer::success && !stepper().failed();
-    is_passing_ = context_.is_near_singular();
+    uses_rates_ = needs_rates();
+    if (!has_integrator()) return begin(elapsed, x) == answer::success && stepper().failure().empty();
     simulations::stepper& s = stepper();
     s.go_back_to(elapsed);
-    if (is_passing_)
+    if (uses_rates_)
       std::ranges::copy(x, s.state());
-    else if (motion_.start(elapsed, x, s.state(), s.rates()) != answer::success)
-      return false;
+    else if constexpr (has_multipliers)
+      if (by_multipliers_.motion.start(elapsed, x, s.state(), s.rates()) != answer::success) return false;
     return s.restart();
   }
-  bool has_to_change() const { return is_passing_ != context_.is_near_singular(); }
+  /// Whether a different integrator has to continue from the end of the last step.
+  bool has_to_change() const { return uses_rates_ != needs_rates(); }
 
   void set_tolerances(double relative, const std::vector<double>& absolute) {
     options_.relative_tolerance = relative;
     options_.absolute_tolerances = absolute;
-    if (integrating_) integrating_->set_tolerances(relative, absolute);
-    if (passing_) passing_->set_tolerances(relative, absolute);
+    for_each(*this, [&](auto& each) {
+      if (each.integrator) each.integrator->set_tolerances(relative, absolute);
+    });
   }
 
-  long steps() const {
-    return (integrating_ ? integrating_->steps() : 0) + (passing_ ? passing_->steps() : 0);
-  }
   integration_statistics statistics() const {
     integration_statistics all;
-    const auto add = [&](const simulations::stepper& s) {
-      const integration_statistics own = s.statistics();
+    for_each(*this, [&](const auto& each) {
+      all.rate_evaluations += each.motion.rate_evaluations();
+      all.projections += each.motion.projections();
+      if (!each.integrator) return;
+      const integration_statistics own = each.integrator->statistics();
       all.steps += own.steps;
       all.error_test_failures += own.error_test_failures;
       all.solver_failures += own.solver_failures;
       all.jacobian_evaluations += own.jacobian_evaluations;
-    };
-    if (integrating_) add(*integrating_);
-    if (passing_) add(*passing_);
-    all.rate_evaluations = motion_.rate_evaluations() + passing_motion_.rate_evaluations();
-    all.projections = motion_.projections() + passing_motion_.projections();
+    });
     return all;
   }
+  long steps() const { return statistics().steps; }
 
 private:
+  static constexpr auto formulas_of() {
+    if constexpr (by == integrator::adams)
+      return cvode::formulas::adams;
+    else if constexpr (by == integrator::explicit_runge_kutta)
+      return arkode::formulas::explicit_stages;
+    else if constexpr (by == integrator::implicit_runge_kutta)
+      return arkode::formulas::implicit_stages;
+    else
+      return cvode::formulas::backward_differences;
+  }
+  using formulas = decltype(formulas_of());
+  using rate_integrator = std::conditional_t<std::is_same_v<formulas, cvode::formulas>, cvode, arkode>;
+  /// Replaces the motion with multipliers in all other methods.
+  struct nothing {
+    explicit nothing(simulation_context&) {}
+  };
+
+  bool needs_rates() const { return !has_multipliers || context_.is_near_singular(); }
+  bool has_integrator() const {
+    if constexpr (has_multipliers)
+      if (!uses_rates_) return by_multipliers_.integrator.has_value();
+    return by_rates_.integrator.has_value();
+  }
+
   /// Creates the integrator that the current position requires.
   answer begin(double elapsed, const Eigen::VectorXd& x) {
-    is_passing_ = context_.is_near_singular();
-    if (is_passing_) {
-      passing_.emplace(simulations::cvode::formulas::backward_differences, passing_motion_, elapsed,
-                       std::vector<double>(x.begin(), x.end()), options_);
-      return answer::success;
-    }
-    std::vector<double> y(static_cast<std::size_t>(motion_.size())), ydot(y.size());
-    if (const answer a = motion_.start(elapsed, x, y.data(), ydot.data()); a != answer::success) return a;
-    simulations::stepper_options all = options_;
+    if constexpr (has_multipliers)
+      if (!uses_rates_) return begin_with_multipliers(elapsed, x);
+    by_rates_.integrator.emplace(formulas_of(), by_rates_.motion, elapsed,
+                                 std::vector<double>(x.begin(), x.end()), options_);
+    return answer::success;
+  }
+  answer begin_with_multipliers(double elapsed, const Eigen::VectorXd& x) {
+    auto& [motion, integrator] = by_multipliers_;
+    std::vector<double> y(static_cast<std::size_t>(motion.size())), ydot(y.size());
+    if (const answer a = motion.start(elapsed, x, y.data(), ydot.data()); a != answer::success) return a;
+    stepper_options all = options_;
     constexpr double any = 1e100; // for multipliers, which no error test checks
     all.absolute_tolerances.resize(y.size(), any);
-    integrating_.emplace(motion_, elapsed, y, ydot, all);
+    integrator.emplace(motion, elapsed, y, ydot, all);
     return answer::success;
   }
 
+  template <class Self, class Function>
+  static void for_each(Self& self, const Function& f) {
+    f(self.by_rates_);
+    if constexpr (has_multipliers) f(self.by_multipliers_);
+  }
+
   simulation_context& context_;
-  multiplier_motion motion_;
-  explicit_motion<true> passing_motion_;
-  simulations::stepper_options options_{};
-  std::optional<simulations::ida> integrating_{};
-  std::optional<simulations::cvode> passing_{};
-  bool is_passing_ = false;
+  stepper_options options_{};
+  integrated<explicit_motion<has_newton(by) || has_multipliers>, rate_integrator> by_rates_;
+  std::conditional_t<has_multipliers, integrated<multiplier_motion<>, ida>, nothing> by_multipliers_;
+  bool uses_rates_ = true;
 };
 
 } // namespace kanexpr::simulations

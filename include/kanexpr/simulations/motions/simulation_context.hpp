@@ -5,14 +5,14 @@
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulations/constraints/manifold.hpp>
-#include <kanexpr/simulations/motions/unknown_name_error.hpp>
 #include <kanexpr/simulations/settings.hpp>
-#include <kanexpr/simulations/sundials/initial_value_problem.hpp>
+#include <kanexpr/simulations/sundials/stepper.hpp>
 #include <kanexpr/simulations/system_interface.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <memory>
 #include <string>
@@ -21,8 +21,6 @@
 #include <vector>
 
 namespace kanexpr::simulations {
-
-using simulations::answer;
 
 inline constexpr const char* off_manifold = "the constraints are dependent or inconsistent near this state";
 
@@ -60,6 +58,18 @@ public:
       constraints_->set_sizes(t, x, r_, sizes);
   }
 
+  /// Returns the absolute tolerance of each entry of the state.
+  const std::vector<double>& absolute_tolerances() const { return absolute_tolerances_; }
+  void set_absolute_tolerances(const std::vector<double>& each) { absolute_tolerances_ = each; }
+  /// Returns the tolerated error of a step in each entry of a state.
+  vector tolerances_at(const vector& x) const {
+    vector both(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      both(i) =
+          options_.relative_tolerance * std::abs(x(i)) + absolute_tolerances_[static_cast<std::size_t>(i)];
+    return both;
+  }
+
   /// Returns the manifold of the constraints; null if there are none.
   manifold* constraints() { return constraints_.get(); }
   /// Reports the end of a step. `least` is the distinctness of the constraints below which the equations of
@@ -77,13 +87,13 @@ public:
   }
   answer set_state(double t, const vector& x) { return set_state(t, x.data()); }
 
-  /// Evaluates ẋ at the current state: from the independent speeds, or from all speeds where those do not
+  /// Evaluates ẋ at the current state: from the independent speeds, or from all speeds if those do not
   /// determine it.
   status rates(double t, double* xdot) const { return rates(t, x_, xdot); }
   /// Evaluates ẋ at a different state with the current inputs.
   status rates(double t, const vector& x, double* xdot) const {
     if (is_near_singular()) return constraints_->rates(t, x, r_, xdot);
-    const status s = of_.evaluate(results::rates, t, x.data(), r_.data(), {xdot});
+    const status s = of_.evaluate(results::rates, {t, x.data(), r_.data()}, {xdot});
     return s || !binds_speeds() || !constraints_->rates(t, x, r_, xdot) ? s : status();
   }
 
@@ -169,9 +179,41 @@ private:
   const time_span span_;
   const settings& options_;
   vector x_, sizes_, r_;
+  std::vector<double> absolute_tolerances_{};
   std::unique_ptr<manifold> constraints_;
   std::string last_error_{};
   bool has_thrown_ = false;
 };
+
+/// Returns x + h k. This and the next functions are plain loops, which compile faster than expressions of
+/// Eigen.
+inline Eigen::VectorXd moved(const Eigen::VectorXd& x, double h, const Eigen::VectorXd& k) {
+  Eigen::VectorXd to(x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) to(i) = x(i) + h * k(i);
+  return to;
+}
+
+/// Returns the largest magnitude of the entries of a, each divided by that of b.
+inline double largest(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  double most = 0;
+  for (Eigen::Index i = 0; i < a.size(); ++i) most = (std::max)(most, std::abs(a(i) / b(i)));
+  return most;
+}
+
+/// Takes a step with the midpoint rule and one with the classic Runge-Kutta method, from a state with its
+/// rates; returns false if the rates cannot be evaluated.
+inline bool runge_kutta_step(simulation_context& context, double t, const Eigen::VectorXd& x,
+                             const Eigen::VectorXd& k1, double h, Eigen::VectorXd& midpoint,
+                             Eigen::VectorXd& end) {
+  Eigen::VectorXd k2, k3, k4;
+  if (!context.find_rates(t + h / 2, moved(x, h / 2, k1), k2) ||
+      !context.find_rates(t + h / 2, moved(x, h / 2, k2), k3) ||
+      !context.find_rates(t + h, moved(x, h, k3), k4))
+    return false;
+  midpoint = moved(x, h, k2);
+  end.resize(x.size());
+  for (Eigen::Index i = 0; i < x.size(); ++i) end(i) = x(i) + h / 6 * (k1(i) + 2 * k2(i) + 2 * k3(i) + k4(i));
+  return true;
+}
 
 } // namespace kanexpr::simulations

@@ -2,7 +2,6 @@
 
 #include <kanexpr/base/digits.hpp>
 #include <kanexpr/simulations/sundials/handles.hpp>
-#include <kanexpr/simulations/sundials/initial_value_problem.hpp>
 #include <kanexpr/simulations/sundials/stepper.hpp>
 
 #include <sunlinsol/sunlinsol_dense.h>
@@ -15,10 +14,39 @@
 #include <utility>
 #include <vector>
 
+/// Defines the static members of a class that gives the functions of one package of SUNDIALS the names that
+/// they share. `Prefix` begins the names of the package's functions, and `CODE` those of its return codes.
+#define KANEXPR_SUNDIALS_CALLS(Prefix, CODE)                                                                 \
+  static constexpr auto free = Prefix##Free;                                                                 \
+  static constexpr auto set_error_handler = Prefix##SetErrHandlerFn;                                         \
+  static constexpr auto set_user_data = Prefix##SetUserData;                                                 \
+  static constexpr auto set_weights = Prefix##WFtolerances;                                                  \
+  static constexpr auto set_first_step = Prefix##SetInitStep;                                                \
+  static constexpr auto set_least_step = Prefix##SetMinStep;                                                 \
+  static constexpr auto set_greatest_step = Prefix##SetMaxStep;                                              \
+  static constexpr auto set_end = Prefix##SetStopTime;                                                       \
+  static constexpr auto watch = Prefix##RootInit;                                                            \
+  static constexpr auto set_directions = Prefix##SetRootDirection;                                           \
+  static constexpr auto no_warnings = Prefix##SetNoInactiveRootWarn;                                         \
+  static constexpr auto root_info = Prefix##GetRootInfo;                                                     \
+  static constexpr auto derivative = Prefix##GetDky;                                                         \
+  static constexpr auto last_step = Prefix##GetLastStep;                                                     \
+  static constexpr auto next_step = Prefix##GetCurrentStep;                                                  \
+  static constexpr auto current_time = Prefix##GetCurrentTime;                                               \
+  static constexpr auto steps = Prefix##GetNumSteps;                                                         \
+  static constexpr auto error_test_failures = Prefix##GetNumErrTestFails;                                    \
+  static constexpr auto solver_failures = Prefix##GetNumStepSolveFails;                                      \
+  static constexpr auto jacobians = Prefix##GetNumJacEvals;                                                  \
+  static constexpr auto set_linear_solver = Prefix##SetLinearSolver;                                         \
+  static constexpr auto set_jacobian = Prefix##SetJacFn;                                                     \
+  static constexpr auto error_weights = Prefix##GetErrWeights;                                               \
+  static constexpr int event_failed = CODE##_RTFUNC_FAIL
+
 namespace kanexpr::simulations {
 
-/// The common part of the SUNDIALS integrators. `Calls` names the functions of one of them.
-template <class Calls>
+/// The common part of the SUNDIALS integrators. `Calls` names the functions of one of them, and `Problem` is
+/// the form of the equations that it integrates.
+template <class Calls, class Problem>
 class adaptive : public stepper {
 public:
   adaptive(const adaptive&) = delete;
@@ -42,7 +70,7 @@ public:
   }
 
   std::vector<int> events() const override {
-    std::vector<int> found(static_cast<std::size_t>(watched_.watched()));
+    std::vector<int> found(static_cast<std::size_t>(problem_.watched()));
     Calls::root_info(memory_, found.data());
     return found;
   }
@@ -53,8 +81,6 @@ public:
   }
   double step_begin() const override { return step_end() - number(Calls::last_step); }
   double step_end() const override { return number(Calls::current_time); }
-
-  long steps() const override { return before_restart_.steps + number<long>(Calls::steps); }
 
   integration_statistics statistics() const override {
     integration_statistics all = before_restart_;
@@ -69,8 +95,8 @@ protected:
   static constexpr int root_return = 2;         // the same in all three packages
   static constexpr double steps_of_return = 10; // fewer would affect the error test
 
-  adaptive(initial_value_problem& problem, double from, std::vector<double> start, stepper_options options)
-      : watched_(problem), options_(std::move(options)) {
+  adaptive(Problem& problem, double from, std::vector<double> start, stepper_options options)
+      : problem_(problem), options_(std::move(options)) {
     t_ = from;
     y_ = std::move(start);
     at_ = vector_on(y_.data(), size(), context_);
@@ -86,7 +112,7 @@ protected:
   bool has_memory() {
     if (memory_ != nullptr && at_ && weights_)
       return accepted(Calls::set_error_handler(memory_, last_error::handle, &error_), "an error handler");
-    failed_ = {"there is no memory left for the integrator"};
+    failure_ = "there is no memory left for the integrator";
     return false;
   }
 
@@ -103,20 +129,19 @@ protected:
 
   bool accepted(int flag, const char* what) {
     if (flag == 0) return true;
-    failed_ = {std::string("SUNDIALS rejected ") + what +
-               (error_.message.empty() ? "" : ": " + error_.message)};
+    failure_ = error_.after(std::string("SUNDIALS rejected ") + what);
     return false;
   }
 
   /// Selects Newton's method with dense matrices, and the problem's own Jacobian if it has one.
-  template <class Problem, class Jacobian>
-  bool set_newton(const Problem& problem, Jacobian jacobian) {
+  template <class Jacobian>
+  bool set_newton(Jacobian callback) {
     matrix_.reset(SUNDenseMatrix(size(), size(), context_));
     solver_.reset(SUNLinSol_Dense(at_.get(), matrix_.get(), context_));
     if (!accepted(Calls::set_linear_solver(memory_, solver_.get(), matrix_.get()), "the linear solver"))
       return false;
-    return !options_.analytic_jacobian || !problem.has_jacobian() ||
-           accepted(Calls::set_jacobian(memory_, jacobian), "the Jacobian");
+    return !options_.analytic_jacobian || !problem_.has_jacobian() ||
+           accepted(Calls::set_jacobian(memory_, callback), "the Jacobian");
   }
 
   /// Returns a number that the integrator reports; 0 if it has none.
@@ -126,12 +151,25 @@ protected:
     return get(memory_, &found) == 0 ? found : 0;
   }
 
+  /// The callbacks of integrators of explicit problems.
+  static int rates(double t, N_Vector y, N_Vector ydot, void* of) {
+    adaptive& self = *static_cast<adaptive*>(of);
+    const answer found = self.problem_.rates(t, numbers_of(y), numbers_of(ydot));
+    for (std::size_t i = 0; i < self.drift_correction_.size(); ++i)
+      numbers_of(ydot)[i] += self.drift_correction_[i];
+    return static_cast<int>(found);
+  }
+  static int jacobian(double t, N_Vector y, N_Vector, SUNMatrix j, void* of, N_Vector, N_Vector, N_Vector) {
+    return static_cast<int>(
+        static_cast<adaptive*>(of)->problem_.jacobian(t, numbers_of(y), SUNDenseMatrix_Data(j)));
+  }
+
   const double* weights() {
     Calls::error_weights(memory_, weights_.get());
     return numbers_of(weights_.get());
   }
 
-  initial_value_problem& watched_;
+  Problem& problem_;
   stepper_options options_;
   ::sundials::Context context_{};
   vector_handle at_{}, weights_{};
@@ -154,20 +192,20 @@ private:
     }
     const int flag = solve(target);
     if (flag < 0) {
-      failed_ = failure_for(flag);
+      failure_ = failure_for(flag);
       return arrival::failed;
     }
     return flag == root_return ? arrival::event : arrival::step;
   }
 
   /// Projects the reported state onto a manifold from which the formulas drift, if the integrator does
-  /// not. The formulas themselves are led back over the next steps by a term added to their rates: restarting
-  /// them from a corrected state would begin at low orders, which drift fastest.
+  /// not. A term that is added to the rates returns the formulas themselves to the manifold over the next
+  /// steps: restarting them from a corrected state would begin at low orders, which drift fastest.
   bool correct() {
     if (!reports_projected_states()) return true;
     correction_.assign(y_.size(), 0);
-    if (watched_.project(t_, y_.data(), weights(), correction_.data(), nullptr) != answer::success) {
-      failed_ = {"the state could not be brought back to the constraints"};
+    if (problem_.project(t_, y_.data(), weights(), correction_.data(), nullptr) != answer::success) {
+      failure_ = "the state could not be brought back to the constraints";
       return false;
     }
     const double way = steps_of_return * (std::max)(number(Calls::last_step), number(Calls::next_step));
@@ -180,10 +218,10 @@ private:
   }
 
   bool set_watched() {
-    const int count = watched_.watched();
+    const int count = problem_.watched();
     if (count == 0) return true;
     std::vector<int> directions(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i) directions[static_cast<std::size_t>(i)] = watched_.direction(i);
+    for (int i = 0; i < count; ++i) directions[static_cast<std::size_t>(i)] = problem_.direction(i);
     return accepted(Calls::watch(memory_, count, watch), "the events") &&
            accepted(Calls::set_directions(memory_, directions.data()), "the directions of the events") &&
            accepted(Calls::no_warnings(memory_), "the suppression of warnings");
@@ -201,7 +239,7 @@ private:
   }
 
   static int watch(double t, N_Vector y, double* values, void* of) {
-    return static_cast<int>(static_cast<adaptive*>(of)->watched_.watch(t, numbers_of(y), values));
+    return static_cast<int>(static_cast<adaptive*>(of)->problem_.watch(t, numbers_of(y), values));
   }
   static int watch(double t, N_Vector y, N_Vector, double* values, void* of) {
     return watch(t, y, values, of);
@@ -214,23 +252,23 @@ private:
   }
 
   /// Codes from −2 to −7 have the same meaning in all three packages.
-  failure failure_for(int flag) const {
+  std::string failure_for(int flag) const {
     switch (flag) {
-    case -2: return {"the tolerances are too small for double precision"};
+    case -2: return "the tolerances are too small for double precision";
     case -3:
-      return {"the step size collapsed: no step was short enough to keep the error within the tolerances" +
-              step_limit_text()};
+      return "the step size collapsed: no step was short enough to keep the error within the tolerances" +
+             step_limit_text();
     case -4:
-      return {"the step size collapsed: the iteration within a step did not converge" + step_limit_text()};
+      return "the step size collapsed: the iteration within a step did not converge" + step_limit_text();
     case -5:
     case -6:
-    case -7: return {"the linear equations within a step could not be solved"};
+    case -7: return "the linear equations within a step could not be solved";
     default: break;
     }
-    if (flag == Calls::event_failed) return {"an event could not be evaluated"};
-    if (Calls::is_projection(flag)) return {"the state could not be brought back to the constraints"};
-    if (Calls::is_evaluation(flag)) return {"the equations of motion could not be evaluated"};
-    return {"SUNDIALS failed: " + error_.message};
+    if (flag == Calls::event_failed) return "an event could not be evaluated";
+    if (Calls::is_projection(flag)) return "the state could not be brought back to the constraints";
+    if (Calls::is_evaluation(flag)) return "the equations of motion could not be evaluated";
+    return "SUNDIALS failed: " + error_.message;
   }
 
   last_error error_{};

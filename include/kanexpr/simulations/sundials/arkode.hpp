@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kanexpr/simulations/sundials/adaptive.hpp>
-#include <kanexpr/simulations/sundials/calls.hpp>
 
 #include <arkode/arkode_arkstep.h>
 
@@ -22,13 +21,13 @@ struct arkode_calls {
 /// The Runge-Kutta methods of ARKODE (Reynolds et al. 2023): the explicit one of Dormand & Prince and the
 /// implicit, L-stable one of Kvaerno, both of order 5. Each step starts afresh, so events and projections
 /// cost nothing extra.
-class arkode final : public adaptive<arkode_calls> {
+class arkode final : public adaptive<arkode_calls, explicit_problem> {
 public:
   enum class formulas { explicit_stages, implicit_stages };
 
   arkode(formulas of, explicit_problem& problem, double from, std::vector<double> start,
          stepper_options options)
-      : adaptive(problem, from, std::move(start), std::move(options)), problem_(problem) {
+      : adaptive(problem, from, std::move(start), std::move(options)) {
     const bool implicit = of == formulas::implicit_stages;
     (implicit ? implicit_ : explicit_) = rates;
     memory_ = ARKStepCreate(explicit_, implicit_, t_, at_.get(), context_);
@@ -38,7 +37,7 @@ public:
     if (accepted(ARKStepSetTableNum(memory_, stages, explicit_stages), "the table of coefficients") &&
         accepted(ARKStepSetInterpolantDegree(memory_, ARK_INTERP_MAX_DEGREE),
                  "the degree of interpolation") &&
-        (!implicit || set_newton(problem_, jacobian)) && problem_.has_manifold())
+        (!implicit || set_newton(jacobian)) && problem_.has_manifold())
       accepted(ARKStepSetPostprocessStepFn(memory_, project), "the projection onto the constraints");
   }
 
@@ -49,22 +48,14 @@ private:
   // ARKStepReset would keep the step size, but it finds no events afterward.
   int reinitialize() override { return ARKStepReInit(memory_, explicit_, implicit_, t_, at_.get()); }
 
-  static arkode& self(void* of) { return static_cast<arkode&>(*static_cast<adaptive*>(of)); }
-  static int rates(double t, N_Vector y, N_Vector ydot, void* of) {
-    return static_cast<int>(self(of).problem_.rates(t, numbers_of(y), numbers_of(ydot)));
-  }
-  static int jacobian(double t, N_Vector y, N_Vector, SUNMatrix j, void* of, N_Vector, N_Vector, N_Vector) {
-    return static_cast<int>(self(of).problem_.jacobian(t, numbers_of(y), SUNDenseMatrix_Data(j)));
-  }
   static int project(double t, N_Vector y, void* of) {
-    arkode& a = self(of);
+    arkode& a = *static_cast<arkode*>(static_cast<adaptive*>(of));
     a.correction_.resize(a.y_.size());
     const answer found = a.problem_.project(t, numbers_of(y), a.weights(), a.correction_.data(), nullptr);
     for (std::size_t i = 0; i < a.y_.size(); ++i) numbers_of(y)[i] += a.correction_[i];
     return static_cast<int>(found);
   }
 
-  explicit_problem& problem_;
   ARKRhsFn explicit_ = nullptr, implicit_ = nullptr;
 };
 

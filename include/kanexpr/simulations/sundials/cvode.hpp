@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kanexpr/simulations/sundials/adaptive.hpp>
-#include <kanexpr/simulations/sundials/calls.hpp>
 
 #include <cvode/cvode.h>
 #include <cvode/cvode_ls.h>
@@ -26,13 +25,13 @@ struct cvode_calls {
 
 /// The multistep methods of CVODE: Adams' with functional iteration, and backward differentiation with
 /// Newton's method and projection onto the constraints (Hindmarsh et al. 2005).
-class cvode final : public adaptive<cvode_calls> {
+class cvode final : public adaptive<cvode_calls, explicit_problem> {
 public:
   enum class formulas : int { adams = CV_ADAMS, backward_differences = CV_BDF };
 
   cvode(formulas of, explicit_problem& problem, double from, std::vector<double> start,
         stepper_options options)
-      : adaptive(problem, from, std::move(start), std::move(options)), formulas_(of), problem_(problem) {
+      : adaptive(problem, from, std::move(start), std::move(options)), formulas_(of) {
     memory_ = CVodeCreate(static_cast<int>(formulas_), context_);
     if (has_memory() && accepted(CVodeInit(memory_, rates, t_, at_.get()), "the first state") &&
         set_common() && set_solver() && !reports_projected_states() && problem_.has_manifold())
@@ -56,28 +55,16 @@ private:
       iteration_.reset(SUNNonlinSol_FixedPoint(at_.get(), 0, context_));
       return accepted(CVodeSetNonlinearSolver(memory_, iteration_.get()), "the functional iteration");
     }
-    return set_newton(problem_, jacobian);
+    return set_newton(jacobian);
   }
 
-  static cvode& self(void* of) { return static_cast<cvode&>(*static_cast<adaptive*>(of)); }
-  static int rates(double t, N_Vector y, N_Vector ydot, void* of) {
-    cvode& c = self(of);
-    const answer found = c.problem_.rates(t, numbers_of(y), numbers_of(ydot));
-    for (std::size_t i = 0; i < c.drift_correction_.size(); ++i)
-      numbers_of(ydot)[i] += c.drift_correction_[i];
-    return static_cast<int>(found);
-  }
-  static int jacobian(double t, N_Vector y, N_Vector, SUNMatrix j, void* of, N_Vector, N_Vector, N_Vector) {
-    return static_cast<int>(self(of).problem_.jacobian(t, numbers_of(y), SUNDenseMatrix_Data(j)));
-  }
   static int project(double t, N_Vector y, N_Vector correction, double, N_Vector error, void* of) {
-    return static_cast<int>(self(of).problem_.project(t, numbers_of(y), self(of).weights(),
-                                                      numbers_of(correction),
-                                                      error == nullptr ? nullptr : numbers_of(error)));
+    cvode& c = *static_cast<cvode*>(static_cast<adaptive*>(of));
+    return static_cast<int>(c.problem_.project(t, numbers_of(y), c.weights(), numbers_of(correction),
+                                               error == nullptr ? nullptr : numbers_of(error)));
   }
 
   formulas formulas_;
-  explicit_problem& problem_;
   nonlinear_solver_handle iteration_{};
 };
 

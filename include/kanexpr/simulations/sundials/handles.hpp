@@ -8,9 +8,10 @@
 #include <sundials/sundials_nvector.h>
 
 #include <memory>
+#include <string>
 #include <type_traits>
 
-/// Owning handles to SUNDIALS objects.
+/// Owning handles to SUNDIALS objects, and its error messages.
 namespace kanexpr::simulations {
 
 struct sundials_deleter {
@@ -35,5 +36,19 @@ inline vector_handle new_vector(sunindextype size, SUNContext context) {
 }
 
 inline double* numbers_of(N_Vector v) { return N_VGetArrayPointer(v); }
+
+/// The last error message of SUNDIALS, for the sentence of a failure.
+struct last_error {
+  std::string message{};
+
+  /// The error handler of all SUNDIALS packages; the default one would print the message.
+  static void handle(int, const char*, const char*, char* message, void* receiver) {
+    static_cast<last_error*>(receiver)->message = message;
+  }
+  /// Returns the beginning of a sentence, followed by the message.
+  std::string after(const std::string& beginning) const {
+    return message.empty() ? beginning : beginning + ": " + message;
+  }
+};
 
 } // namespace kanexpr::simulations

@@ -3,7 +3,6 @@
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulations/sundials/adaptive.hpp>
-#include <kanexpr/simulations/sundials/calls.hpp>
 
 #include <ida/ida.h>
 #include <ida/ida_ls.h>
@@ -26,12 +25,11 @@ struct ida_calls {
 
 /// Backward differentiation of a differential-algebraic system by IDA (Brenan, Campbell & Petzold 1996).
 /// Entries whose rates appear in no equation, such as multipliers, are excluded from the error test.
-class ida final : public adaptive<ida_calls> {
+class ida final : public adaptive<ida_calls, implicit_problem> {
 public:
   ida(implicit_problem& problem, double from, std::vector<double> start, std::vector<double> start_rates,
       stepper_options options)
-      : adaptive(problem, from, std::move(start), std::move(options)), problem_(problem),
-        ydot_(std::move(start_rates)) {
+      : adaptive(problem, from, std::move(start), std::move(options)), ydot_(std::move(start_rates)) {
     if (base::equal(options_.first_step, 0.0)) options_.first_step = first_step();
     rates_at_ = vector_on(ydot_.data(), size(), context_);
     kinds_ = new_vector(size(), context_);
@@ -41,7 +39,7 @@ public:
     if (accepted(IDAInit(memory_, residual, t_, at_.get(), rates_at_.get()), "the first state") &&
         set_common() && accepted(IDASetId(memory_, kinds_.get()), "the algebraic entries") &&
         accepted(IDASetSuppressAlg(memory_, SUNTRUE), "the error test without algebraic entries"))
-      set_newton(problem_, jacobian);
+      set_newton(jacobian);
   }
 
   /// The reported state is projected onto the invariants that are not among the equations, and the drift of
@@ -94,7 +92,6 @@ private:
         t, c, numbers_of(y), i.without_drift_correction(numbers_of(ydot)), SUNDenseMatrix_Data(j)));
   }
 
-  implicit_problem& problem_;
   std::vector<double> ydot_, plain_rates_{};
   vector_handle rates_at_{}, kinds_{};
 };

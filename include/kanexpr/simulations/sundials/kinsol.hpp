@@ -1,32 +1,96 @@
 #pragma once
 
 #include <kanexpr/numeric/all_finite.hpp>
-#include <kanexpr/simulations/sundials/failure.hpp>
-#include <kanexpr/simulations/sundials/least_squares.hpp>
+#include <kanexpr/numeric/complete_orthogonal.hpp>
+#include <kanexpr/simulations/sundials/handles.hpp>
 
 #include <kinsol/kinsol.h>
 #include <kinsol/kinsol_ls.h>
+#include <sunmatrix/sunmatrix_dense.h>
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace kanexpr::simulations {
 
-/// f(z) = 0, with any number of equations and unknowns.
-class nonlinear_equations {
-public:
-  virtual ~nonlinear_equations() = default;
-  virtual int equations() const = 0;
-  /// Returns how many of the unknowns, counted from the first, change only if the others cannot solve the
-  /// equations.
-  virtual int unknowns_kept_close() const = 0;
-  /// Evaluates f at z; returns whether f has a value there.
-  virtual bool residual(const Eigen::VectorXd& z, Eigen::VectorXd& f) = 0;
-  virtual bool jacobian(const Eigen::VectorXd& z, Eigen::MatrixXd& slope) = 0;
-  /// Returns by how much each unknown may change in one step.
-  virtual Eigen::VectorXd limits(const Eigen::VectorXd& z) const = 0;
+/// The magnitudes of unknowns and equations, by which they are scaled.
+struct magnitudes {
+  Eigen::VectorXd unknowns, equations;
 };
+
+/// Newton's step for any number of equations: among the steps that minimize the linearized residual, the one
+/// that changes the first `stiff` unknowns least, and then the others. The step is shortened if an unknown
+/// would change by more than its limit.
+class least_squares_step {
+public:
+  least_squares_step(magnitudes sizes, Eigen::Index stiff) : sizes_(std::move(sizes)), stiff_(stiff) {}
+
+  void prepare(const Eigen::MatrixXd& slope, const Eigen::VectorXd& limits) {
+    slope_ = slope;
+    limits_ = limits;
+    Eigen::MatrixXd a = slope;
+    for (Eigen::Index j = 0; j < a.cols(); ++j)
+      a.col(j).array() *= sizes_.unknowns(j) / sizes_.equations.array();
+    const double least = 1e-12 * a.norm();
+    by_stiff_ = a.leftCols(stiff_);
+    others_.emplace(a.rightCols(a.cols() - stiff_), least);
+    const Eigen::MatrixXd& reached = others_->range();
+    first_.emplace(by_stiff_ - reached.lazyProduct(reached.transpose().lazyProduct(by_stiff_).eval()), least);
+  }
+
+  /// Returns the step for the residual of the equations with its sign changed.
+  Eigen::VectorXd operator()(const Eigen::VectorXd& wanted) const {
+    const Eigen::VectorXd b = wanted.cwiseQuotient(sizes_.equations);
+    Eigen::VectorXd step(slope_.cols());
+    step.head(stiff_) = first_->solve(b);
+    step.tail(step.size() - stiff_) = others_->solve(b - by_stiff_.lazyProduct(step.head(stiff_)));
+    step.array() *= sizes_.unknowns.array();
+    double longest = 1;
+    for (Eigen::Index i = 0; i < step.size(); ++i)
+      longest = (std::max)(longest, std::abs(step(i)) / limits_(i));
+    return step / longest;
+  }
+
+  const Eigen::MatrixXd& slope() const { return slope_; }
+
+private:
+  magnitudes sizes_;
+  Eigen::Index stiff_;
+  Eigen::MatrixXd slope_{}, by_stiff_{};
+  Eigen::VectorXd limits_{};
+  std::optional<numeric::complete_orthogonal> first_{}, others_{};
+};
+
+/// Wraps the step as a linear solver of SUNDIALS. Its matrix is square; surplus rows and columns are zero.
+/// The right-hand side returns the change of the equations along the step, which the line search uses.
+inline linear_solver_handle linear_solver_by(least_squares_step& step, SUNContext context) {
+  linear_solver_handle solver(SUNLinSolNewEmpty(context));
+  if (solver == nullptr) return solver;
+  solver->content = &step;
+  solver->ops->gettype = [](SUNLinearSolver) { return SUNLINEARSOLVER_DIRECT; };
+  solver->ops->getid = [](SUNLinearSolver) { return SUNLINEARSOLVER_CUSTOM; };
+  solver->ops->setup = [](SUNLinearSolver, SUNMatrix) { return SUNLS_SUCCESS; };
+  solver->ops->solve = [](SUNLinearSolver s, SUNMatrix, N_Vector x, N_Vector b, realtype) {
+    const auto& step_of = *static_cast<const least_squares_step*>(s->content);
+    const Eigen::MatrixXd& slope = step_of.slope();
+    const Eigen::Index size = N_VGetLength(b);
+    Eigen::Map<Eigen::VectorXd> left(numbers_of(x), size), right(numbers_of(b), size);
+    const Eigen::VectorXd found = step_of(right.head(slope.rows()));
+    left.setZero();
+    left.head(slope.cols()) = found;
+    right.head(slope.rows()) = slope.lazyProduct(found);
+    return numeric::all_finite(found) ? SUNLS_SUCCESS : SUNLS_PACKAGE_FAIL_UNREC;
+  };
+  solver->ops->free = [](SUNLinearSolver s) {
+    SUNLinSolFreeEmpty(s);
+    return SUNLS_SUCCESS;
+  };
+  return solver;
+}
 
 /// The outcome of a search. KINSOL's own report of success is not relied on: the caller checks the residuals.
 struct search_end {
@@ -35,10 +99,11 @@ struct search_end {
 };
 
 /// KINSOL: Newton's method with line search (Hindmarsh et al. 2005), here with the smallest least-squares
-/// step.
+/// step. `Equations` represents f(z) = 0, with any number of equations and unknowns.
+template <class Equations>
 class kinsol {
 public:
-  kinsol(nonlinear_equations& of, const magnitudes& sizes, double tolerance, int most_iterations)
+  kinsol(Equations& of, const magnitudes& sizes, double tolerance, int most_iterations)
       : of_(of), step_(sizes, of.unknowns_kept_close()), unknowns_(sizes.unknowns.size()),
         size_((std::max)(unknowns_, sizes.equations.size())), most_iterations_(most_iterations),
         at_(Eigen::VectorXd::Zero(size_)), unknown_scale_(Eigen::VectorXd::Ones(size_)),
@@ -53,7 +118,7 @@ public:
 
   /// Searches from z, which is set to the point where the search ends.
   search_end solve(Eigen::VectorXd& z) {
-    if (refused_) return {0, refused_.sentence};
+    if (!refused_.empty()) return {0, refused_};
     at_.head(unknowns_) = z;
     const int flag =
         KINSol(memory_, z_.get(), KIN_LINESEARCH, unknown_scale_on_.get(), equation_scale_on_.get());
@@ -91,12 +156,12 @@ private:
   }
 
   bool accepted(int flag, const char* call) {
-    if (flag != KIN_SUCCESS && !refused_) refused_ = refusal(call);
+    if (flag != KIN_SUCCESS && refused_.empty()) refused_ = refusal(call);
     return flag == KIN_SUCCESS;
   }
 
-  failure refusal(const char* call) const {
-    return {std::string("SUNDIALS refused ") + call + (error_.message.empty() ? "" : ": " + error_.message)};
+  std::string refusal(const char* call) const {
+    return error_.after(std::string("SUNDIALS refused ") + call);
   }
 
   std::string reason_of(int flag) const {
@@ -114,7 +179,7 @@ private:
     case KIN_LSETUP_FAIL:
     case KIN_LSOLVE_FAIL:
     case KIN_LINSOLV_NO_RECOVERY: return "the derivatives of the equations are not finite";
-    default: return refusal("to continue").sentence; // out of memory, or a mistake in this library
+    default: return refusal("to continue"); // out of memory, or a mistake in this library
     }
   }
 
@@ -140,13 +205,13 @@ private:
     return Eigen::Map<const Eigen::VectorXd>(numbers_of(z), unknowns_);
   }
 
-  nonlinear_equations& of_;
+  Equations& of_;
   least_squares_step step_;
   Eigen::Index unknowns_, size_;
   int most_iterations_;
   Eigen::VectorXd at_, unknown_scale_, equation_scale_;
   last_error error_{};
-  failure refused_{};
+  std::string refused_{};
   ::sundials::Context context_{};
   vector_handle z_{}, unknown_scale_on_{}, equation_scale_on_{};
   matrix_handle matrix_{};

@@ -4,14 +4,15 @@
 /// quoted if necessary (RFC 4180). Numbers have the fewest digits that reproduce the same bits; nan and inf
 /// are numbers. The format does not depend on the locale.
 
+#include <kanexpr/base/file_path.hpp>
 #include <kanexpr/base/outcome.hpp>
 #include <kanexpr/simulations/compiled_simulations.hpp>
-#include <kanexpr/simulations/tables/file_path.hpp>
 #include <kanexpr/simulations/tables/table.hpp>
 
 #include <functional>
 #include <initializer_list>
 #include <iosfwd>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -32,7 +33,9 @@ public:
       : csv_writer(out, std::span(names.begin(), names.size()), std::move(called)) {}
   /// Returns a writer that continues after a header and `rows` rows.
   static csv_writer resume(std::ostream& out, std::size_t rows, std::size_t columns,
-                           std::string called = "the stream");
+                           std::string called = "the stream") {
+    return csv_writer(out, rows, columns, std::move(called));
+  }
 
   /// Writes a row; returns whether that succeeded.
   bool row(std::span<const double> numbers);
@@ -45,14 +48,14 @@ public:
   std::string cause() const { return done_.cause(); }
 
 private:
-  csv_writer(std::ostream& out, std::size_t rows, std::size_t columns, std::string called);
+  csv_writer(std::ostream& out, std::size_t rows, std::size_t columns, std::string called)
+      : out_(out), called_(std::move(called)), columns_(columns), rows_(rows) {}
   bool write();
   void fail(const std::string& where);
 
   std::reference_wrapper<std::ostream> out_;
   std::string called_;
-  std::size_t columns_;
-  std::size_t rows_ = 0;
+  std::size_t columns_, rows_;
   std::string line_{};
   outcome done_{};
 };

@@ -2,12 +2,13 @@
 
 #include <kanexpr/base/outcome.hpp>
 #include <kanexpr/simulations/tables/csv.hpp>
-#include <kanexpr/simulations/tables/csv_records.hpp>
+#include <kanexpr/simulations/tables/table.hpp>
 
 #include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <fstream>
+#include <istream>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -43,34 +44,150 @@ inline std::string csv_field(const std::string& name) {
   return field + '"';
 }
 
-inline bool read_header(csv_records& from, table& names) {
-  const std::vector<std::string>& fields = from.fields();
-  if (!from.has_quotes()) {
-    for (const auto& [mark, called] : {std::pair{';', "semicolons"}, std::pair{'\t', "tabs"}})
-      if (fields.size() == 1 && fields.front().find(mark) != std::string::npos)
-        return from.refuse(std::string(" uses ") + called + " as separators; it must use commas");
-    if (std::ranges::all_of(fields, is_number))
-      return from.refuse(" contains numbers; it must contain the names of the columns");
-  }
-  for (const std::string& name : fields)
-    if (const outcome added = names.add(name, {}); !added)
-      return from.refuse(" is not a header: " + added.cause());
-  return true;
-}
+/// Reads a table from a text. Its records are one line each, or several if a quoted field contains line
+/// breaks.
+class csv_reader {
+public:
+  /// `called` is the name of the text in error sentences; it may be empty.
+  csv_reader(std::istream& in, std::string called) : in_(in), called_(std::move(called)) {}
 
-inline bool read_row(csv_records& from, const table& names, std::vector<std::vector<double>>& columns) {
-  const std::vector<std::string>& fields = from.fields();
-  if (fields.size() != columns.size())
-    return from.refuse(" has " + std::to_string(fields.size()) + (fields.size() == 1 ? " field" : " fields") +
-                       "; expected " + std::to_string(columns.size()));
-  for (std::size_t j = 0; j < fields.size(); ++j) {
-    double number = 0;
-    if (const std::string_view wrong = read_number(fields[j], number); !wrong.empty())
-      return from.refuse(": '" + fields[j] + "' in column " + names.names()[j] + std::string(wrong));
-    columns[j].push_back(number);
+  table read() {
+    table names, all;
+    std::vector<std::vector<double>> columns;
+    if (!next()) {
+      if (has_ended()) refuse(" is empty", text());
+    } else if (read_header(names)) {
+      columns.resize(names.columns());
+      while (next() && read_row(names, columns)) continue;
+    }
+    if (!has_ended()) return table(outcome(mistake_));
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      static_cast<void>(all.add(names.names()[j], std::move(columns[j]))); // the names are checked
+    return all;
   }
-  return true;
-}
+
+private:
+  static constexpr const char* blanks = " \t\r";
+  static constexpr const char* lone_return = " contains a carriage return; lines must end with LF or CR LF";
+
+  bool read_header(table& names) {
+    if (!has_quotes_) { // only names may need them
+      for (const auto& [mark, called] : {std::pair{';', "semicolons"}, std::pair{'\t', "tabs"}})
+        if (fields_.size() == 1 && fields_.front().find(mark) != std::string::npos)
+          return refuse(std::string(" uses ") + called + " as separators; it must use commas");
+      if (std::ranges::all_of(fields_, is_number))
+        return refuse(" contains numbers; it must contain the names of the columns");
+    }
+    for (const std::string& name : fields_)
+      if (const outcome added = names.add(name, {}); !added)
+        return refuse(" is not a header: " + added.cause());
+    return true;
+  }
+
+  bool read_row(const table& names, std::vector<std::vector<double>>& columns) {
+    if (fields_.size() != columns.size())
+      return refuse(" has " + counted(fields_.size(), "field") + "; expected " +
+                    std::to_string(columns.size()));
+    for (std::size_t j = 0; j < fields_.size(); ++j) {
+      double number = 0;
+      if (const std::string_view wrong = read_number(fields_[j], number); !wrong.empty())
+        return refuse(": '" + fields_[j] + "' in column " + names.names()[j] + std::string(wrong));
+      columns[j].push_back(number);
+    }
+    return true;
+  }
+
+  /// Advances to the next record; returns false at the end of the text and if a record is malformed.
+  bool next() {
+    line_ = last_ + 1;
+    if (!next_line()) return false;
+    if (is_blank()) { // allowed only at the end of the text
+      while (next_line())
+        if (!is_blank()) return refuse(" is empty");
+      return false;
+    }
+    fields_.clear();
+    has_quotes_ = false;
+    at_ = 0;
+    do {
+      if (!skip_blanks() || !(holds('"') ? quoted() : plain())) return false;
+    } while (holds(',') && ++at_ != 0);
+    return true;
+  }
+
+  /// Whether the text ended after the last record.
+  bool has_ended() {
+    if (mistake_.empty() && (in_.bad() || !in_.eof())) refuse(" cannot be read", text());
+    return mistake_.empty();
+  }
+
+  std::string text() const { return called_.empty() ? "the stream" : called_; }
+  std::string record() const {
+    return "line " + std::to_string(line_) + (called_.empty() ? "" : " of " + called_);
+  }
+  /// Sets the mistake, given the end of its sentence; returns false.
+  bool refuse(const std::string& why) { return refuse(why, record()); }
+  bool refuse(const std::string& why, const std::string& where) {
+    mistake_ = where + why;
+    return false;
+  }
+
+  bool next_line() {
+    if (!mistake_.empty() || !std::getline(in_, text_)) return false;
+    ++last_;
+    if (last_ == 1 && text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3); // the byte order mark of UTF-8
+    if (last_ == 1 && (text_.starts_with("\xFF\xFE") || text_.starts_with("\xFE\xFF")))
+      return refuse(" is not UTF-8 but UTF-16 or UTF-32");
+    if (text_.find('\0') != std::string::npos)
+      return refuse(" contains a zero byte: it is not text in UTF-8");
+    return true;
+  }
+  bool is_blank() const { return text_.find_first_not_of(blanks) == std::string::npos; }
+  bool holds(char c) const { return at_ < text_.size() && text_[at_] == c; }
+  bool skip_blanks() {
+    const std::size_t from = at_;
+    at_ = (std::min)(text_.find_first_not_of(blanks, at_), text_.size());
+    return at_ == text_.size() || text_.find('\r', from) >= at_ || refuse(lone_return);
+  }
+  bool plain() {
+    const std::size_t end = (std::min)(text_.find(',', at_), text_.size());
+    std::string field = text_.substr(at_, end - at_);
+    field.erase(field.find_last_not_of(blanks) + 1);
+    if (field.find('\r') != std::string::npos) return refuse(lone_return);
+    fields_.push_back(std::move(field));
+    at_ = end;
+    return true;
+  }
+
+  bool quoted() {
+    std::string field;
+    has_quotes_ = true;
+    ++at_;
+    for (std::size_t quote = text_.find('"', at_);; quote = text_.find('"', at_)) {
+      field.append(text_, at_, quote - at_);
+      if (quote == std::string::npos) { // continues on the next line
+        field += '\n';
+        if (!next_line()) return mistake_.empty() && refuse(" opens a quote that is not closed");
+        at_ = 0;
+        continue;
+      }
+      at_ = quote + 1;
+      if (!holds('"')) break;
+      field += '"'; // a doubled quote
+      ++at_;
+    }
+    fields_.push_back(std::move(field));
+    if (!skip_blanks()) return false;
+    return at_ == text_.size() || holds(',') || refuse(" has text after a closing quote");
+  }
+
+  std::istream& in_;
+  std::string called_, text_{}, mistake_{};
+  std::size_t at_ = 0;
+  bool has_quotes_ = false;
+  long line_ = 0, last_ = 0;
+  std::vector<std::string> fields_{};
+};
 
 /// Returns, for example, "run.csv cannot be opened: No such file or directory".
 inline outcome not_opened(const std::string& path) {
@@ -81,7 +198,7 @@ inline outcome not_opened(const std::string& path) {
 
 KANEXPR_SIMULATIONS csv_writer::csv_writer(std::ostream& out, std::span<const std::string> names,
                                            std::string called)
-    : out_(out), called_(std::move(called)), columns_(names.size()) {
+    : csv_writer(out, 0, names.size(), std::move(called)) {
   table header; // rejects duplicate names
   for (const std::string& name : names) {
     if (done_) done_ = header.add(name, {});
@@ -91,22 +208,13 @@ KANEXPR_SIMULATIONS csv_writer::csv_writer(std::ostream& out, std::span<const st
   if (done_) write();
 }
 
-KANEXPR_SIMULATIONS csv_writer::csv_writer(std::ostream& out, std::size_t rows, std::size_t columns,
-                                           std::string called)
-    : out_(out), called_(std::move(called)), columns_(columns), rows_(rows) {}
-
-KANEXPR_SIMULATIONS csv_writer csv_writer::resume(std::ostream& out, std::size_t rows, std::size_t columns,
-                                                  std::string called) {
-  return csv_writer(out, rows, columns, std::move(called));
-}
-
 KANEXPR_SIMULATIONS bool csv_writer::row(std::span<const double> numbers) {
   if (!done_) return false;
   ++rows_;
   if (numbers.size() != columns_) {
-    done_ = outcome("row " + std::to_string(rows_) + " has " + std::to_string(numbers.size()) +
-                    (numbers.size() == 1 ? " number" : " numbers") + ", but the header has " +
-                    std::to_string(columns_) + (columns_ == 1 ? " name" : " names"));
+    done_ =
+        outcome("row " + std::to_string(rows_) + " has " + simulations::counted(numbers.size(), "number") +
+                ", but the header has " + simulations::counted(columns_, "name"));
     return false;
   }
   for (double number : numbers) {
@@ -147,20 +255,7 @@ KANEXPR_SIMULATIONS outcome write_csv(const table& all, std::ostream& out, const
 }
 
 KANEXPR_SIMULATIONS table read_csv(std::istream& in, const std::string& called) {
-  simulations::csv_records records(in, called);
-  table all, names;
-  std::vector<std::vector<double>> columns;
-  if (!records.next()) {
-    if (records.has_ended()) records.refuse_text(" is empty");
-  } else if (simulations::read_header(records, names)) {
-    columns.resize(names.columns());
-    while (records.next() && simulations::read_row(records, names, columns)) {
-    }
-  }
-  if (!records.has_ended()) return table(outcome(records.mistake()));
-  for (std::size_t j = 0; j < columns.size(); ++j)
-    static_cast<void>(all.add(names.names()[j], std::move(columns[j]))); // the names are checked
-  return all;
+  return simulations::csv_reader(in, called).read();
 }
 
 KANEXPR_SIMULATIONS outcome write_csv(const table& all, const file_path& path) {

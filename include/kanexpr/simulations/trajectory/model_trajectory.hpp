@@ -60,16 +60,12 @@ public:
 
   /// Returns the energies of the bodies; empty if the system is given by a Lagrangian.
   kanexpr::energies energies() const {
-    kanexpr::energies all;
-    if (!of_) return all;
+    if (!of_) return {};
     model m = *of_;
     const symbolic::matrix kinetic = m.get(mechanics::quantity::kinetic_energy);
-    if (kinetic.entries.empty()) return all;
-    all.kinetic = along(kinetic.entries[0]);
-    all.potential = along(m.get(mechanics::quantity::potential_energy).entries[0]);
-    for (std::size_t i = 0; i < all.kinetic.size(); ++i)
-      all.total.push_back(all.kinetic[i] + all.potential[i]);
-    return all;
+    if (kinetic.entries.empty()) return {};
+    return energies_of(along(kinetic.entries[0]),
+                       along(m.get(mechanics::quantity::potential_energy).entries[0]));
   }
 
   /// Returns the largest constraint residual at each sample.

@@ -6,11 +6,12 @@
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulations/tables/table.hpp>
-#include <kanexpr/simulations/trajectory/dense_output.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cstddef>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string>
@@ -36,6 +37,41 @@ struct energies {
 
 namespace simulations {
 
+/// A polynomial in time for each entry of a state, over one step: Σ coefficients(k) (t − end)^k.
+struct piece {
+  double begin, end;
+  std::vector<double> coefficients; ///< grouped by power
+
+  void evaluate(double t, double* out, std::size_t entries) const {
+    const std::size_t powers = coefficients.size() / entries;
+    for (std::size_t i = 0; i < entries; ++i) {
+      double sum = 0;
+      for (std::size_t k = powers; k-- > 0;) sum = sum * (t - end) + coefficients[k * entries + i];
+      out[i] = sum;
+    }
+  }
+};
+
+/// Evaluates the polynomial of the step that contains a time, the later one where two meet; returns whether
+/// there is one.
+inline bool evaluate(const std::vector<piece>& pieces, double t, double* out, std::size_t entries) {
+  const auto after = std::upper_bound(pieces.begin(), pieces.end(), t,
+                                      [](double time, const piece& p) { return time < p.begin; });
+  if (after == pieces.begin() || t > std::prev(after)->end) return false;
+  std::prev(after)->evaluate(t, out, entries);
+  return true;
+}
+
+/// Evaluates the cubic Hermite interpolant of two states and their rates at a fraction of the interval
+/// between them.
+inline void cubic(double part, double length, std::span<const double> a, const double* rates_a,
+                  const double* b, const double* rates_b, double* out) {
+  const double s = part, left = 1 - s;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    out[i] = left * left * (1 + 2 * s) * a[i] + s * s * (3 - 2 * s) * b[i] +
+             length * s * left * (left * rates_a[i] - s * rates_b[i]);
+}
+
 /// The samples of a motion in chronological order, and the polynomials between them: the part of a trajectory
 /// that does not depend on the kind of system.
 template <class System>
@@ -49,7 +85,7 @@ public:
 
   void add(const sample& s) { samples_.push_back(s); }
   /// Adds the solution's polynomial over a step, for `at`.
-  void add(piece p) { pieces_.add(std::move(p)); }
+  void add(piece p) { pieces_.push_back(std::move(p)); }
 
   std::size_t size() const { return samples_.size(); }
   bool empty() const { return samples_.empty(); }
@@ -85,10 +121,16 @@ protected:
     const double part = (t - a.t) / (b.t - a.t);
     sample found{t, a.x, a.r};
     for (Eigen::Index i = 0; i < found.r.size(); ++i) found.r(i) += part * (b.r(i) - a.r(i));
-    if (!pieces_.evaluate(t, found.x.data(), static_cast<std::size_t>(found.x.size())))
+    if (!evaluate(pieces_, t, found.x.data(), static_cast<std::size_t>(found.x.size())))
       cubic(part, b.t - a.t, std::span(a.x.data(), static_cast<std::size_t>(a.x.size())), rates(a).data(),
             b.x.data(), rates(b).data(), found.x.data());
     return found;
+  }
+
+  static kanexpr::energies energies_of(std::vector<double> kinetic, std::vector<double> potential) {
+    std::vector<double> total = kinetic;
+    for (std::size_t i = 0; i < total.size(); ++i) total[i] += potential[i];
+    return {std::move(kinetic), std::move(potential), std::move(total)};
   }
 
   kanexpr::table table_of(const derivation::survey& known) const {
@@ -115,7 +157,7 @@ protected:
 
 private:
   std::vector<sample> samples_{};
-  dense_output pieces_{};
+  std::vector<piece> pieces_{}; ///< in chronological order
   parameters_type p_{};
 };
 

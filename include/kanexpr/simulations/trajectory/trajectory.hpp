@@ -9,6 +9,7 @@
 
 #include <concepts>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace kanexpr {
@@ -30,9 +31,9 @@ public:
   /// Returns a coordinate, speed or input over the samples: `path[q1]`.
   template <std::derived_from<scalar<1>> Symbol>
   std::vector<double> operator[](const Symbol& symbol) const {
-    constexpr auto* told = Symbol().tokens[0].symbol;
+    constexpr auto* record = Symbol().tokens[0].symbol;
     return collect([&](const sample& s) -> double {
-      if constexpr (told != nullptr && told->kind == symbolic::symbol_kind::input)
+      if constexpr (record != nullptr && record->kind == symbolic::symbol_kind::input)
         return s.r[symbol];
       else
         return s.x[symbol];
@@ -57,13 +58,10 @@ public:
       return out_of_line<function<System, quantity::kinetic_energy, quantity::potential_energy>>{}(
           s.t, s.x, parameters(), s.r);
     });
-    kanexpr::energies all;
-    for (const auto& [kinetic, potential] : both) {
-      all.kinetic.push_back(kinetic);
-      all.potential.push_back(potential);
-      all.total.push_back(kinetic + potential);
-    }
-    return all;
+    std::vector<double> kinetic_energy, potential_energy;
+    for (const auto& [kinetic, potential] : both)
+      kinetic_energy.push_back(kinetic), potential_energy.push_back(potential);
+    return base::energies_of(std::move(kinetic_energy), std::move(potential_energy));
   }
 
   /// Returns the largest constraint residual at each sample.

@@ -24,9 +24,9 @@ struct requirements {
   int most_iterations = 0;
 };
 
-/// What the search for an operating point needs from a system: functions that evaluate [constraints; ẋ] at
-/// time t and [x; p; r], given as tables or as a compiled function in a library. The compiled function
-/// returns a sentence that names the singular linear system, or an empty one.
+/// The functions of a system that the search for an operating point needs. They evaluate [constraints; ẋ] at
+/// time t and [x; p; r], and are given as tables or as a compiled function in a library, which returns a
+/// sentence that names a singular linear system, or an empty one.
 struct system_functions {
   using library = std::string_view (*)(double t, const std::complex<double>* at, std::complex<double>* all);
 
@@ -46,11 +46,10 @@ struct residual {
 /// The result of a search.
 struct search_result {
   Eigen::VectorXd values{}; ///< [x; p; r]
-  Eigen::VectorXd left{};   ///< the residual of each equation
   int iterations = 0;
   int freedom = 0;
   std::string failure{};
-  std::vector<residual> residuals{};
+  std::vector<residual> residuals{}; ///< of all equations
 };
 
 /// Searches for an operating point from a guess of [x; p; r].

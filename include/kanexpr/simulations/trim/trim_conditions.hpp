@@ -13,7 +13,8 @@
 /// The search for operating points.
 namespace kanexpr::simulations {
 
-/// An equation that holds at an operating point: for the residual of a norm or constraint, or for a rate.
+/// An equation that holds at an operating point: it specifies the residual of a norm or constraint, or a
+/// rate.
 struct condition {
   int place = 0; ///< in [norms of quaternions; constraints; ẋ]
   double wanted = 0;
@@ -80,8 +81,8 @@ private:
     return named;
   }
 
-  void add_rates(const std::vector<bool>& changing, const std::vector<named_value>& rates) {
-    std::vector<bool> asked(static_cast<std::size_t>(states_));
+  void add_rates(std::vector<bool> changing, const std::vector<named_value>& rates) {
+    std::vector<bool> given(static_cast<std::size_t>(states_));
     for (const named_value& rate : rates) {
       const int place = place_of_rate(rate.what.name());
       if (place < 0) {
@@ -89,15 +90,13 @@ private:
         continue;
       }
       const auto i = static_cast<std::size_t>(place);
-      if (asked[i]) fail({rate_of(place), " is given twice"});
+      if (given[i]) fail({rate_of(place), " is given twice"});
       if (!numeric::is_finite(rate.value)) fail({"the value given for ", rate_of(place), " is not finite"});
-      asked[i] = true;
+      given[i] = changing[i] = true;
       equations_.push_back({residuals_ + place, rate.value});
     }
-    for (int place = 0; place < states_; ++place) {
-      const auto i = static_cast<std::size_t>(place);
-      if (!changing[i] && !asked[i]) equations_.push_back({residuals_ + place, 0});
-    }
+    for (int place = 0; place < states_; ++place)
+      if (!changing[static_cast<std::size_t>(place)]) equations_.push_back({residuals_ + place, 0});
   }
 
   bool is_free_by_itself(int place) const {

@@ -1,61 +1,72 @@
 #pragma once
 
+#include <kanexpr/base/status.hpp>
 #include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/angle.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
+#include <kanexpr/runtime/table_interpreter.hpp>
+#include <kanexpr/simulations/constraints/unit_norms.hpp>
 #include <kanexpr/simulations/sundials/kinsol.hpp>
+#include <kanexpr/simulations/trim/trim.hpp>
 #include <kanexpr/simulations/trim/trim_conditions.hpp>
 #include <kanexpr/simulations/trim/trim_sizes.hpp>
-#include <kanexpr/simulations/trim/trim_values.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <optional>
 #include <string_view>
+#include <vector>
 
 namespace kanexpr::simulations {
 
-using complex_vector = Eigen::VectorXcd;
-
 /// The equations of an operating point as functions of its unknowns, with exact derivatives by complex steps.
-class trim_equations final : public simulations::nonlinear_equations {
+class trim_equations {
+  using number = std::complex<double>;
+
 public:
   trim_equations(const conditions& asked, const system_functions& system, double t,
                  const Eigen::VectorXd& guess)
-      : asked_(asked), evaluate_(system), t_(t), at_(guess), all_(asked.residuals() + asked.states()) {}
-
-  int equations() const override { return static_cast<int>(asked_.equations().size()); }
-  int unknowns_kept_close() const override {
-    const auto is_state = [&](int place) { return place < asked_.states(); };
-    return static_cast<int>(std::count_if(asked_.unknowns().begin(), asked_.unknowns().end(), is_state));
+      : asked_(asked), system_(system), norms_(system.known), t_(t), at_(guess),
+        all_(asked.residuals() + asked.states()) {
+    if (system.constraints != nullptr) constraints_.emplace(*system.constraints, system.known);
+    if (system.rates != nullptr) rates_.emplace(*system.rates, system.known);
+    find_angles();
+    usual_length_ = sizes::longest(angles_, guess);
   }
+
+  int equations() const { return static_cast<int>(asked_.equations().size()); }
   int unknowns() const { return static_cast<int>(asked_.unknowns().size()); }
-
-  Eigen::VectorXd start() const {
-    Eigen::VectorXd z(unknowns());
-    Eigen::Index i = 0;
-    for (const int unknown : asked_.unknowns()) z(i++) = at_(unknown).real();
-    return z;
+  /// Returns how many of the unknowns, counted from the first, change only if the others cannot solve the
+  /// equations: the states.
+  int unknowns_kept_close() const {
+    return static_cast<int>(
+        std::ranges::count_if(asked_.unknowns(), [&](int place) { return place < asked_.states(); }));
   }
 
-  bool residual(const Eigen::VectorXd& z, Eigen::VectorXd& f) override {
+  Eigen::VectorXd start() const { return at_(asked_.unknowns()).real(); }
+
+  /// Evaluates the residuals at z; returns whether they have values there.
+  bool residual(const Eigen::VectorXd& z, Eigen::VectorXd& f) {
     place(z);
-    unsolved_ = evaluate_(t_, at_.data(), all_.data());
+    unsolved_ = evaluate();
     f.resize(equations());
     Eigen::Index row = 0;
     for (const condition& c : asked_.equations()) f(row++) = all_(c.place).real() - c.wanted;
     return unsolved_.empty() && numeric::all_finite(f);
   }
 
-  bool jacobian(const Eigen::VectorXd& z, Eigen::MatrixXd& slope) override {
+  bool jacobian(const Eigen::VectorXd& z, Eigen::MatrixXd& slope) {
     place(z);
     slope.resize(equations(), unknowns());
     Eigen::Index column = 0;
     for (const int unknown : asked_.unknowns()) {
-      derive_by(unknown);
+      differentiate(unknown);
       Eigen::Index row = 0;
       for (const condition& c : asked_.equations()) slope(row++, column) = derivative_of(c.place);
       ++column;
@@ -64,36 +75,34 @@ public:
   }
 
   /// Limits the change of a state in one step to its own magnitude or its scale, which for an angle is 1.
-  Eigen::VectorXd limits(const Eigen::VectorXd& z) const override {
+  Eigen::VectorXd limits(const Eigen::VectorXd& z) const {
     Eigen::VectorXd most = Eigen::VectorXd::Constant(unknowns(), std::numeric_limits<double>::infinity());
     for (Eigen::Index i = 0; i < unknowns_kept_close(); ++i) most(i) = (std::max)(sizes_(i), std::abs(z(i)));
     return most;
   }
 
   /// Returns the magnitudes of unknowns and equations near z.
-  simulations::magnitudes magnitudes_at(const Eigen::VectorXd& z) {
-    if (kinds_.unknowns.empty()) find_kinds();
+  magnitudes magnitudes_at(const Eigen::VectorXd& z) {
     place(z);
     Eigen::MatrixXd slope(all_.size(), at_.size());
     for (int symbol = 0; symbol < at_.size(); ++symbol) {
-      derive_by(symbol);
+      differentiate(symbol);
       for (int row = 0; row < all_.size(); ++row) {
         const double found = derivative_of(row);
         slope(row, symbol) = numeric::is_finite(found) ? found : 0;
       }
     }
-    const sizes found(kinds_, at_.real(), slope, usual_length_);
-    simulations::magnitudes of{Eigen::VectorXd(unknowns()), Eigen::VectorXd(equations())};
-    Eigen::Index i = 0, row = 0;
-    for (const int unknown : asked_.unknowns()) of.unknowns(i++) = found.symbols()(unknown);
+    const sizes found(asked_, angles_, at_.real(), slope, usual_length_);
+    sizes_ = found.symbols()(asked_.unknowns());
+    magnitudes of{sizes_, Eigen::VectorXd(equations())};
+    Eigen::Index row = 0;
     for (const condition& c : asked_.equations())
       of.equations(row++) = (std::max)(found.functions()(c.place), std::abs(c.wanted));
-    sizes_ = of.unknowns;
     return of;
   }
 
-  /// Returns a sentence that names the linear system that was singular in the last residual; empty if none
-  /// was.
+  /// Returns a sentence that names the linear system that was singular in the last residual; empty if there
+  /// was none.
   std::string_view unsolved() const { return unsolved_; }
   /// Returns [x; p; r] with the unknowns inserted.
   Eigen::VectorXd values(const Eigen::VectorXd& z) {
@@ -106,43 +115,54 @@ private:
     Eigen::Index i = 0;
     for (const int unknown : asked_.unknowns()) at_(unknown) = z(i++);
   }
+
+  /// Evaluates [norms of quaternions; constraints; ẋ]. Returns a sentence that names a
+  /// singular linear system; empty if there is none.
+  std::string_view evaluate() {
+    number* all = all_.data();
+    for (int k = 0; k < norms_.count(); ++k) *all++ = norms_.residual(k, at_.data());
+    if (system_.compiled != nullptr) return system_.compiled(t_, at_.data(), all);
+    const derivation::survey& known = system_.known;
+    const number *x = at_.data(), *p = x + known.first_of(symbolic::symbol_kind::parameter),
+                 *r = x + known.first_of(symbolic::symbol_kind::input);
+    const status kept = constraints_ ? constraints_->evaluate(t_, x, p, r, all) : status();
+    const status moved =
+        rates_->evaluate(t_, x, p, r, all + known.configuration_constraints + known.constraints);
+    return (moved ? kept : moved).view();
+  }
   /// Differentiates by a complex step, whose square is negligible compared with any value.
-  void derive_by(int symbol) {
+  void differentiate(int symbol) {
     at_(symbol).imag(step);
-    evaluate_(t_, at_.data(), all_.data());
+    evaluate();
     at_(symbol).imag(0);
   }
   double derivative_of(int function) const { return all_(function).imag() / step; }
 
-  /// Determines which coordinates are angles, and the magnitude of the others, at the guess.
-  void find_kinds() {
+  /// Determines which coordinates are angles, at the guess.
+  void find_angles() {
     const derivation::survey& known = asked_.known();
-    kinds_.coordinates = known.coordinates;
-    kinds_.speeds = known.speeds;
-    kinds_.residuals = asked_.residuals();
-    kinds_.unknowns.assign(static_cast<std::size_t>(at_.size()), false);
-    for (const int unknown : asked_.unknowns()) kinds_.unknowns[static_cast<std::size_t>(unknown)] = true;
     for (int j = 0; j < known.coordinates; ++j) {
       const double here = at_(j).real();
       const auto nearby = [&](double by) -> Eigen::VectorXd {
         at_(j) = here + by;
-        evaluate_(t_, at_.data(), all_.data());
+        evaluate();
         return all_.real();
       };
-      kinds_.angles.push_back(known.quaternion_of[j] != 0 || numeric::is_angle(nearby));
+      angles_.push_back(known.quaternion_of[j] != 0 || numeric::is_angle(nearby));
       at_(j) = here;
     }
-    usual_length_ = sizes::longest(kinds_, at_.real());
   }
 
   static constexpr double step = 1e-40;
 
   const conditions& asked_;
-  values_of_equations evaluate_;
+  const system_functions system_;
+  unit_norms norms_;
+  std::optional<runtime::table_interpreter<number>> constraints_{}, rates_{};
   double t_;
-  complex_vector at_, all_;
+  Eigen::VectorXcd at_, all_;
   std::string_view unsolved_{};
-  layout kinds_{};
+  std::vector<bool> angles_{}; ///< by coordinate
   double usual_length_ = 0;
   Eigen::VectorXd sizes_{}; ///< of the unknowns
 };

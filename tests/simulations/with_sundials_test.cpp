@@ -1,4 +1,4 @@
-// A program may use the names of this library and those of SUNDIALS side by side.
+// A program may use names of this library together with those of SUNDIALS.
 #include <kanexpr/kanexpr.hpp>
 
 using namespace kanexpr; // before SUNDIALS' own headers are read
@@ -13,7 +13,7 @@ using namespace kanexpr; // before SUNDIALS' own headers are read
 
 namespace {
 
-TEST(beside_sundials, its_names_are_its_own) {
+TEST(with_sundials, names_do_not_collide) {
   const sundials::Context context;
   EXPECT_NE(context.Convert(), nullptr);
   using namespace sundials;
