@@ -35,6 +35,21 @@ constexpr base::sentence far_from_norm_1(const derivation::survey& known, int k)
   return base::sentence({"the norm of ", quaternion_called(known, k).view(), " is far from 1"});
 }
 
+/// Returns the index in the state of a dependent coordinate or, after the coordinates, a dependent speed.
+template <class System>
+constexpr int dependent_place(int i) {
+  constexpr const derivation::survey& known = compiled::survey_of<System>;
+  constexpr auto places = [] {
+    std::array<int, static_cast<std::size_t>(known.configuration_constraints + known.constraints + 1)>
+        found{};
+    std::size_t next = 0;
+    for (int k = 0; k < known.coordinates + known.speeds; ++k)
+      if (known.dependent[k]) found[next++] = k;
+    return found;
+  }();
+  return places[static_cast<std::size_t>(i)];
+}
+
 /// The quaternions of a system; the motion keeps their norms at 1.
 template <class System>
 class unit_quaternions {
