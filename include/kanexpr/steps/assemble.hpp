@@ -47,7 +47,9 @@ public:
   }
   static constexpr int all_coordinates() { return known.coordinates; }
   static constexpr int coordinates() { return known.configuration_constraints; }
-  static constexpr int place_of_coordinate(int i) { return dependent_place<System>(i); }
+  static constexpr int place_of_coordinate(int i) {
+    return dependent_places<System>[static_cast<std::size_t>(i)];
+  }
 
   coordinate_vector configuration_residual(const state& x) const {
     if constexpr (coordinates() == 0)

@@ -35,7 +35,7 @@ public:
   }
 
   /// Returns the index in the state of a dependent coordinate or, after the coordinates, a dependent speed.
-  static constexpr int place(int i) { return dependent_place<System>(i); }
+  static constexpr int place(int i) { return dependent_places<System>[static_cast<std::size_t>(i)]; }
 
   /// Returns the number of operations of all evaluations and solves.
   static constexpr symbolic::cost cost() {

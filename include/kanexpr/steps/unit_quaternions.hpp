@@ -35,20 +35,16 @@ constexpr base::sentence far_from_norm_1(const derivation::survey& known, int k)
   return base::sentence({"the norm of ", quaternion_called(known, k).view(), " is far from 1"});
 }
 
-/// Returns the index in the state of a dependent coordinate or, after the coordinates, a dependent speed.
+/// The indices in the state of the dependent coordinates, followed by those of the dependent speeds.
 template <class System>
-constexpr int dependent_place(int i) {
+inline constexpr auto dependent_places = [] {
   constexpr const derivation::survey& known = compiled::survey_of<System>;
-  constexpr auto places = [] {
-    std::array<int, static_cast<std::size_t>(known.configuration_constraints + known.constraints + 1)>
-        found{};
-    std::size_t next = 0;
-    for (int k = 0; k < known.coordinates + known.speeds; ++k)
-      if (known.dependent[k]) found[next++] = k;
-    return found;
-  }();
-  return places[static_cast<std::size_t>(i)];
-}
+  std::array<int, static_cast<std::size_t>(known.configuration_constraints + known.constraints + 1)> found{};
+  std::size_t next = 0;
+  for (int i = 0; i < known.coordinates + known.speeds; ++i)
+    if (known.dependent[i]) found[next++] = i;
+  return found;
+}();
 
 /// The quaternions of a system; the motion keeps their norms at 1.
 template <class System>

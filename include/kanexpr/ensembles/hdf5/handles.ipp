@@ -19,7 +19,7 @@ namespace kanexpr::ensembles {
 class hdf5_handle {
 public:
   hdf5_handle() = default;
-  hdf5_handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
+  hdf5_handle(hid_t id, herr_t (*closing)(hid_t)) : id_(id), close_(closing) {}
   hdf5_handle(hdf5_handle&& other) noexcept : id_(other.release()), close_(other.close_) {}
   hdf5_handle& operator=(hdf5_handle&& other) noexcept {
     std::swap(id_, other.id_), std::swap(close_, other.close_);
