@@ -38,7 +38,7 @@ study<System> bouncing_balls() {
       .units = {{h, "m"}, {v, "m/s"}, {g, "m/s2"}, {m, "kg"}}};
 }
 
-// To the last bit, also of what is not a number.
+// Compares all bits, also those of NaN.
 void expect_equal(const table& a, const table& b) {
   ASSERT_EQ(a.names(), b.names());
   ASSERT_EQ(a.rows(), b.rows());
@@ -73,7 +73,7 @@ TEST(ensemble, keeps_what_single_simulations_find) {
     EXPECT_EQ(found.events[i].back().t, alone.events.back().t);
     EXPECT_EQ(found.events[i].back().name, "contact");
     EXPECT_EQ(found.runs["t_last"][i], alone.events.back().t);
-    // In closed form.
+    // The closed-form solution.
     const double impact = std::sqrt(2 * strength * from);
     EXPECT_NEAR(found.runs["t_contact"][i], std::sqrt(2 * from / strength), 1e-9);
     EXPECT_NEAR(found.runs["fastest up"][i], restitution * impact, 1e-8);
@@ -187,7 +187,7 @@ TEST(ensemble, lets_a_function_set_what_goes_together) {
                      .keep = {at_end<m * g * h>("potential energy"), greatest<h>()}};
   const auto found = ensemble<System>(told).run();
   EXPECT_EQ(found.failed, 1u);
-  EXPECT_EQ(found.failures[0].cause, "the value of coordinate h is not a number"); // nobody set it
+  EXPECT_EQ(found.failures[0].cause, "the value of coordinate h is not a number"); // unset
   for (std::size_t i : {0u, 1u}) {
     EXPECT_NEAR(found.runs["h_greatest"][i], found.runs["energy"][i] / 5, 1e-12);
     EXPECT_NEAR(found.runs["potential energy"][i], found.runs["energy"][i] - 0.5 * 0.5, 1e-7);
@@ -232,7 +232,7 @@ TEST(ensemble, names_columns_with_units) {
   EXPECT_THAT(first, testing::ElementsAre(column_label{"run"}, column_label{"end"},
                                           column_label{"t_end", "s"}, column_label{"h", "m"},
                                           column_label{"g", "m/s2"}, column_label{"speed", "m/s"}));
-  EXPECT_EQ(columns[8], (column_label{"fastest down", "m/s"})); // as its symbol
+  EXPECT_EQ(columns[8], (column_label{"fastest down", "m/s"})); // the unit of its symbol
   EXPECT_EQ(columns[13], (column_label{"fallen"}));
   EXPECT_EQ(columns[15], (column_label{"v_end", "m/s"}));
   EXPECT_THAT(layout.constants,

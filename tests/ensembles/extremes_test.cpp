@@ -1,4 +1,4 @@
-// What is greatest or least in a run, beside functions of time that are known.
+// Compares the extremes of runs with those of known functions of time.
 #include "ensembles/turning.hpp"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What is not a number is told with -ffast-math too.
+// NaN is recognized with -ffast-math, too.
 #include <kanexpr/ensembles/reduction.hpp>
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 using namespace kanexpr;
 
 TEST(fast_math, leaves_out_what_is_not_a_number) {
-  volatile std::uint64_t bits = 0x7ff8000000000000; // the compiler must not know
+  volatile std::uint64_t bits = 0x7ff8000000000000; // hidden from the optimizer
   reduction all[]{statistics_of(""), quantiles_of(""), histogram_of("", 0, 1, 2), counts_of("")};
   for (reduction& each : all)
     for (double number : {0.25, std::bit_cast<double>(std::uint64_t{bits}), 0.75}) each.take(number);

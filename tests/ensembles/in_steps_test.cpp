@@ -154,7 +154,7 @@ TEST(ensemble_in_steps, begins_where_the_constraints_hold) {
   ASSERT_TRUE(found) << found.cause();
   for (std::size_t i : {0u, 1u})
     EXPECT_NEAR(std::hypot(found.runs["x_end"][i], found.runs["y_end"][i]), 2, 1e-9);
-  ASSERT_EQ(found.failed, 1u); // nothing of that length reaches so far
+  ASSERT_EQ(found.failed, 1u); // beyond the reach of the pendulum
   EXPECT_EQ(found.failures[0].run, 2u);
 }
 

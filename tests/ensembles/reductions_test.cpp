@@ -23,7 +23,7 @@ std::vector<double> draws(std::size_t count) {
   return all;
 }
 
-// What was read back goes on as what was written.
+// Saves and restores a reduction halfway.
 template <class Reduction>
 Reduction halfway_noted(Reduction one, const std::vector<double>& numbers) {
   for (std::size_t i = 0; i < numbers.size() / 2; ++i) one.take(numbers[i]);
@@ -39,7 +39,7 @@ Reduction halfway_noted(Reduction one, const std::vector<double>& numbers) {
 
 TEST(statistics, are_those_of_all_numbers) {
   std::vector<double> numbers = draws(10'000);
-  for (double& each : numbers) each += 1e6; // where sums of squares would lose six digits
+  for (double& each : numbers) each += 1e6; // so that sums of squares would lose six digits
   const statistics found = halfway_noted(statistics(), numbers);
   long double mean = 0, squares = 0;
   for (double each : numbers) mean += each;
@@ -84,7 +84,7 @@ void expect_quantiles_of(std::vector<double> numbers) {
     const double at = found.quantile(part);
     const auto low = std::ranges::lower_bound(numbers, at) - numbers.begin();
     const auto high = std::ranges::upper_bound(numbers, at) - numbers.begin();
-    // The least weight of a number that is kept adds to the error.
+    // The smallest weight of a stored number adds to the error.
     const auto error = static_cast<double>(found.rank_error()) + 1;
     EXPECT_LE(static_cast<double>(low), wanted + error) << part;
     EXPECT_GE(static_cast<double>(high), wanted - error) << part;
@@ -147,7 +147,7 @@ TEST(histograms, count_all) {
   EXPECT_EQ(found.count(4), 1u);
   EXPECT_EQ(found.edge(1), 2);
   EXPECT_EQ(found.edge(5), 10);
-  found.take(std::nextafter(10, 0)); // whose part of the width is 1 when rounded
+  found.take(std::nextafter(10, 0)); // its fraction of the width rounds to 1
   EXPECT_EQ(found.count(4), 2u);
 }
 

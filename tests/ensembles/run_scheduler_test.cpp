@@ -10,13 +10,14 @@
 namespace {
 
 using kanexpr::finished_run;
+using kanexpr::ensembles::finished_share;
 using kanexpr::ensembles::run_scheduler;
 using kanexpr::ensembles::share;
 
-std::vector<finished_run> done(const share& one) {
+finished_share done(const share& one) {
   std::vector<finished_run> runs(one.count);
   for (std::size_t i = 0; i < one.count; ++i) runs[i].run = one.first + i;
-  return runs;
+  return {one.first, std::move(runs), 1e-9};
 }
 
 std::vector<std::size_t> first(std::size_t count) {
@@ -45,10 +46,10 @@ TEST(run_scheduler, passes_on_in_order_what_threads_finish_in_any_order) {
       for (unsigned seed = 0; seed < 8; ++seed)
         threads.emplace_back([&shares, seed, lanes] {
           std::mt19937 random(seed);
-          while (const auto one = shares.next()) {
-            EXPECT_EQ(one->first % lanes, 0u);
+          for (share one = shares.next(); one.count > 0; one = shares.next()) {
+            EXPECT_EQ(one.first % lanes, 0u);
             if (random() % 10 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            shares.finish(*one, done(*one), 1e-9);
+            shares.finish(done(one));
           }
         });
     }
@@ -60,7 +61,7 @@ TEST(run_scheduler, passes_on_in_order_what_threads_finish_in_any_order) {
 TEST(run_scheduler, resumes_after_the_runs_that_are_done) {
   taken all;
   run_scheduler shares({.runs = 10, .done = 7}, {}, all.consumer());
-  while (const auto one = shares.next()) shares.finish(*one, done(*one), 1e-9);
+  for (share one = shares.next(); one.count > 0; one = shares.next()) shares.finish(done(one));
   EXPECT_THAT(all.runs, testing::ElementsAre(7, 8, 9));
 }
 
@@ -71,26 +72,26 @@ TEST(run_scheduler, limits_the_runs_pending_behind_a_slow_one) {
   for (int i = 0; i < 3; ++i) {
     const auto one = shares.try_next();
     ASSERT_TRUE(one);
-    shares.finish(*one, done(*one), 1e-9);
+    shares.finish(done(*one));
   }
   EXPECT_FALSE(shares.try_next());
   EXPECT_FALSE(shares.is_over());
   EXPECT_TRUE(all.runs.empty());
-  shares.finish(*slow, done(*slow), 1e-9);
+  shares.finish(done(*slow));
   EXPECT_EQ(all.runs, first(4));
   EXPECT_TRUE(shares.try_next());
 }
 
 TEST(run_scheduler, ends_without_gaps_after_a_stop_request) {
-  const auto stop = std::make_shared<std::stop_source>(); // g++ 12 takes one on the stack for uninitialized
+  const auto stop = std::make_shared<std::stop_source>(); // g++ 12 reports one on the stack as uninitialized
   taken all;
   run_scheduler shares({.runs = 100}, stop->get_token(), all.consumer());
   const auto slow = shares.next(), other = shares.next();
-  shares.finish(*other, done(*other), 1e-9);
+  shares.finish(done(other));
   stop->request_stop();
-  EXPECT_FALSE(shares.next());
+  EXPECT_EQ(shares.next().count, 0u);
   EXPECT_FALSE(shares.is_over());
-  shares.finish(*slow, done(*slow), 1e-9);
+  shares.finish(done(slow));
   EXPECT_TRUE(shares.is_over());
   EXPECT_EQ(all.runs, first(2));
 }
@@ -98,7 +99,7 @@ TEST(run_scheduler, ends_without_gaps_after_a_stop_request) {
 TEST(run_scheduler, ends_when_the_consumer_needs_no_more) {
   taken all{{}, 3};
   run_scheduler shares({.runs = 100}, {}, all.consumer());
-  while (const auto one = shares.next()) shares.finish(*one, done(*one), 1e-9);
+  for (share one = shares.next(); one.count > 0; one = shares.next()) shares.finish(done(one));
   EXPECT_GE(all.runs.size(), 3u);
   EXPECT_LT(all.runs.size(), 100u);
 }
@@ -107,9 +108,9 @@ TEST(run_scheduler, gives_larger_shares_of_short_runs) {
   taken all;
   run_scheduler shares({.runs = 100'000, .share_seconds = 10}, {}, all.consumer());
   std::size_t count = 0;
-  while (const auto one = shares.next()) {
+  for (share one = shares.next(); one.count > 0; one = shares.next()) {
     ++count;
-    shares.finish(*one, done(*one), 1e-9);
+    shares.finish(done(one));
   }
   EXPECT_EQ(all.runs, first(100'000));
   EXPECT_LT(count, 1000u);

@@ -1,6 +1,4 @@
-#include <kanexpr/ensembles/permutation.hpp>
-#include <kanexpr/ensembles/philox.hpp>
-#include <kanexpr/ensembles/run_values.hpp>
+#include <kanexpr/ensembles/random_stream.hpp>
 #include <kanexpr/ensembles/runs.hpp>
 
 #include <gmock/gmock.h>
@@ -58,7 +56,7 @@ TEST(runs, of_a_table_are_its_rows) {
   EXPECT_EQ(run_values(all, 2)[factor{"push"}], 6);
 }
 
-// The vectors of Random123's kat_vectors.
+// The test vectors in Random123's file kat_vectors.
 TEST(philox, has_the_published_vectors) {
   constexpr std::uint32_t ones = 0xffffffff;
   EXPECT_THAT(ensembles::philox({0, 0, 0, 0}, {0, 0}),
@@ -70,12 +68,12 @@ TEST(philox, has_the_published_vectors) {
 }
 
 TEST(content_hash, has_the_published_values) {
-  EXPECT_EQ(ensembles::content_hash(""), 0xcbf29ce484222325u);
-  EXPECT_EQ(ensembles::content_hash("a"), 0xaf63dc4c8601ec8cu);
-  EXPECT_EQ(ensembles::content_hash("foobar"), 0x85944171f73967e8u);
+  EXPECT_EQ(content_hash(""), 0xcbf29ce484222325u);
+  EXPECT_EQ(content_hash("a"), 0xaf63dc4c8601ec8cu);
+  EXPECT_EQ(content_hash("foobar"), 0x85944171f73967e8u);
 }
 
-// Numbers of a study stay what they are, on any machine and in any later version.
+// The numbers of a study must be the same on every machine and in all later versions.
 TEST(runs, at_random_are_the_same_everywhere) {
   const runs all = random_runs(3, {{"a", uniform(0, 1)}}, 42);
   EXPECT_THAT(values_of(all, 0), ElementsAre(DoubleEq(0.095405772447758053), DoubleEq(0.91850643705341428),
@@ -97,7 +95,7 @@ TEST(runs, at_random_have_the_moments_of_their_distributions) {
     product += z * b[i] / n;
     if (i > 0) neighbours += z * (a[i - 1] - 3) / 2 / n;
   }
-  // Within five standard deviations of these sums.
+  // Tolerances: five standard deviations of these sums.
   EXPECT_NEAR(mean, 0, 5 * std::sqrt(1.0 / n));
   EXPECT_NEAR(square, 1, 5 * std::sqrt(2.0 / n));
   EXPECT_NEAR(cube, 0, 5 * std::sqrt(15.0 / n));
@@ -182,7 +180,7 @@ TEST(distributions, over_more_than_numbers_can_say_are_right) {
             "there is no distribution normal(0, 1e+308): its draws must be finite");
 }
 
-// Whether or not a compiler fuses products with sums: the exact sum of the product, rounded once.
+// Whether or not the compiler contracts into fused multiply-adds, the result is rounded once.
 TEST(distributions, have_the_same_bits_everywhere) {
   EXPECT_EQ(uniform(-3.1, 2.7).quantile(0.35), -1.07);
   EXPECT_EQ(evenly_spaced(-3.1, 2.7, 21)[7], -1.07);

@@ -34,7 +34,7 @@ TEST(stop_on_signal, asks_all_that_listen_to_the_signal) {
     EXPECT_TRUE(is_asked(within));
     EXPECT_TRUE(is_asked(stop));
     const stop_on_signal late({SIGUSR1});
-    EXPECT_FALSE(late.token().stop_requested()); // by what was sent before
+    EXPECT_FALSE(late.token().stop_requested()); // signals sent earlier do not count
   }
   EXPECT_FALSE(other.token().stop_requested());
   std::raise(SIGUSR2);
@@ -55,7 +55,7 @@ TEST(stop_on_signal, objects_may_end_in_any_order) {
   EXPECT_EQ(heard, 0);
   second.reset();
 
-  std::FILE* since[8] = {}; // have the descriptors that were theirs
+  std::FILE* since[8] = {}; // reuse their file descriptors
   for (std::FILE*& each : since) each = std::tmpfile();
   std::raise(SIGUSR1);
   EXPECT_EQ(heard, 1);

@@ -1,5 +1,7 @@
-// How studies are told.
+// The contents of studies, their identities and mistakes.
 #include "ensembles/turning.hpp"
+
+#include <kanexpr/ensembles/collector.ipp>
 
 #include <gmock/gmock.h>
 
@@ -13,10 +15,10 @@ using namespace simple_pendulum;
 
 template <class Runner>
 std::string identity_of(study_of<typename Runner::kind> study) {
-  return ensembles::study_runs<Runner>(std::move(study), Runner()).identity();
+  return ensembles::identity_of(ensembles::study_runs<Runner>(std::move(study), Runner()));
 }
 
-// Two states of one model, whose symbols are the same, and the first one once more, as another build has it.
+// Two versions of a model with the same symbols; the first is equal to the model itself.
 namespace before {
 struct System
     : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<m, l, g, c>,
@@ -117,7 +119,8 @@ TEST(study, is_another_of_another_model_alone) {
   const std::string first = text(System());
   EXPECT_EQ(text(before::System()), first);
   EXPECT_NE(text(after::System()), first);
-  // The text of a study in steps has the name of the step, and in it that of the system with its namespace.
+  // The identity of a study in steps contains the name of the step, which contains the namespace of the
+  // system.
   EXPECT_EQ(compiled::digest_of_model<System>, compiled::digest_of_model<before::System>);
   EXPECT_NE(compiled::digest_of_model<System>, compiled::digest_of_model<after::System>);
 }

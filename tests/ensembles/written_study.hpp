@@ -1,9 +1,10 @@
-// A study without a model, whose runs are known, and what its files hold.
+// A study without a model, whose results are known.
 #pragma once
 
 #include <kanexpr/ensembles/ensemble_options.hpp>
+#include <kanexpr/ensembles/ensemble_results.hpp>
+#include <kanexpr/ensembles/run_on_threads.hpp>
 #include <kanexpr/ensembles/study_interface.hpp>
-#include <kanexpr/ensembles/thread_pool.hpp>
 
 #include <cmath>
 #include <limits>
@@ -13,7 +14,7 @@
 
 namespace written {
 
-/// Every seventh run fails; the others have two numbers and, where they are kept, samples and events.
+/// Every seventh run fails; the others have two outputs and, if these are kept, samples and events.
 class study final : public kanexpr::ensembles::study_interface {
 public:
   explicit study(std::size_t runs, bool keeps_all = true) {
@@ -23,7 +24,7 @@ public:
     layout_.constants = {{{"m", "kg"}, 2.5}, {{"g\""}, -9.81}};
     layout_.columns = {{"run"},         {"end"},      {"t_end", "s"},
                        {"push", "N s"}, {"q", "rad"}, {"u/ω \"fast\"", "°/s"}};
-    layout_.state = {{"q", "rad"}, {"run"}}; // a coordinate of that name
+    layout_.state = {{"q", "rad"}, {"run"}}; // a coordinate named "run"
     if (!keeps_all) return;
     layout_.samples = {{"t", "s"}, {"q", "rad"}, {"run"}};
     layout_.events = {"falls over", "touches/ground, \"hard\" ü"};
@@ -37,6 +38,7 @@ public:
   static std::size_t samples(std::size_t run) { return run % 5; }
 
   const kanexpr::study_layout& layout() const override { return layout_; }
+  std::string identity() const override { return "known"; }
   std::size_t lanes() const override { return 1; }
   std::vector<kanexpr::finished_run> run(std::size_t first, std::size_t count) const override {
     std::vector<kanexpr::finished_run> all;
@@ -44,7 +46,6 @@ public:
     return all;
   }
 
-  /// The same, told to a file, run by run.
   kanexpr::finished_run one(std::size_t i) const {
     const double missing = std::numeric_limits<double>::quiet_NaN(), push = pushed(i);
     kanexpr::finished_run done;
@@ -69,8 +70,7 @@ private:
 };
 
 inline kanexpr::ensemble_results run(const study& known, const kanexpr::ensemble_options& options) {
-  kanexpr::ensembles::thread_pool threads;
-  return threads.run(known, "known", options);
+  return kanexpr::ensembles::run_on_threads(known, options);
 }
 
 } // namespace written

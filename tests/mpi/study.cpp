@@ -1,6 +1,6 @@
-// A study that ranks perform together, of which one may crash: `study FILE [word=value]…` writes the table.
+// A study on several ranks, one of which may crash: `study FILE [word=value]…` writes the table.
+#include <kanexpr/ensembles/run_on_threads.hpp>
 #include <kanexpr/ensembles/stop_on_signal.hpp>
-#include <kanexpr/ensembles/thread_pool.hpp>
 #include <kanexpr/mpi/mpi_ranks.hpp>
 
 #include <chrono>
@@ -40,6 +40,7 @@ public:
     layout_.samples = {{"t", "s"}};
   }
   const study_layout& layout() const override { return layout_; }
+  std::string identity() const override { return is_this("odd_rank", rank_) ? "another" : value("seed"); }
   std::size_t lanes() const override { return 4; }
   std::vector<finished_run> run(std::size_t first, std::size_t count) const override {
     std::vector<finished_run> all;
@@ -69,7 +70,7 @@ private:
     return done;
   }
 
-  /// The other ranks wait until it has happened.
+  /// The other ranks wait for the mark.
   static void end_badly(const std::string& how) {
     const std::ofstream mark(value("mark"));
     std::raise(how == "kill" ? SIGKILL : SIGSEGV);
@@ -110,12 +111,9 @@ int main(int argc, char** argv) {
     while (!stop.token().stop_requested()) std::this_thread::yield();
     const std::ofstream mark(value("mark"));
   };
-  ensembles::thread_pool threads;
-  ensembles::executor& executor =
-      words.contains("alone") ? static_cast<ensembles::executor&>(threads) : ranks;
   if (is_this("absent_rank", rank)) return 0;
-  const std::string identity = is_this("odd_rank", rank) ? "another" : value("seed");
-  const ensemble_results found = executor.run(study, identity, options);
+  const ensemble_results found =
+      words.contains("alone") ? ensembles::run_on_threads(study, options) : ranks.run(study, options);
   if (!found) std::cout << "rank " << ranks.rank() << ": " << found.cause() << '\n';
   if (ranks.is_first()) write(found, argv[1]);
   return found ? 0 : 1;

@@ -1,4 +1,4 @@
-// Four-bar linkages put together in single precision, as on a controller.
+// Assembles four-bar linkages in single precision, as on a controller.
 #include "no_heap.hpp"
 #include "runtime/four_bars.hpp"
 

@@ -1,4 +1,4 @@
-// The derivatives of a step against complex steps through the step itself.
+// Compares the derivatives of a step with complex-step differentiation of the step.
 #pragma once
 
 #include "compiled/complex_steps.hpp"
@@ -25,7 +25,7 @@ MatrixXd by_complex_steps(const point<System>& at, double h) {
   return all;
 }
 
-// Those that the library gives, at random states that satisfy the constraints.
+// Compares them at random states that satisfy the constraints.
 template <class Step, class System>
 void expect_derivatives(const point<System>& around = plain_point<System>(), double reach = 1,
                         double h = 0.01) {

@@ -55,7 +55,7 @@ struct System
                          bar<Bar2, GBar2>>,
                   loads<gravity<-9.81 * N::y>>> {};
 
-/// Where it begins: upright, on its way down.
+/// The initial state: upright, moving down.
 template <class T = double>
 state<System, T> upright() {
   state<System, T> x = state<System, T>::Zero();
@@ -64,7 +64,7 @@ state<System, T> upright() {
   return x;
 }
 
-/// While the cranks stay equal: they turn about their ends, and the bars are carried along.
+/// The energy while the angles of the cranks are equal: the cranks rotate, and the bars translate.
 inline double energy(double q, double u) {
   return 0.5 * u * u * (3.0 / 3 + 2) + 9.81 * std::sin(q) * (3 * 0.5 + 2);
 }

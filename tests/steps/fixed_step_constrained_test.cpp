@@ -1,5 +1,5 @@
 // builds: no-exceptions
-// Integration with a fixed step that keeps to the constraints.
+// Fixed steps that satisfy the constraints.
 #include "no_heap.hpp"
 #include "runtime/four_bars.hpp"
 
@@ -37,7 +37,7 @@ kanexpr::consistency after_many(Step step, four_bars& b, int steps, double h) {
 TEST(fixed_step, keeps_a_linkage_closed) {
   four_bars by_runge_kutta = closed(), by_euler = closed();
   const auto fourth = after_many(runge_kutta_4<four_bars::System>{}, by_runge_kutta, 10000, 1e-3);
-  EXPECT_GT(by_runge_kutta.x[four_bar::q1], 20); // an angle that is rounded to 4e-15
+  EXPECT_GT(by_runge_kutta.x[four_bar::q1], 20); // so its rounding error is 4e-15
   EXPECT_LT(fourth.configuration_residual, 1e-14);
   EXPECT_LT(fourth.velocity_residual, 1e-13);
   const auto first = after_many(semi_implicit_euler<four_bars::System>{}, by_euler, 10000, 1e-3);
@@ -129,13 +129,13 @@ TEST(correction, says_what_cannot_be_solved_for) {
             "the constraints cannot be solved for the dependent speeds u2 and u3 at this state");
   using circle = kanexpr::equations_of_motion<pendulum_nonminimal::System>;
   circle::state x;
-  x[pendulum_nonminimal::q2] = 0.7; // beside its pivot
+  x[pendulum_nonminimal::q2] = 0.7; // and q1 = 0
   const status one = kanexpr::steps::correction<pendulum_nonminimal::System, 1>::apply(
       0.0, x, circle::parameters(1.3, 0.7, 9.81), circle::inputs::Zero());
   EXPECT_EQ(one.cause(), "the constraints cannot be solved for the dependent coordinate q1 at this state");
 }
 
-// A single unknown, whose pivot is compared with what else its equation rests on.
+// A single unknown, whose pivot is compared with the other terms of its equation.
 TEST(correction, says_it_in_whatever_units) {
   using namespace pendulum_nonminimal;
   using circle = kanexpr::equations_of_motion<System>;
@@ -193,7 +193,7 @@ static_assert(plain.trigonometric ==
               4 * eom::cost(eom::rhs).trigonometric + 2 * eom::cost(eom::constraint_pivots).trigonometric);
 static_assert(corrected.trigonometric > plain.trigonometric);
 static_assert(corrected_twice.multiplications - corrected.multiplications <
-              corrected.multiplications - plain.multiplications);    // the speeds come once
+              corrected.multiplications - plain.multiplications);    // the speeds are solved for once
 static_assert(corrected_twice.divisions - corrected.divisions == 1); // by a determinant
 
 } // namespace

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-// A bead on a rod that turns evenly in the plane, pushed along x: s̈ = w² s + F cos(w t)/m.
+// A bead on a rod that rotates uniformly in the plane, pushed along x: s̈ = w² s + F cos(w t)/m.
 namespace bead {
 
 using namespace kanexpr;
@@ -43,7 +43,7 @@ using kanexpr::runge_kutta_4;
 using kanexpr::semi_implicit_euler;
 using kanexpr::status;
 
-// By how much half the step divides the error of `error_with(steps)`, as a power of 2.
+// The observed order: log2 of the ratio of the errors before and after halving the step.
 template <class Error>
 double order_of(Error error_with, int steps) {
   return std::log2(error_with(steps) / error_with(2 * steps));
@@ -58,7 +58,7 @@ pendulum::parameters conservative() {
   return p;
 }
 
-// After a quarter of its period, by an elliptic integral, a pendulum that was let go hangs straight down.
+// A pendulum released at rest hangs straight down after a quarter of its period, an elliptic integral.
 template <class System, class Step>
 double error_of_pendulum(Step step, int steps) {
   using namespace simple_pendulum;
@@ -91,7 +91,7 @@ template <class Step>
 double error_of_bead(Step step, int steps) {
   using eom = kanexpr::equations_of_motion<bead::System>;
   const double m = 0.6, w = 1.7, force = 2.3, end = 1.2, start = 0.4;
-  const double part = -force / (2 * m * w * w); // what the force alone does: part · cos(w t)
+  const double part = -force / (2 * m * w * w); // the particular solution is part · cos(w t)
   double now = 0;
   eom::state x(start + part, 0);
   for (int i = 0; i < steps; ++i) EXPECT_TRUE(step(now, x, end / steps, eom::parameters(m, w, force)));
@@ -109,7 +109,7 @@ TEST(fixed_step, has_its_order_where_the_equations_hold_the_time) {
   EXPECT_NEAR(order_of(runge_kutta, 40), 4, 0.1);
 }
 
-// A smooth tube that turns evenly, without a spring: q̈ = w² q − g sin(w t).
+// A smooth tube that rotates uniformly, without a spring: q̈ = w² q − g sin(w t).
 template <class Step>
 double error_of_tube(Step step, int steps) {
   using namespace rotating_tube;
@@ -135,7 +135,7 @@ TEST(fixed_step, has_its_order_with_prescribed_motion) {
   EXPECT_NEAR(order_of(runge_kutta, 40), 4, 0.1);
 }
 
-// The explicit method, which takes the coordinates with the speeds before.
+// The explicit Euler method, which advances the coordinates with the old speeds.
 struct explicit_euler {
   status operator()(double& t, pendulum::state& x, double h, const pendulum::parameters& p,
                     const pendulum::inputs& r) const {
@@ -164,7 +164,7 @@ double largest_change_of_energy(Step step, int steps) {
 TEST(semi_implicit_euler, keeps_the_energy_bounded) {
   const semi_implicit_euler<simple_pendulum::System> step;
   const double early = largest_change_of_energy(step, 1000), late = largest_change_of_energy(step, 100000);
-  EXPECT_LT(late, 0.25); // of 4.9 above the bottom
+  EXPECT_LT(late, 0.25); // of 4.9 J above the minimum
   EXPECT_LT(late, 1.05 * early);
   EXPECT_GT(largest_change_of_energy(explicit_euler(), 1000), 5);
 }
@@ -200,7 +200,7 @@ TEST(fixed_step, asks_for_inputs_where_it_evaluates) {
   EXPECT_EQ(times, std::vector<double>{1.5});
 }
 
-// Viscous friction and a motor that takes it away again are a pendulum without friction.
+// A motor that compensates viscous friction makes a pendulum without friction.
 TEST(fixed_step, feeds_the_state_of_each_stage_back) {
   using namespace simple_pendulum;
   pendulum::parameters p = conservative();
@@ -217,7 +217,7 @@ TEST(fixed_step, feeds_the_state_of_each_stage_back) {
   EXPECT_LT((free - driven).norm(), 1e-13);
 }
 
-// The status of a step that must leave the time and the state as they are.
+// The status of a failing step, which must not change the time and the state.
 template <class Step, class Inputs>
 std::string refused(Step step, double h, const pendulum::parameters& p, const Inputs& r, double start = 3,
                     const pendulum::state& before = pendulum::state(0.4, 0.5)) {
@@ -307,7 +307,7 @@ TEST(fixed_step, steps_in_single_precision) {
   };
   compare(runge_kutta_4<simple_pendulum::System>());
   compare(semi_implicit_euler<simple_pendulum::System>());
-  float now = 0; // all of it, as a controller without double precision would
+  float now = 0; // single precision throughout, as on a controller
   kanexpr::state<simple_pendulum::System, float> x(0.6f, 0.0f);
   const kanexpr::parameter_values<simple_pendulum::System, float> p = conservative().cast<float>();
   const kanexpr::input_values<simple_pendulum::System, float> r(0.5f);

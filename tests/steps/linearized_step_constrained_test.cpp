@@ -23,7 +23,7 @@ TEST(linearized_step, carries_the_corrections_of_constraints) {
   expect_derivatives<semi_implicit_euler<System, 2>>(at, 0.1);
 }
 
-// A bob that passes beside its pivot, where the circle cannot be solved for what is dependent.
+// A bob on a circle that crosses the point where the circle cannot be solved for the dependent coordinate.
 template <class Step>
 void expect_a_refusal(auto linearized_or_second) {
   using namespace pendulum_nonminimal;

@@ -1,5 +1,5 @@
 // builds: g++
-// What a step with its derivatives says that it costs, beside the operations of a number that counts them.
+// Compares the reported cost of a step with derivatives with the operations that a counting scalar performs.
 #include "runtime/four_bars.hpp"
 
 #include <kanexpr/steps/linearized_step.hpp>
@@ -54,7 +54,7 @@ namespace {
 
 using namespace kanexpr;
 
-// What the checks of a function take, of which its cost does not speak.
+// The operations of the checks of a function, which its cost does not include.
 template <class Function, class... Arguments>
 operations of_checks(const Arguments&... at) {
   done = {};
@@ -107,7 +107,7 @@ void expect_cost(const state<System>& x, const parameter_values<System>& p, cons
   ASSERT_TRUE(next.status) << next.status;
   constexpr symbolic::cost said = linearized<Step>::cost();
   EXPECT_EQ(said.multiplications, done.multiplications - checks.multiplications);
-  // Of such numbers finiteness is looked at by a difference: of the time, and of each of the state.
+  // For a counting scalar, each check of finiteness is a subtraction: of the time, and of each state.
   EXPECT_EQ(said.additions, done.additions - checks.additions - 1 - static_cast<int>(x.size()));
   EXPECT_EQ(said.divisions, done.divisions - checks.divisions);
 }

@@ -8,7 +8,7 @@ using kanexpr::runge_kutta_4;
 using kanexpr::semi_implicit_euler;
 using step_checks::expect_derivatives;
 
-// Their norms are not 1 within a step, and are after it.
+// The norms differ from 1 within a step, but not after it.
 TEST(linearized_step, carries_the_norms_of_quaternions) {
   using quaternions::Two, quaternions::Sliding;
   step_checks::point<Two> two;

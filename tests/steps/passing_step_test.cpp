@@ -1,5 +1,5 @@
 // builds: g++ no-exceptions
-// Steps of a fixed length at positions where constraints follow from others.
+// Fixed steps through positions in which constraints are linearly dependent.
 #include "no_heap.hpp"
 #include "steps/double_four_bar.hpp"
 
@@ -35,7 +35,7 @@ struct System
 
 double energy(const state<System>& at) { return (at[vx] * at[vx] + at[vy] * at[vy]) / 2 + 9.81 * at[y]; }
 
-/// On its way up, where so high.
+/// The state at this height, moving up.
 state<System> rising(double height, double to_the_right) {
   const double slope = 3 * height * height;
   return {{x, height * height * height}, {y, height}, {vx, to_the_right}, {vy, to_the_right / slope}};
@@ -45,7 +45,7 @@ state<System> rising(double height, double to_the_right) {
 
 TEST(fixed_step, refuses_to_touch_a_singular_position) {
   for (const double h : {1e-2, 1e-3, 1e-4})
-    for (int i = 0; i < 40; ++i) { // wherever in a step it would be touched
+    for (int i = 0; i < 40; ++i) { // zero is touched anywhere within a step
       auto x = bead::rising(-0.3 - 0.001 * i, 1);
       const double first = bead::energy(x);
       double t = 0, kept = first;
@@ -112,7 +112,7 @@ TEST(fixed_step, passes_singular_positions_and_leaves_the_energy) {
   }
 }
 
-// An angle of many turns is as large as one of none.
+// The number of full turns of an angle does not matter.
 TEST(fixed_step, passes_after_many_turns_as_at_first) {
   for (const int turns : {0, 5, 10, 50}) {
     auto x = upright();
@@ -141,7 +141,7 @@ TEST(fixed_step, passes_by_floats_and_by_euler) {
   EXPECT_NEAR(x[q1], y[q1], 2e-2);
 }
 
-// Far from such positions it is the step itself.
+// Far from such positions, `passing` gives the same bits as the step.
 TEST(fixed_step, passes_nothing_where_nothing_is_to_pass) {
   auto x = upright(), y = x;
   double t = 0;

@@ -1,4 +1,4 @@
-// Bodies whose orientation is told by quaternions.
+// Bodies whose orientation is described by quaternions.
 #pragma once
 
 #include <kanexpr/kanexpr.hpp>
@@ -30,7 +30,7 @@ struct G : offset<G, O, 0.2 * A::x + 0.1 * A::z> {};
 struct P : offset<P, O, 0.5 * A::x> {};
 struct Upper : rigid_body<Upper, G, A, 2, inertia<A, 0.1, 0.2, 0.25, 0.01>> {};
 
-// One hangs on the other; the second kinematic equations are written by hand, and not solved for the rates.
+// A double pendulum; the second kinematic equations are written by hand and not solved for the rates.
 struct B : quaternion<B, N, f0, f1, f2, f3>, angular_velocity<N, v1 * own::x + v2 * own::y + v3 * own::z> {};
 struct H : offset<H, P, 0.1 * B::x - 0.3 * B::z> {};
 struct Lower : rigid_body<Lower, H, B, 1, inertia<B, 0.05, 0.06, 0.03>> {};
@@ -43,7 +43,7 @@ struct Two
                              f0 * dot(f0) + f1 * dot(f1) + f2 * dot(f2) + f3 * dot(f3) == 0>,
                   bodies<Upper, Lower>, loads<gravity<-9.81 * N::z>>> {};
 
-// The end of a body slides at a height, and that is solved for an entry of its quaternion.
+// The end of a body slides at a constant height; this constraint is solved for an entry of its quaternion.
 struct Sliding : kane_system<inertial<N>, coordinates<e0, e1, e2, e3>, speeds<u1, u2, u3>,
                              kinematics<kinematics_of<A, N>>,
                              configuration_constraints<dot(position_of<P, O>, N::z) == h>, dependent<e2, u2>,

@@ -1,5 +1,5 @@
 // builds: clang++ sanitize
-// Fixed steps keep quaternions at norm 1, and assembling gives them that.
+// Fixed steps and assembly keep quaternions at norm 1.
 #include "no_heap.hpp"
 #include "quaternions.hpp"
 
@@ -50,7 +50,7 @@ state<Two> tumbling() {
   return x;
 }
 
-// The most that the norms are off in many steps.
+// The largest deviation of the norms from 1 over many steps.
 template <class System, class Step>
 double most_off_one(Step step, state<System> x, int steps, const parameter_values<System>& p = {},
                     const input_values<System>& r = {}) {
@@ -88,7 +88,7 @@ struct sliding {
   }
 };
 
-// By `passing`, as e0 passes zero on the way, where the constraint cannot be solved for the entry.
+// With `passing`, because e0 crosses zero, where the constraint cannot be solved for it.
 TEST(fixed_step, keeps_a_norm_and_a_constraint_that_is_solved_for_an_entry) {
   sliding s;
   ASSERT_TRUE(assemble<Sliding>(s.x, s.p));
@@ -143,7 +143,7 @@ TEST(assemble, gives_quaternions_norm_one) {
   EXPECT_LE((compiled.x - x).norm(), 1e-14);
   EXPECT_LT(off_one<Sliding>(compiled.x), 1e-15);
   EXPECT_TRUE(check_consistency<Sliding>(compiled.x, compiled.p));
-  EXPECT_NEAR(compiled.x[e1] / compiled.x[e0], 0.1, 1e-15); // what is given stays, but for the norm
+  EXPECT_NEAR(compiled.x[e1] / compiled.x[e0], 0.1, 1e-15); // the given direction remains
   const auto& y = compiled.x;
   EXPECT_NEAR(0.5 * 2 * (y[e1] * y[e3] - y[e0] * y[e2]), 0.2, 1e-15); // the height, by hand
   state<Two> far = tumbling();

@@ -1,5 +1,5 @@
 // builds: g++
-// Second derivatives of steps against complex steps through their first ones.
+// Compares second derivatives of steps with complex-step differentiation of the first ones.
 #include "compiled/complex_steps.hpp"
 
 #include <kanexpr/steps/second_order_step.hpp>
@@ -13,7 +13,7 @@ namespace {
 using step_checks::MatrixXd;
 using step_checks::VectorXd;
 
-/// A bead on a turned rail, whose speed is no rate of a coordinate.
+/// A bead on a rotated rail, whose speed is not the rate of a coordinate.
 namespace bead {
 
 using namespace kanexpr;

@@ -11,8 +11,8 @@
 
 namespace kanexpr::ensembles {
 
-/// Converts values to bytes: numbers, texts, containers, pairs, and classes that list their members in a
-/// function `fields(self, archive)`.
+/// Converts values to bytes: numbers, texts, containers, pairs, optional values, and classes that list their
+/// members in a function `fields(self, archive)`.
 class saver {
 public:
   template <class... Values>
@@ -32,7 +32,10 @@ private:
       Value::fields(value, *this);
     else if constexpr (requires { value.second; })
       put(value.first), put(value.second);
-    else {
+    else if constexpr (requires { value.has_value(); }) {
+      put(value.has_value());
+      if (value) put(*value);
+    } else {
       put(value.size());
       for (const auto& each : value) put(each);
     }

@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <chrono>
-#include <exception>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,10 +17,11 @@
 namespace kanexpr::ensembles {
 
 /// The content of a study, and the version of the library, to compare it with other studies.
-inline std::string identity_of(const study_layout& layout, const std::string& identity) {
+inline std::string identity_of(const study_interface& study) {
+  const study_layout& layout = study.layout();
   saver all;
-  all(KANEXPR_VERSION, layout.study, identity, layout.runs, layout.constants, layout.columns, layout.state,
-      layout.samples, layout.events);
+  all(KANEXPR_VERSION, layout.study, study.identity(), layout.runs, layout.constants, layout.columns,
+      layout.state, layout.samples, layout.events);
   return all.bytes();
 }
 
@@ -30,16 +31,14 @@ class collector {
   using clock = std::chrono::steady_clock;
 
 public:
-  collector(const study_layout& layout, const std::string& identity, const ensemble_options& options)
-      : layout_(layout), options_(options) {
-    found_.planned = layout.runs;
+  collector(const study_interface& study, const ensemble_options& options)
+      : layout_(study.layout()), options_(options) {
+    found_.planned = layout_.runs;
     found_.reductions = options.reduce;
+    if (options.checkpoint) checkpoint_.emplace(options.checkpoint->text());
     saver all;
-    all(identity_of(layout, identity), options.hold, options.files.size());
-    for (const reduction& each : options.reduce) {
-      all(each.column, each.what.index());
-      if (const auto* bins = std::get_if<kanexpr::histogram>(&each.what)) all(*bins);
-    }
+    all(identity_of(study), options.hold, options.files.size());
+    for (const reduction& each : options.reduce) all(each.column, each.what.index(), each);
     identity_ = all.bytes();
   }
 
@@ -54,11 +53,11 @@ public:
   }
   /// Completes files and checkpoint, and returns the results.
   ensemble_results end() {
-    if (options_.checkpoint && found_.failure.empty() && found_.done < found_.planned)
+    if (checkpoint_ && found_.failure.empty() && found_.done < found_.planned)
       attempt([&] { return write_checkpoint(); });
     for (std::size_t i = 0; i < open_files_; ++i) attempt([&] { return options_.files[i]->end(); });
-    if (options_.checkpoint && found_.failure.empty() && found_.done == found_.planned)
-      attempt([&] { return checkpoint_.remove(); });
+    if (checkpoint_ && found_.failure.empty() && found_.done == found_.planned)
+      attempt([&] { return checkpoint_->remove(); });
     for (std::size_t i = 0; i < columns_.size(); ++i)
       attempt([&] { return found_.runs.add(layout_.columns[i].name, std::move(columns_[i])); });
     for (const finished_run& each : held_) {
@@ -75,14 +74,9 @@ private:
   /// Calls a step, which may call functions of the user, and keeps the first failure.
   template <class Step>
   bool attempt(const Step& step) {
-    std::string cause = "the results of the study could not be processed: ";
-    try {
-      cause = step().cause();
-    } catch (const std::exception& thrown) {
-      cause += thrown.what();
-    } catch (...) {
-      cause += "something other than a std::exception was thrown";
-    }
+    std::string cause;
+    if (const auto thrown = exception_in([&] { cause = step().cause(); }))
+      cause = "the results of the study could not be processed: " + *thrown;
     if (found_.failure.empty()) found_.failure = cause;
     return cause.empty();
   }
@@ -107,7 +101,7 @@ private:
       if (outcome fits = each->fits(layout_); !fits) return fits;
     columns_.resize(options_.hold ? layout_.columns.size() : 0);
     std::vector<std::string> positions;
-    if (options_.checkpoint)
+    if (checkpoint_)
       if (outcome read = open_checkpoint(positions); !read) return read;
     for (std::size_t i = 0; i < options_.files.size(); ++i) {
       results_file& file = *options_.files[i];
@@ -121,12 +115,11 @@ private:
 
   outcome open_checkpoint(std::vector<std::string>& positions) {
     std::string content;
-    if (outcome claimed = checkpoint_.claim(options_.checkpoint->text()); !claimed) return claimed;
-    if (outcome read = checkpoint_.read(content); !read) return read;
+    if (outcome read = checkpoint_->read(content); !read) return read;
     if (!content.empty()) return resume_from(content, positions);
     // Reports a checkpoint that cannot be written before the first run, not an hour later.
-    if (outcome written = checkpoint_.write({}); !written) return written;
-    return checkpoint_.remove();
+    outcome written = checkpoint_->write({});
+    return written ? checkpoint_->remove() : written;
   }
 
   outcome add_all(std::vector<finished_run>&& runs) {
@@ -138,12 +131,12 @@ private:
     if (options_.progress)
       options_.progress(static_cast<double>(found_.done), 0, static_cast<double>(found_.planned));
     const std::chrono::duration<double> since = clock::now() - last_checkpoint_;
-    return options_.checkpoint && since.count() >= options_.checkpoint_every ? write_checkpoint() : outcome();
+    return checkpoint_ && since.count() >= options_.checkpoint_every ? write_checkpoint() : outcome();
   }
 
   void add_one(finished_run&& one) {
     ++found_.done;
-    if (one.end == run_end::failed) {
+    if (one.has_failed()) {
       ++found_.failed;
       if (found_.failures.size() < max_failures)
         found_.failures.push_back({one.run, one.time, one.state, one.failure});
@@ -166,7 +159,7 @@ private:
       all(position);
     }
     exchange(all);
-    outcome done = checkpoint_.write(all.bytes());
+    outcome done = checkpoint_->write(all.bytes());
     last_checkpoint_ = clock::now();
     return done;
   }
@@ -175,11 +168,11 @@ private:
     loader all(content);
     std::string identity;
     all(identity);
-    if (identity != identity_) return checkpoint_.of_another_study();
+    if (all && identity != identity_) return checkpoint_->of_another_study();
     positions.resize(options_.files.size());
     for (std::string& each : positions) all(each);
     exchange(all);
-    return all.is_at_end() && found_.done <= layout_.runs ? outcome() : checkpoint_.damaged();
+    return all.is_at_end() && found_.done <= layout_.runs ? outcome() : checkpoint_->damaged();
   }
 
   void exchange(auto& archive) {
@@ -202,7 +195,7 @@ private:
   const study_layout& layout_;
   const ensemble_options& options_;
   std::string identity_{};
-  checkpoint_file checkpoint_{};
+  std::optional<checkpoint_file> checkpoint_{};
   ensemble_results found_{};
   std::vector<std::vector<double>> columns_{};
   std::vector<std::size_t> reduced_{}; ///< the column of each reduction

@@ -2,17 +2,18 @@
 
 #include <kanexpr/base/outcome.hpp>
 #include <kanexpr/ensembles/archive.hpp>
-#include <kanexpr/ensembles/content_hash.hpp>
+#include <kanexpr/ensembles/atomic_file.hpp>
 #include <kanexpr/ensembles/csv_file.hpp>
-#include <kanexpr/ensembles/exclusive_file.hpp>
 #include <kanexpr/simulations/tables/csv.hpp>
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -31,9 +32,8 @@ public:
   }
 
   outcome begin(const study_layout& layout) override {
-    if (outcome claimed = file_.claim(path_); !claimed) return claimed;
     out_ = std::ofstream(path_, std::ios::binary);
-    if (!out_) return file_.failure("cannot be opened");
+    if (!out_) return file_failure(path_, "cannot be opened");
     rows_ = 0;
     std::vector<std::string> names;
     names.reserve(layout.columns.size());
@@ -43,17 +43,15 @@ public:
   }
 
   outcome resume(const study_layout& layout, const std::string& position) override {
-    if (outcome claimed = file_.claim(path_); !claimed) return claimed;
-    std::uint64_t size = 0, hash = 0;
+    std::uint64_t size = 0;
     loader reported(position);
-    reported(size, rows_, hash);
-    if (hash_up_to(size) != hash) {
-      file_.release();
+    reported(size, rows_);
+    std::error_code error;
+    if (const auto found = std::filesystem::file_size(path_, error); error || found < size)
       return outcome(path_ + " has changed since the checkpoint was written");
-    }
-    if (::truncate(path_.c_str(), static_cast<::off_t>(size)) != 0) return file_.failure("cannot be opened");
+    std::filesystem::resize_file(path_, size, error);
     out_ = std::ofstream(path_, std::ios::binary | std::ios::app | std::ios::ate);
-    if (!out_) return file_.failure("cannot be opened");
+    if (error || !out_) return file_failure(path_, "cannot be opened");
     writer_.emplace(csv_writer::resume(out_, rows_, layout.columns.size(), path_));
     return {};
   }
@@ -65,39 +63,26 @@ public:
   }
 
   outcome flush(std::string& position) override {
-    writer_->finish();
-    if (!*writer_) return state();
+    if (!writer_->finish()) return state();
     saver report;
-    const auto size = static_cast<std::uint64_t>(out_.tellp());
-    report(size, rows_, hash_up_to(size));
+    report(static_cast<std::uint64_t>(out_.tellp()), rows_);
     position = report.bytes();
-    return file_.sync(path_);
+    return store(path_, path_);
   }
 
   outcome end() override {
     writer_->finish();
     out_.close();
-    file_.release();
     return out_ || !*writer_ ? state() : outcome("writing " + path_ + " failed at its end");
   }
 
 private:
   outcome state() const { return *writer_ ? outcome() : outcome(writer_->cause()); }
 
-  /// The hash of the last part of the content before this position.
-  std::uint64_t hash_up_to(std::uint64_t size) const {
-    std::string part((std::min)(size, std::uint64_t{65536}), '\0');
-    std::ifstream in(path_, std::ios::binary);
-    in.seekg(static_cast<std::streamoff>(size - part.size()));
-    in.read(part.data(), static_cast<std::streamsize>(part.size()));
-    return content_hash(in ? part : std::string());
-  }
-
   const std::string path_;
   std::ofstream out_{};
   std::optional<csv_writer> writer_{};
   std::size_t rows_ = 0;
-  exclusive_file file_{};
 };
 
 } // namespace ensembles

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <kanexpr/ensembles/run_on_threads.hpp>
 #include <kanexpr/ensembles/simulation_runner.hpp>
 #include <kanexpr/ensembles/step_runner.hpp>
 #include <kanexpr/ensembles/study_runs.hpp>
-#include <kanexpr/ensembles/thread_pool.hpp>
 
 #include <memory>
 #include <utility>
@@ -18,21 +18,26 @@ public:
       : runs_(std::make_shared<ensembles::study_runs<Runner>>(std::move(what), std::move(runner))) {}
 
   ensemble_results run(const ensemble_options& options = {}) const {
-    ensembles::thread_pool threads;
-    return run(options, threads);
+    return unless_mistaken([&] { return ensembles::run_on_threads(*runs_, options); });
   }
-  /// Runs the study on another executor, as the ranks of <kanexpr/mpi.hpp>.
-  ensemble_results run(const ensemble_options& options, ensembles::executor& executor) const {
-    if (runs_->mistake().empty()) return executor.run(*runs_, runs_->identity(), options);
+  /// Runs the study on the ranks of <kanexpr/mpi.hpp>.
+  template <class Ranks>
+  ensemble_results run(const ensemble_options& options, Ranks& ranks) const {
+    return unless_mistaken([&] { return ranks.run(*runs_, options); });
+  }
+
+  const study_layout& layout() const { return runs_->layout(); }
+
+private:
+  template <class Run>
+  ensemble_results unless_mistaken(const Run& run) const {
+    if (runs_->mistake().empty()) return run();
     ensemble_results none;
     none.planned = layout().runs;
     none.failure = runs_->mistake();
     return none;
   }
 
-  const study_layout& layout() const { return runs_->layout(); }
-
-private:
   std::shared_ptr<const ensembles::study_runs<Runner>> runs_;
 };
 

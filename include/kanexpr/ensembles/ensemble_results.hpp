@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/ensembles/layout.hpp>
 #include <kanexpr/ensembles/reduction.hpp>
 #include <kanexpr/simulations/settings.hpp>
 #include <kanexpr/simulations/tables/table.hpp>

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/outcome.hpp>
-#include <kanexpr/ensembles/finished_run.hpp>
-#include <kanexpr/ensembles/layout.hpp>
+#include <kanexpr/ensembles/study_interface.hpp>
 
 #include <string>
 

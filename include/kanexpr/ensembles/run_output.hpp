@@ -3,9 +3,9 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/batches/batch.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
-#include <kanexpr/ensembles/layout.hpp>
 #include <kanexpr/ensembles/maximum_along.hpp>
-#include <kanexpr/ensembles/run_values.hpp>
+#include <kanexpr/ensembles/runs.hpp>
+#include <kanexpr/ensembles/study_interface.hpp>
 #include <kanexpr/simulations/inputs/input_source.hpp>
 #include <kanexpr/simulations/simulation.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -110,21 +110,24 @@ struct expression_output {
   operator run_output<System>() const {
     std::uint64_t digest = 0; // of the library that has the code
     if constexpr (output::is_scalar) digest = out_of_line<function<System, expression>>::digest();
-    const auto at_end = [](const ended_run<System>& ended) {
-      return output::template at<System>(ended.run.time, ended.run.state, ended.p, ended.r);
+    const auto of = [](const ended_run<System>& ended) {
+      const auto value = [&](double t, const auto& x, const auto& r) {
+        return output::template at<System>(t, x, ended.p, r);
+      };
+      if constexpr (when == aggregate::at_end) {
+        return value(ended.run.time, ended.run.state, ended.r);
+      } else {
+        constexpr double sign = when == aggregate::greatest ? 1 : -1;
+        return sign * maximum_along(
+                          ended.motion, [&](double t) { return ended.at(t); },
+                          [&](const sample<System>& s) { return sign * value(s.t, s.x, s.r); });
+      }
     };
-    const auto extreme = [](const ended_run<System>& ended) {
-      constexpr double sign = when == aggregate::greatest ? 1 : -1;
-      return sign * maximum_along(
-                        ended.motion, [&](double t) { return ended.at(t); },
-                        [&](const sample<System>& s) {
-                          return sign * output::template at<System>(s.t, s.x, ended.p, s.r);
-                        });
-    };
-    run_output<System> all{
-        .what = what, .of = at_end, .symbol = output::symbol(), .identity = identity(digest)};
-    if constexpr (when != aggregate::at_end) all.of = extreme, all.needs_motion = true;
-    return all;
+    return {.what = what,
+            .of = of,
+            .symbol = output::symbol(),
+            .identity = identity(digest),
+            .needs_motion = when != aggregate::at_end};
   }
   template <class System, class Number>
   operator step_output<System, Number>() const {

@@ -24,12 +24,19 @@ struct share {
   static void fields(auto& self, auto& archive) { archive(self.first, self.count); }
 };
 
-/// Performs the runs of a share, and measures the time in seconds.
-inline std::vector<finished_run> perform(const study_interface& study, const share& of, double& seconds) {
+/// The results of a share, and the time that it took.
+struct finished_share {
+  std::size_t first = 0;
+  std::vector<finished_run> runs{};
+  double seconds = 0;
+  static void fields(auto& self, auto& archive) { archive(self.first, self.runs, self.seconds); }
+};
+
+inline finished_share perform(const study_interface& study, const share& of) {
   const auto start = std::chrono::steady_clock::now();
-  std::vector<finished_run> runs = study.run(of.first, of.count);
-  seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  return runs;
+  finished_share done{of.first, study.run(of.first, of.count)};
+  done.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return done;
 }
 
 /// Distributes the runs of a study among workers, and passes their results on in the order of the runs, so
@@ -55,40 +62,30 @@ public:
       : options_(how), next_(how.done), passed_on_(how.done), stop_(std::move(stop)),
         consume_(std::move(consume)) {}
 
-  /// The next share, after waiting until one is available; empty if there are no more.
-  std::optional<share> next() {
+  /// The next share, after waiting until one is available; without runs if there are no more.
+  share next() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return !gives_more() || !is_full(); });
-    return gives_more() ? std::optional(give()) : std::nullopt;
+    return give();
   }
-  /// The next share if one is available now.
+  /// The same, if it is known without waiting.
   std::optional<share> try_next() {
     const std::scoped_lock lock(mutex_);
-    return gives_more() && !is_full() ? std::optional(give()) : std::nullopt;
-  }
-  /// False if there will be no more shares.
-  bool has_more() {
-    const std::scoped_lock lock(mutex_);
-    return gives_more();
+    return !gives_more() || !is_full() ? std::optional(give()) : std::nullopt;
   }
 
-  /// Takes the results of a share, which took this many seconds.
-  void finish(const share& done, std::vector<finished_run>&& runs, double seconds) {
+  void finish(finished_share&& done) {
     std::unique_lock lock(mutex_);
-    const double each = seconds / static_cast<double>(done.count);
+    const double each = done.seconds / static_cast<double>(done.runs.size());
     seconds_per_run_ += (each - seconds_per_run_) / (seconds_per_run_ > 0 ? 8 : 1);
-    finished_.emplace(done.first, std::move(runs));
+    finished_.emplace(done.first, std::move(done.runs));
     --open_;
     if (!is_passing_on_) pass_on(lock);
   }
 
   /// Performs shares on the calling thread until there are no more.
   void work(const study_interface& study) {
-    while (const auto one = next()) {
-      double seconds = 0;
-      std::vector<finished_run> runs = perform(study, *one, seconds);
-      finish(*one, std::move(runs), seconds);
-    }
+    for (share one = next(); one.count > 0; one = next()) finish(perform(study, one));
   }
 
   /// True if all shares are finished and passed on, and there will be no more.
@@ -108,6 +105,7 @@ private:
   bool is_full() const { return next_ - passed_on_ >= options_.max_pending; }
 
   share give() {
+    if (!gives_more()) return {};
     std::size_t count = 1; // until the duration of a run is known
     if (seconds_per_run_ > 0) {
       const std::size_t most =
@@ -129,10 +127,10 @@ private:
       finished_.erase(finished_.begin());
       const std::size_t count = runs.size();
       lock.unlock();
-      const bool goes_on = consume_(std::move(runs));
+      const bool continues = consume_(std::move(runs));
       lock.lock();
       passed_on_ += count;
-      is_ended_ |= !goes_on;
+      is_ended_ |= !continues;
       changed_.notify_all();
     }
     is_passing_on_ = false;

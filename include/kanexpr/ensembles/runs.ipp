@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/bytes.hpp>
 #include <kanexpr/ensembles/lerp.hpp>
-#include <kanexpr/ensembles/permutation.hpp>
+#include <kanexpr/ensembles/random_stream.hpp>
 #include <kanexpr/ensembles/runs.hpp>
 
 #include <algorithm>

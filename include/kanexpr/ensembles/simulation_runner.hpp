@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -26,12 +27,12 @@ public:
   static constexpr std::size_t lanes = 1;
 
   static std::string find_mistake(const context& of) {
-    if (of.values.gives_inputs && of.study.simulation.inputs.mistake().view().empty())
+    if (of.values.specifies_inputs && of.study.simulation.inputs.mistake().view().empty())
       return "the inputs are specified twice, by the study and by the options of its simulations";
-    if (of.study.for_each_run) return mistake_in_call([&] { setup(of, run_values(of.study.runs, 0)); });
+    if (of.study.for_each_run) return {}; // which may change the options
     options checked = of.study.simulation;
     checked.keep = true;
-    if (of.values.gives_inputs)
+    if (of.values.specifies_inputs)
       checked.inputs = given_inputs<System>(of.values.inputs.in(run_values(of.study.runs, 0)));
     std::string mistake = simulations::check_options(simulations::settings_of(checked), of.study.span);
     return mistake.empty() ? mistake_in_events(of, of.study.simulation) : mistake;
@@ -40,25 +41,22 @@ public:
   static void write_identity(const context& of, saver& all) {
     const options& o = of.study.simulation;
     all(simulations::compiled_system<System, by>::digest(), by, of.study.span.from, of.study.span.to,
-        o.relative_tolerance, o.absolute_tolerance.value_or(-1), o.output_every, o.output_times, o.first_step,
+        o.relative_tolerance, o.absolute_tolerance, o.output_every, o.output_times, o.first_step,
         o.least_step, o.greatest_step, o.most_steps, o.guesses_dependent, o.analytic_jacobian, o.dense,
         o.keep, o.inputs.depends_on_state(), static_cast<bool>(o.each_sample));
-    of.values.save(o.absolute_tolerances, all);
+    all(o.absolute_tolerances.size());
+    for (const named_value& each : o.absolute_tolerances) all(each.what.name(), each.value);
     all(o.events.size());
-    for (const event<System>& each : o.events) {
-      all(each.name, each.text, each.direction, static_cast<bool>(each.handler),
-          each.handler.always().has_value());
-      if (const auto& always = each.handler.always()) all(*always);
-    }
+    for (const event<System>& each : o.events)
+      all(each.name, each.text, each.direction, static_cast<bool>(each.handler), each.handler.always());
     all(o.inputs.constants().has_value());
-    if (const auto& inputs = o.inputs.constants())
-      for (double each : inputs->values) all(each);
+    if (const auto& inputs = o.inputs.constants()) all(inputs->values);
     for (const run_output<System>& each : of.study.keep) all(each.event, each.identity);
   }
 
   static void perform(const context& of, std::span<finished_run> runs) {
     for (finished_run& each : runs)
-      if (each.end != run_end::failed) attempt(each, [&] { perform(of, each); });
+      if (!each.has_failed()) attempt(each, [&] { perform(of, each); });
   }
 
 private:
@@ -71,14 +69,13 @@ private:
   }
 
   static simulation_setup<System> setup(const context& of, const run_values& varied) {
-    simulation_setup<System> one{of.values.in(varied), of.study.simulation};
-    const input_values<System> before = one.r;
-    if (auto change = of.study.for_each_run) change(varied, one);
+    simulation_setup<System> one = of.setup(varied);
+    const input_values<System> before = of.values.inputs.in(varied);
     const bool changes_inputs =
         !std::equal(before.begin(), before.end(), one.r.begin(), [](double a, double b) {
           return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
         });
-    if (of.values.gives_inputs || changes_inputs) one.options.inputs = given_inputs<System>(one.r);
+    if (of.values.specifies_inputs || changes_inputs) one.options.inputs = given_inputs<System>(one.r);
     return one;
   }
 
@@ -114,10 +111,10 @@ private:
     if (ended) how.inputs.give(ended.time, ended.state, r);
     simulation<System> resampled;
     if (is_resampled) resampled = sampled(ended, one.p, how.inputs, requested, each_sample);
-    const simulation<System>& shown = is_resampled ? resampled : ended;
-    keep_samples(of, shown, done);
-    if (done.end != run_end::failed)
-      keep_outputs(of, {varied, shown, one.p, r, ended.trajectory, how.inputs}, done);
+    const simulation<System>& reported = is_resampled ? resampled : ended;
+    keep_samples(of, reported, done);
+    if (!done.has_failed())
+      keep_outputs(of, {varied, reported, one.p, r, ended.trajectory, how.inputs}, done);
   }
 
   /// Without the dependent coordinates and speeds that neither the study nor its function set.
@@ -132,26 +129,25 @@ private:
                                     const input_source<System>& inputs,
                                     simulations::output_schedule requested,
                                     const std::function<void(const sample<System>&)>& each_sample) {
-    simulation<System> shown;
-    shown.trajectory = trajectory<System>(p);
-    shown.events = of.events, shown.statistics = of.statistics, shown.time = of.time, shown.state = of.state;
-    shown.stopped_by_event = of.stopped_by_event, shown.failure = of.failure;
+    simulation<System> reported;
+    reported.trajectory = trajectory<System>(p);
+    reported.events = of.events, reported.statistics = of.statistics, reported.time = of.time,
+    reported.state = of.state;
+    reported.stopped_by_event = of.stopped_by_event, reported.failure = of.failure;
     for (; !requested.is_over() && requested.next() <= of.time; requested.advance())
       if (auto found = of.trajectory.at(requested.next())) {
         inputs.give(found->t, found->x, found->r);
-        shown.trajectory.add(*found);
+        reported.trajectory.add(*found);
         if (each_sample) each_sample(*found);
       }
-    return shown;
+    return reported;
   }
 
   static void keep_outputs(const context& of, const ended_run<System>& ended, finished_run& done) {
-    double* to = of.outputs(done);
-    for (const run_output<System>& each : of.study.keep) {
-      *to = each.of(ended);
-      if (numeric::elementary::detail::is_nan(*to++) && !each.may_be_missing)
-        return done.fail(each.what.name + " is not a number");
-    }
+    for (std::size_t i = 0; i < of.study.keep.size(); ++i)
+      if (const run_output<System>& each = of.study.keep[i];
+          !of.keep(done, i, each.of(ended), each.may_be_missing))
+        return;
   }
 
   static void keep_samples(const context& of, const simulation<System>& ended, finished_run& done) {

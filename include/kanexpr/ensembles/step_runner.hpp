@@ -40,22 +40,21 @@ private:
   static constexpr bool has_law = !std::is_same_v<Law, constant_inputs>;
   using parameters = many<parameter_values<System, Number>>;
   using inputs = many<input_values<System, Number>>;
-  using moving = batches::batch_stepper<Step, vectors, parameters, std::conditional_t<has_law, Law, inputs>>;
+  using stepper = batches::batch_stepper<Step, vectors, parameters, std::conditional_t<has_law, Law, inputs>>;
 
 public:
   explicit step_runner(Law law = {}) : law_(std::move(law)) {}
 
   std::string find_mistake(const context& of) const {
     const auto& [study, values, layout] = of;
-    if (has_law && values.gives_inputs)
+    if (has_law && values.specifies_inputs)
       return "the inputs are specified twice, by the study and by a function";
     if (!has_law && !values.inputs.mistake().empty()) return values.inputs.mistake();
     if (!(numeric::is_finite(study.span.step) && numeric::is_finite(study.span.start)))
       return "the step and the start of a study must be finite";
     if (study.span.steps < 0) return "the number of steps must be at least 0";
     if (study.simulation.look_every < 1) return "look_every must be at least 1";
-    if (!study.for_each_run) return {};
-    return mistake_in_call([&] { setup(of, run_values(of.study.runs, 0)); });
+    return {};
   }
 
   static void write_identity(const context& of, saver& all) {
@@ -69,18 +68,18 @@ public:
   void perform(const context& of, runs_span runs) const {
     values_of_lanes at;
     for (std::size_t lane = 0; lane < runs.size(); ++lane)
-      if (is_sound(runs[lane])) attempt(runs[lane], [&] { begin(of, lane, at, runs[lane]); });
-    const auto sound = std::ranges::find_if(runs, is_sound);
+      if (!runs[lane].has_failed()) attempt(runs[lane], [&] { begin(of, lane, at, runs[lane]); });
+    const auto sound = std::ranges::find(runs, false, &finished_run::has_failed);
     if (sound == runs.end()) return;
     // Lanes without a sound run repeat one.
     for (std::size_t lane = 0; lane < lanes; ++lane)
-      if (lane >= runs.size() || !is_sound(runs[lane]))
+      if (lane >= runs.size() || runs[lane].has_failed())
         at.copy(static_cast<std::size_t>(sound - runs.begin()), lane);
-    moving all(at.x, 0, static_cast<Eigen::Index>(lanes), at.p, inputs_of(at), of.study.span.start);
+    stepper all(at.x, 0, static_cast<Eigen::Index>(lanes), at.p, inputs_of(at), of.study.span.start);
     finished_run together; // an exception in a function of the inputs concerns all lanes
     attempt(together, [&] { move(of, all, at, runs); });
     for (finished_run& each : runs)
-      if (together.end == run_end::failed && is_sound(each)) each.fail(together.failure);
+      if (together.has_failed() && !each.has_failed()) each.fail(together.failure);
   }
 
 private:
@@ -96,7 +95,6 @@ private:
     }
   };
 
-  static bool is_sound(const finished_run& one) { return one.end != run_end::failed; }
   template <class Vector, class Given>
   static Vector rounded(const Given& given) {
     return Vector(given.template cast<Number>());
@@ -105,15 +103,9 @@ private:
     return law_(t, rounded<state<System, Number>>(x)).template cast<double>();
   }
 
-  static run_setup<System> setup(const context& of, const run_values& varied) {
-    run_setup<System> one = of.values.in(varied);
-    if (auto change = of.study.for_each_run) change(varied, one);
-    return one;
-  }
-
   void begin(const context& of, std::size_t lane, values_of_lanes& at, finished_run& done) const {
     const double start = of.study.span.start;
-    auto [x, p, r] = setup(of, of.varied(done));
+    auto [x, p, r] = of.setup(of.varied(done));
     if constexpr (has_law) r = inputs_at(start, x);
     done.set_end(start, x);
     if (const auto mistake = given_parameters<System>(p).mistake)
@@ -170,29 +162,30 @@ private:
       return batches::per_lane_inputs<vectors, input_values<System, Number>, Law>{law_}(t, x);
   }
 
-  static double time(moving& all) {
+  static double time(stepper& all) {
     return all.evaluate_now([](double t, const auto&, const auto&, const auto&) { return t; });
   }
 
-  void move(const context& of, moving& all, values_of_lanes& at, runs_span runs) const {
-    const auto leave = [&](std::size_t lane, const status& why) {
-      if (lane >= runs.size() || !is_sound(runs[lane])) return;
+  void move(const context& of, stepper& all, values_of_lanes& at, runs_span runs) const {
+    const auto fail_lane = [&](std::size_t lane, const status& why) {
+      if (lane >= runs.size() || runs[lane].has_failed()) return;
       runs[lane].set_end(time(all), all.state_in(lane));
       runs[lane].fail(why.cause());
     };
     const int steps = of.study.span.steps;
-    look(of, all, at, runs, 0);
+    update_outputs(of, all, at, runs, 0);
     for (int made = 0; made < steps && all.active_count() > 0;) {
-      if (!all.step(of.study.span.step, leave)) continue;
+      if (!all.step(of.study.span.step, fail_lane)) continue;
       ++made;
-      if (made % of.study.simulation.look_every == 0 || made == steps) look(of, all, at, runs, made);
+      if (made % of.study.simulation.look_every == 0 || made == steps)
+        update_outputs(of, all, at, runs, made);
     }
     for (std::size_t lane = 0; lane < runs.size(); ++lane)
-      if (is_sound(runs[lane])) end(of, all, at, lane, runs[lane]);
+      if (!runs[lane].has_failed()) end(of, all, at, lane, runs[lane]);
   }
 
   /// Updates the outputs of all lanes, and takes samples.
-  void look(const context& of, moving& all, values_of_lanes& at, runs_span runs, int made) const {
+  void update_outputs(const context& of, stepper& all, values_of_lanes& at, runs_span runs, int made) const {
     const bool is_first = at.outputs.empty();
     at.outputs.resize(of.study.keep.size());
     for (std::size_t i = 0; i < of.study.keep.size(); ++i) {
@@ -207,7 +200,7 @@ private:
       }
     }
     for (std::size_t lane = 0; of.study.keep_trajectories && lane < runs.size(); ++lane)
-      if (is_sound(runs[lane]))
+      if (!runs[lane].has_failed())
         all.evaluate_now([&](double t, const auto& x, const auto&, const auto& r) {
           runs[lane].add_sample(t, all.state_in(lane), vectors::get(inputs_of(t, x, r), lane));
         });
@@ -220,15 +213,11 @@ private:
     return when == aggregate::greatest ? now > before : now < before;
   }
 
-  static void end(const context& of, moving& all, const values_of_lanes& at, std::size_t lane,
+  static void end(const context& of, stepper& all, const values_of_lanes& at, std::size_t lane,
                   finished_run& done) {
     done.set_end(time(all), all.state_in(lane));
-    double* to = of.outputs(done);
-    for (std::size_t i = 0; i < of.study.keep.size(); ++i) {
-      to[i] = batches::lane_of(at.outputs[i], lane);
-      if (numeric::elementary::detail::is_nan(to[i]))
-        return done.fail(of.study.keep[i].what.name + " is not a number");
-    }
+    for (std::size_t i = 0; i < of.study.keep.size(); ++i)
+      if (!of.keep(done, i, batches::lane_of(at.outputs[i], lane))) return;
   }
 
   Law law_;

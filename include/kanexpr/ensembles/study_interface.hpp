@@ -1,14 +1,82 @@
 #pragma once
 
-#include <kanexpr/ensembles/finished_run.hpp>
-#include <kanexpr/ensembles/layout.hpp>
-
 #include <cstddef>
+#include <cstdint>
+#include <exception>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
-namespace kanexpr::ensembles {
+namespace kanexpr {
 
-/// A study without the type of its system, as executors, which schedule its runs, see it.
+/// The name of a column, and the unit of its numbers, empty if unknown.
+struct column_label {
+  std::string name;
+  std::string unit{};
+  bool operator==(const column_label&) const = default;
+  static void fields(auto& self, auto& archive) { archive(self.name, self.unit); }
+};
+
+/// A value that is the same in all runs.
+struct constant_of_runs {
+  column_label what;
+  double value;
+  bool operator==(const constant_of_runs&) const = default;
+  static void fields(auto& self, auto& archive) { archive(self.what, self.value); }
+};
+
+/// The quantities that a study keeps of each run.
+struct study_layout {
+  std::string study{};                       ///< its name
+  std::size_t runs = 0;                      ///< their number
+  std::size_t varied = 0;                    ///< the number of columns with varied values
+  std::vector<constant_of_runs> constants{}; ///< states, parameters and inputs that do not vary
+  std::vector<column_label> columns{};       ///< of the table of runs, which has a row per run
+  std::vector<column_label> state{};         ///< of a failed run, at its end
+  std::vector<column_label> samples{};       ///< of the trajectories, time first; empty: none are kept
+  std::vector<std::string> events{};         ///< whose times are kept
+};
+
+/// How a run ended.
+enum class run_end : std::uint8_t { reached_end, stopped_by_event, failed };
+
+/// The results of a run; `study_layout` describes their columns.
+struct finished_run {
+  std::size_t run = 0; ///< its number, from 0
+  run_end end = run_end::reached_end;
+  double time = 0;                                        ///< at the end
+  std::vector<double> values{};                           ///< its row in the table of runs
+  std::vector<double> state{};                            ///< at the end, if the run failed
+  std::vector<double> samples{};                          ///< of its trajectory, row by row
+  std::vector<std::pair<std::uint32_t, double>> events{}; ///< index and time, in chronological order
+  std::string failure{};                                  ///< why the run failed, as a sentence
+
+  bool has_failed() const { return end == run_end::failed; }
+  void fail(std::string why) {
+    end = run_end::failed;
+    failure = std::move(why);
+  }
+  template <class State>
+  void set_end(double t, const State& x) {
+    time = t;
+    state.assign(x.data(), x.data() + x.size());
+  }
+  template <class State, class Inputs>
+  void add_sample(double t, const State& x, const Inputs& r) {
+    samples.push_back(t);
+    samples.insert(samples.end(), x.data(), x.data() + x.size());
+    samples.insert(samples.end(), r.data(), r.data() + r.size());
+  }
+
+  static void fields(auto& self, auto& archive) {
+    archive(self.run, self.end, self.time, self.values, self.state, self.samples, self.events, self.failure);
+  }
+};
+
+namespace ensembles {
+
+/// A study without the type of its system.
 class study_interface {
 public:
   study_interface() = default;
@@ -17,6 +85,8 @@ public:
   virtual ~study_interface() = default;
 
   virtual const study_layout& layout() const = 0;
+  /// Distinguishes the study from others with the same layout.
+  virtual std::string identity() const = 0;
   /// The number of runs that share a vector; shares of runs start at multiples of it.
   virtual std::size_t lanes() const = 0;
   /// Performs the runs [first, first + count) on the calling thread. The result of a run depends only on its
@@ -24,4 +94,19 @@ public:
   virtual std::vector<finished_run> run(std::size_t first, std::size_t count) const = 0;
 };
 
-} // namespace kanexpr::ensembles
+/// Calls a function, and returns the text of the exception that it throws, if any.
+template <class Function>
+std::optional<std::string> exception_in(const Function& call) {
+  try {
+    call();
+  } catch (const std::exception& thrown) {
+    return thrown.what();
+  } catch (...) {
+    return "something other than a std::exception was thrown";
+  }
+  return std::nullopt;
+}
+
+} // namespace ensembles
+
+} // namespace kanexpr

@@ -1,12 +1,16 @@
 #pragma once
 
-#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/base/outcome.hpp>
+#include <kanexpr/ensembles/archive.hpp>
 #include <kanexpr/ensembles/study.hpp>
+#include <kanexpr/ensembles/study_columns.hpp>
 #include <kanexpr/ensembles/study_interface.hpp>
 #include <kanexpr/ensembles/values_of_runs.hpp>
+#include <kanexpr/numeric/elementary.hpp>
+#include <kanexpr/simulations/tables/table.hpp>
 
 #include <algorithm>
-#include <exception>
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <string>
@@ -18,26 +22,36 @@ namespace kanexpr::ensembles {
 /// Performs a part of a run; the run fails if it throws.
 template <class Part>
 void attempt(finished_run& done, const Part& part) {
-  try {
-    part();
-  } catch (const std::exception& thrown) {
-    done.fail(thrown.what());
-  } catch (...) {
-    done.fail("something other than a std::exception was thrown");
-  }
+  if (auto thrown = exception_in(part)) done.fail(*std::move(thrown));
 }
 
 /// A study, as its runner uses it.
 template <class Kind>
 struct study_context {
   study_of<Kind> study;
-  values_of_runs<typename Kind::System> values{study};
-  study_layout layout = study_columns::layout_of(study, compiled::survey_of<typename Kind::System>,
-                                                 type_name<typename Kind::System>());
+  values_of_runs<Kind> values{study};
+  study_layout layout = study_columns<Kind>::layout_of(study);
 
   run_values varied(const finished_run& one) const { return run_values(study.runs, one.run); }
+
+  typename Kind::setup setup(const run_values& varied) const {
+    typename Kind::setup one{values.in(varied)};
+    if constexpr (requires { one.options; }) one.options = study.simulation;
+    if (auto change = study.for_each_run) change(varied, one);
+    return one;
+  }
+
   /// The outputs of a run, in its row.
-  double* outputs(finished_run& done) const { return done.values.data() + 3 + layout.varied; }
+  std::span<double> outputs(finished_run& done) const {
+    return std::span(done.values).subspan(3 + layout.varied);
+  }
+  /// Keeps an output; returns false if the run fails because it is NaN.
+  bool keep(finished_run& done, std::size_t i, double value, bool may_be_missing = false) const {
+    outputs(done)[i] = value;
+    if (may_be_missing || !numeric::elementary::detail::is_nan(value)) return true;
+    done.fail(study.keep[i].what.name + " is not a number");
+    return false;
+  }
 };
 
 /// The runs of a study, performed by its runner.
@@ -57,15 +71,15 @@ public:
 
   /// A mistake in the study, as a sentence; empty if there is none.
   const std::string& mistake() const { return mistake_; }
-  /// The content of the study beyond its layout. Functions cannot be compared, only their presence.
-  std::string identity() const {
+
+  const study_layout& layout() const override { return context_.layout; }
+  /// Functions cannot be compared, only their presence.
+  std::string identity() const override {
     saver all;
-    all(context_.values.identity(context_.study), static_cast<bool>(context_.study.for_each_run));
+    all(context_.study.runs.identity(), static_cast<bool>(context_.study.for_each_run));
     runner_.write_identity(context_, all);
     return all.bytes();
   }
-
-  const study_layout& layout() const override { return context_.layout; }
   std::size_t lanes() const override { return Runner::lanes; }
   std::vector<finished_run> run(std::size_t first, std::size_t count) const override {
     std::vector<finished_run> all(count);
@@ -78,11 +92,17 @@ public:
 
 private:
   std::string find_mistake() const {
-    if (!context_.values.mistake.empty()) return context_.values.mistake;
-    if (std::string mistake = mistake_in(context_.layout.columns); !mistake.empty()) return mistake;
+    if (std::string mistake = context_.values.mistake(context_.study); !mistake.empty()) return mistake;
+    table names;
+    for (const column_label& each : context_.layout.columns)
+      if (const outcome added = names.add(each.name, {}); !added)
+        return "in the outputs of the study, " + added.cause();
     if (context_.study.keep_events && context_.layout.events.empty())
       return "the study has no events to keep";
-    return runner_.find_mistake(context_);
+    std::string mistake = runner_.find_mistake(context_);
+    if (mistake.empty() && context_.study.for_each_run)
+      mistake = mistake_in_call([&] { context_.setup(run_values(context_.study.runs, 0)); });
+    return mistake;
   }
 
   void begin(std::size_t run, finished_run& done) const {
@@ -94,14 +114,14 @@ private:
 
   void complete(finished_run& done) const {
     done.values[1] = static_cast<double>(done.end), done.values[2] = done.time;
-    double* outputs = context_.outputs(done);
-    if (done.end == run_end::failed) {
-      std::fill(outputs, done.values.data() + done.values.size(), std::numeric_limits<double>::quiet_NaN());
-    } else {
-      if (context_.study.keep_end_state)
-        std::copy(done.state.begin(), done.state.end(), outputs + context_.study.keep.size());
-      done.state.clear();
+    const std::span<double> outputs = context_.outputs(done);
+    if (done.has_failed()) {
+      std::ranges::fill(outputs, std::numeric_limits<double>::quiet_NaN());
+      return;
     }
+    if (context_.study.keep_end_state)
+      std::ranges::copy(done.state, outputs.subspan(context_.study.keep.size()).begin());
+    done.state.clear();
   }
 
   study_context<kind> context_;

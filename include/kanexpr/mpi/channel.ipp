@@ -1,10 +1,11 @@
 #pragma once
 
-#include <kanexpr/base/status.hpp>
 #include <kanexpr/ensembles/archive.hpp>
+#include <kanexpr/ensembles/run_scheduler.ipp>
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
@@ -15,6 +16,31 @@
 #include <mpi.h>
 
 namespace kanexpr::mpi {
+
+/// The tags of messages: to the first rank, from it to a rank, and from it to each thread of a rank.
+enum tag : int { to_first = 0, to_rank = 1, to_thread = 2 };
+
+/// The messages to the first rank: a thread requests a share, a rank has no more threads at work and waits
+/// for the summary of the study, or a rank takes part in no more studies.
+enum class request : std::uint8_t { share, summary, leave };
+
+/// The message to the first rank. A thread that requests a share reports the results of the one before.
+struct report {
+  request wants = request::share;
+  std::uint64_t study = 0; ///< the hash of its identity
+  int thread = 0;
+  ensembles::finished_share done{};
+
+  static void fields(auto& self, auto& archive) { archive(self.wants, self.study, self.thread, self.done); }
+};
+
+/// The result of a study, for ranks other than the first.
+struct summary {
+  std::size_t done = 0, failed = 0;
+  std::string failure{};
+
+  static void fields(auto& self, auto& archive) { archive(self.done, self.failed, self.failure); }
+};
 
 /// The content of a message, and its sender.
 template <class Content>
@@ -66,14 +92,14 @@ public:
   std::optional<message<Content>> try_receive(int from, int tag) {
     int is_there = 0, words = 0;
     MPI_Message handle;
-    MPI_Status status;
+    MPI_Status envelope;
     const std::scoped_lock lock(mutex_);
-    throw_if_failed(MPI_Improbe(from, tag, all_, &is_there, &handle, &status));
+    throw_if_failed(MPI_Improbe(from, tag, all_, &is_there, &handle, &envelope));
     if (is_there == 0) return std::nullopt;
-    throw_if_failed(MPI_Get_count(&status, MPI_UINT64_T, &words));
+    throw_if_failed(MPI_Get_count(&envelope, MPI_UINT64_T, &words));
     std::string bytes(static_cast<std::size_t>(words) * word, '\0');
     throw_if_failed(MPI_Mrecv(bytes.data(), words, MPI_UINT64_T, &handle, MPI_STATUS_IGNORE));
-    message<Content> found{status.MPI_SOURCE, {}};
+    message<Content> found{envelope.MPI_SOURCE, {}};
     ensembles::loader all(bytes);
     all(found.content);
     return found;

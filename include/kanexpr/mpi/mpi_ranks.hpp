@@ -1,10 +1,20 @@
 #pragma once
 
-#include <kanexpr/ensembles/executor.hpp>
-#include <kanexpr/mpi/compiled_mpi.hpp>
+#include <kanexpr/base/one_way.hpp>
+#include <kanexpr/ensembles/ensemble_options.hpp>
+#include <kanexpr/ensembles/ensemble_results.hpp>
+#include <kanexpr/ensembles/study_interface.hpp>
 
 #include <memory>
-#include <string>
+
+// kanexpr::mpi_engine defines KANEXPR_COMPILED_MPI for all its users.
+#if defined KANEXPR_COMPILED_MPI
+#define KANEXPR_MPI
+KANEXPR_ONE_WAY("KANEXPR_COMPILED_MPI", "1");
+#else
+#define KANEXPR_MPI inline
+KANEXPR_ONE_WAY("KANEXPR_COMPILED_MPI", "2");
+#endif
 
 namespace kanexpr {
 
@@ -24,17 +34,19 @@ namespace kanexpr {
 /// one.
 ///
 /// A program creates one such object at its start. It initializes MPI, and finalizes it at its end.
-class mpi_ranks final : public ensembles::executor {
+class mpi_ranks {
 public:
   KANEXPR_MPI mpi_ranks(int& argc, char**& argv);
-  KANEXPR_MPI ~mpi_ranks() override;
+  mpi_ranks(const mpi_ranks&) = delete;
+  mpi_ranks& operator=(const mpi_ranks&) = delete;
+  KANEXPR_MPI ~mpi_ranks();
 
   KANEXPR_MPI int rank() const;  ///< of this process, from 0
   KANEXPR_MPI int count() const; ///< the number of ranks
   bool is_first() const { return rank() == 0; }
 
-  KANEXPR_MPI ensemble_results run(const ensembles::study_interface& study, const std::string& identity,
-                                   const ensemble_options& options) override;
+  /// Performs a study, as `ensemble::run` does.
+  KANEXPR_MPI ensemble_results run(const ensembles::study_interface& study, const ensemble_options& options);
 
 private:
   struct state;

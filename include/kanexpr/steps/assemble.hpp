@@ -35,6 +35,7 @@ public:
   using coordinate_vector = Eigen::Matrix<Number, known.configuration_constraints, 1>;
   using square = Eigen::Matrix<Number, known.configuration_constraints, known.configuration_constraints>;
   using speed_vector = Eigen::Matrix<Number, known.constraints, 1>;
+  using redundant_vector = Eigen::Matrix<Number, known.redundant_constraints, 1>;
 
   constraints_at(Number t, const Parameters& p, const Inputs& r) : t_(t), p_(p), r_(r) {}
 
@@ -46,7 +47,9 @@ public:
   }
   static constexpr int all_coordinates() { return known.coordinates; }
   static constexpr int coordinates() { return known.configuration_constraints; }
-  static constexpr int place_of_coordinate(int i) { return places[static_cast<std::size_t>(i)]; }
+  static constexpr int place_of_coordinate(int i) {
+    return dependent_places<System>[static_cast<std::size_t>(i)];
+  }
 
   coordinate_vector configuration_residual(const state& x) const {
     if constexpr (coordinates() == 0)
@@ -55,10 +58,7 @@ public:
       return std::get<0>(configuration()(t_, at_norm_one(x), p_, r_));
   }
   coordinate_vector configuration_terms(const state& x) const {
-    if constexpr (coordinates() == 0)
-      return {};
-    else
-      return of_once<quantity::configuration_terms>(x);
+    return of_once<quantity::configuration_terms, coordinate_vector>(x);
   }
   square configuration_jacobian_by_all(const state& x) const {
     square by_dependent;
@@ -71,41 +71,18 @@ public:
     return by_dependent;
   }
   speed_vector velocity_residual(const state& x) const {
-    if constexpr (known.constraints == 0)
-      return {};
-    else
-      return of_once<quantity::velocity_residual>(x);
+    return of_once<quantity::velocity_residual, speed_vector>(x);
   }
   speed_vector velocity_terms(const state& x) const {
-    if constexpr (known.constraints == 0)
-      return {};
-    else
-      return of_once<quantity::velocity_terms>(x);
+    return of_once<quantity::velocity_terms, speed_vector>(x);
   }
-  using redundant_vector = Eigen::Matrix<Number, known.redundant_constraints, 1>;
   redundant_vector redundant_residual(const state& x) const {
-    if constexpr (known.redundant_constraints == 0)
-      return {};
-    else
-      return out_of_line<function<System, quantity::redundant_residual>>{}(t_, x, p_, r_);
+    return redundant<quantity::redundant_residual>(x);
   }
-  redundant_vector redundant_terms(const state& x) const {
-    if constexpr (known.redundant_constraints == 0)
-      return {};
-    else
-      return out_of_line<function<System, quantity::redundant_terms>>{}(t_, x, p_, r_);
-  }
-  redundant_vector redundant_rate(const state& x) const {
-    if constexpr (known.redundant_constraints == 0)
-      return {};
-    else
-      return out_of_line<function<System, quantity::redundant_rate>>{}(t_, x, p_, r_);
-  }
+  redundant_vector redundant_terms(const state& x) const { return redundant<quantity::redundant_terms>(x); }
+  redundant_vector redundant_rate(const state& x) const { return redundant<quantity::redundant_rate>(x); }
   redundant_vector redundant_rate_terms(const state& x) const {
-    if constexpr (known.redundant_constraints == 0)
-      return {};
-    else
-      return out_of_line<function<System, quantity::redundant_rate_terms>>{}(t_, x, p_, r_);
+    return redundant<quantity::redundant_rate_terms>(x);
   }
   /// Whether the configuration constraints hold up to rounding.
   bool configuration_holds(const state& x) const {
@@ -133,8 +110,7 @@ public:
     } else {
       const auto u = of_once<quantity::dependent_speeds>(x);
       if (status_of(u))
-        for (int i = 0; i < known.constraints; ++i)
-          x(places[static_cast<std::size_t>(coordinates() + i)]) = u(i);
+        for (int i = 0; i < known.constraints; ++i) x(place_of_coordinate(coordinates() + i)) = u(i);
       return status_of(u);
     }
   }
@@ -171,6 +147,22 @@ private:
     }
   }
 
+  /// Returns a vector with an entry for each constraint of a kind; empty if there are none.
+  template <quantity wanted, class Vector>
+  Vector of_once(const state& x) const {
+    if constexpr (Vector::SizeAtCompileTime == 0)
+      return {};
+    else
+      return of_once<wanted>(x);
+  }
+  template <quantity wanted>
+  redundant_vector redundant(const state& x) const {
+    if constexpr (known.redundant_constraints == 0)
+      return {};
+    else
+      return out_of_line<function<System, wanted>>{}(t_, x, p_, r_);
+  }
+
   static decltype(auto) at_norm_one(const state& x) {
     if constexpr (quaternions::are_bound) {
       state at = x;
@@ -180,15 +172,6 @@ private:
       return (x);
     }
   }
-
-  static constexpr auto places = [] {
-    std::array<int, static_cast<std::size_t>(known.configuration_constraints + known.constraints + 1)>
-        found{};
-    std::size_t next = 0;
-    for (int i = 0; i < known.coordinates + known.speeds; ++i)
-      if (known.dependent[i]) found[next++] = i;
-    return found;
-  }();
 
   Number t_;
   const Parameters& p_;

@@ -9,7 +9,6 @@
 #include <kanexpr/steps/unit_quaternions.hpp>
 
 #include <Eigen/Core>
-#include <array>
 
 namespace kanexpr::steps {
 
@@ -36,7 +35,7 @@ public:
   }
 
   /// Returns the index in the state of a dependent coordinate or, after the coordinates, a dependent speed.
-  static constexpr int place(int i) { return places[static_cast<std::size_t>(i)]; }
+  static constexpr int place(int i) { return dependent_places<System>[static_cast<std::size_t>(i)]; }
 
   /// Returns the number of operations of all evaluations and solves.
   static constexpr symbolic::cost cost() {
@@ -73,14 +72,6 @@ private:
     static constexpr bool quaternions_are_bound() { return quaternions::are_bound; }
     static constexpr int dependent(int i) { return place(i); }
   };
-
-  static constexpr auto places = [] {
-    std::array<int, static_cast<std::size_t>(unknowns + known.constraints + 1)> found{};
-    std::size_t next = 0;
-    for (int i = 0; i < known.coordinates + known.speeds; ++i)
-      if (known.dependent[i]) found[next++] = i;
-    return found;
-  }();
 };
 
 } // namespace kanexpr::steps

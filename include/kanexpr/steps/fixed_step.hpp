@@ -3,11 +3,11 @@
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/not_finite.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/steps/correction.hpp>
-#include <kanexpr/steps/inputs_at.hpp>
 
 #include <string_view>
 #include <type_traits>
@@ -29,6 +29,20 @@
 namespace kanexpr {
 
 namespace steps {
+
+/// Whether the inputs are a vector, which is held constant during a step, or omitted, rather than a function.
+template <class Inputs>
+inline constexpr bool inputs_hold =
+    requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, compiled::not_given>;
+
+/// Returns the inputs at an instant, from a vector or a function.
+template <class Inputs, class Time, class State>
+[[gnu::always_inline]] inline decltype(auto) inputs_at(const Inputs& r, const Time& t, const State& x) {
+  if constexpr (inputs_hold<Inputs>)
+    return (r);
+  else
+    return r(t, x);
+}
 
 /// The functions of a system with its parameters and inputs, in the form that the integration methods
 /// require.

@@ -116,10 +116,10 @@ private:
                        columns = size + inputs;
 
   template <class Function>
-  static constexpr symbolic::cost cost_of_adding(int rows, bool to_what_is_there) {
-    const int sums = size - 1 + (to_what_is_there ? 1 : 0);
-    return added(Function::cost(), arithmetic(rows * columns * size,
-                                              rows * (columns * sums + inputs + (to_what_is_there ? 1 : 0))));
+  static constexpr symbolic::cost cost_of_adding(int rows, bool accumulates) {
+    const int sums = size - 1 + (accumulates ? 1 : 0);
+    return added(Function::cost(),
+                 arithmetic(rows * columns * size, rows * (columns * sums + inputs + (accumulates ? 1 : 0))));
   }
 
   static constexpr symbolic::cost cost_of_norms() {
@@ -134,7 +134,7 @@ private:
   /// Adds a function of the state to the dependent entries from index `first` on, or assigns it to them.
   template <class Function, class Time, class Number, class Parameters, class Inputs>
   static status add(const Time& t, varied_state<System, Number>& next, int first, const Parameters& p,
-                    const Inputs& r, bool to_what_is_there) {
+                    const Inputs& r, bool accumulates) {
     using state_type = varied_state<System, Number>;
     const auto [change, by_state, by_inputs] = out_of_line<Function>{}(t, next.x, p, r);
     if (const status s = status_of(change); !s) return s;
@@ -144,7 +144,7 @@ private:
     by_all.template rightCols<state_type::inputs>() += by_inputs;
     for (int i = 0; i < rows; ++i) {
       const int to = correct::place(first + i);
-      if (to_what_is_there) {
+      if (accumulates) {
         next.x(to) += change(i);
         next.by_all.row(to) += by_all.row(i);
       } else {
@@ -177,7 +177,7 @@ private:
 
 /// Completes a step from x, as `stepped` does.
 template <class System, int corrections, class Number, class Parameters, class Inputs>
-linearized_state<System, Number> concluded(const Number& t, const state<System, Number>& x, const Number& h,
+linearized_state<System, Number> completed(const Number& t, const state<System, Number>& x, const Number& h,
                                            varied_state<System, Number>& next, const Parameters& p,
                                            const Inputs& r) {
   using result = linearized_state<System, Number>;
@@ -196,7 +196,7 @@ linearized_state<System, Number> concluded(const Number& t, const state<System, 
 
 /// Returns the number of operations that the pivot checks need, including the margins.
 template <class System>
-constexpr symbolic::cost cost_of_looks() {
+constexpr symbolic::cost cost_of_pivot_checks() {
   constexpr int pivots = survey_of<System>.constraints;
   return added(cost_of_sides<System>(), arithmetic(3 * pivots, 2 * pivots));
 }
@@ -220,12 +220,12 @@ struct varied_step {
                          evaluations =
                              added(arithmetic(2 * stages - 1, stages + 1), rates::evaluated::cost(), stages);
     return added(added(added(evaluations, chain, stages - 1), cost_of_advance(all), stages - 1 + stages),
-                 added(varied_correction<System, corrections>::cost(), cost_of_looks<System>()));
+                 added(varied_correction<System, corrections>::cost(), cost_of_pivot_checks<System>()));
   }
 
   template <class Number, class Parameters, class Inputs>
-  static linearized_state<System, Number> attempted(const Number& t, const state<System, Number>& x,
-                                                    const Number& h, const Parameters& p, const Inputs& r) {
+  static linearized_state<System, Number> take(const Number& t, const state<System, Number>& x,
+                                               const Number& h, const Parameters& p, const Inputs& r) {
     using rates = rates_with_derivatives<System>;
     using varied = varied_state<System, Number>;
     constexpr int inputs = varied::inputs;
@@ -252,7 +252,7 @@ struct varied_step {
       steps::advance(next.x, 0, next.x, weight, rate);
       next.by_all += weight * by_all;
     }
-    return concluded<System, corrections>(t, x, h, next, p, r);
+    return completed<System, corrections>(t, x, h, next, p, r);
   }
 };
 
@@ -274,12 +274,12 @@ struct varied_step<kanexpr::semi_implicit_euler<System, corrections>> {
                                                 cost_of_advance(n * (1 + size + inputs + inputs)));
     const symbolic::cost chain = arithmetic(n * (size + inputs) * size, n * (size + inputs) * (size - 1));
     return added(added(added(of_speeds, of_coordinates), added(chain, arithmetic(0, 1))),
-                 added(varied_correction<System, corrections>::cost(), cost_of_looks<System>()));
+                 added(varied_correction<System, corrections>::cost(), cost_of_pivot_checks<System>()));
   }
 
   template <class Number, class Parameters, class Inputs>
-  static linearized_state<System, Number> attempted(const Number& t, const state<System, Number>& x,
-                                                    const Number& h, const Parameters& p, const Inputs& r) {
+  static linearized_state<System, Number> take(const Number& t, const state<System, Number>& x,
+                                               const Number& h, const Parameters& p, const Inputs& r) {
     using state_type = varied_state<System, Number>;
     state_type next(x);
     const auto [udot, u_by_state, u_by_inputs] = varied<quantity::udot>{}(t, x, p, r);
@@ -293,7 +293,7 @@ struct varied_step<kanexpr::semi_implicit_euler<System, corrections>> {
     const typename state_type::derivatives here = next.by_all;
     next.by_all.template topRows<n>() += h * q_by_state.lazyProduct(here);
     next.by_all.template topRightCorner<n, inputs>() += h * q_by_inputs;
-    return concluded<System, corrections>(t, x, h, next, p, r);
+    return completed<System, corrections>(t, x, h, next, p, r);
   }
 };
 
@@ -330,7 +330,7 @@ private:
                                                   const Number& h, const Parameters& p, const Inputs& r) {
     if (!lower::scalar_math<Number>::is_finite(Number(t + h)))
       return {x, {}, {}, status(steps::step_not_finite)};
-    linearized_state<System, Number> next = steps::varied_step<Step>::attempted(t, x, h, p, r);
+    linearized_state<System, Number> next = steps::varied_step<Step>::take(t, x, h, p, r);
     if (!next.status) next.status = compiled::not_finite<System>::cause_of(next.status, x, p, r);
     return next;
   }

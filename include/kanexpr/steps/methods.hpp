@@ -129,11 +129,11 @@ template <class Equations, class Time, class State>
                                                const Time& after, const State& next) {
   using mechanics::quantity;
   const auto before = of.template get<quantity::constraint_pivots>(t, x);
-  const auto behind = of.template get<quantity::constraint_pivots>(after, next);
+  const auto later = of.template get<quantity::constraint_pivots>(after, next);
   if (const status s = status_of(before); !s) return s;
-  if (const status s = status_of(behind); !s) return s;
+  if (const status s = status_of(later); !s) return s;
   for (int i = 0; i < static_cast<int>(before.size()); ++i)
-    if (const status s = of.same_side(before(i), behind(i)); !s) return s;
+    if (const status s = of.same_side(before(i), later(i)); !s) return s;
   return {};
 }
 

@@ -1,14 +1,13 @@
 #pragma once
 
 #include <kanexpr/base/status.hpp>
-#include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/constrained_motion.hpp>
 #include <kanexpr/steps/fixed_step.hpp>
+#include <kanexpr/steps/unreduced_equations.hpp>
 
 #include <Eigen/Core>
 #include <cmath>
@@ -21,71 +20,6 @@ namespace kanexpr::steps {
 using compiled::not_given;
 using compiled::survey_of;
 
-/// The equations that `constrained_motion` evaluates, at a time with constant inputs.
-template <class System, class Number>
-class unreduced_equations {
-  static constexpr const derivation::survey& known = survey_of<System>;
-  using quantity = mechanics::quantity;
-  using quaternions = unit_quaternions<System>;
-  using all = compiled::vectors<System, Number>;
-  static constexpr int l = known.configuration_constraints;
-
-public:
-  using number = Number;
-  static constexpr int fixed_coordinates = known.coordinates, fixed_speeds = known.speeds,
-                       fixed_rows_of_coordinates = l + quaternions::count,
-                       fixed_rows_of_speeds = known.constraints;
-  using state = Eigen::Matrix<Number, known.coordinates + known.speeds, 1>;
-  using parameters = typename all::parameters;
-  using inputs = typename all::inputs;
-
-  unreduced_equations(Number t, const parameters& p, const inputs& r) : t_(t), p_(p), r_(r) {}
-  /// Sets the time and the inputs.
-  void go_to(Number t, const inputs& r) { t_ = t, r_ = r; }
-
-  static constexpr int coordinates() { return fixed_coordinates; }
-  static constexpr int speeds() { return fixed_speeds; }
-  static constexpr int rows_of_coordinates() { return fixed_rows_of_coordinates; }
-  static constexpr int rows_of_speeds() { return fixed_rows_of_speeds; }
-
-  template <class Left, class Rows>
-  void configuration(const state& x, Left& left, Rows& by_coordinates) const {
-    if constexpr (l != 0) {
-      const auto [kept, by_all] = out_of_line<
-          function<System, quantity::configuration_residual, quantity::configuration_jacobian_by_all>>{}(
-          t_, x, p_, r_);
-      for (int i = 0; i < l; ++i) {
-        left(i) = kept(i);
-        by_coordinates.row(i) = by_all.row(i);
-      }
-    }
-    if constexpr (quaternions::count != 0) {
-      left.template tail<quaternions::count>() = quaternions::residual(x);
-      by_coordinates.template bottomRows<quaternions::count>() = quaternions::jacobian(x);
-    }
-  }
-  template <class Left, class Rows>
-  void velocities(const state& x, Left& left, Rows& by_speeds) const {
-    const auto [kept, by_all] =
-        out_of_line<function<System, quantity::velocity_residual, quantity::constraint_jacobian>>{}(t_, x, p_,
-                                                                                                    r_);
-    left = kept, by_speeds = by_all;
-  }
-  template <class Rates, class Masses, class Forces, class Biases>
-  status motion(const state& x, Rates& qdot, Masses& mass, Forces& force, Biases& bias) const {
-    const auto [rates, masses, forces, biases] =
-        out_of_line<function<System, quantity::qdot, quantity::unreduced_mass_matrix,
-                             quantity::unreduced_forcing, quantity::constraint_bias>>{}(t_, x, p_, r_);
-    qdot = rates, mass = masses, force = forces, bias = biases;
-    return status_of(biases);
-  }
-
-private:
-  Number t_;
-  const parameters& p_;
-  inputs r_;
-};
-
 /// Converts an argument of a step to the vector type of the system; returns zero if it was omitted.
 template <class Vector, class Given>
 Vector own_vector(const Given& given) {
@@ -96,19 +30,20 @@ Vector own_vector(const Given& given) {
 }
 
 /// The equations of all speeds, evaluated at the nearest state that satisfies the constraints, in the form
-/// that `stepping` requires.
+/// that the integration methods require.
 template <class System, class Number, class Inputs>
 class passing_equations {
-  using unreduced = unreduced_equations<System, Number>;
+  using parameters = parameter_values<System, Number>;
+  using inputs = input_values<System, Number>;
+  using unreduced =
+      unreduced_equations<System, Number, parameters, inputs, unreduced_rows::configuration_and_velocities>;
   using motion = numeric::constrained_motion<unreduced>;
   using quantity = mechanics::quantity;
-  using inputs = typename unreduced::inputs;
   using vector = typename unreduced::state;
   static constexpr int n = unreduced::fixed_coordinates, o = unreduced::fixed_speeds;
 
 public:
-  passing_equations(Number t, const state<System, Number>& x, const typename unreduced::parameters& p,
-                    const Inputs& r)
+  passing_equations(Number t, const state<System, Number>& x, const parameters& p, const Inputs& r)
       : r_(r), of_(t, p, own_vector<inputs>(inputs_at(r, t, x))),
         moving_(of_, numeric::usual_sizes(of_, vector(x)), x) {}
 
@@ -140,7 +75,7 @@ public:
 
   /// Whether a state satisfies the constraints as closely as a step leaves it.
   template <class Time>
-  bool holds(const Time& t, const state<System, Number>& x) const {
+  bool satisfies_constraints(const Time& t, const state<System, Number>& x) const {
     const status s = find(t, x);
     return s && (found_.x - x).norm() <= Number(1e-2) * (1 + x.norm());
   }
@@ -194,7 +129,7 @@ struct passing_step {
       const watching_equations<System, corrections, Parameters, const Inputs&> of{{p, r}};
       state<System, Number> next = x;
       status s = stepped<Method>(of, t, next, h);
-      if (!s || of.is_near) s = passed_by(s, t, x, h, p, r, next);
+      if (!s || of.is_near) s = pass(s, t, x, h, p, r, next);
       if (!s) return compiled::not_finite<System>::cause_of(s, x, p, inputs_at(r, t, x));
       t = static_cast<Time>(t + h), x = next;
       return s;
@@ -206,13 +141,13 @@ private:
   /// kept.
   template <class Time, class Number, class Parameters, class Inputs>
   [[gnu::cold, gnu::noinline]] static status
-  passed_by(const status& before, const Time& t, const state<System, Number>& x, const Time& h,
-            const Parameters& p, const Inputs& r, state<System, Number>& next) {
+  pass(const status& before, const Time& t, const state<System, Number>& x, const Time& h,
+       const Parameters& p, const Inputs& r, state<System, Number>& next) {
     if constexpr (can_be_passed_on<System, Parameters, Inputs>()) {
-      const auto parameters = own_vector<typename unreduced_equations<System, Number>::parameters>(p);
+      const auto parameters = own_vector<parameter_values<System, Number>>(p);
       const passing_equations<System, Number, Inputs> of(static_cast<Number>(t), x, parameters, r);
       state<System, Number> there = x;
-      if (of.holds(t, x) && stepped<Method>(of, t, there, h)) {
+      if (of.satisfies_constraints(t, x) && stepped<Method>(of, t, there, h)) {
         next = there;
         return {};
       }

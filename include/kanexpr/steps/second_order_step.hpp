@@ -58,207 +58,191 @@ auto stacked(const Above& above, const Below& below) {
   return all;
 }
 
-/// Runs the adjoint sweep backward through the stages of an explicit method. Each stage adds its Hessian,
-/// weighted by its adjoint and transformed to the start of the step.
-template <class Step>
-struct step_of_second_order {
+/// The arguments of a step and the types of its second derivatives.
+template <class Step, class Number, class Parameters, class Inputs>
+struct step_at {
   using System = typename Step::system;
   using rates = weighted_rates<System>;
-  static constexpr int states = rates::states, inputs = rates::inputs, size = rates::size;
+  using linear = rates_with_derivatives<System>;
+  using weights = typename rates::template weights<Number>;
+  using direction = typename rates::template direction<Number>;
+  using square = typename rates::template square<Number>;
+  static constexpr int states = rates::states, inputs = rates::inputs;
+
+  const Number& t;
+  const state<System, Number>& x;
+  const Number& h;
+  const Parameters& p;
+  const Inputs& r;
+};
+
+/// Runs the adjoint sweep backward through the stages of an explicit method. Each stage adds its Hessian,
+/// weighted by its adjoint and transformed to the start of the step.
+template <class Step, class Number, class Parameters, class Inputs>
+struct step_of_second_order : step_at<Step, Number, Parameters, Inputs> {
+  using base = step_at<Step, Number, Parameters, Inputs>;
+  using base::states, base::inputs, base::t, base::x, base::h, base::p, base::r;
+  using typename base::direction, typename base::linear, typename base::rates, typename base::square,
+      typename base::System, typename base::weights;
   static constexpr int stages = Step::tableau.stages;
+  static constexpr const auto& k = coefficients_of<Step::tableau, Number>;
 
-  /// Returns, for each stage, its time offset and the weight of its rate in the result, both multiplied by h.
-  template <class Number>
-  static constexpr void lengths(const Number& h, Number (&reach)[stages], Number (&weight)[stages]) {
-    constexpr const auto& k = coefficients_of<Step::tableau, Number>;
-    for (int s = 0; s < stages; ++s)
-      reach[s] = Number(Number(k.a[s]) * h), weight[s] = Number(Number(k.b[s]) * h);
-  }
-
-  template <class Number, class Parameters, class Inputs, class Weights>
-  static with_status<typename rates::template square<Number>>
-  hessian(const Number& t, const state<System, Number>& x, const Number& h, const Parameters& p,
-          const Inputs& r, const Weights& w) {
-    using linear = rates_with_derivatives<System>;
-    using derivatives = typename varied_state<System, Number>::derivatives;
-    with_status<typename rates::template square<Number>> all;
-    Number reach[stages], weight[stages];
-    lengths(h, reach, weight);
+  template <class Weights>
+  status hessian(const Weights& w, square& all) const {
     const varied_state<System, Number> before(x);
     varied_state<System, Number> at[stages];
     at[0] = before;
     Eigen::Matrix<Number, states, states> by_state[stages];
     for (int s = 0; s < stages; ++s) {
-      const auto [rate, by_x, by_r] = typename linear::evaluated{}(Number(t + reach[s]), at[s].x, p, r);
-      all.status = status_of(rate);
-      if (!all.status) return all;
+      const auto [rate, by_x, by_r] = typename linear::evaluated{}(time(s), at[s].x, p, r);
+      if (const status found = status_of(rate); !found) return found;
       by_state[s] = by_x;
       if (s + 1 == stages) break;
-      derivatives by_all = linear::by_state::product(by_x, at[s].by_all);
+      auto by_all = linear::by_state::product(by_x, at[s].by_all);
       by_all.template rightCols<inputs>() += by_r;
-      steps::advance(at[s + 1].x, 0, x, reach[s + 1], rate);
-      at[s + 1].by_all = before.by_all + reach[s + 1] * by_all;
+      steps::advance(at[s + 1].x, 0, x, reach(s + 1), rate);
+      at[s + 1].by_all = before.by_all + reach(s + 1) * by_all;
     }
     all.setZero();
-    typename rates::template weights<Number> after =
-        rates::template weights<Number>::Zero(); // the adjoint of a stage
+    weights after = weights::Zero(); // the adjoint of a stage
     for (int s = stages; s-- > 0;) {
-      typename rates::template weights<Number> of_rate = weight[s] * w;
-      if (s + 1 < stages) of_rate += reach[s + 1] * after;
-      const auto bent = typename rates::hessian{}(Number(t + reach[s]), at[s].x, p, r, of_rate);
-      all.status = status_of(bent);
-      if (!all.status) return all;
-      add_seen_from_start(all, bent, at[s].by_all);
+      weights of_rate = weight(s) * w;
+      if (s + 1 < stages) of_rate += reach(s + 1) * after;
+      const auto curvature = typename rates::hessian{}(time(s), at[s].x, p, r, of_rate);
+      if (const status found = status_of(curvature); !found) return found;
+      add_transformed(all, curvature, at[s].by_all);
       after = by_state[s].transpose().lazyProduct(of_rate);
     }
-    return all;
+    return {};
   }
 
-  template <class Number, class Parameters, class Inputs, class Weights, class Direction>
-  static with_status<typename rates::template direction<Number>>
-  product(const Number& t, const state<System, Number>& x, const Number& h, const Parameters& p,
-          const Inputs& r, const Weights& w, const Direction& v) {
-    using weights = typename rates::template weights<Number>;
-    using direction = typename rates::template direction<Number>;
-    with_status<direction> all;
-    Number reach[stages], weight[stages];
-    lengths(h, reach, weight);
+  template <class Weights, class Direction>
+  status product(const Weights& w, const Direction& v, direction& all) const {
     state<System, Number> at[stages];
     direction along[stages];
     at[0] = x;
     for (direction& each : along) each = v;
     for (int s = 0; s + 1 < stages; ++s) {
-      const auto [rate, change] = typename rates::rates_along{}(Number(t + reach[s]), at[s], p, r, along[s]);
-      all.status = status_of(rate);
-      if (!all.status) return all;
-      steps::advance(at[s + 1], 0, x, reach[s + 1], rate);
-      steps::advance(along[s + 1], 0, v, reach[s + 1], change);
+      const auto [rate, change] = typename rates::rates_along{}(time(s), at[s], p, r, along[s]);
+      if (const status found = status_of(rate); !found) return found;
+      steps::advance(at[s + 1], 0, x, reach(s + 1), rate);
+      steps::advance(along[s + 1], 0, v, reach(s + 1), change);
     }
     all.setZero();
     weights after = weights::Zero(), change_after = weights::Zero();
     for (int s = stages; s-- > 0;) {
-      weights of_rate = weight[s] * w, change_of_rate = weights::Zero();
-      if (s + 1 < stages) of_rate += reach[s + 1] * after, change_of_rate = reach[s + 1] * change_after;
-      const Number when = Number(t + reach[s]);
-      const auto [slope, bent] = typename rates::gradient_and_product{}(when, at[s], p, r, of_rate, along[s]);
-      all.status = status_of(slope);
-      if (!all.status) return all;
-      direction change = bent;
-      if (s + 1 < stages) change += typename rates::gradient{}(when, at[s], p, r, change_of_rate);
+      weights of_rate = weight(s) * w, change_of_rate = weights::Zero();
+      if (s + 1 < stages) of_rate += reach(s + 1) * after, change_of_rate = reach(s + 1) * change_after;
+      const auto [slope, curvature] =
+          typename rates::gradient_and_product{}(time(s), at[s], p, r, of_rate, along[s]);
+      if (const status found = status_of(slope); !found) return found;
+      direction change = curvature;
+      if (s + 1 < stages) change += typename rates::gradient{}(time(s), at[s], p, r, change_of_rate);
       after = slope.template head<states>();
       change_after = change.template head<states>();
       all += change;
     }
-    return all;
+    return {};
   }
 
 private:
+  Number reach(int s) const { return Number(Number(k.a[s]) * h); }
+  Number time(int s) const { return Number(t + reach(s)); }
+  Number weight(int s) const { return Number(Number(k.b[s]) * h); }
+
   /// Adds Zᵀ H Z of a stage with Z = [∂x/∂(x, r); 0 E].
-  template <class Number, class Bent>
-  static void add_seen_from_start(typename rates::template square<Number>& all, const Bent& bent,
-                                  const typename varied_state<System, Number>::derivatives& by_all) {
-    typename rates::template square<Number> right = bent.template leftCols<states>().lazyProduct(by_all);
-    right.template rightCols<inputs>() += bent.template rightCols<inputs>();
+  template <class Bent>
+  static void add_transformed(square& all, const Bent& curvature,
+                              const typename varied_state<System, Number>::derivatives& by_all) {
+    square right = curvature.template leftCols<states>().lazyProduct(by_all);
+    right.template rightCols<inputs>() += curvature.template rightCols<inputs>();
     all += by_all.transpose().lazyProduct(right.template topRows<states>());
     all.template bottomRows<inputs>() += right.template bottomRows<inputs>();
   }
 };
 
 /// q⁺ = q + h q̇(q, u⁺, r) after u⁺ = u + h u̇(q, u, r).
-template <class System>
-struct step_of_second_order<kanexpr::semi_implicit_euler<System, 0>> {
-  using rates = weighted_rates<System>;
-  using quantity = mechanics::quantity;
-  using by = derivation::with_respect_to;
-  static constexpr int n = rates::coordinates, speeds = rates::speeds, states = rates::states,
-                       inputs = rates::inputs, size = rates::size;
-  using kinematics = function<System, derivation::derivatives_of_result{quantity::qdot, by::state}>;
+template <class Of, class Number, class Parameters, class Inputs>
+struct step_of_second_order<kanexpr::semi_implicit_euler<Of, 0>, Number, Parameters, Inputs>
+    : step_at<kanexpr::semi_implicit_euler<Of, 0>, Number, Parameters, Inputs> {
+  using base = step_at<kanexpr::semi_implicit_euler<Of, 0>, Number, Parameters, Inputs>;
+  using base::states, base::inputs, base::t, base::x, base::h, base::p, base::r;
+  using typename base::direction, typename base::linear, typename base::rates, typename base::square,
+      typename base::System, typename base::weights;
+  static constexpr int n = rates::coordinates, speeds = rates::speeds;
+  using coordinate_vector = Eigen::Matrix<Number, n, 1>;
+  using speed_vector = Eigen::Matrix<Number, speeds, 1>;
 
-  template <class Number, class Parameters, class Inputs, class Weights>
-  static with_status<typename rates::template square<Number>>
-  hessian(const Number& t, const state<System, Number>& x, const Number& h, const Parameters& p,
-          const Inputs& r, const Weights& w) {
-    using linear = rates_with_derivatives<System>;
-    with_status<typename rates::template square<Number>> all;
+  template <class Weights>
+  status hessian(const Weights& w, square& all) const {
     const auto [rate, by_x, by_r] = typename linear::evaluated{}(t, x, p, r);
-    all.status = status_of(rate);
-    if (!all.status) return all;
+    if (const status found = status_of(rate); !found) return found;
     state<System, Number> moving = x;
     steps::advance(moving, n, x, h, rate.template tail<speeds>());
-    const auto of_speeds = weights_of_speeds(t, moving, h, p, r, w);
-    all.status = of_speeds.status;
-    if (!all.status) return all;
-    const typename rates::template weights<Number> first =
-        stacked(Eigen::Matrix<Number, n, 1>::Zero().eval(), (h * of_speeds).eval());
-    const auto bent = typename rates::hessian{}(t, x, p, r, first);
-    all.status = status_of(bent);
-    if (!all.status) return all;
-    static_cast<typename rates::template square<Number>&>(all) = bent;
+    const auto of_speeds = weights_of_speeds(moving, w);
+    if (!of_speeds.status) return of_speeds.status;
+    const auto curvature = typename rates::hessian{}(t, x, p, r, weights_of_rates(of_speeds));
+    if (const status found = status_of(curvature); !found) return found;
+    all = curvature;
     if constexpr (!rates::has_linear_kinematics) {
-      typename rates::template square<Number> seen =
-          rates::template square<Number>::Identity(); // ∂(q, u⁺, r)
-      seen.template block<speeds, states>(n, 0) += h * by_x.template bottomRows<speeds>();
-      seen.template block<speeds, inputs>(n, states) += h * by_r.template bottomRows<speeds>();
-      const auto turned = typename rates::hessian{}(t, moving, p, r, weights_of_coordinates<Number>(h, w));
-      all.status = status_of(turned);
-      if (!all.status) return all;
-      const typename rates::template square<Number> right = turned.lazyProduct(seen);
-      all += seen.transpose().lazyProduct(right);
+      square by_start = square::Identity(); // ∂(q, u⁺, r)
+      by_start.template block<speeds, states>(n, 0) += h * by_x.template bottomRows<speeds>();
+      by_start.template block<speeds, inputs>(n, states) += h * by_r.template bottomRows<speeds>();
+      const auto of_coordinates = typename rates::hessian{}(t, moving, p, r, weights_of_coordinates(w));
+      if (const status found = status_of(of_coordinates); !found) return found;
+      const square right = of_coordinates.lazyProduct(by_start);
+      all += by_start.transpose().lazyProduct(right);
     }
-    return all;
+    return {};
   }
 
-  template <class Number, class Parameters, class Inputs, class Weights, class Direction>
-  static with_status<typename rates::template direction<Number>>
-  product(const Number& t, const state<System, Number>& x, const Number& h, const Parameters& p,
-          const Inputs& r, const Weights& w, const Direction& v) {
-    using direction = typename rates::template direction<Number>;
-    with_status<direction> all;
+  template <class Weights, class Direction>
+  status product(const Weights& w, const Direction& v, direction& all) const {
     const auto [rate, change] = typename rates::rates_along{}(t, x, p, r, v);
-    all.status = status_of(rate);
-    if (!all.status) return all;
+    if (const status found = status_of(rate); !found) return found;
     state<System, Number> moving = x;
     steps::advance(moving, n, x, h, rate.template tail<speeds>());
-    const auto of_speeds = weights_of_speeds(t, moving, h, p, r, w);
-    all.status = of_speeds.status;
-    if (!all.status) return all;
-    direction turned = direction::Zero();
+    const auto of_speeds = weights_of_speeds(moving, w);
+    if (!of_speeds.status) return of_speeds.status;
+    direction of_coordinates = direction::Zero();
     if constexpr (!rates::has_linear_kinematics) {
       direction along = v;
       steps::advance(along, n, v, h, change.template tail<speeds>());
       const auto found =
-          second_order<System>::hessian_product(t, moving, p, r, weights_of_coordinates<Number>(h, w), along);
-      all.status = status_of(found);
-      if (!all.status) return all;
-      turned = found;
+          second_order<System>::hessian_product(t, moving, p, r, weights_of_coordinates(w), along);
+      if (!status_of(found)) return status_of(found);
+      of_coordinates = found;
     }
-    const auto first = [&](const auto& of) -> typename rates::template weights<Number> {
-      return stacked(Eigen::Matrix<Number, n, 1>::Zero().eval(), (h * of).eval());
-    };
-    const auto bent = second_order<System>::hessian_product(t, x, p, r, first(of_speeds), v);
-    all.status = status_of(bent);
-    if (!all.status) return all;
-    static_cast<direction&>(all) = turned + bent;
+    const auto curvature = second_order<System>::hessian_product(t, x, p, r, weights_of_rates(of_speeds), v);
+    if (const status found = status_of(curvature); !found) return found;
+    all = of_coordinates + curvature;
     if constexpr (!rates::has_linear_kinematics)
-      all += typename rates::gradient{}(t, x, p, r, first(turned.template segment<speeds>(n)));
-    return all;
+      all += typename rates::gradient{}(t, x, p, r,
+                                        weights_of_rates(of_coordinates.template segment<speeds>(n)));
+    return {};
   }
 
 private:
+  /// Returns the weights h λ_u of u̇.
+  template <class Weights>
+  weights weights_of_rates(const Weights& of_speeds) const {
+    return stacked(coordinate_vector::Zero().eval(), (h * of_speeds).eval());
+  }
   /// Returns the weights h λ_q of q̇.
-  template <class Number, class Weights>
-  static typename rates::template weights<Number> weights_of_coordinates(const Number& h, const Weights& w) {
-    return stacked((h * w.template head<n>()).eval(), Eigen::Matrix<Number, speeds, 1>::Zero().eval());
+  template <class Weights>
+  weights weights_of_coordinates(const Weights& w) const {
+    return stacked((h * w.template head<n>()).eval(), speed_vector::Zero().eval());
   }
 
   /// Returns the weights λ_u + h (∂q̇/∂u)ᵀ λ_q of u⁺.
-  template <class Number, class Parameters, class Inputs, class Weights>
-  static with_status<Eigen::Matrix<Number, speeds, 1>>
-  weights_of_speeds(const Number& t, const state<System, Number>& at, const Number& h, const Parameters& p,
-                    const Inputs& r, const Weights& w) {
-    const auto by_state = kinematics{}(t, at, p, r);
-    const Eigen::Matrix<Number, n, 1> scaled = h * w.template head<n>();
-    Eigen::Matrix<Number, speeds, 1> of = w.template tail<speeds>();
+  template <class Weights>
+  with_status<speed_vector> weights_of_speeds(const state<System, Number>& at, const Weights& w) const {
+    using derivation::with_respect_to, mechanics::quantity;
+    const auto by_state =
+        function<System, derivation::derivatives_of_result{quantity::qdot, with_respect_to::state}>{}(t, at,
+                                                                                                      p, r);
+    const coordinate_vector scaled = h * w.template head<n>();
+    speed_vector of = w.template tail<speeds>();
     of += by_state.template rightCols<speeds>().transpose().lazyProduct(scaled);
     return {of, status_of(by_state)};
   }
@@ -286,14 +270,16 @@ struct second_order_step<Method<System, corrections>> {
   static_assert(compiled::survey_of<System>.quaternions == 0,
                 "second_order_step requires a system without quaternions, because they have norm 1 only at "
                 "the ends of a step");
-  using step = steps::step_of_second_order<Method<System, 0>>;
+  template <class Number, class Parameters, class Inputs>
+  using step = steps::step_of_second_order<Method<System, 0>, Number, Parameters, Inputs>;
 
   /// Returns ∂²(λᵀx⁺)/∂z², which is symmetric.
   template <class Number, class Parameters, class Inputs, class Weights>
   static auto hessian(std::type_identity_t<Number> t, const state<System, Number>& x,
                       std::type_identity_t<Number> h, const Parameters& p, const Inputs& r,
                       const Weights& w) {
-    auto found = step::hessian(t, x, h, p, r, w);
+    with_status<typename step<Number, Parameters, Inputs>::square> found;
+    found.status = step<Number, Parameters, Inputs>{{t, x, h, p, r}}.hessian(w, found);
     for (int i = 0; i < found.rows(); ++i)
       for (int j = 0; j < i; ++j) found(j, i) = found(i, j); // equal up to rounding
     return concluded(found, t, x, h, p, r);
@@ -304,7 +290,9 @@ struct second_order_step<Method<System, corrections>> {
   static auto hessian_product(std::type_identity_t<Number> t, const state<System, Number>& x,
                               std::type_identity_t<Number> h, const Parameters& p, const Inputs& r,
                               const Weights& w, const Direction& v) {
-    return concluded(step::product(t, x, h, p, r, w, v), t, x, h, p, r);
+    with_status<typename step<Number, Parameters, Inputs>::direction> found;
+    found.status = step<Number, Parameters, Inputs>{{t, x, h, p, r}}.product(w, v, found);
+    return concluded(found, t, x, h, p, r);
   }
 
 private:

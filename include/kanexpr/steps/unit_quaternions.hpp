@@ -35,6 +35,17 @@ constexpr base::sentence far_from_norm_1(const derivation::survey& known, int k)
   return base::sentence({"the norm of ", quaternion_called(known, k).view(), " is far from 1"});
 }
 
+/// The indices in the state of the dependent coordinates, followed by those of the dependent speeds.
+template <class System>
+inline constexpr auto dependent_places = [] {
+  constexpr const derivation::survey& known = compiled::survey_of<System>;
+  std::array<int, static_cast<std::size_t>(known.configuration_constraints + known.constraints + 1)> found{};
+  std::size_t next = 0;
+  for (int i = 0; i < known.coordinates + known.speeds; ++i)
+    if (known.dependent[i]) found[next++] = i;
+  return found;
+}();
+
 /// The quaternions of a system; the motion keeps their norms at 1.
 template <class System>
 class unit_quaternions {

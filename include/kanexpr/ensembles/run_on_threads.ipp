@@ -1,20 +1,20 @@
 #pragma once
 
 #include <kanexpr/ensembles/collector.ipp>
+#include <kanexpr/ensembles/run_on_threads.hpp>
 #include <kanexpr/ensembles/run_scheduler.ipp>
-#include <kanexpr/ensembles/thread_pool.hpp>
 
 #include <algorithm>
-#include <string>
+#include <cstddef>
 #include <thread>
 #include <utility>
 #include <vector>
 
 namespace kanexpr::ensembles {
 
-KANEXPR_ENSEMBLES ensemble_results thread_pool::run(const study_interface& study, const std::string& identity,
-                                                    const ensemble_options& options) {
-  collector results(study.layout(), identity, options);
+KANEXPR_ENSEMBLES ensemble_results run_on_threads(const study_interface& study,
+                                                  const ensemble_options& options) {
+  collector results(study, options);
   if (!results.begin()) return results.end();
   const std::size_t runs = study.layout().runs, left = runs - results.done();
   const std::size_t wanted = options.threads > 0 ? options.threads : std::thread::hardware_concurrency();

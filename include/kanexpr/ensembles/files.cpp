@@ -1,1 +1,0 @@
-#include <kanexpr/ensembles/csv_file.ipp>

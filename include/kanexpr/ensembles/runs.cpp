@@ -1,2 +1,0 @@
-#include <kanexpr/ensembles/distribution.ipp>
-#include <kanexpr/ensembles/runs.ipp>

@@ -1,1 +1,0 @@
-#include <kanexpr/ensembles/thread_pool.ipp>
