@@ -6,7 +6,7 @@
 #include <kanexpr/ensembles/run_output.hpp>
 #include <kanexpr/ensembles/runs.hpp>
 #include <kanexpr/simulations/simulation.hpp>
-#include <kanexpr/simulations/time_span.hpp>
+#include <kanexpr/simulations/settings.hpp>
 
 #include <functional>
 #include <string>
