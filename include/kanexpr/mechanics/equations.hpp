@@ -7,13 +7,12 @@
 #include <kanexpr/mechanics/checks/check_coriolis.hpp>
 #include <kanexpr/mechanics/checks/check_lagrange.hpp>
 #include <kanexpr/mechanics/checks/check_mass.hpp>
-#include <kanexpr/mechanics/checks/check_redundant.hpp>
 #include <kanexpr/mechanics/constraints/configuration_step.hpp>
 #include <kanexpr/mechanics/constraints/redundant_constraints.hpp>
 #include <kanexpr/mechanics/dynamics/coriolis.hpp>
 #include <kanexpr/mechanics/dynamics/dynamics.hpp>
 #include <kanexpr/mechanics/dynamics/energy.hpp>
-#include <kanexpr/mechanics/dynamics/full_form.hpp>
+#include <kanexpr/mechanics/dynamics/minimal.hpp>
 #include <kanexpr/mechanics/dynamics/positive_mass.hpp>
 #include <kanexpr/mechanics/dynamics/regressor.hpp>
 #include <kanexpr/mechanics/dynamics/required_inputs.hpp>
@@ -25,6 +24,7 @@
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/symbolic/derivatives/jacobian.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/sizes/term_sizes.hpp>
@@ -52,18 +52,9 @@ public:
   /// The stored members, except those that are cheap to form again. Only valid systems are stored.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.known_);
-    visit(self.constraints_);
-    visit(self.configuration_);
-    visit(self.speeds_);
-    visit(self.coordinates_);
-    visit(self.step_blocks_);
-    visit(self.input_blocks_);
-    visit(self.dynamics_);
-    visit(self.is_constrained_);
-    visit(self.is_mass_checked_);
-    visit(self.is_mass_regular_);
-    visit(self.linearized_);
+    visit(self.known_, self.constraints_, self.configuration_, self.speeds_, self.coordinates_,
+          self.step_blocks_, self.input_blocks_, self.dynamics_, self.is_constrained_, self.is_mass_checked_,
+          self.is_mass_regular_, self.linearized_);
   }
 
   /// Forms the constraints on the speeds and chooses the dependent speeds and coordinates.
@@ -78,20 +69,16 @@ public:
     if (!mistake_) mistake_ = check_contents_of_constraints(*m_, all);
     if (!mistake_ && m_->derived_by == method::lagrange) mistake_ = check_lagrange(moving(), system_->loads);
     if (mistake_) return;
-    constraints_ = no_constraints(*m_);
-    constraints_.on_accelerations = given.on_accelerations;
-    if (!given.on_velocities.empty() || !given.on_configuration.empty())
-      constraints_ = form_constraints(moving(), given);
+    constraints_ = form_constraints(moving(), given);
     record_redundant(all, constraints_);
-    configuration_ = mechanics::configuration_jacobian_by_all(*m_, given.on_configuration);
+    configuration_ = symbolic::forward_jacobian(*m_->g, given.on_configuration, m_->coordinates);
     const sequence<numbers> by_q = equilibrated(at_generic_states(configuration_, m_)),
                             by_u = equilibrated(at_generic_states(constraints_.jacobian, m_));
     mistake_ = check_constraints(s_, constraints_, configuration_, by_q, by_u);
     if (!mistake_) mistake_ = check_choice(*m_, given, constraints_, configuration_, by_q, by_u);
     if (!mistake_) mistake_ = check_acceleration_constraints(s_, constraints_, configuration_);
     if (!mistake_ && !constraints_.redundant.empty())
-      mistake_ = check_redundant_rates(s_, system_->constraints.redundant, constraints_, configuration_,
-                                       rates_of_redundant());
+      mistake_ = check_redundant_rates(s_, constraints_, configuration_, rates_of_redundant());
     if (mistake_) return;
     coordinates_ = partition_of(by_q, configuration_, given.dependent_coordinates,
                                 sequence<char>(m_->coordinates.size(), 0));

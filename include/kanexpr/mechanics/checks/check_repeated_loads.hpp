@@ -2,9 +2,9 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
-#include <kanexpr/mechanics/checks/declared_values.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/motion/generic_motion.hpp>
 #include <kanexpr/mechanics/motion/triple.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -26,7 +26,7 @@ public:
 private:
   using kind = contents::kind;
 
-  /// The points that a force acts on, or the frames that a torque acts on.
+  /// The points or frames on which a load acts.
   struct ends {
     int on = none;
     int against = none;
@@ -36,10 +36,13 @@ private:
       return (on == other.on && against == other.against) || (on == other.against && against == other.on);
     }
   };
-  static constexpr ends ends_of(const force& f) { return {f.point, f.against}; }
-  static constexpr ends ends_of(const torque& t) { return {t.frame, t.against}; }
-  static constexpr ends ends_of(const spring_damper& s) { return {s.point, s.other}; }
-  static constexpr ends ends_of(const torsional_damper& d) { return {d.frame, d.against}; }
+  template <class Load>
+  static constexpr ends ends_of(const Load& l) {
+    if constexpr (requires { l.point; })
+      return {l.point, l.against};
+    else
+      return {l.frame, l.against};
+  }
 
   /// Two loads that contain the same symbols: vectors along axes that turn relative to each other, or
   /// energies.
@@ -86,7 +89,7 @@ private:
     if (a.against != none && a.is_pair(b)) return -sign;
     // the torque of a motor between two frames must not be listed as an external load as well
     const bool is_external = a.against == none;
-    if (is_external == (b.against == none) || symbols_in(one.value, held_, {kind::input}).empty()) return 0;
+    if (is_external == (b.against == none) || held_.symbols_in(one.value, {kind::input}).empty()) return 0;
     const ends &external = is_external ? a : b, &between = is_external ? b : a;
     return external.on == between.on ? sign : external.on == between.against ? -sign : 0;
   }
@@ -94,28 +97,15 @@ private:
   template <class Load>
   constexpr void compare(const Load& one, const Load& other, int sign) {
     if (one.value.is_zero() || other.value.is_zero()) return;
-    vector difference = one.value;
-    sign < 0 ? difference.add(other.value) : difference.subtract(other.value);
-    if (difference.is_zero())
+    if ((sign < 0 ? one.value + other.value : one.value - other.value).is_zero())
       by_.fail({sentence_for(one, other).view()});
-    else if (has_other_axes(one.value, other.value) &&
-             contain_same(one.value, other.value, {kind::parameter, kind::input, kind::speed}))
+    else if (contain_same(one.value, other.value, {kind::parameter, kind::input, kind::speed}))
       candidates_.push({{&one.value, &other.value}, {}, sign, sentence_for(one, other)});
-  }
-
-  /// Whether a vector has a component along axes that the other one lacks.
-  static constexpr bool has_other_axes(const vector& v, const vector& other) {
-    for (const vector::part& p : v.parts) {
-      bool found = p.value.is_zero();
-      for (const vector::part& q : other.parts) found = found || q.frame == p.frame;
-      if (!found) return true;
-    }
-    return false;
   }
   template <class Value>
   constexpr bool contain_same(const Value& a, const Value& b, std::initializer_list<kind> kinds) const {
-    const sequence<int> in_a = symbols_in(a, held_, kinds), in_b = symbols_in(b, held_, kinds);
-    return in_a.size() == in_b.size() && are_among(in_a, in_b);
+    const sequence<int> in_a = held_.symbols_in(a, kinds), in_b = held_.symbols_in(b, kinds);
+    return in_a.size() == in_b.size() && in_b.contains_all(in_a);
   }
 
   constexpr void check_energies() {
@@ -141,11 +131,11 @@ private:
         if (c.vectors[i] == nullptr)
           all.push(c.energies[i]);
         else
-          each_entry(*c.vectors[i], [&](expression e) { all.push(e); });
-    at_generic_motion(m_, held_, all, [&](const generic_motion& motion) {
-      for (const candidate& c : candidates_)
-        if (have_same_value(c, motion)) return by_.fail({c.mistake.view()});
-    });
+          c.vectors[i]->each_entry([&](expression e) { all.push(e); });
+    generic_motion motion(m_, held_, all);
+    if (!motion.find_state() && !motion.move_freely()) return;
+    for (const candidate& c : candidates_)
+      if (have_same_value(c, motion)) by_.fail({c.mistake.view()});
   }
   static constexpr bool have_same_value(const candidate& c, const generic_motion& motion) {
     triple values[2];
@@ -163,10 +153,10 @@ private:
   static constexpr std::string_view noun(const torque&) { return "the torque "; }
   template <class Load>
   constexpr sentence sentence_for(const Load& one, const Load& other) const {
-    const sentence before = place_of(other, by_);
+    const sentence before = by_.place_of(other);
     if (ends_of(one).is_pair(ends_of(other)))
       return sentence({noun(other), before.view(), " is listed twice"});
-    return sentence({noun(one), place_of(one, by_).view(), " repeats ", noun(other), before.view()});
+    return sentence({noun(one), by_.place_of(one).view(), " repeats ", noun(other), before.view()});
   }
 
   /// Springs or dampers between the same two points or frames.
@@ -175,10 +165,8 @@ private:
     for (int i = 0; i < all.size(); ++i)
       for (int j = 0; j < i; ++j)
         if (ends_of(all[i]).is_pair(ends_of(all[j])) && is_same(all[i], all[j]))
-          by_.fail({"the ", what, names_of(all[j]).view(), " is listed twice"});
+          by_.fail({"the ", what, by_.ends_of(all[j]).view(), " is listed twice"});
   }
-  constexpr sentence names_of(const spring_damper& s) const { return by_.both_points(s.point, s.other); }
-  constexpr sentence names_of(const torsional_damper& d) const { return by_.both_frames(d.frame, d.against); }
 
   const mechanism& m_;
   const loads& acting_;

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
-#include <kanexpr/mechanics/checks/declared_values.hpp>
 #include <kanexpr/mechanics/checks/summands.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/motion/generic_motion.hpp>
 #include <kanexpr/mechanics/motion/triple.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -26,11 +26,10 @@ public:
     if (by_.mistake()) return;
     for (const body& b : m_.bodies) collect(b);
     if (candidates_.empty()) return;
-    at_generic_motion(m_, held_, wanted(), [&](const generic_motion& motion) {
-      if (!motion.is_defined(acting_.gravity)) return;
-      for (const candidate& c : candidates_)
-        if (motion.is_defined(c.on->mass)) check_candidate(c, motion);
-    });
+    generic_motion motion(m_, held_, wanted());
+    if (!(motion.find_state() || motion.move_freely()) || !motion.is_defined(acting_.gravity)) return;
+    for (const candidate& c : candidates_)
+      if (motion.is_defined(c.on->mass)) check_candidate(c, motion);
   }
 
 private:
@@ -45,12 +44,12 @@ private:
 
   template <class Value>
   constexpr sequence<int> constants_in(const Value& v) const {
-    return symbols_in(v, held_, {kind::parameter, kind::input});
+    return held_.symbols_in(v, {kind::parameter, kind::input});
   }
 
   constexpr void check_gravity(const body& b) {
     const sequence<int> of_mass = constants_in(b.mass);
-    if (of_mass.empty() || !are_among(of_mass, of_gravity_)) return;
+    if (of_mass.empty() || !of_gravity_.contains_all(of_mass)) return;
     const bool is_mass = of_mass[0] == b.mass.node();
     by_.fail({"gravity contains ", m_.g->symbol_at(of_mass[0]).called.view(),
               is_mass ? ", the mass of " : ", as does the mass of ", b.called.view(),
@@ -61,7 +60,7 @@ private:
     const sequence<int> of_mass = constants_in(b.mass);
     const auto may_contain_weight = [&](const auto& value) {
       const sequence<int> constants = constants_in(value);
-      return are_among(of_mass, constants) && are_among(of_gravity_, constants);
+      return constants.contains_all(of_mass) && constants.contains_all(of_gravity_);
     };
     for (const force& f : acting_.forces)
       if ((f.point == b.center || f.against == b.center) && may_contain_weight(f.value))
@@ -72,13 +71,13 @@ private:
 
   constexpr sequence<expression> wanted() const {
     sequence<expression> all;
-    const auto push = [&](const auto& value) { each_entry(value, [&](expression e) { all.push(e); }); };
-    push(acting_.gravity);
-    for (const point& p : m_.points) push(p.offset);
+    const auto push = [&](expression e) { all.push(e); };
+    acting_.gravity.each_entry(push);
+    for (const point& p : m_.points) p.offset.each_entry(push);
     for (const candidate& c : candidates_) {
       push(c.on->mass);
       if (c.by_force != nullptr)
-        push(c.by_force->value);
+        c.by_force->value.each_entry(push);
       else
         push(acting_.potential_energies[c.energy].value);
     }
@@ -105,7 +104,7 @@ private:
           add(summands, s.value.value, motion.basis(p.frame)[i]);
     if (!is_sum_of_some(summands, (f.point == b.center ? 1.0 : -1.0) * weight)) return;
     const bool is_whole = f.against == none && (f.value - b.mass * acting_.gravity).is_zero();
-    by_.fail({"the force ", place_of(f, by_).view(), is_whole ? " is" : " contains", " the weight of ",
+    by_.fail({"the force ", by_.place_of(f).view(), is_whole ? " is" : " contains", " the weight of ",
               b.called.view(), ", which gravity already applies"});
   }
 

@@ -7,8 +7,8 @@
 #include <kanexpr/mechanics/motion/generic_states.hpp>
 #include <kanexpr/mechanics/motion/motion.hpp>
 #include <kanexpr/mechanics/motion/point_jacobian.hpp>
-#include <kanexpr/mechanics/skeleton/auxiliary.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/mechanics/skeleton/vector_substitution.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -20,6 +20,7 @@ struct constraints {
   sequence<expression> on_configuration{};       ///< as given
   sequence<int> numbers{};                       ///< their numbers in the model, starting at 1
   sequence<expression> redundant{};              ///< configuration constraints that are not used in solving
+  sequence<int> redundant_numbers{};             ///< their numbers in the model
   sequence<expression> on_accelerations{};       ///< as given
   sequence<velocity_constraint> on_velocities{}; ///< without auxiliary speeds
   sequence<int> station{}; ///< for each velocity constraint, the station whose velocity component it sets to
@@ -33,6 +34,10 @@ struct constraints {
   sequence<int> repeats{};          ///< the configuration constraints of these rates
 
   constexpr int size() const { return on_velocities.size(); }
+  /// The number in the model of the configuration constraint whose rate constraint `i` is, or none.
+  constexpr int number_of_rate(int i) const {
+    return of_configuration[i] == none ? none : numbers[of_configuration[i]];
+  }
   constexpr sequence<expression> velocity_residual() const {
     sequence<expression> residual;
     for (const velocity_constraint& c : on_velocities) residual.push(c.value);
@@ -80,13 +85,6 @@ constexpr symbolic::matrix by_speeds(const mechanism& m, const symbolic::matrix&
 }
 
 } // namespace detail
-
-constexpr constraints no_constraints(const mechanism& m) {
-  constraints none_at_all;
-  none_at_all.jacobian = symbolic::matrix(*m.g, 0, m.speeds.size());
-  none_at_all.by_auxiliary = symbolic::matrix(*m.g, 0, m.auxiliary_speeds.size());
-  return none_at_all;
-}
 
 /// Forms the constraints of a mechanism. Omits the rate of a configuration constraint if the velocity
 /// constraints of the model already imply it; many models contain both.

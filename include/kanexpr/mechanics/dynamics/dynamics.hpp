@@ -23,20 +23,9 @@ public:
   /// The stored members.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.lagrange_);
-    visit(self.has_dependent_);
-    visit(self.has_coupling_);
-    visit(self.has_lambda_);
-    visit(self.bias_);
-    visit(self.dependent_);
-    visit(self.free_mass_);
-    visit(self.coupling_);
-    visit(self.mass_);
-    visit(self.lambda_);
-    visit(self.free_force_);
-    visit(self.force_);
-    visit(self.udot_);
-    visit(self.pivots_);
+    visit(self.lagrange_, self.has_dependent_, self.has_coupling_, self.has_lambda_, self.bias_,
+          self.dependent_, self.free_mass_, self.coupling_, self.mass_, self.lambda_, self.free_force_,
+          self.force_, self.udot_, self.pivots_);
   }
 
   constexpr bool has_dependent() const { return has_dependent_; }

@@ -6,8 +6,8 @@
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/motion.hpp>
-#include <kanexpr/mechanics/skeleton/known_rates.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/mechanics/skeleton/vector_substitution.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
@@ -113,14 +113,9 @@ private:
 
   /// Whether the inertia of a body is given by constants in its own axes.
   constexpr bool has_fixed_inertia(motion& k, const body& b) {
-    if (b.about != none && b.about != b.center) return false;
-    for (const dyadic::part& p : b.inertia.parts) {
-      if (s_.rigid_with[p.left] != s_.rigid_with[b.frame] || s_.rigid_with[p.right] != s_.rigid_with[b.frame])
-        return false;
-      for (int i = 0; i < 9; ++i)
-        if (!k.rate(p.value(i / 3, i % 3)).is_zero()) return false;
-    }
-    return true;
+    bool is_fixed = s_.has_own_axes(b);
+    b.inertia.each_entry([&](expression e) { is_fixed = is_fixed && k.rate(e).is_zero(); });
+    return is_fixed;
   }
 
   /// The rate of an inertia given in the axes of frame `axes`, relative to the body that moves with frame `f`

@@ -5,6 +5,7 @@
 #include <kanexpr/mechanics/linearize/variations.hpp>
 #include <kanexpr/symbolic/derivatives/accumulate.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/derivatives/jacobian.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
@@ -28,12 +29,7 @@ public:
   /// The stored members.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.form_);
-    visit(self.variations_);
-    visit(self.implicit_);
-    visit(self.explicit_);
-    visit(self.rates_);
-    visit(self.pivots_);
+    visit(self.form_, self.variations_, self.implicit_, self.explicit_, self.rates_, self.pivots_);
   }
 
   constexpr const general_form& form() const { return form_; }
@@ -63,7 +59,7 @@ public:
       for (int i = 0; i < group.size(); ++i, ++row)
         for (int j = 0; j < variations_.size(); ++j) change(row, j) = rows(i, j);
     }
-    implicit_ = {derivatives(zero, unknowns), change.state, change.input};
+    implicit_ = {symbolic::forward_jacobian(g_, zero, unknowns), change.state, change.input};
     for (expression& e : implicit_.state.entries) e = -e;
     for (expression& e : implicit_.input.entries) e = -e;
     return implicit_;
@@ -113,7 +109,8 @@ public:
   /// C and D of outputs that may contain q, u, r, q̇ and u̇.
   constexpr explicit_linearization outputs(const sequence<expression>& y) {
     explicit_linearization out = along_all(y);
-    const symbolic::matrix by_qdot = derivatives(y, form_.qdot), by_udot = derivatives(y, form_.udot);
+    const symbolic::matrix by_qdot = symbolic::forward_jacobian(g_, y, form_.qdot),
+                           by_udot = symbolic::forward_jacobian(g_, y, form_.udot);
     if (is_zero(by_qdot) && is_zero(by_udot)) return out;
     const symbolic::matrix& known = rates();
     for (int i = 0; i < y.size(); ++i)
@@ -133,17 +130,6 @@ private:
 
   /// Whether the dynamics are those of the independent speeds, with a known symmetric mass matrix.
   constexpr bool is_reduced() const { return form_.lambda.empty() && form_.known.mass.rows != 0; }
-
-  constexpr symbolic::matrix derivatives(const sequence<expression>& of, const sequence<expression>& by) {
-    symbolic::matrix out(g_, of.size(), by.size());
-    symbolic::differentiation d(g_);
-    for (int j = 0; j < by.size(); ++j) {
-      d.restart();
-      d.set_rate(by[j], {g_, graph::one});
-      for (int i = 0; i < of.size(); ++i) out(i, j) = d.of(of[i]);
-    }
-    return out;
-  }
 
   /// For each expression in `of`, adds a weighted sum of `more` and passes the derivatives along all
   /// directions to `take`. `weights` has a column for each expression. Each expression takes one reverse

@@ -4,9 +4,9 @@
 #include <kanexpr/mechanics/dynamics/dynamics.hpp>
 #include <kanexpr/mechanics/linearize/general_form.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
-#include <kanexpr/mechanics/skeleton/auxiliary.hpp>
 #include <kanexpr/mechanics/skeleton/kinematic_equations.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/mechanics/skeleton/vector_substitution.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 

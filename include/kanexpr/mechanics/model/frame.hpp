@@ -41,6 +41,17 @@ struct frame {
   bool turns_apart = false; ///< declared not to match the orientation
 
   constexpr bool has_declared_angular_velocity() const { return reference != none; }
+  /// Declares the angular velocity in the frame `in`, which is used instead of the derived one. If `apart`,
+  /// it need not match the orientation.
+  constexpr void declare_angular_velocity(int in, const vector& value, bool apart) {
+    reference = in;
+    angular_velocity = value;
+    turns_apart = apart;
+  }
+  /// Whether `angle` determines the orientation.
+  constexpr bool is_by_angle() const {
+    return kind == orientation::about_basis || kind == orientation::about_axis;
+  }
 };
 
 } // namespace kanexpr::mechanics

@@ -67,6 +67,15 @@ public:
     return defined;
   }
 
+  /// Draws states until the motion is defined at one; gives up after a few attempts.
+  constexpr bool find_state(bool with_free_speeds = true) {
+    for (int attempts = 0; attempts < 6; ++attempts) {
+      draw();
+      if (move(with_free_speeds)) return true;
+    }
+    return false;
+  }
+
   /// Evaluates the motion for arbitrary coordinate rates, without the kinematic equations.
   constexpr bool move_freely() {
     for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), between() - 0.5);

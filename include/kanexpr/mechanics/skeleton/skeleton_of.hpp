@@ -7,11 +7,10 @@
 #include <kanexpr/mechanics/skeleton/base_parameters.hpp>
 #include <kanexpr/mechanics/skeleton/joint_points.hpp>
 #include <kanexpr/mechanics/skeleton/kinematic_equations.hpp>
-#include <kanexpr/mechanics/skeleton/known_rates.hpp>
 #include <kanexpr/mechanics/skeleton/partial_velocities.hpp>
-#include <kanexpr/mechanics/skeleton/relative_angular_velocity.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/mechanics/skeleton/time_derivative.hpp>
+#include <kanexpr/mechanics/skeleton/vector_substitution.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 
 namespace kanexpr::mechanics {
