@@ -58,6 +58,9 @@ public:
     data_[size_] = static_cast<Element&&>(value);
     return size_++;
   }
+  constexpr void append(const sequence& values) {
+    for (const Element& value : values) push(value);
+  }
   constexpr void pop() { --size_; }
   constexpr void clear() { size_ = 0; }
   constexpr void resize(int size, const Element& value = Element{}) {

@@ -162,21 +162,17 @@ public:
   /// are finite.
   constexpr sequence<singularity_check> singularity_checks_of(const sequence<int>& outputs) {
     sequence<singularity_check> all = checks_of_rates(*m_, s_.rate_blocks);
-    if (dynamics_.has_dependent())
-      for (const singularity_check& g : checks_of_speeds(*m_, speeds_, dynamics_.dependent().blocks))
-        all.push(g);
-    for (const singularity_check& g : checks_of_coordinates(*m_, coordinates_, step_blocks_)) all.push(g);
-    for (const singularity_check& g : checks_of_inputs(*m_, input_blocks_)) all.push(g);
-    for (const singularity_check& g :
-         checks_of_coordinates(*m_, coordinates_, linearized_.coordinate_blocks()))
-      all.push(g);
+    if (dynamics_.has_dependent()) all.append(checks_of_speeds(*m_, speeds_, dynamics_.dependent().blocks));
+    all.append(checks_of_coordinates(*m_, coordinates_, step_blocks_));
+    all.append(checks_of_inputs(*m_, input_blocks_));
+    all.append(checks_of_coordinates(*m_, coordinates_, linearized_.coordinate_blocks()));
     sequence<int> sure_divisors;
     if (is_mass_regular_)
       for (const symbolic::pivot& p : pivots()) sure_divisors.push(p.key);
     else
-      for (const singularity_check& g : checks_of_mass(*m_, speeds_, pivots())) all.push(g);
+      all.append(checks_of_mass(*m_, speeds_, pivots()));
     sequence<singularity_check> live = live_checks(*m_->g, all, outputs);
-    for (const singularity_check& g : checks_of_finiteness(*m_, outputs, sure_divisors, live)) live.push(g);
+    live.append(checks_of_finiteness(*m_, outputs, sure_divisors, live));
     return live;
   }
 
@@ -289,7 +285,7 @@ private:
   }
   constexpr sequence<symbolic::pivot> pivots() const {
     sequence<symbolic::pivot> all = dynamics_.pivots();
-    for (const symbolic::pivot& p : linearized_.pivots()) all.push(p);
+    all.append(linearized_.pivots());
     return all;
   }
   constexpr const sequence<expression>& accelerations() {
@@ -365,9 +361,9 @@ private:
   }
   constexpr symbolic::matrix column(const sequence<expression>& above,
                                     const sequence<expression>& below = {}) const {
-    symbolic::matrix m(*m_->g, above.size() + below.size(), 1);
-    for (int i = 0; i < above.size(); ++i) m.entries[i] = above[i];
-    for (int i = 0; i < below.size(); ++i) m.entries[above.size() + i] = below[i];
+    symbolic::matrix m(*m_->g, 0, 1);
+    m.rows = above.size() + below.size();
+    m.entries.append(above), m.entries.append(below);
     return m;
   }
   constexpr symbolic::matrix column(const components& v) const {

@@ -58,10 +58,9 @@ private:
   constexpr void collect(evaluated_inertia& of, sequence<expression>& wanted) const {
     const body& b = m_.bodies[of.body];
     if (b.is_off_center()) of.from_center = position_from(m_, b.center, b.about);
-    const auto push = [&](expression e) { wanted.push(e); };
-    push(b.mass);
-    b.inertia.each_entry(push);
-    of.from_center.each_entry(push);
+    wanted.push(b.mass);
+    b.inertia.each_entry([&](expression e) { wanted.push(e); });
+    push_entries(wanted, of.from_center);
   }
 
   constexpr bool is_proper(const generic_motion& motion, const evaluated_inertia& of) const {

@@ -10,6 +10,13 @@ namespace kanexpr::mechanics {
 struct partition {
   sequence<int> dependent{};
   sequence<int> independent{};
+
+  /// The dependent unknowns in the given columns of equations that are solved for all of them.
+  constexpr sequence<int> dependent_in(const sequence<int>& columns) const {
+    sequence<int> places;
+    for (const int column : columns) places.push(dependent[column]);
+    return places;
+  }
 };
 
 constexpr partition partition_by(const sequence<char>& is_dependent) {

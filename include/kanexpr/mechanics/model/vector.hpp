@@ -43,6 +43,12 @@ struct vector {
   }
 };
 
+/// Adds a scalar, or the components of a vector, to a list.
+constexpr void push_entries(sequence<expression>& all, expression e) { all.push(e); }
+constexpr void push_entries(sequence<expression>& all, const vector& v) {
+  v.each_entry([&](expression e) { all.push(e); });
+}
+
 constexpr vector operator*(expression s, const vector& v) {
   vector out;
   for (const vector::part& p : v.parts) out.parts.push({p.frame, scaled(s, p.value)});
