@@ -295,7 +295,7 @@ private:
 
   constexpr sequence<expression> forces_of_gravity() const {
     sequence<expression> forces = mechanics::forces_of_gravity(s_, system_->loads);
-    while (forces.size() > m_->speeds.size()) forces.pop(); // the auxiliary speeds come last
+    forces.resize(m_->speeds.size()); // the auxiliary speeds come last
     return forces;
   }
 

@@ -47,11 +47,8 @@ private:
 
   /// A coordinate in the orientation of a frame relative to its parent.
   constexpr std::string_view coordinate_of(const mechanics::frame& f) const {
-    if (f.kind != orientation::matrix)
-      return held_.holds(f.angle, kind::coordinate) ? held_.name_of(f.angle, kind::coordinate) : "";
-    for (int i = 0; i < 9; ++i)
-      if (const expression e = f.to_parent(i / 3, i % 3); held_.holds(e, kind::coordinate))
-        return held_.name_of(e, kind::coordinate);
+    for (const expression& e : f.scalars())
+      if (held_.holds(e, kind::coordinate)) return held_.name_of(e, kind::coordinate);
     return {};
   }
   /// Whether gravity really depends on coordinates; a vector given along several axes may still be constant.

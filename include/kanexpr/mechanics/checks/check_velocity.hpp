@@ -27,12 +27,9 @@ public:
   constexpr velocity_checker(const mechanism& m, const contents& held)
       : m_(m), held_(held), motion_(m, held, geometry_of(m)) {}
 
-  constexpr base::sentence run() {
-    base::sentence found;
-    for (int looked = 0, tries = 0; looked < 4 && tries < 12 && !found; ++tries) {
-      motion_.draw();
-      if (!motion_.move(false)) continue;
-      ++looked;
+  constexpr sentence run() {
+    sentence found;
+    for (int state = 0; state < 4 && !found && motion_.find_state(false); ++state) {
       found = mistaken_velocity();
       for (int i = 0; i < m_.bodies.size() && !found; ++i) found = slipping_mass(m_.bodies[i]);
     }
@@ -96,19 +93,12 @@ private:
       collect_orientation(m, held, part.frame, of_place);
     }
     collect_orientation(m, held, p.fixed_in, of_frame);
-    for (int symbol : of_place)
-      if (!of_frame.contains(symbol)) return false;
-    return true;
+    return of_frame.contains_all(of_place);
   }
   static constexpr void collect_orientation(const mechanism& m, const contents& held, int frame,
                                             sequence<int>& symbols) {
-    for (int f = frame; f != none; f = m.frames[f].parent) {
-      const mechanics::frame& own = m.frames[f];
-      if (own.kind == orientation::about_basis || own.kind == orientation::about_axis)
-        collect_moving(held, own.angle, symbols);
-      for (int i = 0; i < 9 && own.kind == orientation::matrix; ++i)
-        collect_moving(held, own.to_parent(i / 3, i % 3), symbols);
-    }
+    for (int f = frame; f != none; f = m.frames[f].parent)
+      for (const expression& e : m.frames[f].scalars()) collect_moving(held, e, symbols);
   }
   static constexpr void collect_moving(const contents& held, expression e, sequence<int>& symbols) {
     using kind = symbolic::symbol_kind;
@@ -121,10 +111,7 @@ private:
 
   static constexpr sequence<expression> geometry_of(const mechanism& m) {
     sequence<expression> all;
-    for (const point& p : m.points)
-      for (const vector* v : {&p.offset, &p.velocity})
-        for (const vector::part& part : v->parts)
-          for (int i = 0; i < 3; ++i) all.push(part.value[i]);
+    for (const point& p : m.points) push_entries(all, p.offset), push_entries(all, p.velocity);
     return all;
   }
 

@@ -23,27 +23,15 @@ public:
   constexpr weights_checker(const mechanism& m, const loads& given, const contents& held, load_check& by)
       : m_(m), loads_(given), held_(held), by_(by), of_gravity_(constants_in(given.gravity)) {}
 
-  constexpr void run() {
-    sequence<expression> wanted;
-    for (const body& b : m_.bodies) check_gravity(b);
-    each_load([&](const body& b, const auto& load, int) {
-      push_entries(wanted, b.mass), push_entries(wanted, load.value);
-    });
-    if (by_.mistake() || wanted.empty()) return;
-    push_entries(wanted, loads_.gravity);
-    for (const point& p : m_.points) push_entries(wanted, p.offset);
-    generic_motion motion(m_, held_, wanted);
-    if (!(motion.find_state() || motion.move_freely()) || !motion.is_defined(loads_.gravity)) return;
-    each_load([&](const body& b, const auto& load, int place) {
-      if (motion.is_defined(b.mass)) check(motion, b, load, place);
-    });
-  }
+  constexpr void run();
 
 private:
   using kind = contents::kind;
 
-  template <class Value>
-  constexpr sequence<int> constants_in(const Value& v) const {
+  constexpr sequence<int> constants_in(expression e) const {
+    return held_.symbols_in(e, {kind::parameter, kind::input});
+  }
+  constexpr sequence<int> constants_in(const vector& v) const {
     return held_.symbols_in(v, {kind::parameter, kind::input});
   }
 
@@ -119,6 +107,23 @@ private:
   load_check& by_;
   sequence<int> of_gravity_;
 };
+
+/// Defined after the templates it uses, which clang++ must have parsed already.
+constexpr void weights_checker::run() {
+  sequence<expression> wanted;
+  for (const body& b : m_.bodies) check_gravity(b);
+  each_load([&](const body& b, const auto& load, int) {
+    push_entries(wanted, b.mass), push_entries(wanted, load.value);
+  });
+  if (by_.mistake() || wanted.empty()) return;
+  push_entries(wanted, loads_.gravity);
+  for (const point& p : m_.points) push_entries(wanted, p.offset);
+  generic_motion motion(m_, held_, wanted);
+  if (!(motion.find_state() || motion.move_freely()) || !motion.is_defined(loads_.gravity)) return;
+  each_load([&](const body& b, const auto& load, int place) {
+    if (motion.is_defined(b.mass)) check(motion, b, load, place);
+  });
+}
 
 } // namespace detail
 

@@ -45,6 +45,14 @@ struct constraints {
   }
 };
 
+/// The first rows and columns of a matrix.
+constexpr symbolic::matrix leading_block(graph& g, const symbolic::matrix& a, int rows, int columns) {
+  symbolic::matrix out(g, rows, columns);
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) out(i, j) = a(i, j);
+  return out;
+}
+
 namespace detail {
 
 /// The station whose velocity a constraint restricts, if there is exactly one.
@@ -74,16 +82,6 @@ constexpr symbolic::matrix constraint_jacobian(const skeleton& s, const sequence
   return jacobian;
 }
 
-/// The columns of the speeds. The rate of a configuration constraint and an equivalent velocity constraint
-/// may contain different auxiliary speeds.
-constexpr symbolic::matrix by_speeds(const mechanism& m, const symbolic::matrix& jacobian) {
-  if (m.auxiliary_speeds.empty()) return jacobian;
-  symbolic::matrix columns(*m.g, jacobian.rows, m.speeds.size());
-  for (int i = 0; i < columns.rows; ++i)
-    for (int j = 0; j < columns.columns; ++j) columns(i, j) = jacobian(i, j);
-  return columns;
-}
-
 } // namespace detail
 
 /// Forms the constraints of a mechanism. Omits the rate of a configuration constraint if the velocity
@@ -109,7 +107,10 @@ constexpr constraints form_constraints(motion& k, const given_constraints& from)
 
   sequence<char> kept(all.size(), 1);
   if (given > 0 && given < all.size()) {
-    const sequence<char> new_by_itself = independent_rows(detail::by_speeds(m, jacobian), &m);
+    // the rate of a configuration constraint and an equivalent velocity constraint may contain different
+    // auxiliary speeds
+    const sequence<char> new_by_itself =
+        independent_rows(leading_block(*m.g, jacobian, all.size(), m.speeds.size()), &m);
     for (int i = given; i < all.size(); ++i) kept[i] = new_by_itself[i];
   }
 

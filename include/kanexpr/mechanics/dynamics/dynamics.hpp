@@ -53,11 +53,9 @@ public:
   }
 
   constexpr sequence<expression> speeds_by_constraints() {
-    sequence<expression> u = dependent().at_rest;
-    for (int d = 0; d < u.size(); ++d)
-      for (int i = 0; i < speeds_.independent.size(); ++i)
-        u[d] += dependent().on_independent(d, i) * m_.speeds[speeds_.independent[i]];
-    return u;
+    sequence<expression> independent;
+    for (const int i : speeds_.independent) independent.push(m_.speeds[i]);
+    return solved_for_dependent(dependent().on_independent, independent, dependent().at_rest);
   }
 
   /// For each dependent speed, the determinant of the block in which it is solved. The determinant is 0 where
@@ -107,8 +105,7 @@ public:
   constexpr void gather(sequence<expression>& f, sequence<expression>& more_f) {
     if (!has_sines_in_components(m_, loads_)) return;
     sequence<expression> all = f, beside = dependent().on_independent.entries;
-    for (const expression& e : more_f) all.push(e);
-    for (const expression& e : mass().entries) beside.push(e);
+    all.append(more_f), beside.append(mass().entries);
     const sequence<expression> shorter = gathered(*m_.g, all, beside);
     for (int i = 0; i < all.size(); ++i) (i < f.size() ? f[i] : more_f[i - f.size()]) = shorter[i];
   }
@@ -122,10 +119,9 @@ public:
     pivots_ = solved.pivots;
     udot_.resize(m_.speeds.size(), m_.zero());
     for (int i = 0; i < independent.size(); ++i) udot_[speeds_.independent[i]] = independent[i];
-    for (int d = 0; d < speeds_.dependent.size(); ++d) {
-      expression& rate = udot_[speeds_.dependent[d]] = dependent().acceleration_bias[d];
-      for (int i = 0; i < independent.size(); ++i) rate += dependent().on_independent(d, i) * independent[i];
-    }
+    const sequence<expression> rates =
+        solved_for_dependent(dependent().on_independent, independent, dependent().acceleration_bias);
+    for (int d = 0; d < rates.size(); ++d) udot_[speeds_.dependent[d]] = rates[d];
     return udot_;
   }
 
@@ -164,22 +160,17 @@ public:
       force = lagrange_.forcing(m_.speed_rates);
     else
       force = forcing(s_, loads_, m_.speed_rates);
-    while (force.size() > m_.speeds.size()) force.pop(); // the auxiliary speeds come last
+    force.resize(m_.speeds.size()); // the auxiliary speeds come last
     return force;
   }
 
   /// M and f in M u̇ = f for all speeds, before constraints reduce them.
   constexpr symbolic::matrix unreduced_mass() {
-    const symbolic::matrix& mass = free_mass();
-    const int speeds = m_.speeds.size();
-    symbolic::matrix of_speeds(*m_.g, speeds, speeds);
-    for (int i = 0; i < speeds; ++i)
-      for (int j = 0; j < speeds; ++j) of_speeds(i, j) = mass(i, j);
-    return of_speeds;
+    return leading_block(*m_.g, free_mass(), m_.speeds.size(), m_.speeds.size());
   }
   constexpr sequence<expression> unreduced_forcing() {
     sequence<expression> force = free_force();
-    while (force.size() > m_.speeds.size()) force.pop(); // the auxiliary speeds come last
+    force.resize(m_.speeds.size()); // the auxiliary speeds come last
     return force;
   }
 
@@ -225,7 +216,7 @@ private:
     sequence<expression> both = force_, beside = dependent().on_independent.entries;
     for (int i = 0; i < mass_.rows; ++i)
       for (int j = 0; j <= i; ++j) both.push(mass_(i, j));
-    for (const expression& e : dependent().acceleration_bias) beside.push(e);
+    beside.append(dependent().acceleration_bias);
     both = gathered(*m_.g, both, beside);
     int k = 0;
     for (expression& e : force_) e = both[k++];

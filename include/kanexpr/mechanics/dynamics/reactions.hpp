@@ -24,13 +24,9 @@ constexpr sequence<expression> imbalance(const symbolic::matrix& mass, const seq
 /// velocity to zero. They follow from the equations of the dependent speeds, J_dᵀ λ = −(F_d + F_d*).
 constexpr symbolic::linear_solution multipliers(graph& g, const constraints& c, const partition& speeds,
                                                 const sequence<expression>& imbalance_of_dependent) {
-  const int rows = c.size();
-  symbolic::matrix transposed(g, rows, rows), right(g, rows, 1);
-  for (int i = 0; i < rows; ++i) {
-    right(i, 0) = -imbalance_of_dependent[i];
-    for (int j = 0; j < rows; ++j) transposed(i, j) = c.jacobian(j, speeds.dependent[i]);
-  }
-  return symbolic::solve_linear(g, transposed, right);
+  symbolic::matrix right(g, c.size(), 1);
+  for (int i = 0; i < right.rows; ++i) right(i, 0) = -imbalance_of_dependent[i];
+  return symbolic::solve_linear(g, transposed(g, detail::columns_of(g, c.jacobian, speeds.dependent)), right);
 }
 
 /// The forces along the partial velocities of each auxiliary speed that keep the speed at zero: −(F_a + F_a*

@@ -90,8 +90,7 @@ public:
   constexpr sequence<symbolic::pivot> pivots() const {
     sequence<symbolic::pivot> all;
     for (const auto* any : {&reduced_, &freely_})
-      if (*any)
-        for (const symbolic::pivot& p : (*any)->pivots()) all.push(p);
+      if (*any) all.append((*any)->pivots());
     return all;
   }
 

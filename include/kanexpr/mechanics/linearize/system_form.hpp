@@ -46,8 +46,8 @@ public:
       called.append(i + 1);
       form.lambda.push(symbolic::variable(*m_.g, {symbolic::symbol_kind::multiplier, called, i}));
     }
-    for (sequence<expression>* f : {&form.f_2, &form.f_3}) // the auxiliary speeds come last
-      while (f->size() > m_.speeds.size()) f->pop();
+    for (sequence<expression>* f : {&form.f_2, &form.f_3})
+      f->resize(m_.speeds.size()); // the auxiliary speeds come last
     for (int r = 0; r < m_.speeds.size(); ++r) {
       expression force = m_.zero();
       for (int i = 0; i < constraints_.size(); ++i) force += constraints_.jacobian(i, r) * form.lambda[i];

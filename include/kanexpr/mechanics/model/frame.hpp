@@ -48,6 +48,13 @@ struct frame {
     angular_velocity = value;
     turns_apart = apart;
   }
+  /// The scalars that define the orientation: the angle, or the entries of `to_parent`.
+  constexpr sequence<expression> scalars() const {
+    sequence<expression> all;
+    if (is_by_angle()) all.push(angle);
+    for (int i = 0; i < 9 && kind == orientation::matrix; ++i) all.push(to_parent(i / 3, i % 3));
+    return all;
+  }
   /// Whether `angle` determines the orientation.
   constexpr bool is_by_angle() const {
     return kind == orientation::about_basis || kind == orientation::about_axis;

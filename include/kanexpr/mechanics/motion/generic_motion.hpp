@@ -148,12 +148,10 @@ private:
     bool known = false; ///< of `angular_velocity`
   };
 
-  /// The scalars that orient a frame in its parent.
+  /// The scalars from which the orientation of a frame is evaluated.
   static constexpr sequence<expression> scalars_of(const frame& f) {
-    sequence<expression> all;
-    if (f.is_by_angle()) all.push(f.angle);
-    for (int i = 0; i < 9 && (f.kind == orientation::about_axis || f.kind == orientation::matrix); ++i)
-      all.push(f.to_parent(i / 3, i % 3));
+    sequence<expression> all = f.scalars();
+    for (int i = 0; i < 9 && f.kind == orientation::about_axis; ++i) all.push(f.to_parent(i / 3, i % 3));
     return all;
   }
   static constexpr sequence<int> nodes_of_frames(const mechanism& m, sequence<expression> all) {

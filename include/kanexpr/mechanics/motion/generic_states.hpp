@@ -181,11 +181,8 @@ public:
       }
     rows_.resize(largest_.rows, 0.0), columns_.resize(largest_.columns, 0.0);
     for (int i = 0; i < largest_.rows; ++i)
-      if (base::equal(rows_[i], 0.0)) rows_[i] = 1, propagate(i);
-    for (int sweeps = 0; sweeps < 2; ++sweeps) {
-      scale(columns_, rows_, [&](int j, int i) { return scaled(i, j); });
-      scale(rows_, columns_, [&](int i, int j) { return scaled(i, j); });
-    }
+      if (numeric::equal(rows_[i], 0.0)) rows_[i] = 1, propagate(i);
+    for (int sweeps = 0; sweeps < 2; ++sweeps) scale(columns_, rows_, false), scale(rows_, columns_, true);
   }
 
   constexpr void apply(numbers& a) const {
@@ -194,13 +191,12 @@ public:
   }
 
 private:
-  /// Divides each scale by the largest entry of its row or column, `entry(i, j)` over all `across`.
-  template <class Entry>
-  static constexpr void scale(sequence<double>& scales, const sequence<double>& across, const Entry& entry) {
+  /// Divides the scale of each row, or of each column, by its largest entry.
+  constexpr void scale(sequence<double>& scales, const sequence<double>& across, bool are_rows) const {
     for (int i = 0; i < scales.size(); ++i) {
       double most = 0;
       for (int j = 0; j < across.size(); ++j)
-        if (entry(i, j) > most) most = entry(i, j);
+        if (const double entry = are_rows ? scaled(i, j) : scaled(j, i); entry > most) most = entry;
       if (most > 0) scales[i] /= most;
     }
   }

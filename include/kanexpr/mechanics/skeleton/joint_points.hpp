@@ -92,11 +92,8 @@ constexpr void place_joint_points(skeleton& s) {
       if (n.parent == root) n.r -= step;
     for (link& l : s.links)
       if (l.station == root) l.mass = shifted(l.mass, -step);
-    station where_it_was;
-    where_it_was.parent = root;
-    where_it_was.frame = where_it_was.axes = where_it_was.offset_frame = f;
-    where_it_was.r = -step;
-    where_it_was.rigid = true;
+    const station where_it_was{
+        .parent = root, .frame = f, .offset_frame = f, .r = -step, .rigid = true, .axes = f};
     int moved = none;
     for (int& n : s.station_of_point) {
       if (n != root) continue;
