@@ -30,7 +30,7 @@ namespace detail {
 constexpr sentence check_configuration_constraint(const mechanism& m, const contents& held,
                                                   const given_constraints& given, int i) {
   const expression f = given.on_configuration[i];
-  const sentence which({"configuration constraint ", counted(i + 1).view()});
+  const sentence which({"configuration constraint ", base::counted(i + 1).view()});
   if (const sentence found = check_no_rates(m, held, f, which.view(), {})) return found;
   if (const sentence found = check_prescribed(m, held, f, 2, which.view())) return found;
   if (held.holds(f, contents::kind::coordinate) || given.redundant.contains(i + 1)) return {};
@@ -39,7 +39,7 @@ constexpr sentence check_configuration_constraint(const mechanism& m, const cont
 
 constexpr sentence check_velocity_constraint(const mechanism& m, const contents& held, expression v, int i) {
   using kind = contents::kind;
-  const sentence which({"velocity constraint ", counted(i + 1).view()});
+  const sentence which({"velocity constraint ", base::counted(i + 1).view()});
   if (const sentence rate = symbol_in(m, held, v, {kind::speed_rate}))
     return sentence({which.view(), " contains the ", rate.view()});
   if (const sentence found = check_prescribed(m, held, v, 1, which.view())) return found;
@@ -108,15 +108,16 @@ constexpr bool has_entry_in_column(const symbolic::matrix& a, int j) {
 /// Returns, for example, "velocity constraint 1" or "the rate of configuration constraint 3".
 constexpr sentence constraint_called(const constraints& c, int i) {
   const int number = c.number_of_rate(i);
-  if (number != none) return sentence({"the rate of configuration constraint ", counted(number).view()});
-  return sentence({"velocity constraint ", counted(i + 1).view()});
+  if (number != none)
+    return sentence({"the rate of configuration constraint ", base::counted(number).view()});
+  return sentence({"velocity constraint ", base::counted(i + 1).view()});
 }
 
 constexpr sentence check_configuration(const skeleton& s, const constraints& c,
                                        const symbolic::matrix& configuration, const sequence<numbers>& by_q) {
   const int first = independent_rows(by_q, configuration.rows).find(0);
   if (first < 0) return {};
-  const name number = counted(c.numbers[first]);
+  const name number = base::counted(c.numbers[first]);
   if (first == 0)
     return sentence(
         {"configuration constraint ", number.view(), " constrains no coordinate in any configuration"});

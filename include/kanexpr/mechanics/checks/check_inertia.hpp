@@ -122,9 +122,9 @@ struct numeric_offset {
 
 /// Checks an inertia about the mass center or another point, scaled by 1/`largest` so that its largest entry
 /// is 1.
-constexpr sentence check_principal_values(std::string_view called, std::string_view about,
-                                          numeric_inertia inertia, double largest,
-                                          const numeric_offset& offset) {
+constexpr base::sentence check_principal_values(std::string_view called, std::string_view about,
+                                                numeric_inertia inertia, double largest,
+                                                const numeric_offset& offset) {
   if (!inertia.positive(1, 1e-9))
     return base::sentence(
         {"the inertia of ", called, " is indefinite: its moment about some axis is negative"});
@@ -151,8 +151,9 @@ constexpr sentence check_principal_values(std::string_view called, std::string_v
   return {};
 }
 
-constexpr sentence check_principal_values(const mechanism& m, const body& b, const numeric_inertia& inertia,
-                                          double largest, const numeric_offset& offset) {
+constexpr base::sentence check_principal_values(const mechanism& m, const body& b,
+                                                const numeric_inertia& inertia, double largest,
+                                                const numeric_offset& offset) {
   return check_principal_values(b.called.view(), b.about == none ? "" : m.points[b.about].called.view(),
                                 inertia, largest, offset);
 }
@@ -167,7 +168,7 @@ constexpr bool has_inertia(const body& b) {
 
 /// Checks that an inertia is positive about every axis and that no principal moment exceeds the sum of the
 /// other two; otherwise a second moment of the mass, an eigenvalue of ½ tr(I) E − I, would be negative.
-constexpr sentence check_inertia(const mechanism& m, const body& b) {
+constexpr base::sentence check_inertia(const mechanism& m, const body& b) {
   if (!b.inertia.is_in_one_frame()) return {};
   const matrix3& given = b.inertia.parts[0].value;
   const std::string_view called = b.called.view();
@@ -177,7 +178,7 @@ constexpr sentence check_inertia(const mechanism& m, const body& b) {
   const double largest = inertia.known ? inertia.largest() : 0;
   if (!(largest > 1e-100)) return {};
   inertia.scale(1 / largest);
-  if (!inertia.is_symmetric(1e-12)) return sentence({"the inertia of ", called, " is not symmetric"});
+  if (!inertia.is_symmetric(1e-12)) return base::sentence({"the inertia of ", called, " is not symmetric"});
   if (b.effective) return {};
   return detail::check_principal_values(m, b, inertia, largest,
                                         detail::numeric_offset(m, b, b.inertia.parts[0].left));

@@ -69,8 +69,8 @@ private:
   constexpr void counts() {
     const int equations = m_.kinematics.size(), coordinates = m_.coordinates.size();
     if (equations == coordinates) return;
-    fail({"expected as many kinematic differential equations as coordinates, got ", counted(equations).view(),
-          " for ", counted(coordinates).view()});
+    fail({"expected as many kinematic differential equations as coordinates, got ",
+          base::counted(equations).view(), " for ", base::counted(coordinates).view()});
   }
 
   constexpr void form(expression e) {

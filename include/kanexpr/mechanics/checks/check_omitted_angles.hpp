@@ -33,7 +33,7 @@ public:
       for (const torque& t : of.loads.torques) collect(l, t.value, "a torque on ", m_.frames[t.frame].called);
       for (int i = 0; i < of.constraints.on_velocities.size(); ++i)
         collect(l, of.constraints.on_velocities[i].direction, "a direction of velocity constraint ",
-                counted(i + 1));
+                base::counted(i + 1));
     }
   }
 

@@ -140,8 +140,8 @@ private:
       by_.fail({noun(all[i]), by_.place_of(all[i]).view(), " repeats ", noun(all[j]), before.view()});
   }
   constexpr void fail(const sequence<given_potential_energy>&, int i, int j) const {
-    by_.fail(
-        {"potential energy ", counted(i + 1).view(), " repeats potential energy ", counted(j + 1).view()});
+    by_.fail({"potential energy ", base::counted(i + 1).view(), " repeats potential energy ",
+              base::counted(j + 1).view()});
   }
 
   /// Springs or dampers between the same two points or frames.

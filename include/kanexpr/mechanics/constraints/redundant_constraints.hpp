@@ -45,7 +45,7 @@ constexpr constraints only_redundant(motion& k, const constraints& c) {
 /// Checks the numbers of the constraints declared redundant.
 constexpr sentence check_redundant(const given_constraints& all) {
   for (int i = 0; i < all.redundant.size(); ++i) {
-    const name number = counted(all.redundant[i]);
+    const name number = base::counted(all.redundant[i]);
     if (all.redundant[i] < 1 || all.redundant[i] > all.on_configuration.size())
       return sentence({"redundant<", number.view(), "> is out of range: the model has ",
                        several(all.on_configuration.size(), "configuration constraint").view()});
@@ -70,7 +70,7 @@ constexpr sentence check_redundant_rates(const skeleton& s, const constraints& c
   consistent_states states(s, configuration, configuration.rows, c, c.size(), rates);
   const int i = first_that_never_vanishes(states, rates, {.attempts = 30, .states = 8, .least = 3});
   if (i == none) return {};
-  const name number = counted(c.redundant_numbers[i]);
+  const name number = base::counted(c.redundant_numbers[i]);
   return sentence({"configuration constraint ", number.view(),
                    " does not follow from the others, so it is not redundant; remove redundant<",
                    number.view(), ">"});

@@ -19,7 +19,7 @@ struct given_potential_energy {
 
   /// `place` is the index among the potential energies.
   constexpr void check_with(load_check& by, int place) const {
-    by.check_no_rates(value, "potential energy ", counted(place + 1).view());
+    by.check_no_rates(value, "potential energy ", base::counted(place + 1).view());
   }
 };
 

@@ -181,7 +181,7 @@ public:
       }
     rows_.resize(largest_.rows, 0.0), columns_.resize(largest_.columns, 0.0);
     for (int i = 0; i < largest_.rows; ++i)
-      if (numeric::equal(rows_[i], 0.0)) rows_[i] = 1, propagate(i);
+      if (base::equal(rows_[i], 0.0)) rows_[i] = 1, propagate(i);
     for (int sweeps = 0; sweeps < 2; ++sweeps) scale(columns_, rows_, false), scale(rows_, columns_, true);
   }
 
