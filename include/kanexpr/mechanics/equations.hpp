@@ -276,7 +276,7 @@ private:
     if (mistake_ || is_mass_checked_) return formed;
     is_mass_checked_ = true;
     mistake_ = check_mass_matrix(*m_, speeds_, formed);
-    const bool is_positive = !system_->loads.has_lagrangian && energy_of_motion(s_).is_positive();
+    const bool is_positive = !system_->loads.has_lagrangian && positive_energy_proof(s_).is_positive();
     if (!mistake_ && !is_positive) mistake_ = check_same_mass(*m_, speeds_, formed);
     // if lengths are unbounded, a pivot may consist entirely of rounding errors
     is_mass_regular_ =

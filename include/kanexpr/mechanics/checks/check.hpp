@@ -87,7 +87,7 @@ private:
       apart = checked.is_any_apart();
       angles = checked.omitted_angles();
     }
-    if (!found_ && (velocity_checker::is_any_declared(m_, 0) || velocity_checker::may_any_slip(m_, held_)))
+    if (!found_ && (velocity_checker::is_any_declared(m_, 0) || velocity_checker::may_any_deviate(m_, held_)))
       found_ = velocity_checker(m_, held_).run();
     if (!found_) found_ = changing_inertia_checker(m_, held_, apart).run();
     if (!found_) found_ = omitted_angles_checker(of_, held_, angles).run();

@@ -36,9 +36,10 @@ public:
   constexpr inertias_at_states(const mechanism& m, const contents& held) : m_(m), held_(held) {}
 
 protected:
-  /// Returns the first sentence that `check(motion, inertia, state)` returns, at one or more generic states.
-  template <class Check>
-  constexpr sentence first_mistake(int states, const Check& check) {
+  /// Returns the first sentence that `test(motion, inertia, state)` returns, at one or more generic
+  /// states.
+  template <class Test>
+  constexpr base::sentence first_mistake(int states, const Test& test) {
     if (bodies_.empty()) return {};
     sequence<expression> wanted;
     for (evaluated_inertia& each : bodies_) collect(each, wanted);
@@ -46,7 +47,7 @@ protected:
     for (int state = 0; state < states && motion.find_state(); ++state)
       for (evaluated_inertia& each : bodies_)
         if (is_proper(motion, each))
-          if (const sentence found = check(motion, each, state)) return found;
+          if (const base::sentence found = test(motion, each, state)) return found;
     return {};
   }
 
@@ -86,29 +87,29 @@ public:
       if (should_be_constant(m.bodies[b]) && (apart || may_vary(m.bodies[b]))) bodies_.push({.body = b});
   }
 
-  constexpr sentence run() {
+  constexpr base::sentence run() {
     // an inertia that is constant at one generic state is constant at all
     return first_mistake(1, [&](const generic_motion& motion, const evaluated_inertia& each, int) {
-      return changes(motion, each) ? sentence_for(m_.bodies[each.body]) : sentence();
+      return changes(motion, each) ? sentence_for(m_.bodies[each.body]) : base::sentence();
     });
   }
 
 private:
-  constexpr sentence sentence_for(const body& b) const {
+  constexpr base::sentence sentence_for(const body& b) const {
     constexpr std::string_view word = "if this is intended, write changing_inertia<...>";
     const std::string_view frame = m_.frames[b.frame].called.view();
     for (const dyadic::part& p : b.inertia.parts)
       for (int axes : {p.left, p.right})
         if (axes != b.frame)
-          return sentence({"the inertia of ", b.called.view(), " is given along the axes of ",
-                           m_.frames[axes].called.view(), " and changes as seen from ", frame,
-                           ", the body frame; ", word});
+          return base::sentence({"the inertia of ", b.called.view(), " is given along the axes of ",
+                                 m_.frames[axes].called.view(), " and changes as seen from ", frame,
+                                 ", the body frame; ", word});
     if (b.is_off_center())
-      return sentence({"the inertia of ", b.called.view(), " is given about ",
-                       m_.points[b.about].called.view(), ", which moves in ", frame, ", the body frame; ",
-                       word});
-    return sentence({"the inertia of ", b.called.view(), " is not axisymmetric about the spin axis of ",
-                     frame, ", whose angle is omitted; ", word});
+      return base::sentence({"the inertia of ", b.called.view(), " is given about ",
+                             m_.points[b.about].called.view(), ", which moves in ", frame,
+                             ", the body frame; ", word});
+    return base::sentence({"the inertia of ", b.called.view(), " is not axisymmetric about the spin axis of ",
+                           frame, ", whose angle is omitted; ", word});
   }
 
   constexpr bool should_be_constant(const body& b) const {
@@ -196,9 +197,9 @@ public:
       if (needs_check(m.bodies[b].inertia)) bodies_.push({.body = b});
   }
 
-  constexpr sentence run() {
+  constexpr base::sentence run() {
     return first_mistake(2, [&](const generic_motion& motion, evaluated_inertia& each, int state) {
-      return check(motion, each, state == 0);
+      return evaluate(motion, each, state == 0);
     });
   }
 
@@ -212,7 +213,8 @@ private:
     return false;
   }
 
-  constexpr sentence check(const generic_motion& motion, evaluated_inertia& each, bool is_first) const {
+  constexpr base::sentence evaluate(const generic_motion& motion, evaluated_inertia& each,
+                                    bool is_first) const {
     const body& b = m_.bodies[each.body];
     const numeric_inertia inertia = inertia_in_body(motion, b);
     const double largest = inertia.largest();
@@ -220,7 +222,7 @@ private:
     numeric_inertia scaled = inertia;
     scaled.scale(1 / largest);
     if (!scaled.is_symmetric(1e-9))
-      return sentence({"the inertia of ", b.called.view(), " is not symmetric"});
+      return base::sentence({"the inertia of ", b.called.view(), " is not symmetric"});
     numeric_offset offset = offset_in_body(motion, each);
     if (!is_first && !b.effective && is_same(inertia, each.before, largest)) {
       offset.known = offset.known && is_same(offset, each.offset_before);

@@ -57,7 +57,7 @@ public:
     }
     for (int p = 0; p < m_.points.size() && !found_; ++p)
       if (m_.points[p].has_declared_velocity() && !m_.points[p].moves_apart &&
-          !m_.points[p].offset.is_zero() && !moves_as_placed(p))
+          !m_.points[p].offset.is_zero() && !follows_position(p))
         fail({"the velocity of point ", m_.points[p].called.view(),
               " is not the rate of its position; if this is intended, write velocity_apart_from_position"});
     return found_;
@@ -119,11 +119,11 @@ private:
     bool declared = false;
     for (int p = b.center; p != none; p = m_.points[p].parent)
       declared = declared || m_.points[p].has_declared_velocity() || m_.points[p].fixed_in != none;
-    if (declared && !moves_as_placed(b.center))
+    if (declared && !follows_position(b.center))
       fail({"the velocity of ", b.called.view(), " is not the rate of its position", wording_.of_velocity});
   }
 
-  constexpr bool moves_as_placed(int point) {
+  constexpr bool follows_position(int point) {
     const int at = s_.station_of_point[point], ground = mechanism::inertial;
     components v = express(m_, k_.velocity(at), s_.working_axes[s_.stations[at].axes], ground);
     v -= express(m_, k_.rate(position_from_origin(m_, point), ground), s_.working_axes[ground], ground);

@@ -64,8 +64,8 @@ private:
   constexpr triple weight_of(const generic_motion& motion, const body& b) const {
     return motion[b.mass].value * motion.vector_of(loads_.gravity);
   }
-  constexpr void check(const generic_motion& motion, const body& b, const given_potential_energy& load,
-                       int place) const {
+  constexpr void check_load(const generic_motion& motion, const body& b, const given_potential_energy& load,
+                            int place) const {
     triple velocity;
     for (int p = b.center; p != none; p = m_.points[p].parent) {
       if (!motion.is_defined(m_.points[p].offset)) return;
@@ -77,7 +77,7 @@ private:
       by_.fail({"potential energy ", base::counted(place + 1).view(), " contains that of the weight of ",
                 b.called.view(), ", which gravity already applies"});
   }
-  constexpr void check(const generic_motion& motion, const body& b, const force& f, int) const {
+  constexpr void check_load(const generic_motion& motion, const body& b, const force& f, int) const {
     sequence<triple> summands;
     for (const vector::part& p : f.value.parts)
       for (int i = 0; i < 3; ++i)
@@ -121,7 +121,7 @@ constexpr void weights_checker::run() {
   generic_motion motion(m_, held_, wanted);
   if (!(motion.find_state() || motion.move_freely()) || !motion.is_defined(loads_.gravity)) return;
   each_load([&](const body& b, const auto& load, int place) {
-    if (motion.is_defined(b.mass)) check(motion, b, load, place);
+    if (motion.is_defined(b.mass)) check_load(motion, b, load, place);
   });
 }
 

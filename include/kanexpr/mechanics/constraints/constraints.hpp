@@ -151,7 +151,7 @@ namespace detail {
 
 /// Whether the constraints set the velocity in constraint `i` to zero along all directions, so that the
 /// rotation of the directions does not matter.
-constexpr bool holds_whole_velocity(const constraints& c, int i) {
+constexpr bool fixes_velocity(const constraints& c, int i) {
   int directions = 0;
   for (int j = 0; j < c.size(); ++j)
     if (c.station[j] == c.station[i]) ++directions;
@@ -174,7 +174,7 @@ constexpr expression rate_of_constraint(motion& k, const constraints& c, int i) 
     const expression whole =
         dot(express(m, k.acceleration(c.station[i]), v.parts[0].frame, d.frame), d.value);
     rate += whole - dot(express(m, k.ground_acceleration(), d.frame), d.value);
-    if (detail::holds_whole_velocity(c, i)) continue;
+    if (detail::fixes_velocity(c, i)) continue;
     const components angular_velocity =
         express(m, k.angular_velocity(d.frame), s.working_axes[d.frame], d.frame);
     const components change{k.rate(d.value.x), k.rate(d.value.y), k.rate(d.value.z)};

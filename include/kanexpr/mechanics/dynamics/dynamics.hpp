@@ -104,9 +104,9 @@ public:
   /// cosines.
   constexpr void gather(sequence<expression>& f, sequence<expression>& more_f) {
     if (!has_sines_in_components(m_, loads_)) return;
-    sequence<expression> all = f, beside = dependent().on_independent.entries;
-    all.append(more_f), beside.append(mass().entries);
-    const sequence<expression> shorter = gathered(*m_.g, all, beside);
+    sequence<expression> all = f, others = dependent().on_independent.entries;
+    all.append(more_f), others.append(mass().entries);
+    const sequence<expression> shorter = gathered(*m_.g, all, others);
     for (int i = 0; i < all.size(); ++i) (i < f.size() ? f[i] : more_f[i - f.size()]) = shorter[i];
   }
 
@@ -189,7 +189,8 @@ public:
 
   /// λ, one for each constraint.
   constexpr const symbolic::matrix& lambda() {
-    if (!has_lambda_) lambda_ = multipliers(*m_.g, constraints_, speeds_, imbalance_of(speeds_.dependent)).x;
+    if (!has_lambda_)
+      lambda_ = multipliers(*m_.g, constraints_, speeds_, residual_forces_of(speeds_.dependent)).x;
     has_lambda_ = true;
     return lambda_;
   }
@@ -199,7 +200,7 @@ public:
     sequence<int> auxiliary;
     for (int w = m_.speeds.size(); w < m_.ways(); ++w) auxiliary.push(w);
     const symbolic::matrix& of_constraints = lambda();
-    return mechanics::noncontributing_forces(constraints_, of_constraints, imbalance_of(auxiliary));
+    return mechanics::noncontributing_forces(constraints_, of_constraints, residual_forces_of(auxiliary));
   }
 
 private:
@@ -213,11 +214,11 @@ private:
   /// speeds remain unchanged.
   constexpr void gather_mass_and_force() {
     force_ = formed_force();
-    sequence<expression> both = force_, beside = dependent().on_independent.entries;
+    sequence<expression> both = force_, others = dependent().on_independent.entries;
     for (int i = 0; i < mass_.rows; ++i)
       for (int j = 0; j <= i; ++j) both.push(mass_(i, j));
-    beside.append(dependent().acceleration_bias);
-    both = gathered(*m_.g, both, beside);
+    others.append(dependent().acceleration_bias);
+    both = gathered(*m_.g, both, others);
     int k = 0;
     for (expression& e : force_) e = both[k++];
     for (int i = 0; i < mass_.rows; ++i)
@@ -250,10 +251,10 @@ private:
       free_force_ = forcing(s_, loads_);
     return free_force_;
   }
-  constexpr sequence<expression> imbalance_of(const sequence<int>& ways) {
+  constexpr sequence<expression> residual_forces_of(const sequence<int>& ways) {
     const symbolic::matrix& mass = free_mass();
     const sequence<expression>& force = free_force();
-    return imbalance(mass, force, accelerations(), ways);
+    return residual_forces(mass, force, accelerations(), ways);
   }
 
   const skeleton& s_;

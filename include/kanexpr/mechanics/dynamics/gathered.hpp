@@ -42,11 +42,11 @@ constexpr bool has_sines_in_components(const mechanism& m, const loads& acting) 
   return false;
 }
 
-/// Returns the expressions with sin² + cos² replaced by 1, if they are shorter in total. `beside` are
+/// Returns the expressions with sin² + cos² replaced by 1, if they are shorter in total. `others` are
 /// expressions that are needed in any case.
 constexpr sequence<expression> gathered(graph& g, const sequence<expression>& all,
-                                        const sequence<expression>& beside = {}) {
-  const sequence<int> nodes = symbolic::nodes_of(all), kept = symbolic::nodes_of(beside);
+                                        const sequence<expression>& others = {}) {
+  const sequence<int> nodes = symbolic::nodes_of(all), kept = symbolic::nodes_of(others);
   sequence<expression> found;
   for (int id : symbolic::shorten_sums(g, nodes, kept)) found.push({g, id});
   return found;

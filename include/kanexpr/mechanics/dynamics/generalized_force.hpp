@@ -14,7 +14,7 @@ namespace kanexpr::mechanics {
 
 /// I·α + ω×(I·ω) about a point, from the matrix U that the forces also use. Because the products of inertia
 /// weight the entries of U directly, this takes half the products of the two-step form.
-constexpr components inertia_demand(const symmetric& i, const components& w, const components& alpha,
+constexpr components inertia_moment(const symmetric& i, const components& w, const components& alpha,
                                     const matrix3& u) {
   components moment;
   for (int x = 0; x < 3; ++x) {
@@ -62,7 +62,7 @@ public:
       if (!h.is_zero()) demand += k.acceleration_matrix(f) * h;
       force_[l.station] -= k.turn(demand, f, s_.stations[l.station].axes);
       components moment = cross(h, a);
-      moment += inertia_demand(k, inertia, f);
+      moment += inertia_moment(k, inertia, f);
       moment_[f] -= moment;
     }
   }
@@ -138,10 +138,10 @@ private:
   }
 
   /// The inertia torque of the link about its station.
-  constexpr components inertia_demand(motion& k, const symmetric& i, int f) {
+  constexpr components inertia_moment(motion& k, const symmetric& i, int f) {
     if (i.is_zero()) return components(*m_.g);
     const components w = k.angular_velocity(f), alpha = k.angular_acceleration(f);
-    return mechanics::inertia_demand(i, w, alpha, k.acceleration_matrix(f));
+    return mechanics::inertia_moment(i, w, alpha, k.acceleration_matrix(f));
   }
 
   const skeleton& s_;

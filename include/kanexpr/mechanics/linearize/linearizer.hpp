@@ -95,7 +95,7 @@ public:
     const sequence<expression> force = negative(summed(form_.f_2, form_.f_3));
     sequence<expression> all = force;
     all.append(form_.f_a);
-    if (force.size() < felt_directions(all)) // no temporary of a conditional expression: g++ 12
+    if (force.size() < active_directions(all)) // no temporary of a conditional expression: g++ 12
       force_ = changes_by_reverse(force);
     else
       force_ = changes_by_forward(force);
@@ -156,7 +156,7 @@ private:
   /// no direction moves a dependent variable.
   constexpr explicit_linearization along_all(const sequence<expression>& of) const {
     explicit_linearization out(g_, of.size(), variations_.states(), form_.inputs());
-    if (nothing_follows() && of.size() < felt_directions(of)) {
+    if (has_no_dependents() && of.size() < active_directions(of)) {
       for_each_gradient(of, {}, {}, [&](int i, int j, expression slope) { out(i, j) = slope; });
       return out;
     }
@@ -248,12 +248,12 @@ private:
     }
   }
 
-  constexpr bool nothing_follows() const {
+  constexpr bool has_no_dependents() const {
     return variations_.of_coordinates().rows == 0 && variations_.of_speeds().rows == 0;
   }
 
   /// The number of state directions on which the expressions `of` depend.
-  constexpr int felt_directions(const sequence<expression>& of) const {
+  constexpr int active_directions(const sequence<expression>& of) const {
     const sequence<char> live = symbolic::live_nodes(g_, symbolic::nodes_of(of));
     const auto is_live = [&](expression symbol) -> expression {
       return {g_, live[symbol.node()] != 0 ? graph::one : graph::zero};

@@ -66,8 +66,8 @@ public:
   /// the speeds of their relative rotation.
   constexpr void add_torque(int frame, int against, const vector& value) {
     const int f = s_.rigid_with[frame], b = against == none ? mechanism::inertial : s_.rigid_with[against];
-    if (b != mechanism::inertial && s_.turns_in[f] == b) return add_turning(f, value);
-    if (f != mechanism::inertial && s_.turns_in[b] == f) return add_turning(b, -value);
+    if (b != mechanism::inertial && s_.turns_in[f] == b) return add_relative_torque(f, value);
+    if (f != mechanism::inertial && s_.turns_in[b] == f) return add_relative_torque(b, -value);
     add_moment(f, value);
     if (b != mechanism::inertial) add_moment(b, -value);
   }
@@ -91,7 +91,7 @@ public:
 
 private:
   /// Adds a torque between a frame and the frame in which it rotates.
-  constexpr void add_turning(int f, const vector& value) {
+  constexpr void add_relative_torque(int f, const vector& value) {
     for (const partial_velocity& w : s_.partial_angular_velocities[f])
       share_[w.speed] += dot(w.value, express(m_, value, s_.working_axes[f]));
   }

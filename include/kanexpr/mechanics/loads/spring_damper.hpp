@@ -27,7 +27,8 @@ struct spring_damper {
     const skeleton& s = on.skeleton_used();
     const stretch line = stretch_in(s);
     expression over_length = s.model->zero(); // force divided by distance
-    if (how == conservative::by_forces && !stiffness.is_zero()) over_length = pull_of_spring(line.d);
+    if (how == conservative::by_forces && !stiffness.is_zero())
+      over_length = spring_force_over_length(line.d);
     if (!damping.is_zero()) {
       const expression factor = on.known(damping);
       over_length += factor * rate_of_stretch(on.moving(), line);
@@ -100,7 +101,7 @@ private:
 
   /// The spring force divided by the length, k (1 − l/|d|). Without a natural length, this needs no root or
   /// division.
-  constexpr expression pull_of_spring(const components& d) const {
+  constexpr expression spring_force_over_length(const components& d) const {
     return length.is_zero() ? stiffness : stiffness * (1 - length / sqrt(dot(d, d)));
   }
 

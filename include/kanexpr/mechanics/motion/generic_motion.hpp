@@ -190,9 +190,9 @@ private:
   constexpr bool solve_for_rates() {
     const int n = m_.kinematics.size();
     for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), 0);
-    const sequence<double> at_rest = left_over();
+    const sequence<double> at_rest = residuals();
     for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), 1);
-    const sequence<double> at_one = left_over();
+    const sequence<double> at_one = residuals();
     for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), 0);
     sequence<int> coupled, known, unknown;
     for (int i = 0; i < n; ++i) {
@@ -213,11 +213,11 @@ private:
     const int order = unknown.size();
     const numeric::factors place{order};
     sequence<double> f(place.size(), 0), x;
-    const sequence<double> base = left_over();
+    const sequence<double> base = residuals();
     for (int i : coupled) x.push(-base[i]);
     for (int j = 0; j < order; ++j) {
       set_rate(unknown[j], 1);
-      const sequence<double> moved = left_over();
+      const sequence<double> moved = residuals();
       set_rate(unknown[j], 0);
       for (int i = 0; i < order; ++i) f[place.at(i, j)] = moved[coupled[i]] - base[coupled[i]];
     }
@@ -227,7 +227,7 @@ private:
     for (int j = 0; j < order; ++j) set_rate(unknown[j], x[j]);
     return true;
   }
-  constexpr sequence<double> left_over() {
+  constexpr sequence<double> residuals() {
     equations_.at([&](int id) { return symbols_[id].value; });
     sequence<double> values;
     for (const expression& e : m_.kinematics) values.push(equations_[e.node()]);

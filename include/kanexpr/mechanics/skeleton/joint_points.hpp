@@ -10,7 +10,7 @@
 namespace kanexpr::mechanics {
 
 /// If a point and its parent are fixed in the same frame, measures the point from the parent's parent.
-constexpr void gather_rigid_steps(skeleton& s, int from = 0) {
+constexpr void merge_rigid_offsets(skeleton& s, int from = 0) {
   for (int i = from; i < s.stations.size(); ++i) {
     station& n = s.stations[i];
     if (!n.rigid) continue;

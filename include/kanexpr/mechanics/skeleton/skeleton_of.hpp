@@ -64,7 +64,7 @@ public:
   }
 
   /// Expresses offsets that are fixed in their frame in the body axes of the frame.
-  constexpr void settle_offsets(int from = 0) {
+  constexpr void express_offsets(int from = 0) {
     for (int i = from; i < s_.stations.size(); ++i) {
       station& n = s_.stations[i];
       if (!n.rigid) continue;
@@ -169,8 +169,8 @@ constexpr skeleton skeleton_of(const mechanism& m) {
   build.points();
   choose_body_axes(s);
   build.masses();
-  build.settle_offsets();
-  gather_rigid_steps(s);
+  build.express_offsets();
+  merge_rigid_offsets(s);
   place_joint_points(s);
   gather_masses(s);
   choose_working_axes(s);
@@ -186,8 +186,8 @@ constexpr void extend(skeleton& s) {
   build.frames();
   build.points();
   choose_axes_from(s, frames);
-  build.settle_offsets(stations);
-  gather_rigid_steps(s, stations);
+  build.express_offsets(stations);
+  merge_rigid_offsets(s, stations);
   form_partial_velocities(s);
 }
 
