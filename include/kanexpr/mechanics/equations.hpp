@@ -383,8 +383,8 @@ private:
   sequence<symbolic::solved_block> input_blocks_{}; ///< the blocks of the required inputs
   dynamics dynamics_{s_, system_->loads, constraints_, speeds_};
   bool is_constrained_ = false, is_mass_checked_ = false, is_mass_regular_ = false;
-  linearized_equations linearized_{s_,           system_->loads, constraints_, configuration_,
-                                   coordinates_, speeds_,        dynamics_};
+  linearized_equations linearized_{
+      {s_, system_->loads, constraints_, configuration_, coordinates_, speeds_, dynamics_}};
 };
 
 } // namespace kanexpr::mechanics
