@@ -49,7 +49,7 @@ struct numeric_axes {
 
 /// The values of expressions at generic states, if they must be valid at any angle; otherwise empty.
 constexpr sequence<numbers> at_any_angles(const mechanism& m, const sequence<expression>& all, int rows) {
-  if (!symbolic::rest_on_angles_only(*m.g, symbolic::nodes_of(all))) return {};
+  if (!symbolic::depend_only_on_angles(*m.g, symbolic::nodes_of(all))) return {};
   symbolic::matrix a(*m.g, rows, all.size() / rows);
   a.entries = all;
   return at_generic_states(a, &m);

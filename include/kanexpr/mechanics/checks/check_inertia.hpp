@@ -25,15 +25,21 @@ constexpr bool is_positive(const graph& g, int id) {
   using symbolic::form;
   const symbolic::node& n = g[id];
   switch (symbolic::form_of(n.op)) {
-  case form::constant: return g.number_at(id).value() > 0;
-  case form::symbol: return g.symbol_at(id).kind == symbolic::symbol_kind::parameter;
+  case form::leaf:
+    return g.is_constant(id) ? g.number_at(id).value() > 0
+                             : g.symbol_at(id).kind == symbolic::symbol_kind::parameter;
   case form::add:
   case form::multiply:
   case form::divide: return is_positive(g, n.a) && (n.a == n.b || is_positive(g, n.b));
   case form::power: return is_positive(g, n.a);
   case form::function: return symbolic::properties_of(n.op).never_negative;
-  default: return false;
+  case form::negate:
+  case form::subtract:
+  case form::binary_function:
+  case form::selection:
+  case form::list_operation: break;
   }
+  return false;
 }
 
 } // namespace detail
