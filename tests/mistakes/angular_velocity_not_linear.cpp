@@ -1,4 +1,4 @@
-// expect: the angular velocity of frame B is not linear in speed u
+// expect: the angular velocity of frame B is not linear in the speed u
 #include "pendulum.hpp"
 
 struct B : rotated<B, N, q, N::z>, angular_velocity<N, u * u * N::z> {};

@@ -1,4 +1,4 @@
-// expect: a kinematic differential equation is not linear in speed u
+// expect: a kinematic differential equation is not linear in the speed u
 #include "pendulum.hpp"
 
 struct System

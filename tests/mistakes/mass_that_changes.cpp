@@ -1,4 +1,4 @@
-// expect: the mass of Ball changes with speed u
+// expect: the mass of Ball changes with the speed u
 #include "pendulum.hpp"
 
 struct Ball : particle<Ball, P, m * u> {};

@@ -1,4 +1,4 @@
-// expect: the velocity of point Q is not linear in speed u
+// expect: the velocity of point Q is not linear in the speed u
 #include "pendulum.hpp"
 
 struct Q : offset<Q, O, l * A::x>, velocity<N, l * u * u * A::y> {};

@@ -58,6 +58,9 @@ public:
     data_[size_] = static_cast<Element&&>(value);
     return size_++;
   }
+  constexpr void append(const sequence& values) {
+    for (const Element& value : values) push(value);
+  }
   constexpr void pop() { --size_; }
   constexpr void clear() { size_ = 0; }
   constexpr void resize(int size, const Element& value = Element{}) {
@@ -74,6 +77,11 @@ public:
     capacity_ = capacity;
   }
   constexpr bool contains(const Element& value) const { return find(value) >= 0; }
+  constexpr bool contains_all(const sequence& values) const {
+    for (const Element& value : values)
+      if (!contains(value)) return false;
+    return true;
+  }
   /// Returns the position of the first element equal to `value`, or -1.
   constexpr int find(const Element& value) const {
     for (int i = 0; i < size_; ++i)

@@ -22,9 +22,7 @@ class derived_system {
   // declared later in the class
   template <class Self, class Visit>
   static constexpr void each_part(Self& self, Visit& visit) {
-    visit(self.system_);
-    visit(self.reader_);
-    visit(*self.equations_);
+    visit(self.system_, self.reader_, *self.equations_);
   }
 
 public:

@@ -27,6 +27,11 @@ public:
     else
       for_each_member(part, *this);
   }
+  template <class... Parts>
+    requires(sizeof...(Parts) > 1)
+  constexpr void operator()(Parts&... parts) {
+    ((*this)(parts), ...);
+  }
   template <class Part>
   constexpr void operator()(base::sequence<Part>& parts) {
     const int size = read();

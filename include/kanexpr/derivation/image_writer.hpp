@@ -28,6 +28,11 @@ public:
     else
       for_each_member(part, *this);
   }
+  template <class... Parts>
+    requires(sizeof...(Parts) > 1)
+  constexpr void operator()(const Parts&... parts) {
+    ((*this)(parts), ...);
+  }
   template <class Part>
   constexpr void operator()(const base::sequence<Part>& parts) {
     write(parts.size());

@@ -92,7 +92,7 @@ private:
     const double largest = inertia.largest();
     if (!(largest > 1e-100)) return {};
     inertia.scale(1 / largest);
-    mechanics::detail::numeric_way way;
+    mechanics::detail::numeric_offset way;
     way.known = body.mass > 0;
     way.mass = way.known ? value[body.mass - 1] : 0;
     for (int i = 0; i < 3; ++i) {
@@ -146,7 +146,7 @@ private:
   constexpr void add_way(const mechanics::body& b, inertial_values::of_body& made) {
     made.about = place_of(m_.points[b.about].called);
     mechanics::vector way;
-    if (!mechanics::detail::take_way(m_, b, way)) return;
+    if (!mechanics::detail::find_offset(m_, b, way)) return;
     const int axes = b.inertia.parts[0].left;
     int places[3]{};
     for (int i = 0; i < 3; ++i) places[i] = place_of(expression(*m_.g, symbolic::graph::zero));

@@ -7,13 +7,12 @@
 #include <kanexpr/mechanics/checks/check_coriolis.hpp>
 #include <kanexpr/mechanics/checks/check_lagrange.hpp>
 #include <kanexpr/mechanics/checks/check_mass.hpp>
-#include <kanexpr/mechanics/checks/check_redundant.hpp>
 #include <kanexpr/mechanics/constraints/configuration_step.hpp>
 #include <kanexpr/mechanics/constraints/redundant_constraints.hpp>
 #include <kanexpr/mechanics/dynamics/coriolis.hpp>
 #include <kanexpr/mechanics/dynamics/dynamics.hpp>
 #include <kanexpr/mechanics/dynamics/energy.hpp>
-#include <kanexpr/mechanics/dynamics/full_form.hpp>
+#include <kanexpr/mechanics/dynamics/minimal.hpp>
 #include <kanexpr/mechanics/dynamics/positive_mass.hpp>
 #include <kanexpr/mechanics/dynamics/regressor.hpp>
 #include <kanexpr/mechanics/dynamics/required_inputs.hpp>
@@ -25,6 +24,7 @@
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/symbolic/derivatives/jacobian.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/sizes/term_sizes.hpp>
@@ -52,18 +52,9 @@ public:
   /// The stored members, except those that are cheap to form again. Only valid systems are stored.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.known_);
-    visit(self.constraints_);
-    visit(self.configuration_);
-    visit(self.speeds_);
-    visit(self.coordinates_);
-    visit(self.step_blocks_);
-    visit(self.input_blocks_);
-    visit(self.dynamics_);
-    visit(self.is_constrained_);
-    visit(self.is_mass_checked_);
-    visit(self.is_mass_regular_);
-    visit(self.linearized_);
+    visit(self.known_, self.constraints_, self.configuration_, self.speeds_, self.coordinates_,
+          self.step_blocks_, self.input_blocks_, self.dynamics_, self.is_constrained_, self.is_mass_checked_,
+          self.is_mass_regular_, self.linearized_);
   }
 
   /// Forms the constraints on the speeds and chooses the dependent speeds and coordinates.
@@ -78,20 +69,16 @@ public:
     if (!mistake_) mistake_ = check_contents_of_constraints(*m_, all);
     if (!mistake_ && m_->derived_by == method::lagrange) mistake_ = check_lagrange(moving(), system_->loads);
     if (mistake_) return;
-    constraints_ = no_constraints(*m_);
-    constraints_.on_accelerations = given.on_accelerations;
-    if (!given.on_velocities.empty() || !given.on_configuration.empty())
-      constraints_ = form_constraints(moving(), given);
+    constraints_ = form_constraints(moving(), given);
     record_redundant(all, constraints_);
-    configuration_ = mechanics::configuration_jacobian_by_all(*m_, given.on_configuration);
+    configuration_ = symbolic::forward_jacobian(*m_->g, given.on_configuration, m_->coordinates);
     const sequence<numbers> by_q = equilibrated(at_generic_states(configuration_, m_)),
                             by_u = equilibrated(at_generic_states(constraints_.jacobian, m_));
     mistake_ = check_constraints(s_, constraints_, configuration_, by_q, by_u);
     if (!mistake_) mistake_ = check_choice(*m_, given, constraints_, configuration_, by_q, by_u);
     if (!mistake_) mistake_ = check_acceleration_constraints(s_, constraints_, configuration_);
     if (!mistake_ && !constraints_.redundant.empty())
-      mistake_ = check_redundant_rates(s_, system_->constraints.redundant, constraints_, configuration_,
-                                       rates_of_redundant());
+      mistake_ = check_redundant_rates(s_, constraints_, configuration_, rates_of_redundant());
     if (mistake_) return;
     coordinates_ = partition_of(by_q, configuration_, given.dependent_coordinates,
                                 sequence<char>(m_->coordinates.size(), 0));
@@ -175,21 +162,17 @@ public:
   /// are finite.
   constexpr sequence<singularity_check> singularity_checks_of(const sequence<int>& outputs) {
     sequence<singularity_check> all = checks_of_rates(*m_, s_.rate_blocks);
-    if (dynamics_.has_dependent())
-      for (const singularity_check& g : checks_of_speeds(*m_, speeds_, dynamics_.dependent().blocks))
-        all.push(g);
-    for (const singularity_check& g : checks_of_coordinates(*m_, coordinates_, step_blocks_)) all.push(g);
-    for (const singularity_check& g : checks_of_inputs(*m_, input_blocks_)) all.push(g);
-    for (const singularity_check& g :
-         checks_of_coordinates(*m_, coordinates_, linearized_.coordinate_blocks()))
-      all.push(g);
+    if (dynamics_.has_dependent()) all.append(checks_of_speeds(*m_, speeds_, dynamics_.dependent().blocks));
+    all.append(checks_of_coordinates(*m_, coordinates_, step_blocks_));
+    all.append(checks_of_inputs(*m_, input_blocks_));
+    all.append(checks_of_coordinates(*m_, coordinates_, linearized_.coordinate_blocks()));
     sequence<int> sure_divisors;
     if (is_mass_regular_)
       for (const symbolic::pivot& p : pivots()) sure_divisors.push(p.key);
     else
-      for (const singularity_check& g : checks_of_mass(*m_, speeds_, pivots())) all.push(g);
+      all.append(checks_of_mass(*m_, speeds_, pivots()));
     sequence<singularity_check> live = live_checks(*m_->g, all, outputs);
-    for (const singularity_check& g : checks_of_finiteness(*m_, outputs, sure_divisors, live)) live.push(g);
+    live.append(checks_of_finiteness(*m_, outputs, sure_divisors, live));
     return live;
   }
 
@@ -293,7 +276,7 @@ private:
     if (mistake_ || is_mass_checked_) return formed;
     is_mass_checked_ = true;
     mistake_ = check_mass_matrix(*m_, speeds_, formed);
-    const bool is_positive = !system_->loads.has_lagrangian && energy_of_motion(s_).is_positive();
+    const bool is_positive = !system_->loads.has_lagrangian && positive_energy_proof(s_).is_positive();
     if (!mistake_ && !is_positive) mistake_ = check_same_mass(*m_, speeds_, formed);
     // if lengths are unbounded, a pivot may consist entirely of rounding errors
     is_mass_regular_ =
@@ -302,7 +285,7 @@ private:
   }
   constexpr sequence<symbolic::pivot> pivots() const {
     sequence<symbolic::pivot> all = dynamics_.pivots();
-    for (const symbolic::pivot& p : linearized_.pivots()) all.push(p);
+    all.append(linearized_.pivots());
     return all;
   }
   constexpr const sequence<expression>& accelerations() {
@@ -312,7 +295,7 @@ private:
 
   constexpr sequence<expression> forces_of_gravity() const {
     sequence<expression> forces = mechanics::forces_of_gravity(s_, system_->loads);
-    while (forces.size() > m_->speeds.size()) forces.pop(); // the auxiliary speeds come last
+    forces.resize(m_->speeds.size()); // the auxiliary speeds come last
     return forces;
   }
 
@@ -378,9 +361,9 @@ private:
   }
   constexpr symbolic::matrix column(const sequence<expression>& above,
                                     const sequence<expression>& below = {}) const {
-    symbolic::matrix m(*m_->g, above.size() + below.size(), 1);
-    for (int i = 0; i < above.size(); ++i) m.entries[i] = above[i];
-    for (int i = 0; i < below.size(); ++i) m.entries[above.size() + i] = below[i];
+    symbolic::matrix m(*m_->g, 0, 1);
+    m.rows = above.size() + below.size();
+    m.entries.append(above), m.entries.append(below);
     return m;
   }
   constexpr symbolic::matrix column(const components& v) const {
@@ -400,8 +383,8 @@ private:
   sequence<symbolic::solved_block> input_blocks_{}; ///< the blocks of the required inputs
   dynamics dynamics_{s_, system_->loads, constraints_, speeds_};
   bool is_constrained_ = false, is_mass_checked_ = false, is_mass_regular_ = false;
-  linearized_equations linearized_{s_,           system_->loads, constraints_, configuration_,
-                                   coordinates_, speeds_,        dynamics_};
+  linearized_equations linearized_{
+      {s_, system_->loads, constraints_, configuration_, coordinates_, speeds_, dynamics_}};
 };
 
 } // namespace kanexpr::mechanics

@@ -19,9 +19,7 @@ struct multibody_system {
   multibody_system& operator=(const multibody_system&) = delete;
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.mechanism);
-    visit(self.loads);
-    visit(self.constraints);
+    visit(self.mechanism, self.loads, self.constraints);
   }
 };
 

@@ -7,14 +7,13 @@
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
 #include <kanexpr/mechanics/constraints/given_constraints.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
-#include <kanexpr/mechanics/model/bodies.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
-#include <kanexpr/mechanics/model/check_position.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/frames.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
-#include <kanexpr/mechanics/model/points.hpp>
+#include <kanexpr/mechanics/model/position.hpp>
 #include <kanexpr/mechanics/skeleton/orientation_kinematics.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/derived.ipp>
@@ -192,24 +191,24 @@ KANEXPR_ENGINE void builder::declare_angular_velocity(frame_id frame, frame_id r
   else if (m_.frames[place(frame)].has_declared_angular_velocity())
     checks_.fail({"frame ", name_of(frame), " has two declared angular velocities"});
   else if (checks_.owns(name_of(frame), value))
-    mechanics::declare_angular_velocity(m_, place(frame), place(reference), value, apart);
+    m_.frames[place(frame)].declare_angular_velocity(place(reference), value, apart);
 }
 
 // ---- points
 
 KANEXPR_ENGINE point_id builder::origin(std::string_view called) {
-  return checks_.is_new("points", called, m_.points) ? point_id{mechanics::add_origin(m_, called)}
+  return checks_.is_new("points", called, m_.points) ? point_id{m_.points.push({.called = called})}
                                                      : point_id{};
 }
 
 KANEXPR_ENGINE point_id builder::offset(std::string_view called, point_id parent, const vector& from_parent) {
   if (!checks_.is_new("points", called, m_.points) || !checks_.owns(called, parent, from_parent)) return {};
-  return point_id{mechanics::add_point(m_, called, place(parent), from_parent)};
+  return point_id{m_.points.push({.called = called, .parent = place(parent), .offset = from_parent})};
 }
 
 KANEXPR_ENGINE void builder::fixed_in(point_id point, frame_id frame) {
   if (checks_.owns("a fixed point", frame) && is_motion_undeclared(point))
-    mechanics::fix_point(m_, place(point), place(frame));
+    m_.points[place(point)].fixed_in = place(frame);
 }
 
 KANEXPR_ENGINE vector builder::position_of(point_id point, point_id from) {
@@ -240,33 +239,40 @@ KANEXPR_ENGINE bool builder::may_declare_velocity(point_id point, frame_id refer
 
 KANEXPR_ENGINE void builder::velocity(point_id point, frame_id reference, const vector& value) {
   if (may_declare_velocity(point, reference, value))
-    mechanics::declare_velocity(m_.points[place(point)], place(reference), value);
+    m_.points[place(point)].declare_velocity(place(reference), value,
+                                             place(reference) != mechanics::mechanism::inertial);
 }
 
 KANEXPR_ENGINE void builder::velocity_apart_from_position(point_id point, frame_id reference,
                                                           const vector& value) {
   if (!may_declare_velocity(point, reference, value)) return;
-  mechanics::declare_velocity(m_.points[place(point)], place(reference), value);
+  m_.points[place(point)].declare_velocity(place(reference), value,
+                                           place(reference) != mechanics::mechanism::inertial);
   m_.points[place(point)].moves_apart = true;
 }
 
 KANEXPR_ENGINE void builder::velocity_from_parent(point_id point, frame_id reference, const vector& value) {
   if (may_declare_velocity(point, reference, value))
-    mechanics::declare_velocity_from_parent(m_.points[place(point)], place(reference), value);
+    m_.points[place(point)].declare_velocity(place(reference), value, true);
 }
 
 // ---- bodies
 
 KANEXPR_ENGINE void builder::particle(std::string_view called, point_id at, expression mass) {
   if (checks_.is_new("bodies", called, m_.bodies) && checks_.owns(called, at, mass))
-    mechanics::add_particle(m_, called, place(at), mass);
+    m_.bodies.push({.called = called, .center = place(at), .mass = mass});
 }
 
 KANEXPR_ENGINE void builder::rigid_body(std::string_view called, point_id center, frame_id frame,
                                         expression mass, const dyadic& inertia, point_id about) {
   if (checks_.is_new("bodies", called, m_.bodies) &&
       checks_.owns(called, center, frame, mass, inertia, about))
-    mechanics::add_rigid_body(m_, called, place(center), place(frame), mass, inertia, place(about));
+    m_.bodies.push({.called = called,
+                    .center = place(center),
+                    .frame = place(frame),
+                    .mass = mass,
+                    .inertia = inertia,
+                    .about = place(about)});
 }
 
 KANEXPR_ENGINE void builder::mark_body(std::string_view body, bool mechanics::body::* mark,

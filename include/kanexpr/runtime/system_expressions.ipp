@@ -32,6 +32,11 @@ public:
     else
       for_each_member(part, *this);
   }
+  template <class... Parts>
+    requires(sizeof...(Parts) > 1)
+  void operator()(Parts&... parts) const {
+    ((*this)(parts), ...);
+  }
   template <class Part>
   void operator()(base::sequence<Part>& parts) const {
     for (Part& each : parts) (*this)(each);

@@ -197,7 +197,7 @@ TEST(springs, are_looked_at) {
   EXPECT_EQ(mistake([](arm& a) { a.potential_energy(a.q[0]), a.potential_energy(a.q[0] * a.u[2]); }),
             "potential energy 2 contains the speed u2; it may contain only coordinates");
   EXPECT_EQ(mistake([](arm& a) { a.potential_energy(a.dot(a.q[0])); }),
-            "potential energy 1 contains the rate of coordinate q0");
+            "potential energy 1 contains the rate of coordinate q0; it may contain only coordinates");
   EXPECT_EQ(mistake([](arm& a) { a.torsional_damper(a.first, a.first, a.number(1)); }),
             "a torsional damper acts between frame A and itself");
   EXPECT_EQ(mistake([](arm& a) { a.torque_between(a.first, a.first, a.along(a.n, 0, 0, 1)); }),

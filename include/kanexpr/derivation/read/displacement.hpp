@@ -4,7 +4,7 @@
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
-#include <kanexpr/mechanics/skeleton/auxiliary.hpp>
+#include <kanexpr/mechanics/skeleton/vector_substitution.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 /// The displacement of points and axes by auxiliary speeds. Configuration constraints do not depend on

@@ -9,7 +9,6 @@
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/frames.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
-#include <kanexpr/mechanics/model/points.hpp>
 #include <kanexpr/mechanics/model/turned_with.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -53,9 +52,7 @@ public:
   /// The state that is kept if there is no mistake and nothing is being read.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.frames_);
-    visit(self.places_of_frames_);
-    visit(self.points_);
+    visit(self.frames_, self.places_of_frames_, self.points_);
   }
 
   /// Returns the index of a frame that `whom` mentions; reads the frame and its ancestors if necessary.
@@ -85,7 +82,7 @@ public:
       const mechanics::vector w = phrases_.vector_of(
           record.angular_velocity, {"the angular velocity of frame ", record.called}, record.called);
       freed_.check_is_held(record);
-      if (!reading_.mistake) mechanics::declare_angular_velocity(m_, place, reference, w, record.turns_apart);
+      if (!reading_.mistake) m_.frames[place].declare_angular_velocity(reference, w, record.turns_apart);
     }
     reading_.describing = describing_before;
     return place;
@@ -120,10 +117,7 @@ public:
           phrases_.vector_of(record.velocity, {"the velocity of point ", record.called}, record.called);
       p.moves_apart = record.moves_apart;
       if (reference == mechanism::inertial && !record.from_parent) freed_.check_is_held(record);
-      if (record.from_parent)
-        mechanics::declare_velocity_from_parent(p, reference, v);
-      else
-        mechanics::declare_velocity(p, reference, v);
+      p.declare_velocity(reference, v, record.from_parent || reference != mechanism::inertial);
     }
     if (reading_.mistake) return 0;
     points_.push(r);

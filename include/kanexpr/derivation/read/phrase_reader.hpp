@@ -8,9 +8,9 @@
 #include <kanexpr/derivation/read/symbol_reader.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/mechanics/checks/check_numbers.hpp>
-#include <kanexpr/mechanics/model/check_position.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/model/position.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/function_table.hpp>

@@ -26,8 +26,7 @@ public:
   /// The known symbols and entities, if there is no mistake.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.symbols_);
-    visit(self.entities_);
+    visit(self.symbols_, self.entities_);
   }
 
   constexpr const sentence& mistake() const { return reading_.mistake; }

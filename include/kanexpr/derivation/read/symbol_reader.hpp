@@ -81,11 +81,7 @@ public:
   /// The known symbols, if there is no mistake.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.bound_);
-    visit(self.bound_values_);
-    visit(self.bound_is_used_);
-    visit(self.claimed_);
-    visit(self.is_time_claimed_);
+    visit(self.bound_, self.bound_values_, self.bound_is_used_, self.claimed_, self.is_time_claimed_);
   }
 
   /// Adds a parameter that the model itself does not mention, after all others.

@@ -3,16 +3,15 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/checks/check_angular_velocity.hpp>
-#include <kanexpr/mechanics/checks/check_changing_inertia.hpp>
 #include <kanexpr/mechanics/checks/check_direction_cosines.hpp>
-#include <kanexpr/mechanics/checks/check_dyadic.hpp>
 #include <kanexpr/mechanics/checks/check_inertia.hpp>
+#include <kanexpr/mechanics/checks/check_inertia_at_states.hpp>
 #include <kanexpr/mechanics/checks/check_kinematics.hpp>
 #include <kanexpr/mechanics/checks/check_loads.hpp>
 #include <kanexpr/mechanics/checks/check_omitted_angles.hpp>
 #include <kanexpr/mechanics/checks/check_velocity.hpp>
-#include <kanexpr/mechanics/checks/prescribed.hpp>
 #include <kanexpr/mechanics/constraints/partition.hpp>
+#include <kanexpr/mechanics/model/check_contents.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
@@ -73,17 +72,8 @@ private:
   /// Checks a geometric quantity: it may contain coordinates, parameters and time, but no quantity whose rate
   /// is unknown.
   constexpr void check_geometry(expression e, std::string_view of, const name& whose) {
-    if (found_ || !held_.holds_any(e, {kind::speed, kind::auxiliary_speed, kind::input, kind::coordinate_rate,
-                                       kind::speed_rate}))
-      return;
-    found_ = check_stillness(m_, held_, e, of, whose.view());
-    check_inputs(e, 2, of, whose.view());
-  }
-
-  /// Checks that the inputs in a differentiated quantity are prescribed, with their derivatives.
-  constexpr void check_inputs(expression e, int derivatives, std::string_view of, std::string_view whose) {
-    if (const unknown_derivative u = find_unknown_derivative(m_, held_, e, derivatives))
-      fail({of, whose, " contains the input ", u.input, ", whose ", u.what, is_not_known});
+    if (!found_) found_ = check_no_rates(m_, held_, e, of, whose.view());
+    if (!found_) found_ = check_prescribed(m_, held_, e, 2, of, whose.view());
   }
 
   /// Checks declared velocities and inertias at generic states.
@@ -97,16 +87,15 @@ private:
       apart = checked.is_any_apart();
       angles = checked.omitted_angles();
     }
-    if (!found_ && (velocity_checker::is_any_declared(m_, 0) || velocity_checker::may_any_slip(m_, held_)))
+    if (!found_ && (velocity_checker::is_any_declared(m_, 0) || velocity_checker::may_any_deviate(m_, held_)))
       found_ = velocity_checker(m_, held_).run();
-    if (!found_) found_ = inertia_checker(m_, held_, apart).run();
+    if (!found_) found_ = changing_inertia_checker(m_, held_, apart).run();
     if (!found_) found_ = omitted_angles_checker(of_, held_, angles).run();
   }
 
   constexpr void check_frame(int place) {
     const frame& f = m_.frames[place];
-    if (f.kind == orientation::about_basis || f.kind == orientation::about_axis)
-      check_geometry(f.angle, "the angle of frame ", f.called);
+    if (f.is_by_angle()) check_geometry(f.angle, "the angle of frame ", f.called);
     if (f.kind == orientation::matrix)
       for (int i = 0; i < 9; ++i)
         check_geometry(f.to_parent(i / 3, i % 3), "the orientation of frame ", f.called);
@@ -126,21 +115,17 @@ private:
   }
 
   constexpr void check_point(const point& p) {
-    for (const vector::part& part : p.offset.parts)
-      for (int i = 0; i < 3; ++i) check_geometry(part.value[i], "the offset of point ", p.called);
+    p.offset.each_entry([&](expression e) { check_geometry(e, "the offset of point ", p.called); });
     if (p.has_declared_velocity()) check_velocity_of(p.velocity, "the velocity of point ", p.called);
   }
 
   constexpr void check_velocity_of(const vector& v, std::string_view of, const name& whose) {
-    for (const vector::part& part : v.parts)
-      for (int i = 0; i < 3 && !found_; ++i) {
-        const expression e = part.value[i];
-        check_inputs(e, 1, of, whose.view());
-        if (held_.holds(e, kind::speed_rate))
-          fail({of, whose.view(), " contains the ",
-                speed_rate_called(m_, held_.name_of(e, kind::speed_rate)).view()});
-        if (!found_) found_ = check_linear(m_, held_, e, sentence({of, whose.view()}).view());
-      }
+    v.each_entry([&](expression e) {
+      if (!found_) found_ = check_prescribed(m_, held_, e, 1, of, whose.view());
+      if (const sentence rate = symbol_in(m_, held_, e, {kind::speed_rate}))
+        fail({of, whose.view(), " contains the ", rate.view()});
+      if (!found_) found_ = check_linear(m_, held_, e, of, whose.view());
+    });
   }
 
   constexpr void check_body(const body& b) {
@@ -148,39 +133,16 @@ private:
     if (b.mass.is_zero() && !has_inertia(b)) fail({"body ", called, " has no mass"});
     if (is_negative(b.mass)) fail({"the mass of ", called, " is negative"});
     check_mass_of(b.mass, "the mass of ", called);
-    for (const dyadic::part& p : b.inertia.parts) {
-      for (int i = 0; i < 9; ++i) check_mass_of(p.value(i / 3, i % 3), "the inertia of ", called);
-      for (int i = 0; i < 3; ++i)
-        if (b.inertia.parts.size() == 1 && p.left == p.right && p.value(i, i).is_constant() &&
-            m_.g->number_at(p.value(i, i).node()).negative())
-          fail({"a moment of inertia of ", called, " is negative"});
-      for (int i = 0; i < 3; ++i) {
-        const int j = (i + 1) % 3;
-        if (b.inertia.parts.size() == 1 && p.left == p.right &&
-            p.value(i, j).is_zero() != p.value(j, i).is_zero())
-          fail({"the inertia of ", called, " is not symmetric"});
-      }
-    }
+    b.inertia.each_entry([&](expression e) { check_mass_of(e, "the inertia of ", called); });
     if (!found_) found_ = check_inertia(m_, b);
   }
 
   /// Checks a mass or an inertia, which may depend on time, coordinates and prescribed quantities.
   constexpr void check_mass_of(expression e, std::string_view of, std::string_view whose) {
-    const std::string_view an_article = m_.derived_by == method::kane ? "" : "the ";
-    if (held_.holds(e, kind::speed))
-      return fail(
-          {of, whose, " changes with ", an_article, speed_called(m_, held_.name_of(e, kind::speed)).view()});
-    if (held_.holds(e, kind::speed_rate))
-      return fail({of, whose, " changes with the ",
-                   speed_rate_called(m_, held_.name_of(e, kind::speed_rate)).view()});
-    struct named_kind {
-      kind what;
-      std::string_view called;
-    };
-    for (const named_kind& w : {named_kind{kind::auxiliary_speed, " changes with auxiliary speed "},
-                                named_kind{kind::coordinate_rate, " changes with the rate of coordinate "}})
-      if (held_.holds(e, w.what)) return fail({of, whose, w.called, held_.name_of(e, w.what)});
-    check_inputs(e, 1, of, whose);
+    if (const sentence with = symbol_in(
+            m_, held_, e, {kind::speed, kind::auxiliary_speed, kind::speed_rate, kind::coordinate_rate}))
+      return fail({of, whose, " changes with the ", with.view()});
+    if (!found_) found_ = check_prescribed(m_, held_, e, 1, of, whose);
   }
 
   const multibody_system& of_;

@@ -47,7 +47,7 @@ public:
       for (const declared_angular_velocity& t : declared_) {
         is_any_apart_ = is_any_apart_ || t.all.size() != 0;
         open = open || t.bound.size() != 0;
-        moves = moves || (t.all.size() != 0 && !is_wheel(t.frame));
+        moves = moves || (t.all.size() != 0 && !is_spin_only(t.frame));
       }
     }
     if (open)
@@ -116,11 +116,11 @@ private:
     if (t.bound.size() == 0 || t.free.size() > 1) return true;
     const bool own_is_fixed = is_fixed_in_parent(t.frame);
     if (t.all.size() == 1) return own_is_fixed || t.free.size() == 1 || !t.by_angles.holds(t.all);
-    return own_is_fixed && (t.by_angles.size() == 0 || is_ball(t.frame));
+    return own_is_fixed && (t.by_angles.size() == 0 || has_spherical_inertia(t.frame));
   }
 
   /// Whether a frame is declared only to spin about an axis of its parent.
-  constexpr bool is_wheel(int place) const {
+  constexpr bool is_spin_only(int place) const {
     const frame& f = m_.frames[place];
     if (f.kind != orientation::about_basis || f.reference != f.parent || !is_fixed_in_parent(place))
       return false;
@@ -138,7 +138,7 @@ private:
   }
 
   /// Whether all bodies of a frame have spherical inertia, so that none of its angles matters.
-  constexpr bool is_ball(int f) const {
+  constexpr bool has_spherical_inertia(int f) const {
     bool any = false;
     for (const body& b : m_.bodies) {
       if (b.frame != f) continue;

@@ -62,7 +62,7 @@ constexpr sequence<expression> quadratic_part(const mechanism& m, const sequence
 
 /// Returns a sentence that explains why the equations of motion may differ from Lagrange's, whose C is formed
 /// from Christoffel symbols; empty if they cannot.
-constexpr sentence mismatch_of_rates(motion& k, const loads& acting) {
+constexpr sentence mismatch_with_lagrange(motion& k, const loads& acting) {
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;
   if (m.derived_by == method::lagrange) return {};
@@ -85,7 +85,7 @@ constexpr sentence check_coriolis(motion& k, const loads& acting, const symbolic
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;
   if (const sentence found = detail::check_changes_of_mass(s, mass)) return found;
-  const sentence candidate = detail::mismatch_of_rates(k, acting);
+  const sentence candidate = detail::mismatch_with_lagrange(k, acting);
   if (!candidate) return {};
   sequence<expression> off = detail::quadratic_part(m, bias_of());
   off.resize(m.speeds.size(), m.zero()); // the auxiliary speeds come last

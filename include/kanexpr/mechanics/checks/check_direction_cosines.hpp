@@ -5,10 +5,11 @@
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/generic_states.hpp>
+#include <kanexpr/mechanics/motion/triple.hpp>
 #include <kanexpr/numeric/elementary.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
-#include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/sizes/finiteness.hpp>
 
 #include <string_view>
 
@@ -18,64 +19,37 @@ namespace detail {
 
 /// The rows or columns of a direction cosine matrix whose entries are numbers.
 struct numeric_axes {
-  double entry[3][3]{};
-  bool known[3]{};
+  triad axis{};
+  bool known[3]{true, true, true};
 
   constexpr explicit numeric_axes(const numbers& rows) {
-    for (int i = 0; i < 9; ++i) entry[i / 3][i % 3] = rows.entries[i], known[i / 3] = true;
+    for (int i = 0; i < 9; ++i) axis[i / 3][i % 3] = rows.entries[i];
   }
-  constexpr numeric_axes(const matrix3& m, bool columns) {
+  constexpr explicit numeric_axes(const matrix3& rows) {
     for (int i = 0; i < 3; ++i) {
-      known[i] = true;
-      for (int k = 0; k < 3; ++k) {
-        const expression e = columns ? m(k, i) : m(i, k);
-        known[i] = known[i] && e.is_constant();
-        if (e.is_constant()) entry[i][k] = m(0, 0).owner().number_at(e.node()).value();
-      }
+      known[i] = rows.row[i].is_constant();
+      for (int k = 0; k < 3; ++k)
+        if (const expression e = rows(i, k); e.is_constant())
+          axis[i][k] = e.owner().number_at(e.node()).value();
     }
   }
-  constexpr double dot(int i, int j) const {
-    return entry[i][0] * entry[j][0] + entry[i][1] * entry[j][1] + entry[i][2] * entry[j][2];
-  }
+  constexpr bool all_known() const { return known[0] && known[1] && known[2]; }
   /// The tolerance admits numbers written with six digits and still detects a wrong sign or order.
   constexpr bool orthonormal() const {
-    for (const auto& axis : entry)
-      for (double e : axis)
-        if (numeric::elementary::abs(e) > 2) return false; // the square might overflow
+    for (int i = 0; i < 9; ++i)
+      if (numeric::elementary::abs(axis[i / 3][i % 3]) > 2) return false; // the square might overflow
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j <= i; ++j)
-        if (known[i] && known[j] && numeric::elementary::abs(dot(i, j) - (i == j ? 1 : 0)) > 1e-6)
+        if (known[i] && known[j] && numeric::elementary::abs(dot(axis[i], axis[j]) - (i == j ? 1 : 0)) > 1e-6)
           return false;
     return true;
   }
-  constexpr bool right_handed() const {
-    if (!known[0] || !known[1] || !known[2]) return true;
-    double volume = 0;
-    for (int i = 0; i < 3; ++i) {
-      const int j = (i + 1) % 3, k = (i + 2) % 3;
-      volume += entry[0][i] * (entry[1][j] * entry[2][k] - entry[1][k] * entry[2][j]);
-    }
-    return volume > 0;
-  }
+  constexpr bool right_handed() const { return !all_known() || dot(axis.x, cross(axis.y, axis.z)) > 0; }
 };
-
-/// Whether an expression contains symbols only as arguments of sines and cosines, so that it must be valid at
-/// any angle.
-constexpr bool holds_angles_only(const symbolic::graph& g, int id, sequence<int>& seen) {
-  using symbolic::operation;
-  const symbolic::node& n = g[id];
-  if (n.op == operation::constant || n.op == operation::sin || n.op == operation::cos) return true;
-  if (symbolic::is_leaf(n.op)) return false;
-  if (seen.contains(id)) return true;
-  seen.push(id);
-  return holds_angles_only(g, n.a, seen) && (!symbolic::is_binary(n.op) || holds_angles_only(g, n.b, seen));
-}
 
 /// The values of expressions at generic states, if they must be valid at any angle; otherwise empty.
 constexpr sequence<numbers> at_any_angles(const mechanism& m, const sequence<expression>& all, int rows) {
-  sequence<int> seen;
-  for (const expression& e : all)
-    if (!holds_angles_only(*m.g, e.node(), seen)) return {};
+  if (!symbolic::depend_only_on_angles(*m.g, symbolic::nodes_of(all))) return {};
   symbolic::matrix a(*m.g, rows, all.size() / rows);
   a.entries = all;
   return at_generic_states(a, &m);
@@ -113,7 +87,7 @@ constexpr base::sentence check_direction_cosines(const mechanism& m, const frame
   }
   if (f.kind != orientation::matrix) return {};
   const std::string_view called = f.called.view();
-  const detail::numeric_axes rows(f.to_parent, false), columns(f.to_parent, true);
+  const detail::numeric_axes rows(f.to_parent), columns(transpose(f.to_parent));
   const bool orthonormal = rows.orthonormal() && columns.orthonormal();
   if (!f.quaternion.empty()) {
     if (orthonormal && detail::has_unit_length(m, f.quaternion)) return {};
@@ -123,7 +97,7 @@ constexpr base::sentence check_direction_cosines(const mechanism& m, const frame
     return base::sentence({"the direction cosines of frame ", called,
                            " are not orthonormal; write irrational entries as sqrt or cos of numbers"});
   bool right_handed = rows.right_handed();
-  if (!rows.known[0] || !rows.known[1] || !rows.known[2]) {
+  if (!rows.all_known()) {
     sequence<expression> cosines;
     for (int i = 0; i < 9; ++i) cosines.push(f.to_parent(i / 3, i % 3));
     for (const numbers& state : detail::at_any_angles(m, cosines, 3)) {

@@ -2,8 +2,7 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
-#include <kanexpr/mechanics/checks/linearity.hpp>
-#include <kanexpr/mechanics/checks/prescribed.hpp>
+#include <kanexpr/mechanics/model/check_contents.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/generic_states.hpp>
@@ -21,11 +20,10 @@ namespace detail {
 /// coefficients are formed only for equations that are coupled or that do not look linear.
 class kinematics_checker {
 public:
-  constexpr kinematics_checker(const mechanism& m, const contents& c) : m_(m), c_(c) {
+  constexpr kinematics_checker(const mechanism& m, const contents& held) : m_(m), held_(held) {
     for (const expression& e : m.kinematics) {
-      sequence<int> held;
-      c.collect(e, kind::coordinate_rate, held);
-      rates_.push(held);
+      rates_.push({});
+      held.collect(e, kind::coordinate_rate, rates_.back());
     }
   }
 
@@ -44,54 +42,43 @@ private:
   constexpr void fail(std::initializer_list<std::string_view> pieces) {
     if (!found_) found_ = sentence(pieces);
   }
-  constexpr std::string_view called(expression symbol) const {
-    return m_.g->symbol_at(symbol.node()).called.view();
-  }
 
   /// Collects the speeds in a declared velocity. A speed need not be a combination of coordinate rates: the
   /// spin of a wheel whose angle does not matter appears only in an angular velocity.
   constexpr void collect_speeds(const vector& declared, sequence<int>& speeds) const {
-    for (const vector::part& p : declared.parts)
-      for (int i = 0; i < 3; ++i) c_.collect(p.value[i], kind::speed, speeds);
+    declared.each_entry([&](expression e) { held_.collect(e, kind::speed, speeds); });
   }
 
   constexpr void each_symbol_appears() {
-    sequence<char> seen(m_.g->size(), 0);
-    sequence<int> speeds;
-    for (const expression& e : m_.kinematics) c_.collect(e, kind::speed, speeds);
-    for (const frame& f : m_.frames) collect_speeds(f.angular_velocity, speeds);
-    for (const point& p : m_.points) collect_speeds(p.velocity, speeds);
-    for (int id : speeds) seen[id] = 1;
-    for (const sequence<int>& held : rates_)
-      for (int id : held) seen[id] = 1;
-    for (const expression& q : m_.coordinate_rates)
-      if (seen[q.node()] == 0)
-        return fail({"the rate of coordinate ", called(q), " appears in no kinematic differential equation"});
+    sequence<int> seen;
+    for (const expression& e : m_.kinematics) {
+      held_.collect(e, kind::coordinate_rate, seen);
+      held_.collect(e, kind::speed, seen);
+    }
+    for (const frame& f : m_.frames) collect_speeds(f.angular_velocity, seen);
+    for (const point& p : m_.points) collect_speeds(p.velocity, seen);
+    for (const expression& rate : m_.coordinate_rates)
+      if (!seen.contains(rate.node()))
+        return fail(
+            {"the rate of coordinate ", called(m_, rate), " appears in no kinematic differential equation"});
     for (const expression& u : m_.speeds)
-      if (seen[u.node()] == 0)
-        return fail({"speed ", called(u), " appears in no kinematic differential equation"});
+      if (!seen.contains(u.node()))
+        return fail({"speed ", called(m_, u), " appears in no kinematic differential equation"});
   }
 
   constexpr void counts() {
     const int equations = m_.kinematics.size(), coordinates = m_.coordinates.size();
     if (equations == coordinates) return;
-    name e, q;
-    e.append(equations), q.append(coordinates);
-    fail({"expected as many kinematic differential equations as coordinates, got ", e.view(), " for ",
-          q.view()});
+    fail({"expected as many kinematic differential equations as coordinates, got ",
+          base::counted(equations).view(), " for ", base::counted(coordinates).view()});
   }
 
   constexpr void form(expression e) {
-    if (c_.holds(e, kind::speed_rate))
-      return fail(
-          {"a kinematic differential equation contains the rate of speed ", c_.name_of(e, kind::speed_rate)});
-    if (c_.holds(e, kind::auxiliary_speed))
-      return fail({"a kinematic differential equation contains the auxiliary speed ",
-                   c_.name_of(e, kind::auxiliary_speed)});
-    if (const unknown_derivative u = find_unknown_derivative(m_, c_, e, 1))
-      return fail({"a kinematic differential equation contains the input ", u.input, ", whose ", u.what,
-                   is_not_known});
-    found_ = check_linear(m_, c_, e, "a kinematic differential equation");
+    constexpr std::string_view of = "a kinematic differential equation";
+    if (const sentence symbol = symbol_in(m_, held_, e, {kind::speed_rate, kind::auxiliary_speed}))
+      fail({of, " contains the ", symbol.view()});
+    if (!found_) found_ = check_prescribed(m_, held_, e, 1, of);
+    if (!found_) found_ = check_linear(m_, held_, e, of);
   }
 
   /// Checks that the equations can be solved: those with one unknown rate one after another, the remaining
@@ -114,13 +101,10 @@ private:
     }
     if (solved.size() == n) return;
     const linear_kinematics k = linear_in_rates(m_);
-    sequence<sequence<int>> rates_of_equation;
-    for (int i = 0; i < n; ++i) {
-      sequence<int> held;
+    sequence<sequence<int>> rates_of_equation(n);
+    for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j)
-        if (!k.k_rates(i, j).is_zero()) held.push(j);
-      rates_of_equation.push(held);
-    }
+        if (!k.k_rates(i, j).is_zero()) rates_of_equation[i].push(j);
     const symbolic::block_triangular_form form(rates_of_equation);
     sequence<char> has_equation(n, 0);
     for (const symbolic::diagonal_block& part : form.parts()) {
@@ -142,11 +126,11 @@ private:
 
   constexpr void cannot_solve(int rate) {
     fail({"the kinematic differential equations cannot be solved for the rate of coordinate ",
-          called(m_.coordinates[rate])});
+          called(m_, m_.coordinates[rate])});
   }
 
   const mechanism& m_;
-  const contents& c_;
+  const contents& held_;
   sequence<sequence<int>> rates_{}; ///< nodes of the coordinate rates in each equation
   sentence found_{};
 };

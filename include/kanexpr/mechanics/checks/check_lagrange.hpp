@@ -5,11 +5,12 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/checks/check_constraints.hpp>
 #include <kanexpr/mechanics/dynamics/lagrange.hpp>
+#include <kanexpr/mechanics/model/check_contents.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
-#include <kanexpr/mechanics/skeleton/relative_angular_velocity.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/mechanics/skeleton/time_derivative.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
@@ -56,7 +57,7 @@ public:
     }
     for (int p = 0; p < m_.points.size() && !found_; ++p)
       if (m_.points[p].has_declared_velocity() && !m_.points[p].moves_apart &&
-          !m_.points[p].offset.is_zero() && !moves_as_placed(p))
+          !m_.points[p].offset.is_zero() && !follows_position(p))
         fail({"the velocity of point ", m_.points[p].called.view(),
               " is not the rate of its position; if this is intended, write velocity_apart_from_position"});
     return found_;
@@ -71,16 +72,15 @@ private:
 
   constexpr void check_lagrangian() {
     const expression l = loads_.lagrangian;
-    if (held_.holds(l, kind::speed_rate))
-      return fail(
-          {"the Lagrangian contains the ", speed_rate_called(m_, held_.name_of(l, kind::speed_rate)).view()});
+    if (const sentence rate = symbol_in(m_, held_, l, {kind::speed_rate}))
+      return fail({"the Lagrangian contains the ", rate.view()});
     if (loads_.has_gravity)
       return fail({"gravity acts on bodies, which a Lagrangian replaces; add their potential energy to the "
                    "Lagrangian"});
     for (const expression& p : gradient_of(m_, l).momenta)
-      if (const unknown_derivative u = find_unknown_derivative(m_, contents(*m_.g), p, 1))
-        return fail({"a derivative of the Lagrangian with respect to a rate contains the input ", u.input,
-                     ", whose ", u.what, is_not_known});
+      if (!found_)
+        found_ = check_prescribed(m_, contents(*m_.g), p, 1,
+                                  "a derivative of the Lagrangian with respect to a rate");
   }
 
   /// Compares a declared angular velocity with the one that follows from the orientation.
@@ -105,25 +105,25 @@ private:
                            symbolic::differentiation& along_time) const {
     expression squares = m_.zero();
     for (const expression& e : quaternion) squares += e * e;
-    for (const expression& e : quaternion)
-      for (int i = 0; i < m_.coordinates.size(); ++i)
-        if (m_.coordinates[i].node() == e.node()) {
-          const expression of_norm_one = e / sqrt(squares);
-          at_norm_one.replace(e, of_norm_one);
-          if (m_.speeds.contains(s_.coordinate_rates[i]))
-            at_norm_one.replace(s_.coordinate_rates[i], along_time.of(of_norm_one));
-        }
+    for (const expression& e : quaternion) {
+      const int i = m_.coordinates.find(e);
+      if (i < 0) continue;
+      const expression of_norm_one = e / sqrt(squares);
+      at_norm_one.replace(e, of_norm_one);
+      if (m_.speeds.contains(s_.coordinate_rates[i]))
+        at_norm_one.replace(s_.coordinate_rates[i], along_time.of(of_norm_one));
+    }
   }
 
   constexpr void check_velocity(const body& b) {
     bool declared = false;
     for (int p = b.center; p != none; p = m_.points[p].parent)
       declared = declared || m_.points[p].has_declared_velocity() || m_.points[p].fixed_in != none;
-    if (declared && !moves_as_placed(b.center))
+    if (declared && !follows_position(b.center))
       fail({"the velocity of ", b.called.view(), " is not the rate of its position", wording_.of_velocity});
   }
 
-  constexpr bool moves_as_placed(int point) {
+  constexpr bool follows_position(int point) {
     const int at = s_.station_of_point[point], ground = mechanism::inertial;
     components v = express(m_, k_.velocity(at), s_.working_axes[s_.stations[at].axes], ground);
     v -= express(m_, k_.rate(position_from_origin(m_, point), ground), s_.working_axes[ground], ground);
@@ -150,14 +150,9 @@ private:
 
   /// Whether the inertia is given in the body's own axes, about its mass center, and without coordinates.
   constexpr bool has_plain_inertia(const body& b) const {
-    if (b.about != none && b.about != b.center) return false;
-    for (const dyadic::part& p : b.inertia.parts) {
-      if (s_.rigid_with[p.left] != s_.rigid_with[b.frame] || s_.rigid_with[p.right] != s_.rigid_with[b.frame])
-        return false;
-      for (int i = 0; i < 9; ++i)
-        if (held_.holds(p.value(i / 3, i % 3), kind::coordinate)) return false;
-    }
-    return true;
+    bool is_plain = s_.has_own_axes(b);
+    b.inertia.each_entry([&](expression e) { is_plain = is_plain && !held_.holds(e, kind::coordinate); });
+    return is_plain;
   }
 
   motion& k_;

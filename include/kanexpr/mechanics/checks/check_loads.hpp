@@ -28,18 +28,16 @@ public:
   /// gradient of the energy only if g does not depend on coordinates.
   constexpr void run() {
     std::string_view coordinate, turns; // a coordinate in gravity, and the frame that turns with it
-    for (const vector::part& part : gravity_.parts) {
-      for (int i = 0; i < 3; ++i) {
-        by_.free_of_rates(part.value[i], "gravity", {});
-        if (held_.holds(part.value[i], kind::coordinate))
-          coordinate = held_.name_of(part.value[i], kind::coordinate);
-      }
+    gravity_.each_entry([&](expression e) {
+      by_.check_constant_rates(e, "gravity", {});
+      if (held_.holds(e, kind::coordinate)) coordinate = held_.name_of(e, kind::coordinate);
+    });
+    for (const vector::part& part : gravity_.parts)
       for (int f = part.frame; f != mechanism::inertial && !part.value.is_zero(); f = m_.frames[f].parent)
         if (const std::string_view q = coordinate_of(m_.frames[f]); !q.empty() && coordinate.empty())
           coordinate = q, turns = by_.frame(part.frame);
-    }
     if (by_.mistake() || coordinate.empty() || !gravity_changes()) return;
-    if (turns.empty()) return by_.varies("gravity", {}, sentence({"coordinate ", coordinate}));
+    if (turns.empty()) return by_.fail_varying(sentence({"coordinate ", coordinate}), "gravity", {});
     by_.fail({"gravity is given along the axes of ", turns, ", which turn with coordinate ", coordinate,
               "; it may contain only parameters, inputs and time"});
   }
@@ -49,11 +47,8 @@ private:
 
   /// A coordinate in the orientation of a frame relative to its parent.
   constexpr std::string_view coordinate_of(const mechanics::frame& f) const {
-    if (f.kind != orientation::matrix)
-      return held_.holds(f.angle, kind::coordinate) ? held_.name_of(f.angle, kind::coordinate) : "";
-    for (int i = 0; i < 9; ++i)
-      if (const expression e = f.to_parent(i / 3, i % 3); held_.holds(e, kind::coordinate))
-        return held_.name_of(e, kind::coordinate);
+    for (const expression& e : f.scalars())
+      if (held_.holds(e, kind::coordinate)) return held_.name_of(e, kind::coordinate);
     return {};
   }
   /// Whether gravity really depends on coordinates; a vector given along several axes may still be constant.

@@ -29,9 +29,11 @@ public:
     for (const omitted_angle& l : angles_) {
       collect_frames(l);
       collect_points(l, of.loads);
-      collect_loads(l, of.loads);
+      for (const force& f : of.loads.forces) collect(l, f.value, "a force on ", m_.points[f.point].called);
+      for (const torque& t : of.loads.torques) collect(l, t.value, "a torque on ", m_.frames[t.frame].called);
       for (int i = 0; i < of.constraints.on_velocities.size(); ++i)
-        collect(l, of.constraints.on_velocities[i].direction, what::direction, i);
+        collect(l, of.constraints.on_velocities[i].direction, "a direction of velocity constraint ",
+                base::counted(i + 1));
     }
   }
 
@@ -41,26 +43,21 @@ public:
     for (const candidate& d : candidates_)
       for (int i = 0; i < 3; ++i) wanted.push(d.value[i]);
     generic_motion motion(m_, held_, wanted);
-    for (int states = 0; states < 6; ++states) {
-      motion.draw();
-      if (!motion.move()) continue;
-      for (const candidate& d : candidates_)
-        if (depends(motion, d)) return sentence_for(d);
-      break;
-    }
+    if (!motion.find_state()) return {};
+    for (const candidate& d : candidates_)
+      if (depends(motion, d)) return sentence_for(d);
     return {};
   }
 
 private:
-  enum class what { axis, angular_velocity, offset, load, direction };
-
+  /// A vector that may depend on an omitted angle, with its name in sentences, such as "a force on " and "P".
   struct candidate {
     const omitted_angle* angle = nullptr;
     int axes = none; ///< the frame along whose axes the vector is given
     components value{};
-    what is = what::axis;
-    int of = none;
-    std::string_view load{}, loaded{}; ///< such as "a force on " and "P"
+    std::string_view of{};
+    name whose{};
+    bool is_angular_velocity = false;
   };
 
   /// Whether a frame turns with another one because it is oriented relative to it.
@@ -70,34 +67,38 @@ private:
     return f == other;
   }
 
-  constexpr void collect(const omitted_angle& l, const vector& v, what is, int of) {
+  constexpr void collect(const omitted_angle& l, const vector& v, std::string_view of, const name& whose) {
     for (const vector::part& p : v.parts) {
-      bool is_sound = p.value.is_zero() || !turns_with(p.frame, l.frame);
-      for (int i = 0; i < 3 && is != what::angular_velocity; ++i)
-        is_sound =
-            is_sound || held_.holds_any(p.value[i], {contents::kind::speed, contents::kind::coordinate_rate});
-      if (!is_sound) candidates_.push({&l, p.frame, p.value, is, of, {}, {}});
+      bool is_velocity = false;
+      for (int i = 0; i < 3; ++i)
+        is_velocity = is_velocity ||
+                      held_.holds_any(p.value[i], {contents::kind::speed, contents::kind::coordinate_rate});
+      if (!is_velocity) collect_part(l, p, of, whose);
     }
+  }
+  constexpr void collect_part(const omitted_angle& l, const vector::part& p, std::string_view of,
+                              const name& whose, bool is_angular_velocity = false) {
+    if (!p.value.is_zero() && turns_with(p.frame, l.frame))
+      candidates_.push({&l, p.frame, p.value, of, whose, is_angular_velocity});
   }
 
   constexpr void collect_frames(const omitted_angle& l) {
-    collect(l, m_.frames[l.frame].angular_velocity, what::angular_velocity, l.frame);
+    const frame& omitting = m_.frames[l.frame];
+    for (const vector::part& p : omitting.angular_velocity.parts)
+      collect_part(l, p, "the angular velocity of frame ", omitting.called, true);
     for (int f = 0; f < m_.frames.size(); ++f) {
       const frame& own = m_.frames[f];
       if (f == l.frame || own.has_declared_angular_velocity() || !turns_with(f, l.frame)) continue;
-      if (own.kind == orientation::matrix) {
-        for (int axis = 0; axis < 2 && !held_.is_fixed(own.to_parent);
-             ++axis) // any axis is parallel to at most one of the two basis vectors
-          candidates_.push({&l, own.parent, unit(*m_.g, axis), what::axis, f, {}, {}});
-      } else if (!held_.is_fixed(own.angle)) {
-        candidates_.push({&l,
-                          own.parent,
-                          own.kind == orientation::about_basis ? unit(*m_.g, own.axis) : own.direction,
-                          what::axis,
-                          f,
-                          {},
-                          {}});
-      }
+      if (held_.is_fixed(own)) continue;
+      const auto push = [&](const components& axis) {
+        candidates_.push({&l, own.parent, axis, "the axis of frame ", own.called});
+      };
+      if (own.kind == orientation::about_axis)
+        push(own.direction);
+      else if (own.kind == orientation::about_basis)
+        push(unit(*m_.g, own.axis));
+      else // any axis is parallel to at most one of two basis vectors
+        push(unit(*m_.g, 0)), push(unit(*m_.g, 1));
     }
   }
 
@@ -108,20 +109,11 @@ private:
       for (; p != none && carries[p] == 0; p = m_.points[p].parent) carries[p] = 1;
     };
     for (const body& b : m_.bodies) reach(b.center);
-    given.each([&](const auto& load, int) { load.each_point(reach); });
-    for (int p = 0; p < m_.points.size(); ++p)
-      if (carries[p] != 0) collect(l, m_.points[p].offset, what::offset, p);
-  }
-
-  constexpr void collect_loads(const omitted_angle& l, const loads& given) {
     given.each([&](const auto& load, int) {
-      load.each_vector(m_, [&](const vector& v, std::string_view word, std::string_view loaded) {
-        const int before = candidates_.size();
-        collect(l, v, what::load, none);
-        for (int i = before; i < candidates_.size(); ++i)
-          candidates_[i].load = word, candidates_[i].loaded = loaded;
-      });
+      if constexpr (requires { load.point; }) reach(load.point), reach(load.against);
     });
+    for (int p = 0; p < m_.points.size(); ++p)
+      if (carries[p] != 0) collect(l, m_.points[p].offset, "the offset of point ", m_.points[p].called);
   }
 
   constexpr bool depends(const generic_motion& motion, const candidate& d) const {
@@ -129,29 +121,17 @@ private:
     if (!motion.is_proper(f) || !motion.is_proper(d.axes)) return false;
     // if the reference is at rest, the angular velocity of a ball does not depend on whether it is given
     // along the ball's own axes
-    if (d.is == what::angular_velocity && d.angle->axes.size() > 1 && !(length(motion.by_orientation(f)) > 0))
+    if (d.is_angular_velocity && d.angle->axes.size() > 1 && !(length(motion.by_orientation(f)) > 0))
       return false;
     const triple v = motion.basis(f).along(motion.basis(d.axes) * motion.value(d.value));
     return length(v) > 0 && (d.angle->axes.size() > 1 || !d.angle->axes.holds(v));
   }
 
   constexpr sentence sentence_for(const candidate& d) const {
-    const auto sentence_about = [&](std::string_view of, std::string_view whose) {
-      const std::string_view turns = m_.frames[d.angle->frame].called.view();
-      return sentence({of, whose, " is given along the axes of ", m_.frames[d.axes].called.view(),
-                       " and depends on the omitted angle of ", turns, "; give ", turns,
-                       " this angle, or write angular_velocity_apart_from_orientation<...>"});
-    };
-    switch (d.is) {
-    case what::axis: return sentence_about("the axis of frame ", m_.frames[d.of].called.view());
-    case what::angular_velocity:
-      return sentence_about("the angular velocity of frame ", m_.frames[d.of].called.view());
-    case what::offset: return sentence_about("the offset of point ", m_.points[d.of].called.view());
-    case what::load: return sentence_about(d.load, d.loaded);
-    case what::direction:
-      return sentence_about("a direction of velocity constraint ", base::counted(d.of + 1).view());
-    }
-    return {};
+    const std::string_view turns = m_.frames[d.angle->frame].called.view();
+    return sentence({d.of, d.whose.view(), " is given along the axes of ", m_.frames[d.axes].called.view(),
+                     " and depends on the omitted angle of ", turns, "; give ", turns,
+                     " this angle, or write angular_velocity_apart_from_orientation<...>"});
   }
 
   const mechanism& m_;

@@ -29,12 +29,9 @@ public:
 
   constexpr base::sentence run() {
     base::sentence found;
-    for (int looked = 0, tries = 0; looked < 4 && tries < 12 && !found; ++tries) {
-      motion_.draw();
-      if (!motion_.move(false)) continue;
-      ++looked;
+    for (int state = 0; state < 4 && !found && motion_.find_state(false); ++state) {
       found = mistaken_velocity();
-      for (int i = 0; i < m_.bodies.size() && !found; ++i) found = slipping_mass(m_.bodies[i]);
+      for (int i = 0; i < m_.bodies.size() && !found; ++i) found = deviating_mass(m_.bodies[i]);
     }
     for (int i = 0; i < m_.speeds.size() && !found; ++i) {
       motion_.draw();
@@ -51,10 +48,10 @@ public:
     return false;
   }
   /// Whether the velocity of a mass may differ from the rate of its position.
-  static constexpr bool may_any_slip(const mechanism& m, const contents& held) {
+  static constexpr bool may_any_deviate(const mechanism& m, const contents& held) {
     for (const body& b : m.bodies)
       for (int p = b.center; p != none; p = m.points[p].parent)
-        if (may_slip(m, held, m.points[p])) return true;
+        if (may_deviate(m, held, m.points[p])) return true;
     return false;
   }
 
@@ -68,8 +65,8 @@ private:
     return {};
   }
 
-  constexpr base::sentence slipping_mass(const body& b) const {
-    const int p = apart_from_place(b.center);
+  constexpr base::sentence deviating_mass(const body& b) const {
+    const int p = deviating_point(b.center);
     if (p == none) return {};
     return base::sentence(
         {"point ", m_.points[p].called.view(), " is fixed in ",
@@ -80,7 +77,7 @@ private:
 
   /// Whether the velocity of a point may differ from the rate of its position; a symbolic test that excludes
   /// most points.
-  static constexpr bool may_slip(const mechanism& m, const contents& held, const point& p) {
+  static constexpr bool may_deviate(const mechanism& m, const contents& held, const point& p) {
     bool is_seen_fixed = true;
     for (const vector::part& part : p.offset.parts)
       is_seen_fixed = is_seen_fixed && part.frame == p.fixed_in && held.is_fixed(part.value);
@@ -96,19 +93,12 @@ private:
       collect_orientation(m, held, part.frame, of_place);
     }
     collect_orientation(m, held, p.fixed_in, of_frame);
-    for (int symbol : of_place)
-      if (!of_frame.contains(symbol)) return false;
-    return true;
+    return of_frame.contains_all(of_place);
   }
   static constexpr void collect_orientation(const mechanism& m, const contents& held, int frame,
                                             sequence<int>& symbols) {
-    for (int f = frame; f != none; f = m.frames[f].parent) {
-      const mechanics::frame& own = m.frames[f];
-      if (own.kind == orientation::about_basis || own.kind == orientation::about_axis)
-        collect_moving(held, own.angle, symbols);
-      for (int i = 0; i < 9 && own.kind == orientation::matrix; ++i)
-        collect_moving(held, own.to_parent(i / 3, i % 3), symbols);
-    }
+    for (int f = frame; f != none; f = m.frames[f].parent)
+      for (const expression& e : m.frames[f].scalars()) collect_moving(held, e, symbols);
   }
   static constexpr void collect_moving(const contents& held, expression e, sequence<int>& symbols) {
     using kind = symbolic::symbol_kind;
@@ -121,10 +111,7 @@ private:
 
   static constexpr sequence<expression> geometry_of(const mechanism& m) {
     sequence<expression> all;
-    for (const point& p : m.points)
-      for (const vector* v : {&p.offset, &p.velocity})
-        for (const vector::part& part : v->parts)
-          for (int i = 0; i < 3; ++i) all.push(part.value[i]);
+    for (const point& p : m.points) push_entries(all, p.offset), push_entries(all, p.velocity);
     return all;
   }
 
@@ -158,18 +145,20 @@ private:
 
   /// Returns the first point, on the path to a mass, whose velocity differs from the rate of its position
   /// although the velocity of its parent does not.
-  constexpr int apart_from_place(int center) const {
+  constexpr int deviating_point(int center) const {
     bool may = false;
-    for (int p = center; p != none && !may; p = m_.points[p].parent) may = may_slip(m_, held_, m_.points[p]);
-    if (!may || !is_defined(center) || moves_as_placed(center)) return none;
+    for (int p = center; p != none && !may; p = m_.points[p].parent)
+      may = may_deviate(m_, held_, m_.points[p]);
+    if (!may || !is_defined(center) || follows_position(center)) return none;
     int found = none, next = none;
     for (int p = center; p != none; next = p, p = m_.points[p].parent)
-      if (slips(p) && moves_as_placed(m_.points[p].parent) && !is_contact(p, next) && !rolls(p)) found = p;
+      if (deviates(p) && follows_position(m_.points[p].parent) && !is_contact(p, next) && !rolls(p))
+        found = p;
     return found;
   }
 
   /// Whether the velocity that a frame gives to a point fixed in it differs from the rate of the offset.
-  constexpr bool slips(int place) const {
+  constexpr bool deviates(int place) const {
     const point& p = m_.points[place];
     if (p.fixed_in == none || !motion_.is_proper(p.fixed_in)) return false;
     for (const vector::part& part : p.offset.parts)
@@ -184,7 +173,7 @@ private:
   constexpr bool is_contact(int place, int next) const {
     for (const body& b : m_.bodies)
       if (b.center == place) return false;
-    return next != none && slips(next);
+    return next != none && deviates(next);
   }
 
   /// Whether a point belongs to a body that rolls on the ground and whose position is omitted because the
@@ -194,9 +183,9 @@ private:
     return is_same(velocity(p.parent), {}, reach_from_origin(p.parent)) && is_placed_by_frame(m_, held_, p);
   }
 
-  constexpr bool moves_as_placed(int place) const {
+  constexpr bool follows_position(int place) const {
     for (const angular_velocities w : {by_orientation, as_used}) {
-      const difference apart = velocity_apart(place, w);
+      const difference apart = velocity_deviation(place, w);
       if (length(apart.value) <= 1e-9 * apart.size + rounding(apart.reach)) return true;
     }
     return false;
@@ -213,7 +202,7 @@ private:
     }
   };
 
-  constexpr difference velocity_apart(int place, angular_velocities w) const {
+  constexpr difference velocity_deviation(int place, angular_velocities w) const {
     const point& p = m_.points[place];
     difference sum;
     if (p.parent == none) return sum;
@@ -221,7 +210,7 @@ private:
       sum.add(motion_.vector_of(p.velocity), rate_from_origin(place, w), reach_from_origin(place));
       return sum;
     }
-    sum = velocity_apart(p.parent, w);
+    sum = velocity_deviation(p.parent, w);
     if (p.fixed_in != none)
       sum.add(in_frame(p), motion_.rate_of(p.offset, w), reach(p));
     else if (p.has_declared_velocity())

@@ -4,6 +4,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/constraints/consistent_states.hpp>
 #include <kanexpr/mechanics/constraints/dependent_speeds.hpp>
+#include <kanexpr/mechanics/model/check_contents.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
@@ -61,9 +62,8 @@ constexpr sentence check_acceleration_constraints(const skeleton& s, const const
       return sentence({"acceleration constraint ", which.view(),
                        m.derived_by == method::kane ? " contains no rate of a speed"
                                                     : " contains no second derivative of a coordinate"});
-    if (held.holds(e, symbolic::symbol_kind::auxiliary_speed))
-      return sentence({"acceleration constraint ", which.view(), " contains the auxiliary speed ",
-                       held.name_of(e, symbolic::symbol_kind::auxiliary_speed)});
+    if (const sentence found = symbol_in(m, held, e, {symbolic::symbol_kind::auxiliary_speed}))
+      return sentence({"acceleration constraint ", which.view(), " contains the ", found.view()});
     for (const expression& rate : m.speed_rates)
       if (const expression slope = symbolic::differentiate(e, rate);
           contents(*m.g).holds(slope, symbolic::symbol_kind::speed_rate))

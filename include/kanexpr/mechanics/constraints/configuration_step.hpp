@@ -12,7 +12,7 @@ namespace detail {
 
 /// Converts the derivatives with respect to all coordinates, evaluated at quaternions of norm 1, into those
 /// of functions that normalize the quaternions first.
-constexpr void leave_norms_out(const mechanism& m, symbolic::matrix& by_all) {
+constexpr void preserve_norms(const mechanism& m, symbolic::matrix& by_all) {
   for (const sequence<int>& places : unit_quaternions(m))
     for (int i = 0; i < by_all.rows; ++i) {
       expression along = m.zero();
@@ -38,7 +38,7 @@ constexpr symbolic::linear_solution configuration_step(const mechanism& m,
                                                        const sequence<expression>& constraints,
                                                        symbolic::matrix by_all,
                                                        const partition& coordinates) {
-  if (detail::binds_quaternion(m, coordinates)) detail::leave_norms_out(m, by_all);
+  if (detail::binds_quaternion(m, coordinates)) detail::preserve_norms(m, by_all);
   symbolic::matrix right(*m.g, by_all.rows, 1);
   for (int i = 0; i < right.rows; ++i) right(i, 0) = -constraints[i];
   return symbolic::solve_linear(*m.g, detail::columns_of(*m.g, by_all, coordinates.dependent), right, by_all,

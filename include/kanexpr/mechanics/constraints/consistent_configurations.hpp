@@ -65,6 +65,8 @@ public:
     return entries;
   }
 
+  constexpr double length_of_constraint(int i) const { return length_of_row(count_of_norms() + i); }
+
   /// Calls `visit` with each symbol on which the constraints depend.
   template <class Visit>
   constexpr void each_symbol(const Visit& visit) const {

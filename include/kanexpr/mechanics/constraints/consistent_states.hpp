@@ -50,14 +50,11 @@ private:
     return some;
   }
   constexpr sequence<int> outputs(const sequence<expression>& wanted) const {
-    sequence<int> nodes;
-    const auto add = [&](const sequence<expression>& all) {
-      for (const expression& e : all) nodes.push(e.node());
-    };
-    if (!moves_.empty()) add(moves_), add(by_u_.entries);
-    if (has_rates_) add(s_.coordinate_rates);
-    add(wanted);
-    return nodes;
+    sequence<expression> all;
+    if (!moves_.empty()) all.append(moves_), all.append(by_u_.entries);
+    if (has_rates_) all.append(s_.coordinate_rates);
+    all.append(wanted);
+    return symbolic::nodes_of(all);
   }
 
   constexpr sequence<int> outputs_with_rates() const {
@@ -81,12 +78,9 @@ private:
 
   constexpr bool move() {
     if (moves_.empty()) return true;
-    numbers rows{moves_.size(), m_.speeds.size() + 1, {}};
-    for (int i = 0; i < rows.rows; ++i) {
-      for (int j = 0; j < m_.speeds.size(); ++j) rows.entries.push(value(by_u_(i, j)));
-      rows.entries.push(value(moves_[i]));
-    }
-    if (!change(rows, m_.speeds)) return false;
+    sequence<double> residual;
+    for (const expression& v : moves_) residual.push(value(v));
+    if (!change(m_.speeds, residual)) return false;
     evaluate();
     return true;
   }
@@ -102,31 +96,28 @@ private:
       symbols_[p.quantity.node()].rate = symbols_[p.rate.node()].value;
     if (!moves_.empty()) {
       rates_.at([&](int id) { return symbols_[id]; });
-      numbers rows{moves_.size(), m_.speeds.size() + 1, {}};
-      for (int i = 0; i < rows.rows; ++i) {
-        for (int j = 0; j < m_.speeds.size(); ++j) rows.entries.push(value(by_u_(i, j)));
-        rows.entries.push(rates_[moves_[i].node()].rate);
-      }
-      if (!change(rows, m_.speed_rates)) return false;
+      sequence<double> residual;
+      for (const expression& v : moves_) residual.push(rates_[v.node()].rate);
+      if (!change(m_.speed_rates, residual)) return false;
     }
     evaluate();
     return true;
   }
 
-  /// Makes the smallest change of the unknowns, in units of their typical sizes, with which the last column
-  /// of the rows vanishes. Returns false if the rows are singular. Zero rows are skipped.
-  constexpr bool change(const numbers& rows, const sequence<expression>& unknowns) {
-    if (!rows.finite()) return false;
+  /// Makes the smallest change of the unknowns, in units of their typical sizes, with which the residual of
+  /// J u + c = 0, or of its rate, vanishes. Returns false if the rows are singular. Zero rows are skipped.
+  constexpr bool change(const sequence<expression>& unknowns, const sequence<double>& residual) {
     const int n = unknowns.size();
     row_space equations;
-    for (int i = 0; i < rows.rows; ++i) {
-      sequence<double> row;
+    for (int i = 0; i < residual.size(); ++i) {
+      numbers row{1, n, {}};
       bool is_zero = true;
       for (int j = 0; j < n; ++j) {
-        row.push(rows(i, j) * sizes_[unknowns[j].node()]);
-        is_zero = is_zero && base::equal(row[j], 0.0);
+        row.entries.push(value(by_u_(i, j)) * sizes_[unknowns[j].node()]);
+        is_zero = is_zero && base::equal(row.entries[j], 0.0);
       }
-      if (!is_zero && !equations.add(row, -rows(i, n))) return false;
+      if (!row.finite() || !numeric::elementary::detail::is_finite(residual[i])) return false;
+      if (!is_zero && !equations.add(row.entries, -residual[i])) return false;
     }
     const sequence<double> changes = equations.solution(n);
     for (int j = 0; j < n; ++j) {

@@ -7,10 +7,11 @@
 #include <kanexpr/mechanics/motion/generic_states.hpp>
 #include <kanexpr/mechanics/motion/motion.hpp>
 #include <kanexpr/mechanics/motion/point_jacobian.hpp>
-#include <kanexpr/mechanics/skeleton/auxiliary.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/mechanics/skeleton/vector_substitution.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -20,6 +21,7 @@ struct constraints {
   sequence<expression> on_configuration{};       ///< as given
   sequence<int> numbers{};                       ///< their numbers in the model, starting at 1
   sequence<expression> redundant{};              ///< configuration constraints that are not used in solving
+  sequence<int> redundant_numbers{};             ///< their numbers in the model
   sequence<expression> on_accelerations{};       ///< as given
   sequence<velocity_constraint> on_velocities{}; ///< without auxiliary speeds
   sequence<int> station{}; ///< for each velocity constraint, the station whose velocity component it sets to
@@ -33,12 +35,24 @@ struct constraints {
   sequence<int> repeats{};          ///< the configuration constraints of these rates
 
   constexpr int size() const { return on_velocities.size(); }
+  /// The number in the model of the configuration constraint whose rate constraint `i` is, or none.
+  constexpr int number_of_rate(int i) const {
+    return of_configuration[i] == none ? none : numbers[of_configuration[i]];
+  }
   constexpr sequence<expression> velocity_residual() const {
     sequence<expression> residual;
     for (const velocity_constraint& c : on_velocities) residual.push(c.value);
     return residual;
   }
 };
+
+/// The first rows and columns of a matrix.
+constexpr symbolic::matrix leading_block(graph& g, const symbolic::matrix& a, int rows, int columns) {
+  symbolic::matrix out(g, rows, columns);
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j) out(i, j) = a(i, j);
+  return out;
+}
 
 namespace detail {
 
@@ -69,24 +83,7 @@ constexpr symbolic::matrix constraint_jacobian(const skeleton& s, const sequence
   return jacobian;
 }
 
-/// The columns of the speeds. The rate of a configuration constraint and an equivalent velocity constraint
-/// may contain different auxiliary speeds.
-constexpr symbolic::matrix by_speeds(const mechanism& m, const symbolic::matrix& jacobian) {
-  if (m.auxiliary_speeds.empty()) return jacobian;
-  symbolic::matrix columns(*m.g, jacobian.rows, m.speeds.size());
-  for (int i = 0; i < columns.rows; ++i)
-    for (int j = 0; j < columns.columns; ++j) columns(i, j) = jacobian(i, j);
-  return columns;
-}
-
 } // namespace detail
-
-constexpr constraints no_constraints(const mechanism& m) {
-  constraints none_at_all;
-  none_at_all.jacobian = symbolic::matrix(*m.g, 0, m.speeds.size());
-  none_at_all.by_auxiliary = symbolic::matrix(*m.g, 0, m.auxiliary_speeds.size());
-  return none_at_all;
-}
 
 /// Forms the constraints of a mechanism. Omits the rate of a configuration constraint if the velocity
 /// constraints of the model already imply it; many models contain both.
@@ -111,7 +108,10 @@ constexpr constraints form_constraints(motion& k, const given_constraints& from)
 
   sequence<char> kept(all.size(), 1);
   if (given > 0 && given < all.size()) {
-    const sequence<char> new_by_itself = independent_rows(detail::by_speeds(m, jacobian), &m);
+    // the rate of a configuration constraint and an equivalent velocity constraint may contain different
+    // auxiliary speeds
+    const sequence<char> new_by_itself =
+        independent_rows(leading_block(*m.g, jacobian, all.size(), m.speeds.size()), &m);
     for (int i = given; i < all.size(); ++i) kept[i] = new_by_itself[i];
   }
 
@@ -151,7 +151,7 @@ namespace detail {
 
 /// Whether the constraints set the velocity in constraint `i` to zero along all directions, so that the
 /// rotation of the directions does not matter.
-constexpr bool holds_whole_velocity(const constraints& c, int i) {
+constexpr bool fixes_velocity(const constraints& c, int i) {
   int directions = 0;
   for (int j = 0; j < c.size(); ++j)
     if (c.station[j] == c.station[i]) ++directions;
@@ -174,7 +174,7 @@ constexpr expression rate_of_constraint(motion& k, const constraints& c, int i) 
     const expression whole =
         dot(express(m, k.acceleration(c.station[i]), v.parts[0].frame, d.frame), d.value);
     rate += whole - dot(express(m, k.ground_acceleration(), d.frame), d.value);
-    if (detail::holds_whole_velocity(c, i)) continue;
+    if (detail::fixes_velocity(c, i)) continue;
     const components angular_velocity =
         express(m, k.angular_velocity(d.frame), s.working_axes[d.frame], d.frame);
     const components change{k.rate(d.value.x), k.rate(d.value.y), k.rate(d.value.z)};

@@ -19,6 +19,22 @@ struct dependent_speeds {
   sequence<symbolic::solved_block> blocks{};
 };
 
+constexpr symbolic::matrix transposed(graph& g, const symbolic::matrix& a) {
+  symbolic::matrix out(g, a.columns, a.rows);
+  for (int i = 0; i < a.rows; ++i)
+    for (int j = 0; j < a.columns; ++j) out(j, i) = a(i, j);
+  return out;
+}
+
+/// A x + b: the dependent speeds or their rates, with x the independent ones.
+constexpr sequence<expression> solved_for_dependent(const symbolic::matrix& on_independent,
+                                                    const sequence<expression>& independent,
+                                                    sequence<expression> bias) {
+  for (int d = 0; d < bias.size(); ++d)
+    for (int i = 0; i < independent.size(); ++i) bias[d] += on_independent(d, i) * independent[i];
+  return bias;
+}
+
 namespace detail {
 
 constexpr symbolic::matrix columns_of(graph& g, const symbolic::matrix& a, const sequence<int>& columns) {

@@ -10,6 +10,13 @@ namespace kanexpr::mechanics {
 struct partition {
   sequence<int> dependent{};
   sequence<int> independent{};
+
+  /// The dependent unknowns in the given columns of equations that are solved for all of them.
+  constexpr sequence<int> dependent_in(const sequence<int>& columns) const {
+    sequence<int> places;
+    for (const int column : columns) places.push(dependent[column]);
+    return places;
+  }
 };
 
 constexpr partition partition_by(const sequence<char>& is_dependent) {
@@ -72,8 +79,8 @@ private:
         double least = 1; // smallest ratio of the entry to the largest of its row, over the states
         for (int s = 0; s < states_.size(); ++s) {
           const double l = largest[s * jacobian_.rows + i];
-          const double beside = l > rounding ? magnitude(states_[s](i, j)) / l : 0;
-          if (beside < least) least = beside;
+          const double ratio = l > rounding ? magnitude(states_[s](i, j)) / l : 0;
+          if (ratio < least) least = ratio;
         }
         double value = least / (in_row[i] + in_column[j]);
         if (preferred_[j] != 0) value *= 4;

@@ -44,9 +44,9 @@ public:
   /// Returns the full symmetric matrix.
   constexpr const symbolic::matrix& run() {
     for (int n = s_.stations.size() - 1; n >= 0; --n) {
-      while (take_deepest_frame_down(n)) {
+      while (fold_deepest_frame(n)) {
       }
-      take_station_down(n);
+      fold_station(n);
     }
     for (int i = 0; i < result_.rows; ++i)
       for (int j = 0; j < i; ++j) result_(j, i) = result_(i, j);
@@ -81,7 +81,7 @@ private:
   }
 
   /// Moves the composite body of the outermost frame at station `n` to the frame in which it rotates.
-  constexpr bool take_deepest_frame_down(int n) {
+  constexpr bool fold_deepest_frame(int n) {
     int found = none, depth = -1;
     for (int i = 0; i < at_[n].size(); ++i) {
       const int f = at_[n][i].frame;
@@ -119,7 +119,7 @@ private:
   }
 
   /// Moves all composite bodies at station `n` to its parent.
-  constexpr void take_station_down(int n) {
+  constexpr void fold_station(int n) {
     const station& at = s_.stations[n];
     composite c = composite_of(n, at.frame);
     if (at.frame !=

@@ -23,20 +23,9 @@ public:
   /// The stored members.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.lagrange_);
-    visit(self.has_dependent_);
-    visit(self.has_coupling_);
-    visit(self.has_lambda_);
-    visit(self.bias_);
-    visit(self.dependent_);
-    visit(self.free_mass_);
-    visit(self.coupling_);
-    visit(self.mass_);
-    visit(self.lambda_);
-    visit(self.free_force_);
-    visit(self.force_);
-    visit(self.udot_);
-    visit(self.pivots_);
+    visit(self.lagrange_, self.has_dependent_, self.has_coupling_, self.has_lambda_, self.bias_,
+          self.dependent_, self.free_mass_, self.coupling_, self.mass_, self.lambda_, self.free_force_,
+          self.force_, self.udot_, self.pivots_);
   }
 
   constexpr bool has_dependent() const { return has_dependent_; }
@@ -64,11 +53,9 @@ public:
   }
 
   constexpr sequence<expression> speeds_by_constraints() {
-    sequence<expression> u = dependent().at_rest;
-    for (int d = 0; d < u.size(); ++d)
-      for (int i = 0; i < speeds_.independent.size(); ++i)
-        u[d] += dependent().on_independent(d, i) * m_.speeds[speeds_.independent[i]];
-    return u;
+    sequence<expression> independent;
+    for (const int i : speeds_.independent) independent.push(m_.speeds[i]);
+    return solved_for_dependent(dependent().on_independent, independent, dependent().at_rest);
   }
 
   /// For each dependent speed, the determinant of the block in which it is solved. The determinant is 0 where
@@ -117,10 +104,9 @@ public:
   /// cosines.
   constexpr void gather(sequence<expression>& f, sequence<expression>& more_f) {
     if (!has_sines_in_components(m_, loads_)) return;
-    sequence<expression> all = f, beside = dependent().on_independent.entries;
-    for (const expression& e : more_f) all.push(e);
-    for (const expression& e : mass().entries) beside.push(e);
-    const sequence<expression> shorter = gathered(*m_.g, all, beside);
+    sequence<expression> all = f, others = dependent().on_independent.entries;
+    all.append(more_f), others.append(mass().entries);
+    const sequence<expression> shorter = gathered(*m_.g, all, others);
     for (int i = 0; i < all.size(); ++i) (i < f.size() ? f[i] : more_f[i - f.size()]) = shorter[i];
   }
 
@@ -133,10 +119,9 @@ public:
     pivots_ = solved.pivots;
     udot_.resize(m_.speeds.size(), m_.zero());
     for (int i = 0; i < independent.size(); ++i) udot_[speeds_.independent[i]] = independent[i];
-    for (int d = 0; d < speeds_.dependent.size(); ++d) {
-      expression& rate = udot_[speeds_.dependent[d]] = dependent().acceleration_bias[d];
-      for (int i = 0; i < independent.size(); ++i) rate += dependent().on_independent(d, i) * independent[i];
-    }
+    const sequence<expression> rates =
+        solved_for_dependent(dependent().on_independent, independent, dependent().acceleration_bias);
+    for (int d = 0; d < rates.size(); ++d) udot_[speeds_.dependent[d]] = rates[d];
     return udot_;
   }
 
@@ -175,22 +160,17 @@ public:
       force = lagrange_.forcing(m_.speed_rates);
     else
       force = forcing(s_, loads_, m_.speed_rates);
-    while (force.size() > m_.speeds.size()) force.pop(); // the auxiliary speeds come last
+    force.resize(m_.speeds.size()); // the auxiliary speeds come last
     return force;
   }
 
   /// M and f in M u̇ = f for all speeds, before constraints reduce them.
   constexpr symbolic::matrix unreduced_mass() {
-    const symbolic::matrix& mass = free_mass();
-    const int speeds = m_.speeds.size();
-    symbolic::matrix of_speeds(*m_.g, speeds, speeds);
-    for (int i = 0; i < speeds; ++i)
-      for (int j = 0; j < speeds; ++j) of_speeds(i, j) = mass(i, j);
-    return of_speeds;
+    return leading_block(*m_.g, free_mass(), m_.speeds.size(), m_.speeds.size());
   }
   constexpr sequence<expression> unreduced_forcing() {
     sequence<expression> force = free_force();
-    while (force.size() > m_.speeds.size()) force.pop(); // the auxiliary speeds come last
+    force.resize(m_.speeds.size()); // the auxiliary speeds come last
     return force;
   }
 
@@ -209,7 +189,8 @@ public:
 
   /// λ, one for each constraint.
   constexpr const symbolic::matrix& lambda() {
-    if (!has_lambda_) lambda_ = multipliers(*m_.g, constraints_, speeds_, imbalance_of(speeds_.dependent)).x;
+    if (!has_lambda_)
+      lambda_ = multipliers(*m_.g, constraints_, speeds_, residual_forces_of(speeds_.dependent)).x;
     has_lambda_ = true;
     return lambda_;
   }
@@ -219,7 +200,7 @@ public:
     sequence<int> auxiliary;
     for (int w = m_.speeds.size(); w < m_.ways(); ++w) auxiliary.push(w);
     const symbolic::matrix& of_constraints = lambda();
-    return mechanics::noncontributing_forces(constraints_, of_constraints, imbalance_of(auxiliary));
+    return mechanics::noncontributing_forces(constraints_, of_constraints, residual_forces_of(auxiliary));
   }
 
 private:
@@ -233,11 +214,11 @@ private:
   /// speeds remain unchanged.
   constexpr void gather_mass_and_force() {
     force_ = formed_force();
-    sequence<expression> both = force_, beside = dependent().on_independent.entries;
+    sequence<expression> both = force_, others = dependent().on_independent.entries;
     for (int i = 0; i < mass_.rows; ++i)
       for (int j = 0; j <= i; ++j) both.push(mass_(i, j));
-    for (const expression& e : dependent().acceleration_bias) beside.push(e);
-    both = gathered(*m_.g, both, beside);
+    others.append(dependent().acceleration_bias);
+    both = gathered(*m_.g, both, others);
     int k = 0;
     for (expression& e : force_) e = both[k++];
     for (int i = 0; i < mass_.rows; ++i)
@@ -270,10 +251,10 @@ private:
       free_force_ = forcing(s_, loads_);
     return free_force_;
   }
-  constexpr sequence<expression> imbalance_of(const sequence<int>& ways) {
+  constexpr sequence<expression> residual_forces_of(const sequence<int>& ways) {
     const symbolic::matrix& mass = free_mass();
     const sequence<expression>& force = free_force();
-    return imbalance(mass, force, accelerations(), ways);
+    return residual_forces(mass, force, accelerations(), ways);
   }
 
   const skeleton& s_;

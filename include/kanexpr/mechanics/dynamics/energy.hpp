@@ -41,7 +41,9 @@ constexpr expression energy_of_gravity(const skeleton& s, const loads& acting) {
 /// The potential energy of gravity and of all other loads.
 constexpr expression potential_energy(const skeleton& s, const loads& acting) {
   expression energy = energy_of_gravity(s, acting);
-  acting.each([&](const auto& load, int) { energy += load.potential_energy(*s.model); });
+  acting.each([&](const auto& load, int) {
+    if constexpr (requires { load.potential_energy(*s.model); }) energy += load.potential_energy(*s.model);
+  });
   return energy;
 }
 

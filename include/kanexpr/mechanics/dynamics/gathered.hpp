@@ -20,18 +20,13 @@ constexpr bool has_sines_in_components(const mechanism& m, const loads& acting) 
   const auto collect = [&](expression e) {
     if (!symbolic::is_leaf((*m.g)[e.node()].op)) nodes.push(e.node());
   };
-  const auto collect_vector = [&](const vector& v) {
-    for (const vector::part& part : v.parts)
-      for (int i = 0; i < 3; ++i) collect(part.value[i]);
-  };
   for (const point& p : m.points) {
-    collect_vector(p.offset);
-    collect_vector(p.velocity);
+    p.offset.each_entry(collect);
+    p.velocity.each_entry(collect);
   }
   for (const frame& f : m.frames)
     if (f.kind == orientation::matrix)
-      for (const components& row : f.to_parent.row)
-        for (int i = 0; i < 3; ++i) collect(row[i]);
+      for (const expression& e : f.scalars()) collect(e);
   if (acting.has_lagrangian) collect(acting.lagrangian);
   if (nodes.empty()) return false;
   const sequence<char> live = symbolic::live_nodes(*m.g, nodes);
@@ -42,11 +37,11 @@ constexpr bool has_sines_in_components(const mechanism& m, const loads& acting) 
   return false;
 }
 
-/// Returns the expressions with sin² + cos² replaced by 1, if they are shorter in total. `beside` are
+/// Returns the expressions with sin² + cos² replaced by 1, if they are shorter in total. `others` are
 /// expressions that are needed in any case.
 constexpr sequence<expression> gathered(graph& g, const sequence<expression>& all,
-                                        const sequence<expression>& beside = {}) {
-  const sequence<int> nodes = symbolic::nodes_of(all), kept = symbolic::nodes_of(beside);
+                                        const sequence<expression>& others = {}) {
+  const sequence<int> nodes = symbolic::nodes_of(all), kept = symbolic::nodes_of(others);
   sequence<expression> found;
   for (int id : symbolic::shorten_sums(g, nodes, kept)) found.push({g, id});
   return found;

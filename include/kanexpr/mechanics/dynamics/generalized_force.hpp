@@ -6,15 +6,15 @@
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/motion.hpp>
-#include <kanexpr/mechanics/skeleton/known_rates.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/mechanics/skeleton/vector_substitution.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
 
 /// I·α + ω×(I·ω) about a point, from the matrix U that the forces also use. Because the products of inertia
 /// weight the entries of U directly, this takes half the products of the two-step form.
-constexpr components inertia_demand(const symmetric& i, const components& w, const components& alpha,
+constexpr components inertia_moment(const symmetric& i, const components& w, const components& alpha,
                                     const matrix3& u) {
   components moment;
   for (int x = 0; x < 3; ++x) {
@@ -62,7 +62,7 @@ public:
       if (!h.is_zero()) demand += k.acceleration_matrix(f) * h;
       force_[l.station] -= k.turn(demand, f, s_.stations[l.station].axes);
       components moment = cross(h, a);
-      moment += inertia_demand(k, inertia, f);
+      moment += inertia_moment(k, inertia, f);
       moment_[f] -= moment;
     }
   }
@@ -113,14 +113,9 @@ private:
 
   /// Whether the inertia of a body is given by constants in its own axes.
   constexpr bool has_fixed_inertia(motion& k, const body& b) {
-    if (b.about != none && b.about != b.center) return false;
-    for (const dyadic::part& p : b.inertia.parts) {
-      if (s_.rigid_with[p.left] != s_.rigid_with[b.frame] || s_.rigid_with[p.right] != s_.rigid_with[b.frame])
-        return false;
-      for (int i = 0; i < 9; ++i)
-        if (!k.rate(p.value(i / 3, i % 3)).is_zero()) return false;
-    }
-    return true;
+    bool is_fixed = s_.has_own_axes(b);
+    b.inertia.each_entry([&](expression e) { is_fixed = is_fixed && k.rate(e).is_zero(); });
+    return is_fixed;
   }
 
   /// The rate of an inertia given in the axes of frame `axes`, relative to the body that moves with frame `f`
@@ -143,10 +138,10 @@ private:
   }
 
   /// The inertia torque of the link about its station.
-  constexpr components inertia_demand(motion& k, const symmetric& i, int f) {
+  constexpr components inertia_moment(motion& k, const symmetric& i, int f) {
     if (i.is_zero()) return components(*m_.g);
     const components w = k.angular_velocity(f), alpha = k.angular_acceleration(f);
-    return mechanics::inertia_demand(i, w, alpha, k.acceleration_matrix(f));
+    return mechanics::inertia_moment(i, w, alpha, k.acceleration_matrix(f));
   }
 
   const skeleton& s_;

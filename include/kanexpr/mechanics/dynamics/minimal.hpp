@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/constraints/dependent_speeds.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 
@@ -62,6 +63,30 @@ constexpr sequence<expression> reduced_force(const sequence<expression>& force, 
   for (int i = 0; i < out.size(); ++i)
     for (int d = 0; d < coupling.rows; ++d) out[i] -= coupling(d, i) * solved.acceleration_bias[d];
   return out;
+}
+
+/// The matrix on the left-hand side of linear equations for the rates of all coordinates and speeds, q̇
+/// followed by u̇: q̇, the equations of motion, and the constraints on the rates of the dependent speeds.
+constexpr symbolic::matrix mass_matrix_of_all(const mechanism& m, const partition& speeds,
+                                              const symbolic::matrix& mass, const dependent_speeds& bound) {
+  const int n = m.coordinates.size(), p = m.speeds.size();
+  symbolic::matrix full(*m.g, n + p, n + p);
+  for (int i = 0; i < n; ++i) full(i, i) = m.one();
+  int row = n;
+  for (int i = 0; i < mass.rows; ++i, ++row)
+    for (int j = 0; j < mass.columns; ++j) full(row, n + speeds.independent[j]) = mass(i, j);
+  for (int d = 0; d < speeds.dependent.size(); ++d, ++row) {
+    full(row, n + speeds.dependent[d]) = m.one();
+    for (int j = 0; j < speeds.independent.size(); ++j)
+      full(row, n + speeds.independent[j]) = -bound.on_independent(d, j);
+  }
+  return full;
+}
+
+/// The right-hand side of the rows of u̇ in these equations.
+constexpr sequence<expression> forcing_of_all(sequence<expression> force, const dependent_speeds& bound) {
+  for (const expression& b : bound.acceleration_bias) force.push(b);
+  return force;
 }
 
 } // namespace kanexpr::mechanics

@@ -9,8 +9,9 @@
 namespace kanexpr::mechanics {
 
 /// F_r + F_r* = f − M u̇ in the actual motion, for the given speeds; zero for all others.
-constexpr sequence<expression> imbalance(const symbolic::matrix& mass, const sequence<expression>& force,
-                                         const sequence<expression>& udot, const sequence<int>& ways) {
+constexpr sequence<expression> residual_forces(const symbolic::matrix& mass,
+                                               const sequence<expression>& force,
+                                               const sequence<expression>& udot, const sequence<int>& ways) {
   sequence<expression> out;
   for (int r : ways) {
     expression left = force[r];
@@ -23,23 +24,19 @@ constexpr sequence<expression> imbalance(const symbolic::matrix& mass, const seq
 /// Lagrange multipliers: λ_j is the force on the system along the direction in which constraint j sets a
 /// velocity to zero. They follow from the equations of the dependent speeds, J_dᵀ λ = −(F_d + F_d*).
 constexpr symbolic::linear_solution multipliers(graph& g, const constraints& c, const partition& speeds,
-                                                const sequence<expression>& imbalance_of_dependent) {
-  const int rows = c.size();
-  symbolic::matrix transposed(g, rows, rows), right(g, rows, 1);
-  for (int i = 0; i < rows; ++i) {
-    right(i, 0) = -imbalance_of_dependent[i];
-    for (int j = 0; j < rows; ++j) transposed(i, j) = c.jacobian(j, speeds.dependent[i]);
-  }
-  return symbolic::solve_linear(g, transposed, right);
+                                                const sequence<expression>& residual_of_dependent) {
+  symbolic::matrix right(g, c.size(), 1);
+  for (int i = 0; i < right.rows; ++i) right(i, 0) = -residual_of_dependent[i];
+  return symbolic::solve_linear(g, transposed(g, detail::columns_of(g, c.jacobian, speeds.dependent)), right);
 }
 
 /// The forces along the partial velocities of each auxiliary speed that keep the speed at zero: −(F_a + F_a*
 /// + J_aᵀ λ).
 constexpr sequence<expression> noncontributing_forces(const constraints& c, const symbolic::matrix& lambda,
-                                                      const sequence<expression>& imbalance_of_auxiliary) {
+                                                      const sequence<expression>& residual_of_auxiliary) {
   sequence<expression> out;
-  for (int a = 0; a < imbalance_of_auxiliary.size(); ++a) {
-    expression force = imbalance_of_auxiliary[a];
+  for (int a = 0; a < residual_of_auxiliary.size(); ++a) {
+    expression force = residual_of_auxiliary[a];
     for (int i = 0; i < c.size(); ++i) force += c.by_auxiliary(i, a) * lambda(i, 0);
     out.push(-force);
   }

@@ -104,7 +104,7 @@ constexpr symbolic::matrix regressor_of_all(const skeleton& s, motion& k) {
       for (int i = 0; i < 6; ++i) {
         symmetric one(*m.g);
         (i < 3 ? one(i, i) : one(i - 3, (i - 2) % 3)) = m.one();
-        const components moment = inertia_demand(one, w, alpha, u);
+        const components moment = inertia_moment(one, w, alpha, u);
         for (int r = 0; r < y.rows; ++r) y(r, first + 4 + i) = dot(partial(r, w), moment);
       }
     }

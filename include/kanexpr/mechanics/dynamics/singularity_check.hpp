@@ -11,6 +11,8 @@
 #include <kanexpr/symbolic/linear/solve.hpp>
 #include <kanexpr/symbolic/sizes/finiteness.hpp>
 
+#include <string_view>
+
 /// Checks for linear systems that may be singular at some states, and for results that may not be finite.
 namespace kanexpr::mechanics {
 
@@ -23,53 +25,45 @@ struct singularity_check {
   bool of_finiteness = false; ///< checks only that the measure is finite
 };
 
-constexpr sequence<singularity_check> checks_of_rates(const mechanism& m,
-                                                      const sequence<symbolic::solved_block>& blocks) {
+/// The checks of coupled equations that are solved for unknowns. `system` describes the equations, and
+/// `called(columns)` names the unknowns of a block.
+template <class Called>
+constexpr sequence<singularity_check> checks_of_blocks(const sequence<symbolic::solved_block>& blocks,
+                                                       std::string_view system, const Called& called) {
   sequence<singularity_check> checks;
   for (const symbolic::solved_block& b : blocks)
     checks.push({b.key, b.measure, b.scale,
-                 sentence({"the kinematic differential equations cannot be solved for the rate of ",
-                           enumerated(m, m.coordinates, b.columns, "coordinate").view(), " at this state"})});
+                 sentence({system, " cannot be solved for ", called(b.columns).view(), " at this state"})});
   return checks;
 }
 
-/// Checks of constraints that are solved for dependent unknowns, named by `called(places)`.
-template <class Called>
-constexpr sequence<singularity_check> checks_of_constraints(const sequence<int>& dependent,
-                                                            const sequence<symbolic::solved_block>& blocks,
-                                                            Called called) {
-  sequence<singularity_check> checks;
-  for (const symbolic::solved_block& b : blocks) {
-    sequence<int> places;
-    for (int d : b.columns) places.push(dependent[d]);
-    checks.push({b.key, b.measure, b.scale,
-                 sentence({"the constraints cannot be solved for the dependent ", called(places).view(),
-                           " at this state"})});
-  }
-  return checks;
+constexpr sequence<singularity_check> checks_of_rates(const mechanism& m,
+                                                      const sequence<symbolic::solved_block>& blocks) {
+  return checks_of_blocks(blocks, "the kinematic differential equations", [&](const sequence<int>& columns) {
+    return sentence({"the rate of ", enumerated(m, m.coordinates, columns, "coordinate").view()});
+  });
+}
+
+constexpr sequence<singularity_check> checks_of_inputs(const mechanism& m,
+                                                       const sequence<symbolic::solved_block>& blocks) {
+  return checks_of_blocks(blocks, "the equations of motion", [&](const sequence<int>& columns) {
+    return enumerated(m, m.inputs, columns, "input");
+  });
 }
 
 constexpr sequence<singularity_check> checks_of_coordinates(const mechanism& m, const partition& coordinates,
                                                             const sequence<symbolic::solved_block>& blocks) {
-  return checks_of_constraints(coordinates.dependent, blocks, [&](const sequence<int>& places) {
-    return enumerated(m, m.coordinates, places, "coordinate");
+  return checks_of_blocks(blocks, "the constraints", [&](const sequence<int>& columns) {
+    const sequence<int> places = coordinates.dependent_in(columns);
+    return sentence({"the dependent ", enumerated(m, m.coordinates, places, "coordinate").view()});
   });
 }
 
 constexpr sequence<singularity_check> checks_of_speeds(const mechanism& m, const partition& speeds,
                                                        const sequence<symbolic::solved_block>& blocks) {
-  return checks_of_constraints(speeds.dependent, blocks,
-                               [&](const sequence<int>& places) { return speeds_called(m, places); });
-}
-
-constexpr sequence<singularity_check> checks_of_inputs(const mechanism& m,
-                                                       const sequence<symbolic::solved_block>& blocks) {
-  sequence<singularity_check> checks;
-  for (const symbolic::solved_block& b : blocks)
-    checks.push({b.key, b.measure, b.scale,
-                 sentence({"the equations of motion cannot be solved for ",
-                           enumerated(m, m.inputs, b.columns, "input").view(), " at this state"})});
-  return checks;
+  return checks_of_blocks(blocks, "the constraints", [&](const sequence<int>& columns) {
+    return sentence({"the dependent ", speeds_called(m, speeds.dependent_in(columns)).view()});
+  });
 }
 
 /// Checks of the pivots of a mass matrix, each pivot once.
@@ -104,13 +98,11 @@ constexpr sequence<singularity_check> checks_of_finiteness(const mechanism& m, c
   constexpr int most_names = 6; // longer lists do not help
   const bool are_named = !places.empty() && places.size() <= most_names;
   const expression sum{g, symbolic::unsimplified_sum(g, watched)};
-  sequence<singularity_check> checks;
-  checks.push({sum.node(), sum, sum,
-               sentence({"the results are not finite at this state; check for unset values",
-                         are_named ? ", and check the quotients and functions of " : "",
-                         are_named ? enumerated(m, suspects, places).view() : ""}),
-               true});
-  return checks;
+  return {{sum.node(), sum, sum,
+           sentence({"the results are not finite at this state; check for unset values",
+                     are_named ? ", and check the quotients and functions of " : "",
+                     are_named ? enumerated(m, suspects, places).view() : ""}),
+           true}};
 }
 
 /// The checks on which the given outputs depend.

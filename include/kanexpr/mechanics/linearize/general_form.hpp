@@ -37,23 +37,8 @@ struct general_form {
 
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.q);
-    visit(self.u);
-    visit(self.lambda);
-    visit(self.r);
-    visit(self.qdot);
-    visit(self.udot);
-    visit(self.coordinates);
-    visit(self.speeds);
-    visit(self.f_c);
-    visit(self.f_v);
-    visit(self.f_a);
-    visit(self.f_0);
-    visit(self.f_1);
-    visit(self.f_2);
-    visit(self.f_3);
-    visit(self.f_4);
-    visit(self.known);
+    visit(self.q, self.u, self.lambda, self.r, self.qdot, self.udot, self.coordinates, self.speeds, self.f_c,
+          self.f_v, self.f_a, self.f_0, self.f_1, self.f_2, self.f_3, self.f_4, self.known);
   }
 
   constexpr int states() const { return coordinates.independent.size() + speeds.independent.size(); }

@@ -26,8 +26,7 @@ struct explicit_linearization {
 
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.state);
-    visit(self.input);
+    visit(self.state, self.input);
   }
 
   /// The entry (i, j); columns of the state come first, followed by those of the inputs.

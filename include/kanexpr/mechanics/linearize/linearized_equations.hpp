@@ -18,11 +18,7 @@ namespace kanexpr::mechanics {
 class linearized_equations {
 public:
   /// Stores references to the parts of the equations, which may be completed later.
-  constexpr linearized_equations(const skeleton& s, const loads& acting, const constraints& c,
-                                 const symbolic::matrix& by_q, const partition& coordinates,
-                                 const partition& speeds, dynamics& d)
-      : s_(s), m_(*s.model), loads_(acting), constraints_(c), by_q_(by_q), coordinates_(coordinates),
-        speeds_(speeds), dynamics_(d) {}
+  constexpr explicit linearized_equations(const parts_of_system& of) : of_(of), m_(*of.skeleton.model) {}
   linearized_equations(const linearized_equations&) = delete;
   linearized_equations& operator=(const linearized_equations&) = delete;
 
@@ -34,15 +30,15 @@ public:
 
   /// The equations of the independent speeds.
   constexpr linearizer& reduced() {
-    if (!reduced_.has_value()) reduced_.emplace(*m_.g, form().reduced());
+    if (!reduced_.has_value()) reduced_.emplace(*m_.g, system_form(of_).reduced());
     return *reduced_;
   }
 
   /// The same equations for Kane's method; for Lagrange's method, the equations of all speeds with the
   /// multipliers.
   constexpr linearizer& in_full() {
-    if (m_.derived_by == method::kane || constraints_.size() == 0) return reduced();
-    if (!in_full_.has_value()) in_full_.emplace(*m_.g, form().with_multipliers());
+    if (m_.derived_by == method::kane || of_.constraints.size() == 0) return reduced();
+    if (!in_full_.has_value()) in_full_.emplace(*m_.g, system_form(of_).with_multipliers());
     return *in_full_;
   }
 
@@ -50,7 +46,7 @@ public:
   /// constraints.
   constexpr linearizer& freely() {
     if (freely_) return *freely_;
-    return freely_.emplace(*m_.g, form().reduced(), directions::free);
+    return freely_.emplace(*m_.g, system_form(of_).reduced(), directions::free);
   }
 
   constexpr second_order& to_second_order() {
@@ -75,8 +71,8 @@ public:
     const general_form& full = in_full().form();
     const sequence<expression> force = summed(full.f_2, full.f_3);
     sequence<expression> of_dependent;
-    for (int d : speeds_.dependent) of_dependent.push(-force[d]);
-    return mechanics::multipliers(*m_.g, constraints_, speeds_, of_dependent).x;
+    for (int d : of_.speeds.dependent) of_dependent.push(-force[d]);
+    return mechanics::multipliers(*m_.g, of_.constraints, of_.speeds, of_dependent).x;
   }
 
   /// The coupled equations that were solved for the directions of the dependent coordinates.
@@ -90,14 +86,11 @@ public:
   constexpr sequence<symbolic::pivot> pivots() const {
     sequence<symbolic::pivot> all;
     for (const auto* any : {&reduced_, &freely_})
-      if (*any)
-        for (const symbolic::pivot& p : (*any)->pivots()) all.push(p);
+      if (*any) all.append((*any)->pivots());
     return all;
   }
 
 private:
-  constexpr system_form form() { return {s_, loads_, constraints_, by_q_, coordinates_, speeds_, dynamics_}; }
-
   /// Substitutes the multipliers that belong to the rates q̇ and u̇ into a matrix.
   constexpr symbolic::matrix imposed_forces(symbolic::matrix m) {
     const general_form& full = in_full().form();
@@ -109,13 +102,8 @@ private:
     return m;
   }
 
-  const skeleton& s_;
+  const parts_of_system of_;
   const mechanism& m_;
-  const loads& loads_;
-  const constraints& constraints_;
-  const symbolic::matrix& by_q_;
-  const partition &coordinates_, &speeds_;
-  dynamics& dynamics_;
   std::optional<linearizer> reduced_{}, in_full_{}, freely_{};
   std::optional<second_order> second_order_{};
 };

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/constraints/dependent_speeds.hpp>
 #include <kanexpr/mechanics/linearize/linearization.hpp>
 #include <kanexpr/mechanics/linearize/variations.hpp>
 #include <kanexpr/symbolic/derivatives/accumulate.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/derivatives/jacobian.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
@@ -28,12 +30,7 @@ public:
   /// The stored members.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.form_);
-    visit(self.variations_);
-    visit(self.implicit_);
-    visit(self.explicit_);
-    visit(self.rates_);
-    visit(self.pivots_);
+    visit(self.form_, self.variations_, self.implicit_, self.explicit_, self.rates_, self.pivots_);
   }
 
   constexpr const general_form& form() const { return form_; }
@@ -41,29 +38,30 @@ public:
   /// The pivots of the mass matrix, possibly with duplicates.
   constexpr const sequence<symbolic::pivot>& pivots() const { return pivots_; }
 
-  /// Adds the pivots of other solutions with the mass matrix.
-  constexpr void add_pivots(const sequence<symbolic::pivot>& more) {
-    for (const symbolic::pivot& p : more) pivots_.push(p);
+  /// ∂f_a/∂u̇_d.
+  constexpr symbolic::matrix on_dependent() const {
+    return detail::columns_of(g_, form_.known.on_udot, form_.speeds.dependent);
   }
+
+  /// Adds the pivots of other solutions with the mass matrix.
+  constexpr void add_pivots(const sequence<symbolic::pivot>& more) { pivots_.append(more); }
 
   constexpr const implicit_linearization& implicit_form() {
     if (implicit_.mass.rows != 0) return implicit_;
-    sequence<expression> zero = summed(form_.f_0, form_.f_1);
-    for (const expression& e : form_.f_a) zero.push(e);
-    for (const expression& e : summed(summed(form_.f_2, form_.f_3), form_.f_4)) zero.push(e);
-    sequence<expression> unknowns = form_.qdot;
-    for (const sequence<expression>* more : {&form_.udot, &form_.lambda})
-      for (const expression& e : *more) unknowns.push(e);
+    const sequence<expression> groups[]{summed(form_.f_0, form_.f_1), form_.f_a,
+                                        summed(summed(form_.f_2, form_.f_3), form_.f_4)};
+    sequence<expression> zero, unknowns = form_.qdot;
+    for (const sequence<expression>& group : groups) zero.append(group);
+    unknowns.append(form_.udot), unknowns.append(form_.lambda);
     // treats each group separately, because the cheaper method may differ between groups
     explicit_linearization change(g_, zero.size(), variations_.states(), form_.inputs());
     int row = 0;
-    for (const sequence<expression>& group :
-         {summed(form_.f_0, form_.f_1), form_.f_a, summed(summed(form_.f_2, form_.f_3), form_.f_4)}) {
+    for (const sequence<expression>& group : groups) {
       const explicit_linearization rows = along_all(group);
       for (int i = 0; i < group.size(); ++i, ++row)
         for (int j = 0; j < variations_.size(); ++j) change(row, j) = rows(i, j);
     }
-    implicit_ = {derivatives(zero, unknowns), change.state, change.input};
+    implicit_ = {symbolic::forward_jacobian(g_, zero, unknowns), change.state, change.input};
     for (expression& e : implicit_.state.entries) e = -e;
     for (expression& e : implicit_.input.entries) e = -e;
     return implicit_;
@@ -96,8 +94,8 @@ public:
     if (force_.rows != 0) return force_;
     const sequence<expression> force = negative(summed(form_.f_2, form_.f_3));
     sequence<expression> all = force;
-    for (const expression& e : form_.f_a) all.push(e);
-    if (force.size() < felt_directions(all)) // no temporary of a conditional expression: g++ 12
+    all.append(form_.f_a);
+    if (force.size() < active_directions(all)) // no temporary of a conditional expression: g++ 12
       force_ = changes_by_reverse(force);
     else
       force_ = changes_by_forward(force);
@@ -113,7 +111,8 @@ public:
   /// C and D of outputs that may contain q, u, r, q̇ and u̇.
   constexpr explicit_linearization outputs(const sequence<expression>& y) {
     explicit_linearization out = along_all(y);
-    const symbolic::matrix by_qdot = derivatives(y, form_.qdot), by_udot = derivatives(y, form_.udot);
+    const symbolic::matrix by_qdot = symbolic::forward_jacobian(g_, y, form_.qdot),
+                           by_udot = symbolic::forward_jacobian(g_, y, form_.udot);
     if (is_zero(by_qdot) && is_zero(by_udot)) return out;
     const symbolic::matrix& known = rates();
     for (int i = 0; i < y.size(); ++i)
@@ -134,17 +133,6 @@ private:
   /// Whether the dynamics are those of the independent speeds, with a known symmetric mass matrix.
   constexpr bool is_reduced() const { return form_.lambda.empty() && form_.known.mass.rows != 0; }
 
-  constexpr symbolic::matrix derivatives(const sequence<expression>& of, const sequence<expression>& by) {
-    symbolic::matrix out(g_, of.size(), by.size());
-    symbolic::differentiation d(g_);
-    for (int j = 0; j < by.size(); ++j) {
-      d.restart();
-      d.set_rate(by[j], {g_, graph::one});
-      for (int i = 0; i < of.size(); ++i) out(i, j) = d.of(of[i]);
-    }
-    return out;
-  }
-
   /// For each expression in `of`, adds a weighted sum of `more` and passes the derivatives along all
   /// directions to `take`. `weights` has a column for each expression. Each expression takes one reverse
   /// pass. (Defined before its callers, because clang++ instantiates it there.)
@@ -152,7 +140,7 @@ private:
   constexpr void for_each_gradient(const sequence<expression>& of, const sequence<expression>& more,
                                    const symbolic::matrix& weights, const Take& take) const {
     sequence<expression> all = of;
-    for (const expression& e : more) all.push(e);
+    all.append(more);
     symbolic::accumulation back(g_, all);
     for (int i = 0; i < of.size(); ++i) {
       back.restart();
@@ -168,7 +156,7 @@ private:
   /// no direction moves a dependent variable.
   constexpr explicit_linearization along_all(const sequence<expression>& of) const {
     explicit_linearization out(g_, of.size(), variations_.states(), form_.inputs());
-    if (nothing_follows() && of.size() < felt_directions(of)) {
+    if (has_no_dependents() && of.size() < active_directions(of)) {
       for_each_gradient(of, {}, {}, [&](int i, int j, expression slope) { out(i, j) = slope; });
       return out;
     }
@@ -227,7 +215,7 @@ private:
       if (moved[j] != none) continue;
       const symbolic::symmetric_solution rates = mass.solve(right);
       for (int i = 0; i < out.rows; ++i) out(i, j) = rates.x[i];
-      for (const symbolic::pivot& p : rates.pivots) pivots_.push(p);
+      add_pivots(rates.pivots);
     }
     add_columns_of_inverse(out, mass, change, moved);
     return out;
@@ -252,8 +240,7 @@ private:
     for (int i : moved)
       if (i != none && !columns.contains(i)) columns.push(i);
     const sequence<symbolic::symmetric_solution> inverse = mass.inverse_columns(columns);
-    for (const symbolic::symmetric_solution& column : inverse)
-      for (const symbolic::pivot& p : column.pivots) pivots_.push(p);
+    for (const symbolic::symmetric_solution& column : inverse) add_pivots(column.pivots);
     for (int j = 0; j < out.columns; ++j) {
       if (moved[j] == none) continue;
       const symbolic::symmetric_solution& column = inverse[columns.find(moved[j])];
@@ -261,12 +248,12 @@ private:
     }
   }
 
-  constexpr bool nothing_follows() const {
+  constexpr bool has_no_dependents() const {
     return variations_.of_coordinates().rows == 0 && variations_.of_speeds().rows == 0;
   }
 
   /// The number of state directions on which the expressions `of` depend.
-  constexpr int felt_directions(const sequence<expression>& of) const {
+  constexpr int active_directions(const sequence<expression>& of) const {
     const sequence<char> live = symbolic::live_nodes(g_, symbolic::nodes_of(of));
     const auto is_live = [&](expression symbol) -> expression {
       return {g_, live[symbol.node()] != 0 ? graph::one : graph::zero};
@@ -299,23 +286,16 @@ private:
 
   /// μ, a column for each independent speed.
   constexpr symbolic::matrix constraint_weights() {
-    const sequence<int>& bound = form_.speeds.dependent;
-    symbolic::matrix transposed(g_, bound.size(), bound.size());
-    for (int i = 0; i < bound.size(); ++i)
-      for (int j = 0; j < bound.size(); ++j) transposed(i, j) = form_.known.on_udot(j, bound[i]);
-    return symbolic::solve_linear(g_, transposed, form_.known.coupling).x;
+    return symbolic::solve_linear(g_, transposed(g_, on_dependent()), form_.known.coupling).x;
   }
 
   /// The part of δu̇_d from f_a = 0 that does not depend on δu̇_i, a column for each direction.
   constexpr symbolic::matrix acceleration_bias() {
-    const int rows = form_.speeds.dependent.size();
     const explicit_linearization change = along_all(form_.f_a);
-    symbolic::matrix on_dependent(g_, rows, rows), right(g_, rows, variations_.size());
-    for (int i = 0; i < rows; ++i) {
-      for (int k = 0; k < rows; ++k) on_dependent(i, k) = form_.known.on_udot(i, form_.speeds.dependent[k]);
+    symbolic::matrix right(g_, form_.f_a.size(), variations_.size());
+    for (int i = 0; i < right.rows; ++i)
       for (int j = 0; j < right.columns; ++j) right(i, j) = -change(i, j);
-    }
-    return symbolic::solve_linear(g_, on_dependent, right).x;
+    return symbolic::solve_linear(g_, on_dependent(), right).x;
   }
 
   graph& g_;

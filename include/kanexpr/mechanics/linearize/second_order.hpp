@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/dynamics/minimal.hpp>
 #include <kanexpr/mechanics/linearize/linearizer.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
@@ -122,7 +123,7 @@ public:
     const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
     symbolic::matrix change(g_, bound.size(), 1), all(g_, n + form_.u.size(), 1);
     for (int i = 0; i < bound.size(); ++i) change(i, 0) = -d.of(form_.f_a[i]);
-    const symbolic::matrix bias = symbolic::solve_linear(g_, on_dependent(), change).x;
+    const symbolic::matrix bias = symbolic::solve_linear(g_, first_.on_dependent(), change).x;
     sequence<expression> right;
     for (int i = 0; i < force_.size(); ++i) {
       right.push(d.of(force_[i]));
@@ -131,10 +132,8 @@ public:
     const sequence<expression> moved = solved(right);
     for (int i = 0; i < n; ++i) all(i, 0) = d.of(form_.known.qdot[i]);
     for (int i = 0; i < free.size(); ++i) all(n + free[i], 0) = moved[i];
-    for (int k = 0; k < bound.size(); ++k) {
-      all(n + bound[k], 0) = bias(k, 0);
-      for (int i = 0; i < free.size(); ++i) all(n + bound[k], 0) += form_.known.dependency(k, i) * moved[i];
-    }
+    const sequence<expression> dependent = solved_for_dependent(form_.known.dependency, moved, bias.entries);
+    for (int k = 0; k < bound.size(); ++k) all(n + bound[k], 0) = dependent[k];
     return all;
   }
 
@@ -151,8 +150,7 @@ private:
   constexpr const sequence<expression>& slopes() {
     if (!slopes_.empty()) return slopes_;
     sequence<expression> all = force_;
-    for (const expression& e : form_.f_a) all.push(e);
-    for (const expression& e : form_.known.qdot) all.push(e);
+    all.append(form_.f_a), all.append(form_.known.qdot);
     symbolic::accumulation back(g_, all);
     for (int i = 0; i < held_.size(); ++i) back.seed(all[i], held_[i]);
     for (int i = 0; i < form_.q.size(); ++i) back.seed(form_.known.qdot[i], weights_[i]);
@@ -167,14 +165,12 @@ private:
   constexpr sequence<expression> adjoint_of(const sequence<expression>& of) {
     const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
     sequence<expression> adjoint = solved(reduced(of));
-    symbolic::matrix transposed(g_, bound.size(), bound.size()), left(g_, bound.size(), 1);
-    const symbolic::matrix by_rates = on_dependent();
+    symbolic::matrix left(g_, bound.size(), 1);
     for (int k = 0; k < bound.size(); ++k) {
-      for (int i = 0; i < bound.size(); ++i) transposed(i, k) = by_rates(k, i);
       left(k, 0) = -of[bound[k]];
       for (int i = 0; i < free.size(); ++i) left(k, 0) += form_.known.coupling(k, i) * adjoint[i];
     }
-    for (const expression& e : symbolic::solve_linear(g_, transposed, left).x.entries) adjoint.push(e);
+    adjoint.append(symbolic::solve_linear(g_, transposed(g_, first_.on_dependent()), left).x.entries);
     return adjoint;
   }
 
@@ -193,13 +189,7 @@ private:
 
   /// Multiplies a vector for all speeds by Tᵀ, which yields one for the independent speeds.
   constexpr sequence<expression> reduced(const sequence<expression>& of) const {
-    const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
-    sequence<expression> out;
-    for (int i = 0; i < free.size(); ++i) {
-      out.push(of[free[i]]);
-      for (int k = 0; k < bound.size(); ++k) out[i] += form_.known.dependency(k, i) * of[bound[k]];
-    }
-    return out;
+    return mechanics::reduced(of, form_.speeds, form_.known.dependency);
   }
 
   constexpr symbolic::matrix with_adjoint(symbolic::matrix m) {
@@ -216,15 +206,6 @@ private:
     const symbolic::symmetric_solution found = mass_.solve(right);
     first_.add_pivots(found.pivots);
     return found.x;
-  }
-
-  /// ∂f_a/∂u̇_d.
-  constexpr symbolic::matrix on_dependent() const {
-    const sequence<int>& bound = form_.speeds.dependent;
-    symbolic::matrix m(g_, bound.size(), bound.size());
-    for (int i = 0; i < m.rows; ++i)
-      for (int j = 0; j < m.columns; ++j) m(i, j) = form_.known.on_udot(i, bound[j]);
-    return m;
   }
 
   graph& g_;

@@ -4,53 +4,62 @@
 #include <kanexpr/mechanics/dynamics/dynamics.hpp>
 #include <kanexpr/mechanics/linearize/general_form.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
-#include <kanexpr/mechanics/skeleton/auxiliary.hpp>
 #include <kanexpr/mechanics/skeleton/kinematic_equations.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/mechanics/skeleton/vector_substitution.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 /// The equations of a system, by either method, in the general form from which they are linearized.
 namespace kanexpr::mechanics {
 
+/// The parts of a system from which its linearized equations are formed.
+struct parts_of_system {
+  const mechanics::skeleton& skeleton;
+  const mechanics::loads& loads;
+  const mechanics::constraints& constraints;
+  const symbolic::matrix& by_q; ///< the derivatives of the configuration constraints with respect to the
+                                ///< coordinates
+  const partition &coordinates, &speeds;
+  mechanics::dynamics& dynamics;
+};
+
 /// Forms the general form, with f_2 = −F_r* of inertia and gravity, f_3 = −F_r of the other loads and f_4 =
 /// −Jᵀ λ, so that the mass matrix is positive.
 class system_form {
 public:
-  /// `by_q` are the derivatives of the configuration constraints with respect to the coordinates.
-  constexpr system_form(const skeleton& s, const loads& acting, const constraints& c,
-                        const symbolic::matrix& by_q, const partition& coordinates, const partition& speeds,
-                        dynamics& d)
-      : s_(s), m_(*s.model), constraints_(c), by_q_(by_q), coordinates_(coordinates), speeds_(speeds),
-        dynamics_(d), motion_(motion_on_accelerated_ground(s, acting, m_.speed_rates)) {}
+  constexpr explicit system_form(const parts_of_system& of)
+      : of_(of), m_(*of.skeleton.model),
+        motion_(motion_on_accelerated_ground(of.skeleton, of.loads, m_.speed_rates)) {}
 
   /// The form of the independent speeds, without multipliers.
   constexpr general_form reduced() {
     general_form form = common();
-    form.f_2 = negative(dynamics_.reduce(dynamics_.inertia_in(motion_)));
-    form.f_3 = negative(dynamics_.reduce(dynamics_.forces_of_loads()));
-    dynamics_.gather(form.f_2, form.f_3);
-    form.known.dependency = dynamics_.dependent().on_independent;
-    form.known.coupling = dynamics_.coupling();
-    form.known.mass = dynamics_.mass();
+    form.f_2 = negative(of_.dynamics.reduce(of_.dynamics.inertia_in(motion_)));
+    form.f_3 = negative(of_.dynamics.reduce(of_.dynamics.forces_of_loads()));
+    of_.dynamics.gather(form.f_2, form.f_3);
+    form.known.dependency = of_.dynamics.dependent().on_independent;
+    form.known.coupling = of_.dynamics.coupling();
+    form.known.mass = of_.dynamics.mass();
     return form;
   }
 
   /// The form of all speeds, with multipliers.
   constexpr general_form with_multipliers() {
     general_form form = common();
-    form.f_2 = negative(dynamics_.inertia_in(motion_));
-    form.f_3 = negative(dynamics_.forces_of_loads());
-    for (int i = 0; i < constraints_.size(); ++i) {
+    form.f_2 = negative(of_.dynamics.inertia_in(motion_));
+    form.f_3 = negative(of_.dynamics.forces_of_loads());
+    for (int i = 0; i < of_.constraints.size(); ++i) {
       name called("lambda");
       called.append(i + 1);
       form.lambda.push(symbolic::variable(*m_.g, {symbolic::symbol_kind::multiplier, called, i}));
     }
-    for (sequence<expression>* f : {&form.f_2, &form.f_3}) // the auxiliary speeds come last
-      while (f->size() > m_.speeds.size()) f->pop();
+    for (sequence<expression>* f : {&form.f_2, &form.f_3})
+      f->resize(m_.speeds.size()); // the auxiliary speeds come last
     for (int r = 0; r < m_.speeds.size(); ++r) {
       expression force = m_.zero();
-      for (int i = 0; i < constraints_.size(); ++i) force += constraints_.jacobian(i, r) * form.lambda[i];
+      for (int i = 0; i < of_.constraints.size(); ++i)
+        force += of_.constraints.jacobian(i, r) * form.lambda[i];
       form.f_4.push(-force);
     }
     return form;
@@ -62,7 +71,7 @@ private:
     form.q = m_.coordinates, form.qdot = m_.coordinate_rates;
     form.u = m_.speeds, form.udot = m_.speed_rates;
     form.r = m_.inputs;
-    form.coordinates = coordinates_, form.speeds = speeds_;
+    form.coordinates = of_.coordinates, form.speeds = of_.speeds;
     take_kinematics(form);
     take_constraints(form);
     return form;
@@ -78,30 +87,26 @@ private:
       form.f_0.push(sum);
       form.f_1.push(drop.in(k.remainder[i]));
     }
-    for (const expression& rate : s_.coordinate_rates) form.known.qdot.push(drop.in(rate));
+    for (const expression& rate : of_.skeleton.coordinate_rates) form.known.qdot.push(drop.in(rate));
   }
 
   constexpr void take_constraints(general_form& form) {
-    form.f_c = constraints_.on_configuration;
-    for (const velocity_constraint& each : constraints_.on_velocities) form.f_v.push(each.value);
-    form.known.on_q = by_q_;
-    form.known.on_u = form.known.on_udot = constraints_.jacobian;
-    if (constraints_.on_accelerations.empty()) {
-      for (int i = 0; i < constraints_.size(); ++i)
-        form.f_a.push(rate_of_constraint(motion_, constraints_, i));
+    form.f_c = of_.constraints.on_configuration;
+    for (const velocity_constraint& each : of_.constraints.on_velocities) form.f_v.push(each.value);
+    form.known.on_q = of_.by_q;
+    form.known.on_u = form.known.on_udot = of_.constraints.jacobian;
+    if (of_.constraints.on_accelerations.empty()) {
+      for (int i = 0; i < of_.constraints.size(); ++i)
+        form.f_a.push(rate_of_constraint(motion_, of_.constraints, i));
       return;
     }
-    known_rates known(m_, s_.coordinate_rates);
-    for (const expression& e : constraints_.on_accelerations) form.f_a.push(known.in(e));
-    form.known.on_udot = linear_in_speed_rates(s_, constraints_).jacobian;
+    known_rates known(m_, of_.skeleton.coordinate_rates);
+    for (const expression& e : of_.constraints.on_accelerations) form.f_a.push(known.in(e));
+    form.known.on_udot = linear_in_speed_rates(of_.skeleton, of_.constraints).jacobian;
   }
 
-  const skeleton& s_;
+  const parts_of_system of_;
   const mechanism& m_;
-  const constraints& constraints_;
-  const symbolic::matrix& by_q_;
-  const partition &coordinates_, &speeds_;
-  dynamics& dynamics_;
   motion motion_;
 };
 

@@ -34,12 +34,7 @@ public:
 
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.of_q_);
-    visit(self.of_u_);
-    visit(self.symbols_);
-    visit(self.coordinates_);
-    visit(self.speeds_);
-    visit(self.blocks_);
+    visit(self.of_q_, self.of_u_, self.symbols_, self.coordinates_, self.speeds_, self.blocks_);
   }
 
   constexpr int size() const { return symbols_.size(); }

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
-#include <kanexpr/mechanics/loads/potential_rates.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/motion.hpp>
-#include <kanexpr/mechanics/skeleton/auxiliary.hpp>
-#include <kanexpr/mechanics/skeleton/known_rates.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/mechanics/skeleton/vector_substitution.hpp>
+#include <kanexpr/symbolic/derivatives/accumulate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
@@ -17,6 +16,23 @@ enum class conservative : unsigned char {
   by_forces,
   by_energy, ///< their energy is part of a Lagrangian; only the remaining part is a force
 };
+
+/// ∂V̇/∂u_r for every speed, where V is the sum of the potential energies of the model: Σ_s ∂V/∂q_s
+/// ∂q̇_s/∂u_r with the rates q̇ of the kinematic equations. The generalized active force is −∂V̇/∂u_r. Kane &
+/// Levinson (1985), section 5.1.
+constexpr sequence<expression> potential_rates(const skeleton& s, const sequence<expression>& energies) {
+  const mechanism& m = *s.model;
+  symbolic::accumulation by_coordinates(*m.g, energies);
+  for (const expression& energy : energies) by_coordinates.seed(energy, m.one());
+  by_coordinates.run();
+  symbolic::accumulation by_speeds(*m.g, s.coordinate_rates);
+  for (int q = 0; q < m.coordinates.size(); ++q)
+    by_speeds.seed(s.coordinate_rates[q], by_coordinates.by(m.coordinates[q]));
+  by_speeds.run();
+  sequence<expression> rates;
+  for (const expression& u : m.speeds) rates.push(by_speeds.by(u));
+  return rates;
+}
 
 /// Accumulates the effects of loads: forces at the nodes of a skeleton, moments on its frames, and
 /// generalized forces of individual speeds.
@@ -50,8 +66,8 @@ public:
   /// the speeds of their relative rotation.
   constexpr void add_torque(int frame, int against, const vector& value) {
     const int f = s_.rigid_with[frame], b = against == none ? mechanism::inertial : s_.rigid_with[against];
-    if (b != mechanism::inertial && s_.turns_in[f] == b) return add_turning(f, value);
-    if (f != mechanism::inertial && s_.turns_in[b] == f) return add_turning(b, -value);
+    if (b != mechanism::inertial && s_.turns_in[f] == b) return add_relative_torque(f, value);
+    if (f != mechanism::inertial && s_.turns_in[b] == f) return add_relative_torque(b, -value);
     add_moment(f, value);
     if (b != mechanism::inertial) add_moment(b, -value);
   }
@@ -75,7 +91,7 @@ public:
 
 private:
   /// Adds a torque between a frame and the frame in which it rotates.
-  constexpr void add_turning(int f, const vector& value) {
+  constexpr void add_relative_torque(int f, const vector& value) {
     for (const partial_velocity& w : s_.partial_angular_velocities[f])
       share_[w.speed] += dot(w.value, express(m_, value, s_.working_axes[f]));
   }

@@ -19,13 +19,8 @@ struct given_potential_energy {
 
   /// `place` is the index among the potential energies.
   constexpr void check_with(load_check& by, int place) const {
-    by.free_of_motion(value, "potential energy ", base::counted(place + 1).view());
+    by.check_no_rates(value, "potential energy ", base::counted(place + 1).view());
   }
-
-  template <class Visit>
-  constexpr void each_point(Visit&&) const {}
-  template <class Visit>
-  constexpr void each_vector(const mechanism&, Visit&&) const {}
 };
 
 /// The energy of a torsional spring that is unloaded at the angle `rest`.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
-#include <kanexpr/mechanics/model/check_stillness.hpp>
+#include <kanexpr/mechanics/model/check_contents.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
@@ -12,7 +12,7 @@
 
 namespace kanexpr::mechanics {
 
-/// The context for system_checker a load: the contents of expressions, the names of points and frames, and
+/// The context in which a load is checked: the contents of expressions, the names of points and frames, and
 /// the first mistake.
 class load_check {
 public:
@@ -27,49 +27,53 @@ public:
 
   constexpr std::string_view frame(int f) const { return m_.frames[f].called.view(); }
   constexpr std::string_view point(int p) const { return m_.points[p].called.view(); }
-  constexpr sentence both_frames(int f, int other) const {
-    return sentence({frame(f), " and ", frame(other)});
+  /// Returns the two points or frames between which a load acts: "P and Q".
+  template <class Load>
+  constexpr sentence ends_of(const Load& load) const {
+    if constexpr (requires { load.point; })
+      return sentence({point(load.point), " and ", point(load.against)});
+    else
+      return sentence({frame(load.frame), " and ", frame(load.against)});
   }
-  constexpr sentence both_points(int p, int other) const {
-    return sentence({point(p), " and ", point(other)});
+  /// Returns the place where a load acts: "at P", "on A", "between P and Q".
+  template <class Load>
+  constexpr sentence place_of(const Load& load) const {
+    if (load.against != none) return sentence({"between ", ends_of(load).view()});
+    if constexpr (requires { load.point; })
+      return sentence({"at ", point(load.point)});
+    else
+      return sentence({"on ", frame(load.frame)});
   }
 
   /// Checks an expression that may contain anything except rates of speeds. `of` and `whose` name it, as in
   /// "the force at " and "P".
-  constexpr void free_of_speed_rates(expression e, std::string_view of, std::string_view whose) {
-    if (held_.holds(e, kind::speed_rate))
-      fail({of, whose, " contains the ", speed_rate_called(m_, held_.name_of(e, kind::speed_rate)).view()});
+  constexpr void check_no_speed_rates(expression e, std::string_view of, std::string_view whose) {
+    if (const sentence found = symbol_in(m_, held_, e, {kind::speed_rate}))
+      fail({of, whose, " contains the ", found.view()});
   }
-  constexpr void free_of_speed_rates(const vector& v, std::string_view of, std::string_view whose) {
-    for (const vector::part& part : v.parts)
-      for (int i = 0; i < 3; ++i) free_of_speed_rates(part.value[i], of, whose);
+  constexpr void check_no_speed_rates(const vector& v, std::string_view of, std::string_view whose) {
+    v.each_entry([&](expression e) { check_no_speed_rates(e, of, whose); });
   }
 
   /// Checks an expression that may contain only coordinates, parameters, inputs and time.
-  constexpr void free_of_motion(expression e, std::string_view of, std::string_view whose) {
-    if (!found_) found_ = check_stillness(m_, held_, e, of, whose);
+  constexpr void check_no_rates(expression e, std::string_view of, std::string_view whose) {
+    if (!found_) found_ = mechanics::check_no_rates(m_, held_, e, of, whose);
   }
 
   /// Checks a quantity that would contribute an additional force if it depended on coordinates.
-  constexpr void constant_in_motion(expression e, std::string_view of, std::string_view whose) {
-    if (held_.holds(e, kind::coordinate))
-      varies(of, whose, sentence({"coordinate ", held_.name_of(e, kind::coordinate)}));
-    free_of_rates(e, of, whose);
+  constexpr void check_constant(expression e, std::string_view of, std::string_view whose) {
+    fail_varying(symbol_in(m_, held_, e, {kind::coordinate}), of, whose);
+    check_constant_rates(e, of, whose);
   }
-  constexpr void free_of_rates(expression e, std::string_view of, std::string_view whose) {
-    struct word {
-      kind what;
-      std::string_view called;
-    };
-    for (const word& w : {word{kind::auxiliary_speed, "auxiliary speed "},
-                          word{kind::coordinate_rate, "rate of coordinate "}})
-      if (held_.holds(e, w.what)) varies(of, whose, sentence({w.called, held_.name_of(e, w.what)}));
-    if (held_.holds(e, kind::speed)) varies(of, whose, speed_called(m_, held_.name_of(e, kind::speed)));
-    if (held_.holds(e, kind::speed_rate))
-      varies(of, whose, speed_rate_called(m_, held_.name_of(e, kind::speed_rate)));
+  constexpr void check_constant_rates(expression e, std::string_view of, std::string_view whose) {
+    fail_varying(symbol_in(m_, held_, e,
+                           {kind::auxiliary_speed, kind::coordinate_rate, kind::speed, kind::speed_rate}),
+                 of, whose);
   }
-  constexpr void varies(std::string_view of, std::string_view whose, const sentence& with) {
-    fail({of, whose, " contains the ", with.view(), "; it may contain only parameters, inputs and time"});
+  /// Reports the symbol that a quantity must not contain, unless it is empty.
+  constexpr void fail_varying(const sentence& symbol, std::string_view of, std::string_view whose) {
+    if (symbol)
+      fail({of, whose, " contains the ", symbol.view(), "; it may contain only parameters, inputs and time"});
   }
 
 private:

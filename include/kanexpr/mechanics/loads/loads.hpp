@@ -1,17 +1,16 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
-#include <kanexpr/mechanics/loads/force.hpp>
+#include <kanexpr/mechanics/loads/force_and_torque.hpp>
 #include <kanexpr/mechanics/loads/given_potential_energy.hpp>
 #include <kanexpr/mechanics/loads/spring_damper.hpp>
-#include <kanexpr/mechanics/loads/torque.hpp>
-#include <kanexpr/mechanics/loads/torsional_damper.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
 
-/// The loads on a mechanism, as given. Each load type defines how it acts on a `force_system`, its potential
-/// energy, the checks of its expressions, and the points and vectors it uses.
+/// The loads on a mechanism, as given. Each load type defines how it acts on a `force_system`, the checks of
+/// its expressions and, if it is conservative, its potential energy. `point` and `against`, or `frame` and
+/// `against`, are the points or frames on which it acts.
 struct loads {
   sequence<force> forces{};
   sequence<torque> torques{};

@@ -5,9 +5,9 @@
 #include <kanexpr/mechanics/loads/force_system.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
-#include <kanexpr/mechanics/model/check_position.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/model/position.hpp>
 #include <kanexpr/mechanics/motion/relative_motion.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -20,14 +20,15 @@ namespace kanexpr::mechanics {
 /// stiffness·(distance − length) + damping·(rate of the distance).
 struct spring_damper {
   int point = none;
-  int other = none;
+  int against = none;
   expression stiffness{}, length{}, damping{};
 
   constexpr void act(force_system& on, conservative how) const {
     const skeleton& s = on.skeleton_used();
     const stretch line = stretch_in(s);
     expression over_length = s.model->zero(); // force divided by distance
-    if (how == conservative::by_forces && !stiffness.is_zero()) over_length = pull_of_spring(line.d);
+    if (how == conservative::by_forces && !stiffness.is_zero())
+      over_length = spring_force_over_length(line.d);
     if (!damping.is_zero()) {
       const expression factor = on.known(damping);
       over_length += factor * rate_of_stretch(on.moving(), line);
@@ -36,7 +37,7 @@ struct spring_damper {
     vector force;
     force.add(line.axes, over_length * line.d);
     on.add_force(point, -force);
-    on.add_force(other, force);
+    on.add_force(against, force);
   }
 
   /// ½ k (|d| − l)². A rotation of the whole line does not change it, so the line is expressed in the axes of
@@ -57,26 +58,19 @@ struct spring_damper {
   constexpr void check_with(load_check& by, int) const {
     const mechanism& m = by.mechanism_used();
     const std::string_view what = stiffness.is_zero() ? "damper" : "spring";
-    if (point == other) return by.fail({"a ", what, " acts between point ", by.point(point), " and itself"});
-    const sentence names = by.both_points(point, other);
-    const int origin = origin_of(m, point), other_origin = origin_of(m, other);
-    if (origin != other_origin)
+    if (point == against)
+      return by.fail({"a ", what, " acts between point ", by.point(point), " and itself"});
+    const sentence names = by.ends_of(*this);
+    const int origin = origin_of(m, point), other = origin_of(m, against);
+    if (origin != other)
       return by.fail({"the ", what, " between ", names.view(), " has ends measured from two origins, ",
-                      by.both_points(origin, other_origin).view(), ", whose distance is not known"});
+                      by.point(origin), " and ", by.point(other), ", whose distance is not known"});
     if (line_in(m).parts.empty())
       return by.fail({"the ", what, " between ", names.view(), " has zero length in every configuration"});
-    by.constant_in_motion(stiffness, "the stiffness of the spring between ", names.view());
-    by.constant_in_motion(length, "the natural length of the spring between ", names.view());
-    by.free_of_speed_rates(damping, "the damping between ", names.view());
+    by.check_constant(stiffness, "the stiffness of the spring between ", names.view());
+    by.check_constant(length, "the natural length of the spring between ", names.view());
+    by.check_no_speed_rates(damping, "the damping between ", names.view());
   }
-
-  template <class Visit>
-  constexpr void each_point(Visit&& visit) const {
-    visit(point);
-    visit(other);
-  }
-  template <class Visit>
-  constexpr void each_vector(const mechanism&, Visit&&) const {}
 
 private:
   /// The line d in the axes in which the forces at one of its points are formed: the point that is deeper in
@@ -89,7 +83,7 @@ private:
     const mechanism& m = *s.model;
     stretch line;
     int depth = 0;
-    for (int p : {point, other}) {
+    for (int p : {point, against}) {
       const int axes = s.working_axes[s.stations[s.station_of_point[p]].axes];
       if (path::depth(m, axes) > depth) line.axes = axes, depth = path::depth(m, axes);
     }
@@ -100,23 +94,40 @@ private:
   /// The vector from the second point to the first, without the common part of both positions.
   constexpr vector line_in(const mechanism& m) const {
     vector d;
-    for (const vector::part& p : position_from(m, other, point).parts)
+    for (const vector::part& p : position_from(m, against, point).parts)
       if (!p.value.is_zero()) d.parts.push(p);
     return d;
   }
 
   /// The spring force divided by the length, k (1 − l/|d|). Without a natural length, this needs no root or
   /// division.
-  constexpr expression pull_of_spring(const components& d) const {
+  constexpr expression spring_force_over_length(const components& d) const {
     return length.is_zero() ? stiffness : stiffness * (1 - length / sqrt(dot(d, d)));
   }
 
   /// The rate of the length divided by the length, v·d / d·d, with the relative velocity v of the points.
   constexpr expression rate_of_stretch(motion& k, const stretch& line) const {
     const skeleton& s = k.skeleton_used();
-    const vector v = velocity_between(k, s.station_of_point[point], s.station_of_point[other]);
+    const vector v = velocity_between(k, s.station_of_point[point], s.station_of_point[against]);
     const expression stretching = dot(line.d, express(*s.model, v, line.axes));
     return stretching / dot(line.d, line.d);
+  }
+};
+
+/// A torque −damping·(ω_frame − ω_against) on the body fixed in `frame`, and its opposite on `against`.
+struct torsional_damper {
+  int frame = none;
+  int against = none;
+  expression damping{};
+
+  constexpr void act(force_system& on, conservative) const {
+    const expression factor = -on.known(damping);
+    on.add_torque(frame, against, factor * angular_velocity_between(on.skeleton_used(), frame, against));
+  }
+
+  constexpr void check_with(load_check& by, int) const {
+    if (frame == against) by.fail({"a torsional damper acts between frame ", by.frame(frame), " and itself"});
+    by.check_no_speed_rates(damping, "the torsional damping between ", by.ends_of(*this).view());
   }
 };
 
@@ -127,10 +138,10 @@ constexpr void add_spring(sequence<spring_damper>& to, int point, int other, exp
 
 /// Adds a damper, in parallel with an existing spring if there is one.
 constexpr void add_damper(sequence<spring_damper>& to, int point, int other, expression damping) {
-  for (spring_damper& beside : to)
-    if (beside.damping.is_zero() && ((beside.point == point && beside.other == other) ||
-                                     (beside.point == other && beside.other == point))) {
-      beside.damping = damping;
+  for (spring_damper& parallel : to)
+    if (parallel.damping.is_zero() && ((parallel.point == point && parallel.against == other) ||
+                                       (parallel.point == other && parallel.against == point))) {
+      parallel.damping = damping;
       return;
     }
   const expression nothing{damping.owner(), graph::zero};

@@ -21,9 +21,7 @@ struct components {
   constexpr explicit components(graph& g) : x(g, graph::zero), y(g, graph::zero), z(g, graph::zero) {}
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.x);
-    visit(self.y);
-    visit(self.z);
+    visit(self.x, self.y, self.z);
   }
 
   constexpr expression& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }

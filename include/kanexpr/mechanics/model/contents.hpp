@@ -40,7 +40,12 @@ public:
     return is_fixed(m.row[0]) && is_fixed(m.row[1]) && is_fixed(m.row[2]);
   }
 
-  /// Whether an expression sampling linear: false if it contains a product, quotient or function of speeds or
+  /// Whether the orientation of a frame in its parent contains only numbers and parameters.
+  constexpr bool is_fixed(const frame& f) const {
+    return f.kind == orientation::matrix ? is_fixed(f.to_parent) : is_fixed(f.angle);
+  }
+
+  /// Whether an expression looks linear: false if it contains a product, quotient or function of speeds or
   /// rates, even if these terms cancel.
   constexpr bool looks_linear(expression e) const { return (held_[e.node()] & nonlinear) == 0; }
 
@@ -57,6 +62,20 @@ public:
   /// Adds the symbols of a given kind in the expression.
   constexpr void collect(expression e, kind wanted, sequence<int>& nodes) const {
     collect(e.node(), wanted, nodes);
+  }
+
+  /// The symbols of some kinds in an expression or a vector.
+  constexpr sequence<int> symbols_in(expression e, std::initializer_list<kind> wanted) const {
+    sequence<int> nodes;
+    for (const kind k : wanted) collect(e.node(), k, nodes);
+    return nodes;
+  }
+  constexpr sequence<int> symbols_in(const vector& v, std::initializer_list<kind> wanted) const {
+    sequence<int> nodes;
+    v.each_entry([&](expression e) {
+      for (const kind k : wanted) collect(e.node(), k, nodes);
+    });
+    return nodes;
   }
 
 private:

@@ -41,6 +41,24 @@ struct frame {
   bool turns_apart = false; ///< declared not to match the orientation
 
   constexpr bool has_declared_angular_velocity() const { return reference != none; }
+  /// Declares the angular velocity in the frame `in`, which is used instead of the derived one. If `apart`,
+  /// it need not match the orientation.
+  constexpr void declare_angular_velocity(int in, const vector& value, bool apart) {
+    reference = in;
+    angular_velocity = value;
+    turns_apart = apart;
+  }
+  /// The scalars that define the orientation: the angle, or the entries of `to_parent`.
+  constexpr sequence<expression> scalars() const {
+    sequence<expression> all;
+    if (is_by_angle()) all.push(angle);
+    for (int i = 0; i < 9 && kind == orientation::matrix; ++i) all.push(to_parent(i / 3, i % 3));
+    return all;
+  }
+  /// Whether `angle` determines the orientation.
+  constexpr bool is_by_angle() const {
+    return kind == orientation::about_basis || kind == orientation::about_axis;
+  }
 };
 
 } // namespace kanexpr::mechanics

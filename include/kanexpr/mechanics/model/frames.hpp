@@ -11,29 +11,20 @@
 namespace kanexpr::mechanics {
 
 constexpr int add_inertial_frame(mechanism& m, const name& called) {
-  frame f;
-  f.called = called;
-  return m.frames.push(f);
+  return m.frames.push({.called = called});
 }
 
 /// Adds a frame with v in the parent's axes = to_parent · v in the frame's axes.
 constexpr int add_frame_by_matrix(mechanism& m, const name& called, int parent, const matrix3& to_parent) {
-  frame f;
-  f.called = called;
-  f.parent = parent;
-  f.kind = orientation::matrix;
-  f.to_parent = to_parent;
-  return m.frames.push(f);
+  return m.frames.push(
+      {.called = called, .parent = parent, .kind = orientation::matrix, .to_parent = to_parent});
 }
 
 /// Adds a frame rotated by `angle` about an axis given in the parent's axes; the axis need not have unit
 /// length.
 constexpr int add_rotated_frame(mechanism& m, const name& called, int parent, expression angle,
                                 const components& axis) {
-  frame f;
-  f.called = called;
-  f.parent = parent;
-  f.angle = angle;
+  frame f{.called = called, .parent = parent, .angle = angle};
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     if (!axis[j].is_zero() || !axis[k].is_zero() || !axis[i].is_constant()) continue;
@@ -135,15 +126,6 @@ constexpr int add_frame_by_modified_rodrigues(mechanism& m, const name& called, 
                            {s.y, {xy + s.z, half + s.y * s.y, yz - s.x}},
                            {s.z, {zx - s.y, yz + s.x, half + s.z * s.z}}};
   return place;
-}
-
-/// Declares the angular velocity of a frame in `reference`, which is used instead of the derived one. If
-/// `apart`, it need not match the orientation.
-constexpr void declare_angular_velocity(mechanism& m, int frame, int reference, const vector& value,
-                                        bool apart = false) {
-  m.frames[frame].reference = reference;
-  m.frames[frame].angular_velocity = value;
-  m.frames[frame].turns_apart = apart;
 }
 
 } // namespace kanexpr::mechanics

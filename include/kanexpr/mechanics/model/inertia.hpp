@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/vector.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 
@@ -20,12 +21,7 @@ struct symmetric {
   constexpr explicit symmetric(expression all) : xx(all), yy(all), zz(all), xy(all), yz(all), zx(all) {}
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.xx);
-    visit(self.yy);
-    visit(self.zz);
-    visit(self.xy);
-    visit(self.yz);
-    visit(self.zx);
+    visit(self.xx, self.yy, self.zz, self.xy, self.yz, self.zx);
   }
   constexpr expression& operator()(int i, int j) { return this->*entry(i, j); }
   constexpr const expression& operator()(int i, int j) const { return this->*entry(i, j); }
@@ -48,6 +44,13 @@ constexpr components operator*(const symmetric& a, const components& v) {
   return {dot({a.xx, a.xy, a.zx}, v), dot({a.xy, a.yy, a.yz}, v), dot({a.zx, a.yz, a.zz}, v)};
 }
 
+/// Returns the dyadic with the given entries in the axes of one frame.
+constexpr dyadic dyadic_of(int axes, const symmetric& scalars) {
+  matrix3 value;
+  for (int i = 0; i < 3; ++i) value.row[i] = {scalars(i, 0), scalars(i, 1), scalars(i, 2)};
+  return {{{axes, axes, value}}};
+}
+
 /// Whether an inertia, a `symmetric` or a matrix, is rotationally symmetric about axis `a`.
 template <class Inertia>
 constexpr bool is_round(const Inertia& i, int a) {
@@ -66,9 +69,7 @@ struct rigid_mass {
   constexpr explicit rigid_mass(graph& g) : mass(g, graph::zero), first_moment(g), inertia(g) {}
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.mass);
-    visit(self.first_moment);
-    visit(self.inertia);
+    visit(self.mass, self.first_moment, self.inertia);
   }
 
   constexpr bool is_zero() const { return mass.is_zero() && first_moment.is_zero() && inertia.is_zero(); }

@@ -1,14 +1,49 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
-#include <kanexpr/mechanics/model/body.hpp>
 #include <kanexpr/mechanics/model/frame.hpp>
-#include <kanexpr/mechanics/model/point.hpp>
+#include <kanexpr/mechanics/model/vector.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 namespace kanexpr::mechanics {
+
+struct point {
+  name called{};
+  int parent = none;    ///< none: an origin, fixed in the inertial frame
+  vector offset{};      ///< relative to the parent
+  int fixed_in = none;  ///< both points are fixed in this frame (two-point theorem)
+  int reference = none; ///< the frame in which a declared velocity is measured
+  vector velocity{};
+  bool moves_apart = false; ///< declared not to match the position
+  bool from_parent = false; ///< the declared velocity is relative to the parent, which is fixed in
+                            ///< `reference`
+
+  constexpr bool has_declared_velocity() const { return reference != none; }
+  /// Declares the velocity in the frame `in`, which is used instead of the derived one. The one-point theorem
+  /// applies if the velocity is relative to the parent, which is fixed in this frame.
+  constexpr void declare_velocity(int in, const vector& value, bool is_from_parent) {
+    reference = in;
+    velocity = value;
+    from_parent = is_from_parent;
+  }
+};
+
+/// A particle, or a rigid body if it has a frame.
+struct body {
+  name called{};
+  int center = none; ///< the mass center
+  int frame = none;  ///< none: a particle
+  expression mass{};
+  dyadic inertia{};
+  int about = none;             ///< the reference point of the inertia
+  bool inertia_changes = false; ///< declared to change in the body frame
+  bool effective = false;       ///< need not be the inertia of a mass distribution
+
+  /// Whether the inertia is given about a point other than the mass center.
+  constexpr bool is_off_center() const { return about != none && about != center; }
+};
 
 /// A quantity that the caller specifies as a function of time; its symbol and its rate are inputs.
 struct prescribed_rate {
@@ -48,20 +83,9 @@ struct mechanism {
   mechanism& operator=(const mechanism&) = delete;
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.coordinates);
-    visit(self.speeds);
-    visit(self.parameters);
-    visit(self.inputs);
-    visit(self.coordinate_rates);
-    visit(self.speed_rates);
-    visit(self.time);
-    visit(self.prescribed_rates);
-    visit(self.kinematics);
-    visit(self.auxiliary_speeds);
-    visit(self.frames);
-    visit(self.points);
-    visit(self.bodies);
-    visit(self.derived_by);
+    visit(self.coordinates, self.speeds, self.parameters, self.inputs, self.coordinate_rates,
+          self.speed_rates, self.time, self.prescribed_rates, self.kinematics, self.auxiliary_speeds,
+          self.frames, self.points, self.bodies, self.derived_by);
   }
 
   constexpr expression zero() const { return {*g, graph::zero}; }

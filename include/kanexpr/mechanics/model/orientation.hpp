@@ -6,6 +6,8 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
+#include <algorithm>
+
 namespace kanexpr::mechanics {
 
 /// One rotation of a vector's axes: about a basis vector, which costs four products, or by a matrix.
@@ -62,7 +64,7 @@ public:
     if (from == to) return;
     const int meeting = common_ancestor(m, from, to);
     climb(m, from, meeting);
-    descend(m, to, meeting);
+    push_turns(m, to, meeting, false);
   }
 
   constexpr const sequence<elementary_rotation>& rotations() const { return rotations_; }
@@ -90,29 +92,19 @@ private:
   /// Builds the path from the common ancestor outward and then reverses it, so that the angles of a chain add
   /// up as running sums.
   constexpr void climb(const mechanism& m, int from, int meeting) {
-    const sequence<int> way = way_down(m, from, meeting);
-    for (int i = way.size() - 1; i >= 0; --i) {
-      const frame& f = m.frames[way[i]];
-      if (f.kind == orientation::about_basis)
-        push_turn(f.axis, f.angle, 0);
-      else if (!f.to_parent.is_identity())
-        rotations_.push({false, 0, expression{}, f.to_parent});
-    }
-    for (int i = 0, j = rotations_.size() - 1; i < j; ++i, --j) {
-      const elementary_rotation first = rotations_[i];
-      rotations_[i] = rotations_[j];
-      rotations_[j] = first;
-    }
+    push_turns(m, from, meeting, true);
+    std::reverse(rotations_.begin(), rotations_.end());
   }
-  constexpr void descend(const mechanism& m, int to, int meeting) {
-    const sequence<int> way = way_down(m, to, meeting);
-    const int climbed = rotations_.size();
+  /// Adds the rotations of the frames between `meeting` and `end`, from the inside outward.
+  constexpr void push_turns(const mechanism& m, int end, int meeting, bool is_upward) {
+    const sequence<int> way = way_down(m, end, meeting);
+    const int first = rotations_.size();
     for (int i = way.size() - 1; i >= 0; --i) {
       const frame& f = m.frames[way[i]];
       if (f.kind == orientation::about_basis)
-        push_turn(f.axis, -f.angle, climbed);
+        push_turn(f.axis, is_upward ? f.angle : -f.angle, first);
       else if (!f.to_parent.is_identity())
-        rotations_.push({false, 0, expression{}, transpose(f.to_parent)});
+        rotations_.push({false, 0, expression{}, is_upward ? f.to_parent : transpose(f.to_parent)});
     }
   }
   /// The frames from `f` to the child of `meeting`, in ascending order.

@@ -13,7 +13,7 @@ constexpr bool is_oriented_by(const mechanism& m, int frame, int other) {
 }
 
 /// Whether the axes of a frame are constant in those of `other` for all values of the coordinates.
-constexpr bool stands_still_in(const mechanism& m, int frame, int other) {
+constexpr bool is_constant_in(const mechanism& m, int frame, int other) {
   for (int i = 0; i < 3; ++i)
     if (!is_fixed(express(m, unit(*m.g, i), frame, other))) return false;
   return true;
@@ -34,7 +34,7 @@ constexpr bool is_along_still_axes(const mechanism& m, const vector& v, int fram
 constexpr vector turned_with(const mechanism& m, const vector& v, int frame) {
   vector out;
   for (const vector::part& p : v.parts)
-    if (!is_oriented_by(m, p.frame, frame) && stands_still_in(m, p.frame, frame))
+    if (!is_oriented_by(m, p.frame, frame) && is_constant_in(m, p.frame, frame))
       out.add(frame, express(m, p.value, p.frame, frame));
     else
       out.add(p.frame, p.value);

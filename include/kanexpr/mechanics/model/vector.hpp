@@ -36,7 +36,18 @@ struct vector {
       if (!p.value.is_zero()) return false;
     return true;
   }
+  /// Calls `visit` with every component of every part.
+  template <class Visit>
+  constexpr void each_entry(const Visit& visit) const {
+    for (const part& p : parts) visit(p.value.x), visit(p.value.y), visit(p.value.z);
+  }
 };
+
+/// Adds a scalar, or the components of a vector, to a list.
+constexpr void push_entries(sequence<expression>& all, expression e) { all.push(e); }
+constexpr void push_entries(sequence<expression>& all, const vector& v) {
+  v.each_entry([&](expression e) { all.push(e); });
+}
 
 constexpr vector operator*(expression s, const vector& v) {
   vector out;
@@ -77,6 +88,14 @@ struct dyadic {
   }
   constexpr void add(const dyadic& other) {
     for (const part& p : other.parts) add(p.left, p.right, p.value);
+  }
+  /// Whether the dyadic is given in the axes of a single frame.
+  constexpr bool is_in_one_frame() const { return parts.size() == 1 && parts[0].left == parts[0].right; }
+  /// Calls `visit` with every entry of every part.
+  template <class Visit>
+  constexpr void each_entry(const Visit& visit) const {
+    for (const part& p : parts)
+      for (const components& row : p.value.row) visit(row.x), visit(row.y), visit(row.z);
   }
 };
 

@@ -5,6 +5,7 @@
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/motion/generic_states.hpp>
 #include <kanexpr/mechanics/motion/triple.hpp>
 #include <kanexpr/symbolic/derivatives/evaluate_rate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -21,8 +22,8 @@ class generic_motion {
 public:
   /// `more` are additional expressions whose values and rates are needed.
   constexpr generic_motion(const mechanism& m, const contents& held, const sequence<expression>& more = {})
-      : m_(m), g_(*m.g), equations_(g_, nodes_of(m.kinematics)), scalars_(g_, nodes_of_frames(m, more)),
-        symbols_(g_.size()), frames_(m.frames.size()) {
+      : m_(m), g_(*m.g), equations_(g_, symbolic::nodes_of(m.kinematics)),
+        scalars_(g_, nodes_of_frames(m, more)), symbols_(g_.size()), frames_(m.frames.size()) {
     sequence<int> in_equations;
     for (const expression& e : m.kinematics) {
       rates_.push({});
@@ -36,9 +37,9 @@ public:
   /// Draws a new configuration and new speeds.
   constexpr void draw() {
     for (const sequence<expression>* list : {&m_.coordinates, &m_.speeds, &m_.inputs})
-      for (const expression& e : *list) symbols_[e.node()].value = 1.8 * between() - 0.9;
-    for (const expression& e : m_.parameters) symbols_[e.node()].value = 0.5 + between();
-    symbols_[m_.time.node()] = {1.8 * between() - 0.9, 1};
+      for (const expression& e : *list) symbols_[e.node()].value = 1.8 * random_.next() - 0.9;
+    for (const expression& e : m_.parameters) symbols_[e.node()].value = 0.5 + random_.next();
+    symbols_[m_.time.node()] = {1.8 * random_.next() - 0.9, 1};
     for (const frame& f : m_.frames) normalize(f.quaternion);
     for (const prescribed_rate& p : m_.prescribed_rates)
       symbols_[p.quantity.node()].rate = symbols_[p.rate.node()].value;
@@ -67,9 +68,18 @@ public:
     return defined;
   }
 
+  /// Draws states until the motion is defined at one; gives up after a few attempts.
+  constexpr bool find_state(bool with_free_speeds = true) {
+    for (int attempts = 0; attempts < 6; ++attempts) {
+      draw();
+      if (move(with_free_speeds)) return true;
+    }
+    return false;
+  }
+
   /// Evaluates the motion for arbitrary coordinate rates, without the kinematic equations.
   constexpr bool move_freely() {
-    for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), between() - 0.5);
+    for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), random_.next() - 0.5);
     return evaluate();
   }
 
@@ -138,37 +148,25 @@ private:
     bool known = false; ///< of `angular_velocity`
   };
 
-  static constexpr sequence<int> nodes_of(const sequence<expression>& all) {
-    sequence<int> nodes;
-    for (const expression& e : all) nodes.push(e.node());
-    return nodes;
+  /// The scalars from which the orientation of a frame is evaluated.
+  static constexpr sequence<expression> scalars_of(const frame& f) {
+    sequence<expression> all = f.scalars();
+    for (int i = 0; i < 9 && f.kind == orientation::about_axis; ++i) all.push(f.to_parent(i / 3, i % 3));
+    return all;
   }
-  static constexpr sequence<int> nodes_of_frames(const mechanism& m, const sequence<expression>& more) {
-    sequence<int> nodes = nodes_of(more);
-    const auto push = [&](const components& c) {
-      for (int i = 0; i < 3; ++i) nodes.push(c[i].node());
-    };
+  static constexpr sequence<int> nodes_of_frames(const mechanism& m, sequence<expression> all) {
     for (const frame& f : m.frames) {
-      if (f.kind == orientation::about_basis || f.kind == orientation::about_axis) nodes.push(f.angle.node());
-      if (f.kind == orientation::about_axis) push(f.direction);
-      for (int i = 0; i < 3 && (f.kind == orientation::about_axis || f.kind == orientation::matrix); ++i)
-        push(f.to_parent.row[i]);
-      for (const vector::part& p : f.angular_velocity.parts) push(p.value);
+      all.append(scalars_of(f));
+      if (f.kind == orientation::about_axis)
+        for (int i = 0; i < 3; ++i) all.push(f.direction[i]);
+      push_entries(all, f.angular_velocity);
     }
-    return nodes;
-  }
-
-  /// Returns a random number between 0 and 1, by Marsaglia's xorshift.
-  constexpr double between() {
-    random_ ^= random_ << 13, random_ ^= random_ >> 7, random_ ^= random_ << 17;
-    return static_cast<double>(random_ >> 11) / 9007199254740992.0;
+    return symbolic::nodes_of(all);
   }
 
   constexpr bool is_defined(const frame& f) const {
-    if ((f.kind == orientation::about_basis || f.kind == orientation::about_axis) && !is_defined(f.angle))
-      return false;
-    for (int i = 0; i < 9 && (f.kind == orientation::about_axis || f.kind == orientation::matrix); ++i)
-      if (!is_defined(f.to_parent(i / 3, i % 3))) return false;
+    for (const expression& e : scalars_of(f))
+      if (!is_defined(e)) return false;
     return is_defined(f.angular_velocity);
   }
 
@@ -192,9 +190,9 @@ private:
   constexpr bool solve_for_rates() {
     const int n = m_.kinematics.size();
     for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), 0);
-    const sequence<double> at_rest = left_over();
+    const sequence<double> at_rest = residuals();
     for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), 1);
-    const sequence<double> at_one = left_over();
+    const sequence<double> at_one = residuals();
     for (const expression& rate : m_.coordinate_rates) set_rate(rate.node(), 0);
     sequence<int> coupled, known, unknown;
     for (int i = 0; i < n; ++i) {
@@ -215,11 +213,11 @@ private:
     const int order = unknown.size();
     const numeric::factors place{order};
     sequence<double> f(place.size(), 0), x;
-    const sequence<double> base = left_over();
+    const sequence<double> base = residuals();
     for (int i : coupled) x.push(-base[i]);
     for (int j = 0; j < order; ++j) {
       set_rate(unknown[j], 1);
-      const sequence<double> moved = left_over();
+      const sequence<double> moved = residuals();
       set_rate(unknown[j], 0);
       for (int i = 0; i < order; ++i) f[place.at(i, j)] = moved[coupled[i]] - base[coupled[i]];
     }
@@ -229,7 +227,7 @@ private:
     for (int j = 0; j < order; ++j) set_rate(unknown[j], x[j]);
     return true;
   }
-  constexpr sequence<double> left_over() {
+  constexpr sequence<double> residuals() {
     equations_.at([&](int id) { return symbols_[id].value; });
     sequence<double> values;
     for (const expression& e : m_.kinematics) values.push(equations_[e.node()]);
@@ -324,7 +322,7 @@ private:
   sequence<pose> frames_;
   sequence<sequence<int>> rates_{}; ///< the coordinate rates in each equation
   sequence<int> free_speeds_{};
-  std::uint64_t random_ = 88172645463325252u;
+  random_numbers random_{};
 };
 
 } // namespace kanexpr::mechanics

@@ -25,11 +25,30 @@ struct numbers {
   sequence<double> entries{};
 
   constexpr double operator()(int i, int j) const { return entries[i * columns + j]; }
+  constexpr sequence<double> row(int i) const {
+    sequence<double> found;
+    for (int j = 0; j < columns; ++j) found.push((*this)(i, j));
+    return found;
+  }
   constexpr bool finite() const {
     for (double e : entries)
       if (!numeric::elementary::detail::is_finite(e)) return false;
     return true;
   }
+};
+
+/// Random numbers between 0 and 1 by Marsaglia's xorshift, the same in every derivation.
+class random_numbers {
+public:
+  constexpr explicit random_numbers(std::uint64_t seed = 88172645463325252u) : state_(seed) {}
+
+  constexpr double next() {
+    state_ ^= state_ << 13, state_ ^= state_ >> 7, state_ ^= state_ << 17;
+    return static_cast<double>(state_ >> 11) / 9007199254740992.0;
+  }
+
+private:
+  std::uint64_t state_;
 };
 
 namespace detail {
@@ -78,10 +97,9 @@ public:
 
   constexpr void draw() {
     for (int i = 0; i < symbols_.size(); ++i) {
-      random_ ^= random_ << 13, random_ ^= random_ >> 7, random_ ^= random_ << 17; // Marsaglia's xorshift
-      const double between = static_cast<double>(random_ >> 11) / 9007199254740992.0;
+      const double next = random_.next();
       const bool one_sign = g_.symbol_at(symbols_[i]).kind == symbolic::symbol_kind::parameter;
-      value_[i] = size_[i] * (one_sign ? 0.5 + between : 1.8 * between - 0.9);
+      value_[i] = size_[i] * (one_sign ? 0.5 + next : 1.8 * next - 0.9);
     }
     if (of_ == nullptr) return;
     for (const frame& f : of_->frames) {
@@ -109,7 +127,7 @@ private:
   const mechanism* of_;
   sequence<int> symbols_{};
   sequence<double> size_{}, value_{};
-  std::uint64_t random_ = 88172645463325252u;
+  random_numbers random_{};
 };
 
 } // namespace detail
@@ -122,8 +140,7 @@ constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const m
                                               double relative_size = 1) {
   sequence<numbers> values;
   if (a.entries.empty()) return values;
-  sequence<int> outputs;
-  for (const expression& e : a.entries) outputs.push(e.node());
+  const sequence<int> outputs = symbolic::nodes_of(a.entries);
   const graph& g = a.entries[0].owner();
   symbolic::evaluation evaluate(g, outputs);
   sequence<bool> is_nothing;
@@ -165,20 +182,7 @@ public:
     rows_.resize(largest_.rows, 0.0), columns_.resize(largest_.columns, 0.0);
     for (int i = 0; i < largest_.rows; ++i)
       if (base::equal(rows_[i], 0.0)) rows_[i] = 1, propagate(i);
-    for (int sweeps = 0; sweeps < 2; ++sweeps) {
-      for (int j = 0; j < largest_.columns; ++j) {
-        double most = 0;
-        for (int i = 0; i < largest_.rows; ++i)
-          if (scaled(i, j) > most) most = scaled(i, j);
-        if (most > 0) columns_[j] /= most;
-      }
-      for (int i = 0; i < largest_.rows; ++i) {
-        double most = 0;
-        for (int j = 0; j < largest_.columns; ++j)
-          if (scaled(i, j) > most) most = scaled(i, j);
-        if (most > 0) rows_[i] /= most;
-      }
-    }
+    for (int sweeps = 0; sweeps < 2; ++sweeps) scale(columns_, rows_, false), scale(rows_, columns_, true);
   }
 
   constexpr void apply(numbers& a) const {
@@ -187,6 +191,16 @@ public:
   }
 
 private:
+  /// Divides the scale of each row, or of each column, by its largest entry.
+  constexpr void scale(sequence<double>& scales, const sequence<double>& across, bool are_rows) const {
+    for (int i = 0; i < scales.size(); ++i) {
+      double most = 0;
+      for (int j = 0; j < across.size(); ++j)
+        if (const double entry = are_rows ? scaled(i, j) : scaled(j, i); entry > most) most = entry;
+      if (most > 0) scales[i] /= most;
+    }
+  }
+
   constexpr double scaled(int i, int j) const { return largest_(i, j) * rows_[i] * columns_[j]; }
 
   /// Propagates the scale of a row to its columns, and from these to their rows.
@@ -265,11 +279,8 @@ constexpr sequence<char> independent_rows(const sequence<numbers>& states, int r
   sequence<char> independent;
   for (int i = 0; i < rows; ++i) {
     bool adds = states.empty(); // no information
-    for (int s = 0; s < states.size(); ++s) {
-      sequence<double> row;
-      for (int j = 0; j < states[s].columns; ++j) row.push(states[s](i, j));
-      if (spaces[s].add(row)) adds = true;
-    }
+    for (int s = 0; s < states.size(); ++s)
+      if (spaces[s].add(states[s].row(i))) adds = true;
     independent.push(adds ? 1 : 0);
   }
   return independent;
@@ -286,11 +297,7 @@ constexpr bool has_independent_rows(const symbolic::matrix& a, const mechanism& 
     for (const numbers& state : equilibrated(at_generic_states(a, &of, size))) {
       row_space space(clearly);
       bool all = true;
-      for (int i = 0; i < a.rows; ++i) {
-        sequence<double> row;
-        for (int j = 0; j < a.columns; ++j) row.push(state(i, j));
-        all = space.add(row) && all;
-      }
+      for (int i = 0; i < a.rows; ++i) all = space.add(state.row(i)) && all;
       if (all) return true;
     }
   return false;

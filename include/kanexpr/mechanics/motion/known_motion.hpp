@@ -2,9 +2,9 @@
 
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/motion/motion.hpp>
-#include <kanexpr/mechanics/skeleton/auxiliary.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton_of.hpp>
+#include <kanexpr/mechanics/skeleton/vector_substitution.hpp>
 
 #include <utility>
 
@@ -29,8 +29,7 @@ public:
 
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.skeleton_); // motions are cheap to form again
-    visit(self.is_without_auxiliary_);
+    visit(self.skeleton_, self.is_without_auxiliary_);
   }
 
   constexpr const skeleton& skeleton_used() const { return skeleton_; }

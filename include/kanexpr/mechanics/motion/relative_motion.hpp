@@ -32,7 +32,7 @@ constexpr vector angular_velocity_between(const skeleton& s, int frame, int othe
 namespace detail {
 
 /// The velocity of a station relative to the station from which it is measured.
-constexpr vector step_of(motion& k, int n) {
+constexpr vector relative_velocity_of(motion& k, int n) {
   const skeleton& s = k.skeleton_used();
   const station& at = s.stations[n];
   vector v = at.relative_velocity;
@@ -57,10 +57,10 @@ constexpr vector velocity_between(motion& k, int station, int other) {
   vector v;
   for (int a = station, b = other; a != b;)
     if (above_a >= above_b) {
-      v.add(detail::step_of(k, a));
+      v.add(detail::relative_velocity_of(k, a));
       a = below(a), --above_a;
     } else {
-      v.subtract(detail::step_of(k, b));
+      v.subtract(detail::relative_velocity_of(k, b));
       b = below(b), --above_b;
     }
   return v;

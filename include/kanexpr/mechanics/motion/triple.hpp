@@ -8,6 +8,7 @@ namespace kanexpr::mechanics {
 struct triple {
   double x = 0, y = 0, z = 0;
 
+  constexpr double& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
   constexpr double operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
   friend constexpr triple operator+(triple a, triple b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
   friend constexpr triple operator-(triple a, triple b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
@@ -24,12 +25,22 @@ constexpr double length(triple a) { return numeric::elementary::sqrt(dot(a, a));
 struct triad {
   triple x{}, y{}, z{};
 
+  constexpr triple& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
   constexpr const triple& operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
   constexpr triple operator*(triple v) const { return v.x * x + v.y * y + v.z * z; }
   /// The components of `v` along the vectors of an orthonormal triad.
   constexpr triple along(triple v) const { return {dot(x, v), dot(y, v), dot(z, v)}; }
   friend constexpr triad operator*(const triad& a, const triad& b) { return {a * b.x, a * b.y, a * b.z}; }
+  friend constexpr triad operator*(double s, const triad& a) { return {s * a.x, s * a.y, s * a.z}; }
+  friend constexpr triad operator+(const triad& a, const triad& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
 };
+
+/// The columns of a⊗b.
+constexpr triad outer(triple a, triple b) { return {b.x * a, b.y * a, b.z * a}; }
+/// s times the unit dyadic.
+constexpr triad diagonal(double s) { return {{s, 0, 0}, {0, s, 0}, {0, 0, s}}; }
 
 /// The span of vectors that must be longer than the rounding error.
 class span_of_triples {

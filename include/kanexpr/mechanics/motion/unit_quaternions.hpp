@@ -30,10 +30,10 @@ constexpr sequence<int> coordinates_of_quaternion(const mechanism& m, const fram
 class kinematics_at_numbers {
 public:
   constexpr kinematics_at_numbers(const mechanism& m, const sequence<int>& places)
-      : m_(m), places_(places), evaluate_(*m.g, nodes_of(m)) {
+      : m_(m), places_(places), evaluate_(*m.g, symbolic::nodes_of(m.kinematics)) {
     double square = 0;
     for (int place : places) {
-      e_.push(between(-1 - place));
+      e_.push(value_of(-1 - place));
       square += e_.back() * e_.back();
     }
     for (double& e : e_) e /= numeric::elementary::sqrt(square);
@@ -60,17 +60,11 @@ public:
   }
 
 private:
-  static constexpr sequence<int> nodes_of(const mechanism& m) {
-    sequence<int> nodes;
-    for (const expression& e : m.kinematics) nodes.push(e.node());
-    return nodes;
-  }
-
-  /// A random number between 0.5 and 1.5 that depends on `number` only (Marsaglia's xorshift).
-  static constexpr double between(int number) {
-    std::uint64_t random = 88172645463325252u + 2654435761u * static_cast<std::uint64_t>(number);
-    for (int i = 0; i < 3; ++i) random ^= random << 13, random ^= random >> 7, random ^= random << 17;
-    return 0.5 + static_cast<double>(random >> 11) / 9007199254740992.0;
+  /// A random number between 0.5 and 1.5 that depends on `number` only.
+  static constexpr double value_of(int number) {
+    random_numbers random(88172645463325252u + 2654435761u * static_cast<std::uint64_t>(number));
+    random.next(), random.next(); // numbers of similar seeds are similar at first
+    return 0.5 + random.next();
   }
 
   /// The residuals of the equations with one rate of the quaternion set to 1, or none.
@@ -80,7 +74,7 @@ private:
         if (m_.coordinates[places_[i]].node() == id) return e_[i];
         if (m_.coordinate_rates[places_[i]].node() == id) return places_[i] == moving ? 1.0 : 0.0;
       }
-      return between(id);
+      return value_of(id);
     });
     sequence<double> left;
     for (const expression& e : m_.kinematics) left.push(evaluate_[e.node()]);

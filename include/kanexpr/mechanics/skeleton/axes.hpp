@@ -12,12 +12,12 @@ namespace kanexpr::mechanics {
 namespace detail {
 
 /// The frames in whose axes the masses and offsets of frame `f` are given.
-constexpr sequence<int> described_in(const skeleton& s, int f) {
+constexpr sequence<int> axes_used_by(const skeleton& s, int f) {
   const mechanism& m = *s.model;
   sequence<int> used;
   const auto note = [&](int frame) {
-    const int stands = s.rigid_with[frame];
-    if (!used.contains(stands)) used.push(stands);
+    const int representative = s.rigid_with[frame];
+    if (!used.contains(representative)) used.push(representative);
   };
   for (const body& b : m.bodies)
     if (b.frame != none && s.rigid_with[b.frame] == f)
@@ -84,7 +84,7 @@ constexpr void choose_body_axes(skeleton& s) {
   s.body_axes = s.rigid_with;
   for (int f = 1; f < s.rigid_with.size(); ++f) {
     if (s.rigid_with[f] != f) continue;
-    const sequence<int> used = detail::described_in(s, f);
+    const sequence<int> used = detail::axes_used_by(s, f);
     const int below = s.model->frames[f].parent;
     if (used.size() == 1 && used[0] != f)
       s.body_axes[f] = used[0];
@@ -122,10 +122,10 @@ constexpr void choose_working_axes(skeleton& s) {
 /// parallel axes.
 constexpr void choose_axes_from(skeleton& s, int from) {
   for (int f = from; f < s.rigid_with.size(); ++f) {
-    const int stands = s.rigid_with[f];
-    const bool is_new = stands == f;
-    s.body_axes.push(is_new ? f : s.body_axes[stands]);
-    s.working_axes.push(!is_new                            ? s.working_axes[stands]
+    const int representative = s.rigid_with[f];
+    const bool is_new = representative == f;
+    s.body_axes.push(is_new ? f : s.body_axes[representative]);
+    s.working_axes.push(!is_new                            ? s.working_axes[representative]
                         : detail::parallel_to_parent(s, f) ? s.working_axes[s.model->frames[f].parent]
                                                            : f);
   }

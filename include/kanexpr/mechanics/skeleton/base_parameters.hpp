@@ -12,9 +12,9 @@ namespace kanexpr::mechanics {
 namespace detail {
 
 /// The links being gathered: at most one for each station and frame.
-class gathering {
+class mass_regrouping {
 public:
-  constexpr gathering(const skeleton& s, const sequence<link>& links) : s_(s) {
+  constexpr mass_regrouping(const skeleton& s, const sequence<link>& links) : s_(s) {
     for (const link& l : links) put(l);
   }
 
@@ -28,7 +28,7 @@ public:
         if (l.frame == at.frame && at.rigid && !at.absolute)
           put({at.parent, l.frame, shifted(l.mass, at.r)});
         else if (regroup)
-          settled_.push(without_invisible_part(l));
+          settled_.push(without_unobservable_part(l));
         else
           settled_.push(l);
       }
@@ -62,11 +62,11 @@ private:
   /// station. Likewise, a joint about axis a does not sense the part {m, h_a, I_dd about both other axes} of
   /// the link it carries (base inertial parameters: Gautier & Khalil 1990). Numeric values are folded into
   /// the frame below. Of symbolic values, only the mass is moved, which never costs more than it saves.
-  constexpr link without_invisible_part(const link& l) {
+  constexpr link without_unobservable_part(const link& l) {
     const station& at = s_.stations[l.station];
-    const bool stands = at.rigid || (at.absolute && at.relative_velocity.parts.empty());
+    const bool is_at_rest = at.rigid || (at.absolute && at.relative_velocity.parts.empty());
     const int below = l.frame == at.frame ? s_.turns_in[l.frame] : at.frame;
-    if (l.frame == at.frame ? !carries(l.station, below) : !stands) return l;
+    if (l.frame == at.frame ? !carries(l.station, below) : !is_at_rest) return l;
     const mechanism& m = *s_.model;
     rigid_mass moved(*m.g);
     link left = l;
@@ -124,8 +124,8 @@ private:
 } // namespace detail
 
 constexpr void gather_masses(skeleton& s) {
-  s.base_links = detail::gathering(s, s.links).run(true);
-  s.links = detail::gathering(s, s.links).run(false);
+  s.base_links = detail::mass_regrouping(s, s.links).run(true);
+  s.links = detail::mass_regrouping(s, s.links).run(false);
 }
 
 } // namespace kanexpr::mechanics

@@ -10,7 +10,7 @@
 namespace kanexpr::mechanics {
 
 /// If a point and its parent are fixed in the same frame, measures the point from the parent's parent.
-constexpr void gather_rigid_steps(skeleton& s, int from = 0) {
+constexpr void merge_rigid_offsets(skeleton& s, int from = 0) {
   for (int i = from; i < s.stations.size(); ++i) {
     station& n = s.stations[i];
     if (!n.rigid) continue;
@@ -92,11 +92,8 @@ constexpr void place_joint_points(skeleton& s) {
       if (n.parent == root) n.r -= step;
     for (link& l : s.links)
       if (l.station == root) l.mass = shifted(l.mass, -step);
-    station where_it_was;
-    where_it_was.parent = root;
-    where_it_was.frame = where_it_was.axes = where_it_was.offset_frame = f;
-    where_it_was.r = -step;
-    where_it_was.rigid = true;
+    const station where_it_was{
+        .parent = root, .frame = f, .offset_frame = f, .r = -step, .rigid = true, .axes = f};
     int moved = none;
     for (int& n : s.station_of_point) {
       if (n != root) continue;

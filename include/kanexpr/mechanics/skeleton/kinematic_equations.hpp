@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
-#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/derivatives/jacobian.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
 #include <kanexpr/symbolic/linear/solve.hpp>
@@ -16,13 +16,7 @@ struct linear_kinematics {
 };
 
 constexpr linear_kinematics linear_in_rates(const mechanism& m) {
-  const int n = m.kinematics.size();
-  linear_kinematics out{symbolic::matrix(*m.g, n, m.coordinate_rates.size()), {}};
-  for (int j = 0; j < m.coordinate_rates.size(); ++j) {
-    symbolic::differentiation by_rate(*m.g);
-    by_rate.set_rate(m.coordinate_rates[j], m.one());
-    for (int i = 0; i < n; ++i) out.k_rates(i, j) = by_rate.of(m.kinematics[i]);
-  }
+  linear_kinematics out{symbolic::forward_jacobian(*m.g, m.kinematics, m.coordinate_rates), {}};
   symbolic::substitution at_rest(*m.g);
   for (const expression& rate : m.coordinate_rates) at_rest.replace(rate, m.zero());
   for (const expression& e : m.kinematics) out.remainder.push(at_rest.in(e));

@@ -5,9 +5,8 @@
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
-#include <kanexpr/mechanics/skeleton/auxiliary.hpp>
-#include <kanexpr/mechanics/skeleton/relative_angular_velocity.hpp>
 #include <kanexpr/mechanics/skeleton/time_derivative.hpp>
+#include <kanexpr/mechanics/skeleton/vector_substitution.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 

@@ -67,6 +67,16 @@ struct skeleton {
   sequence<link> base_links{}; ///< an equivalent set with fewer numbers: masses regrouped across joints, see
                                ///< base_parameters.hpp
 
+  /// Whether the inertia of a rigid body is given along axes that are fixed in the body, and about its mass
+  /// center.
+  constexpr bool has_own_axes(const body& b) const {
+    if (b.is_off_center()) return false;
+    for (const dyadic::part& p : b.inertia.parts)
+      for (int axes : {p.left, p.right})
+        if (rigid_with[axes] != rigid_with[b.frame]) return false;
+    return true;
+  }
+
   /// Whether the mechanism has frames or points that were added later.
   constexpr bool lacks_any() const {
     return rigid_with.size() < model->frames.size() || station_of_point.size() < model->points.size();

@@ -7,11 +7,10 @@
 #include <kanexpr/mechanics/skeleton/base_parameters.hpp>
 #include <kanexpr/mechanics/skeleton/joint_points.hpp>
 #include <kanexpr/mechanics/skeleton/kinematic_equations.hpp>
-#include <kanexpr/mechanics/skeleton/known_rates.hpp>
 #include <kanexpr/mechanics/skeleton/partial_velocities.hpp>
-#include <kanexpr/mechanics/skeleton/relative_angular_velocity.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/mechanics/skeleton/time_derivative.hpp>
+#include <kanexpr/mechanics/skeleton/vector_substitution.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 
 namespace kanexpr::mechanics {
@@ -46,7 +45,7 @@ public:
     for (int p = s_.station_of_point.size(); p < m_.points.size(); ++p) {
       const point& at = m_.points[p];
       if (at.parent == none)
-        s_.station_of_point.push(ground_station());
+        s_.station_of_point.push(s_.stations.push({.absolute = true, .r = components(*m_.g)}));
       else if (at.has_declared_velocity())
         s_.station_of_point.push(declared_station(at));
       else
@@ -65,7 +64,7 @@ public:
   }
 
   /// Expresses offsets that are fixed in their frame in the body axes of the frame.
-  constexpr void settle_offsets(int from = 0) {
+  constexpr void express_offsets(int from = 0) {
     for (int i = from; i < s_.stations.size(); ++i) {
       station& n = s_.stations[i];
       if (!n.rigid) continue;
@@ -82,13 +81,6 @@ private:
     return relative_angular_velocity(m_, f, along_time_);
   }
 
-  constexpr int ground_station() {
-    station n;
-    n.absolute = true;
-    n.r = components(*m_.g);
-    return s_.stations.push(n);
-  }
-
   constexpr bool is_at_rest(int station) const {
     const auto is_carried = [&] {
       return s_.stations[station].rigid && s_.stations[station].frame == mechanism::inertial;
@@ -103,13 +95,12 @@ private:
     const vector v = known_.in(at.velocity);
     const int in = s_.rigid_with[at.reference];
     if (!at.from_parent || (in == mechanism::inertial && is_at_rest(s_.station_of_point[at.parent]))) {
-      station n;
-      n.absolute = true;
-      n.parent = s_.station_of_point[at.parent];
-      n.r = components(*m_.g);
-      n.relative_velocity = v;
-      n.axes = v.parts.empty() ? mechanism::inertial : s_.rigid_with[v.parts[0].frame];
-      return s_.stations.push(n);
+      const int axes = v.parts.empty() ? mechanism::inertial : s_.rigid_with[v.parts[0].frame];
+      return s_.stations.push({.parent = s_.station_of_point[at.parent],
+                               .absolute = true,
+                               .r = components(*m_.g),
+                               .relative_velocity = v,
+                               .axes = axes});
     }
     int last = s_.station_of_point[at.parent];
     const bool carried = !at.moves_apart; // if it moves apart, the offset does not follow the velocity
@@ -153,14 +144,13 @@ private:
   }
 
   constexpr int push_step(int parent, int in, const vector::part& offset, bool carried) {
-    station n;
-    n.parent = parent;
-    n.frame = n.axes = in;
-    n.offset_frame = offset.frame;
-    n.r = offset.value;
-    n.carried = carried;
-    n.rigid = carried && s_.rigid_with[offset.frame] == in;
-    return s_.stations.push(n);
+    return s_.stations.push({.parent = parent,
+                             .frame = in,
+                             .offset_frame = offset.frame,
+                             .r = offset.value,
+                             .carried = carried,
+                             .rigid = carried && s_.rigid_with[offset.frame] == in,
+                             .axes = in});
   }
 
   const mechanism& m_;
@@ -179,8 +169,8 @@ constexpr skeleton skeleton_of(const mechanism& m) {
   build.points();
   choose_body_axes(s);
   build.masses();
-  build.settle_offsets();
-  gather_rigid_steps(s);
+  build.express_offsets();
+  merge_rigid_offsets(s);
   place_joint_points(s);
   gather_masses(s);
   choose_working_axes(s);
@@ -196,8 +186,8 @@ constexpr void extend(skeleton& s) {
   build.frames();
   build.points();
   choose_axes_from(s, frames);
-  build.settle_offsets(stations);
-  gather_rigid_steps(s, stations);
+  build.express_offsets(stations);
+  merge_rigid_offsets(s, stations);
   form_partial_velocities(s);
 }
 

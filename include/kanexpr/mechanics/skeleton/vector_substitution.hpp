@@ -1,6 +1,8 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/substitute.hpp>
@@ -31,5 +33,29 @@ private:
   symbolic::substitution images_;
   bool is_empty_ = true;
 };
+
+/// Replaces the coordinate rates q̇ by the solutions of the kinematic differential equations.
+class known_rates : public vector_substitution {
+public:
+  constexpr known_rates(const mechanism& m, const sequence<expression>& rates) : vector_substitution(*m.g) {
+    for (int i = 0; i < m.coordinates.size(); ++i) replace(m.coordinate_rates[i], rates[i]);
+  }
+};
+
+/// Removes the auxiliary speeds. They are zero at all times and appear in no motion once their partial
+/// velocities, which bring into evidence forces that do no work, are known. Kane & Levinson (1985), section
+/// 4.9.
+class without_auxiliary_speeds : public vector_substitution {
+public:
+  constexpr explicit without_auxiliary_speeds(const mechanism& m) : vector_substitution(*m.g) {
+    for (const expression& u : m.auxiliary_speeds) replace(u, m.zero());
+  }
+};
+
+constexpr void drop_auxiliary_speeds(skeleton& s) {
+  without_auxiliary_speeds drop(*s.model);
+  for (vector& w : s.relative_angular_velocity) w = drop.in(w);
+  for (station& n : s.stations) n.relative_velocity = drop.in(n.relative_velocity);
+}
 
 } // namespace kanexpr::mechanics

@@ -9,26 +9,31 @@
 
 namespace kanexpr::symbolic {
 
-/// The derivatives of expressions (rows) with respect to symbols (columns): column by column by forward
-/// differentiation, or row by row by reverse accumulation if there are fewer rows.
-constexpr matrix jacobian(graph& g, const sequence<expression>& of, const sequence<expression>& by) {
+/// The derivatives of expressions (rows) with respect to symbols (columns), column by column by forward
+/// differentiation.
+constexpr matrix forward_jacobian(graph& g, const sequence<expression>& of, const sequence<expression>& by) {
   matrix all(g, of.size(), by.size());
-  if (all.entries.empty()) return all;
-  if (all.rows < all.columns) {
-    accumulation back(g, of);
-    for (int i = 0; i < all.rows; ++i) {
-      back.restart();
-      back.seed(of[i], {g, graph::one});
-      back.run();
-      for (int j = 0; j < all.columns; ++j) all(i, j) = back.by(by[j]);
-    }
-    return all;
-  }
   differentiation along(g);
-  for (int j = 0; j < all.columns; ++j) {
+  for (int j = 0; j < all.columns && all.rows > 0; ++j) {
     along.set_rate(by[j], {g, graph::one});
     for (int i = 0; i < all.rows; ++i) all(i, j) = along.of(of[i]);
     along.restart();
+  }
+  return all;
+}
+
+/// The derivatives of expressions (rows) with respect to symbols (columns): column by column by forward
+/// differentiation, or row by row by reverse accumulation if there are fewer rows.
+constexpr matrix jacobian(graph& g, const sequence<expression>& of, const sequence<expression>& by) {
+  if (of.size() >= by.size()) return forward_jacobian(g, of, by);
+  matrix all(g, of.size(), by.size());
+  if (of.empty()) return all;
+  accumulation back(g, of);
+  for (int i = 0; i < all.rows; ++i) {
+    back.restart();
+    back.seed(of[i], {g, graph::one});
+    back.run();
+    for (int j = 0; j < all.columns; ++j) all(i, j) = back.by(by[j]);
   }
   return all;
 }

@@ -17,9 +17,7 @@ struct matrix {
       : rows(rows_), columns(columns_), entries(rows_ * columns_, expression{g, graph::zero}) {}
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.rows);
-    visit(self.columns);
-    visit(self.entries);
+    visit(self.rows, self.columns, self.entries);
   }
 
   constexpr expression& operator()(int i, int j) { return entries[i * columns + j]; }
