@@ -34,6 +34,8 @@ function(kanexpr_add_engine_of part what)
   if(KANEXPR_BUILD_ENGINE)
     install(TARGETS ${name} EXPORT kanexpr-${part}_engine-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     install(EXPORT kanexpr-${part}_engine-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
+    kanexpr_pkgconfig(${part}_engine "kanexpr-${part} with the parts that do not depend on the model as a library"
+      REQUIRES kanexpr-${part} CFLAGS -DKANEXPR_COMPILED_${what} LIBS -L\${libdir} -l${name})
   else()
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
   endif()
@@ -45,6 +47,8 @@ set_target_properties(kanexpr_engine PROPERTIES EXPORT_NAME engine)
 if(KANEXPR_BUILD_ENGINE)
   install(TARGETS kanexpr_engine EXPORT kanexpr-engine-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
   install(EXPORT kanexpr-engine-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
+  kanexpr_pkgconfig(engine "kanexpr with the parts that do not depend on the model as a library"
+    REQUIRES kanexpr CFLAGS -DKANEXPR_COMPILED_ENGINE LIBS -L\${libdir} -lkanexpr_engine)
 else() # also if this project is part of another one
   set_target_properties(kanexpr_engine PROPERTIES EXCLUDE_FROM_ALL ON)
 endif()

@@ -11,5 +11,6 @@ target_link_libraries(kanexpr_ensemble INTERFACE kanexpr_simulate Threads::Threa
 install(TARGETS kanexpr_ensemble EXPORT kanexpr-ensemble-targets)
 install(EXPORT kanexpr-ensemble-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 
+kanexpr_pkgconfig(ensemble "Many simulations on several threads" REQUIRES kanexpr-simulate LIBS -pthread)
 kanexpr_add_engine_of(ensemble ENSEMBLES ensembles)
 target_link_libraries(kanexpr_ensemble_engine PUBLIC kanexpr_simulate_engine)

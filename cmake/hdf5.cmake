@@ -11,5 +11,7 @@ target_link_libraries(kanexpr_hdf5 INTERFACE kanexpr_ensemble kanexpr_hdf5_c)
 install(TARGETS kanexpr_hdf5 EXPORT kanexpr-hdf5-targets)
 install(EXPORT kanexpr-hdf5-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 
+kanexpr_pkgconfig(hdf5 "HDF5 files for the results of many simulations" REQUIRES kanexpr-ensemble
+  CFLAGS -I${kanexpr_hdf5_include} LIBS ${kanexpr_hdf5_library})
 kanexpr_add_engine_of(hdf5 HDF5 ensembles/hdf5)
 target_link_libraries(kanexpr_hdf5_engine PUBLIC kanexpr_ensemble_engine)

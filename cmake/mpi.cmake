@@ -13,5 +13,7 @@ target_compile_definitions(kanexpr_mpi INTERFACE OMPI_SKIP_MPICXX MPICH_SKIP_MPI
 install(TARGETS kanexpr_mpi EXPORT kanexpr-mpi-targets)
 install(EXPORT kanexpr-mpi-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 
+kanexpr_pkgconfig(mpi "Many simulations on the ranks of MPI; compile with mpicxx" REQUIRES kanexpr-ensemble
+  CFLAGS -DOMPI_SKIP_MPICXX -DMPICH_SKIP_MPICXX)
 kanexpr_add_engine_of(mpi MPI)
 target_link_libraries(kanexpr_mpi_engine PUBLIC kanexpr_ensemble_engine)

@@ -5,6 +5,24 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   set(kanexpr_compiler_lacks "kanexpr requires g++ 12 or later, or clang; found g++ ${CMAKE_CXX_COMPILER_VERSION}")
 endif()
 
+# Boost.Hana: from Boost, or alone where the system has it apart from Boost
+set(kanexpr_hana_lacks "")
+find_package(Boost 1.74 QUIET)
+if(NOT TARGET Boost::headers)
+  find_path(kanexpr_hana_include boost/hana.hpp)
+  mark_as_advanced(kanexpr_hana_include)
+endif()
+if(NOT TARGET kanexpr_hana)
+  add_library(kanexpr_hana INTERFACE IMPORTED GLOBAL)
+  if(TARGET Boost::headers)
+    set_target_properties(kanexpr_hana PROPERTIES INTERFACE_LINK_LIBRARIES Boost::headers)
+  elseif(kanexpr_hana_include)
+    set_target_properties(kanexpr_hana PROPERTIES INTERFACE_INCLUDE_DIRECTORIES ${kanexpr_hana_include})
+  else()
+    set(kanexpr_hana_lacks "Boost.Hana (Boost 1.74) was not found; on Debian, install libboost-dev")
+  endif()
+endif()
+
 find_package(SUNDIALS 6.4 QUIET COMPONENTS cvode arkode ida kinsol nvecserial sunmatrixdense sunlinsoldense
   sunnonlinsolfixedpoint)
 # SUNDIALS_FOUND is not checked: it is false without OpenMP, which only unused components need.

@@ -11,6 +11,7 @@ set_target_properties(kanexpr_robots PROPERTIES EXPORT_NAME robots)
 target_link_libraries(kanexpr_robots INTERFACE kanexpr tinyxml2::tinyxml2)
 install(TARGETS kanexpr_robots EXPORT kanexpr-robots-targets)
 install(EXPORT kanexpr-robots-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
+kanexpr_pkgconfig(robots "Models of robots from URDF files" REQUIRES kanexpr tinyxml2)
 
 if(kanexpr_robots_sdf_lacks)
   message(STATUS "kanexpr::robots_sdf is disabled: ${kanexpr_robots_sdf_lacks}")

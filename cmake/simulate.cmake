@@ -13,4 +13,7 @@ target_link_libraries(kanexpr_simulate INTERFACE kanexpr
 install(TARGETS kanexpr_simulate EXPORT kanexpr-simulate-targets)
 install(EXPORT kanexpr-simulate-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 
+kanexpr_pkgconfig(simulate "Simulations of kanexpr's models, by SUNDIALS" REQUIRES kanexpr LIBS -lsundials_cvode
+  -lsundials_arkode -lsundials_ida -lsundials_kinsol -lsundials_nvecserial -lsundials_sunmatrixdense
+  -lsundials_sunlinsoldense -lsundials_sunnonlinsolfixedpoint)
 kanexpr_add_engine_of(simulate SIMULATIONS simulations)

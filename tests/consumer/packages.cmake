@@ -2,6 +2,21 @@
 # that leaves; and looks at what they are told.
 file(REMOVE_RECURSE ${BINARY})
 
+# The recipes of packages have the version of the library.
+include(${SOURCE}/cmake/version.cmake)
+foreach(line IN ITEMS "package.xml:<version>${kanexpr_version}</version>"
+    "cmake/packages/vcpkg/kanexpr/vcpkg.json:\"version\": \"${kanexpr_version}\"" "CITATION.cff:version: ${kanexpr_version}")
+  string(FIND ${line} ":" colon)
+  string(SUBSTRING ${line} 0 ${colon} file)
+  math(EXPR colon "${colon} + 1")
+  string(SUBSTRING ${line} ${colon} -1 text)
+  file(READ ${SOURCE}/${file} contents)
+  string(FIND "${contents}" "${text}" found)
+  if(found EQUAL -1)
+    message(SEND_ERROR "${file} does not contain ${text}")
+  endif()
+endforeach()
+
 function(run expected pattern)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE out ERROR_VARIABLE out)
   if((expected STREQUAL "passes") EQUAL (NOT result EQUAL 0))

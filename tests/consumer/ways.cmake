@@ -28,6 +28,25 @@ set_tests_properties(consumer_find_package consumer_engine consumer_without_engi
   consumer_robot
   PROPERTIES FIXTURES_REQUIRED installed)
 
+# Packages, and all headers in one: the same for every compiler
+set(folder ${CMAKE_CURRENT_BINARY_DIR})
+find_program(KANEXPR_PKG_CONFIG NAMES pkg-config)
+if(KANEXPR_PKG_CONFIG AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_test(NAME consumer_pkg_config COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/pkg_config ${prefix} ${folder}/pkg_config
+    ${CMAKE_CXX_COMPILER})
+  set_tests_properties(consumer_pkg_config PROPERTIES FIXTURES_REQUIRED installed)
+  find_program(KANEXPR_DPKG NAMES dpkg)
+  if(KANEXPR_DPKG)
+    add_test(NAME consumer_debian COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/debian ${PROJECT_BINARY_DIR} ${folder}/debian
+      ${CMAKE_CXX_COMPILER})
+    set_tests_properties(consumer_debian PROPERTIES FIXTURES_REQUIRED installed)
+  endif()
+endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  add_test(NAME consumer_single_header COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/single_header ${PROJECT_SOURCE_DIR}
+    ${folder}/single_header ${CMAKE_CXX_COMPILER} -std=c++20 -isystem ${EIGEN3_INCLUDE_DIR} ${options_of_gcc})
+endif()
+
 # What a packager gets, and what a consumer is told. No compiler compiles anything there: one build is enough.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_test(NAME consumer_packages COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR}
