@@ -30,7 +30,7 @@ struct finite_function : function<System, wanted...>, compiled::callable<finite_
   }
 
 private:
-  using none = compiled::not_given;
+  using none = compiled::omitted;
 
   template <std::size_t... index, class Found, class State, class Parameters = none, class Inputs = none,
             class Accelerations = none>

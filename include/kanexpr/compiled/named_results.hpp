@@ -1,5 +1,8 @@
 #pragma once
 
+#include <kanexpr/compiled/place.hpp>
+#include <kanexpr/compiled/state.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 
 namespace kanexpr::compiled {
@@ -9,8 +12,21 @@ namespace kanexpr::compiled {
 template <template <class, auto...> class Function, class System>
 struct named_results {
   using quantity = mechanics::quantity;
+  using state = kanexpr::state<System>;
+  using parameters = parameter_values<System>;
+  using inputs = input_values<System>;
   template <quantity wanted>
   using of = Function<System, wanted>;
+
+  static constexpr int coordinates = survey_of<System>.coordinates;
+  static constexpr int speeds = survey_of<System>.speeds;
+
+  /// Whether the constraints are solved for a coordinate or speed, as chosen by the model or by the library:
+  /// `eom::is_dependent(u4)`.
+  template <describe::expression_of_a_model Symbol>
+  static constexpr bool is_dependent(const Symbol&) {
+    return survey_of<System>.dependent[place_in<System, symbols_of::state, Symbol>::place];
+  }
 
   /// M in M u̇ = f for the independent speeds.
   static constexpr of<quantity::mass_matrix> mass_matrix{};

@@ -50,12 +50,6 @@ inline base::sentence with_number(std::string_view before, double number, int pr
   return base::sentence({before, std::string_view(digits, static_cast<std::size_t>(length))});
 }
 
-template <class Vector>
-double largest(const Vector& v) {
-  if (!all_finite(v)) return not_a_number<double>; // a maximum does not always propagate NaN
-  return v.size() == 0 ? 0.0 : static_cast<double>(v.cwiseAbs().maxCoeff());
-}
-
 /// Returns the larger of two numbers, or NaN if either is NaN.
 inline double larger(double a, double b) { return !is_finite(a) || a > b ? a : b; }
 
@@ -63,7 +57,7 @@ inline double larger(double a, double b) { return !is_finite(a) || a > b ? a : b
 /// the largest magnitude at the state and at a few points around it. The distances of these points match the
 /// magnitudes of the coordinates, in any units.
 template <class Terms, class State>
-auto usual_terms(const Terms& terms, const State& x, int coordinates) {
+auto typical_terms(const Terms& terms, const State& x, int coordinates) {
   using number = typename State::Scalar;
   auto most = terms(x);
   State beside = x;
@@ -85,7 +79,7 @@ auto usual_terms(const Terms& terms, const State& x, int coordinates) {
 
 /// Whether a residual is no larger than the rounding of its terms.
 template <class Vector>
-bool is_rounding(const Vector& left, const Vector& terms) {
+bool is_within_rounding(const Vector& left, const Vector& terms) {
   constexpr auto rounding = 64 * std::numeric_limits<typename Vector::Scalar>::epsilon();
   if (!all_finite(left) || !all_finite(terms)) return false;
   for (Eigen::Index i = 0; i < left.size(); ++i)
@@ -95,8 +89,8 @@ bool is_rounding(const Vector& left, const Vector& terms) {
 
 /// Returns a sentence that names the first constraint violated relative to its terms, with its residual.
 template <class Vector, class Terms, class State>
-base::sentence first_off(const Vector& left, const Terms& terms_at, const State& x, int coordinates,
-                         double tolerance, std::string_view which) {
+base::sentence first_violated(const Vector& left, const Terms& terms_at, const State& x, int coordinates,
+                              double tolerance, std::string_view which) {
   constexpr double rounding = 1e-5; // tolerance for terms that vanish here but are usually large
   const auto terms = terms_at(x);
   for (int i = 0; i < left.size(); ++i)
@@ -104,7 +98,7 @@ base::sentence first_off(const Vector& left, const Terms& terms_at, const State&
         !(is_finite(off) &&
           (std::abs(off) <= tolerance * static_cast<double>(terms(i)) ||
            std::abs(off) <=
-               rounding * tolerance * static_cast<double>(usual_terms(terms_at, x, coordinates)(i)))))
+               rounding * tolerance * static_cast<double>(typical_terms(terms_at, x, coordinates)(i)))))
       return with_number(base::sentence({which, base::counted(i + 1).view(), " has a residual of "}).view(),
                          off);
   return {};
@@ -112,8 +106,8 @@ base::sentence first_off(const Vector& left, const Terms& terms_at, const State&
 
 /// Returns a sentence that names the first redundant constraint that is violated.
 template <class Constraints, class State>
-base::sentence redundant_off(Constraints& c, const State& x, double tolerance) {
-  return first_off(
+base::sentence violated_redundant(Constraints& c, const State& x, double tolerance) {
+  return first_violated(
       c.redundant_residual(x), [&](const State& at) { return c.redundant_terms(at); }, x, c.all_coordinates(),
       tolerance, "redundant constraint ");
 }
@@ -122,9 +116,9 @@ base::sentence redundant_off(Constraints& c, const State& x, double tolerance) {
 /// if the other constraints hold exactly; the closer these are to being linearly dependent, the more their
 /// residuals are amplified.
 template <class Constraints, class State>
-base::sentence redundant_rate_off(Constraints& c, const State& x, double tolerance) {
+base::sentence violated_redundant_rate(Constraints& c, const State& x, double tolerance) {
   constexpr double nearly_dependent = 1e3;
-  return first_off(
+  return first_violated(
       c.redundant_rate(x), [&](const State& at) { return c.redundant_rate_terms(at); }, x,
       c.all_coordinates(), nearly_dependent * tolerance, "the rate of redundant constraint ");
 }
@@ -189,8 +183,8 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
     report.failure = base::sentence({"the velocity constraints are not finite at this state"});
     return report;
   }
-  if (report.failure = redundant_off(c, placed, 1e-9); report.failure) return report;
-  if (report.failure = redundant_rate_off(c, placed, 1e-9); report.failure) return report;
+  if (report.failure = violated_redundant(c, placed, 1e-9); report.failure) return report;
+  if (report.failure = violated_redundant_rate(c, placed, 1e-9); report.failure) return report;
   report.assembled = true;
   x = placed;
   return report;
@@ -203,7 +197,7 @@ consistency check_consistency(Constraints& c, const State& x, double tolerance) 
   consistency report;
   const auto look_at = [&](const auto& residual, const auto& terms, std::string_view which) {
     if (!report.failure)
-      report.failure = first_off(residual, terms, x, c.all_coordinates(), tolerance, which);
+      report.failure = first_violated(residual, terms, x, c.all_coordinates(), tolerance, which);
     return largest(residual);
   };
   report.configuration_residual = look_at(
@@ -211,8 +205,8 @@ consistency check_consistency(Constraints& c, const State& x, double tolerance) 
       "configuration constraint ");
   report.velocity_residual = look_at(
       c.velocity_residual(x), [&](const State& at) { return c.velocity_terms(at); }, "velocity constraint ");
-  if (!report.failure) report.failure = redundant_off(c, x, tolerance);
-  if (!report.failure) report.failure = redundant_rate_off(c, x, tolerance);
+  if (!report.failure) report.failure = violated_redundant(c, x, tolerance);
+  if (!report.failure) report.failure = violated_redundant_rate(c, x, tolerance);
   report.configuration_residual = larger(report.configuration_residual, largest(c.redundant_residual(x)));
   report.velocity_residual = larger(report.velocity_residual, largest(c.redundant_rate(x)));
   const auto halves = c.quaternion_residual(x); // (e·e − 1)/2

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/status.hpp>
-#include <kanexpr/numeric/bound_minimum.hpp>
+#include <kanexpr/numeric/constrained_minimum.hpp>
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace kanexpr::numeric {
 /// least 1. If the constraints repeat after one turn of a coordinate, it is an angle, of size 1 regardless of
 /// the number of turns.
 template <class Equations, class State = typename Equations::state>
-State usual_sizes(const Equations& of, const State& x) {
+State typical_magnitudes(const Equations& of, const State& x) {
   using number = typename State::Scalar;
   using rows_of_coordinates = Eigen::Matrix<number, Equations::fixed_rows_of_coordinates, 1>;
   using rows_of_speeds = Eigen::Matrix<number, Equations::fixed_rows_of_speeds, 1>;
@@ -133,7 +133,7 @@ public:
     const Eigen::Index rank = rank_of(rows);
     const singular_values<by_speeds> j(rows);
     const masses mass = scaled_mass();
-    const bound_minimum<masses, by_speeds> bound(mass, j, rank);
+    const constrained_minimum<masses, by_speeds> bound(mass, j, rank);
     if (!bound.is_regular()) return without_energy();
     const speeds force = scaled_by_sizes(force_);
     const rows_of_speeds bias = bias_.cwiseQuotient(row_sizes_u_);
@@ -279,7 +279,7 @@ private:
     const singular_values<by_speeds> j(scaled_by_u());
     distinct_ = distinctness_of(j);
     const masses mass = scaled_mass();
-    const bound_minimum<masses, by_speeds> bound(mass, j, j.rank(nothing * j[0]));
+    const constrained_minimum<masses, by_speeds> bound(mass, j, j.rank(nothing * j[0]));
     if (!bound.is_regular()) return without_energy();
     const speeds change = bound.solve(speeds::Zero(of_.speeds()), -left);
     for (int i = 0; i < of_.speeds(); ++i) found.x(first + i) += change(i) * sizes_(first + i);

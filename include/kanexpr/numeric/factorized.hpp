@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/numeric/constant_elimination_math.hpp>
+#include <kanexpr/numeric/elimination.hpp>
 
 #include <Eigen/Core>
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/numeric/constant_elimination_math.hpp>
 #include <kanexpr/numeric/elimination.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 

@@ -20,7 +20,7 @@ template <class Value, std::size_t count, std::size_t... index>
 [[gnu::always_inline]] inline bool sines_and_cosines_of_vectors(const Value (&angle)[count],
                                                                 Value (&sine)[count], Value (&cosine)[count],
                                                                 std::index_sequence<index...>) {
-  (sine_and_cosine_within_reach(angle[index], sine[index], cosine[index]), ...);
+  (sine_and_cosine_in_range(angle[index], sine[index], cosine[index]), ...);
   return is_set_in_a_lane((beyond_reach(angle[index]) | ...));
 }
 
@@ -43,7 +43,7 @@ template <class Value, std::size_t count>
     std::memcpy(angles, angle, sizeof angles);
     std::memcpy(sines, sine, sizeof angles);
     std::memcpy(cosines, cosine, sizeof angles);
-    detail::by_the_library(count * lanes, angles[0], sines[0], cosines[0]);
+    detail::by_c_library(count * lanes, angles[0], sines[0], cosines[0]);
     std::memcpy(sine, sines, sizeof angles);
     std::memcpy(cosine, cosines, sizeof angles);
   }

@@ -113,8 +113,7 @@ struct fixed_step {
   static constexpr const steps::tableau& tableau = of;
   static constexpr int corrections = steps_of_correction, stages = of.stages;
 
-  template <class Time, class Number, class Parameters = compiled::not_given,
-            class Inputs = compiled::not_given>
+  template <class Time, class Number, class Parameters = compiled::omitted, class Inputs = compiled::omitted>
   status operator()(Time& t, state<System, Number>& x, std::type_identity_t<Time> h, const Parameters& p = {},
                     const Inputs& r = {}) const {
     return advanced<method, System, corrections>(t, x, h, p, r);

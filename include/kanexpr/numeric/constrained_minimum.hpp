@@ -13,13 +13,13 @@ namespace kanexpr::numeric {
 /// definite on the null space of J. With g = M x₀, the solution is the x nearest to x₀ in the metric M;
 /// Gauss's principle gives accelerations in this form.
 template <class Mass, class Jacobian>
-class bound_minimum {
+class constrained_minimum {
   using number = typename Mass::Scalar;
   using unknowns = Eigen::Matrix<number, Mass::RowsAtCompileTime, 1>;
   using equations = Eigen::Matrix<number, Jacobian::RowsAtCompileTime, 1>;
 
 public:
-  bound_minimum(const Mass& mass, singular_values<Jacobian> of, Eigen::Index rank)
+  constrained_minimum(const Mass& mass, singular_values<Jacobian> of, Eigen::Index rank)
       : mass_(mass), of_(std::move(of)), rank_(rank), factors_(Mass::Zero(mass.rows(), mass.rows())) {
     of_.complete(rank_);
     factorize();
