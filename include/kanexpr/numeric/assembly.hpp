@@ -60,19 +60,19 @@ template <class Terms, class State>
 auto typical_terms(const Terms& terms, const State& x, int coordinates) {
   using number = typename State::Scalar;
   auto most = terms(x);
-  State beside = x;
+  State nearby = x;
   number way = 0, largest = 0, least = 0;
   for (int i = 0; i < coordinates; ++i) largest = (std::max)(largest, number(std::abs(x(i))));
   const auto counts = [&](int i) { return std::abs(x(i)) > number(1e-9) * largest; };
   for (int i = 0; i < coordinates; ++i)
     if (counts(i)) least = least > 0 ? (std::min)(least, number(std::abs(x(i)))) : number(std::abs(x(i)));
   if (!(largest > 0)) least = 1; // an angle
-  for (int looks = 0; looks < 3; ++looks) {
+  for (int samples = 0; samples < 3; ++samples) {
     for (int i = 0; i < coordinates; ++i) {
       way = std::fmod(way + number(0.618034), number(1)); // any number that does not divide a full turn
-      beside(i) = x(i) + (2 * way - 1) * (counts(i) ? std::abs(x(i)) : least);
+      nearby(i) = x(i) + (2 * way - 1) * (counts(i) ? std::abs(x(i)) : least);
     }
-    most = most.cwiseMax(terms(beside)).eval();
+    most = most.cwiseMax(terms(nearby)).eval();
   }
   return most;
 }
@@ -94,13 +94,13 @@ base::sentence first_violated(const Vector& left, const Terms& terms_at, const S
   constexpr double rounding = 1e-5; // tolerance for terms that vanish here but are usually large
   const auto terms = terms_at(x);
   for (int i = 0; i < left.size(); ++i)
-    if (const double off = static_cast<double>(left(i));
-        !(is_finite(off) &&
-          (std::abs(off) <= tolerance * static_cast<double>(terms(i)) ||
-           std::abs(off) <=
+    if (const double residual = static_cast<double>(left(i));
+        !(is_finite(residual) &&
+          (std::abs(residual) <= tolerance * static_cast<double>(terms(i)) ||
+           std::abs(residual) <=
                rounding * tolerance * static_cast<double>(typical_terms(terms_at, x, coordinates)(i)))))
       return with_number(base::sentence({which, base::counted(i + 1).view(), " has a residual of "}).view(),
-                         off);
+                         residual);
   return {};
 }
 
@@ -195,15 +195,15 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
 template <class Constraints, class State>
 consistency check_consistency(Constraints& c, const State& x, double tolerance) {
   consistency report;
-  const auto look_at = [&](const auto& residual, const auto& terms, std::string_view which) {
+  const auto check_residual = [&](const auto& residual, const auto& terms, std::string_view which) {
     if (!report.failure)
       report.failure = first_violated(residual, terms, x, c.all_coordinates(), tolerance, which);
     return largest(residual);
   };
-  report.configuration_residual = look_at(
+  report.configuration_residual = check_residual(
       c.configuration_residual(x), [&](const State& at) { return c.configuration_terms(at); },
       "configuration constraint ");
-  report.velocity_residual = look_at(
+  report.velocity_residual = check_residual(
       c.velocity_residual(x), [&](const State& at) { return c.velocity_terms(at); }, "velocity constraint ");
   if (!report.failure) report.failure = violated_redundant(c, x, tolerance);
   if (!report.failure) report.failure = violated_redundant_rate(c, x, tolerance);
