@@ -10,7 +10,7 @@ namespace kanexpr::compiled {
 template <class First = omitted, class...>
 inline constexpr bool first_is_omitted = std::is_same_v<First, omitted>;
 
-/// The call operators that call `Function::called`; passing `{}` omits an argument.
+/// Call operators that forward to `Function::called`; passing `{}` omits an argument.
 template <class Function>
 struct callable {
   template <class First>

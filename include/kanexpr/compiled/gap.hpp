@@ -22,7 +22,7 @@ constexpr double number_for(gap why) {
   return std::bit_cast<double>(quiet | static_cast<std::uint64_t>(why) << 48);
 }
 
-/// A vector holds only numbers, so if a list contains a name that the system does not have, the name is
+/// A vector holds only numbers, so if a list contains a name that the system does not define, the name is
 /// stored in the lower bits of a NaN: six letters, or the first five and a mark that more follow.
 inline constexpr std::size_t stored_letters = 6;
 inline constexpr char truncation_mark = 1;

@@ -35,7 +35,8 @@ struct result_shape<System, wanted> {
   static constexpr bool is_scalar = row.rows == mechanics::extent_by::scalar;
 };
 
-/// A result with a status, whether or not it required a solve: its type follows only from its shape.
+/// A result with a status, even if no equations were solved for it, so that its type depends only on its
+/// shape.
 template <class System, auto wanted, class Number>
 auto result_with_status() {
   using shape = result_shape<System, wanted>;

@@ -155,7 +155,7 @@ class library_of {
   using table = decltype(all_code_of<System>());
 
 public:
-  /// References every function, so that none is left out of the library.
+  /// References every function, so that the library contains all of them.
   static const table functions;
 };
 template <class System>

@@ -41,9 +41,9 @@ struct named_results {
   static constexpr of<quantity::udot> udot{};
   /// ẋ = [q̇; u̇].
   static constexpr of<quantity::rhs> rhs{};
-  /// F_r.
+  /// The generalized active forces F_r.
   static constexpr of<quantity::active_forces> active_forces{};
-  /// F_r*, at given rates of the speeds: f(x, p, r, a).
+  /// The generalized inertia forces F_r*, at given rates of the speeds: f(x, p, r, a).
   static constexpr of<quantity::inertia_forces> inertia_forces{};
   /// F_r + F_r* of all speeds, before constraints reduce them (Kane's holonomic generalized forces), at given
   /// rates of the speeds: f(x, p, r, a). Along a motion they equal −Jᵀ λ, or zero without constraints.
@@ -105,13 +105,13 @@ struct named_results {
   /// b in u̇_d = A u̇_i + b.
   static constexpr of<quantity::acceleration_bias> acceleration_bias{};
   /// For each dependent speed, the determinant of the system of equations that is solved for it. The
-  /// determinant vanishes where these equations are singular, and it changes sign there.
+  /// determinant vanishes and changes sign where these equations are singular.
   static constexpr of<quantity::constraint_pivots> constraint_pivots{};
   /// The constraint forces, each along the velocity that its constraint keeps at zero.
   static constexpr of<quantity::multipliers> multipliers{};
   /// The forces that keep the auxiliary speeds at zero.
   static constexpr of<quantity::noncontributing_forces> noncontributing_forces{};
-  /// An alias.
+  /// Another name for `noncontributing_forces`.
   static constexpr auto auxiliary_forces = noncontributing_forces;
 };
 

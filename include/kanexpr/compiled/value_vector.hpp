@@ -122,8 +122,8 @@ private:
   }
 };
 
-/// Identifies the system of an argument and which of its vectors it is; any other Eigen vector belongs to no
-/// system.
+/// Identifies the system that an argument belongs to and the kind of vector; other Eigen vectors do not
+/// belong to a system.
 template <class Of, symbols_of vector>
 struct vector_owner {
   template <class System, symbols_of wanted>

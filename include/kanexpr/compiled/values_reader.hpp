@@ -18,7 +18,7 @@ namespace kanexpr::compiled {
 base::sentence check_masses(const derivation::survey& known, const double* parameters);
 
 /// Stores values specified by name at their indices and keeps the first mistake. A model derived at run time
-/// has no name, so its sentences read "the model has no parameter ll".
+/// does not have a name, so its sentences read "the model has no parameter ll".
 class values_reader {
 public:
   values_reader(const derivation::survey& known, const describe::system_record& told, std::string_view system,

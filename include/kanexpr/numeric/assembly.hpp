@@ -125,8 +125,8 @@ base::sentence violated_redundant_rate(Constraints& c, const State& x, double to
 
 /// Normalizes the quaternions, solves the configuration constraints for the dependent coordinates, starting
 /// from those of `x`, then solves the velocity constraints for the dependent speeds. On failure, `x` is
-/// unchanged. If the constraints cannot be solved, a state that satisfies them up to rounding is accepted as
-/// it is.
+/// unchanged. If the constraints cannot be solved, a state that satisfies them up to rounding is accepted
+/// without changes.
 ///
 /// `Constraints` provides the residuals at a state, the Jacobian with respect to the dependent coordinates,
 /// the dependent speeds, the indices of the dependent entries, and whether the constraints hold up to

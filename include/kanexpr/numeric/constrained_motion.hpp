@@ -51,8 +51,8 @@ State typical_magnitudes(const Equations& of, const State& x) {
 }
 
 /// The motion of a constrained system from the equations of all speeds, M u̇ = f + Jᵀ λ with J u̇ + γ = 0, at
-/// the nearest state that satisfies the constraints. No speed needs to be dependent, and the rows of J may be
-/// linearly dependent.
+/// the nearest state that satisfies the constraints. The speeds need not be divided into independent and
+/// dependent ones, and the rows of J may be linearly dependent.
 ///
 /// At a position at which rows of J become dependent, the constraints do not determine how a mechanism
 /// continues; on both sides of the position, they do. The motion near such a position is therefore
