@@ -139,7 +139,7 @@ struct call {
 };
 
 /// The arguments that follow the inputs in a call of a function that takes weights or a direction. `Weights`
-/// and `Direction` are `not_given` if the function does not take them.
+/// and `Direction` are `omitted` if the function does not take them.
 template <class System, class Code, class Weights, class Direction, derivation::given_behind given,
           auto first, auto... more>
 struct weighted_call {
