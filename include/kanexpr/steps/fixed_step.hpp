@@ -33,7 +33,7 @@ namespace steps {
 /// Whether the inputs are a vector, which is held constant during a step, or omitted, rather than a function.
 template <class Inputs>
 inline constexpr bool inputs_hold =
-    requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, compiled::not_given>;
+    requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, compiled::omitted>;
 
 /// Returns the inputs at an instant, from a vector or a function.
 template <class Inputs, class Time, class State>
