@@ -1,10 +1,20 @@
 #pragma once
 
+#include <concepts>
 #include <cstddef>
 #include <string_view>
 #include <type_traits>
 
 namespace kanexpr {
+
+namespace base {
+
+/// A character type. C++ silently converts characters to numbers: '2' becomes 50.
+template <class Value>
+concept letter = std::same_as<Value, char> || std::same_as<Value, wchar_t> || std::same_as<Value, char8_t> ||
+                 std::same_as<Value, char16_t> || std::same_as<Value, char32_t>;
+
+} // namespace base
 
 /// A string literal as a template argument: the "q1" of `coordinate<"q1">`.
 template <std::size_t size>

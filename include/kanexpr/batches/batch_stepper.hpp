@@ -3,7 +3,7 @@
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/batches/input_functions.hpp>
 #include <kanexpr/batches/row_arguments.hpp>
-#include <kanexpr/compiled/fitting.hpp>
+#include <kanexpr/compiled/vector_checks.hpp>
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -103,7 +103,7 @@ private:
   template <class States, class Parameters, class Inputs>
   [[gnu::noinline]] static status advance(double& t, States& x, double h, const Parameters& p,
                                           const Inputs& r) {
-    if constexpr (requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, compiled::not_given> ||
+    if constexpr (requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, compiled::omitted> ||
                   accepts_batch<Inputs, States>())
       return Step{}(t, x, h, p, r);
     else

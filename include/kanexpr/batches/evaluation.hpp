@@ -125,8 +125,8 @@ template <class Function, class Pack, class Number, class... Arguments>
 }
 
 /// Returns the cause of a failure as the function for a single system reports it.
-template <class Function, class State, class Parameters = compiled::not_given,
-          class Inputs = compiled::not_given, class... Rates>
+template <class Function, class State, class Parameters = compiled::omitted, class Inputs = compiled::omitted,
+          class... Rates>
 status cause_of(const status& failure, const State& x, const Parameters& p = {}, const Inputs& r = {},
                 const Rates&...) {
   using described = evaluated<Function>;

@@ -39,7 +39,7 @@ constexpr bool accepts_batch() {
 template <class Given, class State, class Batch>
 inline constexpr bool is_input_argument = [] {
   if constexpr (requires { Given::SizeAtCompileTime; } || is_many<Given> ||
-                std::is_same_v<Given, compiled::not_given>)
+                std::is_same_v<Given, compiled::omitted>)
     return true;
   else if constexpr (accepts_batch<Given, with_scalar<State, typename Batch::number>>())
     return std::is_invocable_v<const Given&, double, const with_scalar<State, typename Batch::number>&>;

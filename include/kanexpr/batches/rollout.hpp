@@ -84,7 +84,7 @@ public:
   int steps_of(Eigen::Index system) const { return steps_[static_cast<std::size_t>(system)]; }
 
 private:
-  using none = compiled::not_given;
+  using none = compiled::omitted;
 
   template <class Executor, class Parameters = none, class Inputs = none>
   status run_by(Executor&& by, many<state>& x, const Parameters& p = {}, const Inputs& r = {}) {

@@ -34,9 +34,10 @@ struct row_argument {
   [[gnu::always_inline]] Pack operator[](Eigen::Index i) const { return pack_at<Pack>(first + i * stride); }
 };
 
-using compiled::belonging_of;
+using compiled::vector_owner_of;
 template <class Vector, class Pack>
-decltype(belonging_of(static_cast<const Vector*>(nullptr))) belonging_of(const row_argument<Vector, Pack>*);
+decltype(vector_owner_of(static_cast<const Vector*>(nullptr)))
+vector_owner_of(const row_argument<Vector, Pack>*);
 
 /// One argument of a batch, copied into its own memory; some lanes may duplicate others.
 template <class Vector, class Pack>

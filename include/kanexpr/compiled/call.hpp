@@ -32,8 +32,8 @@ constexpr std::string_view result_name() {
 
 /// Names an argument that the code loads but the call omits.
 template <class System, class Code>
-constexpr base::sentence lacks(std::string_view result, symbolic::symbol_kind kind, std::string_view what,
-                               std::string_view way) {
+constexpr base::sentence missing_argument(std::string_view result, symbolic::symbol_kind kind,
+                                          std::string_view what, std::string_view way) {
   constexpr const derivation::survey& s = survey_of<System>;
   using symbolic::symbol_kind;
   const bool rate = kind == symbol_kind::speed_rate, second = rate && s.takes_rates_as_speeds;
@@ -90,8 +90,8 @@ constexpr bool can_call_externals() {
 
 /// Checks that an argument is the vector required there and belongs to the same system.
 template <class System, symbols_of wanted, class Argument, class Keep>
-constexpr void check_belonging(std::string_view result, const Keep& keep) {
-  using given = decltype(belonging_of(static_cast<const Argument*>(nullptr)));
+constexpr void check_owner(std::string_view result, const Keep& keep) {
+  using given = decltype(vector_owner_of(static_cast<const Argument*>(nullptr)));
   if constexpr (!given::template fits<System, wanted>)
     keep(given::template mistake<System, wanted>(base::sentence({result, " of "}).view()));
 }
@@ -113,22 +113,23 @@ struct call {
     const auto keep = [&](const base::sentence& p) {
       if (!found) found = p;
     };
-    check_belonging<System, symbols_of::state, State>(result, keep);
-    check_belonging<System, symbols_of::parameters, Parameters>(result, keep);
-    check_belonging<System, symbols_of::inputs, Inputs>(result, keep);
+    check_owner<System, symbols_of::state, State>(result, keep);
+    check_owner<System, symbols_of::parameters, Parameters>(result, keep);
+    check_owner<System, symbols_of::inputs, Inputs>(result, keep);
     if (std::is_integral_v<typename State::Scalar>) keep(check_scalar<System, typename State::Scalar>());
     keep(check_size("state", system, entries_of<State>(), known.coordinates + known.speeds));
     keep(check_size("parameter", system, entries_of<Parameters>(), known.parameters));
     keep(check_size("input", system, entries_of<Inputs>(), known.inputs));
     keep(check_size("acceleration", system, entries_of<Accelerations>(), known.speeds));
-    if (std::is_same_v<Parameters, not_given>)
-      keep(lacks<System, Code>(result, symbol_kind::parameter, "parameter ",
-                               std::is_same_v<Accelerations, not_given> ? "(x, p)" : "(x, p, r, a)"));
-    if (std::is_same_v<Inputs, not_given>)
-      keep(lacks<System, Code>(result, symbol_kind::input, "input ", "(x, p, r)"));
-    if (std::is_same_v<Accelerations, not_given>)
-      keep(lacks<System, Code>(result, symbol_kind::speed_rate, "rate of speed ", "(x, p, r, a)"));
-    if (std::is_same_v<Time, not_given> && loads_time<Code>())
+    if (std::is_same_v<Parameters, omitted>)
+      keep(
+          missing_argument<System, Code>(result, symbol_kind::parameter, "parameter ",
+                                         std::is_same_v<Accelerations, omitted> ? "(x, p)" : "(x, p, r, a)"));
+    if (std::is_same_v<Inputs, omitted>)
+      keep(missing_argument<System, Code>(result, symbol_kind::input, "input ", "(x, p, r)"));
+    if (std::is_same_v<Accelerations, omitted>)
+      keep(missing_argument<System, Code>(result, symbol_kind::speed_rate, "rate of speed ", "(x, p, r, a)"));
+    if (std::is_same_v<Time, omitted> && loads_time<Code>())
       keep(base::sentence({result, " needs the time: call it as ", result, "(t, x, p, r)"}));
     return found;
   }();
@@ -138,7 +139,7 @@ struct call {
 };
 
 /// The arguments that follow the inputs in a call of a function that takes weights or a direction. `Weights`
-/// and `Direction` are `not_given` if the function does not take them.
+/// and `Direction` are `omitted` if the function does not take them.
 template <class System, class Code, class Weights, class Direction, derivation::given_behind given,
           auto first, auto... more>
 struct weighted_call {
@@ -154,10 +155,10 @@ struct weighted_call {
     if (given.rates)
       keep(base::sentence({result, " cannot be evaluated together with a result at given rates of the "
                                    "speeds; evaluate them in two calls"}));
-    if (given.weights && std::is_same_v<Weights, not_given>)
+    if (given.weights && std::is_same_v<Weights, omitted>)
       keep(base::sentence({result, " needs a weight for each rate of the state: call it as ", result,
                            given.direction ? "(x, p, r, w, v)" : "(x, p, r, w)"}));
-    if (given.direction && std::is_same_v<Direction, not_given>)
+    if (given.direction && std::is_same_v<Direction, omitted>)
       keep(base::sentence({result, " needs a direction, a change of the state and the inputs: call it as ",
                            result, given.weights ? "(x, p, r, w, v)" : "(x, p, r, v)"}));
     keep(check_size("weight", system, entries_of<Weights>(), state));

@@ -1,37 +1,25 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
-#include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/call.hpp>
-#include <kanexpr/compiled/callable.hpp>
-#include <kanexpr/compiled/one_system_of_a_name.hpp>
-#include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/derivation/cut.hpp>
 #include <kanexpr/derivation/survey.hpp>
-#include <kanexpr/lower/constant.hpp>
-#include <kanexpr/lower/regular.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/unrolled_tape.hpp>
-#include <kanexpr/numeric/fixed_matrix.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <Eigen/Core>
-#include <array>
-#include <string_view>
-#include <tuple>
-#include <type_traits>
-#include <utility>
 
-/// What a compiled function is made from: its tape, and the arguments that the tape loads.
+/// The parts of a compiled function: its tape, and the arguments that the tape loads.
 namespace kanexpr {
 
 namespace compiled {
 
 /// The code for a set of results of a system, derived once for each set.
 template <class System, auto... wanted>
-struct cut_for {
+struct derived_code {
   static constexpr base::sentence mistake() { return cut.mistake; }
 
 protected:
@@ -40,29 +28,32 @@ protected:
 
 /// The tape of a set of results. A mistake in them is a compile-time error.
 template <class System, auto... wanted>
-struct code : private cut_for<System, wanted...> {
+struct code : private derived_code<System, wanted...> {
   using system = System;
 
 private:
-  using cut_for<System, wanted...>::cut;
+  using derived_code<System, wanted...>::cut;
 
 public:
   static constexpr auto tape = lower::trimmed<cut.tape.sizes>(cut.tape);
   static constexpr auto causes = derivation::trimmed<cut.causes.sizes>(cut.causes);
   static constexpr base::sentence mistake = cut.mistake;
   static constexpr bool follows_from_unparsed = cut.follows_from_unparsed;
-  static constexpr bool tells_finiteness = cut.tells_finiteness;
+  static constexpr bool checks_finiteness = cut.checks_finiteness;
   static_assert(derivation::report<code>());
 };
 
 /// Selects the arguments of a call that the code loads.
-template <class System, class Number, class State, class Parameters, class Inputs, class Accelerations>
+template <class System, class Number, class State, class Parameters, class Inputs, class Accelerations,
+          class Weights, class Direction>
 struct arguments {
   const Number& t;
   const State& x;
   const Parameters& p;
   const Inputs& r;
   const Accelerations& a;
+  const Weights& w;
+  const Direction& v;
 
   template <symbolic::symbol_kind from, int position>
   [[gnu::always_inline]] Number operator()() const noexcept {
@@ -77,27 +68,12 @@ struct arguments {
       return lower::scalar_math<Number>::from(p[position]);
     else if constexpr (from == symbol_kind::speed_rate)
       return lower::scalar_math<Number>::from(a[position]);
+    else if constexpr (from == symbol_kind::weight)
+      return lower::scalar_math<Number>::from(w[position]);
+    else if constexpr (from == symbol_kind::direction)
+      return lower::scalar_math<Number>::from(v[position]);
     else
       return lower::scalar_math<Number>::from(r[position]);
-  }
-};
-
-/// The arguments of a function that takes weights or a direction.
-template <class System, class Number, class State, class Parameters, class Inputs, class Weights,
-          class Direction>
-struct weighted_arguments : arguments<System, Number, State, Parameters, Inputs, not_given> {
-  const Weights& weights;
-  const Direction& direction;
-
-  template <symbolic::symbol_kind from, int position>
-  [[gnu::always_inline]] Number operator()() const noexcept {
-    if constexpr (from == symbolic::symbol_kind::weight)
-      return lower::scalar_math<Number>::from(weights[position]);
-    else if constexpr (from == symbolic::symbol_kind::direction)
-      return lower::scalar_math<Number>::from(direction[position]);
-    else
-      return arguments<System, Number, State, Parameters, Inputs, not_given>::template
-      operator()<from, position>();
   }
 };
 

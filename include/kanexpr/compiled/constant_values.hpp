@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/compiled/entry.hpp>
 #include <kanexpr/compiled/gap.hpp>
+#include <kanexpr/compiled/place.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
 
 #include <array>
@@ -19,9 +19,9 @@ constexpr auto constant_values(std::initializer_list<entry<System, which, double
   constexpr symbol_range range = range_of(which, survey_of<System>);
   std::array<double, static_cast<std::size_t>(range.size)> values{};
   std::array<bool, static_cast<std::size_t>(range.size) + 1> set{};
-  bool knows_all = true;
+  bool all_names_known = true;
   for (const auto& given : named) {
-    knows_all = knows_all && given.place >= 0;
+    all_names_known = all_names_known && given.place >= 0;
     if (given.place < 0) continue;
     const auto place = static_cast<std::size_t>(given.place);
     values[place] = set[place] ? number_for(gap::set_twice) : given.value;
@@ -29,8 +29,8 @@ constexpr auto constant_values(std::initializer_list<entry<System, which, double
   }
   for (int i = 0; i < range.size; ++i) {
     const auto place = static_cast<std::size_t>(i);
-    if (!knows_all || (!set[place] && !survey_of<System>.dependent[range.first + i]))
-      values[place] = number_for(knows_all ? gap::never_set : gap::beside_unknown);
+    if (!all_names_known || (!set[place] && !survey_of<System>.dependent[range.first + i]))
+      values[place] = number_for(all_names_known ? gap::never_set : gap::unknown_name_in_list);
   }
   return values;
 }

@@ -12,33 +12,6 @@ namespace kanexpr {
 /// p)`.
 template <class System>
 struct equations_of_motion : compiled::named_results<function, System> {
-  using state = kanexpr::state<System>;
-  using parameters = parameter_values<System>;
-  using inputs = input_values<System>;
-
-  static constexpr int coordinates = compiled::survey_of<System>.coordinates;
-  static constexpr int speeds = compiled::survey_of<System>.speeds;
-
-  /// Whether the constraints are solved for a coordinate or speed, as chosen by the model or by the library:
-  /// `eom::is_dependent(u4)`.
-  template <text called, int index>
-  static constexpr bool is_dependent(const coordinate<called, index>&) {
-    return compiled::survey_of<System>.dependent[compiled::placed<System, symbolic::symbol_kind::coordinate,
-                                                                  called, index>::place];
-  }
-  template <text called, int index>
-  static constexpr bool is_dependent(const speed<called, index>&) {
-    return compiled::survey_of<System>.dependent
-        [coordinates + compiled::placed<System, symbolic::symbol_kind::speed, called, index>::place];
-  }
-
-  template <text called, int index>
-  static constexpr bool is_dependent(const coordinate_rate<called, index>&) {
-    return compiled::survey_of<System>.dependent
-        [coordinates +
-         compiled::placed<System, symbolic::symbol_kind::coordinate_rate, called, index>::place];
-  }
-
   using with_respect_to = derivation::with_respect_to;
   /// The derivatives of a result, with its entries in row-major order, with respect to all entries of the
   /// state as if they were unconstrained: `eom::derivatives<eom::quantity::inverse_dynamics>(x, p, r, a)`.

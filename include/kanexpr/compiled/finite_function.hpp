@@ -23,33 +23,33 @@ struct finite_function : function<System, wanted...>, compiled::callable<finite_
     auto found = function<System, wanted...>::template evaluate_at<true>(first, more...);
     constexpr auto each = std::index_sequence_for<decltype(wanted)...>{};
     if constexpr (requires { First::SizeAtCompileTime; }) // the first argument is a vector, not the time
-      look_at(each, found, first, more...);
+      check_results(each, found, first, more...);
     else
-      look_at(each, found, more...);
+      check_results(each, found, more...);
     return found;
   }
 
 private:
-  using none = compiled::not_given;
+  using none = compiled::omitted;
 
   template <std::size_t... index, class Found, class State, class Parameters = none, class Inputs = none,
             class Accelerations = none>
-  [[gnu::always_inline]] static void look_at(std::index_sequence<index...>, Found& found, const State& x,
-                                             const Parameters& p = {}, const Inputs& r = {},
-                                             const Accelerations& = {}) {
-    (look_at_one(std::get<index>(found), x, p, r), ...);
+  [[gnu::always_inline]] static void check_results(std::index_sequence<index...>, Found& found,
+                                                   const State& x, const Parameters& p = {},
+                                                   const Inputs& r = {}, const Accelerations& = {}) {
+    (check_result(std::get<index>(found), x, p, r), ...);
   }
 
   template <class Result, class State, class Parameters, class Inputs>
-  [[gnu::always_inline]] static void look_at_one(with_status<Result>& result, const State& x,
-                                                 const Parameters& p, const Inputs& r) {
+  [[gnu::always_inline]] static void check_result(with_status<Result>& result, const State& x,
+                                                  const Parameters& p, const Inputs& r) {
     status s = result.status;
     if (s && !is_finite(result)) s = status("a result is not finite at this state");
     if (!s) s = compiled::not_finite<System>::cause_of(s, x, p, r);
     result.status = s;
   }
   template <class Result, class State, class Parameters, class Inputs>
-  static void look_at_one(const Result&, const State&, const Parameters&, const Inputs&) {
+  static void check_result(const Result&, const State&, const Parameters&, const Inputs&) {
   } // results of an invalid call
 
   /// Always checks every entry, so that the time does not depend on the state.

@@ -5,7 +5,7 @@
 #include <kanexpr/compiled/call.hpp>
 #include <kanexpr/compiled/callable.hpp>
 #include <kanexpr/compiled/code.hpp>
-#include <kanexpr/compiled/one_system_of_a_name.hpp>
+#include <kanexpr/compiled/digest.hpp>
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
@@ -101,7 +101,7 @@ struct function : compiled::callable<function<System, wanted...>> {
   }
 
 private:
-  using none = compiled::not_given;
+  using none = compiled::omitted;
   /// Reports required arguments that are omitted.
   template <class Parameters, class Inputs = none>
   using constant_call =
@@ -123,57 +123,55 @@ private:
     return std::tuple(constant_result<first_of(index), wanted>(slot)...);
   }
 
+  /// The fourth and fifth arguments are the rates of the speeds, or the weights and the direction that
+  /// second-order results take.
   template <bool with_statuses, class Time, class State, class Parameters = none, class Inputs = none,
-            class Accelerations = none, class Direction = none>
-  [[gnu::always_inline]] static auto evaluate(const Time& time, const State& x, const Parameters& p = {},
-                                              const Inputs& r = {}, const Accelerations& a = {},
-                                              const Direction& v = {}) noexcept {
-    using Number = typename State::Scalar;
-    if constexpr (is_weighted) {
-      constexpr derivation::given_behind given =
-          derivation::given_to({&derivation::requested<wanted>::value...});
-      if constexpr (given.weights)
-        return evaluate_weighted<with_statuses, given>(time, x, p, r, a, v);
-      else
-        return evaluate_weighted<with_statuses, given>(time, x, p, r, nothing, a);
-    } else if constexpr (!compiled::call<System, code, Time, State, Parameters, Inputs, Accelerations,
-                                         wanted...>::possible ||
-                         !compiled::can_call_externals<code, Number, false, wanted...>()) {
-      derivation::report_in_code<compiled::surveyed<System>>();
-      derivation::report_in_code<code>();
-      return no_results<Number>();
-    } else {
-      compiled::link_as_one_system<System>();
-      assert_size(x, state_size), assert_size(p, parameter_count), assert_size(r, input_count);
-      Number t = lower::scalar_math<Number>::from(0);
-      if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<Number>::from(time);
-      return collect_from<with_statuses, Number>(lower::unrolled_tape<code, Number>(
-          compiled::arguments<System, Number, State, Parameters, Inputs, Accelerations>{t, x, p, r, a}));
-    }
+            class Fourth = none, class Fifth = none>
+  [[gnu::always_inline]] static auto evaluate(const Time& t, const State& x, const Parameters& p = {},
+                                              const Inputs& r = {}, const Fourth& fourth = {},
+                                              const Fifth& fifth = {}) noexcept {
+    constexpr derivation::given_behind given =
+        derivation::given_to({&derivation::requested<wanted>::value...});
+    if constexpr (!is_weighted)
+      return evaluate_with<with_statuses>(t, x, p, r, fourth, nothing, nothing);
+    else if constexpr (given.weights)
+      return evaluate_with<with_statuses>(t, x, p, r, nothing, fourth, fifth);
+    else
+      return evaluate_with<with_statuses>(t, x, p, r, nothing, nothing, fourth);
   }
 
-  /// Evaluates results that take weights or a direction.
-  template <bool with_statuses, derivation::given_behind given, class Time, class State, class Parameters,
-            class Inputs, class Weights, class Direction>
-  [[gnu::always_inline]] static auto evaluate_weighted(const Time& time, const State& x, const Parameters& p,
-                                                       const Inputs& r, const Weights& w,
-                                                       const Direction& v) noexcept {
+  template <class Weights, class Direction>
+  static constexpr bool can_take() {
+    if constexpr (is_weighted)
+      return compiled::weighted_call<System, code, Weights, Direction,
+                                     derivation::given_to({&derivation::requested<wanted>::value...}),
+                                     wanted...>::possible;
+    else
+      return true;
+  }
+
+  template <bool with_statuses, class Time, class State, class Parameters, class Inputs, class Accelerations,
+            class Weights, class Direction>
+  [[gnu::always_inline]] static auto evaluate_with(const Time& time, const State& x, const Parameters& p,
+                                                   const Inputs& r, const Accelerations& a, const Weights& w,
+                                                   const Direction& v) noexcept {
     using Number = typename State::Scalar;
-    if constexpr (!compiled::call<System, code, Time, State, Parameters, Inputs, none, wanted...>::possible ||
-                  !compiled::weighted_call<System, code, Weights, Direction, given, wanted...>::possible ||
+    if constexpr (!compiled::call<System, code, Time, State, Parameters, Inputs, Accelerations,
+                                  wanted...>::possible ||
+                  !can_take<Weights, Direction>() ||
                   !compiled::can_call_externals<code, Number, false, wanted...>()) {
       derivation::report_in_code<compiled::surveyed<System>>();
       derivation::report_in_code<code>();
       return no_results<Number>();
     } else {
-      compiled::link_as_one_system<System>();
+      compiled::enforce_unique_system_name<System>();
       assert_size(x, state_size), assert_size(p, parameter_count), assert_size(r, input_count);
       assert_size(w, state_size), assert_size(v, state_size + input_count);
       Number t = lower::scalar_math<Number>::from(0);
       if constexpr (!std::is_same_v<Time, none>) t = lower::scalar_math<Number>::from(time);
       return collect_from<with_statuses, Number>(lower::unrolled_tape<code, Number>(
-          compiled::weighted_arguments<System, Number, State, Parameters, Inputs, Weights, Direction>{
-              {t, x, p, r, nothing}, w, v}));
+          compiled::arguments<System, Number, State, Parameters, Inputs, Accelerations, Weights, Direction>{
+              t, x, p, r, a, w, v}));
     }
   }
 
@@ -235,7 +233,7 @@ private:
 
   template <class Number, int index>
   [[gnu::always_inline]] static bool passes(const lower::unrolled_tape<code, Number>& done) noexcept {
-    constexpr bool of_finiteness = code::tells_finiteness && index == checks - 1;
+    constexpr bool of_finiteness = code::checks_finiteness && index == checks - 1;
     return lower::passes<of_finiteness, Number>(done.template result<first_check + 2 * index>(),
                                                 done.template result<first_check + 2 * index + 1>(),
                                                 base::least_singularity_measure<Number>());
@@ -300,8 +298,8 @@ protected:
   template <bool with_statuses, class First, class... More>
   [[gnu::always_inline]] static auto evaluate_at(const First& first, const More&... more) noexcept {
     if constexpr (requires { First::SizeAtCompileTime; }) // the first argument is a vector, not the time
-      return evaluate<with_statuses>(compiled::not_given{}, first, more...);
-    else if constexpr (compiled::lacks_first<More...>)
+      return evaluate<with_statuses>(compiled::omitted{}, first, more...);
+    else if constexpr (compiled::first_is_omitted<More...>)
       static_assert(sizeof(First) == 0, "a result requires a state; call it as f(t, x, p, r)");
     else
       return evaluate<with_statuses>(first, more...);

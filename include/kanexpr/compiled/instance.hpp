@@ -35,9 +35,10 @@ struct result_shape<System, wanted> {
   static constexpr bool is_scalar = row.rows == mechanics::extent_by::scalar;
 };
 
-/// A result with a status, whether or not it required a solve: its type follows only from its shape.
+/// A result with a status, even if no equations were solved for it, so that its type depends only on its
+/// shape.
 template <class System, auto wanted, class Number>
-auto stated_result() {
+auto result_with_status() {
   using shape = result_shape<System, wanted>;
   if constexpr (shape::is_scalar)
     return with_status<Number>{};
@@ -47,21 +48,22 @@ auto stated_result() {
 
 /// The results of a function, each with a status.
 template <class Function>
-struct stated;
+struct results_with_status;
 template <class System_, auto... wanted>
-struct stated<function<System_, wanted...>> {
+struct results_with_status<function<System_, wanted...>> {
   using System = System_;
   template <class Number>
-  using results = std::tuple<decltype(stated_result<System, wanted, Number>())...>;
+  using results = std::tuple<decltype(result_with_status<System, wanted, Number>())...>;
 };
 template <class System_, auto wanted>
-struct stated<function<System_, wanted>> {
+struct results_with_status<function<System_, wanted>> {
   using System = System_;
   template <class Number>
-  using results = decltype(stated_result<System, wanted, Number>());
+  using results = decltype(result_with_status<System, wanted, Number>());
 };
 template <class System, auto... wanted>
-struct stated<finite_function<System, wanted...>> : stated<function<System, wanted...>> {};
+struct results_with_status<finite_function<System, wanted...>>
+    : results_with_status<function<System, wanted...>> {};
 
 template <class System, class Number>
 struct vectors {
@@ -78,8 +80,8 @@ struct vectors {
 /// name, so that files with different vector layouts do not link.
 template <class Number, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
 struct instance {
-  using vectors = compiled::vectors<typename stated<Function>::System, Number>;
-  using results = typename stated<Function>::template results<Number>;
+  using vectors = compiled::vectors<typename results_with_status<Function>::System, Number>;
+  using results = typename results_with_status<Function>::template results<Number>;
 
   [[gnu::noinline]] static results evaluate(const Number& t, const typename vectors::state& x,
                                             const typename vectors::parameters& p,
@@ -91,8 +93,8 @@ struct instance {
 /// The code of a function at given rates of the speeds.
 template <class Number, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
 struct instance_at_rates {
-  using vectors = compiled::vectors<typename stated<Function>::System, Number>;
-  using results = typename stated<Function>::template results<Number>;
+  using vectors = compiled::vectors<typename results_with_status<Function>::System, Number>;
+  using results = typename results_with_status<Function>::template results<Number>;
 
   [[gnu::noinline]] static results evaluate(const Number& t, const typename vectors::state& x,
                                             const typename vectors::parameters& p,
@@ -103,8 +105,8 @@ struct instance_at_rates {
 /// Returns a vector in the form in which it is passed out of line: the argument itself if it has that type,
 /// otherwise a copy; uninitialized if omitted.
 template <class Vector, class Given>
-decltype(auto) passed(const Given& given) {
-  if constexpr (std::is_same_v<Given, not_given>) {
+decltype(auto) forwarded(const Given& given) {
+  if constexpr (std::is_same_v<Given, omitted>) {
     return Vector();
   } else if constexpr (std::is_base_of_v<Vector, Given>) {
     return static_cast<const Vector&>(given);

@@ -22,7 +22,7 @@ namespace kanexpr::compiled {
 /// Sets the status of a result that is not finite. An omitted argument is NaN, and so is every result that
 /// depends on it.
 template <class Number>
-void tell_if_not_finite(with_status<Number>& result) {
+void flag_if_not_finite(with_status<Number>& result) {
   bool is_finite = true;
   if constexpr (requires { result.value; })
     is_finite = numeric::is_finite(result.value);
@@ -32,38 +32,38 @@ void tell_if_not_finite(with_status<Number>& result) {
     result.status = status("the result is not finite; check for an omitted argument or an unset value");
 }
 template <class... Number>
-void tell_if_not_finite(std::tuple<Number...>& results) {
-  std::apply([](auto&... each) { (tell_if_not_finite(each), ...); }, results);
+void flag_if_not_finite(std::tuple<Number...>& results) {
+  std::apply([](auto&... each) { (flag_if_not_finite(each), ...); }, results);
 }
 
 /// The results that the library of a model returns.
 template <class Number, class Results>
 Results told(Results results) {
   if constexpr (std::is_same_v<Number, double>)
-    tell_if_not_finite(results); // other scalar types are used for numerical derivatives
+    flag_if_not_finite(results); // other scalar types are used for numerical derivatives
   return results;
 }
 
 /// The reason why a valid system does not have a result; for example, a system that specifies only its
 /// Lagrangian has no energies.
 template <class Function>
-struct lacking {
+struct unavailable {
   static constexpr base::sentence why{};
 };
 template <class System, mechanics::quantity... wanted>
-struct lacking<function<System, wanted...>> {
+struct unavailable<function<System, wanted...>> {
   static constexpr base::sentence why = [] {
     using stages = derivation::stages_of<System>;
     constexpr bool by_equations = ((mechanics::row_of(wanted).needs != mechanics::stage::constrained) || ...);
     if (stages::constrained.mistake) return base::sentence();
     if constexpr (by_equations)
       if (stages::equations.mistake) return base::sentence();
-    return cut_for<System, wanted...>::mistake();
+    return derived_code<System, wanted...>::mistake();
   }();
 };
 
 template <class Number>
-void leave_out(with_status<Number>& result, kanexpr::status why) {
+void set_unavailable(with_status<Number>& result, kanexpr::status why) {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if constexpr (requires { result.value; })
     result.value = nan;
@@ -72,16 +72,16 @@ void leave_out(with_status<Number>& result, kanexpr::status why) {
   result.status = why;
 }
 template <class... Number>
-void leave_out(std::tuple<Number...>& results, kanexpr::status why) {
-  std::apply([&](auto&... each) { (leave_out(each, why), ...); }, results);
+void set_unavailable(std::tuple<Number...>& results, kanexpr::status why) {
+  std::apply([&](auto&... each) { (set_unavailable(each, why), ...); }, results);
 }
 
 /// Returns the results of a function or, if there are none, NaN with the reason as the status.
 template <class Number, class Function, class Results, class... Given>
-Results results_or_why_not(const Given&... given) noexcept {
-  if constexpr (static_cast<bool>(lacking<Function>::why)) {
+Results results_or_reason(const Given&... given) noexcept {
+  if constexpr (static_cast<bool>(unavailable<Function>::why)) {
     Results none{};
-    leave_out(none, kanexpr::status(lacking<Function>::why.view()));
+    set_unavailable(none, kanexpr::status(unavailable<Function>::why.view()));
     return none;
   } else {
     return told<Number>(results_of<Results, Function>(given...));
@@ -93,11 +93,11 @@ typename linked_instance<Number, Function, alignment>::results
 linked_instance<Number, Function, alignment>::evaluate(const Number& t, const typename vectors::state& x,
                                                        const typename vectors::parameters& p,
                                                        const typename vectors::inputs& r) noexcept {
-  return results_or_why_not<Number, Function, results>(t, x, p, r);
+  return results_or_reason<Number, Function, results>(t, x, p, r);
 }
 template <class Number, class Function, int alignment>
 std::uint64_t linked_instance<Number, Function, alignment>::digest() noexcept {
-  if constexpr (static_cast<bool>(lacking<Function>::why))
+  if constexpr (static_cast<bool>(unavailable<Function>::why))
     return 0;
   else
     return digest_of_function<Function>;
@@ -109,7 +109,7 @@ linked_instance_at_rates<Number, Function, alignment>::evaluate(const Number& t,
                                                                 const typename vectors::parameters& p,
                                                                 const typename vectors::inputs& r,
                                                                 const typename vectors::rates& a) noexcept {
-  return results_or_why_not<Number, Function, results>(t, x, p, r, a);
+  return results_or_reason<Number, Function, results>(t, x, p, r, a);
 }
 
 /// Whether the survey in the generated header matches the system.
@@ -155,7 +155,7 @@ class library_of {
   using table = decltype(all_code_of<System>());
 
 public:
-  /// References every function, so that none is left out of the library.
+  /// References every function, so that the library contains all of them.
   static const table functions;
 };
 template <class System>

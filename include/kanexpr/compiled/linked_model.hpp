@@ -130,7 +130,7 @@ struct linked_instance_at_rates : instance_at_rates<Number, Function, alignment>
 /// depends on an omitted argument, it is NaN.
 template <class Function>
 struct linked : callable<linked<Function>> {
-  using System = typename stated<Function>::System;
+  using System = typename results_with_status<Function>::System;
 
   template <class First, class... More>
   static auto called(const First& first, const More&... more) noexcept {
@@ -155,8 +155,8 @@ private:
                   "the library of this model does not contain this result for this scalar type; use "
                   "function<System, ...> and include <kanexpr/kanexpr.hpp>");
     return linked_instance<Number, Function>::evaluate(
-        lower::scalar_math<Number>::from(t), passed<typename v::state>(x), passed<typename v::parameters>(p),
-        passed<typename v::inputs>(r));
+        lower::scalar_math<Number>::from(t), forwarded<typename v::state>(x),
+        forwarded<typename v::parameters>(p), forwarded<typename v::inputs>(r));
   }
   template <class Number, class Time, class State, class Parameters, class Inputs, class Accelerations>
   static auto at(const Time& t, const State& x, const Parameters& p, const Inputs& r,
@@ -167,23 +167,22 @@ private:
                   "the library of this model does not contain this result for this scalar type; use "
                   "function<System, ...> and include <kanexpr/kanexpr.hpp>");
     return linked_instance_at_rates<Number, Function>::evaluate(
-        lower::scalar_math<Number>::from(t), passed<typename v::state>(x), passed<typename v::parameters>(p),
-        passed<typename v::inputs>(r), passed<typename v::rates>(a));
+        lower::scalar_math<Number>::from(t), forwarded<typename v::state>(x),
+        forwarded<typename v::parameters>(p), forwarded<typename v::inputs>(r),
+        forwarded<typename v::rates>(a));
   }
 
   template <class Number, class State, class Parameters, class Inputs>
   static void check_fit() {
-    static_assert(fitting<System, symbols_of::state, entries_of<State>()>::possible);
-    static_assert(fitting<System, symbols_of::parameters, entries_of<Parameters>()>::possible);
-    static_assert(fitting<System, symbols_of::inputs, entries_of<Inputs>()>::possible);
-    static_assert(belongs<State, symbols_of::state> && belongs<Parameters, symbols_of::parameters> &&
-                      belongs<Inputs, symbols_of::inputs>,
+    static_assert(size_check<System, symbols_of::state, entries_of<State>()>::possible);
+    static_assert(size_check<System, symbols_of::parameters, entries_of<Parameters>()>::possible);
+    static_assert(size_check<System, symbols_of::inputs, entries_of<Inputs>()>::possible);
+    static_assert(can_be_vector<System, symbols_of::state, State> &&
+                      can_be_vector<System, symbols_of::parameters, Parameters> &&
+                      can_be_vector<System, symbols_of::inputs, Inputs>,
                   "a function of this model is called with the wrong kind of vector, or with one of a "
                   "different system; call it as f(x, p, r)");
   }
-  template <class Given, symbols_of which>
-  static constexpr bool belongs =
-      decltype(belonging_of(static_cast<const Given*>(nullptr)))::template fits<System, which>;
 };
 
 template <class System, auto... wanted>
@@ -192,20 +191,8 @@ using linked_result = linked<function<System, wanted...>>;
 /// `equations_of_motion` of a linked model.
 template <class System>
 struct linked_equations : named_results<linked_result, System> {
-  using state = kanexpr::state<System>;
-  using parameters = parameter_values<System>;
-  using inputs = input_values<System>;
   template <auto... wanted>
   using linked = compiled::linked<function<System, wanted...>>;
-
-  static constexpr int coordinates = survey_of<System>.coordinates;
-  static constexpr int speeds = survey_of<System>.speeds;
-
-  /// Whether the constraints are solved for a coordinate or speed.
-  template <class Symbol>
-  static constexpr bool is_dependent(const Symbol&) {
-    return survey_of<System>.dependent[place_in<System, symbols_of::state, Symbol>::place];
-  }
 
   /// Evaluates several results in one call, for the combinations that the library contains: `mass_matrix`
   /// with `forcing`, and both energies.

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <kanexpr/compiled/place.hpp>
+#include <kanexpr/compiled/state.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 
 namespace kanexpr::compiled {
@@ -9,8 +12,21 @@ namespace kanexpr::compiled {
 template <template <class, auto...> class Function, class System>
 struct named_results {
   using quantity = mechanics::quantity;
+  using state = kanexpr::state<System>;
+  using parameters = parameter_values<System>;
+  using inputs = input_values<System>;
   template <quantity wanted>
   using of = Function<System, wanted>;
+
+  static constexpr int coordinates = survey_of<System>.coordinates;
+  static constexpr int speeds = survey_of<System>.speeds;
+
+  /// Whether the constraints are solved for a coordinate or speed, as chosen by the model or by the library:
+  /// `eom::is_dependent(u4)`.
+  template <describe::expression_of_a_model Symbol>
+  static constexpr bool is_dependent(const Symbol&) {
+    return survey_of<System>.dependent[place_in<System, symbols_of::state, Symbol>::place];
+  }
 
   /// M in M u̇ = f for the independent speeds.
   static constexpr of<quantity::mass_matrix> mass_matrix{};
@@ -25,9 +41,9 @@ struct named_results {
   static constexpr of<quantity::udot> udot{};
   /// ẋ = [q̇; u̇].
   static constexpr of<quantity::rhs> rhs{};
-  /// F_r.
+  /// The generalized active forces F_r.
   static constexpr of<quantity::active_forces> active_forces{};
-  /// F_r*, at given rates of the speeds: f(x, p, r, a).
+  /// The generalized inertia forces F_r*, at given rates of the speeds: f(x, p, r, a).
   static constexpr of<quantity::inertia_forces> inertia_forces{};
   /// F_r + F_r* of all speeds, before constraints reduce them (Kane's holonomic generalized forces), at given
   /// rates of the speeds: f(x, p, r, a). Along a motion they equal −Jᵀ λ, or zero without constraints.
@@ -89,13 +105,13 @@ struct named_results {
   /// b in u̇_d = A u̇_i + b.
   static constexpr of<quantity::acceleration_bias> acceleration_bias{};
   /// For each dependent speed, the determinant of the system of equations that is solved for it. The
-  /// determinant vanishes where these equations are singular, and it changes sign there.
+  /// determinant vanishes and changes sign where these equations are singular.
   static constexpr of<quantity::constraint_pivots> constraint_pivots{};
   /// The constraint forces, each along the velocity that its constraint keeps at zero.
   static constexpr of<quantity::multipliers> multipliers{};
   /// The forces that keep the auxiliary speeds at zero.
   static constexpr of<quantity::noncontributing_forces> noncontributing_forces{};
-  /// An alias.
+  /// Another name for `noncontributing_forces`.
   static constexpr auto auxiliary_forces = noncontributing_forces;
 };
 

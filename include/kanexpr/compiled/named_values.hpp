@@ -51,20 +51,20 @@ struct given_values {
   }
   template <class Derived>
   given_values(const Eigen::MatrixBase<Derived>& numbers) {
-    if constexpr (fitting<System, which, Derived::SizeAtCompileTime>::possible) {
+    if constexpr (size_check<System, which, Derived::SizeAtCompileTime>::possible) {
       mistake = check_size(range.vector, type_name<System>(), static_cast<int>(numbers.size()), range.size);
       if (mistake) return;
       values = numbers;
       values_reader reader = reads();
-      reader.look_for_infinite();
-      reader.look_for_impossible();
+      reader.check_finite();
+      reader.check_physical();
       mistake = reader.mistake();
     }
   }
   template <class Other, symbols_of given, class Scalar>
     requires(given != which || !std::same_as<Other, System>)
   given_values(const value_vector<Other, given, Scalar>&) {
-    static_cast<void>(exchanged<System, which, Other, given>::possible);
+    static_cast<void>(mismatched_vector<System, which, Other, given>::possible);
   }
 
 private:
@@ -88,9 +88,9 @@ private:
         reader.read(entry.first, static_cast<double>(entry.second));
       else
         read_one(reader, entry);
-    if constexpr (!may_be_incomplete) reader.look_for_missing();
-    reader.look_for_infinite();
-    reader.look_for_impossible();
+    if constexpr (!may_be_incomplete) reader.check_missing();
+    reader.check_finite();
+    reader.check_physical();
     for (int i = 0; i < range.size; ++i) is_left_out[static_cast<std::size_t>(i)] = !reader.is_named(i);
     mistake = reader.mistake();
   }
@@ -106,38 +106,33 @@ private:
 template <class System>
 struct given_state
     : compiled::given_values<System, compiled::symbols_of::state, kanexpr::state<System>, false> {
-  using compiled::given_values<System, compiled::symbols_of::state, kanexpr::state<System>,
-                               false>::given_values;
+  using given_state::given_values::given_values;
 };
 
 /// Parameters specified by name, as in `{{m, 2}, {"l", 0.5}}`, or as an Eigen vector.
 template <class System>
 struct given_parameters
     : compiled::given_values<System, compiled::symbols_of::parameters, parameter_values<System>, false> {
-  using compiled::given_values<System, compiled::symbols_of::parameters, parameter_values<System>,
-                               false>::given_values;
+  using given_parameters::given_values::given_values;
 };
 
 /// Inputs specified by name, as in `{{T, 2}, {dot(theta), 1}}`, or as an Eigen vector.
 template <class System>
 struct given_inputs
     : compiled::given_values<System, compiled::symbols_of::inputs, input_values<System>, false> {
-  using compiled::given_values<System, compiled::symbols_of::inputs, input_values<System>,
-                               false>::given_values;
+  using given_inputs::given_values::given_values;
 };
 
 /// The initial guess for a state or for inputs that are searched for; omitted entries start at zero.
 template <class System>
 struct guessed_state
     : compiled::given_values<System, compiled::symbols_of::state, kanexpr::state<System>, true> {
-  using compiled::given_values<System, compiled::symbols_of::state, kanexpr::state<System>,
-                               true>::given_values;
+  using guessed_state::given_values::given_values;
 };
 template <class System>
 struct guessed_inputs
     : compiled::given_values<System, compiled::symbols_of::inputs, input_values<System>, true> {
-  using compiled::given_values<System, compiled::symbols_of::inputs, input_values<System>,
-                               true>::given_values;
+  using guessed_inputs::given_values::given_values;
 };
 
 } // namespace kanexpr

@@ -8,7 +8,7 @@
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 
-/// Finds the reason why a result is not finite: a parameter, an input or an entry of the state that is not.
+/// Finds the parameter, the input or the entry of the state that makes a result not finite.
 namespace kanexpr::compiled {
 
 /// Returns a sentence that names the first entry of the parameters or inputs that is not finite; empty if all
@@ -37,7 +37,7 @@ constexpr auto causes_of_gaps() {
   return all;
 }
 
-/// The same causes, stored permanently because statuses do not own their sentences.
+/// Stores these causes permanently, because statuses do not own their sentences.
 template <class System>
 struct not_finite {
   static constexpr auto causes =

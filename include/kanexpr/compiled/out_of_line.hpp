@@ -72,13 +72,13 @@ instance_at_rates<Number, Function, alignment>::evaluate(const Number& t, const 
 /// Whether a vector can be passed out of line. A call with any other type is forwarded to the function
 /// itself, which reports the mistake.
 template <class System, symbols_of which, class Given>
-constexpr bool can_be_passed() {
-  if constexpr (std::is_same_v<Given, not_given>)
+constexpr bool can_forward() {
+  if constexpr (std::is_same_v<Given, omitted>)
     return false;
   else
     return (entries_of<Given>() == Eigen::Dynamic ||
             entries_of<Given>() == range_of(which, survey_of<System>).size) &&
-           decltype(belonging_of(static_cast<const Given*>(nullptr)))::template fits<System, which>;
+           can_be_vector<System, which, Given>;
 }
 
 } // namespace compiled
@@ -92,35 +92,36 @@ template <class Function>
 struct out_of_line {
   template <class Time, class State, class Parameters, class Inputs>
   auto operator()(const Time& t, const State& x, const Parameters& p, const Inputs& r) const noexcept {
-    using System = typename compiled::stated<Function>::System;
+    using System = typename compiled::results_with_status<Function>::System;
     using Number = typename State::Scalar;
     using vectors = compiled::vectors<System, Number>;
     using compiled::symbols_of;
-    if constexpr (compiled::can_be_passed<System, symbols_of::state, State>() &&
-                  compiled::can_be_passed<System, symbols_of::parameters, Parameters>() &&
-                  compiled::can_be_passed<System, symbols_of::inputs, Inputs>())
-      return code<System, Number>::evaluate(
-          lower::scalar_math<Number>::from(t), compiled::passed<typename vectors::state>(x),
-          compiled::passed<typename vectors::parameters>(p), compiled::passed<typename vectors::inputs>(r));
+    if constexpr (compiled::can_forward<System, symbols_of::state, State>() &&
+                  compiled::can_forward<System, symbols_of::parameters, Parameters>() &&
+                  compiled::can_forward<System, symbols_of::inputs, Inputs>())
+      return code<System, Number>::evaluate(lower::scalar_math<Number>::from(t),
+                                            compiled::forwarded<typename vectors::state>(x),
+                                            compiled::forwarded<typename vectors::parameters>(p),
+                                            compiled::forwarded<typename vectors::inputs>(r));
     else
       return Function{}(t, x, p, r);
   }
   template <class Time, class State, class Parameters, class Inputs, class Accelerations>
   auto operator()(const Time& t, const State& x, const Parameters& p, const Inputs& r,
                   const Accelerations& a) const noexcept {
-    using System = typename compiled::stated<Function>::System;
+    using System = typename compiled::results_with_status<Function>::System;
     using Number = typename State::Scalar;
     using vectors = compiled::vectors<System, Number>;
     return code_at_rates<System, Number>::evaluate(
-        lower::scalar_math<Number>::from(t), compiled::passed<typename vectors::state>(x),
-        compiled::passed<typename vectors::parameters>(p), compiled::passed<typename vectors::inputs>(r),
-        compiled::passed<typename vectors::rates>(a));
+        lower::scalar_math<Number>::from(t), compiled::forwarded<typename vectors::state>(x),
+        compiled::forwarded<typename vectors::parameters>(p),
+        compiled::forwarded<typename vectors::inputs>(r), compiled::forwarded<typename vectors::rates>(a));
   }
 
   /// Identifies the function by its system, its code and the version of the library, regardless of which file
   /// contains the code for `double`.
   static std::uint64_t digest() noexcept {
-    return code<typename compiled::stated<Function>::System, double>::digest();
+    return code<typename compiled::results_with_status<Function>::System, double>::digest();
   }
 
 private:

@@ -25,7 +25,7 @@ namespace compiled {
 
 /// A system extended by the auxiliary speeds of one joint, which come last.
 template <class System, class Joint>
-struct reacting : extended<System, reactions<Joint>> {};
+struct with_reaction_speeds : extended<System, reactions<Joint>> {};
 
 template <class System, class Joint>
 struct reactions_function : callable<reactions_function<System, Joint>> {
@@ -33,7 +33,7 @@ struct reactions_function : callable<reactions_function<System, Joint>> {
   template <class... Arguments>
   static auto called(const Arguments&... arguments) noexcept {
     const auto all =
-        equations_of_motion<reacting<System, Joint>>::noncontributing_forces(plain(arguments)...);
+        equations_of_motion<with_reaction_speeds<System, Joint>>::noncontributing_forces(plain(arguments)...);
     using results = decltype(all);
     joint_reactions<typename results::Scalar> found;
     if constexpr (results::RowsAtCompileTime >= 6) { // otherwise the system has a mistake

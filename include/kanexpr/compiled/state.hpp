@@ -9,12 +9,10 @@ namespace kanexpr {
 /// by name, `x[q1]`, and with Lagrange's method also `x[dot(q1)]`. It is initialized to zero.
 template <class System, class Scalar = double>
 class state : public compiled::value_vector<System, compiled::symbols_of::state, Scalar> {
-  using vector = compiled::value_vector<System, compiled::symbols_of::state, Scalar>;
-
 public:
   static constexpr int coordinates = compiled::survey_of<System>.coordinates;
   static constexpr int speeds = compiled::survey_of<System>.speeds;
-  using vector::vector;
+  using state::value_vector::value_vector;
 
   auto q() { return this->template head<coordinates>(); }
   auto q() const { return this->template head<coordinates>(); }
@@ -26,20 +24,16 @@ public:
 /// are NaN.
 template <class System, class Scalar = double>
 class parameter_values : public compiled::value_vector<System, compiled::symbols_of::parameters, Scalar> {
-  using vector = compiled::value_vector<System, compiled::symbols_of::parameters, Scalar>;
-
 public:
-  using vector::vector;
+  using parameter_values::value_vector::value_vector;
 };
 
 /// The inputs of a system, with access by name, `r[T1]`; for prescribed quantities, `r[theta]` and
 /// `r[dot(theta)]`. Unset inputs are NaN; `r.setZero()` sets all of them.
 template <class System, class Scalar = double>
 class input_values : public compiled::value_vector<System, compiled::symbols_of::inputs, Scalar> {
-  using vector = compiled::value_vector<System, compiled::symbols_of::inputs, Scalar>;
-
 public:
-  using vector::vector;
+  using input_values::value_vector::value_vector;
 };
 
 } // namespace kanexpr

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
-#include <kanexpr/compiled/entry.hpp>
-#include <kanexpr/compiled/fitting.hpp>
 #include <kanexpr/compiled/gap.hpp>
+#include <kanexpr/compiled/place.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/compiled/vector_checks.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 
 #include <Eigen/Core>
@@ -46,14 +46,14 @@ public:
   template <class Other, symbols_of given, class OtherScalar>
     requires(given != which)
   value_vector(const value_vector<Other, given, OtherScalar>&) {
-    static_cast<void>(exchanged<System, which, Other, given>::possible);
+    static_cast<void>(mismatched_vector<System, which, Other, given>::possible);
   }
 
   /// Constructs the vector from all its numbers, in order.
   template <class First, class... More>
     requires(std::convertible_to<First, Scalar> && (std::convertible_to<More, Scalar> && ...))
   explicit(sizeof...(More) == 0) value_vector(const First& first, const More&... more) {
-    if constexpr (fitting<System, which, 1 + static_cast<int>(sizeof...(More))>::possible) {
+    if constexpr (size_check<System, which, 1 + static_cast<int>(sizeof...(More))>::possible) {
       int i = 0;
       (*this)(i) = static_cast<Scalar>(first);
       (((*this)(++i) = static_cast<Scalar>(more)), ...);
@@ -62,7 +62,7 @@ public:
   /// Constructs the vector from Eigen's column syntax, `{{1, 2, 3}}`.
   template <std::size_t given>
   value_vector(const Scalar (&column)[given]) {
-    if constexpr (fitting<System, which, static_cast<int>(given)>::possible)
+    if constexpr (size_check<System, which, static_cast<int>(given)>::possible)
       std::copy_n(column, given, this->data());
   }
   explicit value_vector(const Scalar* entries) { std::copy_n(entries, range.size, this->data()); }
@@ -81,7 +81,7 @@ public:
 
 private:
   static constexpr symbol_range range = range_of(which, survey_of<System>);
-  static_assert(sizeof(holding<System, Scalar>) != 0);
+  static_assert(sizeof(scalar_check<System, Scalar>) != 0);
 
   static Scalar from(double value) { return lower::scalar_math<Scalar>::from(value); }
 
@@ -92,7 +92,7 @@ private:
   template <class Derived>
   static constexpr bool fits() {
     if constexpr (requires { Derived::SizeAtCompileTime; })
-      return fitting<System, which, Derived::SizeAtCompileTime>::possible;
+      return size_check<System, which, Derived::SizeAtCompileTime>::possible;
     else
       return true;
   }
@@ -122,23 +122,28 @@ private:
   }
 };
 
-/// Identifies the system of an argument and which of its vectors it is; any other Eigen vector belongs to no
-/// system.
+/// Identifies the system that an argument belongs to and the kind of vector; other Eigen vectors do not
+/// belong to a system.
 template <class Of, symbols_of vector>
-struct belonging {
+struct vector_owner {
   template <class System, symbols_of wanted>
   static constexpr bool fits = vector == wanted && std::is_same_v<Of, System>;
   template <class System, symbols_of wanted>
   static constexpr base::sentence mistake(std::string_view caller) {
-    return check_exchanged<System, wanted, Of, vector>(caller);
+    return check_vector_kind<System, wanted, Of, vector>(caller);
   }
 };
-struct belonging_to_none {
+struct no_owner {
   template <class System, symbols_of wanted>
   static constexpr bool fits = true;
 };
 template <class Of, symbols_of vector, class Scalar>
-belonging<Of, vector> belonging_of(const value_vector<Of, vector, Scalar>*);
-belonging_to_none belonging_of(const void*);
+vector_owner<Of, vector> vector_owner_of(const value_vector<Of, vector, Scalar>*);
+no_owner vector_owner_of(const void*);
+
+/// Whether an argument can be the given vector of a system.
+template <class System, symbols_of which, class Given>
+inline constexpr bool can_be_vector =
+    decltype(vector_owner_of(static_cast<const Given*>(nullptr)))::template fits<System, which>;
 
 } // namespace kanexpr::compiled

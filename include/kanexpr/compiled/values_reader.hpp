@@ -18,7 +18,7 @@ namespace kanexpr::compiled {
 base::sentence check_masses(const derivation::survey& known, const double* parameters);
 
 /// Stores values specified by name at their indices and keeps the first mistake. A model derived at run time
-/// has no name, so its sentences read "the model has no parameter ll".
+/// does not have a name, so its sentences read "the model has no parameter ll".
 class values_reader {
 public:
   values_reader(const derivation::survey& known, const describe::system_record& told, std::string_view system,
@@ -27,10 +27,10 @@ public:
 
   void read(const symbol_name& what, double value);
   /// Checks that every symbol has a value, except the dependent ones, which the constraints determine.
-  void look_for_missing();
-  void look_for_infinite();
+  void check_missing();
+  void check_finite();
   /// Checks masses and inertias.
-  void look_for_impossible();
+  void check_physical();
 
   bool is_named(int i) const { return named_[static_cast<std::size_t>(i)]; }
   const base::sentence& mistake() const { return mistake_; }

@@ -42,18 +42,18 @@ KANEXPR_ENGINE void values_reader::read(const symbol_name& what, double value) {
   }
 }
 
-KANEXPR_ENGINE void values_reader::look_for_missing() {
+KANEXPR_ENGINE void values_reader::check_missing() {
   for (int i = 0; i < range_.size; ++i)
     if (!named_[static_cast<std::size_t>(i)] && !known_.dependent[range_.first + i])
       fail({symbol_called(known_, range_.first + i).view(), " has no value"});
 }
 
-KANEXPR_ENGINE void values_reader::look_for_infinite() {
+KANEXPR_ENGINE void values_reader::check_finite() {
   for (int i = 0; i < range_.size && !mistake_; ++i)
-    mistake_ = told_of(gap_in(values_[i]), known_, range_.first + i, system_);
+    mistake_ = describe_gap(gap_in(values_[i]), known_, range_.first + i, system_);
 }
 
-KANEXPR_ENGINE void values_reader::look_for_impossible() {
+KANEXPR_ENGINE void values_reader::check_physical() {
   if (!mistake_ && range_.first == known_.first_of(symbolic::symbol_kind::parameter))
     mistake_ = check_masses(known_, values_);
 }

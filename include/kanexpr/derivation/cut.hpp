@@ -22,7 +22,7 @@ struct cut_code {
   roomy_causes causes{};
   lower::roomy_tape tape{};
   bool follows_from_unparsed = false; ///< the mistake comes from a type that did not parse
-  bool tells_finiteness = false;      ///< the last pair checks whether the results are finite
+  bool checks_finiteness = false;     ///< the last pair checks whether the results are finite
 
   constexpr cut_code() = default;
   constexpr explicit cut_code(const sentence& because) : mistake(because) {}
@@ -92,7 +92,7 @@ constexpr cut_code cut(derived_system& system, std::string_view called, const su
   for (const mechanics::singularity_check& g : found.checks) {
     if (const sentence lacking = check_room(called, code.causes, g.cause)) return cut_code(lacking);
     code.causes.push(g.cause);
-    code.tells_finiteness = g.of_finiteness;
+    code.checks_finiteness = g.of_finiteness;
   }
   const lower::tape tape = lower::tape_from(system.graph(), found.nodes);
   if (const sentence lacking = check_room(called, lower::sizes_of(tape))) return cut_code(lacking);

@@ -64,7 +64,7 @@ struct simulation_kind {
 /// The types in studies whose runs are performed by steps of a fixed length.
 template <class Step, class Number>
 struct step_kind {
-  using System = typename compiled::stated<std::remove_cv_t<decltype(Step::eom::udot)>>::System;
+  using System = typename compiled::results_with_status<std::remove_cv_t<decltype(Step::eom::udot)>>::System;
   using span = step_span;
   using options = step_options;
   using setup = run_setup<System>;

@@ -15,4 +15,11 @@ bool all_finite(const Eigen::DenseBase<Derived>& m) {
   return true;
 }
 
+/// Returns the largest magnitude of an entry, or NaN if an entry is not finite.
+template <class Vector>
+double largest(const Vector& v) {
+  if (!all_finite(v)) return not_a_number<double>; // a maximum does not always propagate NaN
+  return v.size() == 0 ? 0.0 : static_cast<double>(v.cwiseAbs().maxCoeff());
+}
+
 } // namespace kanexpr::numeric

@@ -50,12 +50,6 @@ inline base::sentence with_number(std::string_view before, double number, int pr
   return base::sentence({before, std::string_view(digits, static_cast<std::size_t>(length))});
 }
 
-template <class Vector>
-double largest(const Vector& v) {
-  if (!all_finite(v)) return not_a_number<double>; // a maximum does not always propagate NaN
-  return v.size() == 0 ? 0.0 : static_cast<double>(v.cwiseAbs().maxCoeff());
-}
-
 /// Returns the larger of two numbers, or NaN if either is NaN.
 inline double larger(double a, double b) { return !is_finite(a) || a > b ? a : b; }
 
@@ -63,29 +57,29 @@ inline double larger(double a, double b) { return !is_finite(a) || a > b ? a : b
 /// the largest magnitude at the state and at a few points around it. The distances of these points match the
 /// magnitudes of the coordinates, in any units.
 template <class Terms, class State>
-auto usual_terms(const Terms& terms, const State& x, int coordinates) {
+auto typical_terms(const Terms& terms, const State& x, int coordinates) {
   using number = typename State::Scalar;
   auto most = terms(x);
-  State beside = x;
+  State nearby = x;
   number way = 0, largest = 0, least = 0;
   for (int i = 0; i < coordinates; ++i) largest = (std::max)(largest, number(std::abs(x(i))));
   const auto counts = [&](int i) { return std::abs(x(i)) > number(1e-9) * largest; };
   for (int i = 0; i < coordinates; ++i)
     if (counts(i)) least = least > 0 ? (std::min)(least, number(std::abs(x(i)))) : number(std::abs(x(i)));
   if (!(largest > 0)) least = 1; // an angle
-  for (int looks = 0; looks < 3; ++looks) {
+  for (int samples = 0; samples < 3; ++samples) {
     for (int i = 0; i < coordinates; ++i) {
       way = std::fmod(way + number(0.618034), number(1)); // any number that does not divide a full turn
-      beside(i) = x(i) + (2 * way - 1) * (counts(i) ? std::abs(x(i)) : least);
+      nearby(i) = x(i) + (2 * way - 1) * (counts(i) ? std::abs(x(i)) : least);
     }
-    most = most.cwiseMax(terms(beside)).eval();
+    most = most.cwiseMax(terms(nearby)).eval();
   }
   return most;
 }
 
 /// Whether a residual is no larger than the rounding of its terms.
 template <class Vector>
-bool is_rounding(const Vector& left, const Vector& terms) {
+bool is_within_rounding(const Vector& left, const Vector& terms) {
   constexpr auto rounding = 64 * std::numeric_limits<typename Vector::Scalar>::epsilon();
   if (!all_finite(left) || !all_finite(terms)) return false;
   for (Eigen::Index i = 0; i < left.size(); ++i)
@@ -95,25 +89,25 @@ bool is_rounding(const Vector& left, const Vector& terms) {
 
 /// Returns a sentence that names the first constraint violated relative to its terms, with its residual.
 template <class Vector, class Terms, class State>
-base::sentence first_off(const Vector& left, const Terms& terms_at, const State& x, int coordinates,
-                         double tolerance, std::string_view which) {
+base::sentence first_violated(const Vector& left, const Terms& terms_at, const State& x, int coordinates,
+                              double tolerance, std::string_view which) {
   constexpr double rounding = 1e-5; // tolerance for terms that vanish here but are usually large
   const auto terms = terms_at(x);
   for (int i = 0; i < left.size(); ++i)
-    if (const double off = static_cast<double>(left(i));
-        !(is_finite(off) &&
-          (std::abs(off) <= tolerance * static_cast<double>(terms(i)) ||
-           std::abs(off) <=
-               rounding * tolerance * static_cast<double>(usual_terms(terms_at, x, coordinates)(i)))))
+    if (const double residual = static_cast<double>(left(i));
+        !(is_finite(residual) &&
+          (std::abs(residual) <= tolerance * static_cast<double>(terms(i)) ||
+           std::abs(residual) <=
+               rounding * tolerance * static_cast<double>(typical_terms(terms_at, x, coordinates)(i)))))
       return with_number(base::sentence({which, base::counted(i + 1).view(), " has a residual of "}).view(),
-                         off);
+                         residual);
   return {};
 }
 
 /// Returns a sentence that names the first redundant constraint that is violated.
 template <class Constraints, class State>
-base::sentence redundant_off(Constraints& c, const State& x, double tolerance) {
-  return first_off(
+base::sentence violated_redundant(Constraints& c, const State& x, double tolerance) {
+  return first_violated(
       c.redundant_residual(x), [&](const State& at) { return c.redundant_terms(at); }, x, c.all_coordinates(),
       tolerance, "redundant constraint ");
 }
@@ -122,17 +116,17 @@ base::sentence redundant_off(Constraints& c, const State& x, double tolerance) {
 /// if the other constraints hold exactly; the closer these are to being linearly dependent, the more their
 /// residuals are amplified.
 template <class Constraints, class State>
-base::sentence redundant_rate_off(Constraints& c, const State& x, double tolerance) {
+base::sentence violated_redundant_rate(Constraints& c, const State& x, double tolerance) {
   constexpr double nearly_dependent = 1e3;
-  return first_off(
+  return first_violated(
       c.redundant_rate(x), [&](const State& at) { return c.redundant_rate_terms(at); }, x,
       c.all_coordinates(), nearly_dependent * tolerance, "the rate of redundant constraint ");
 }
 
 /// Normalizes the quaternions, solves the configuration constraints for the dependent coordinates, starting
 /// from those of `x`, then solves the velocity constraints for the dependent speeds. On failure, `x` is
-/// unchanged. If the constraints cannot be solved, a state that satisfies them up to rounding is accepted as
-/// it is.
+/// unchanged. If the constraints cannot be solved, a state that satisfies them up to rounding is accepted
+/// without changes.
 ///
 /// `Constraints` provides the residuals at a state, the Jacobian with respect to the dependent coordinates,
 /// the dependent speeds, the indices of the dependent entries, and whether the constraints hold up to
@@ -189,8 +183,8 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
     report.failure = base::sentence({"the velocity constraints are not finite at this state"});
     return report;
   }
-  if (report.failure = redundant_off(c, placed, 1e-9); report.failure) return report;
-  if (report.failure = redundant_rate_off(c, placed, 1e-9); report.failure) return report;
+  if (report.failure = violated_redundant(c, placed, 1e-9); report.failure) return report;
+  if (report.failure = violated_redundant_rate(c, placed, 1e-9); report.failure) return report;
   report.assembled = true;
   x = placed;
   return report;
@@ -201,18 +195,18 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
 template <class Constraints, class State>
 consistency check_consistency(Constraints& c, const State& x, double tolerance) {
   consistency report;
-  const auto look_at = [&](const auto& residual, const auto& terms, std::string_view which) {
+  const auto check_residual = [&](const auto& residual, const auto& terms, std::string_view which) {
     if (!report.failure)
-      report.failure = first_off(residual, terms, x, c.all_coordinates(), tolerance, which);
+      report.failure = first_violated(residual, terms, x, c.all_coordinates(), tolerance, which);
     return largest(residual);
   };
-  report.configuration_residual = look_at(
+  report.configuration_residual = check_residual(
       c.configuration_residual(x), [&](const State& at) { return c.configuration_terms(at); },
       "configuration constraint ");
-  report.velocity_residual = look_at(
+  report.velocity_residual = check_residual(
       c.velocity_residual(x), [&](const State& at) { return c.velocity_terms(at); }, "velocity constraint ");
-  if (!report.failure) report.failure = redundant_off(c, x, tolerance);
-  if (!report.failure) report.failure = redundant_rate_off(c, x, tolerance);
+  if (!report.failure) report.failure = violated_redundant(c, x, tolerance);
+  if (!report.failure) report.failure = violated_redundant_rate(c, x, tolerance);
   report.configuration_residual = larger(report.configuration_residual, largest(c.redundant_residual(x)));
   report.velocity_residual = larger(report.velocity_residual, largest(c.redundant_rate(x)));
   const auto halves = c.quaternion_residual(x); // (e·e − 1)/2

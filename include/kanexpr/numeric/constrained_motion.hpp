@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/status.hpp>
-#include <kanexpr/numeric/bound_minimum.hpp>
+#include <kanexpr/numeric/constrained_minimum.hpp>
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace kanexpr::numeric {
 /// least 1. If the constraints repeat after one turn of a coordinate, it is an angle, of size 1 regardless of
 /// the number of turns.
 template <class Equations, class State = typename Equations::state>
-State usual_sizes(const Equations& of, const State& x) {
+State typical_magnitudes(const Equations& of, const State& x) {
   using number = typename State::Scalar;
   using rows_of_coordinates = Eigen::Matrix<number, Equations::fixed_rows_of_coordinates, 1>;
   using rows_of_speeds = Eigen::Matrix<number, Equations::fixed_rows_of_speeds, 1>;
@@ -51,8 +51,8 @@ State usual_sizes(const Equations& of, const State& x) {
 }
 
 /// The motion of a constrained system from the equations of all speeds, M u̇ = f + Jᵀ λ with J u̇ + γ = 0, at
-/// the nearest state that satisfies the constraints. No speed needs to be dependent, and the rows of J may be
-/// linearly dependent.
+/// the nearest state that satisfies the constraints. The speeds need not be divided into independent and
+/// dependent ones, and the rows of J may be linearly dependent.
 ///
 /// At a position at which rows of J become dependent, the constraints do not determine how a mechanism
 /// continues; on both sides of the position, they do. The motion near such a position is therefore
@@ -91,7 +91,7 @@ public:
         force_(speeds::Zero(of.speeds())), bias_(rows_of_speeds::Zero(of.rows_of_speeds())),
         row_sizes_q_(rows_of_coordinates::Zero(by_q_.rows())),
         row_sizes_u_(rows_of_speeds::Zero(by_u_.rows())) {
-    look_around(nearby);
+    estimate_scales(nearby);
   }
 
   /// Returns how far the velocity constraints are from linear dependence at a state, relative to the best
@@ -115,11 +115,11 @@ public:
 
   /// Finds the motion at a state or, if the state does not satisfy the constraints, near it.
   status find(const state& given, motion& found) {
-    status s = find_there(given, found);
-    if (!s || distinct_ >= blurred) return s;
+    status s = find_at_nearest(given, found);
+    if (!s || distinct_ >= min_distinctness) return s;
     const Eigen::Index rank = usual_rank_;
     if (const status passing = interpolate(found); passing) return passing;
-    return usual_rank_ == rank ? s : find_there(given, found);
+    return usual_rank_ == rank ? s : find_at_nearest(given, found);
   }
 
   /// Finds u̇ and the multipliers from the constraints at a state, without moving it. Among all multipliers
@@ -133,12 +133,12 @@ public:
     const Eigen::Index rank = rank_of(rows);
     const singular_values<by_speeds> j(rows);
     const masses mass = scaled_mass();
-    const bound_minimum<masses, by_speeds> bound(mass, j, rank);
-    if (!bound.is_regular()) return without_energy();
+    const constrained_minimum<masses, by_speeds> bound(mass, j, rank);
+    if (!bound.is_regular()) return no_kinetic_energy();
     const speeds force = scaled_by_sizes(force_);
     const rows_of_speeds bias = bias_.cwiseQuotient(row_sizes_u_);
     const speeds found = bound.solve(force, -bias);
-    if (!met(j, found, bias))
+    if (!check_consistent(j, found, bias))
       return status("the constraints that are redundant at this state contradict the others");
     udot = scaled_by_sizes(found);
     multipliers = least_of(bound.multipliers(force, found).cwiseQuotient(row_sizes_u_), j, rank);
@@ -153,15 +153,15 @@ public:
       const rows_of_coordinates left = configuration(x);
       const coordinates step = step_of(singular_values<by_coordinates>(scaled_by_q()), left);
       const number size = step.norm();
-      if (!(size < farthest)) break;
+      if (!(size < max_move)) break;
       for (int i = 0; i < of_.coordinates(); ++i) x(i) += step(i) * sizes_(i);
       if (size <= close_enough || (size <= 1e-4 && size > last / 4)) {
         const rows_of_coordinates rest = configuration(x);
-        return rest.norm() <= nearly ? status() : not_met();
+        return rest.norm() <= residual_tolerance ? status() : inconsistent();
       }
       last = size;
     }
-    return not_met();
+    return inconsistent();
   }
 
 private:
@@ -173,32 +173,35 @@ private:
 
   static constexpr bool is_single = sizeof(number) < sizeof(double);
   static constexpr number rounding = 1024 * std::numeric_limits<number>::epsilon();
-  static constexpr number nothing =
+  static constexpr number rank_tolerance =
       is_single ? number(4e-5) : number(2e-9); ///< relative to the largest singular value
-  static constexpr number nearly =
+  static constexpr number residual_tolerance =
       is_single ? number(1e-4) : number(1e-8); ///< the permitted residual of the constraints
-  static constexpr number clearly =
-      is_single ? number(1e-3) : number(1e-6);    ///< above this bound, a singular value is not always zero
-  static constexpr number blurred = number(1e-2); ///< below this distinctness, the motion loses digits
+  static constexpr number nonzero_tolerance =
+      is_single ? number(1e-3) : number(1e-6); ///< above this bound, a singular value is not always zero
+  static constexpr number min_distinctness =
+      number(1e-2); ///< below this distinctness, the motion loses digits
   static constexpr number close_enough =
       is_single ? number(1e-4) : number(1e-9); ///< a step whose square is negligible
-  static constexpr number farthest =
+  static constexpr number max_move =
       number(0.5); ///< the greatest distance a state may be moved, relative to its size
-  static constexpr number stride =
+  static constexpr number spacing =
       number(2e-2); ///< the distance between interpolated states, relative to their size
-  static constexpr int most_steps = 20, looks = 3;
+  static constexpr int most_steps = 20, samples = 3;
   static constexpr int strides[4]{2, 3, 4, 5};
 
-  static status not_met() { return status("the constraints are dependent or inconsistent near this state"); }
-  static status without_energy() {
+  static status inconsistent() {
+    return status("the constraints are dependent or inconsistent near this state");
+  }
+  static status no_kinetic_energy() {
     return status("a motion that the constraints permit has no kinetic energy");
   }
   Eigen::Index most_rank() const { return (std::min)(by_u_.rows(), by_u_.cols()); }
 
   /// Determines the typical sizes of the rows and their distinctness, at states that need not satisfy the
   /// constraints.
-  void look_around(const state& nearby) {
-    state tried[looks];
+  void estimate_scales(const state& nearby) {
+    state tried[samples];
     number way = 0;
     for (state& x : tried) {
       x = nearby;
@@ -260,17 +263,17 @@ private:
   /// Returns the minimum-norm Newton step. A singular value counts only if it exceeds the amount by which the
   /// step itself may change it.
   static coordinates step_of(const singular_values<by_coordinates>& j, const rows_of_coordinates& left) {
-    coordinates step = coordinates::Zero(j.right_of(0).size());
+    coordinates step = coordinates::Zero(j.right_vector(0).size());
     for (Eigen::Index i = 0; i < j.count(); ++i) {
-      if (!(j[i] > nothing * j[0] && j[i] > 10 * step.norm())) break;
-      step -= (j.left_of(i).dot(left) / j[i]) * j.right_of(i);
+      if (!(j[i] > rank_tolerance * j[0] && j[i] > 10 * step.norm())) break;
+      step -= (j.left_vector(i).dot(left) / j[i]) * j.right_vector(i);
     }
     return step;
   }
 
   /// Finds the motion at the nearest state that satisfies the constraints, from the constraints at that state
   /// only.
-  status find_there(const state& given, motion& found) {
+  status find_at_nearest(const state& given, motion& found) {
     const int first = of_.coordinates();
     found.x = given;
     if (const status s = place(found.x); !s) return s;
@@ -279,16 +282,16 @@ private:
     const singular_values<by_speeds> j(scaled_by_u());
     distinct_ = distinctness_of(j);
     const masses mass = scaled_mass();
-    const bound_minimum<masses, by_speeds> bound(mass, j, j.rank(nothing * j[0]));
-    if (!bound.is_regular()) return without_energy();
+    const constrained_minimum<masses, by_speeds> bound(mass, j, j.rank(rank_tolerance * j[0]));
+    if (!bound.is_regular()) return no_kinetic_energy();
     const speeds change = bound.solve(speeds::Zero(of_.speeds()), -left);
     for (int i = 0; i < of_.speeds(); ++i) found.x(first + i) += change(i) * sizes_(first + i);
-    if (const status s = met(j, change, left); !s) return s;
+    if (const status s = check_consistent(j, change, left); !s) return s;
 
     if (const status s = of_.motion(found.x, qdot_, mass_, force_, bias_); !s) return s;
     const rows_of_speeds bias = bias_.cwiseQuotient(row_sizes_u_);
     const speeds udot = bound.solve(scaled_by_sizes(force_), -bias);
-    if (const status s = met(j, udot, bias); !s) return s;
+    if (const status s = check_consistent(j, udot, bias); !s) return s;
     found.rates = state::Zero(found.x.size());
     for (int i = 0; i < first; ++i) found.rates(i) = qdot_(i);
     for (int i = 0; i < of_.speeds(); ++i) found.rates(first + i) = udot(i) * sizes_(first + i);
@@ -307,7 +310,7 @@ private:
                           Eigen::Index rank) const {
     matrix<m, m> none = matrix<m, m>::Zero(by_u_.rows(), by_u_.rows()); // directions that produce no force
     for (Eigen::Index i = rank; i < none.cols(); ++i) {
-      rows_of_speeds next = j.left_of(i).cwiseQuotient(row_sizes_u_);
+      rows_of_speeds next = j.left_vector(i).cwiseQuotient(row_sizes_u_);
       next /= next.norm();
       for (int twice = 0; twice < 2; ++twice)
         for (Eigen::Index k = rank; k < i; ++k) next -= none.col(k).dot(next) * none.col(k);
@@ -319,10 +322,11 @@ private:
   }
 
   /// Reports whether J x + b vanishes, including the components outside the range of J.
-  static status met(const singular_values<by_speeds>& j, const speeds& x, const rows_of_speeds& b) {
+  static status check_consistent(const singular_values<by_speeds>& j, const speeds& x,
+                                 const rows_of_speeds& b) {
     rows_of_speeds left = b;
-    for (Eigen::Index i = 0; i < j.count(); ++i) left += (j[i] * j.right_of(i).dot(x)) * j.left_of(i);
-    return left.norm() <= nearly * (1 + b.norm() + j[0] * x.norm()) ? status() : not_met();
+    for (Eigen::Index i = 0; i < j.count(); ++i) left += (j[i] * j.right_vector(i).dot(x)) * j.left_vector(i);
+    return left.norm() <= residual_tolerance * (1 + b.norm() + j[0] * x.norm()) ? status() : inconsistent();
   }
 
   /// Interpolates the motion at a singular position from the motions before and after it. If the constraints
@@ -333,19 +337,19 @@ private:
       const number rate = found.rates(i) / sizes_(i);
       length += rate * rate;
     }
-    if (!(length > 0)) return not_met();
-    number step = stride / std::sqrt(length);
+    if (!(length > 0)) return inconsistent();
+    number step = spacing / std::sqrt(length);
     const motion from = found;
-    const auto beside = [&](number ahead, motion& one) {
+    const auto find_ahead = [&](number ahead, motion& one) {
       state there = from.x;
       for (int i = 0; i < of_.coordinates(); ++i) there(i) += ahead * from.rates(i);
-      return find_there(there, one);
+      return find_at_nearest(there, one);
     };
     constexpr number farthest_stride = strides[3];
     for (int tries = 0; tries < 4; ++tries) { // the sizes may include many turns
       motion one;
-      if (!beside(farthest_stride * step, one) || !(distinct_ > 2 * farthest_stride * stride)) break;
-      step *= farthest_stride * stride / distinct_;
+      if (!find_ahead(farthest_stride * step, one) || !(distinct_ > 2 * farthest_stride * spacing)) break;
+      step *= farthest_stride * spacing / distinct_;
     }
     motion sum{state::Zero(from.x.size()), state::Zero(from.x.size())};
     Eigen::Index rank = 0;
@@ -354,11 +358,11 @@ private:
       for (const int side : {-1, 1}) {
         const number ahead = static_cast<number>(side * reach) * step;
         motion one;
-        if (const status s = beside(ahead, one); !s) return s;
+        if (const status s = find_ahead(ahead, one); !s) return s;
         const singular_values<by_speeds> j(scaled_by_u());
-        rank = (std::max)(rank, j.rank(clearly * usual_));
+        rank = (std::max)(rank, j.rank(nonzero_tolerance * usual_));
         if (rank != 0) usual = (std::max)(usual, j[rank - 1]);
-        if (rank == usual_rank_ && distinct_ < 2 * blurred) return not_met();
+        if (rank == usual_rank_ && distinct_ < 2 * min_distinctness) return inconsistent();
         const number weight = weight_of(reach);
         for (int i = 0; i < of_.coordinates(); ++i) one.x(i) -= ahead * from.rates(i);
         sum.x += weight * one.x;
@@ -366,7 +370,7 @@ private:
       }
     if (rank < usual_rank_) {
       usual_rank_ = rank, usual_ = usual;
-      return not_met();
+      return inconsistent();
     }
     found = sum;
     return {};

@@ -4,9 +4,9 @@
 // constexpr in C++20, and a compiler's builtins need not agree with the libm it links to.
 //
 // Reductions use integers, and short series use `long double`. On x86-64 that is the 80-bit format, which has
-// no fused multiply-add, and results are within 0.51 ulp (pow: 2 ulp near the ends of its range). Where long
-// double is double, expect 2-3 ulp. Special values follow Annex F of the C standard. No arithmetic here
-// yields NaN or overflows, because neither is permitted in a constant expression.
+// no fused multiply-add instructions, and results are within 0.51 ulp (pow: 2 ulp near the ends of its
+// range). Where long double is double, expect 2-3 ulp. Special values follow Annex F of the C standard. No
+// arithmetic here yields NaN or overflows, because neither is permitted in a constant expression.
 
 #include <kanexpr/base/equal.hpp>
 
@@ -236,7 +236,7 @@ constexpr double positive_pow(double x, double y) noexcept {
 
 [[nodiscard]] constexpr double abs(double x) noexcept { return __builtin_fabs(x); }
 
-// By Newton's method, whose first guess is within 20 %.
+// Uses Newton's method with a first guess within 20 %.
 [[nodiscard]] constexpr double cbrt(double x) noexcept {
   if (base::equal(x, 0.0) || !detail::is_finite(x)) return x;
   const auto [significand, exponent] = detail::decompose(x);
@@ -247,8 +247,8 @@ constexpr double positive_pow(double x, double y) noexcept {
   return detail::copy_sign(detail::scaled(root, (exponent - rest) / 3 + 18), x);
 }
 
-// Up to 2 by a series of positive terms (DLMF 7.6.2), beyond that 1 - erfc x by a continued fraction (DLMF
-// 7.9.1); from 6 on nothing is left of erfc. The square of x is in two parts, of which the first is exact.
+// Uses a series of positive terms (DLMF 7.6.2) up to 2, and 1 - erfc x with a continued fraction (DLMF 7.9.1)
+// above; from 6 on, erfc x is negligible. The square of x is split into two parts; the first one is exact.
 [[nodiscard]] constexpr double erf(double x) noexcept {
   if (detail::is_nan(x)) return x;
   const double size = abs(x);
@@ -272,8 +272,8 @@ constexpr double positive_pow(double x, double y) noexcept {
   return detail::copy_sign(static_cast<double>(value), x);
 }
 
-// x less a multiple of the double 2 pi, exactly, in [-pi, pi). Modulo the significand of 2 pi, the one of x
-// is doubled for each binary digit that its exponent is larger.
+// Returns the exact remainder of x after division by the double 2 pi, in [-pi, pi). The significand of x is
+// doubled, modulo the significand of 2 pi, as often as the exponents differ.
 [[nodiscard]] constexpr double wrap_to_pi(double x) noexcept {
   if (!detail::is_finite(x)) return detail::not_a_number;
   constexpr double turn = 2 * detail::half_turn;

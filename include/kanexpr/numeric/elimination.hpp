@@ -1,5 +1,8 @@
 #pragma once
 
+#include <kanexpr/base/equal.hpp>
+#include <kanexpr/numeric/elementary.hpp>
+
 /// Gaussian elimination with row exchanges and without branches on values: rows are compared and exchanged by
 /// selection. The order of operations is the same wherever a system is solved; lower/unrolled_elimination.hpp
 /// unrolls it.
@@ -105,5 +108,26 @@ constexpr Number singularity_measure_of(int order, const Number* f, Number* squa
   Math::exchange_if_positive(f[place.least_pivot()], least, beside);
   return least; // if a pivot is zero, the entries that follow it are NaN
 }
+
+/// The scalar operations for elimination in a constant expression. A constant expression must not divide by
+/// zero, so a vanishing pivot is skipped; callers check the smallest pivot first.
+struct constant_elimination_math {
+  template <class Number>
+  static constexpr Number magnitude(Number x) {
+    return x < 0 ? -x : x;
+  }
+  template <class Number>
+  static constexpr Number reciprocal(Number x) {
+    return base::equal(x, Number(0)) ? Number(0) : 1 / x;
+  }
+  static constexpr double root(double x) { return numeric::elementary::sqrt(x); }
+  template <class Number>
+  static constexpr void exchange_if_positive(Number d, Number& a, Number& b) {
+    if (!(d > 0)) return;
+    const Number kept = a;
+    a = b;
+    b = kept;
+  }
+};
 
 } // namespace kanexpr::numeric

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/numeric/constant_elimination_math.hpp>
+#include <kanexpr/numeric/elimination.hpp>
 
 #include <Eigen/Core>
 
@@ -38,10 +38,10 @@ public:
 
 private:
   static constexpr int fixed = Vector::RowsAtCompileTime;
-  static constexpr int room = fixed < 0 ? Eigen::Dynamic : factors{fixed < 0 ? 0 : fixed}.size();
+  static constexpr int capacity = fixed < 0 ? Eigen::Dynamic : factors{fixed < 0 ? 0 : fixed}.size();
 
   int order_;
-  Eigen::Matrix<number, room, 1> f_;
+  Eigen::Matrix<number, capacity, 1> f_;
   number largest_ = 0;
 };
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/numeric/constant_elimination_math.hpp>
 #include <kanexpr/numeric/elimination.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 
@@ -14,8 +13,8 @@ namespace kanexpr::numeric {
 /// a number. The entries are stored in column-major order, as in Eigen.
 template <class Number, int rows, int columns>
 struct fixed_matrix {
-  static constexpr std::size_t room = rows * columns > 0 ? static_cast<std::size_t>(rows* columns) : 1;
-  Number entries[room]{};
+  static constexpr std::size_t capacity = rows * columns > 0 ? static_cast<std::size_t>(rows* columns) : 1;
+  Number entries[capacity]{};
 
   constexpr Number& operator()(int i, int j = 0) { return entries[i + j * rows]; }
   constexpr const Number& operator()(int i, int j = 0) const { return entries[i + j * rows]; }

@@ -41,7 +41,8 @@ auto find_least_multipliers(const Equations& of, const typename constrained_moti
     found.constraints = independence_of(rows.template cast<double>(), solved, least);
     return found.constraints.rank;
   };
-  const status s = motion(of, usual_sizes(of, x), x).find_at(x, rank_of, found.udot, found.multipliers);
+  const status s =
+      motion(of, typical_magnitudes(of, x), x).find_at(x, rank_of, found.udot, found.multipliers);
   if (!s) found.failure = base::sentence({s.view()});
   return found;
 }

@@ -36,19 +36,15 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
   using Matrix = Eigen::Matrix<number, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime>;
   newton_report report;
   Vector f = function(x);
-  const auto size = [](const Vector& v) {
-    if (!all_finite(v)) return not_a_number<double>; // a maximum does not always propagate NaN
-    return v.size() == 0 ? 0.0 : static_cast<double>(v.cwiseAbs().maxCoeff());
-  };
   // smaller changes of the Jacobian are rounding errors
   const double least_change = (std::max)(options.tolerance, 1024.0 * std::numeric_limits<number>::epsilon());
-  report.residual = size(f);
+  report.residual = largest(f);
   if (!all_finite(f)) return report;
   if (x.size() == 0 || base::equal(report.residual, 0.0)) report.converged = true;
   if (report.converged) return report;
 
-  bool goes_on = true;
-  while (goes_on && report.steps < options.most_steps) {
+  bool continues = true;
+  while (continues && report.steps < options.most_steps) {
     const Matrix slope = jacobian(x);
     if (!all_finite(slope)) break;
     const equilibration<Vector> scale(slope);
@@ -67,21 +63,21 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
     if (!all_finite(step)) break;
 
     const Vector before = x;
-    const number was = scale.rows.cwiseProduct(f).norm();
+    const number norm_before = scale.rows.cwiseProduct(f).norm();
     number part = 1;
-    bool fell = false;
-    for (int halvings = 0; halvings < 30 && !fell; ++halvings, part /= 2) {
+    bool decreased = false;
+    for (int halvings = 0; halvings < 30 && !decreased; ++halvings, part /= 2) {
       const Vector tried = before + part * step;
       const Vector left = function(tried);
-      if (!all_finite(left) || !(scale.rows.cwiseProduct(left).norm() < was)) continue;
+      if (!all_finite(left) || !(scale.rows.cwiseProduct(left).norm() < norm_before)) continue;
       x = tried;
       f = left;
-      fell = true;
+      decreased = true;
     }
     ++report.steps;
-    report.residual = size(f);
-    goes_on = fell && !base::equal(report.residual, 0.0);
-    if (!report.singular && (!goes_on || report.steps == options.most_steps)) {
+    report.residual = largest(f);
+    continues = decreased && !base::equal(report.residual, 0.0);
+    if (!report.singular && (!continues || report.steps == options.most_steps)) {
       const Matrix after = scale.applied_to(Matrix(jacobian(before + step)));
       report.converged = (after - scaled).cwiseAbs().maxCoeff() <= static_cast<number>(least_change);
     }

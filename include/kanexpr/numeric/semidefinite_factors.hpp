@@ -18,7 +18,7 @@ public:
   using square = fixed_matrix<Number, order, order>;
 
   constexpr semidefinite_factors(const square& m, Number least, Number rounding) : l_(m) {
-    Number share[room]{}; // the reciprocal of the diagonal entry, or zero if the entry vanishes
+    Number share[capacity]{}; // the reciprocal of the diagonal entry, or zero if the entry vanishes
     for (int i = 0; i < order; ++i) {
       row_[i] = i;
       share[i] = m(i, i) > (std::numeric_limits<Number>::min)() ? 1 / m(i, i) : Number(0);
@@ -36,11 +36,11 @@ public:
         continue;
       }
       d_[k] = pivot > 0 ? pivot : Number(0);
-      drop(k, pivot, rounding, share);
+      discard_pivot(k, pivot, rounding, share);
     }
   }
 
-  constexpr explicit operator bool() const { return are_; }
+  constexpr explicit operator bool() const { return is_valid_; }
 
   /// Returns A L.
   template <int rows>
@@ -70,7 +70,7 @@ public:
   constexpr fixed_matrix<Number, rows, rows> squares(const fixed_matrix<Number, rows, order>& w,
                                                      fixed_matrix<Number, rows, rows> s = {}) const {
     for (int j = 0; j < rows; ++j) {
-      Number weighted[room]{};
+      Number weighted[capacity]{};
       for (int k = 0; k < order; ++k) weighted[k] = d_[k] * w(j, k);
       for (int i = j; i < rows; ++i) {
         for (int k = 0; k < order; ++k) s(i, j) += w(i, k) * weighted[k];
@@ -81,7 +81,7 @@ public:
   }
 
 private:
-  static constexpr std::size_t room = fixed_matrix<Number, order, 1>::room;
+  static constexpr std::size_t capacity = fixed_matrix<Number, order, 1>::capacity;
 
   template <class Value>
   static constexpr void swap(Value& a, Value& b) {
@@ -89,7 +89,7 @@ private:
     a = b, b = kept;
   }
   /// Exchanges two rows and columns, k < next.
-  constexpr void exchange(int k, int next, Number (&share)[room]) {
+  constexpr void exchange(int k, int next, Number (&share)[capacity]) {
     swap(row_[k], row_[next]);
     swap(share[k], share[next]);
     swap(l_(k, k), l_(next, next));
@@ -98,7 +98,7 @@ private:
     for (int i = next + 1; i < order; ++i) swap(l_(i, k), l_(i, next));
   }
   constexpr void eliminate(int k) {
-    Number left[room]{};
+    Number left[capacity]{};
     for (int i = k + 1; i < order; ++i) left[i] = l_(i, k);
     for (int i = k + 1; i < order; ++i) {
       l_(i, k) = left[i] / d_[k];
@@ -106,22 +106,23 @@ private:
     }
   }
 
-  constexpr void drop(int k, Number pivot, Number rounding, const Number (&share)[room]) {
+  constexpr void discard_pivot(int k, Number pivot, Number rounding, const Number (&share)[capacity]) {
     constexpr Number smallest = (std::numeric_limits<Number>::min)();
-    are_ = are_ && pivot * share[k] >= -rounding && (share[k] > 0 || pivot >= 0);
+    is_valid_ = is_valid_ && pivot * share[k] >= -rounding && (share[k] > 0 || pivot >= 0);
     for (int i = k + 1; i < order; ++i) {
-      const Number beside = l_(i, k);
-      are_ = are_ &&
-             (share[i] > 0 && share[k] > 0 ? beside * share[i] * (beside * share[k]) <= rounding * rounding
-                                           : constant_elimination_math::magnitude(beside) <= smallest);
+      const Number off_diagonal = l_(i, k);
+      is_valid_ =
+          is_valid_ && (share[i] > 0 && share[k] > 0
+                            ? off_diagonal * share[i] * (off_diagonal * share[k]) <= rounding * rounding
+                            : constant_elimination_math::magnitude(off_diagonal) <= smallest);
       l_(i, k) = 0;
     }
   }
 
   square l_; ///< below the diagonal, with rows in pivot order
-  Number d_[room]{};
-  int row_[room]{};
-  bool are_ = true;
+  Number d_[capacity]{};
+  int row_[capacity]{};
+  bool is_valid_ = true;
 };
 
 } // namespace kanexpr::numeric

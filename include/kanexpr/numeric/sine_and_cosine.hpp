@@ -161,8 +161,8 @@ template <std::size_t index, std::size_t count, class Number, class Value>
 }
 
 template <class Value>
-[[gnu::always_inline]] constexpr void sine_and_cosine_within_reach(const Value& angle, Value& sine,
-                                                                   Value& cosine) {
+[[gnu::always_inline]] constexpr void sine_and_cosine_in_range(const Value& angle, Value& sine,
+                                                               Value& cosine) {
   using number = number_of<Value>;
   using bits = bits_of<Value>;
   using known = circular<number>;
@@ -195,7 +195,7 @@ template <class Value>
 
 /// Whether a lane is beyond the farthest angle, or NaN.
 template <class Value>
-[[gnu::always_inline]] constexpr bool is_out_of_reach(const Value& angle) {
+[[gnu::always_inline]] constexpr bool is_out_of_range(const Value& angle) {
   using bits = number_bits<Value>;
   const bits_of<Value> given = __builtin_bit_cast(bits_of<Value>, angle);
   const bits_of<Value> left = __builtin_bit_cast(bits, number_of<Value>(farthest_angle)) - (given << 1 >> 1);
@@ -204,10 +204,10 @@ template <class Value>
 
 /// Replaces the results of the angles that are out of reach.
 template <class Number>
-[[gnu::noinline, gnu::cold]] void by_the_library(std::size_t count, const Number* angle, Number* sine,
-                                                 Number* cosine) noexcept {
+[[gnu::noinline, gnu::cold]] void by_c_library(std::size_t count, const Number* angle, Number* sine,
+                                               Number* cosine) noexcept {
   for (std::size_t i = 0; i < count; ++i)
-    if (is_out_of_reach(angle[i])) {
+    if (is_out_of_range(angle[i])) {
       sine[i] = std::sin(angle[i]);
       cosine[i] = std::cos(angle[i]);
     }
@@ -220,9 +220,9 @@ template <class Number>
 template <class Value>
 [[gnu::always_inline]] constexpr void sine_and_cosine(const Value& angle, Value& sine,
                                                       Value& cosine) noexcept {
-  detail::sine_and_cosine_within_reach(angle, sine, cosine);
+  detail::sine_and_cosine_in_range(angle, sine, cosine);
 #if !defined(KANEXPR_ANGLES_WITHIN_REACH)
-  if (detail::is_out_of_reach(angle)) [[unlikely]] {
+  if (detail::is_out_of_range(angle)) [[unlikely]] {
     if (std::is_constant_evaluated()) {
       if constexpr (detail::lanes<Value>::count == 1) {
         sine = static_cast<Value>(numeric::elementary::sin(static_cast<double>(angle)));
@@ -236,7 +236,7 @@ template <class Value>
       std::memcpy(angles, &angle, sizeof angle);
       std::memcpy(sines, &sine, sizeof angle);
       std::memcpy(cosines, &cosine, sizeof angle);
-      detail::by_the_library(detail::lanes<Value>::count, angles, sines, cosines);
+      detail::by_c_library(detail::lanes<Value>::count, angles, sines, cosines);
       std::memcpy(&sine, sines, sizeof angle);
       std::memcpy(&cosine, cosines, sizeof angle);
     }

@@ -11,7 +11,7 @@ namespace detail {
 
 /// Sets the highest bit of each lane whose angle is out of reach or NaN.
 template <class Value>
-[[gnu::always_inline]] inline bits_of<Value> beyond_reach(const Value& angle) {
+[[gnu::always_inline]] inline bits_of<Value> out_of_range_bits(const Value& angle) {
   const bits_of<Value> given = __builtin_bit_cast(bits_of<Value>, angle);
   return __builtin_bit_cast(number_bits<Value>, number_of<Value>(farthest_angle)) - (given << 1 >> 1);
 }
@@ -20,8 +20,8 @@ template <class Value, std::size_t count, std::size_t... index>
 [[gnu::always_inline]] inline bool sines_and_cosines_of_vectors(const Value (&angle)[count],
                                                                 Value (&sine)[count], Value (&cosine)[count],
                                                                 std::index_sequence<index...>) {
-  (sine_and_cosine_within_reach(angle[index], sine[index], cosine[index]), ...);
-  return is_set_in_a_lane((beyond_reach(angle[index]) | ...));
+  (sine_and_cosine_in_range(angle[index], sine[index], cosine[index]), ...);
+  return is_set_in_a_lane((out_of_range_bits(angle[index]) | ...));
 }
 
 } // namespace detail
@@ -43,7 +43,7 @@ template <class Value, std::size_t count>
     std::memcpy(angles, angle, sizeof angles);
     std::memcpy(sines, sine, sizeof angles);
     std::memcpy(cosines, cosine, sizeof angles);
-    detail::by_the_library(count * lanes, angles[0], sines[0], cosines[0]);
+    detail::by_c_library(count * lanes, angles[0], sines[0], cosines[0]);
     std::memcpy(sine, sines, sizeof angles);
     std::memcpy(cosine, cosines, sizeof angles);
   }

@@ -39,12 +39,12 @@ public:
     while (found < count() && sizes_(found) > least) ++found;
     return found;
   }
-  auto left_of(Eigen::Index i) const { return u_.col(i); }
-  auto right_of(Eigen::Index i) const { return v_.col(i); }
+  auto left_vector(Eigen::Index i) const { return u_.col(i); }
+  auto right_vector(Eigen::Index i) const { return v_.col(i); }
 
   /// Keeps the first `rank` right vectors and replaces the others by an orthonormal basis of the orthogonal
   /// complement.
-  void complete(Eigen::Index rank) {
+  void complete_basis(Eigen::Index rank) {
     for (Eigen::Index k = rank; k < v_.cols(); ++k) {
       Eigen::Index farthest = 0;
       number least = std::numeric_limits<number>::infinity();

@@ -3,7 +3,7 @@
 #include <kanexpr/base/engine.hpp>
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/status.hpp>
-#include <kanexpr/compiled/fitting.hpp>
+#include <kanexpr/compiled/vector_checks.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/assembly.hpp>

@@ -3,7 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/base/status.hpp>
-#include <kanexpr/compiled/fitting.hpp>
+#include <kanexpr/compiled/vector_checks.hpp>
 #include <kanexpr/lower/unit_quaternion.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -76,12 +76,12 @@ public:
   }
   /// Whether the configuration constraints hold to within rounding.
   bool configuration_holds(const Eigen::VectorXd& x) {
-    return numeric::is_rounding(configuration_residual(x),
-                                numeric::usual_terms(configuration_terms, x, all_coordinates()));
+    return numeric::is_within_rounding(configuration_residual(x),
+                                       numeric::typical_terms(configuration_terms, x, all_coordinates()));
   }
   bool velocities_hold(const Eigen::VectorXd& x) {
-    return numeric::is_rounding(velocity_residual(x),
-                                numeric::usual_terms(velocity_terms, x, all_coordinates()));
+    return numeric::is_within_rounding(velocity_residual(x),
+                                       numeric::typical_terms(velocity_terms, x, all_coordinates()));
   }
   /// The residuals (e·e − 1)/2 of the quaternion norms.
   Eigen::VectorXd quaternion_residual(const Eigen::VectorXd& x) const {

@@ -24,7 +24,7 @@ public:
     const Number* const checked = found_.data() + found_.size() - 2 * static_cast<std::size_t>(table_.causes);
     std::copy(static_cast<const Number*>(found_.data()), checked, results);
     for (int i = 0; i < table_.causes; ++i) {
-      const bool of_finiteness = table_.tells_finiteness && i == table_.causes - 1;
+      const bool of_finiteness = table_.checks_finiteness && i == table_.causes - 1;
       if (!passes(of_finiteness, checked[2 * i], checked[2 * i + 1])) return status(table_.cause(i));
     }
     return {};

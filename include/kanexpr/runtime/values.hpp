@@ -138,11 +138,11 @@ public:
     } else {
       values.setZero(); // the default for omitted values
       for (const named_value& each : named_) reader.read(each.what, each.value);
-      reader.look_for_missing();
+      reader.check_missing();
       for (int i = 0; i < range.size; ++i) is_left_out[static_cast<std::size_t>(i)] = !reader.is_named(i);
     }
-    reader.look_for_infinite();
-    reader.look_for_impossible();
+    reader.check_finite();
+    reader.check_physical();
     mistake = reader.mistake();
   }
 

@@ -119,7 +119,7 @@ inline std::string read_tolerances(const system_interface& of, const settings& o
   compiled::values_reader reader(of.known, of.record, of.name,
                                  range_of(compiled::symbols_of::state, of.known), each.data());
   for (const named_value& given : o.absolute_tolerances) reader.read(given.what, given.value);
-  reader.look_for_infinite();
+  reader.check_finite();
   if (reader.mistake()) return "in the tolerances, " + std::string(reader.mistake().view());
   if (!std::ranges::all_of(each, [](double size) { return size > 0; })) return "a tolerance must be positive";
   tolerances.assign(each.begin(), each.end());

@@ -86,14 +86,15 @@ public:
   }
   /// Whether the configuration constraints hold up to rounding.
   bool configuration_holds(const state& x) const {
-    return numeric::is_rounding(
+    return numeric::is_within_rounding(
         configuration_residual(x),
-        numeric::usual_terms([&](const state& at) { return configuration_terms(at); }, x, all_coordinates()));
+        numeric::typical_terms([&](const state& at) { return configuration_terms(at); }, x,
+                               all_coordinates()));
   }
   bool velocities_hold(const state& x) const {
-    return numeric::is_rounding(
+    return numeric::is_within_rounding(
         velocity_residual(x),
-        numeric::usual_terms([&](const state& at) { return velocity_terms(at); }, x, all_coordinates()));
+        numeric::typical_terms([&](const state& at) { return velocity_terms(at); }, x, all_coordinates()));
   }
   /// Returns the deviations of the quaternion norms from 1.
   Eigen::Matrix<Number, quaternions::count, 1> quaternion_residual(const state& x) const {

@@ -33,7 +33,7 @@ namespace steps {
 /// Whether the inputs are a vector, which is held constant during a step, or omitted, rather than a function.
 template <class Inputs>
 inline constexpr bool inputs_hold =
-    requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, compiled::not_given>;
+    requires { Inputs::SizeAtCompileTime; } || std::is_same_v<Inputs, compiled::omitted>;
 
 /// Returns the inputs at an instant, from a vector or a function.
 template <class Inputs, class Time, class State>
@@ -113,8 +113,7 @@ struct fixed_step {
   static constexpr const steps::tableau& tableau = of;
   static constexpr int corrections = steps_of_correction, stages = of.stages;
 
-  template <class Time, class Number, class Parameters = compiled::not_given,
-            class Inputs = compiled::not_given>
+  template <class Time, class Number, class Parameters = compiled::omitted, class Inputs = compiled::omitted>
   status operator()(Time& t, state<System, Number>& x, std::type_identity_t<Time> h, const Parameters& p = {},
                     const Inputs& r = {}) const {
     return advanced<method, System, corrections>(t, x, h, p, r);

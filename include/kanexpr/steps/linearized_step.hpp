@@ -304,8 +304,8 @@ struct varied_step<kanexpr::semi_implicit_euler<System, corrections>> {
 /// arguments are not advanced.
 template <class Step>
 struct linearized {
-  template <class System, class Number, class Parameters = compiled::not_given,
-            class Inputs = compiled::not_given>
+  template <class System, class Number, class Parameters = compiled::omitted,
+            class Inputs = compiled::omitted>
   linearized_state<System, Number> operator()(std::type_identity_t<Number> t, const state<System, Number>& x,
                                               std::type_identity_t<Number> h, const Parameters& p = {},
                                               const Inputs& r = {}) const {

@@ -17,13 +17,13 @@
 /// Steps near positions in which constraints are linearly dependent, with the equations of all speeds.
 namespace kanexpr::steps {
 
-using compiled::not_given;
+using compiled::omitted;
 using compiled::survey_of;
 
 /// Converts an argument of a step to the vector type of the system; returns zero if it was omitted.
 template <class Vector, class Given>
 Vector own_vector(const Given& given) {
-  if constexpr (std::is_same_v<Given, not_given>)
+  if constexpr (std::is_same_v<Given, omitted>)
     return Vector::Zero();
   else
     return passed<Vector>(given);
@@ -45,7 +45,7 @@ class passing_equations {
 public:
   passing_equations(Number t, const state<System, Number>& x, const parameters& p, const Inputs& r)
       : r_(r), of_(t, p, own_vector<inputs>(inputs_at(r, t, x))),
-        moving_(of_, numeric::usual_sizes(of_, vector(x)), x) {}
+        moving_(of_, numeric::typical_magnitudes(of_, vector(x)), x) {}
 
   template <quantity wanted, class Time>
   auto get(const Time& t, const state<System, Number>& x) const {
@@ -97,12 +97,11 @@ private:
 /// Whether the parameters and inputs are vectors of the sizes that the system requires.
 template <class System, class Parameters, class Inputs>
 constexpr bool can_be_passed_on() {
-  constexpr bool has_parameters = survey_of<System>.parameters == 0 && std::is_same_v<Parameters, not_given>,
+  constexpr bool has_parameters = survey_of<System>.parameters == 0 && std::is_same_v<Parameters, omitted>,
                  has_inputs = !inputs_hold<Inputs> ||
-                              (survey_of<System>.inputs == 0 && std::is_same_v<Inputs, not_given>);
-  return (has_parameters ||
-          compiled::can_be_passed<System, compiled::symbols_of::parameters, Parameters>()) &&
-         (has_inputs || compiled::can_be_passed<System, compiled::symbols_of::inputs, Inputs>());
+                              (survey_of<System>.inputs == 0 && std::is_same_v<Inputs, omitted>);
+  return (has_parameters || compiled::can_forward<System, compiled::symbols_of::parameters, Parameters>()) &&
+         (has_inputs || compiled::can_forward<System, compiled::symbols_of::inputs, Inputs>());
 }
 
 /// The equations of the independent speeds, which record whether a step comes close to a singular position.
@@ -120,7 +119,7 @@ struct watching_equations : compiled_equations<System, corrections, Parameters, 
 
 template <class Method, class System, int corrections>
 struct passing_step {
-  template <class Time, class Number, class Parameters = not_given, class Inputs = not_given>
+  template <class Time, class Number, class Parameters = omitted, class Inputs = omitted>
   status operator()(Time& t, state<System, Number>& x, std::type_identity_t<Time> h, const Parameters& p = {},
                     const Inputs& r = {}) const {
     if constexpr (survey_of<System>.constraints == 0) {

@@ -19,7 +19,7 @@
 namespace kanexpr::exporting {
 
 /// The text around the functions in C, and the functions that they call.
-namespace c_templates {
+namespace c {
 
 inline constexpr std::string_view header = template_text(
 #include <kanexpr/exporting/c/header.h.in>
@@ -33,7 +33,7 @@ inline constexpr std::string_view helpers = template_text(
 #include <kanexpr/exporting/c/helpers.c.in>
 );
 
-} // namespace c_templates
+} // namespace c
 
 /// Writes NAME.h and NAME.c: a C99 function for each function of the system, without branches and without
 /// allocating memory.
@@ -43,7 +43,7 @@ public:
 
   std::string header() const {
     std::string text = fill_template(
-        c_templates::header,
+        c::header,
         {{"title", title()}, {"changed", renamed_symbols_comment()}, {"name", name()}, {"places", places()}});
     for (const exported_function& f : system().functions) text += declaration(f);
     text += "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
@@ -54,8 +54,7 @@ public:
     std::string bodies;
     for (const exported_function& f : system().functions) bodies += definition(f);
     std::string text = fill_template(
-        c_templates::source,
-        {{"title", title()}, {"own_header", "#include \"" + name() + ".h\""}, {"name", name()}});
+        c::source, {{"title", title()}, {"own_header", "#include \"" + name() + ".h\""}, {"name", name()}});
     text += helpers(bodies);
     return text + bodies;
   }
@@ -230,9 +229,7 @@ private:
             in_text(std::string("\n@name@_INLINE @number@ @name@_") + symbolic::function_name(each) +
                     (symbolic::is_binary(each) ? "(@number@ x, @number@ y) {\n" : "(@number@ x) {\n") +
                     symbolic::spelling_of(each).body + "}\n");
-    const auto part = [&](const char* called) {
-      return in_text(template_part(c_templates::helpers, called));
-    };
+    const auto part = [&](const char* called) { return in_text(template_part(c::helpers, called)); };
     const bool turns = calls("sine_and_cosine"),
                chooses = calls("choose") || functions.find("_choose(") != functions.npos;
     std::string text;

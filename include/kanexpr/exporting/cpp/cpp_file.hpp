@@ -11,7 +11,7 @@
 namespace kanexpr::exporting {
 
 /// The text of C++ headers.
-namespace cpp_templates {
+namespace cpp {
 
 inline constexpr std::string_view header = template_text(
 #include <kanexpr/exporting/cpp/header.hpp.in>
@@ -25,7 +25,7 @@ inline constexpr std::string_view function = template_text(
 #include <kanexpr/exporting/cpp/function.hpp.in>
 );
 
-} // namespace cpp_templates
+} // namespace cpp
 
 /// Writes NAME.hpp, which calls the functions of NAME.c from C++11 and later: structures with the names of
 /// the model, and results with a status.
@@ -40,14 +40,14 @@ public:
     namespaces.reserve_words_of_mathematics();
     namespaces.reserve("std");
     const std::string own = namespaces.unique(s.name);
-    std::string all = fill_template(cpp_templates::header,
-                                    {{"name", s.name},
-                                     {"own_header", "#include \"" + s.name + ".h\""},
-                                     {"own", own},
-                                     {"state", structure("state", s.states(), "0")},
-                                     {"parameters", structure("parameters", s.parameters, not_set())},
-                                     {"inputs", structure("inputs", s.inputs, not_set())},
-                                     {"rates", structure("rates", s.speeds, not_set())}});
+    std::string all =
+        fill_template(cpp::header, {{"name", s.name},
+                                    {"own_header", "#include \"" + s.name + ".h\""},
+                                    {"own", own},
+                                    {"state", structure("state", s.states(), "0")},
+                                    {"parameters", structure("parameters", s.parameters, not_set())},
+                                    {"inputs", structure("inputs", s.inputs, not_set())},
+                                    {"rates", structure("rates", s.speeds, not_set())}});
     identifiers functions;
     functions.reserve_words();
     functions.reserve("state parameters inputs rates status status_of");
@@ -77,12 +77,12 @@ private:
       written.append("    ").append(entry).append(" = ").append(member).append(";\n");
     }
     const bool is_empty = symbols.empty();
-    return fill_template(cpp_templates::structure, {{"name", name},
-                                                    {"number", number_.type()},
-                                                    {"entries", is_empty ? "" : "entries"},
-                                                    {"declared", declared},
-                                                    {"read", read},
-                                                    {"written", written}});
+    return fill_template(cpp::structure, {{"name", name},
+                                          {"number", number_.type()},
+                                          {"entries", is_empty ? "" : "entries"},
+                                          {"declared", declared},
+                                          {"read", read},
+                                          {"written", written}});
   }
 
   /// Declares and fills a vector argument of a C function.
@@ -117,7 +117,7 @@ private:
       called += ", " + place + (each.columns > 1 ? "[0]" : "");
     }
     return fill_template(
-        cpp_templates::function,
+        cpp::function,
         {{"name", name},
          {"function", f.name},
          {"system", s.name},

@@ -12,7 +12,7 @@ namespace kanexpr::exporting {
 
 /// The C code of FMUs. It is the same for all models and uses `counts`, which precedes it. Memory is
 /// allocated only when an instance is created; instances share nothing.
-namespace fmi_templates {
+namespace fmi {
 
 inline constexpr std::string_view counts = template_text(
 #include <kanexpr/exporting/fmi/counts.c.in>
@@ -43,7 +43,7 @@ inline constexpr std::string_view functions[]{template_text(
 #include <kanexpr/exporting/fmi/unsupported.c.in>
                                                   )};
 
-} // namespace fmi_templates
+} // namespace fmi
 
 /// Writes NAME_fmi.c: the functions of FMI 3.0, based on those of NAME.c.
 class fmu_source {
@@ -55,17 +55,17 @@ public:
     for (const char* header : {"math", "stdbool", "stddef", "stdint", "stdlib", "string"})
       text += std::string("#include <") + header + ".h>\n";
     text += "\nstatic const char token[] = \"{" + token + "}\";\n" + counts() + tables();
-    text += fmi_templates::declarations;
+    text += fmi::declarations;
     const std::string evaluated = evaluations();
-    if (evaluated.find(" failed(") != evaluated.npos) text += fmi_templates::failure;
+    if (evaluated.find(" failed(") != evaluated.npos) text += fmi::failure;
     text += evaluated;
-    for (const std::string_view part : fmi_templates::functions) text += part;
+    for (const std::string_view part : fmi::functions) text += part;
     return text;
   }
 
 private:
   std::string counts() const {
-    return fill_template(fmi_templates::counts,
+    return fill_template(fmi::counts,
                          {{"name", name_},
                           {"outputs", std::to_string(of_.outputs.size())},
                           {"indicators", std::to_string(of_.indicators.size())},

@@ -11,7 +11,7 @@
 namespace kanexpr::exporting {
 
 /// The text of Python modules.
-namespace python_templates {
+namespace python {
 
 inline constexpr std::string_view module = template_text(
 #include <kanexpr/exporting/python/module.py.in>
@@ -21,7 +21,7 @@ inline constexpr std::string_view function = template_text(
 #include <kanexpr/exporting/python/function.py.in>
 );
 
-} // namespace python_templates
+} // namespace python
 
 /// Writes NAME.py, a module that calls the functions of NAME.c through ctypes, with names and plain lists.
 class python_file {
@@ -30,13 +30,12 @@ public:
 
   std::string text() const {
     const exported_system& s = mapped_.system;
-    std::string all =
-        fill_template(python_templates::module, {{"name", s.name},
-                                                 {"states", tuple(s.states())},
-                                                 {"speeds", tuple(s.speeds)},
-                                                 {"parameters", tuple(s.parameters)},
-                                                 {"inputs", tuple(s.inputs)},
-                                                 {"number", std::string("c_") + number_.type()}});
+    std::string all = fill_template(python::module, {{"name", s.name},
+                                                     {"states", tuple(s.states())},
+                                                     {"speeds", tuple(s.speeds)},
+                                                     {"parameters", tuple(s.parameters)},
+                                                     {"inputs", tuple(s.inputs)},
+                                                     {"number", std::string("c_") + number_.type()}});
     for (const exported_function& f : s.functions) all += definition(f);
     return all;
   }
@@ -54,7 +53,7 @@ private:
   std::string definition(const exported_function& f) const {
     std::string causes;
     for (const std::string& each : f.causes()) causes += "\n    \"" + each + "\",";
-    return fill_template(python_templates::function,
+    return fill_template(python::function,
                          {{"function", f.name},
                           {"name", mapped_.system.name},
                           {"causes", causes + (causes.empty() ? "" : "\n")},

@@ -2,8 +2,8 @@
 
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/base/sequence.hpp>
-#include <kanexpr/numeric/constant_elimination_math.hpp>
 #include <kanexpr/numeric/elementary.hpp>
+#include <kanexpr/numeric/elimination.hpp>
 #include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/list.hpp>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/base/letter.hpp>
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/text.hpp>
 #include <kanexpr/symbolic/graph/build.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>

@@ -22,12 +22,12 @@ constexpr base::sentence check_size(std::string_view what, std::string_view syst
 }
 
 /// Placeholder for omitted arguments.
-struct not_given {};
+struct omitted {};
 
 /// Returns the number of entries of an argument, if its type determines it.
 template <class Argument>
 constexpr int entries_of() {
-  if constexpr (std::is_same_v<Argument, not_given>)
+  if constexpr (std::is_same_v<Argument, omitted>)
     return Eigen::Dynamic;
   else
     return Argument::SizeAtCompileTime;
@@ -35,13 +35,13 @@ constexpr int entries_of() {
 
 /// Reports a vector of the wrong size.
 template <class System, symbols_of which, int given>
-struct fitting {
+struct size_check {
   static constexpr symbol_range wanted = range_of(which, survey_of<System>);
   static constexpr base::sentence mistake = [] {
     if (survey_of<System>.mistake) return base::sentence{};
     return check_size(wanted.vector, type_name<System>(), given, wanted.size);
   }();
-  static_assert(derivation::report<fitting>());
+  static_assert(derivation::report<size_check>());
   static constexpr bool possible =
       !static_cast<bool>(mistake) && !static_cast<bool>(survey_of<System>.mistake);
 };
@@ -55,12 +55,12 @@ constexpr base::sentence check_scalar() {
 }
 
 template <class System, class Scalar>
-struct holding {
+struct scalar_check {
   static constexpr base::sentence mistake = check_scalar<System, Scalar>();
-  static_assert(derivation::report<holding>());
+  static_assert(derivation::report<scalar_check>());
 };
 
-constexpr std::string_view plural_of(symbols_of which) {
+constexpr std::string_view name_of_vector(symbols_of which) {
   switch (which) {
   case symbols_of::parameters: return "parameters";
   case symbols_of::inputs: return "inputs";
@@ -72,17 +72,18 @@ constexpr std::string_view plural_of(symbols_of which) {
 /// Reports a vector passed in place of a different one, or one of a different system, even if the sizes
 /// agree.
 template <class System, symbols_of wanted, class Other, symbols_of given>
-constexpr base::sentence check_exchanged(std::string_view caller) {
+constexpr base::sentence check_vector_kind(std::string_view caller) {
   if (given == wanted && std::is_same_v<Other, System>) return {};
   if (survey_of<System>.mistake || survey_of<Other>.mistake) return {};
-  return base::sentence({caller, type_name_beside<System, Other>(), " is given the ", plural_of(given),
-                         " of ", type_name_beside<Other, System>(), " in place of its ", plural_of(wanted)});
+  return base::sentence({caller, type_name_beside<System, Other>(), " is given the ", name_of_vector(given),
+                         " of ", type_name_beside<Other, System>(), " in place of its ",
+                         name_of_vector(wanted)});
 }
 
 template <class System, symbols_of wanted, class Other, symbols_of given>
-struct exchanged {
-  static constexpr base::sentence mistake = check_exchanged<System, wanted, Other, given>({});
-  static_assert(derivation::report<exchanged>());
+struct mismatched_vector {
+  static constexpr base::sentence mistake = check_vector_kind<System, wanted, Other, given>({});
+  static_assert(derivation::report<mismatched_vector>());
   static constexpr bool possible =
       !static_cast<bool>(mistake) && !static_cast<bool>(survey_of<System>.mistake);
 };

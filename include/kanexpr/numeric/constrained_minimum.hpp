@@ -13,15 +13,15 @@ namespace kanexpr::numeric {
 /// definite on the null space of J. With g = M x₀, the solution is the x nearest to x₀ in the metric M;
 /// Gauss's principle gives accelerations in this form.
 template <class Mass, class Jacobian>
-class bound_minimum {
+class constrained_minimum {
   using number = typename Mass::Scalar;
   using unknowns = Eigen::Matrix<number, Mass::RowsAtCompileTime, 1>;
   using equations = Eigen::Matrix<number, Jacobian::RowsAtCompileTime, 1>;
 
 public:
-  bound_minimum(const Mass& mass, singular_values<Jacobian> of, Eigen::Index rank)
+  constrained_minimum(const Mass& mass, singular_values<Jacobian> of, Eigen::Index rank)
       : mass_(mass), of_(std::move(of)), rank_(rank), factors_(Mass::Zero(mass.rows(), mass.rows())) {
-    of_.complete(rank_);
+    of_.complete_basis(rank_);
     factorize();
   }
 
@@ -30,7 +30,7 @@ public:
 
   unknowns solve(const unknowns& g, const equations& b) const {
     unknowns x = unknowns::Zero(g.size());
-    for (Eigen::Index i = 0; i < rank_; ++i) x += (of_.left_of(i).dot(b) / of_[i]) * of_.right_of(i);
+    for (Eigen::Index i = 0; i < rank_; ++i) x += (of_.left_vector(i).dot(b) / of_[i]) * of_.right_vector(i);
     const unknowns force = g - mass_.lazyProduct(x);
     unknowns z = unknowns::Zero(g.size());
     for (Eigen::Index i = 0; i < free(); ++i) z(i) = direction(i).dot(force);
@@ -49,14 +49,15 @@ public:
   /// Returns the minimum-norm λ with Jᵀ λ = M x − g.
   equations multipliers(const unknowns& g, const unknowns& x) const {
     const unknowns force = mass_.lazyProduct(x) - g;
-    equations found = equations::Zero(of_.left_of(0).size());
-    for (Eigen::Index i = 0; i < rank_; ++i) found += (of_.right_of(i).dot(force) / of_[i]) * of_.left_of(i);
+    equations found = equations::Zero(of_.left_vector(0).size());
+    for (Eigen::Index i = 0; i < rank_; ++i)
+      found += (of_.right_vector(i).dot(force) / of_[i]) * of_.left_vector(i);
     return found;
   }
 
 private:
   Eigen::Index free() const { return mass_.rows() - rank_; }
-  auto direction(Eigen::Index i) const { return of_.right_of(rank_ + i); }
+  auto direction(Eigen::Index i) const { return of_.right_vector(rank_ + i); }
 
   /// Computes the Cholesky factors of M restricted to the free directions.
   void factorize() {
