@@ -1,7 +1,6 @@
 #pragma once
 
-#include <kanexpr/describe/diagnostics/mismatched_operands.hpp>
-#include <kanexpr/describe/diagnostics/unsupported_operators.hpp>
+#include <kanexpr/describe/operand.hpp>
 #include <kanexpr/symbolic/graph/composition.hpp>
 
 /// Functions of several expressions that are defined in terms of other functions. The reader of the model
@@ -10,33 +9,22 @@ namespace kanexpr {
 
 namespace describe {
 
+/// Several operands, at least one of which is an expression.
 template <class... Operands>
 concept some_of_a_model = (written<Operands> && ...) && (expression_of_a_model<Operands> || ...);
 
-template <class Operand>
-inline constexpr int size_of_operand =
-    static_cast<int>(sizeof(operand(std::declval<const Operand&>()).tokens) / sizeof(token));
-
 template <class... Operands>
 constexpr auto composed(symbolic::composition f, const Operands&... x) {
-  scalar<(size_of_operand<Operands> + ... + 1)> all{};
-  int place = 0;
-  const auto append = [&](const auto& given) {
-    for (const token& each : given.tokens) all.tokens[place++] = each;
-  };
-  (append(operand(x)), ...);
-  token& last = all.tokens[place];
-  last = (equates<Operands, Operands> || ...) ? misused(misuse::inner_equation) : with(token_kind::composed);
-  if (last.what == token_kind::composed) {
-    last.index = static_cast<int>(f);
-    last.number = symbolic::exactly(sizeof...(Operands));
-  }
-  return all;
+  token last = with(token_kind::composed);
+  last.index = static_cast<int>(f);
+  last.number = symbolic::exactly(sizeof...(Operands));
+  constexpr bool has_equation = ((shape_of_operand<Operands> == shape::equation) || ...);
+  return joined<shape::scalar>(has_equation ? misused(misuse::inner_equation) : last, operand(x)...);
 }
 
 template <class... Operands>
 constexpr auto composed_with_zeros(symbolic::composition f, const Operands&... x) {
-  return composed(f, with_zeros(x)...);
+  return composed(f, operand_or_zero(x)...);
 }
 
 /// The type of tabulated<...> and periodic<...>, callable with an expression.
@@ -58,30 +46,23 @@ private:
 
 } // namespace describe
 
-/// √(x² + y²)
-template <class... Operands>
-  requires describe::some_of_a_model<Operands...>
-constexpr auto hypot(const Operands&... x) {
-  return describe::composed(symbolic::composition::hypot, x...);
-}
+#define KANEXPR_COMPOSED_FUNCTION(name, form)                                                                \
+  template <class... Operands>                                                                               \
+    requires describe::some_of_a_model<Operands...>                                                          \
+  constexpr auto(name)(const Operands&... x) {                                                               \
+    return describe::form(symbolic::composition::name, x...);                                                \
+  }
 
+KANEXPR_COMPOSED_FUNCTION(hypot, composed) ///< √(x² + y²)
 /// `if_positive(condition, a, b)`: a if the condition is positive, otherwise b.
-template <class... Operands>
-  requires describe::some_of_a_model<Operands...>
-constexpr auto if_positive(const Operands&... x) {
-  return describe::composed_with_zeros(symbolic::composition::if_positive, x...);
-}
-
-template <class... Operands>
-  requires describe::some_of_a_model<Operands...>
-constexpr auto(min)(const Operands&... x) {
-  return describe::composed_with_zeros(symbolic::composition::min, x...);
-}
-template <class... Operands>
-  requires describe::some_of_a_model<Operands...>
-constexpr auto(max)(const Operands&... x) {
-  return describe::composed_with_zeros(symbolic::composition::max, x...);
-}
+KANEXPR_COMPOSED_FUNCTION(if_positive, composed_with_zeros)
+KANEXPR_COMPOSED_FUNCTION(min, composed_with_zeros)
+KANEXPR_COMPOSED_FUNCTION(max, composed_with_zeros)
+KANEXPR_COMPOSED_FUNCTION(smooth_abs, composed) ///< `smooth_abs(x, width)`: x tanh(x/width)
+KANEXPR_COMPOSED_FUNCTION(softplus, composed)   ///< `softplus(x, width)`: width ln(1 + e^(x/width))
+/// `smooth_step(x, from, to)`: rises from 0 to 1 with continuous second derivatives
+KANEXPR_COMPOSED_FUNCTION(smooth_step, composed_with_zeros)
+#undef KANEXPR_COMPOSED_FUNCTION
 
 /// `clamp(x, least, most)`
 template <class... Operands>
@@ -90,25 +71,6 @@ constexpr auto clamp(const Operands&... x) {
   const bool is_of_zeros = ((!describe::plain_number<Operands> || describe::is_whole_zero(x)) && ...);
   return is_of_zeros ? describe::composed(symbolic::composition::clamp, x...)
                      : describe::composed_with_zeros(symbolic::composition::clamp, x...);
-}
-
-/// `smooth_abs(x, width)`: x tanh(x/width)
-template <class... Operands>
-  requires describe::some_of_a_model<Operands...>
-constexpr auto smooth_abs(const Operands&... x) {
-  return describe::composed(symbolic::composition::smooth_abs, x...);
-}
-/// `softplus(x, width)`: width ln(1 + e^(x/width))
-template <class... Operands>
-  requires describe::some_of_a_model<Operands...>
-constexpr auto softplus(const Operands&... x) {
-  return describe::composed(symbolic::composition::softplus, x...);
-}
-/// `smooth_step(x, from, to)`: rises from 0 to 1 with continuous second derivatives
-template <class... Operands>
-  requires describe::some_of_a_model<Operands...>
-constexpr auto smooth_step(const Operands&... x) {
-  return describe::composed_with_zeros(symbolic::composition::smooth_step, x...);
 }
 
 /// A monotone cubic through points, constant beyond them: `tabulated<x0, y0, x1, y1, x2, y2>(q)`.

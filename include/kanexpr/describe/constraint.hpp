@@ -9,29 +9,19 @@ namespace kanexpr {
 
 namespace describe {
 
-/// A vector followed by the directions along which its components are zero, in postfix order.
-template <int size>
-struct vanishing {
-  token tokens[static_cast<std::size_t>(size)];
-};
-
-template <int size>
-constexpr shape shape_of(const vanishing<size>&) {
-  return shape::vanishing;
-}
-
 /// Takes the place of a list that contains something that is not an expression.
 struct foreign {};
 
+/// A vector followed by the directions along which its components are zero.
 template <auto... expressions>
 constexpr auto one_after_another() {
   if constexpr (sizeof...(expressions) == 0 || ((stored<expressions>::words.kind == shape::foreign) || ...)) {
     return foreign{};
   } else {
-    vanishing<(stored<expressions>::words.size + ...)> all{};
-    int next = 0;
+    postfix<shape::vanishing, (stored<expressions>::words.size + ...)> all{};
+    token* next = all.tokens;
     const auto append = [&](const phrase& p) {
-      for (int i = 0; i < p.size; ++i) all.tokens[next++] = p.tokens[i];
+      for (int i = 0; i < p.size; ++i) *next++ = p.tokens[i];
     };
     (append(stored<expressions>::words), ...);
     return all;
@@ -49,43 +39,27 @@ inline constexpr auto zero_along = describe::one_after_another<vector_and_direct
 /// whose components along given directions vanish, `configuration_constraints<zero_along<position_of<P, Q>,
 /// N::x, N::y>>`.
 template <auto... constraints>
-struct configuration_constraints : describe::system_words {
-  static constexpr std::string_view word = "configuration_constraints";
-  static constexpr void add_to(describe::system_record& r) {
-    r.configuration_constraints =
-        describe::list_of<describe::phrase, &describe::phrase_of<constraints>...>::all;
-  }
-};
+struct configuration_constraints
+    : describe::phrase_list<"configuration_constraints", &describe::system_record::configuration_constraints,
+                            constraints...> {};
 
 /// Conditions that the speeds satisfy at all times, such as rolling. They are linear in the speeds or the
 /// coordinate rates. The rates of the configuration constraints need not be repeated.
 template <auto... constraints>
-struct velocity_constraints : describe::system_words {
-  static constexpr std::string_view word = "velocity_constraints";
-  static constexpr void add_to(describe::system_record& r) {
-    r.velocity_constraints = describe::list_of<describe::phrase, &describe::phrase_of<constraints>...>::all;
-  }
-};
+struct velocity_constraints
+    : describe::phrase_list<"velocity_constraints", &describe::system_record::velocity_constraints,
+                            constraints...> {};
 
 /// Conditions on the rates of the speeds that replace the derivatives of the velocity constraints. They are
 /// linear in these rates.
 template <auto... constraints>
-struct acceleration_constraints : describe::system_words {
-  static constexpr std::string_view word = "acceleration_constraints";
-  static constexpr void add_to(describe::system_record& r) {
-    r.acceleration_constraints =
-        describe::list_of<describe::phrase, &describe::phrase_of<constraints>...>::all;
-  }
-};
+struct acceleration_constraints
+    : describe::phrase_list<"acceleration_constraints", &describe::system_record::acceleration_constraints,
+                            constraints...> {};
 
 /// The coordinates and speeds for which the constraints are solved: `dependent<q3, u2, u3>`.
 template <auto... symbols>
-struct dependent : describe::system_words {
-  static constexpr std::string_view word = "dependent";
-  static constexpr void add_to(describe::system_record& r) {
-    r.dependent = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
-  }
-};
+struct dependent : describe::phrase_list<"dependent", &describe::system_record::dependent, symbols...> {};
 
 namespace describe {
 template <int number>
@@ -105,11 +79,6 @@ struct redundant : describe::system_words {
 /// Speeds that are identically zero and not listed among the speeds. They bring noncontributing forces into
 /// evidence if they appear in the velocity of a point or the angular velocity of a frame.
 template <auto... symbols>
-struct auxiliary : describe::system_words {
-  static constexpr std::string_view word = "auxiliary";
-  static constexpr void add_to(describe::system_record& r) {
-    r.auxiliary = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
-  }
-};
+struct auxiliary : describe::phrase_list<"auxiliary", &describe::system_record::auxiliary, symbols...> {};
 
 } // namespace kanexpr

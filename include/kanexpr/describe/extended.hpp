@@ -2,20 +2,13 @@
 
 #include <kanexpr/describe/system.hpp>
 
-#include <string_view>
-
 namespace kanexpr {
 
 namespace describe {
 
 /// Inputs added after those of a system without a list of inputs.
 template <auto... symbols>
-struct added_inputs : system_words {
-  static constexpr std::string_view word = "inputs";
-  static constexpr void add_to(system_record& r) {
-    r.added_inputs = list_of<phrase, &phrase_of<symbols>...>::all;
-  }
-};
+struct added_inputs : phrase_list<"inputs", &system_record::added_inputs, symbols...> {};
 
 /// A word that the system does not have yet. Inputs are added by a separate word, because a new list of
 /// inputs would have to include those that the system mentions.
@@ -30,21 +23,21 @@ struct added_word<inputs<symbols...>> {
 
 /// Merges two words of the same kind.
 template <class Word, class Added>
-struct joined {
+struct merged_words {
   static constexpr bool is_one = false;
 };
 template <template <auto...> class Word, auto... existing, auto... added>
-struct joined<Word<existing...>, Word<added...>> {
+struct merged_words<Word<existing...>, Word<added...>> {
   static constexpr bool is_one = true;
   using type = Word<existing..., added...>;
 };
-template <template <class...> class Word, class... Told, class... Added>
-struct joined<Word<Told...>, Word<Added...>> {
+template <template <class...> class Word, class... Existing, class... Added>
+struct merged_words<Word<Existing...>, Word<Added...>> {
   static constexpr bool is_one = true;
-  using type = Word<Told..., Added...>;
+  using type = Word<Existing..., Added...>;
 };
 template <auto... existing, auto... added>
-struct joined<added_inputs<existing...>, inputs<added...>> {
+struct merged_words<added_inputs<existing...>, inputs<added...>> {
   static constexpr bool is_one = true;
   using type = added_inputs<existing..., added...>;
 };
@@ -63,10 +56,10 @@ template <method by, class... Before, class Word, class... After, class Added, c
 struct extended_words<by, word_list<Before...>, word_list<Word, After...>, Added, More...>
     : extended_words<by, word_list<Before..., Word>, word_list<After...>, Added, More...> {};
 template <method by, class... Before, class Word, class... After, class Added, class... More>
-  requires(joined<Word, Added>::is_one)
+  requires(merged_words<Word, Added>::is_one)
 struct extended_words<by, word_list<Before...>, word_list<Word, After...>, Added, More...>
-    : extended_words<by, word_list<>, word_list<Before..., typename joined<Word, Added>::type, After...>,
-                     More...> {};
+    : extended_words<by, word_list<>,
+                     word_list<Before..., typename merged_words<Word, Added>::type, After...>, More...> {};
 template <method by, class... Before, class Added, class... More>
 struct extended_words<by, word_list<Before...>, word_list<>, Added, More...>
     : extended_words<by, word_list<>, word_list<Before..., typename added_word<Added>::type>, More...> {};

@@ -7,11 +7,7 @@ namespace kanexpr {
 namespace describe {
 
 /// A frame, and the frame relative to which its orientation and its declared angular velocity are given.
-struct kinematics_of_frame {
-  token tokens[2];
-};
-
-constexpr shape shape_of(const kinematics_of_frame&) { return shape::kinematics; }
+using kinematics_of_frame = postfix<shape::kinematics, 2>;
 
 constexpr kinematics_of_frame kinematics_between(const frame_record* frame, const frame_record* reference,
                                                  bool is_of_one_file) {
@@ -22,19 +18,13 @@ constexpr kinematics_of_frame kinematics_between(const frame_record* frame, cons
   return both;
 }
 
-/// Represents kinematic differential equations that need not be written.
-struct simple_kinematics {
-  token tokens[1];
-};
-
-constexpr shape shape_of(const simple_kinematics&) { return shape::simple; }
-
 } // namespace describe
 
 /// `kinematics<simple>` adds the kinematic differential equations q̇ = u of all coordinates whose rates
 /// appear in no other equation. The first of these coordinates is paired with the first speed that appears in
 /// no other equation, and so on.
-inline constexpr describe::simple_kinematics simple{{describe::with(describe::token_kind::number)}};
+inline constexpr describe::postfix<describe::shape::simple, 1> simple{
+    {describe::with(describe::token_kind::number)}};
 
 /// The kinematic differential equations of a frame whose angular velocity is declared: the angular velocity
 /// that follows from its orientation in `Reference` equals the one in `angular_velocity<Reference, …>`. These

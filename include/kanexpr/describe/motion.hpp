@@ -22,14 +22,16 @@ constexpr vector<1> motion_of(token_kind what, const frame_record* frame, bool i
   return {{t}};
 }
 
+template <class Frame>
+constexpr token in_frame(token_kind what) {
+  return motion_of(what, &frame_of<Frame>, !is_known_to_all_files<Frame>).tokens[0];
+}
+
 constexpr token by_symbol(token_kind what, const scalar<1>& symbol) {
   token t = with(what);
   t.symbol = symbol.tokens[0].symbol;
   return t.symbol != nullptr ? t : misused(misuse::partial);
 }
-
-template <class Other>
-concept no_symbol = written<Other> && !std::derived_from<Other, scalar<1>>;
 
 /// Motions are relative to the inertial frame; `velocity_of<P, N>` is a mistake.
 template <class... Others>
@@ -37,17 +39,16 @@ constexpr auto in_the_inertial_frame(const vector<1>& motion) {
   if constexpr (sizeof...(Others) == 0)
     return motion;
   else
-    return misused<vector>(motion, misuse::motion_in_frame);
+    return misused<shape::vector>(misuse::motion_in_frame, motion);
 }
 
 } // namespace describe
 
 /// The position of `Point` relative to `From`; both must descend from the same origin.
 template <class Point, class... From>
-inline constexpr auto position_of =
-    describe::misused<vector>(describe::motion_of(describe::token_kind::position, &describe::point_of<Point>,
-                                                  !is_known_to_all_files<Point>),
-                              describe::misuse::points);
+inline constexpr auto position_of = describe::misused<describe::shape::vector>(
+    describe::misuse::points, describe::motion_of(describe::token_kind::position, &describe::point_of<Point>,
+                                                  !is_known_to_all_files<Point>));
 
 template <class Point, class From>
 inline constexpr auto position_of<Point, From> =
@@ -77,68 +78,52 @@ inline constexpr auto angular_acceleration_of = describe::in_the_inertial_frame<
     describe::token_kind::angular_acceleration, &describe::frame_of<Frame>, !is_known_to_all_files<Frame>));
 
 /// The time derivative of a vector in `Frame`.
-template <class Frame, int size>
-constexpr vector<size + 1> derivative_in(const vector<size>& v) {
-  describe::token t = describe::with(describe::token_kind::derivative);
-  t.frame = &describe::frame_of<Frame>;
-  t.is_of_one_file = !is_known_to_all_files<Frame>;
-  return describe::join<vector<size + 1>>(v.tokens, t);
+template <class Frame, describe::written Operand>
+constexpr auto derivative_in(const Operand& v) {
+  if constexpr (describe::shape_of_operand<Operand> == describe::shape::vector)
+    return describe::joined<describe::shape::vector>(
+        describe::in_frame<Frame>(describe::token_kind::derivative), v);
+  else
+    return describe::misused<describe::shape::vector>(describe::misuse::scalar_derivative_in_frame, v);
+}
+template <describe::written Operand>
+constexpr auto derivative_in(const Operand& v) {
+  return describe::misused<describe::shape::vector>(describe::misuse::derivative_without_frame, v);
 }
 
 /// The time derivative of a scalar.
-template <int size>
-constexpr scalar<size + 1> derivative(const scalar<size>& s) {
-  return describe::join<scalar<size + 1>>(s.tokens, describe::with(describe::token_kind::derivative));
+template <describe::expression_of_a_model Operand>
+constexpr auto derivative(const Operand& s) {
+  if constexpr (describe::are_scalars<Operand>)
+    return describe::joined<describe::shape::scalar>(describe::with(describe::token_kind::derivative), s);
+  else
+    return describe::misused<describe::shape::scalar>(describe::misuse::derivative_without_frame, s);
 }
 
 /// The same vector, expressed by its components in the axes of `Frame`.
-template <class Frame, int size>
-constexpr vector<size + 1> in_axes_of(const vector<size>& v) {
-  describe::token t = describe::with(describe::token_kind::in_axes);
-  t.frame = &describe::frame_of<Frame>;
-  t.is_of_one_file = !is_known_to_all_files<Frame>;
-  return describe::join<vector<size + 1>>(v.tokens, t);
+template <class Frame, describe::written Operand>
+constexpr auto in_axes_of(const Operand& v) {
+  if constexpr (describe::shape_of_operand<Operand> == describe::shape::vector)
+    return describe::joined<describe::shape::vector>(describe::in_frame<Frame>(describe::token_kind::in_axes),
+                                                     v);
+  else
+    return describe::misused<describe::shape::vector>(describe::misuse::axes, v);
+}
+template <describe::written Operand>
+constexpr auto in_axes_of(const Operand& v) {
+  return describe::misused<describe::shape::vector>(describe::misuse::axes, v);
 }
 
 /// The partial derivative with respect to a symbol; that of a vector is taken component by component in the
 /// vector's own axes. `partial(velocity_of<P>, u1)` is a partial velocity.
-template <int size>
-constexpr scalar<size + 1> partial(const scalar<size>& s, const scalar<1>& symbol) {
-  return describe::join<scalar<size + 1>>(s.tokens,
-                                          describe::by_symbol(describe::token_kind::partial, symbol));
-}
-template <int size>
-constexpr vector<size + 1> partial(const vector<size>& v, const scalar<1>& symbol) {
-  return describe::join<vector<size + 1>>(v.tokens,
-                                          describe::by_symbol(describe::token_kind::partial, symbol));
-}
-
-template <class Operand, describe::no_symbol Symbol>
-  requires describe::expression_of_a_model<Operand>
-constexpr auto partial(const Operand& x, const Symbol& by) {
-  return describe::misused<vector>(x, by, describe::misuse::partial);
-}
-
-// derivatives and axes with arguments of the wrong kind
-template <describe::no_scalar Operand>
-constexpr auto derivative(const Operand& x) {
-  return describe::misused<scalar>(x, describe::misuse::derivative_without_frame);
-}
-template <class Frame, describe::no_vector Operand>
-constexpr auto derivative_in(const Operand& x) {
-  return describe::misused<vector>(x, describe::misuse::scalar_derivative_in_frame);
-}
-template <describe::written Operand>
-constexpr auto derivative_in(const Operand& x) {
-  return describe::misused<vector>(x, describe::misuse::derivative_without_frame);
-}
-template <class Frame, describe::no_vector Operand>
-constexpr auto in_axes_of(const Operand& x) {
-  return describe::misused<vector>(x, describe::misuse::axes);
-}
-template <describe::written Operand>
-constexpr auto in_axes_of(const Operand& x) {
-  return describe::misused<vector>(x, describe::misuse::axes);
+template <describe::expression_of_a_model Operand, describe::written Symbol>
+constexpr auto partial(const Operand& x, const Symbol& symbol) {
+  constexpr describe::shape kind = describe::shape_of_operand<Operand>;
+  if constexpr (std::derived_from<Symbol, scalar<1>> &&
+                (kind == describe::shape::scalar || kind == describe::shape::vector))
+    return describe::joined<kind>(describe::by_symbol(describe::token_kind::partial, symbol), x);
+  else
+    return describe::misused<describe::shape::vector>(describe::misuse::partial, x, symbol);
 }
 
 /// The matrix of partial derivatives, one column per symbol; for a vector, of its components in inertial
@@ -150,23 +135,18 @@ struct jacobian_matrix {
   describe::token by[static_cast<std::size_t>(columns)];
 };
 
-template <int size, std::derived_from<scalar<1>>... Symbols>
-constexpr auto jacobian(const vector<size>& v, const Symbols&... symbols) {
-  jacobian_matrix<size, sizeof...(Symbols)> j{
-      true, {}, {static_cast<const scalar<1>&>(symbols).tokens[0]...}};
-  for (int i = 0; i < size; ++i) j.tokens[i] = v.tokens[i];
-  return j;
-}
-template <int size, std::derived_from<scalar<1>>... Symbols>
-constexpr auto jacobian(const scalar<size>& s, const Symbols&... symbols) {
-  jacobian_matrix<size, sizeof...(Symbols)> j{
-      false, {}, {static_cast<const scalar<1>&>(symbols).tokens[0]...}};
-  for (int i = 0; i < size; ++i) j.tokens[i] = s.tokens[i];
-  return j;
-}
 template <describe::expression_of_a_model Operand, class... Symbols>
-constexpr auto jacobian(const Operand& x, const Symbols&...) {
-  return describe::misused<vector>(x, describe::misuse::partial);
+constexpr auto jacobian(const Operand& x, const Symbols&... symbols) {
+  constexpr describe::shape kind = describe::shape_of_operand<Operand>;
+  if constexpr ((std::derived_from<Symbols, scalar<1>> && ...) &&
+                (kind == describe::shape::scalar || kind == describe::shape::vector)) {
+    jacobian_matrix<describe::size_of_all<Operand>, sizeof...(Symbols)> j{
+        kind == describe::shape::vector, {}, {static_cast<const scalar<1>&>(symbols).tokens[0]...}};
+    describe::append(j.tokens, x.tokens);
+    return j;
+  } else {
+    return describe::misused<describe::shape::vector>(describe::misuse::partial, x);
+  }
 }
 
 } // namespace kanexpr

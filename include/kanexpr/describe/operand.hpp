@@ -1,28 +1,19 @@
 #pragma once
 
-#include <kanexpr/describe/shape.hpp>
-#include <kanexpr/describe/vector.hpp>
+#include <kanexpr/base/letter.hpp>
+#include <kanexpr/describe/expression.hpp>
 
+#include <concepts>
+#include <cstddef>
 #include <type_traits>
 #include <utility>
 
 /// The possible operands of an operator, whether or not they make sense there.
 namespace kanexpr::describe {
 
-template <int size>
-constexpr const scalar<size>& operand(const scalar<size>& x) {
-  return x;
-}
-template <int size>
-constexpr const vector<size>& operand(const vector<size>& x) {
-  return x;
-}
-template <int size>
-constexpr const dyadic<size>& operand(const dyadic<size>& x) {
-  return x;
-}
-template <int size>
-constexpr const equation<size>& operand(const equation<size>& x) {
+template <shape kind, int size>
+  requires(kind <= shape::equation)
+constexpr const postfix<kind, size>& operand(const postfix<kind, size>& x) {
   return x;
 }
 template <class Operand>
@@ -37,7 +28,7 @@ constexpr scalar<1> operand(Operand x) {
     return number(x);
 }
 
-/// Returns the argument itself; used where the integer 0 is allowed.
+/// Returns the argument as an expression if it is a number, which may be the integer 0.
 template <class Operand>
 constexpr auto with_zeros(const Operand& x) {
   if constexpr (plain_number<Operand>)
@@ -46,44 +37,73 @@ constexpr auto with_zeros(const Operand& x) {
     return x;
 }
 
+/// Returns an operand, which may be the integer 0.
+template <class Operand>
+constexpr decltype(auto) operand_or_zero(const Operand& x) {
+  if constexpr (plain_number<Operand>)
+    return constant(x);
+  else
+    return operand(x);
+}
+
 template <class Operand>
 concept written = requires(const Operand& x) { operand(x); };
-
-template <int size>
-constexpr shape shape_at(const scalar<size>*) {
-  return shape::scalar;
-}
-template <int size>
-constexpr shape shape_at(const vector<size>*) {
-  return shape::vector;
-}
-template <int size>
-constexpr shape shape_at(const dyadic<size>*) {
-  return shape::dyadic;
-}
-template <int size>
-constexpr shape shape_at(const equation<size>*) {
-  return shape::equation;
-}
+template <class Operand>
+concept expression_of_a_model = std::is_class_v<Operand> && written<Operand>;
+/// Two operands, at least one of which is an expression; others belong to the operators of C++.
+template <class Left, class Right>
+concept operands_of_a_model =
+    (std::is_class_v<Left> || std::is_class_v<Right>) && written<Left> && written<Right>;
 
 template <written Operand>
-inline constexpr shape shape_of_operand = shape_at(
-    static_cast<std::remove_reference_t<decltype(operand(std::declval<const Operand&>()))>*>(nullptr));
+inline constexpr shape shape_of_operand =
+    std::remove_cvref_t<decltype(operand(std::declval<const Operand&>()))>::kind;
 
-template <class Operand>
-concept no_scalar = written<Operand> && shape_of_operand<Operand> != shape::scalar;
-template <class Operand>
-concept no_vector = written<Operand> && shape_of_operand<Operand> != shape::vector;
-
-/// The operands followed by the operation.
-template <template <int> class Kind, std::size_t size>
-constexpr Kind<static_cast<int>(size + 1)> followed_by(const token (&x)[size], const token& last) {
-  return join<Kind<static_cast<int>(size + 1)>>(x, last);
+template <shape kind, int size>
+constexpr shape shape_of(const postfix<kind, size>&) {
+  return kind;
 }
-template <template <int> class Kind, std::size_t left_size, std::size_t right_size>
-constexpr Kind<static_cast<int>(left_size + right_size + 1)>
-followed_by(const token (&x)[left_size], const token (&y)[right_size], const token& last) {
-  return join<Kind<static_cast<int>(left_size + right_size + 1)>>(x, y, last);
+
+template <class... Operands>
+inline constexpr bool are_scalars = ((shape_of_operand<Operands> == shape::scalar) && ...);
+
+/// Whether operands are scalars, vectors or dyadics, not equations, truth values or characters.
+template <class... Operands>
+inline constexpr bool are_quantities =
+    ((std::is_class_v<Operands> ? shape_of_operand<Operands> != shape::equation : plain_number<Operands>) &&
+     ...);
+
+template <std::size_t size>
+constexpr token* append(token* to, const token (&from)[size]) {
+  for (const token& each : from) *to++ = each;
+  return to;
+}
+
+template <class... Expressions>
+inline constexpr int size_of_all = static_cast<int>((sizeof(Expressions::tokens) + ... + 0) / sizeof(token));
+
+/// Returns the expressions, followed by the operation.
+template <shape kind, class... Expressions>
+constexpr auto joined(const token& last, const Expressions&... x) {
+  postfix<kind, size_of_all<Expressions...> + 1> all{};
+  token* to = all.tokens;
+  ((to = append(to, x.tokens)), ...);
+  *to = last;
+  return all;
+}
+
+/// Returns an operation on operands, whether or not their kinds fit, as in `u1 + N::x`: the reader of the
+/// model can report it with the point or frame to which it belongs. An equation does not contain its ==, so
+/// it is a different mistake.
+template <shape kind, class... Operands>
+constexpr auto as_written(const token& last, const Operands&... x) {
+  constexpr bool has_equation = ((shape_of_operand<Operands> == shape::equation) || ...);
+  return joined<kind>(has_equation ? misused(misuse::inner_equation) : last, operand_or_zero(x)...);
+}
+
+template <shape kind, class... Operands>
+constexpr auto misused(misuse what, const Operands&... x) {
+  return joined<kind>(misused(what), operand_or_zero(x)...);
 }
 
 } // namespace kanexpr::describe

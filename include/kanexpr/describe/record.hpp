@@ -3,8 +3,9 @@
 #include <kanexpr/base/text.hpp>
 #include <kanexpr/describe/arguments.hpp>
 #include <kanexpr/describe/diagnostics/conflicting_bases.hpp>
+#include <kanexpr/describe/diagnostics/unsupported_operators.hpp>
 #include <kanexpr/describe/functions.hpp>
-#include <kanexpr/describe/shape.hpp>
+#include <kanexpr/describe/operators.hpp>
 #include <kanexpr/describe/unparsed.hpp>
 #include <kanexpr/describe/what_it_is.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -26,23 +27,6 @@ struct phrase {
            tokens[0].index == static_cast<int>(misuse::zero);
   }
 };
-
-template <int size>
-constexpr shape shape_of(const scalar<size>&) {
-  return shape::scalar;
-}
-template <int size>
-constexpr shape shape_of(const vector<size>&) {
-  return shape::vector;
-}
-template <int size>
-constexpr shape shape_of(const dyadic<size>&) {
-  return shape::dyadic;
-}
-template <int size>
-constexpr shape shape_of(const equation<size>&) {
-  return shape::equation;
-}
 
 template <class Written>
 constexpr auto with_numbers_as_scalars(const Written& value) {

@@ -31,90 +31,46 @@ constexpr scalar<1> symbol_token() {
   return {{t}};
 }
 
+template <symbolic::symbol_kind represented, text called, int index, int order = unprescribed>
+struct symbol : scalar<1> {
+  constexpr symbol() : scalar<1>(symbol_token<represented, called, index, order>()) {}
+
+  template <class Right>
+  constexpr auto operator=(const Right& other) const {
+    return misused<shape::equation>(misuse::assignment, *this, other);
+  }
+};
+
 } // namespace describe
 
 /// A generalized coordinate: `constexpr coordinate<"q1"> q1;`, or one of a numbered sequence,
 /// `coordinate<"q", i>`.
 template <text called, int index = unnumbered>
-struct coordinate : scalar<1> {
-  constexpr coordinate()
-      : scalar<1>(describe::symbol_token<symbolic::symbol_kind::coordinate, called, index>()) {}
-
-  template <class Right>
-  constexpr auto operator=(const Right& other) const {
-    return describe::assigned(*this, other);
-  }
-};
+using coordinate = describe::symbol<symbolic::symbol_kind::coordinate, called, index>;
 
 /// A generalized speed.
 template <text called, int index = unnumbered>
-struct speed : scalar<1> {
-  constexpr speed() : scalar<1>(describe::symbol_token<symbolic::symbol_kind::speed, called, index>()) {}
-
-  template <class Right>
-  constexpr auto operator=(const Right& other) const {
-    return describe::assigned(*this, other);
-  }
-};
+using speed = describe::symbol<symbolic::symbol_kind::speed, called, index>;
 
 /// A constant of the system, passed to each evaluation or bound in the type by `values`.
 template <text called, int index = unnumbered>
-struct parameter : scalar<1> {
-  constexpr parameter()
-      : scalar<1>(describe::symbol_token<symbolic::symbol_kind::parameter, called, index>()) {}
-
-  template <class Right>
-  constexpr auto operator=(const Right& other) const {
-    return describe::assigned(*this, other);
-  }
-};
+using parameter = describe::symbol<symbolic::symbol_kind::parameter, called, index>;
 
 /// A force, torque or other quantity that is passed to each evaluation and may vary arbitrarily.
 template <text called, int index = unnumbered>
-struct input : scalar<1> {
-  constexpr input() : scalar<1>(describe::symbol_token<symbolic::symbol_kind::input, called, index>()) {}
-
-  template <class Right>
-  constexpr auto operator=(const Right& other) const {
-    return describe::assigned(*this, other);
-  }
-};
+using input = describe::symbol<symbolic::symbol_kind::input, called, index>;
 
 /// A quantity that is a known function of time: `constexpr prescribed<"theta"> theta;` Its value and its
 /// derivatives `dot(theta)` and `dot(dot(theta))` are passed to each evaluation as inputs.
 template <text called, int index = unnumbered, int order = 0>
-struct prescribed : scalar<1> {
-  constexpr prescribed()
-      : scalar<1>(describe::symbol_token<symbolic::symbol_kind::input, called, index, order>()) {}
-
-  template <class Right>
-  constexpr auto operator=(const Right& other) const {
-    return describe::assigned(*this, other);
-  }
-};
+using prescribed = describe::symbol<symbolic::symbol_kind::input, called, index, order>;
 
 /// The time, for explicitly time-dependent expressions.
-struct time_variable : scalar<1> {
-  constexpr time_variable()
-      : scalar<1>(describe::symbol_token<symbolic::symbol_kind::time, "t", unnumbered>()) {}
-
-  template <class Right>
-  constexpr auto operator=(const Right& other) const {
-    return describe::assigned(*this, other);
-  }
-};
+using time_variable = describe::symbol<symbolic::symbol_kind::time, "t", unnumbered>;
 
 /// The rate dq/dt of a coordinate, `dot(q)`.
 template <text called, int index = unnumbered>
-struct coordinate_rate : scalar<1> {
-  constexpr coordinate_rate()
-      : scalar<1>(describe::symbol_token<symbolic::symbol_kind::coordinate_rate, called, index>()) {}
-
-  template <class Right>
-  constexpr auto operator=(const Right& other) const {
-    return describe::assigned(*this, other);
-  }
-};
+using coordinate_rate = describe::symbol<symbolic::symbol_kind::coordinate_rate, called, index>;
 
 template <text called, int index>
 constexpr coordinate_rate<called, index> dot(const coordinate<called, index>&) {
@@ -129,6 +85,7 @@ constexpr scalar<1> dot(const coordinate_rate<called, index>&) {
 
 /// The derivative of a prescribed quantity.
 template <text called, int index, int order>
+  requires(order != describe::unprescribed)
 constexpr prescribed<called, index, order + 1> dot(const prescribed<called, index, order>&) {
   return {};
 }

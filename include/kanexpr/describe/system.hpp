@@ -52,6 +52,15 @@ constexpr void add_word(system_record& r) {
   if constexpr (system_word<Word>) Word::add_to(r);
 }
 
+/// A word that lists expressions in a member of the record.
+template <text called, listing<phrase> system_record::* list, auto... expressions>
+struct phrase_list : system_words {
+  static constexpr std::string_view word = called.view();
+  static constexpr void add_to(system_record& r) {
+    r.*list = list_of<phrase, &phrase_of<expressions>...>::all;
+  }
+};
+
 } // namespace describe
 
 /// The inertial frame.
@@ -66,65 +75,46 @@ struct inertial : describe::system_words {
 
 /// The generalized coordinates, in the order of the state.
 template <auto... symbols>
-struct coordinates : describe::system_words {
-  static constexpr std::string_view word = "coordinates";
-  static constexpr void add_to(describe::system_record& r) {
-    r.coordinates = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
-  }
+struct coordinates : describe::phrase_list<"coordinates", &describe::system_record::coordinates, symbols...> {
 };
 
 /// The generalized speeds, in the order of the state, in which they follow the coordinates.
 template <auto... symbols>
-struct speeds : describe::system_words {
-  static constexpr std::string_view word = "speeds";
-  static constexpr void add_to(describe::system_record& r) {
-    r.speeds = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
-  }
-};
+struct speeds : describe::phrase_list<"speeds", &describe::system_record::speeds, symbols...> {};
 
 /// The order of the parameter vector; by default, the order of first mention in the model.
 template <auto... symbols>
-struct parameters : describe::system_words {
-  static constexpr std::string_view word = "parameters";
-  static constexpr void add_to(describe::system_record& r) {
-    r.parameters = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
-  }
-};
+struct parameters : describe::phrase_list<"parameters", &describe::system_record::parameters, symbols...> {};
 
 /// The order of the input vector; by default, the order of first mention in the model.
 template <auto... symbols>
-struct inputs : describe::system_words {
-  static constexpr std::string_view word = "inputs";
-  static constexpr void add_to(describe::system_record& r) {
-    r.inputs = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
-  }
-};
+struct inputs : describe::phrase_list<"inputs", &describe::system_record::inputs, symbols...> {};
 
 /// Parameters and inputs that appear only in expressions evaluated later, such as outputs and pictures:
 /// `used_elsewhere<k, F>`. Any other symbol that is listed but not used in the system is a mistake.
 template <auto... symbols>
-struct used_elsewhere : describe::system_words {
-  static constexpr std::string_view word = "used_elsewhere";
-  static constexpr void add_to(describe::system_record& r) {
-    r.used_elsewhere = describe::list_of<describe::phrase, &describe::phrase_of<symbols>...>::all;
-  }
-};
+struct used_elsewhere
+    : describe::phrase_list<"used_elsewhere", &describe::system_record::used_elsewhere, symbols...> {};
 
 /// The kinematic differential equations, in any form that is linear in the rates: `dot(q1) == u1`.
 template <auto... equations>
-struct kinematics : describe::system_words {
-  static constexpr std::string_view word = "kinematics";
-  static constexpr void add_to(describe::system_record& r) {
-    r.kinematics = describe::list_of<describe::phrase, &describe::phrase_of<equations>...>::all;
-  }
+struct kinematics : describe::phrase_list<"kinematics", &describe::system_record::kinematics, equations...> {
 };
 
 /// Parameters bound to numbers, which are folded into the derivation: `values<m == 2.2, r == 0.45>`.
 template <auto... equations>
-struct values : describe::system_words {
-  static constexpr std::string_view word = "values";
+struct values : describe::phrase_list<"values", &describe::system_record::values, equations...> {};
+
+/// The Lagrangian as an expression of coordinates, their rates, parameters, inputs and time, which replaces
+/// the bodies: `lagrangian<m * l * l * dot(q) * dot(q) / 2 + m * g * l * cos(q)>`.
+template <auto... expression>
+struct lagrangian : describe::system_words {
+  static constexpr std::string_view word = "lagrangian";
   static constexpr void add_to(describe::system_record& r) {
-    r.values = describe::list_of<describe::phrase, &describe::phrase_of<equations>...>::all;
+    if constexpr (sizeof...(expression) == 0)
+      r.lagrangian = describe::list_of<describe::phrase, &describe::phrase_of<nullptr>>::all;
+    else
+      r.lagrangian = describe::list_of<describe::phrase, &describe::phrase_of<expression>...>::all;
   }
 };
 
@@ -175,5 +165,11 @@ struct system_of_words : whole_systems {
 /// System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>> {};`
 template <class... Words>
 struct kane_system : describe::system_of_words<describe::method::kane, Words...> {};
+
+/// A system whose equations of motion are derived by Lagrange's method, with its words in any order: `struct
+/// System : lagrange_system<inertial<N>, coordinates<q>, bodies<Bob>, loads<gravity<g * N::x>>> {};` The
+/// rates of the coordinates replace the speeds and are part of the state, [q; dq/dt].
+template <class... Words>
+struct lagrange_system : describe::system_of_words<describe::method::lagrange, Words...> {};
 
 } // namespace kanexpr

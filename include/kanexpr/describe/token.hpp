@@ -8,6 +8,19 @@
 /// cost almost no compile time, and records of entities that point to each other.
 namespace kanexpr::describe {
 
+/// The kind of an expression.
+enum class shape : unsigned char {
+  nothing,
+  scalar,
+  vector,
+  dyadic,
+  equation,
+  vanishing,  ///< zero_along
+  kinematics, ///< kinematics_of
+  simple,     ///< the kinematic differential equations q̇ = u
+  foreign,    ///< not an expression
+};
+
 struct frame_record;
 struct point_record;
 struct external_record;

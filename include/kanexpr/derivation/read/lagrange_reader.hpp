@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kanexpr/derivation/read/entity_reader.hpp>
-#include <kanexpr/describe/lagrange_system.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 

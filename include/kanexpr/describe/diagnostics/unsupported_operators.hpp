@@ -2,180 +2,84 @@
 
 #include <kanexpr/describe/operand.hpp>
 
-#include <type_traits>
-
-/// Operators that C++ has but models do not, such as `dot(q) = u` and `q^2`. The operands are kept, followed
-/// by the mistake, so that the reader of the model can report it with its location.
+/// Operators that C++ has but models do not, such as `q^2`. The operands are kept, followed by the mistake,
+/// so that the reader of the model can report it with its location.
 namespace kanexpr {
 
-namespace describe {
+#define KANEXPR_UNSUPPORTED_OPERATOR(symbol, kind, mistake)                                                  \
+  template <class Left, class Right>                                                                         \
+    requires describe::operands_of_a_model<Left, Right>                                                      \
+  constexpr auto operator symbol(const Left& x, const Right& y) {                                            \
+    return describe::misused<describe::shape::kind>(describe::misuse::mistake, x, y);                        \
+  }
 
-template <class Operand>
-concept expression_of_a_model = written<Operand> && std::is_class_v<Operand>;
-template <class Left, class Right>
-concept operands_of_a_model =
-    written<Left> && written<Right> && (std::is_class_v<Left> || std::is_class_v<Right>);
+KANEXPR_UNSUPPORTED_OPERATOR(!=, equation, comparison)
+KANEXPR_UNSUPPORTED_OPERATOR(<, equation, comparison)
+KANEXPR_UNSUPPORTED_OPERATOR(>, equation, comparison)
+KANEXPR_UNSUPPORTED_OPERATOR(<=, equation, comparison)
+KANEXPR_UNSUPPORTED_OPERATOR(>=, equation, comparison)
+KANEXPR_UNSUPPORTED_OPERATOR(<=>, equation, comparison)
+KANEXPR_UNSUPPORTED_OPERATOR(^, scalar, caret)
+KANEXPR_UNSUPPORTED_OPERATOR(%, scalar, remainder)
+KANEXPR_UNSUPPORTED_OPERATOR(&, scalar, unsupported_operator)
+KANEXPR_UNSUPPORTED_OPERATOR(|, scalar, unsupported_operator)
+KANEXPR_UNSUPPORTED_OPERATOR(<<, scalar, unsupported_operator)
+KANEXPR_UNSUPPORTED_OPERATOR(>>, scalar, unsupported_operator)
+KANEXPR_UNSUPPORTED_OPERATOR(+=, equation, change)
+KANEXPR_UNSUPPORTED_OPERATOR(-=, equation, change)
+KANEXPR_UNSUPPORTED_OPERATOR(*=, equation, change)
+KANEXPR_UNSUPPORTED_OPERATOR(/=, equation, change)
 
-template <template <int> class Kind, class Operand>
-constexpr auto misused(const Operand& x, misuse what) {
-  return followed_by<Kind>(operand(with_zeros(x)).tokens, misused(what));
-}
-template <template <int> class Kind, class Left, class Right>
-constexpr auto misused(const Left& x, const Right& y, misuse what) {
-  return followed_by<Kind>(operand(with_zeros(x)).tokens, operand(with_zeros(y)).tokens, misused(what));
-}
-
-template <class Left, class Right>
-constexpr auto assigned(const Left& x, const Right& y) {
-  return misused<equation>(x, y, misuse::assignment);
-}
-template <class Operand>
-constexpr auto with_index(const Operand& x) {
-  return misused<scalar>(x, misuse::index);
-}
-template <class Operand>
-constexpr auto with_arguments(const Operand& x) {
-  return misused<scalar>(x, misuse::arguments);
-}
-
-} // namespace describe
-
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator!=(const Left& x, const Right& y) {
-  return describe::misused<equation>(x, y, describe::misuse::comparison);
-}
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator<(const Left& x, const Right& y) {
-  return describe::misused<equation>(x, y, describe::misuse::comparison);
-}
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator>(const Left& x, const Right& y) {
-  return describe::misused<equation>(x, y, describe::misuse::comparison);
-}
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator<=(const Left& x, const Right& y) {
-  return describe::misused<equation>(x, y, describe::misuse::comparison);
-}
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator>=(const Left& x, const Right& y) {
-  return describe::misused<equation>(x, y, describe::misuse::comparison);
-}
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator<=>(const Left& x, const Right& y) {
-  return describe::misused<equation>(x, y, describe::misuse::comparison);
-}
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator^(const Left& x, const Right& y) {
-  return describe::misused<scalar>(x, y, describe::misuse::caret);
-}
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator%(const Left& x, const Right& y) {
-  return describe::misused<scalar>(x, y, describe::misuse::remainder);
-}
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator&(const Left& x, const Right& y) {
-  return describe::misused<scalar>(x, y, describe::misuse::unsupported_operator);
-}
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator|(const Left& x, const Right& y) {
-  return describe::misused<scalar>(x, y, describe::misuse::unsupported_operator);
-}
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator<<(const Left& x, const Right& y) {
-  return describe::misused<scalar>(x, y, describe::misuse::unsupported_operator);
-}
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator>>(const Left& x, const Right& y) {
-  return describe::misused<scalar>(x, y, describe::misuse::unsupported_operator);
-}
 template <describe::expression_of_a_model Operand>
 constexpr auto operator!(const Operand& x) {
-  return describe::misused<equation>(x, describe::misuse::negation);
+  return describe::misused<describe::shape::equation>(describe::misuse::negation, x);
 }
 template <describe::expression_of_a_model Operand>
 constexpr auto operator~(const Operand& x) {
-  return describe::misused<scalar>(x, describe::misuse::unsupported_operator);
+  return describe::misused<describe::shape::scalar>(describe::misuse::unsupported_operator, x);
 }
 template <describe::expression_of_a_model Operand>
 constexpr auto operator*(const Operand& x) {
-  return describe::misused<scalar>(x, describe::misuse::unsupported_operator);
-}
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator+=(const Left& x, const Right& y) {
-  return describe::misused<equation>(x, y, describe::misuse::change);
-}
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator-=(const Left& x, const Right& y) {
-  return describe::misused<equation>(x, y, describe::misuse::change);
-}
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator*=(const Left& x, const Right& y) {
-  return describe::misused<equation>(x, y, describe::misuse::change);
-}
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator/=(const Left& x, const Right& y) {
-  return describe::misused<equation>(x, y, describe::misuse::change);
+  return describe::misused<describe::shape::scalar>(describe::misuse::unsupported_operator, x);
 }
 
 // g++'s -Weffc++ warns about the mere existence of these operators, but only they allow an error sentence.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Weffc++"
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator&&(const Left& x, const Right& y) {
-  return describe::misused<equation>(x, y, describe::misuse::logical_operator);
-}
-template <class Left, class Right>
-  requires describe::operands_of_a_model<Left, Right>
-constexpr auto operator||(const Left& x, const Right& y) {
-  return describe::misused<equation>(x, y, describe::misuse::logical_operator);
-}
+KANEXPR_UNSUPPORTED_OPERATOR(&&, equation, logical_operator)
+KANEXPR_UNSUPPORTED_OPERATOR(||, equation, logical_operator)
 template <describe::expression_of_a_model Operand>
 constexpr auto operator++(const Operand& x) {
-  return describe::misused<scalar>(x, describe::misuse::change);
+  return describe::misused<describe::shape::scalar>(describe::misuse::change, x);
 }
 template <describe::expression_of_a_model Operand>
 constexpr auto operator++(const Operand& x, int) {
-  return describe::misused<scalar>(x, describe::misuse::change);
+  return describe::misused<describe::shape::scalar>(describe::misuse::change, x);
 }
 template <describe::expression_of_a_model Operand>
 constexpr auto operator--(const Operand& x) {
-  return describe::misused<scalar>(x, describe::misuse::change);
+  return describe::misused<describe::shape::scalar>(describe::misuse::change, x);
 }
 template <describe::expression_of_a_model Operand>
 constexpr auto operator--(const Operand& x, int) {
-  return describe::misused<scalar>(x, describe::misuse::change);
+  return describe::misused<describe::shape::scalar>(describe::misuse::change, x);
 }
 #pragma GCC diagnostic pop
 
+#undef KANEXPR_UNSUPPORTED_OPERATOR
+
 template <describe::expression_of_a_model Operand>
 constexpr auto dot(const Operand& x) {
-  return describe::misused<scalar>(x, describe::misuse::rate);
+  return describe::misused<describe::shape::scalar>(describe::misuse::rate, x);
 }
 
 template <describe::expression_of_a_model Left, class Right, class Third, class... More>
 constexpr auto dot(const Left& x, const Right&, const Third&, const More&...) {
-  return describe::misused<scalar>(x, describe::misuse::operands);
+  return describe::misused<describe::shape::scalar>(describe::misuse::operands, x);
 }
 template <describe::expression_of_a_model Left, class Right, class Third, class... More>
 constexpr auto cross(const Left& x, const Right&, const Third&, const More&...) {
-  return describe::misused<vector>(x, describe::misuse::operands);
+  return describe::misused<describe::shape::vector>(describe::misuse::operands, x);
 }
 
 } // namespace kanexpr

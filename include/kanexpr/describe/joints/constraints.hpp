@@ -82,7 +82,7 @@ constexpr auto axis_of_wheel() {
     token t = with(token_kind::wheel_axis);
     t.frame = parts_of<Wheel>::frame();
     t.is_of_one_file = !is_known_to_all_files<Wheel>;
-    return join<vector<sizeof(unit_along(axis).tokens) / sizeof(token) + 1>>(unit_along(axis).tokens, t);
+    return joined<shape::vector>(t, unit_along(axis));
   } else {
     return unit_along(axis);
   }
@@ -99,7 +99,7 @@ constexpr auto length_of() {
   if constexpr (plain_number<decltype(given)>)
     if (given < 0) return scalar<1>{{misused(misuse::negative_length)}};
   if constexpr (!plain_number<decltype(given)> && shape_of_operand<decltype(given)> == shape::scalar)
-    return followed_by<scalar>(operand(given).tokens, with(token_kind::length));
+    return joined<shape::scalar>(with(token_kind::length), operand(given));
   else
     return operand(given);
 }
