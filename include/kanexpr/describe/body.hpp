@@ -113,7 +113,7 @@ inline constexpr body_record body_of = [] {
   if constexpr (requires { Body::content(); }) {
     r = Body::content();
   } else { // not a body
-    r.instead = what_it_is<Body>();
+    r.instead = describe_kind<Body>();
     r.unparsed = is_unparsed<Body>();
   }
   r.called = type_name<Body>();

@@ -59,7 +59,9 @@ template <class Other>
 inline constexpr frame_record frame_under_another_name = [] {
   frame_record r;
   r.called = r.calls_itself = type_name<Other>();
-  r.conflict = base_conflict::name_of_another;
+  r.conflict =
+      "a frame other than @ names itself @; the first template argument of a frame's base must be the frame "
+      "itself";
   return r;
 }();
 
@@ -95,44 +97,58 @@ struct inertial_frame : describe::axes<Self> {
   }
 };
 
-/// A frame rotated by `angle` (rad, right-handed) about an axis fixed in its parent: `rotated<A, N, q1,
-/// N::z>`.
-template <class Self, class Parent, auto... angle_and_axis>
-struct rotated : describe::axes<Self> {
-  static constexpr describe::frame_record orientation() {
-    describe::frame_record r;
-    r.calls_itself = type_name<Self>();
-    r.fits = describe::arguments_of("rotated<Self, Parent, angle, axis>", sizeof...(angle_and_axis), 2);
-    r.orientation = describe::orientation_word::rotated;
-    r.given_as = "the angle of frame ";
-    r.parent = &describe::frame_of<Parent>;
-    r.given[0] = describe::given_phrases<angle_and_axis...>[0];
-    r.axis = describe::given_phrases<angle_and_axis...>[1];
-    return r;
-  }
-};
-
 namespace describe {
+
+/// Returns the record of a frame that a word orients relative to its parent by the first `count` phrases.
+template <class Self, class Parent>
+constexpr frame_record oriented(orientation_word word, std::string_view given_as, const arguments& fits,
+                                const phrase* given, int count) {
+  frame_record r;
+  r.calls_itself = type_name<Self>();
+  r.orientation = word;
+  r.given_as = given_as;
+  r.fits = fits;
+  r.parent = &frame_of<Parent>;
+  for (int i = 0; i < count; ++i) r.given[i] = given[i];
+  return r;
+}
+
+/// Sets a rotation sequence; one that does not have three letters is marked as invalid.
+constexpr void set_sequence(frame_record& r, std::string_view sequence) {
+  for (std::size_t i = 0; i < 3 && i < sequence.size(); ++i) r.sequence[i] = sequence[i];
+  if (sequence.size() != 3) r.sequence[0] = '?';
+}
 
 template <class Self, class Parent, orientation_word kind, text sequence, auto... angles>
 struct sequence_of_turns : axes<Self> {
   static constexpr frame_record orientation() {
-    frame_record r;
-    r.calls_itself = type_name<Self>();
-    r.orientation = kind;
-    r.parent = &frame_of<Parent>;
-    for (std::size_t i = 0; i < 3 && i < sequence.view().size(); ++i) r.sequence[i] = sequence.letters[i];
-    if (sequence.view().size() != 3) r.sequence[0] = '?';
-    r.fits = arguments_of(kind == orientation_word::body_fixed
-                              ? "body_fixed<Self, Parent, sequence, angle, angle, angle>"
-                              : "space_fixed<Self, Parent, sequence, angle, angle, angle>",
-                          sizeof...(angles), 3);
-    for (int i = 0; i < 3; ++i) r.given[i] = given_phrases<angles...>[i];
+    frame_record r =
+        oriented<Self, Parent>(kind, "an angle of frame ",
+                               arguments_of(kind == orientation_word::body_fixed
+                                                ? "body_fixed<Self, Parent, sequence, angle, angle, angle>"
+                                                : "space_fixed<Self, Parent, sequence, angle, angle, angle>",
+                                            sizeof...(angles), 3),
+                               given_phrases<angles...>, 3);
+    set_sequence(r, sequence.view());
     return r;
   }
 };
 
 } // namespace describe
+
+/// A frame rotated by `angle` (rad, right-handed) about an axis fixed in its parent: `rotated<A, N, q1,
+/// N::z>`.
+template <class Self, class Parent, auto... angle_and_axis>
+struct rotated : describe::axes<Self> {
+  static constexpr describe::frame_record orientation() {
+    constexpr auto& given = describe::given_phrases<angle_and_axis...>;
+    describe::frame_record r = describe::oriented<Self, Parent>(
+        describe::orientation_word::rotated, "the angle of frame ",
+        describe::arguments_of("rotated<Self, Parent, angle, axis>", sizeof...(angle_and_axis), 2), given, 1);
+    r.axis = given[1];
+    return r;
+  }
+};
 
 /// Three successive rotations about the frame's own axes: `body_fixed<B, N, "zxz", q1, q2, q3>`. All twelve
 /// sequences, in letters or digits ("313"). Kane, Likins & Levinson (1983), appendix I.
@@ -150,14 +166,10 @@ struct space_fixed : describe::sequence_of_turns<Self, Parent, describe::orienta
 template <class Self, class Parent, auto... parameters>
 struct quaternion : describe::axes<Self> {
   static constexpr describe::frame_record orientation() {
-    describe::frame_record r;
-    r.calls_itself = type_name<Self>();
-    r.orientation = describe::orientation_word::quaternion;
-    r.given_as = "the quaternion of frame ";
-    r.parent = &describe::frame_of<Parent>;
-    r.fits = describe::arguments_of("quaternion<Self, Parent, e0, e1, e2, e3>", sizeof...(parameters), 4);
-    for (int i = 0; i < 4; ++i) r.given[i] = describe::given_phrases_with_zeros<parameters...>[i];
-    return r;
+    return describe::oriented<Self, Parent>(
+        describe::orientation_word::quaternion, "the quaternion of frame ",
+        describe::arguments_of("quaternion<Self, Parent, e0, e1, e2, e3>", sizeof...(parameters), 4),
+        describe::given_phrases_with_zeros<parameters...>, 4);
   }
 };
 
@@ -167,14 +179,10 @@ struct quaternion : describe::axes<Self> {
 template <class Self, class Parent, auto... parameters>
 struct modified_rodrigues : describe::axes<Self> {
   static constexpr describe::frame_record orientation() {
-    describe::frame_record r;
-    r.calls_itself = type_name<Self>();
-    r.orientation = describe::orientation_word::modified_rodrigues;
-    r.given_as = "a modified Rodrigues parameter of frame ";
-    r.parent = &describe::frame_of<Parent>;
-    r.fits = describe::arguments_of("modified_rodrigues<Self, Parent, s1, s2, s3>", sizeof...(parameters), 3);
-    for (int i = 0; i < 3; ++i) r.given[i] = describe::given_phrases<parameters...>[i];
-    return r;
+    return describe::oriented<Self, Parent>(
+        describe::orientation_word::modified_rodrigues, "a modified Rodrigues parameter of frame ",
+        describe::arguments_of("modified_rodrigues<Self, Parent, s1, s2, s3>", sizeof...(parameters), 3),
+        describe::given_phrases<parameters...>, 3);
   }
 };
 
@@ -183,38 +191,37 @@ struct modified_rodrigues : describe::axes<Self> {
 template <class Self, class Parent, auto... cosines>
 struct direction_cosines : describe::axes<Self> {
   static constexpr describe::frame_record orientation() {
-    describe::frame_record r;
-    r.calls_itself = type_name<Self>();
-    r.orientation = describe::orientation_word::direction_cosines;
-    r.given_as = "a direction cosine of frame ";
-    r.parent = &describe::frame_of<Parent>;
-    r.fits = describe::arguments_of("direction_cosines<Self, Parent, nine cosines row by row>",
-                                    sizeof...(cosines), 9);
-    for (int i = 0; i < 9; ++i) r.given[i] = describe::given_phrases_with_zeros<cosines...>[i];
-    return r;
+    return describe::oriented<Self, Parent>(
+        describe::orientation_word::direction_cosines, "a direction cosine of frame ",
+        describe::arguments_of("direction_cosines<Self, Parent, nine cosines row by row>", sizeof...(cosines),
+                               9),
+        describe::given_phrases_with_zeros<cosines...>, 9);
   }
 };
+
+namespace describe {
+
+template <text form, bool is_independent, class Reference, auto... value>
+struct declared_rotation : angular_velocity_words {
+  static constexpr const frame_record* turns_in = &frame_of<Reference>;
+  static constexpr phrase declared_angular_velocity = given_phrases<value...>[0];
+  static constexpr arguments turns_with = arguments_of(form.view(), sizeof...(value), 1);
+  static constexpr bool turns_apart = is_independent;
+};
+
+} // namespace describe
 
 /// Declares a frame's angular velocity in `Reference`, which always replaces the derived one. It must equal
 /// the one that follows from the orientation, except for a spin about an axis whose angle the orientation
 /// omits.
 template <class Reference, auto... value>
-struct angular_velocity : describe::angular_velocity_words {
-  static constexpr const describe::frame_record* turns_in = &describe::frame_of<Reference>;
-  static constexpr describe::phrase declared_angular_velocity = describe::given_phrases<value...>[0];
-  static constexpr describe::arguments turns_with =
-      describe::arguments_of("angular_velocity<Reference, vector>", sizeof...(value), 1);
-  static constexpr bool turns_apart = false;
-};
+struct angular_velocity
+    : describe::declared_rotation<"angular_velocity<Reference, vector>", false, Reference, value...> {};
 
 /// The same for a frame whose orientation intentionally does not follow its angular velocity.
 template <class Reference, auto... value>
-struct angular_velocity_apart_from_orientation : describe::angular_velocity_words {
-  static constexpr const describe::frame_record* turns_in = &describe::frame_of<Reference>;
-  static constexpr describe::phrase declared_angular_velocity = describe::given_phrases<value...>[0];
-  static constexpr describe::arguments turns_with = describe::arguments_of(
-      "angular_velocity_apart_from_orientation<Reference, vector>", sizeof...(value), 1);
-  static constexpr bool turns_apart = true;
-};
+struct angular_velocity_apart_from_orientation
+    : describe::declared_rotation<"angular_velocity_apart_from_orientation<Reference, vector>", true,
+                                  Reference, value...> {};
 
 } // namespace kanexpr

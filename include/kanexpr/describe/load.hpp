@@ -175,12 +175,12 @@ constexpr load_record record_load() {
   } else {
     r.what = load_word::none;
     r.called = type_name<Load>();
-    r.instead = what_it_is<Load>();
+    r.instead = describe_kind<Load>();
     r.unparsed = is_unparsed<Load>();
   }
   if constexpr (requires { sizeof(Load); }) {
     r.conflict = find_base_conflict<Load>();
-    if (r.conflict != base_conflict::none) r.called = type_name<Load>();
+    if (!r.conflict.empty()) r.called = type_name<Load>();
   }
   return r;
 }

@@ -40,9 +40,9 @@ constexpr auto quotient(const Left& x, const Right& y) {
 /// A side of an equation, where 0 is allowed; the value reader rejects a parameter bound to 0.
 template <class Operand>
 constexpr auto side(const Operand& x) {
-  auto expression = operand_or_zero(x);
-  if (is_whole_zero(x)) expression.tokens[0].index = whole_zero;
-  return expression;
+  auto given = operand_or_zero(x);
+  if (is_whole_zero(x)) given.tokens[0].index = whole_zero;
+  return given;
 }
 
 template <class Left, class Right>

@@ -72,27 +72,29 @@ struct fixed_in : describe::fixing_words {
   static constexpr const describe::frame_record* both_fixed_in = &describe::frame_of<Frame>;
 };
 
+namespace describe {
+
+template <text form, bool is_independent, class Reference, auto... value>
+struct declared_motion : velocity_words {
+  static constexpr const frame_record* moves_in = &frame_of<Reference>;
+  static constexpr phrase declared_velocity = given_phrases<value...>[0];
+  static constexpr arguments moves_with = arguments_of(form.view(), sizeof...(value), 1);
+  static constexpr bool moves_apart = is_independent;
+};
+
+} // namespace describe
+
 /// Declares a point's velocity in `Reference`. In the inertial frame this is the whole velocity; in any other
 /// frame, the point from which it is offset must be fixed in that frame: v = v_from + ω × r + value
 /// (one-point theorem). The velocity must be the rate of the point's position, unless the offset is zero,
 /// which means that the model omits the position.
 template <class Reference, auto... value>
-struct velocity : describe::velocity_words {
-  static constexpr const describe::frame_record* moves_in = &describe::frame_of<Reference>;
-  static constexpr describe::phrase declared_velocity = describe::given_phrases<value...>[0];
-  static constexpr describe::arguments moves_with =
-      describe::arguments_of("velocity<Reference, vector>", sizeof...(value), 1);
-  static constexpr bool moves_apart = false;
-};
+struct velocity : describe::declared_motion<"velocity<Reference, vector>", false, Reference, value...> {};
 
 /// The same for a point whose position intentionally does not follow its velocity.
 template <class Reference, auto... value>
-struct velocity_apart_from_position : describe::velocity_words {
-  static constexpr const describe::frame_record* moves_in = &describe::frame_of<Reference>;
-  static constexpr describe::phrase declared_velocity = describe::given_phrases<value...>[0];
-  static constexpr describe::arguments moves_with =
-      describe::arguments_of("velocity_apart_from_position<Reference, vector>", sizeof...(value), 1);
-  static constexpr bool moves_apart = true;
-};
+struct velocity_apart_from_position
+    : describe::declared_motion<"velocity_apart_from_position<Reference, vector>", true, Reference,
+                                value...> {};
 
 } // namespace kanexpr

@@ -1,20 +1,34 @@
 #pragma once
 
 #include <kanexpr/base/text.hpp>
-#include <kanexpr/describe/arguments.hpp>
 #include <kanexpr/describe/diagnostics/conflicting_bases.hpp>
+#include <kanexpr/describe/diagnostics/misplaced_type.hpp>
 #include <kanexpr/describe/diagnostics/unsupported_operators.hpp>
 #include <kanexpr/describe/functions.hpp>
 #include <kanexpr/describe/operators.hpp>
-#include <kanexpr/describe/unparsed.hpp>
-#include <kanexpr/describe/what_it_is.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
+#include <cstddef>
 #include <string_view>
 
 /// The records from which a model's entities are read: plain constants that point to each other and to their
 /// expressions.
 namespace kanexpr::describe {
+
+/// The result of checking the number of arguments of a word, and the form that an error sentence suggests.
+struct arguments {
+  int missing = 0;       ///< -1: too many
+  std::string_view form; ///< how to write the word: "offset<Self, From, vector>"
+  constexpr explicit operator bool() const { return missing == 0; }
+};
+
+constexpr arguments arguments_of(std::string_view form, std::size_t given, std::size_t least,
+                                 std::size_t most) {
+  return {given < least ? 1 : given > most ? -1 : 0, form};
+}
+constexpr arguments arguments_of(std::string_view form, std::size_t given, std::size_t wanted) {
+  return arguments_of(form, given, wanted, wanted);
+}
 
 /// An expression in static storage.
 struct phrase {
@@ -117,11 +131,17 @@ struct list_of {
 
 enum class orientation_word : unsigned char;
 
-struct frame_record {
+/// The properties that all entities have in common.
+struct entity_record {
   std::string_view called{};
-  std::string_view calls_itself{}; ///< the first template argument of its orientation word
+  std::string_view calls_itself{}; ///< the first template argument of its word; empty if it has none
+  std::string_view instead{};      ///< the actual kind, if it is not the one for which it is used
+  base_conflict conflict{};
+  bool unparsed = false; ///< whether it is a class without bases, as after an error in a base clause
+};
+
+struct frame_record : entity_record {
   arguments fits{};
-  bool unparsed = false;
   orientation_word orientation{}; ///< the default is that of an inertial frame
   const frame_record* parent = nullptr;
   phrase given[9]{}; ///< angles, quaternion or matrix
@@ -131,19 +151,14 @@ struct frame_record {
   const frame_record* reference = nullptr;
   phrase angular_velocity{};
   bool turns_apart = false;   ///< declared not to match its orientation
-  std::string_view instead{}; ///< the actual kind, if it is not a frame
   std::string_view its_own{}; ///< the frame of that entity, if it has one
   bool is_of_joint = false;
-  base_conflict conflict = base_conflict::none;
 
   constexpr bool is_inertial() const { return parent == nullptr; }
 };
 
-struct point_record {
-  std::string_view called{};
-  std::string_view calls_itself{};
+struct point_record : entity_record {
   arguments fits{};
-  bool unparsed = false;
   const point_record* parent = nullptr; ///< null for an origin
   const frame_record* origin_of = nullptr;
   phrase offset{};
@@ -153,16 +168,12 @@ struct point_record {
   bool moves_apart = false; ///< declared not to match its position
   bool from_parent =
       false; ///< the velocity is relative to the parent, even if `reference` is the inertial frame
-  std::string_view instead{}; ///< the actual kind, if it is not a point
   std::string_view its_own{}; ///< the point of that entity, if it has one
-  base_conflict conflict = base_conflict::none;
 
   constexpr bool is_origin() const { return parent == nullptr; }
 };
 
-struct body_record {
-  std::string_view called{};
-  std::string_view calls_itself{};
+struct body_record : entity_record {
   arguments fits{};
   bool rigid = false;
   const point_record* center = nullptr;
@@ -173,12 +184,9 @@ struct body_record {
   phrase inertia_dyadic{};
   const point_record* about = nullptr;
   std::string_view instead_of_inertia{}; ///< the type that is passed in its place but is not an inertia
-  std::string_view instead{};            ///< the actual kind, if it is not a body
   bool has_whole_zeros = false;          ///< whether all scalars of its inertia are the integer 0
   bool inertia_changes = false;
   bool effective = false; ///< the inertia need not correspond to a mass distribution
-  base_conflict conflict = base_conflict::none;
-  bool unparsed = false;
 };
 
 /// How the values of a load are interpreted; the enumerators are in load.hpp.
@@ -199,15 +207,13 @@ struct load_record {
   phrase known_by{};                         ///< the expression that identifies it, if not points or frames
   std::string_view called{};
   std::string_view instead{}; ///< the actual kind, if it is not a load
-  base_conflict conflict = base_conflict::none;
+  base_conflict conflict{};
   bool unparsed = false;
   bool once = false; ///< listing the same load again is a mistake
 };
 
 /// What a joint contributes to a system in addition to its frame and its point.
-struct joint_record {
-  std::string_view called{};
-  std::string_view calls_itself{};
+struct joint_record : entity_record {
   std::string_view mistake{}; ///< the end of a sentence, such as "has two homes"
   std::string_view form{};    ///< the correct form, if the form is the mistake
   const frame_record* frame = nullptr;
@@ -219,9 +225,6 @@ struct joint_record {
   phrase place{};         ///< its location in the parent, if it is given along axes other than the parent's
   listing<phrase> coordinates{}, speeds{}, kinematics{};
   const body_record* body = nullptr; ///< null if it has no mass
-  std::string_view instead{};        ///< the actual kind, if it is not a joint
-  base_conflict conflict = base_conflict::none;
-  bool unparsed = false;
 };
 
 /// A joint whose frame and point have auxiliary speeds, which bring its reactions into evidence.

@@ -107,14 +107,14 @@ struct values : describe::phrase_list<"values", &describe::system_record::values
 
 /// The Lagrangian as an expression of coordinates, their rates, parameters, inputs and time, which replaces
 /// the bodies: `lagrangian<m * l * l * dot(q) * dot(q) / 2 + m * g * l * cos(q)>`.
-template <auto... expression>
+template <auto... scalar>
 struct lagrangian : describe::system_words {
   static constexpr std::string_view word = "lagrangian";
   static constexpr void add_to(describe::system_record& r) {
-    if constexpr (sizeof...(expression) == 0)
+    if constexpr (sizeof...(scalar) == 0)
       r.lagrangian = describe::list_of<describe::phrase, &describe::phrase_of<nullptr>>::all;
     else
-      r.lagrangian = describe::list_of<describe::phrase, &describe::phrase_of<expression>...>::all;
+      r.lagrangian = describe::list_of<describe::phrase, &describe::phrase_of<scalar>...>::all;
   }
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
-#include <kanexpr/derivation/read/base_conflict_wording.hpp>
 #include <kanexpr/derivation/read/wording.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -51,8 +50,13 @@ struct reading {
 
   /// Checks that an entity does not have a word twice and has only words that belong to it.
   constexpr bool check_base_conflict(describe::base_conflict conflict, std::string_view called) {
-    if (conflict == describe::base_conflict::none) return true;
-    fail({base_conflict_sentence(conflict, called).view()});
+    if (conflict.empty()) return true;
+    const std::size_t first = conflict.find('@'), second = conflict.find('@', first + 1);
+    const std::string_view rest = conflict.substr(first + 1, second - first - 1);
+    if (second == std::string_view::npos)
+      fail({conflict.substr(0, first), called, rest});
+    else
+      fail({conflict.substr(0, first), called, rest, called, conflict.substr(second + 1)});
     return false;
   }
 

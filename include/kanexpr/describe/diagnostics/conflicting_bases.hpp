@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 /// Detects words that an entity has twice or that belong to entities of a different kind. A second word of
 /// the same kind makes name lookup ambiguous, so both would be ignored silently.
 namespace kanexpr::describe {
@@ -18,30 +20,17 @@ struct load_words {};
 struct system_words {};
 struct whole_systems {};
 
-enum class base_conflict : unsigned char {
-  none,
-  private_base,
-  name_of_another,
-  frame_and_point,
-  frame_and_body,
-  point_and_body,
-  entity_and_load,
-  entity_and_system,
-  two_orientations,
-  two_places,
-  two_joints,
-  motion_of_joint,
-  two_bodies,
-  two_loads,
-  two_angular_velocities,
-  two_velocities,
-  two_fixings,
-  angular_velocity_of_no_frame,
-  velocity_of_no_point,
-  fixing_of_no_point,
-  misplaced_inertia,
-  misplaced_word,
-};
+/// A sentence with @ in place of the entity's name; empty if there is no conflict.
+using base_conflict = std::string_view;
+
+inline constexpr base_conflict
+    two_orientations = "frame @ has two orientations",
+    two_places = "point @ has two positions",
+    frame_and_body = "@ is described as a frame and as a body; give each its own name",
+    load_as_base = "a load is a base class of @; list it in the system's loads<...>",
+    inertia_as_base = "an inertia is a base class of @; it belongs in rigid_body<...>",
+    system_as_base = "@ is described as part of a system and as a whole system; give each its own name",
+    word_as_base = "a word of the system is a base class of @; list it among the words of the system";
 
 /// Whether a base class that appears once is private, as the bases of a class are by default.
 template <class Words, class Entity>
@@ -50,27 +39,33 @@ constexpr bool inherits_privately(Entity* e) {
   return requires { words(e); }; // a cast that ignores access control
 }
 
-/// Finds the base_conflict of a joint, which is both a frame and a point.
+/// Returns the conflict of a base class to which a pointer cannot be converted: it is private or ambiguous.
+template <class Words, class Entity>
+constexpr base_conflict private_or(base_conflict twice, Entity* e) {
+  return inherits_privately<Words>(e) ? "@ inherits privately; declare it as a struct" : twice;
+}
+
+/// Finds the conflict of a joint, which is both a frame and a point.
 template <class Joint>
 constexpr base_conflict find_base_conflict_of_joint() {
   constexpr Joint* j = nullptr;
   if constexpr (__is_base_of(joint_words, Joint) && !requires { static_cast<joint_words*>(j); })
-    return inherits_privately<joint_words>(j) ? base_conflict::private_base : base_conflict::two_joints;
-  if constexpr (!requires { static_cast<orientation_words*>(j); }) return base_conflict::two_orientations;
-  if constexpr (!requires { static_cast<place_words*>(j); }) return base_conflict::two_places;
-  if (__is_base_of(body_words, Joint)) return base_conflict::frame_and_body;
-  if (__is_base_of(load_words, Joint)) return base_conflict::entity_and_load;
+    return private_or<joint_words>("@ is two joints; give each its own name", j);
+  if constexpr (!requires { static_cast<orientation_words*>(j); }) return two_orientations;
+  if constexpr (!requires { static_cast<place_words*>(j); }) return two_places;
+  if (__is_base_of(body_words, Joint)) return frame_and_body;
+  if (__is_base_of(load_words, Joint)) return load_as_base;
   if (__is_base_of(angular_velocity_words, Joint) || __is_base_of(velocity_words, Joint) ||
       __is_base_of(fixing_words, Joint))
-    return base_conflict::motion_of_joint;
-  if (__is_base_of(inertia_words, Joint)) return base_conflict::misplaced_inertia;
-  if (__is_base_of(whole_systems, Joint)) return base_conflict::entity_and_system;
-  if (__is_base_of(system_words, Joint)) return base_conflict::misplaced_word;
-  return base_conflict::none;
+    return "a motion is declared for joint @, whose kind determines how it moves";
+  if (__is_base_of(inertia_words, Joint)) return inertia_as_base;
+  if (__is_base_of(whole_systems, Joint)) return system_as_base;
+  if (__is_base_of(system_words, Joint)) return word_as_base;
+  return {};
 }
 
-/// Finds the base_conflict of an entity or a load. It is evaluated for every entity, so it avoids templates,
-/// which the compiler would have to store.
+/// Finds the conflict of an entity or a load. It is evaluated for every entity, so it avoids templates, which
+/// the compiler would have to store.
 template <class Entity>
 constexpr base_conflict find_base_conflict() {
   constexpr bool is_frame = __is_base_of(orientation_words, Entity);
@@ -81,37 +76,33 @@ constexpr base_conflict find_base_conflict() {
                  moves = __is_base_of(velocity_words, Entity), is_fixed = __is_base_of(fixing_words, Entity);
   if constexpr (__is_base_of(joint_words, Entity) || __is_base_of(ground_words, Entity))
     return find_base_conflict_of_joint<Entity>();
-  if (is_frame && is_point) return base_conflict::frame_and_point;
-  if (is_frame && is_body) return base_conflict::frame_and_body;
-  if (is_point && is_body) return base_conflict::point_and_body;
-  if (is_load && (is_frame || is_point || is_body)) return base_conflict::entity_and_load;
-  // a base class to which a pointer cannot be converted is ambiguous or private
+  if (is_frame && is_point) return "@ is described as a frame and as a point; give each its own name";
+  if (is_frame && is_body) return frame_and_body;
+  if (is_point && is_body) return "@ is described as a point and as a body; give each its own name";
+  if (is_load && (is_frame || is_point || is_body)) return load_as_base;
   constexpr Entity* e = nullptr;
   if constexpr (is_frame && !requires { static_cast<orientation_words*>(e); })
-    return inherits_privately<orientation_words>(e) ? base_conflict::private_base
-                                                    : base_conflict::two_orientations;
+    return private_or<orientation_words>(two_orientations, e);
   if constexpr (is_point && !requires { static_cast<place_words*>(e); })
-    return inherits_privately<place_words>(e) ? base_conflict::private_base : base_conflict::two_places;
+    return private_or<place_words>(two_places, e);
   if constexpr (is_body && !requires { static_cast<body_words*>(e); })
-    return inherits_privately<body_words>(e) ? base_conflict::private_base : base_conflict::two_bodies;
+    return private_or<body_words>("body @ is described twice", e);
   if constexpr (is_load && !requires { static_cast<load_words*>(e); })
-    return inherits_privately<load_words>(e) ? base_conflict::private_base : base_conflict::two_loads;
+    return private_or<load_words>("@ is two loads; give each its own name", e);
   if constexpr (turns && !requires { static_cast<angular_velocity_words*>(e); })
-    return inherits_privately<angular_velocity_words>(e) ? base_conflict::private_base
-                                                         : base_conflict::two_angular_velocities;
+    return private_or<angular_velocity_words>("frame @ has two angular velocities", e);
   if constexpr (moves && !requires { static_cast<velocity_words*>(e); })
-    return inherits_privately<velocity_words>(e) ? base_conflict::private_base
-                                                 : base_conflict::two_velocities;
+    return private_or<velocity_words>("point @ has two velocities", e);
   if constexpr (is_fixed && !requires { static_cast<fixing_words*>(e); })
-    return inherits_privately<fixing_words>(e) ? base_conflict::private_base : base_conflict::two_fixings;
-  if (turns && !is_frame) return base_conflict::angular_velocity_of_no_frame;
-  if (moves && !is_point) return base_conflict::velocity_of_no_point;
-  if (is_fixed && !is_point) return base_conflict::fixing_of_no_point;
-  if (__is_base_of(inertia_words, Entity)) return base_conflict::misplaced_inertia;
-  if (!is_frame && !is_point && !is_body && !is_load) return base_conflict::none;
-  if (__is_base_of(whole_systems, Entity)) return base_conflict::entity_and_system;
-  if (__is_base_of(system_words, Entity)) return base_conflict::misplaced_word;
-  return base_conflict::none;
+    return private_or<fixing_words>("point @ is fixed in two frames", e);
+  if (turns && !is_frame) return "angular_velocity<...> is a base class of @, which is not a frame";
+  if (moves && !is_point) return "velocity<...> is a base class of @, which is not a point";
+  if (is_fixed && !is_point) return "fixed_in<...> is a base class of @, which is not a point";
+  if (__is_base_of(inertia_words, Entity)) return inertia_as_base;
+  if (!is_frame && !is_point && !is_body && !is_load) return {};
+  if (__is_base_of(whole_systems, Entity)) return system_as_base;
+  if (__is_base_of(system_words, Entity)) return word_as_base;
+  return {};
 }
 
 /// Whether a system, or a word of a system, has an additional base class that should be one of the system's

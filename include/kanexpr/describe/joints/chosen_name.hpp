@@ -31,24 +31,17 @@ inline constexpr std::size_t name_size = [] {
   return append_name_of<Type>(all);
 }();
 
-/// Prefixes the name of a joint: "q" and Link2 give q_Link2.
-template <text what, class Type>
-inline constexpr auto name_before = [] {
-  text<what.view().size() + name_size<Type> + 2> all;
+/// The name of a joint with a prefix or a suffix: `joint_name<"q", Link2>` is q_Link2, and
+/// `joint_name<"", Link2, "home">` is Link2_home.
+template <text prefix, class Type, text suffix = "">
+inline constexpr auto joint_name = [] {
+  text<prefix.view().size() + name_size<Type> + suffix.view().size() + 2> all;
   char* to = all.letters;
-  for (const char c : what.view()) *to++ = c;
-  *to++ = '_';
-  append_name_of<Type>(to);
-  return all;
-}();
-
-/// Appends a suffix to the name of a joint: Link2 and "home" give Link2_home.
-template <class Type, text what>
-inline constexpr auto name_behind = [] {
-  text<what.view().size() + name_size<Type> + 2> all;
-  char* to = all.letters + append_name_of<Type>(all.letters);
-  *to++ = '_';
-  for (const char c : what.view()) *to++ = c;
+  for (const char c : prefix.view()) *to++ = c;
+  if (!prefix.view().empty()) *to++ = '_';
+  to += append_name_of<Type>(to);
+  if (!suffix.view().empty()) *to++ = '_';
+  for (const char c : suffix.view()) *to++ = c;
   return all;
 }();
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/describe/joints/orientation.hpp>
+#include <kanexpr/describe/joints/spherical.hpp>
 
 #include <string_view>
 #include <type_traits>

@@ -11,12 +11,12 @@ namespace kanexpr::describe {
 /// Six auxiliary speeds, along and about the axes of the child.
 template <class Joint>
 struct freeing_speeds {
-  static constexpr speed<name_before<"f1", Joint>> f1{};
-  static constexpr speed<name_before<"f2", Joint>> f2{};
-  static constexpr speed<name_before<"f3", Joint>> f3{};
-  static constexpr speed<name_before<"t1", Joint>> t1{};
-  static constexpr speed<name_before<"t2", Joint>> t2{};
-  static constexpr speed<name_before<"t3", Joint>> t3{};
+  static constexpr speed<joint_name<"f1", Joint>> f1{};
+  static constexpr speed<joint_name<"f2", Joint>> f2{};
+  static constexpr speed<joint_name<"f3", Joint>> f3{};
+  static constexpr speed<joint_name<"t1", Joint>> t1{};
+  static constexpr speed<joint_name<"t2", Joint>> t2{};
+  static constexpr speed<joint_name<"t3", Joint>> t3{};
 };
 
 /// The angular velocity of the child in its home due to these speeds.

@@ -43,19 +43,12 @@ template <text... coordinates, text... speeds>
 struct joint_symbols<names<coordinates...>, names<speeds...>> {
   static constexpr std::size_t of_position = sizeof...(coordinates), of_motion = sizeof...(speeds);
 
-  template <std::size_t index, class Self, text first, text... rest>
-  static constexpr auto coordinate_called() {
+  template <symbolic::symbol_kind represented, std::size_t index, class Self, text first, text... rest>
+  static constexpr auto symbol_called() {
     if constexpr (index == 0)
-      return coordinate<name_before<first, Self>>{};
+      return symbol<represented, joint_name<first, Self>, unnumbered>{};
     else
-      return coordinate_called<index - 1, Self, rest...>();
-  }
-  template <std::size_t index, class Self, text first, text... rest>
-  static constexpr auto speed_called() {
-    if constexpr (index == 0)
-      return speed<name_before<first, Self>>{};
-    else
-      return speed_called<index - 1, Self, rest...>();
+      return symbol_called<represented, index - 1, Self, rest...>();
   }
 
   template <class Given>
@@ -71,14 +64,14 @@ struct joint_symbols<names<coordinates...>, names<speeds...>> {
     if constexpr (has_all<Given>)
       return Given::template symbol<index>;
     else
-      return coordinate_called<index, Self, coordinates...>();
+      return symbol_called<symbolic::symbol_kind::coordinate, index, Self, coordinates...>();
   }
   template <std::size_t index, class Self, class Given>
   static constexpr auto motion() {
     if constexpr (has_all<Given>)
       return Given::template symbol<of_position + index>;
     else
-      return speed_called<index, Self, speeds...>();
+      return symbol_called<symbolic::symbol_kind::speed, index, Self, speeds...>();
   }
 };
 
@@ -132,18 +125,7 @@ struct joint : axes<Self>, place_words, joint_words {
   template <joint_word wanted>
   static constexpr bool has = !std::is_void_v<word<wanted>>;
   template <joint_word wanted>
-  static constexpr int times = [] {
-    int n = 0;
-    const auto count = [&](auto is_one) { n += is_one() ? 1 : 0; };
-    (count([] {
-       if constexpr (word_of_a_joint<Words>)
-         return Words::joint_word == wanted;
-       else
-         return false;
-     }),
-     ...);
-    return n;
-  }();
+  static constexpr int times = (0 + ... + is_joint_word<Words, wanted>);
 
   static constexpr std::size_t coordinates_count = Kind::symbols::of_position,
                                speeds_count = Kind::symbols::of_motion;
@@ -196,12 +178,7 @@ struct joint : axes<Self>, place_words, joint_words {
   static constexpr auto axis_of_child = axis_in<index>(child_frame());
 
   static constexpr bool is_off_parent = has<joint_word::at>;
-  static constexpr bool is_off_child = [] {
-    if constexpr (has<joint_word::at>)
-      return word<joint_word::at>::count > 1;
-    else
-      return false;
-  }();
+  static constexpr bool is_off_child = count_of<joint, joint_word::at>() > 1;
 
   /// The location of the joint in the parent.
   static constexpr const point_record* base_point() {
@@ -245,21 +222,21 @@ struct joint : axes<Self>, place_words, joint_words {
 
   static constexpr frame_record home_record() {
     frame_record r;
-    r.called = r.calls_itself = name_behind<Self, "home">.view();
+    r.called = r.calls_itself = joint_name<"", Self, "home">.view();
     r.parent = parent_frame();
     if constexpr (has<joint_word::home>) word<joint_word::home>::turn(r);
     return r;
   }
   static constexpr point_record base_record() {
     point_record r;
-    r.called = r.calls_itself = name_behind<Self, "base">.view();
+    r.called = r.calls_itself = joint_name<"", Self, "base">.view();
     r.parent = parent_point();
     if constexpr (is_off_parent) r.offset = phrase_of<word<joint_word::at>::in_parent, Self>;
     return r;
   }
   static constexpr point_record joint_record_of_point() {
     point_record r = base_record();
-    r.called = r.calls_itself = name_behind<Self, "joint">.view();
+    r.called = r.calls_itself = joint_name<"", Self, "joint">.view();
     if constexpr (Kind::moves) {
       r.parent = base_point();
       Kind::template move<Self>(r);
@@ -270,7 +247,7 @@ struct joint : axes<Self>, place_words, joint_words {
   }
   static constexpr point_record center_record() {
     point_record r;
-    r.called = r.calls_itself = name_behind<Self, "center">.view();
+    r.called = r.calls_itself = joint_name<"", Self, "center">.view();
     r.parent = &point_of<Self>;
     if constexpr (has<joint_word::body>)
       r.offset = phrase_of<by_axes_of(child_frame(), word<joint_word::body>::center_given), Self>;
@@ -382,7 +359,7 @@ constexpr joint_record record_joint() {
   if constexpr (requires { Joint::joint_description(); }) {
     r = Joint::joint_description();
   } else {
-    r.instead = what_it_is<Joint>();
+    r.instead = describe_kind<Joint>();
     r.unparsed = is_unparsed<Joint>();
   }
   r.called = type_name<Joint>();

@@ -69,6 +69,12 @@ constexpr auto unit_along(const Direction& given) {
   }
 }
 
+template <class Word>
+concept word_of_a_joint = requires { Word::joint_word; };
+
+template <class Word, joint_word wanted>
+concept is_joint_word = requires { requires Word::joint_word == wanted; };
+
 /// The word of the kind `wanted` among the words of a joint, or `void`.
 template <joint_word wanted, class... Words>
 struct joint_word_among {
@@ -77,13 +83,10 @@ struct joint_word_among {
 template <joint_word wanted, class Word, class... Words>
 struct joint_word_among<wanted, Word, Words...> : joint_word_among<wanted, Words...> {};
 template <joint_word wanted, class Word, class... Words>
-  requires(Word::joint_word == wanted)
+  requires is_joint_word<Word, wanted>
 struct joint_word_among<wanted, Word, Words...> {
   using type = Word;
 };
-
-template <class Word>
-concept word_of_a_joint = requires { Word::joint_word; };
 
 } // namespace describe
 
@@ -135,7 +138,7 @@ struct home_angles {
   static constexpr bool fits = sizeof...(angles) == 3;
   static constexpr void turn(describe::frame_record& r) {
     r.orientation = describe::orientation_word::body_fixed;
-    for (std::size_t i = 0; i < 3 && i < sequence.view().size(); ++i) r.sequence[i] = sequence.letters[i];
+    describe::set_sequence(r, sequence.view());
     for (std::size_t i = 0; i < 3; ++i) r.given[i] = describe::given_phrases<angles...>[i];
   }
 };

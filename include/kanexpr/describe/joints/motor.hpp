@@ -13,9 +13,9 @@ namespace describe {
 template <class Joint>
 inline constexpr auto chosen_effort = [] {
   if constexpr (effort_of_joint<Joint>() == joint_effort::force)
-    return input<name_before<"F", Joint>>{};
+    return input<joint_name<"F", Joint>>{};
   else
-    return input<name_before<"T", Joint>>{};
+    return input<joint_name<"T", Joint>>{};
 }();
 
 /// `value` is the torque or force along the axis.

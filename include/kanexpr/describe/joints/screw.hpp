@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/describe/joints/freed.hpp>
+#include <kanexpr/describe/joints/lower_pairs.hpp>
 
 #include <string_view>
 #include <type_traits>
@@ -24,11 +24,10 @@ struct pitch {
 
 namespace describe {
 
-struct screw_joint {
+struct screw_joint : turns_about_axis {
   using symbols = joint_symbols<names<"q">, names<"u">>;
   static constexpr std::string_view form =
       "screw<Self, Parent, axis<vector>, pitch<advance per radian>, by<coordinate, speed>>";
-  static constexpr std::size_t least_axes = 1, most_axes = 1;
   static constexpr bool moves = true;
   using special = advances;
   static constexpr std::string_view without_special = "lacks a pitch";
@@ -44,21 +43,13 @@ struct screw_joint {
   }
 
   template <class Joint>
-  static constexpr void turn(frame_record& r) {
-    turn_about(r, phrase_of<Joint::template q<0>, Joint>, phrase_of<Joint::template axis_at_home<0>, Joint>);
-  }
-  template <class Joint>
   static constexpr void move(point_record& r) {
     r.offset = phrase_of<pitch_of<Joint>() * Joint::template q<0> * Joint::template axis_at_home<0>, Joint>;
   }
 
   template <class Joint>
-  static constexpr auto spin = Joint::template u<0> * Joint::template axis_at_home<0>;
-  template <class Joint>
   static constexpr auto drift = pitch_of<Joint>() * Joint::template u<0> * Joint::template axis_at_home<0>;
 
-  template <class Joint>
-  static constexpr auto bound_spin = across(freed_spin<Joint>, Joint::template axis_of_child<0>);
   template <class Joint>
   static constexpr auto bound_drift =
       freed_drift<Joint> -

@@ -1,14 +1,16 @@
 #pragma once
 
 #include <string_view>
+#include <type_traits>
 
+/// Types in the wrong place of a model.
 namespace kanexpr::describe {
 
 inline constexpr std::string_view joint_out_of_place = "a joint; list it in joints<...>";
 
 /// Describes a type for a sentence about a type in the wrong place; empty if it is not a word of a model.
 template <class Type>
-constexpr std::string_view what_it_is() {
+constexpr std::string_view describe_kind() {
   if constexpr (requires { Type::joint_description(); })
     return joint_out_of_place;
   else if constexpr (requires { Type::content(); })
@@ -23,6 +25,23 @@ constexpr std::string_view what_it_is() {
     return "a word of the system";
   else
     return {};
+}
+
+struct anything {
+  template <class Type>
+  operator Type() const;
+};
+
+/// Whether a class has neither bases nor members and is not a word of the library. No model contains such an
+/// entity or system on purpose, but after an error in a base clause, compilers continue with such a class.
+/// The user should read that error; a sentence about its consequences would be misleading.
+template <class Type>
+constexpr bool is_unparsed() {
+  if constexpr (requires { sizeof(Type); })
+    return describe_kind<Type>().empty() && std::is_empty_v<Type> && std::is_aggregate_v<Type> &&
+           !requires { Type{anything{}}; };
+  else
+    return false;
 }
 
 } // namespace kanexpr::describe
