@@ -7,7 +7,6 @@
 
 #include <kanexpr/describe/constraint.hpp>
 #include <kanexpr/describe/extended.hpp>
-#include <kanexpr/describe/kinematics.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/version.hpp>

@@ -11,7 +11,6 @@
 #include <kanexpr/compiled/second_order.hpp>
 #include <kanexpr/describe/constraint.hpp>
 #include <kanexpr/describe/extended.hpp>
-#include <kanexpr/describe/kinematics.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/lower/complex_math.hpp>

@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/compiled/function.hpp>
-#include <kanexpr/lower/tape_view.hpp>
+#include <kanexpr/lower/fixed_tape.hpp>
 
 #include <string_view>
 

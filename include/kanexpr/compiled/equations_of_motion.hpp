@@ -3,7 +3,7 @@
 #include <kanexpr/compiled/function.hpp>
 #include <kanexpr/compiled/named_results.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derivation/derivatives_request.hpp>
+#include <kanexpr/derivation/request_kinds.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
 namespace kanexpr {

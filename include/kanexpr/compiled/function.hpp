@@ -12,7 +12,6 @@
 #include <kanexpr/derivation/cut.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/constant.hpp>
-#include <kanexpr/lower/regular.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/unrolled_tape.hpp>
 #include <kanexpr/numeric/fixed_matrix.hpp>

@@ -2,7 +2,7 @@
 
 #include <kanexpr/compiled/finite_function.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derivation/linearization_request.hpp>
+#include <kanexpr/derivation/request_kinds.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 

@@ -2,7 +2,7 @@
 
 #include <kanexpr/compiled/function.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derivation/sensitivity_request.hpp>
+#include <kanexpr/derivation/request_kinds.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 

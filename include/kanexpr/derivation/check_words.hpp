@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
-#include <kanexpr/derivation/read/load_wording.hpp>
 #include <kanexpr/derivation/read/symbol_reader.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
@@ -45,31 +44,41 @@ constexpr sentence check_base_classes() {
   }
 }
 
+/// Returns the kind of an entity among the words of a system, and the hint that follows; {} for other types.
+struct kind_and_hint {
+  std::string_view kind, hint, end = "";
+};
+template <class Type>
+constexpr kind_and_hint kind_of_misplaced() {
+  if constexpr (requires { Type::joint_description(); })
+    return {"joint ", "; write joints<", ">"};
+  else if constexpr (requires { Type::content(); })
+    return {"body ", "; write bodies<", ">"};
+  else if constexpr (requires { Type::orientation(); })
+    return {"frame ", "; write inertial<", ">"};
+  else if constexpr (requires { Type::place(); })
+    return {"point ", "; points need not be listed"};
+  else
+    return {};
+}
+
 /// Checks that an argument of a system is one of its words.
 template <class Type>
 constexpr sentence check_word(std::string_view system) {
+  constexpr kind_and_hint entity = kind_of_misplaced<Type>();
   if constexpr (describe::system_word<Type>)
     return check_base_classes<Type>();
   else if constexpr (requires { typename Type::extended_base; })
     return sentence({system, " extends ", type_name<typename Type::extended_base>(),
                      ", which is not a system; extended<System, ...> takes a system and the words to add"});
-  else if constexpr (requires { Type::joint_description(); })
-    return sentence({"joint ", type_name<Type>(), " is among the words of ", system, "; write joints<",
-                     type_name<Type>(), ">"});
-  else if constexpr (requires { Type::content(); })
-    return sentence({"body ", type_name<Type>(), " is among the words of ", system, "; write bodies<",
-                     type_name<Type>(), ">"});
   else if constexpr (std::derived_from<Type, scalar<1>>)
     return check_symbol_among_words(Type{}.tokens[0], system);
-  else if constexpr (requires { Type::orientation(); })
-    return sentence({"frame ", type_name<Type>(), " is among the words of ", system, "; write inertial<",
-                     type_name<Type>(), ">"});
+  else if constexpr (!entity.kind.empty())
+    return sentence({entity.kind, type_name<Type>(), " is among the words of ", system, entity.hint,
+                     entity.end.empty() ? "" : type_name<Type>(), entity.end});
   else if constexpr (requires { Type::load.what; })
     return sentence(
         {name_of(Type::load).view(), " is among the words of ", system, "; list it in loads<...>"});
-  else if constexpr (requires { Type::place(); })
-    return sentence(
-        {"point ", type_name<Type>(), " is among the words of ", system, "; points need not be listed"});
   else
     return sentence(
         {short_name(type_name<Type>()).view(), " is not a word of a system, but ", system, " lists it"});
@@ -83,15 +92,15 @@ constexpr sentence check_each_word(std::string_view system, const describe::syst
 }
 
 constexpr bool brings_body(const describe::listing<describe::joint_record>& joints) {
-  for (int i = 0; i < joints.size; ++i)
-    if (joints[i].body != nullptr || joints[i].calls_itself.empty() || !joints[i].mistake.empty())
-      return true; // mistakes in loads are reported later
+  for (const describe::joint_record& r : joints)
+    if (r.body != nullptr || r.calls_itself.empty() || !r.mistake.empty())
+      return true; // mistakes in joints are reported later
   return false;
 }
 
 constexpr bool lists_joint(const describe::listing<describe::body_record>& bodies) {
-  for (int i = 0; i < bodies.size; ++i)
-    if (bodies[i].instead == describe::joint_out_of_place) return true; // reported later
+  for (const describe::body_record& r : bodies)
+    if (r.instead == describe::joint_out_of_place) return true; // reported later
   return false;
 }
 

@@ -32,9 +32,9 @@ public:
   /// itself described differently.
   constexpr explicit entity_digests(const describe::system_record& of) {
     take_system(of);
-    for (int i = 0; i < of.bodies.size; ++i) take(of.bodies[i]);
-    for (int i = 0; i < of.joints.size; ++i) take(of.joints[i]);
-    for (int i = 0; i < of.loads.size; ++i) take(of.loads[i]);
+    for (const describe::body_record& r : of.bodies) take(r);
+    for (const describe::joint_record& r : of.joints) take(r);
+    for (const describe::load_record& r : of.loads) take(r);
     for (int f = 0, p = 0; f < frames_.size() || p < points_.size();) {
       while (f < frames_.size()) take(*frames_[f++]);
       while (p < points_.size()) take(*points_[p++]);
@@ -70,8 +70,7 @@ private:
 
   constexpr void take(const phrase& p) {
     now_.take(256 * p.size + static_cast<int>(p.kind));
-    for (int i = 0; i < p.size; ++i) {
-      const describe::token& t = p.tokens[i];
+    for (const describe::token& t : p) {
       now_.take((static_cast<std::uint64_t>(t.what) << 40) ^ (static_cast<std::uint64_t>(t.operation) << 32) ^
                 static_cast<std::uint32_t>(t.index));
       if (t.what == describe::token_kind::number)
@@ -84,7 +83,7 @@ private:
   }
   constexpr void take(const listing<phrase>& all) {
     now_.take(all.size);
-    for (int i = 0; i < all.size; ++i) take(all[i]);
+    for (const phrase& p : all) take(p);
   }
 
   constexpr void take_system(const describe::system_record& r) {
@@ -96,7 +95,7 @@ private:
           &r.configuration_constraints, &r.velocity_constraints, &r.acceleration_constraints, &r.dependent,
           &r.auxiliary, &r.values, &r.used_elsewhere, &r.lagrangian})
       take(*each);
-    for (int i = 0; i < r.redundant.size; ++i) now_.take(r.redundant[i]);
+    for (const int number : r.redundant) now_.take(number);
     for (int each : {r.bodies.size, r.joints.size, r.loads.size, r.reactions.size}) now_.take(each);
     end("", "systems with the same name");
   }

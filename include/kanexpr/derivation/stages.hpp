@@ -2,8 +2,8 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derivation/check_words.hpp>
+#include <kanexpr/derivation/derived_system.hpp>
 #include <kanexpr/derivation/survey.hpp>
-#include <kanexpr/derivation/take_survey.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 
 #include <string_view>

@@ -75,37 +75,22 @@ struct survey {
   /// the equations were formed.
   constexpr void take(const mechanics::mechanism& m, bool is_sound, const mechanics::equations* derived);
 
+  /// The index in `names` of the first symbol of a kind; those of rates are the names of the coordinates.
   constexpr int first_of(symbolic::symbol_kind kind) const {
-    switch (kind) {
-    case symbolic::symbol_kind::speed: return coordinates;
-    case symbolic::symbol_kind::parameter: return coordinates + speeds;
-    case symbolic::symbol_kind::input: return coordinates + speeds + parameters;
-    case symbolic::symbol_kind::coordinate:
-    case symbolic::symbol_kind::coordinate_rate: // identified by the coordinate's name
-    case symbolic::symbol_kind::time:
-    case symbolic::symbol_kind::speed_rate:
-    case symbolic::symbol_kind::auxiliary_speed:
-    case symbolic::symbol_kind::multiplier:
-    case symbolic::symbol_kind::weight:
-    case symbolic::symbol_kind::direction: break;
-    }
-    return 0;
+    using symbolic::symbol_kind;
+    return kind == symbol_kind::speed       ? coordinates
+           : kind == symbol_kind::parameter ? coordinates + speeds
+           : kind == symbol_kind::input     ? coordinates + speeds + parameters
+                                            : 0;
   }
   constexpr int count_of(symbolic::symbol_kind kind) const {
-    switch (kind) {
-    case symbolic::symbol_kind::coordinate: return coordinates;
-    case symbolic::symbol_kind::coordinate_rate: return takes_rates_as_speeds ? coordinates : 0;
-    case symbolic::symbol_kind::speed: return speeds;
-    case symbolic::symbol_kind::parameter: return parameters;
-    case symbolic::symbol_kind::input: return inputs;
-    case symbolic::symbol_kind::time:
-    case symbolic::symbol_kind::speed_rate:
-    case symbolic::symbol_kind::auxiliary_speed:
-    case symbolic::symbol_kind::multiplier:
-    case symbolic::symbol_kind::weight:
-    case symbolic::symbol_kind::direction: break;
-    }
-    return 0;
+    using symbolic::symbol_kind;
+    return kind == symbol_kind::coordinate        ? coordinates
+           : kind == symbol_kind::coordinate_rate ? (takes_rates_as_speeds ? coordinates : 0)
+           : kind == symbol_kind::speed           ? speeds
+           : kind == symbol_kind::parameter       ? parameters
+           : kind == symbol_kind::input           ? inputs
+                                                  : 0;
   }
   /// The position of a symbol among those of its kind, or -1. Rates of coordinates are identified by the
   /// names of the coordinates.

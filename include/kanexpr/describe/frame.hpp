@@ -2,6 +2,8 @@
 
 #include <kanexpr/describe/record.hpp>
 
+#include <string_view>
+
 namespace kanexpr {
 
 enum class describe::orientation_word : unsigned char {

@@ -180,7 +180,7 @@ constexpr load_record record_load() {
   }
   if constexpr (requires { sizeof(Load); }) {
     r.conflict = find_base_conflict<Load>();
-    if (!r.conflict.empty()) r.called = type_name<Load>();
+    if (r.conflict != nullptr) r.called = type_name<Load>();
   }
   return r;
 }

@@ -36,6 +36,8 @@ struct phrase {
   const token* tokens = nullptr;
   int size = 0;
 
+  constexpr const token* begin() const { return tokens; }
+  constexpr const token* end() const { return tokens + size; }
   constexpr bool is_whole_zero() const {
     return size == 1 && tokens[0].what == token_kind::misused &&
            tokens[0].index == static_cast<int>(misuse::zero);
@@ -118,9 +120,18 @@ inline constexpr auto& given_phrases_with_zeros = given_phrases<with_zeros(value
 /// A list of records in static storage.
 template <class Record>
 struct listing {
+  struct iterator {
+    const Record* const* entry;
+    constexpr const Record& operator*() const { return **entry; }
+    constexpr iterator& operator++() { return ++entry, *this; }
+    constexpr bool operator==(const iterator&) const = default;
+  };
   const Record* const* entries = nullptr;
   int size = 0;
+
   constexpr const Record& operator[](int i) const { return *entries[i]; }
+  constexpr iterator begin() const { return {entries}; }
+  constexpr iterator end() const { return {entries + size}; }
 };
 
 template <class Record, const Record*... entries>
@@ -136,7 +147,7 @@ struct entity_record {
   std::string_view called{};
   std::string_view calls_itself{}; ///< the first template argument of its word; empty if it has none
   std::string_view instead{};      ///< the actual kind, if it is not the one for which it is used
-  base_conflict conflict{};
+  base_conflict conflict = nullptr;
   bool unparsed = false; ///< whether it is a class without bases, as after an error in a base clause
 };
 
@@ -207,7 +218,7 @@ struct load_record {
   phrase known_by{};                         ///< the expression that identifies it, if not points or frames
   std::string_view called{};
   std::string_view instead{}; ///< the actual kind, if it is not a load
-  base_conflict conflict{};
+  base_conflict conflict = nullptr;
   bool unparsed = false;
   bool once = false; ///< listing the same load again is a mistake
 };

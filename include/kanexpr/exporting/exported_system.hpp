@@ -32,7 +32,7 @@ struct exported_result {
   int entries() const { return is_sparse ? static_cast<int>(places.size()) : rows * columns; }
 };
 
-/// A check for a singularity. The pairs of measure and scale follow all results; see lower/regular.hpp.
+/// A check for a singularity. The pairs of measure and scale follow all results; see lower/scalar_math.hpp.
 struct exported_check {
   std::string cause{};
   bool is_finiteness_check = false;

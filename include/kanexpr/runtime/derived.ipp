@@ -2,8 +2,7 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derivation/entity_digests.hpp>
-#include <kanexpr/derivation/image_reader.hpp>
-#include <kanexpr/derivation/image_writer.hpp>
+#include <kanexpr/derivation/image.hpp>
 #include <kanexpr/derivation/read/reader.hpp>
 #include <kanexpr/derivation/request.hpp>
 #include <kanexpr/derivation/stages.hpp>

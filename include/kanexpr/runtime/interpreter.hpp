@@ -4,7 +4,6 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/lower/evaluate_steps.hpp>
-#include <kanexpr/lower/regular.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>

@@ -5,8 +5,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/check_words.hpp>
 #include <kanexpr/derivation/entity_digests.hpp>
-#include <kanexpr/derivation/linearization_request.hpp>
-#include <kanexpr/derivation/sensitivity_request.hpp>
+#include <kanexpr/derivation/request_kinds.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/print_vector.hpp>

@@ -2,8 +2,8 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/derivation/derived_system.hpp>
 #include <kanexpr/derivation/survey.hpp>
-#include <kanexpr/derivation/take_survey.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/runtime/derived.ipp>
 #include <kanexpr/runtime/model.hpp>

@@ -11,10 +11,9 @@ namespace kanexpr::derivation {
 using describe::body_record;
 
 /// Reads the particles and rigid bodies of a model.
-class body_reader {
+class body_reader : part_reader {
 public:
-  constexpr body_reader(reading& all, phrase_reader& phrases, entity_reader& entities)
-      : reading_(all), m_(all.into.mechanism), phrases_(phrases), entities_(entities) {}
+  using part_reader::part_reader;
 
   constexpr void read(const body_record& r) {
     if (r.unparsed) return reading_.fail_by_unparsed(r.called, "bodies<...>");
@@ -22,7 +21,7 @@ public:
     if (r.calls_itself.empty())
       return reading_.fail({"bodies<...> lists ", short_name(r.called).view(), ", which is ",
                             r.instead.empty() ? "not a body" : r.instead});
-    if (r.called != r.calls_itself) return reading_.fail_by_self("body ", r.called, r.calls_itself);
+    if (r.called != r.calls_itself) return reading_.fail_by_self("body", r.called, r.calls_itself);
     if (!r.fits) return reading_.wrong_count("body ", r.called, r.fits);
     if (r.has_whole_zeros && r.about == nullptr && !r.inertia_changes && !r.effective)
       return reading_.fail(
@@ -72,10 +71,6 @@ private:
     return inertia;
   }
 
-  reading& reading_;
-  mechanism& m_;
-  phrase_reader& phrases_;
-  entity_reader& entities_;
   sequence<const body_record*> read_{};
 };
 

@@ -2,8 +2,8 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/derivation/read/operations.hpp>
 #include <kanexpr/derivation/read/reading.hpp>
-#include <kanexpr/derivation/read/senseless.hpp>
 #include <kanexpr/derivation/read/value.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/compose.hpp>

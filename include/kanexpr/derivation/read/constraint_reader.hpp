@@ -15,32 +15,27 @@ using mechanics::velocity_constraint;
 
 /// Reads the constraints of a model. Their symbols and entities are read together with all others; the
 /// constraints themselves are evaluated when positions and velocities are known.
-class constraint_reader {
+class constraint_reader : part_reader {
 public:
-  constexpr constraint_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases,
-                              entity_reader& entities)
-      : reading_(all), m_(all.into.mechanism), symbols_(symbols), phrases_(phrases), entities_(entities) {}
+  using part_reader::part_reader;
 
   /// Evaluates the constraints; requires that `know` was called.
   constexpr void read_constraints() {
-    if (reading_.mistake) return;
     for (const kind& k : kinds)
-      for (int i = 0; i < (reading_.from.*k.list).size && !reading_.mistake; ++i)
-        read_constraint(k, (reading_.from.*k.list)[i]);
+      for (const phrase& p : reading_.from.*k.list)
+        if (!reading_.mistake) read_constraint(k, p);
   }
 
   constexpr void visit_constraints() {
     for (const kind& k : kinds)
-      for (int i = 0; i < (reading_.from.*k.list).size && !reading_.mistake; ++i) {
-        const phrase& p = (reading_.from.*k.list)[i];
+      for (const phrase& p : reading_.from.*k.list) {
+        if (reading_.mistake) return;
         if (p.kind != shape::equation && p.kind != shape::vanishing)
           return reading_.fail({k.word, "<...> contains something that is not an equation",
                                 name_in(p).empty() ? "" : ", involving ", name_in(p),
                                 "; write an equation or zero_along<...>"});
-        if (k.list == &system_record::configuration_constraints) check_speaks_of_places(p);
-        entities_.visit(p.tokens, p.size, k.whom);
-        for (int j = 0; j < p.size && !reading_.mistake; ++j)
-          if (p.tokens[j].symbol != nullptr) symbols_.symbol(*p.tokens[j].symbol, k.whom);
+        if (k.list == &system_record::configuration_constraints) check_is_on_positions(p);
+        mention(p, k.whom);
       }
   }
 
@@ -98,9 +93,8 @@ private:
 
   /// Reports a configuration constraint on a velocity, such as rolling; otherwise the error would concern the
   /// speeds that it contains.
-  constexpr void check_speaks_of_places(const phrase& p) {
-    for (int i = 0; i < p.size; ++i) {
-      const describe::token& t = p.tokens[i];
+  constexpr void check_is_on_positions(const phrase& p) {
+    for (const describe::token& t : p) {
       const bool turns = t.what == describe::token_kind::angular_velocity;
       if (!turns && t.what != describe::token_kind::velocity) continue;
       return reading_.fail({"a configuration constraint contains the ", turns ? "angular " : "",
@@ -138,12 +132,6 @@ private:
     }
     return all;
   }
-
-  reading& reading_;
-  mechanism& m_;
-  symbol_reader& symbols_;
-  phrase_reader& phrases_;
-  entity_reader& entities_;
 };
 
 } // namespace kanexpr::derivation

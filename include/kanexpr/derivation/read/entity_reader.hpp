@@ -25,7 +25,7 @@ public:
 
   /// Reads the entities that a phrase mentions.
   constexpr void visit(const describe::token* tokens, int size, std::string_view whom = "an expression") {
-    phrases_.check_written({shape::scalar, tokens, size}, whom);
+    phrases_.check_misuse({shape::scalar, tokens, size}, whom);
     mechanics::known_motion* const known = reading_.known;
     if (reading_.from.inertial != nullptr)
       reading_.known = nullptr; // only a system given by words can mention additional entities
@@ -81,7 +81,7 @@ public:
       const int reference = frame(record.reference, record.called);
       const mechanics::vector w = phrases_.vector_of(
           record.angular_velocity, {"the angular velocity of frame ", record.called}, record.called);
-      freed_.check_is_held(record);
+      freed_.check_reference(record);
       if (!reading_.mistake) m_.frames[place].declare_angular_velocity(reference, w, record.turns_apart);
     }
     reading_.describing = describing_before;
@@ -116,7 +116,7 @@ public:
       const mechanics::vector v =
           phrases_.vector_of(record.velocity, {"the velocity of point ", record.called}, record.called);
       p.moves_apart = record.moves_apart;
-      if (reference == mechanism::inertial && !record.from_parent) freed_.check_is_held(record);
+      if (reference == mechanism::inertial && !record.from_parent) freed_.check_reference(record);
       p.declare_velocity(reference, v, record.from_parent || reference != mechanism::inertial);
     }
     if (reading_.mistake) return 0;
@@ -126,8 +126,8 @@ public:
 
 private:
   constexpr bool is_listed(const frame_record& of_joint) const {
-    for (int i = 0; i < reading_.from.joints.size; ++i)
-      if (reading_.from.joints[i].frame == &of_joint) return true;
+    for (const describe::joint_record& r : reading_.from.joints)
+      if (r.frame == &of_joint) return true;
     return false;
   }
 
@@ -151,41 +151,55 @@ private:
                    has_own ? kind : "", has_own ? " is " : "", its_own});
   }
 
+  /// Checks the word of a frame or a point; returns whether it is valid.
+  template <class Record>
+  constexpr bool check_kind(std::string_view kind, const Record& r, std::string_view whom) {
+    if (r.unparsed)
+      reading_.fail_by_unparsed(r.called, whom);
+    else if (!reading_.check_base_conflict(r.conflict, r.called))
+      return false;
+    else if (r.calls_itself.empty())
+      fail_by_kind(kind, r.called, whom, r.instead, r.its_own);
+    else if (r.called != r.calls_itself)
+      reading_.fail_by_self(kind, r.called, r.calls_itself);
+    else
+      return true;
+    return false;
+  }
+  template <class Record>
+  constexpr void check_name(std::string_view kind, const Record& r, const sequence<const Record*>& known,
+                            const sequence<const Record*>& open) {
+    for (const sequence<const Record*>* list : {&known, &open})
+      for (const Record* other : *list)
+        if (other->called == r.called) reading_.fail({"two ", kind, "s are called ", r.called});
+  }
+
   constexpr void check_frame(const frame_record& r, std::string_view whom) {
-    if (r.unparsed) return reading_.fail_by_unparsed(r.called, whom);
-    if (!reading_.check_base_conflict(r.conflict, r.called)) return;
-    if (r.calls_itself.empty()) return fail_by_kind("frame", r.called, whom, r.instead, r.its_own);
-    if (r.called != r.calls_itself) return reading_.fail_by_self("frame ", r.called, r.calls_itself);
+    if (!check_kind("frame", r, whom)) return;
     if (r.is_of_joint && !is_listed(r))
       return reading_.fail({"joint ", r.called, ", which ", whom, " uses, is not listed in joints<...>"});
     if (!r.fits) return reading_.wrong_count("frame ", r.called, r.fits);
-    if (&r == reading_.from.inertial && r.orientation != describe::orientation_word::inertial)
+    const frame_record* const inertial = reading_.from.inertial;
+    if (&r == inertial && r.orientation != describe::orientation_word::inertial)
       reading_.fail(
           {"inertial<...> names frame ", r.called, ", which is oriented relative to ", r.parent->called});
-    if (r.orientation == describe::orientation_word::inertial && &r != reading_.from.inertial)
+    if (r.orientation == describe::orientation_word::inertial && &r != inertial)
       reading_.fail({"frame ", r.called, ", which ", whom, " uses, is not connected to the inertial frame ",
-                     reading_.from.inertial->called});
-    if (&r == reading_.from.inertial && r.reference != nullptr)
+                     inertial->called});
+    if (&r == inertial && r.reference != nullptr)
       reading_.fail({"the inertial frame ", r.called, " has a declared angular velocity"});
     if (open_frames_.contains(&r)) reading_.fail({"frame ", r.called, " is oriented relative to itself"});
-    for (const sequence<const frame_record*>* list : {&frames_, &open_frames_})
-      for (const frame_record* f : *list)
-        if (f->called == r.called) reading_.fail({"two frames are called ", r.called});
+    check_name("frame", r, frames_, open_frames_);
   }
 
   constexpr void check_point(const point_record& r, std::string_view whom) {
-    if (r.unparsed) return reading_.fail_by_unparsed(r.called, whom);
-    if (!reading_.check_base_conflict(r.conflict, r.called)) return;
-    if (r.calls_itself.empty()) return fail_by_kind("point", r.called, whom, r.instead, r.its_own);
-    if (r.called != r.calls_itself) return reading_.fail_by_self("point ", r.called, r.calls_itself);
+    if (!check_kind("point", r, whom)) return;
     if (!r.fits) return reading_.wrong_count("point ", r.called, r.fits);
     if (r.parent == nullptr && (r.fixed_in != nullptr || r.reference != nullptr))
       reading_.fail(
           {"point ", r.called, " is an origin, fixed in the inertial frame, but has a declared motion"});
     if (open_points_.contains(&r)) reading_.fail({"point ", r.called, " is offset from itself"});
-    for (const sequence<const point_record*>* list : {&points_, &open_points_})
-      for (const point_record* p : *list)
-        if (p->called == r.called) reading_.fail({"two points are called ", r.called});
+    check_name("point", r, points_, open_points_);
     if (r.fixed_in != nullptr && r.reference != nullptr)
       reading_.fail(
           {"point ", r.called, " is fixed in ", r.fixed_in->called, ", but also has a declared velocity"});
@@ -254,5 +268,26 @@ constexpr entity_lookup lookup_in(entity_reader& all) {
       [](entity_reader& with, const frame_record* r, std::string_view whom) { return with.frame(r, whom); },
       [](entity_reader& with, const point_record* r, std::string_view whom) { return with.point(r, whom); }};
 }
+
+/// The readers on which those of bodies, loads and other parts of a model depend.
+class part_reader {
+public:
+  constexpr part_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases, entity_reader& entities)
+      : reading_(all), m_(all.into.mechanism), symbols_(symbols), phrases_(phrases), entities_(entities) {}
+
+protected:
+  /// Reads the entities and symbols of a phrase that is evaluated later.
+  constexpr void mention(const phrase& p, std::string_view whom) {
+    entities_.visit(p.tokens, p.size, whom);
+    for (const describe::token& t : p)
+      if (t.symbol != nullptr && !reading_.mistake) symbols_.symbol(*t.symbol, whom);
+  }
+
+  reading& reading_;
+  mechanism& m_;
+  symbol_reader& symbols_;
+  phrase_reader& phrases_;
+  entity_reader& entities_;
+};
 
 } // namespace kanexpr::derivation

@@ -13,11 +13,10 @@ using describe::joint_record;
 
 /// Reads the contributions of joints to a model, except for their symbols, which follow those of the model's
 /// lists.
-class joint_reader {
+class joint_reader : part_reader {
 public:
-  constexpr joint_reader(reading& all, entity_reader& entities, body_reader& bodies,
-                         kinematics_reader& kinematics, phrase_reader& phrases)
-      : reading_(all), phrases_(phrases), entities_(entities), bodies_(bodies), kinematics_(kinematics) {}
+  constexpr joint_reader(const part_reader& parts, body_reader& bodies, kinematics_reader& kinematics)
+      : part_reader(parts), bodies_(bodies), kinematics_(kinematics) {}
 
   /// Checks all joints; called before any part of them is read.
   constexpr void check_all() {
@@ -30,8 +29,8 @@ public:
         else if (reading_.from.joints[j].called == r.called)
           reading_.fail({"two joints are called ", r.called});
     }
-    for (int i = 0; i < reading_.from.reactions.size && !reading_.mistake; ++i)
-      check_reaction(reading_.from.reactions[i]);
+    for (const describe::reaction_record& r : reading_.from.reactions)
+      if (!reading_.mistake) check_reaction(r);
   }
 
   /// Reads a joint and its body, which are part of the system even if nothing else mentions them. A joint
@@ -47,10 +46,9 @@ public:
   }
 
   constexpr void read_kinematics() {
-    for (int i = 0; i < reading_.from.joints.size; ++i) {
-      const describe::listing<phrase>& equations = reading_.from.joints[i].kinematics;
-      for (int j = 0; j < equations.size && !reading_.mistake; ++j) kinematics_.read(equations[j]);
-    }
+    for (const joint_record& r : reading_.from.joints)
+      for (const phrase& equation : r.kinematics)
+        if (!reading_.mistake) kinematics_.read(equation);
   }
 
 private:
@@ -60,7 +58,7 @@ private:
     if (r.calls_itself.empty())
       return reading_.fail({"joints<...> lists ", short_name(r.called).view(), ", which is ",
                             r.instead.empty() ? "not a joint" : r.instead});
-    if (r.called != r.calls_itself) return reading_.fail_by_self("joint ", r.called, r.calls_itself);
+    if (r.called != r.calls_itself) return reading_.fail_by_self("joint", r.called, r.calls_itself);
     if (!r.mistake.empty())
       return reading_.fail({"joint ", r.called, " ", r.mistake, r.form.empty() ? "" : "; write ", r.form});
     if (r.parent_frame->calls_itself.empty())
@@ -79,9 +77,8 @@ private:
 
   constexpr void check_axes(const joint_record& r) {
     sequence<mechanics::components> axes;
-    for (int i = 0; i < r.axes.size; ++i) {
-      const mechanics::vector given =
-          phrases_.vector_of(r.axes[i], {"the axis of joint ", r.called}, r.called);
+    for (const phrase& p : r.axes) {
+      const mechanics::vector given = phrases_.vector_of(p, {"the axis of joint ", r.called}, r.called);
       const int home = entities_.frame(r.home, r.called);
       if (reading_.mistake) return;
       axes.push(mechanics::express(reading_.into.mechanism, given, home));
@@ -108,14 +105,11 @@ private:
     if (r.joint == nullptr)
       return reading_.fail(
           {"reactions are requested for ", short_name(r.called).view(), ", which is not a joint"});
-    for (int i = 0; i < reading_.from.joints.size; ++i)
-      if (&reading_.from.joints[i] == r.joint) return;
+    for (const joint_record& listed : reading_.from.joints)
+      if (&listed == r.joint) return;
     reading_.fail({"reactions are requested for joint ", r.called, ", which is not listed in joints<...>"});
   }
 
-  reading& reading_;
-  phrase_reader& phrases_;
-  entity_reader& entities_;
   body_reader& bodies_;
   kinematics_reader& kinematics_;
 };

@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
-#include <kanexpr/describe/kinematics.hpp>
+#include <kanexpr/describe/motion.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/orientation_kinematics.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -14,10 +14,9 @@
 namespace kanexpr::derivation {
 
 /// Reads the kinematic differential equations of a model.
-class kinematics_reader {
+class kinematics_reader : part_reader {
 public:
-  constexpr kinematics_reader(reading& all, phrase_reader& phrases, entity_reader& entities)
-      : reading_(all), m_(all.into.mechanism), phrases_(phrases), entities_(entities) {}
+  using part_reader::part_reader;
 
   constexpr void read(const phrase& p) {
     constexpr std::string_view whom = "a kinematic differential equation";
@@ -72,10 +71,6 @@ private:
     for (const expression& e : mechanics::orientation_kinematics(m_, place, reference)) m_.kinematics.push(e);
   }
 
-  reading& reading_;
-  mechanism& m_;
-  phrase_reader& phrases_;
-  entity_reader& entities_;
   bool has_simple_ = false;
 };
 

@@ -11,11 +11,9 @@ namespace kanexpr::derivation {
 /// Reads the parts that are specific to Lagrange's method: the rates of the coordinates as speeds, and the
 /// Lagrangian if the model specifies it. The symbols of the Lagrangian are read with all others; it is
 /// evaluated when velocities are known.
-class lagrange_reader {
+class lagrange_reader : part_reader {
 public:
-  constexpr lagrange_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases,
-                            entity_reader& entities)
-      : reading_(all), m_(all.into.mechanism), symbols_(symbols), phrases_(phrases), entities_(entities) {}
+  using part_reader::part_reader;
 
   /// Evaluates the Lagrangian; requires that `know` was called.
   constexpr void read_lagrangian() {
@@ -41,19 +39,11 @@ public:
         p.kind != shape::dyadic) // see `read_lagrangian`
       return reading_.fail({the_lagrangian, is_a(p.kind), "it must be a scalar"});
     reading_.into.loads.has_lagrangian = true;
-    entities_.visit(p.tokens, p.size, the_lagrangian);
-    for (int i = 0; i < p.size && !reading_.mistake; ++i)
-      if (p.tokens[i].symbol != nullptr) symbols_.symbol(*p.tokens[i].symbol, the_lagrangian);
+    mention(p, the_lagrangian);
   }
 
 private:
   static constexpr std::string_view the_lagrangian = "the Lagrangian";
-
-  reading& reading_;
-  mechanism& m_;
-  symbol_reader& symbols_;
-  phrase_reader& phrases_;
-  entity_reader& entities_;
 };
 
 } // namespace kanexpr::derivation

@@ -1,12 +1,74 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derivation/read/value.hpp>
 #include <kanexpr/describe/record.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
 
-/// The operations of a phrase on operands of the right kinds (senseless.hpp).
+#include <string_view>
+
+/// The operations of a phrase: the kinds of operands that they accept, and their results.
 namespace kanexpr::derivation {
+
+using describe::shape;
+
+/// Whether a step accepts this operand.
+constexpr bool accepts(const describe::token& t, shape a) {
+  const bool of_vectors =
+      t.what == describe::token_kind::magnitude || t.what == describe::token_kind::normalized;
+  return a == (of_vectors ? shape::vector : shape::scalar);
+}
+
+/// Whether a step accepts these two operands.
+constexpr bool accepts(const describe::token& t, shape a, shape b) {
+  using describe::token_kind;
+  if (t.what == token_kind::add || t.what == token_kind::subtract) return a == b;
+  if (t.what == token_kind::multiply) return a == shape::scalar;
+  if (t.what == token_kind::divide) return b == shape::scalar;
+  if (t.what == token_kind::dot) return b == shape::vector && a != shape::scalar;
+  const bool of_vectors = t.what == token_kind::cross || t.what == token_kind::outer;
+  return a == b && a == (of_vectors ? shape::vector : shape::scalar);
+}
+
+constexpr std::string_view a_kind(shape s) {
+  return s == shape::scalar ? "a scalar" : s == shape::vector ? "a vector" : "a dyadic";
+}
+
+/// Reports operands that a step does not accept.
+constexpr mechanics::sentence operand_mistake(const describe::token& t, shape a, std::string_view part,
+                                              std::string_view whom) {
+  using describe::token_kind;
+  if (t.what == token_kind::magnitude)
+    return mechanics::sentence(
+        {part, whom, " takes the magnitude of ", a_kind(a), a == shape::scalar ? "; write abs" : ""});
+  if (t.what == token_kind::normalized) return mechanics::sentence({part, whom, " normalizes ", a_kind(a)});
+  return mechanics::sentence(
+      {part, whom, " applies ", symbolic::function_name(t.operation), " to ", a_kind(a)});
+}
+
+constexpr mechanics::sentence operand_mistake(const describe::token& t, shape a, shape b,
+                                              std::string_view part, std::string_view whom) {
+  using describe::token_kind;
+  const auto say = [&](std::string_view does, std::string_view joint, std::string_view hint = "") {
+    return mechanics::sentence({part, whom, does, a_kind(a), joint, a_kind(b), hint});
+  };
+  if (t.what == token_kind::add) return say(" adds ", " and ");
+  if (t.what == token_kind::subtract) return say(" subtracts or equates ", " and ");
+  if (t.what == token_kind::multiply) return say(" multiplies ", " by ", "; write dot, cross or outer");
+  if (t.what == token_kind::divide) return say(" divides ", " by ");
+  if (t.what == token_kind::dot)
+    return say(" takes the dot product of ", " and ",
+               a == shape::scalar && b == shape::scalar ? "; write *" : "");
+  if (t.what == token_kind::cross) return say(" takes the cross product of ", " and ");
+  if (t.what == token_kind::outer) return say(" takes the outer product of ", " and ");
+  if (symbolic::is_binary_function(t.operation))
+    return mechanics::sentence({part, whom, " applies ", symbolic::function_name(t.operation), " to ",
+                                a_kind(a), " and ", a_kind(b)});
+  return say(" raises ", " to the power of ",
+             a == shape::vector && b == shape::scalar ? "; write dot(v, v)" : "");
+}
 
 constexpr value combined(const mechanics::mechanism& m, const describe::token& t, const value& a,
                          const value& b) {

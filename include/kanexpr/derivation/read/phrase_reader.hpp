@@ -4,7 +4,6 @@
 #include <kanexpr/derivation/read/call_reader.hpp>
 #include <kanexpr/derivation/read/displacement.hpp>
 #include <kanexpr/derivation/read/operations.hpp>
-#include <kanexpr/derivation/read/senseless.hpp>
 #include <kanexpr/derivation/read/symbol_reader.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/mechanics/checks/check_numbers.hpp>
@@ -16,6 +15,7 @@
 #include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
+#include <concepts>
 #include <string_view>
 
 namespace kanexpr::derivation {
@@ -54,7 +54,7 @@ public:
       const int known = m_.g->size();
       step(p.tokens[i], stack, whom);
       if (p.tokens[i].what <= describe::token_kind::normalized && m_.g->size() != known)
-        look_for_no_number(known, p.tokens[i], whom);
+        check_constants(known, p.tokens[i], whom);
     }
     phrase_ = before;
     return stack;
@@ -97,11 +97,9 @@ public:
   }
 
   /// Checks for constructs that C++ has but models do not.
-  constexpr void check_written(const phrase& p, std::string_view whom) {
-    for (int i = 0; i < p.size && !reading_.mistake; ++i) {
-      if (p.tokens[i].what != describe::token_kind::misused) continue;
-      fail_by(static_cast<describe::misuse>(p.tokens[i].index), p, whom);
-    }
+  constexpr void check_misuse(const phrase& p, std::string_view whom) {
+    for (const describe::token& t : p)
+      if (t.what == describe::token_kind::misused) fail_by(static_cast<describe::misuse>(t.index), p, whom);
   }
 
   /// Whether a quantity is known while a model is read; a velocity is known only if it is declared in the
@@ -123,31 +121,26 @@ private:
   }
 
   /// The frame whose axes a hint suggests in place of those of a frame that is not yet available.
-  constexpr std::string_view axes_instead() const {
+  constexpr std::string_view suggested_frame() const {
     return reading_.parent != nullptr ? reading_.parent->called : reading_.from.inertial->called;
   }
 
-  /// Returns true and reports a mistake if the operands of a step have the wrong kind.
-  constexpr bool is_senseless(const describe::token& t, const value& a, std::string_view whom) {
-    if (makes_sense(t, a.kind)) return false;
-    if (!reading_.mistake) reading_.mistake = senseless(t, a.kind, reading_.part, whom);
-    return true;
-  }
-  constexpr bool is_senseless(const describe::token& t, const value& a, const value& b,
-                              std::string_view whom) {
-    if (makes_sense(t, a.kind, b.kind)) return false;
-    if (!reading_.mistake) reading_.mistake = senseless(t, a.kind, b.kind, reading_.part, whom);
-    return true;
+  /// Returns false and reports a mistake if the operands of a step have the wrong kind.
+  constexpr bool check_operands(const describe::token& t, std::string_view whom,
+                                const std::same_as<value> auto&... operand) {
+    if (accepts(t, operand.kind...)) return true;
+    if (!reading_.mistake) reading_.mistake = operand_mistake(t, operand.kind..., reading_.part, whom);
+    return false;
   }
 
   /// Reports constants without a value that a step added to the graph.
-  constexpr void look_for_no_number(int known, const describe::token& t, std::string_view whom) {
+  constexpr void check_constants(int known, const describe::token& t, std::string_view whom) {
     using describe::token_kind;
     for (int id = known; id < m_.g->size() && !reading_.mistake; ++id) {
       if (!mechanics::has_no_value(*m_.g, id)) continue;
       if (t.what == token_kind::normalized)
         reading_.fail({reading_.part, whom, " normalizes a vector of zero length"});
-      else if (t.what == describe::token_kind::composed)
+      else if (t.what == token_kind::composed)
         reading_.fail({reading_.part, whom, " contains ", call_reader::word_of(t).name,
                        " of numbers for which it is undefined"});
       else if (t.what != token_kind::scalar_function)
@@ -184,7 +177,7 @@ private:
     case token_kind::in_axes: return express(frame(t.frame, whom), stack.back().vector);
     case token_kind::length: return check_length(stack.back(), whom);
     case token_kind::wheel_axis: return check_wheel_axis(t, stack.back().vector, whom);
-    case token_kind::misused: return check_written(*phrase_, whom);
+    case token_kind::misused: return check_misuse(*phrase_, whom);
     case token_kind::position:
     case token_kind::velocity:
     case token_kind::acceleration:
@@ -201,7 +194,7 @@ private:
     if (f == none)
       return reading_.fail({reading_.part, whom, " contains own::", axis,
                             ", which is valid only in the declared angular velocity of a frame; write ",
-                            axes_instead(), "::", axis});
+                            suggested_frame(), "::", axis});
     v.add(f, mechanics::unit(*m_.g, t.index));
     if (is_displaced_) v = displaced_axis(reading_.known->moving(), f, v);
     stack.push(value::of(static_cast<mechanics::vector&&>(v)));
@@ -212,14 +205,14 @@ private:
     stack.pop();
     const value a = static_cast<value&&>(stack.back());
     stack.pop();
-    if (is_senseless(t, a, b, whom)) return;
+    if (!check_operands(t, whom, a, b)) return;
     if (t.what == describe::token_kind::divide && b.scalar.is_zero())
       return reading_.fail({reading_.part, whom, " contains a division by zero"});
     stack.push(combined(m_, t, a, b));
   }
 
   constexpr void transform(const describe::token& t, sequence<value>& stack, std::string_view whom) {
-    if (!is_senseless(t, stack.back(), whom)) stack.back() = transformed(m_, t, stack.back());
+    if (check_operands(t, whom, stack.back())) stack.back() = transformed(m_, t, stack.back());
   }
 
   static constexpr void differentiate(expression by, value& of) {

@@ -18,6 +18,23 @@ namespace kanexpr::derivation {
 /// everything that they use. The first mistake stops the reading and is kept as a sentence. Each part of a
 /// model has its own reader; the readers share a `reading`.
 class reader {
+  // These templates precede their callers, because clang++ does not instantiate a template for a constant
+  // expression if it is declared later in the class.
+
+  /// Calls `read` with each record, as long as there is no mistake.
+  template <class Record, class Read>
+  constexpr void each(const describe::listing<Record>& all, Read read) {
+    for (const Record& r : all)
+      if (!reading_.mistake) read(r);
+  }
+  /// Calls `place` with each valid symbol of a list.
+  template <class Place>
+  constexpr void read_list(const describe::listing<phrase>& listed, symbolic::symbol_kind kind,
+                           symbol_list list, Place place) {
+    for (const phrase& p : listed)
+      if (const symbol_record* s = symbols_.listed_symbol(p, kind, list)) place(*s);
+  }
+
 public:
   constexpr reader(const system_record& from, mechanics::multibody_system& into) : reading_(from, into) {}
   reader(const reader&) = delete;
@@ -51,15 +68,14 @@ public:
     if (reading_.mistake) return;
     entities_.frame(from.inertial, "the system");
     lagrange_.visit_lagrangian();
-    for (int i = 0; i < from.bodies.size && !reading_.mistake; ++i) bodies_.read(from.bodies[i]);
-    for (int i = 0; i < from.joints.size && !reading_.mistake; ++i) joints_.read(from.joints[i]);
-    for (int i = 0; i < from.loads.size && !reading_.mistake; ++i) loads_.read_load(from.loads[i]);
-    for (int i = 0; i < from.kinematics.size && !reading_.mistake; ++i) kinematics_.read(from.kinematics[i]);
+    each(from.bodies, [&](const body_record& r) { bodies_.read(r); });
+    each(from.joints, [&](const joint_record& r) { joints_.read(r); });
+    each(from.loads, [&](const load_record& r) { loads_.read_load(r); });
+    each(from.kinematics, [&](const phrase& p) { kinematics_.read(p); });
     if (!reading_.takes_rates_as_speeds()) joints_.read_kinematics();
     kinematics_.add_simple();
     constraints_.visit_constraints();
-    for (int i = 0; i < from.used_elsewhere.size && !reading_.mistake; ++i)
-      symbols_.mention_elsewhere(from.used_elsewhere[i]);
+    each(from.used_elsewhere, [&](const phrase& p) { symbols_.mention_elsewhere(p); });
     if (!reading_.mistake) symbols_.place_added_inputs();
     symbols_.check_values_are_used();
   }
@@ -87,54 +103,38 @@ public:
 
 private:
   constexpr void read_coordinates(const describe::listing<phrase>& listed) {
-    for (int i = 0; i < listed.size; ++i)
-      if (const symbol_record* s =
-              symbols_.listed_symbol(listed[i], symbolic::symbol_kind::coordinate, symbol_list::coordinates))
-        m_.coordinate(s->called);
+    read_list(listed, symbolic::symbol_kind::coordinate, symbol_list::coordinates,
+              [&](const symbol_record& s) { m_.coordinate(s.called); });
   }
   constexpr void read_speeds(const describe::listing<phrase>& listed) {
-    for (int i = 0; i < listed.size; ++i)
-      if (const symbol_record* s =
-              symbols_.listed_symbol(listed[i], symbolic::symbol_kind::speed, symbol_list::speeds))
-        m_.speed(s->called);
-  }
-  constexpr void read_auxiliary_speeds(const describe::listing<phrase>& listed, bool of_reaction) {
-    for (int i = 0; i < listed.size; ++i)
-      if (const symbol_record* s = symbols_.listed_symbol(listed[i], symbolic::symbol_kind::speed,
-                                                          symbol_list::auxiliary_speeds)) {
-        if (of_reaction)
-          m_.auxiliary_speed(s->called);
-        else
-          symbols_.place_auxiliary_speed(*s);
-      }
+    read_list(listed, symbolic::symbol_kind::speed, symbol_list::speeds,
+              [&](const symbol_record& s) { m_.speed(s.called); });
   }
 
   constexpr void read_lists() {
+    using symbolic::symbol_kind;
     const system_record& from = reading_.from;
     joints_.check_all();
     if (reading_.mistake) return;
     read_coordinates(from.coordinates);
-    for (int i = 0; i < from.joints.size; ++i) read_coordinates(from.joints[i].coordinates);
+    for (const joint_record& r : from.joints) read_coordinates(r.coordinates);
     lagrange_.read_rates();
     read_speeds(from.speeds);
     if (!reading_.takes_rates_as_speeds())
-      for (int i = 0; i < from.joints.size; ++i) read_speeds(from.joints[i].speeds);
-    read_auxiliary_speeds(from.auxiliary, false);
-    for (int i = 0; i < from.reactions.size; ++i) read_auxiliary_speeds(from.reactions[i].speeds, true);
-    for (int i = 0; i < from.values.size; ++i) values_.read(from.values[i]);
-    for (int i = 0; i < from.parameters.size; ++i)
-      if (const symbol_record* s = symbols_.listed_symbol(
-              from.parameters[i], symbolic::symbol_kind::parameter, symbol_list::parameters))
-        symbols_.place_parameter(*s);
-    for (int i = 0; i < from.inputs.size; ++i)
-      if (const symbol_record* s =
-              symbols_.listed_symbol(from.inputs[i], symbolic::symbol_kind::input, symbol_list::inputs))
-        symbols_.place_listed_input(*s);
-    for (int i = 0; i < from.inputs.size && !reading_.mistake; ++i)
-      symbols_.check_derivative(*from.inputs[i].tokens[0].symbol);
-    for (int i = 0; i < from.dependent.size && !reading_.mistake; ++i)
-      constraints_.read_dependent(from.dependent[i]);
-    for (int i = 0; i < from.redundant.size; ++i) reading_.into.constraints.redundant.push(from.redundant[i]);
+      for (const joint_record& r : from.joints) read_speeds(r.speeds);
+    read_list(from.auxiliary, symbol_kind::speed, symbol_list::auxiliary_speeds,
+              [&](const symbol_record& s) { symbols_.place_auxiliary_speed(s); });
+    for (const describe::reaction_record& r : from.reactions)
+      read_list(r.speeds, symbol_kind::speed, symbol_list::auxiliary_speeds,
+                [&](const symbol_record& s) { m_.auxiliary_speed(s.called); });
+    for (const phrase& p : from.values) values_.read(p);
+    read_list(from.parameters, symbol_kind::parameter, symbol_list::parameters,
+              [&](const symbol_record& s) { symbols_.place_parameter(s); });
+    read_list(from.inputs, symbol_kind::input, symbol_list::inputs,
+              [&](const symbol_record& s) { symbols_.place_listed_input(s); });
+    each(from.inputs, [&](const phrase& p) { symbols_.check_derivative(*p.tokens[0].symbol); });
+    each(from.dependent, [&](const phrase& p) { constraints_.read_dependent(p); });
+    for (const int number : from.redundant) reading_.into.constraints.redundant.push(number);
   }
 
   reading reading_;
@@ -142,12 +142,12 @@ private:
   symbol_reader symbols_{reading_};
   phrase_reader phrases_{reading_, symbols_, lookup_in(entities_)};
   entity_reader entities_{reading_, phrases_};
-  value_reader values_{reading_, symbols_, phrases_};
+  value_reader values_{reading_, symbols_, phrases_, entities_};
   lagrange_reader lagrange_{reading_, symbols_, phrases_, entities_};
-  body_reader bodies_{reading_, phrases_, entities_};
+  body_reader bodies_{reading_, symbols_, phrases_, entities_};
   load_reader loads_{reading_, symbols_, phrases_, entities_};
-  kinematics_reader kinematics_{reading_, phrases_, entities_};
-  joint_reader joints_{reading_, entities_, bodies_, kinematics_, phrases_};
+  kinematics_reader kinematics_{reading_, symbols_, phrases_, entities_};
+  joint_reader joints_{{reading_, symbols_, phrases_, entities_}, bodies_, kinematics_};
   constraint_reader constraints_{reading_, symbols_, phrases_, entities_};
 };
 

@@ -50,20 +50,21 @@ struct reading {
 
   /// Checks that an entity does not have a word twice and has only words that belong to it.
   constexpr bool check_base_conflict(describe::base_conflict conflict, std::string_view called) {
-    if (conflict.empty()) return true;
-    const std::size_t first = conflict.find('@'), second = conflict.find('@', first + 1);
-    const std::string_view rest = conflict.substr(first + 1, second - first - 1);
+    if (conflict == nullptr) return true;
+    const std::string_view text = conflict;
+    const std::size_t first = text.find('@'), second = text.find('@', first + 1);
+    const std::string_view rest = text.substr(first + 1, second - first - 1);
     if (second == std::string_view::npos)
-      fail({conflict.substr(0, first), called, rest});
+      fail({text.substr(0, first), called, rest});
     else
-      fail({conflict.substr(0, first), called, rest, called, conflict.substr(second + 1)});
+      fail({text.substr(0, first), called, rest, called, text.substr(second + 1)});
     return false;
   }
 
   /// Reports an entity that names another entity as itself: `struct B : rotated<A, ...>` would define A a
   /// second time.
   constexpr void fail_by_self(std::string_view kind, std::string_view called, std::string_view other) {
-    fail({kind, called, " names itself ", other, "; the first template argument of its base must be ",
+    fail({kind, " ", called, " names itself ", other, "; the first template argument of its base must be ",
           called});
   }
   constexpr void wrong_count(std::string_view kind, std::string_view called, const describe::arguments& has) {

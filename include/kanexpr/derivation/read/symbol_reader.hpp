@@ -2,7 +2,6 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/read/reading.hpp>
-#include <kanexpr/derivation/read/symbol_list.hpp>
 #include <kanexpr/mechanics/checks/check_name.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>

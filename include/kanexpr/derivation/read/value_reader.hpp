@@ -8,13 +8,12 @@
 namespace kanexpr::derivation {
 
 /// Reads the values that a model binds to parameters.
-class value_reader {
+class value_reader : part_reader {
 public:
-  constexpr value_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases)
-      : reading_(all), symbols_(symbols), phrases_(phrases) {}
+  using part_reader::part_reader;
 
   constexpr void read(const phrase& p) {
-    phrases_.check_written(p, "values<...>");
+    phrases_.check_misuse(p, "values<...>");
     if (reading_.mistake) return;
     const symbol_record* s = p.kind == shape::equation ? p.tokens[0].symbol : nullptr;
     phrase right{shape::scalar, p.tokens + 1, p.size - 2};
@@ -33,13 +32,12 @@ public:
           {kind_of(*s), s->called.view(), " is bound to a value; only parameters can be bound"});
     if (symbols_.is_bound(s->called))
       return reading_.fail({"parameter ", s->called.view(), " is bound to two values"});
-    for (int i = 0; i < right.size; ++i)
-      if (right.tokens[i].symbol != nullptr)
+    for (const describe::token& t : right)
+      if (t.symbol != nullptr)
         return reading_.fail({"the value of parameter ", s->called.view(), " is not a number: it contains ",
-                              right.tokens[i].symbol->called.view()});
-    for (int i = 0; i < right.size; ++i)
-      if (right.tokens[i].what == describe::token_kind::number &&
-          right.tokens[i].index == describe::whole_zero)
+                              t.symbol->called.view()});
+    for (const describe::token& t : right)
+      if (t.what == describe::token_kind::number && t.index == describe::whole_zero)
         return reading_.fail(
             {"the value of parameter ", s->called.view(), describe::misuse_message(describe::misuse::zero)});
     const value number = phrases_.evaluate_part("the value of parameter ", right, s->called.view());
@@ -47,11 +45,6 @@ public:
       reading_.fail({"the value of parameter ", s->called.view(), " is not a number"});
     symbols_.bind(*s, number.scalar);
   }
-
-private:
-  reading& reading_;
-  symbol_reader& symbols_;
-  phrase_reader& phrases_;
 };
 
 } // namespace kanexpr::derivation

@@ -10,6 +10,7 @@
 namespace kanexpr::derivation {
 
 using describe::frame_record;
+using describe::load_record;
 using describe::phrase;
 using describe::shape;
 using describe::symbol_record;
@@ -34,12 +35,12 @@ constexpr std::string_view kind_of(const symbol_record& s) {
 
 /// A symbol, point or frame in a phrase, to identify the phrase.
 constexpr std::string_view name_in(const phrase& p) {
-  for (int i = 0; i < p.size; ++i)
-    if (p.tokens[i].symbol != nullptr) return p.tokens[i].symbol->called.view();
-  for (int i = 0; i < p.size; ++i)
-    if (p.tokens[i].point != nullptr) return p.tokens[i].point->called;
-  for (int i = 0; i < p.size; ++i)
-    if (p.tokens[i].frame != nullptr) return p.tokens[i].frame->called;
+  for (const describe::token& t : p)
+    if (t.symbol != nullptr) return t.symbol->called.view();
+  for (const describe::token& t : p)
+    if (t.point != nullptr) return t.point->called;
+  for (const describe::token& t : p)
+    if (t.frame != nullptr) return t.frame->called;
   return "";
 }
 
@@ -50,45 +51,90 @@ constexpr base::sentence short_name(std::string_view called) {
   return base::sentence({called.substr(0, called.find('<')), "<...>"});
 }
 
+/// The number of operands that a token takes from those before it.
+constexpr int operands_of(const describe::token& t) {
+  using describe::token_kind;
+  switch (t.what) {
+  case token_kind::add:
+  case token_kind::subtract:
+  case token_kind::multiply:
+  case token_kind::divide:
+  case token_kind::dot:
+  case token_kind::cross:
+  case token_kind::outer: return 2;
+  case token_kind::negate:
+  case token_kind::magnitude:
+  case token_kind::normalized:
+  case token_kind::derivative:
+  case token_kind::partial:
+  case token_kind::in_axes:
+  case token_kind::length:
+  case token_kind::wheel_axis: return 1;
+  case token_kind::scalar_function: return symbolic::is_binary(t.operation) ? 2 : 1;
+  case token_kind::composed:
+  case token_kind::external: return static_cast<int>(t.number.numerator);
+  case token_kind::number:
+  case token_kind::symbol:
+  case token_kind::basis:
+  case token_kind::position:
+  case token_kind::velocity:
+  case token_kind::acceleration:
+  case token_kind::angular_velocity:
+  case token_kind::angular_acceleration:
+  case token_kind::misused: return 0;
+  }
+  return 0;
+}
+
 /// Whether tokens in postfix order form a single expression.
 constexpr bool is_whole(const phrase& p) {
-  using describe::token_kind;
   int depth = 0;
-  for (int i = 0; i < p.size; ++i) {
-    int operands = 0;
-    switch (p.tokens[i].what) {
-    case token_kind::add:
-    case token_kind::subtract:
-    case token_kind::multiply:
-    case token_kind::divide:
-    case token_kind::dot:
-    case token_kind::cross:
-    case token_kind::outer: operands = 2; break;
-    case token_kind::scalar_function: operands = symbolic::is_binary(p.tokens[i].operation) ? 2 : 1; break;
-    case token_kind::composed:
-    case token_kind::external: operands = static_cast<int>(p.tokens[i].number.numerator); break;
-    case token_kind::negate:
-    case token_kind::magnitude:
-    case token_kind::normalized:
-    case token_kind::derivative:
-    case token_kind::partial:
-    case token_kind::in_axes:
-    case token_kind::length:
-    case token_kind::wheel_axis: operands = 1; break;
-    case token_kind::number:
-    case token_kind::symbol:
-    case token_kind::basis:
-    case token_kind::position:
-    case token_kind::velocity:
-    case token_kind::acceleration:
-    case token_kind::angular_velocity:
-    case token_kind::angular_acceleration:
-    case token_kind::misused: break;
-    }
+  for (const describe::token& t : p) {
+    const int operands = operands_of(t);
     if (depth < operands) return false;
     depth += 1 - operands;
   }
   return depth == 1;
+}
+
+/// Returns the subject of sentences about a load: "the force at P", "the spring between P and Q", "the
+/// potential energy with q1".
+constexpr mechanics::sentence name_of(const load_record& r) {
+  if (r.other_point != nullptr)
+    return mechanics::sentence({r.word, " between ", r.point->called, " and ", r.other_point->called});
+  if (r.point != nullptr) return mechanics::sentence({r.word, " at ", r.point->called});
+  if (r.other_frame != nullptr)
+    return mechanics::sentence({r.word, " between ", r.frame->called, " and ", r.other_frame->called});
+  if (r.frame != nullptr) return mechanics::sentence({r.word, " on ", r.frame->called});
+  const std::string_view held = name_in(r.known_by);
+  return mechanics::sentence({r.word.empty() ? r.called : r.word, held.empty() ? "" : " with ", held});
+}
+
+/// The uses of a model's names, each of which has a single meaning.
+enum class symbol_list : unsigned char {
+  coordinates,
+  rates_of_coordinates,
+  speeds,
+  auxiliary_speeds,
+  values,
+  parameters,
+  inputs,
+  times,
+};
+
+/// Returns the name of the list as it appears in error messages.
+constexpr std::string_view called(symbol_list list) {
+  switch (list) {
+  case symbol_list::coordinates: return "coordinates";
+  case symbol_list::rates_of_coordinates: return "rates of coordinates";
+  case symbol_list::speeds: return "speeds";
+  case symbol_list::auxiliary_speeds: return "auxiliary speeds";
+  case symbol_list::values: return "values";
+  case symbol_list::parameters: return "parameters";
+  case symbol_list::inputs: return "inputs";
+  case symbol_list::times: return "symbols for the time";
+  }
+  return {};
 }
 
 constexpr std::string_view is_a(shape kind) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string_view>
-
 /// Detects words that an entity has twice or that belong to entities of a different kind. A second word of
 /// the same kind makes name lookup ambiguous, so both would be ignored silently.
 namespace kanexpr::describe {
@@ -20,8 +18,8 @@ struct load_words {};
 struct system_words {};
 struct whole_systems {};
 
-/// A sentence with @ in place of the entity's name; empty if there is no conflict.
-using base_conflict = std::string_view;
+/// A sentence with @ in place of the entity's name; null if there is no conflict.
+using base_conflict = const char*;
 
 inline constexpr base_conflict
     two_orientations = "frame @ has two orientations",
@@ -61,7 +59,7 @@ constexpr base_conflict find_base_conflict_of_joint() {
   if (__is_base_of(inertia_words, Joint)) return inertia_as_base;
   if (__is_base_of(whole_systems, Joint)) return system_as_base;
   if (__is_base_of(system_words, Joint)) return word_as_base;
-  return {};
+  return nullptr;
 }
 
 /// Finds the conflict of an entity or a load. It is evaluated for every entity, so it avoids templates, which
@@ -99,10 +97,10 @@ constexpr base_conflict find_base_conflict() {
   if (moves && !is_point) return "velocity<...> is a base class of @, which is not a point";
   if (is_fixed && !is_point) return "fixed_in<...> is a base class of @, which is not a point";
   if (__is_base_of(inertia_words, Entity)) return inertia_as_base;
-  if (!is_frame && !is_point && !is_body && !is_load) return {};
+  if (!is_frame && !is_point && !is_body && !is_load) return nullptr;
   if (__is_base_of(whole_systems, Entity)) return system_as_base;
   if (__is_base_of(system_words, Entity)) return word_as_base;
-  return {};
+  return nullptr;
 }
 
 /// Whether a system, or a word of a system, has an additional base class that should be one of the system's

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kanexpr/describe/joints/chosen_name.hpp>
 #include <kanexpr/describe/joints/joint_mistakes.hpp>
 #include <kanexpr/describe/motion.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <type_traits>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/describe/joints/joint.hpp>
-#include <kanexpr/describe/kinematics.hpp>
+#include <kanexpr/describe/motion.hpp>
 
 #include <cstddef>
 #include <string_view>
