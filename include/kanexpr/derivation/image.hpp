@@ -73,7 +73,7 @@ public:
       for_each_member(part, *this);
   }
   template <class Part>
-  constexpr void operator()(const symbolic::sequence<Part>& parts) {
+  constexpr void operator()(const base::sequence<Part>& parts) {
     write(parts.size());
     for (const Part& each : parts) (*this)(each);
   }
@@ -82,7 +82,7 @@ public:
     write(part.has_value());
     if (part.has_value()) (*this)(*part);
   }
-  constexpr void operator()(const symbolic::sequence<symbolic::expression>& all) { // most of the content
+  constexpr void operator()(const base::sequence<symbolic::expression>& all) { // most of the content
     write(all.size());
     if (into_.integers + all.size() > image::most_integers) {
       into_.is_full = true;
@@ -92,7 +92,7 @@ public:
       into_.integer[into_.integers++] = e.is_given() ? e.node() : none;
   }
   constexpr void operator()(const symbolic::expression& e) { write(e.is_given() ? e.node() : none); }
-  constexpr void operator()(const symbolic::name& called) {
+  constexpr void operator()(const base::name& called) {
     write(called.length);
     for (int i = 0; i < called.length; ++i) write(called.letters[i]);
   }
@@ -175,7 +175,7 @@ public:
       for_each_member(part, *this);
   }
   template <class Part>
-  constexpr void operator()(symbolic::sequence<Part>& parts) {
+  constexpr void operator()(base::sequence<Part>& parts) {
     const int size = read();
     parts.clear();
     parts.resize(size);
@@ -191,7 +191,7 @@ public:
     const int node = read();
     if (node != mechanics::none) e = {g_, node};
   }
-  constexpr void operator()(symbolic::name& called) {
+  constexpr void operator()(base::name& called) {
     called.length = read();
     for (int i = 0; i < called.length; ++i) called.letters[i] = static_cast<char>(read());
   }
@@ -210,15 +210,14 @@ private:
 
 constexpr image_reader::image_reader(const image& from, symbolic::graph& g, const mechanics::mechanism& m)
     : from_(from), g_(g), m_(m) {
-  symbolic::sequence<symbolic::number> numbers;
+  base::sequence<symbolic::number> numbers;
   numbers.reserve(from.numbers);
   for (int i = 0; i < from.numbers; ++i)
     numbers.push({from.numerators[i], from.denominators[i], from.reals[i]});
-  symbolic::sequence<symbolic::symbol> symbols;
+  base::sequence<symbolic::symbol> symbols;
   (*this)(symbols);
-  g.restore(static_cast<symbolic::sequence<symbolic::number>&&>(numbers),
-            static_cast<symbolic::sequence<symbolic::symbol>&&>(symbols), from.op, from.a, from.b,
-            from.nodes);
+  g.restore(static_cast<base::sequence<symbolic::number>&&>(numbers),
+            static_cast<base::sequence<symbolic::symbol>&&>(symbols), from.op, from.a, from.b, from.nodes);
   for (int i = 0; i < from.externals; ++i) g.externals().push(from.external[i]);
 }
 

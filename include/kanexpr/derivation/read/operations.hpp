@@ -37,22 +37,21 @@ constexpr std::string_view a_kind(shape s) {
 }
 
 /// Reports operands that a step does not accept.
-constexpr mechanics::sentence operand_mistake(const describe::token& t, shape a, std::string_view part,
-                                              std::string_view whom) {
+constexpr base::sentence operand_mistake(const describe::token& t, shape a, std::string_view part,
+                                         std::string_view whom) {
   using describe::token_kind;
   if (t.what == token_kind::magnitude)
-    return mechanics::sentence(
+    return base::sentence(
         {part, whom, " takes the magnitude of ", a_kind(a), a == shape::scalar ? "; write abs" : ""});
-  if (t.what == token_kind::normalized) return mechanics::sentence({part, whom, " normalizes ", a_kind(a)});
-  return mechanics::sentence(
-      {part, whom, " applies ", symbolic::function_name(t.operation), " to ", a_kind(a)});
+  if (t.what == token_kind::normalized) return base::sentence({part, whom, " normalizes ", a_kind(a)});
+  return base::sentence({part, whom, " applies ", symbolic::function_name(t.operation), " to ", a_kind(a)});
 }
 
-constexpr mechanics::sentence operand_mistake(const describe::token& t, shape a, shape b,
-                                              std::string_view part, std::string_view whom) {
+constexpr base::sentence operand_mistake(const describe::token& t, shape a, shape b, std::string_view part,
+                                         std::string_view whom) {
   using describe::token_kind;
   const auto say = [&](std::string_view does, std::string_view joint, std::string_view hint = "") {
-    return mechanics::sentence({part, whom, does, a_kind(a), joint, a_kind(b), hint});
+    return base::sentence({part, whom, does, a_kind(a), joint, a_kind(b), hint});
   };
   if (t.what == token_kind::add) return say(" adds ", " and ");
   if (t.what == token_kind::subtract) return say(" subtracts or equates ", " and ");
@@ -64,8 +63,8 @@ constexpr mechanics::sentence operand_mistake(const describe::token& t, shape a,
   if (t.what == token_kind::cross) return say(" takes the cross product of ", " and ");
   if (t.what == token_kind::outer) return say(" takes the outer product of ", " and ");
   if (symbolic::is_binary_function(t.operation))
-    return mechanics::sentence({part, whom, " applies ", symbolic::function_name(t.operation), " to ",
-                                a_kind(a), " and ", a_kind(b)});
+    return base::sentence({part, whom, " applies ", symbolic::function_name(t.operation), " to ", a_kind(a),
+                           " and ", a_kind(b)});
   return say(" raises ", " to the power of ",
              a == shape::vector && b == shape::scalar ? "; write dot(v, v)" : "");
 }
