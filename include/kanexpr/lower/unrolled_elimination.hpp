@@ -49,15 +49,14 @@ private:
   template <int... step>
   [[gnu::always_inline]] static void factorize(Number* f, std::integer_sequence<int, step...>) noexcept {
     Number least = math::magnitude(f[0]); // overwritten by the first pivot
-    const int in_order[]{(pivot<step>(f, least, numbers<order - 1 - step>{}), 0)...};
-    static_cast<void>(in_order);
+    (pivot<step>(f, least, numbers<order - 1 - step>{}), ...);
     f[place.least_pivot()] = least;
   }
 
   template <int step, int... below>
   [[gnu::always_inline]] static void pivot(Number* f, Number& least,
                                            std::integer_sequence<int, below...>) noexcept {
-    const int exchanged[]{0, (compare<step, step + 1 + below>(f, numbers<order - step>{}), 0)...};
+    (compare<step, step + 1 + below>(f, numbers<order - step>{}), ...);
     Number& pivot = f[place.at(step, step)];
     Number size = math::magnitude(pivot);
     if constexpr (step == 0)
@@ -65,28 +64,22 @@ private:
     else
       math::exchange_if_positive(Number(least - size), least, size);
     pivot = math::reciprocal(pivot);
-    const int eliminated[]{0, (update<step, step + 1 + below>(f, numbers<order - 1 - step>{}), 0)...};
-    static_cast<void>(exchanged), static_cast<void>(eliminated);
+    (update<step, step + 1 + below>(f, numbers<order - 1 - step>{}), ...);
   }
 
   template <int pivot, int row, int... right>
   [[gnu::always_inline]] static void compare(Number* f, std::integer_sequence<int, right...>) noexcept {
     Number& excess = f[place.excess(pivot, row)];
     excess = Number(math::magnitude(f[place.at(row, pivot)]) - math::magnitude(f[place.at(pivot, pivot)]));
-    const int exchanged[]{(math::exchange_if_positive(excess, f[place.at(pivot, pivot + right)],
-                                                      f[place.at(row, pivot + right)]),
-                           0)...};
-    static_cast<void>(exchanged);
+    (math::exchange_if_positive(excess, f[place.at(pivot, pivot + right)], f[place.at(row, pivot + right)]),
+     ...);
   }
 
   template <int pivot, int row, int... right>
   [[gnu::always_inline]] static void update(Number* f, std::integer_sequence<int, right...>) noexcept {
     Number& multiplier = f[place.at(row, pivot)];
     multiplier = Number(multiplier * f[place.at(pivot, pivot)]);
-    const int updated[]{
-        (subtract(f[place.at(row, pivot + 1 + right)], multiplier, f[place.at(pivot, pivot + 1 + right)]),
-         0)...};
-    static_cast<void>(updated);
+    (subtract(f[place.at(row, pivot + 1 + right)], multiplier, f[place.at(pivot, pivot + 1 + right)]), ...);
   }
 
   /// Evaluates a -= b c.
@@ -98,8 +91,7 @@ private:
   [[gnu::always_inline]] static Number singularity_measure(const Number* f, Number* squares,
                                                            std::integer_sequence<int, pivot...>) noexcept {
     Number largest = f[0]; // overwritten by the first pivot
-    const int in_order[]{(inverse<pivot>(f, squares, largest, numbers<order - 1 - pivot>{}), 0)...};
-    static_cast<void>(in_order);
+    (inverse<pivot>(f, squares, largest, numbers<order - 1 - pivot>{}), ...);
     Number least = f[place.least_pivot()], beside = math::root(math::reciprocal(largest));
     math::exchange_if_positive(f[place.least_pivot()], least, beside);
     return least; // if a pivot is zero, the entries that follow it are NaN
@@ -107,32 +99,26 @@ private:
   template <int pivot, int... below>
   [[gnu::always_inline]] static void inverse(const Number* f, Number* squares, Number& largest,
                                              std::integer_sequence<int, below...>) noexcept {
-    const int exchanged[]{0,
-                          (exchange<pivot, pivot + 1 + below>(f, squares, numbers<order - pivot>{}), 0)...};
+    (exchange<pivot, pivot + 1 + below>(f, squares, numbers<order - pivot>{}), ...);
     const Number& inverse = f[place.at(pivot, pivot)];
     Number own = Number(inverse * Number(inverse * squares[place.at(pivot, pivot)]));
     if constexpr (pivot > 0) math::exchange_if_positive(Number(largest - own), own, largest);
     largest = own;
-    const int grown[]{0, (grow<pivot, pivot + 1 + below>(f, squares, numbers<order - 1 - pivot>{}), 0)...};
-    static_cast<void>(exchanged), static_cast<void>(grown);
+    (grow<pivot, pivot + 1 + below>(f, squares, numbers<order - 1 - pivot>{}), ...);
   }
   template <int pivot, int row, int... right>
   [[gnu::always_inline]] static void exchange(const Number* f, Number* squares,
                                               std::integer_sequence<int, right...>) noexcept {
-    const int exchanged[]{
-        (math::exchange_if_positive(f[place.excess(pivot, row)], squares[place.at(pivot, pivot + right)],
-                                    squares[place.at(row, pivot + right)]),
-         0)...};
-    static_cast<void>(exchanged);
+    (math::exchange_if_positive(f[place.excess(pivot, row)], squares[place.at(pivot, pivot + right)],
+                                squares[place.at(row, pivot + right)]),
+     ...);
   }
   template <int pivot, int row, int... right>
   [[gnu::always_inline]] static void grow(const Number* f, Number* squares,
                                           std::integer_sequence<int, right...>) noexcept {
     const Number square = Number(f[place.at(row, pivot)] * f[place.at(row, pivot)]);
-    const int grown[]{
-        (add(squares[place.at(row, pivot + 1 + right)], square, squares[place.at(pivot, pivot + 1 + right)]),
-         0)...};
-    static_cast<void>(grown);
+    (add(squares[place.at(row, pivot + 1 + right)], square, squares[place.at(pivot, pivot + 1 + right)]),
+     ...);
   }
 
   /// Evaluates a += b c.
@@ -143,54 +129,42 @@ private:
   template <int... pivot>
   [[gnu::always_inline]] static void solve(const Number* f, Number* x,
                                            std::integer_sequence<int, pivot...>) noexcept {
-    const int down[]{(forward<pivot>(f, x, numbers<order - 1 - pivot>{}), 0)...};
-    const int up[]{(backward<order - 1 - pivot>(f, x, numbers<pivot>{}), 0)...};
-    static_cast<void>(down), static_cast<void>(up);
+    (forward<pivot>(f, x, numbers<order - 1 - pivot>{}), ...);
+    (backward<order - 1 - pivot>(f, x, numbers<pivot>{}), ...);
   }
   template <int pivot, int... below>
   [[gnu::always_inline]] static void forward([[maybe_unused]] const Number* f, [[maybe_unused]] Number* x,
                                              std::integer_sequence<int, below...>) noexcept {
-    const int done[]{0,
-                     (math::exchange_if_positive(f[place.excess(pivot, pivot + 1 + below)], x[pivot],
-                                                 x[pivot + 1 + below]),
-                      0)...,
-                     (subtract(x[pivot + 1 + below], f[place.at(pivot + 1 + below, pivot)], x[pivot]), 0)...};
-    static_cast<void>(done);
+    (math::exchange_if_positive(f[place.excess(pivot, pivot + 1 + below)], x[pivot], x[pivot + 1 + below]),
+     ...);
+    (subtract(x[pivot + 1 + below], f[place.at(pivot + 1 + below, pivot)], x[pivot]), ...);
   }
   template <int pivot, int... right>
   [[gnu::always_inline]] static void backward(const Number* f, Number* x,
                                               std::integer_sequence<int, right...>) noexcept {
-    const int done[]{0,
-                     (subtract(x[pivot], f[place.at(pivot, pivot + 1 + right)], x[pivot + 1 + right]), 0)...};
-    static_cast<void>(done);
+    (subtract(x[pivot], f[place.at(pivot, pivot + 1 + right)], x[pivot + 1 + right]), ...);
     x[pivot] = Number(x[pivot] * f[place.at(pivot, pivot)]);
   }
 
   template <int... pivot>
   [[gnu::always_inline]] static void solve_transposed(const Number* f, Number* x,
                                                       std::integer_sequence<int, pivot...>) noexcept {
-    const int down[]{(forward_transposed<pivot>(f, x, numbers<order - 1 - pivot>{}), 0)...};
-    const int up[]{(backward_transposed<order - 1 - pivot>(f, x, numbers<pivot>{}), 0)...};
-    static_cast<void>(down), static_cast<void>(up);
+    (forward_transposed<pivot>(f, x, numbers<order - 1 - pivot>{}), ...);
+    (backward_transposed<order - 1 - pivot>(f, x, numbers<pivot>{}), ...);
   }
   template <int pivot, int... right>
   [[gnu::always_inline]] static void forward_transposed(const Number* f, Number* x,
                                                         std::integer_sequence<int, right...>) noexcept {
     x[pivot] = Number(x[pivot] * f[place.at(pivot, pivot)]);
-    const int done[]{0,
-                     (subtract(x[pivot + 1 + right], f[place.at(pivot, pivot + 1 + right)], x[pivot]), 0)...};
-    static_cast<void>(done);
+    (subtract(x[pivot + 1 + right], f[place.at(pivot, pivot + 1 + right)], x[pivot]), ...);
   }
   template <int pivot, int... below>
   [[gnu::always_inline]] static void backward_transposed([[maybe_unused]] const Number* f,
                                                          [[maybe_unused]] Number* x,
                                                          std::integer_sequence<int, below...>) noexcept {
-    const int done[]{0,
-                     (subtract(x[pivot], f[place.at(pivot + 1 + below, pivot)], x[pivot + 1 + below]), 0)...,
-                     (math::exchange_if_positive(f[place.excess(pivot, order - 1 - below)], x[pivot],
-                                                 x[order - 1 - below]),
-                      0)...};
-    static_cast<void>(done);
+    (subtract(x[pivot], f[place.at(pivot + 1 + below, pivot)], x[pivot + 1 + below]), ...);
+    (math::exchange_if_positive(f[place.excess(pivot, order - 1 - below)], x[pivot], x[order - 1 - below]),
+     ...);
   }
 };
 

@@ -25,18 +25,12 @@ public:
 
   constexpr void compose(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     const symbolic::composite_signature& f = word_of(t);
-    const int given = static_cast<int>(t.number.numerator);
-    sequence<expression> operands;
-    for (int i = stack.size() - given; i < stack.size(); ++i) {
-      if (stack[i].kind != shape::scalar)
-        return reading_.fail({reading_.part, whom, " applies ", f.name, " to ", a_kind(stack[i].kind)});
-      operands.push(stack[i].scalar);
-    }
+    const sequence<expression> operands = operands_of(t, stack, f.name, whom);
+    if (reading_.mistake) return;
+    const int given = operands.size();
     if (f.operands == symbolic::variadic && !check_table(f, operands, whom)) return;
     if (given != f.operands && f.operands != symbolic::variadic)
-      return reading_.fail({reading_.part, whom, " calls ", f.name, " with ", base::counted(given).view(),
-                            given == 1 ? " argument" : " arguments", "; it takes ",
-                            base::counted(f.operands).view()});
+      return fail_by_count(f.name, given, f.operands, whom);
     if (f.is == symbolic::composition::clamp && symbolic::are_reversed(operands[1], operands[2]))
       return reading_.fail(
           {reading_.part, whom, " contains clamp with limits out of order; write clamp(x, least, most)"});
@@ -47,17 +41,9 @@ public:
   /// Calls a user function.
   constexpr void call(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     const describe::external_record& f = *t.external;
-    const int given = static_cast<int>(t.number.numerator);
-    sequence<expression> operands;
-    for (int i = stack.size() - given; i < stack.size(); ++i) {
-      if (stack[i].kind != shape::scalar)
-        return reading_.fail({reading_.part, whom, " applies ", f.called, " to ", a_kind(stack[i].kind)});
-      operands.push(stack[i].scalar);
-    }
-    if (f.operands != 0)
-      return reading_.fail({reading_.part, whom, " calls ", f.called, " with ", base::counted(given).view(),
-                            given == 1 ? " argument" : " arguments", "; it takes ",
-                            base::counted(f.operands).view()});
+    const sequence<expression> operands = operands_of(t, stack, f.called, whom);
+    if (reading_.mistake) return;
+    if (f.operands != 0) return fail_by_count(f.called, operands.size(), f.operands, whom);
     if (f.function == nullptr)
       return reading_.fail(
           {reading_.part, whom, " calls ", f.called, f.mistake.whose, f.mistake.what, f.mistake.numbers});
@@ -65,11 +51,27 @@ public:
       if (other != f.function && other->called == f.function->called)
         return reading_.fail({reading_.part, whom, " calls ", f.called,
                               ", but a different function of the model has the same name"});
-    for (int i = 0; i < given; ++i) stack.pop();
+    for (int i = 0; i < operands.size(); ++i) stack.pop();
     stack.push(value::of(symbolic::call(*f.function, operands)));
   }
 
 private:
+  /// Returns the operands of a function, which must be scalars, from the top of the stack.
+  constexpr sequence<expression> operands_of(const describe::token& t, const sequence<value>& stack,
+                                             std::string_view function, std::string_view whom) {
+    sequence<expression> operands;
+    for (int i = stack.size() - static_cast<int>(t.number.numerator); i < stack.size(); ++i) {
+      if (stack[i].kind != shape::scalar)
+        reading_.fail({reading_.part, whom, " applies ", function, " to ", a_kind(stack[i].kind)});
+      operands.push(stack[i].scalar);
+    }
+    return operands;
+  }
+  constexpr void fail_by_count(std::string_view function, int given, int accepted, std::string_view whom) {
+    reading_.fail({reading_.part, whom, " calls ", function, " with ", base::counted(given).view(),
+                   given == 1 ? " argument" : " arguments", "; it takes ", base::counted(accepted).view()});
+  }
+
   /// Checks the points of a table, which follow its argument: there must be at least two, in increasing
   /// order, and the last value of a periodic table must equal the first.
   constexpr bool check_table(const symbolic::composite_signature& f, const sequence<expression>& x,

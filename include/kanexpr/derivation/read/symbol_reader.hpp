@@ -334,6 +334,10 @@ private:
                               const symbol_record& r, std::string_view kind, std::string_view whom) {
     for (int i = 0; i < own.size(); ++i)
       if (m_.g->symbol_at(own[i].node()).called == r.called) return is_the_same(r, kind), wanted[i];
+    return fail_by_unlisted(r, kind, whom);
+  }
+  constexpr expression fail_by_unlisted(const symbol_record& r, std::string_view kind,
+                                        std::string_view whom) {
     reading_.fail({kind, " ", r.called.view(), ", which ", reading_.part, whom,
                    " contains, is not in the list of ", kind, "s"});
     return m_.zero();
@@ -346,11 +350,7 @@ private:
         used.mark(i);
         return is_the_same(r, kind), known[i];
       }
-    if (complete) {
-      reading_.fail({kind, " ", r.called.view(), ", which ", reading_.part, whom,
-                     " contains, is not in the list of ", kind, "s"});
-      return m_.zero();
-    }
+    if (complete) return fail_by_unlisted(r, kind, whom);
     claim(r, kind == "input" ? symbol_list::inputs : symbol_list::parameters);
     return r.kind == symbolic::symbol_kind::input ? m_.input(r.called) : m_.parameter(r.called);
   }
