@@ -1,6 +1,6 @@
 // A derivation that is stored and resumed is the one that went on.
-#include <kanexpr/derivation/cut.hpp>
 #include <kanexpr/derivation/digest.hpp>
+#include <kanexpr/derivation/extract_code.hpp>
 #include <kanexpr/lower/tape.hpp>
 #include <models/andrews.hpp>
 #include <models/bicycle.hpp>
@@ -82,7 +82,7 @@ TYPED_TEST_SUITE(image_of, models);
 TYPED_TEST(image_of, a_stage_taken_up_again_is_the_same_when_set_aside) {
   derived_system straight(TypeParam::record);
   for (const stage to : {stage::constrained, stage::equations, stage::linearized}) {
-    go_on(straight, to);
+    advance(straight, to);
     ASSERT_FALSE(straight.mistake()) << straight.mistake();
     const auto stored = store(straight);
     const derived_system again(TypeParam::record, *stored);
@@ -94,13 +94,13 @@ TYPED_TEST(image_of, results_do_not_depend_on_where_the_derivation_was_set_aside
   for (const kanexpr::mechanics::result_row& row : kanexpr::mechanics::results) {
     SCOPED_TRACE(row.called);
     derived_system straight(TypeParam::record);
-    go_on(straight, stage::constrained);
+    advance(straight, stage::constrained);
     auto stored = store(straight);
     for (const stage to : {stage::equations, stage::linearized}) {
       if (row.needs < to) break;
-      go_on(straight, to);
+      advance(straight, to);
       derived_system again(TypeParam::record, *stored);
-      go_on(again, to);
+      advance(again, to);
       stored = store(again);
     }
     derived_system again(TypeParam::record, *stored);
@@ -113,7 +113,7 @@ void expect_the_image_of_the_compiler() {
   constexpr std::uint64_t of_compiler =
       kanexpr::derivation::digest_of(kanexpr::derivation::stages_of<System>::linearized.stored);
   derived_system system(System::record);
-  for (const stage to : {stage::constrained, stage::equations, stage::linearized}) go_on(system, to);
+  for (const stage to : {stage::constrained, stage::equations, stage::linearized}) advance(system, to);
   EXPECT_EQ(digest_of(*store(system)), of_compiler);
 }
 
@@ -128,7 +128,7 @@ TEST(image, of_the_compiler_is_that_of_the_program) {
 // The sign of two numbers at once is what a sum of words would lose.
 TEST(image, has_a_digest_that_sees_every_entry) {
   derived_system system(simple_pendulum::System::record);
-  go_on(system, stage::constrained);
+  advance(system, stage::constrained);
   const auto stored = store(system);
   ASSERT_GT(stored->numbers, 1);
   stored->denominators[0] = stored->denominators[1] = 0, stored->reals[0] = 0.25, stored->reals[1] = 0.75;
@@ -151,7 +151,7 @@ TEST(image, of_a_system_that_there_is_no_room_for_says_so) {
   auto ended = std::make_unique<kanexpr::derivation::staged>();
   ended->stored.integers = image::most_integers;
   derived_system system(simple_pendulum::System::record);
-  go_on(system, stage::constrained);
+  advance(system, stage::constrained);
   ended->take(system, "System");
   EXPECT_TRUE(ended->stored.is_full);
   EXPECT_EQ(ended->mistake.view(), "System exceeds the supported size of a system");

@@ -1,6 +1,6 @@
 // Frames and points that only an expression speaks of are taken up by a derivation that is there already, and
 // change no result of it.
-#include <kanexpr/derivation/cut.hpp>
+#include <kanexpr/derivation/extract_code.hpp>
 #include <kanexpr/symbolic.hpp>
 #include <models/bicycle.hpp>
 #include <models/rolling_disc.hpp>
@@ -87,7 +87,7 @@ TEST(late_entities, change_no_result) {
     derived_system plain(bicycle::System::record), extended(bicycle::System::record);
     for (derived_system* each : {&plain, &extended})
       for (int s = 0; s <= static_cast<int>(first); ++s)
-        kanexpr::derivation::go_on(*each, static_cast<stage>(s));
+        kanexpr::derivation::advance(*each, static_cast<stage>(s));
     constexpr request more = requested<camera::of_lens>::value;
     kanexpr::derivation::visit({&more, 1}, extended.reader());
     kanexpr::derivation::form(more, extended.reader(), extended.equations());

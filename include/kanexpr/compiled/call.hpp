@@ -140,7 +140,7 @@ struct call {
 
 /// The arguments that follow the inputs in a call of a function that takes weights or a direction. `Weights`
 /// and `Direction` are `omitted` if the function does not take them.
-template <class System, class Code, class Weights, class Direction, derivation::given_behind given,
+template <class System, class Code, class Weights, class Direction, derivation::extra_arguments given,
           auto first, auto... more>
 struct weighted_call {
   static constexpr base::sentence mistake = [] {

@@ -4,7 +4,7 @@
 #include <kanexpr/compiled/call.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derivation/cut.hpp>
+#include <kanexpr/derivation/extract_code.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/lower/unrolled_tape.hpp>
@@ -23,7 +23,7 @@ struct derived_code {
   static constexpr base::sentence mistake() { return cut.mistake; }
 
 protected:
-  static constexpr derivation::cut_code cut = derivation::code_for<System, wanted...>();
+  static constexpr derivation::extracted_code extracted = derivation::code_for<System, wanted...>();
 };
 
 /// The tape of a set of results. A mistake in them is a compile-time error.

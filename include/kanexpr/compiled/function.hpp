@@ -9,7 +9,7 @@
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/compiled/status.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
-#include <kanexpr/derivation/cut.hpp>
+#include <kanexpr/derivation/extract_code.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/lower/constant.hpp>
 #include <kanexpr/lower/scalar_math.hpp>
@@ -129,8 +129,8 @@ private:
   [[gnu::always_inline]] static auto evaluate(const Time& t, const State& x, const Parameters& p = {},
                                               const Inputs& r = {}, const Fourth& fourth = {},
                                               const Fifth& fifth = {}) noexcept {
-    constexpr derivation::given_behind given =
-        derivation::given_to({&derivation::requested<wanted>::value...});
+    constexpr derivation::extra_arguments given =
+        derivation::extra_arguments_of({&derivation::requested<wanted>::value...});
     if constexpr (!is_weighted)
       return evaluate_with<with_statuses>(t, x, p, r, fourth, nothing, nothing);
     else if constexpr (given.weights)
@@ -143,7 +143,7 @@ private:
   static constexpr bool can_take() {
     if constexpr (is_weighted)
       return compiled::weighted_call<System, code, Weights, Direction,
-                                     derivation::given_to({&derivation::requested<wanted>::value...}),
+                                     derivation::extra_arguments_of({&derivation::requested<wanted>::value...}),
                                      wanted...>::possible;
     else
       return true;

@@ -18,7 +18,7 @@ struct cause_sizes {
 template <cause_sizes room>
 struct cause_list {
   cause_sizes sizes{};
-  /// uses a small type to save memory on controllers
+  /// The small type saves memory on microcontrollers.
   std::conditional_t<(room.letters < 1 << 16), std::uint16_t, int>
       end[room.count > 0 ? static_cast<std::size_t>(room.count) : 1]{};
   char letters[room.letters > 0 ? static_cast<std::size_t>(room.letters) : 1]{};
@@ -38,9 +38,9 @@ struct cause_list {
 
 /// For constant evaluation only: `trimmed` makes the list that programs use.
 inline constexpr cause_sizes room_of_causes{1 << 12, 1 << 18};
-using roomy_causes = cause_list<room_of_causes>;
+using large_cause_list = cause_list<room_of_causes>;
 
-/// The same list in arrays of minimal size, `trimmed<roomy.sizes>(roomy)`.
+/// Copies a list to arrays of minimal size: `trimmed<large.sizes>(large)`.
 template <cause_sizes sizes, cause_sizes room>
 constexpr cause_list<sizes> trimmed(const cause_list<room>& from) {
   cause_list<sizes> out{};

@@ -93,7 +93,7 @@ constexpr sentence check_each_word(std::string_view system, const describe::syst
 
 constexpr bool brings_body(const describe::listing<describe::joint_record>& joints) {
   for (const describe::joint_record& r : joints)
-    if (r.body != nullptr || r.calls_itself.empty() || !r.mistake.empty())
+    if (r.body != nullptr || r.declared_name.empty() || !r.mistake.empty())
       return true; // mistakes in joints are reported later
   return false;
 }

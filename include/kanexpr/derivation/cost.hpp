@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/derivation/cut.hpp>
+#include <kanexpr/derivation/extract_code.hpp>
 
 #include <initializer_list>
 #include <vector>
@@ -14,9 +14,9 @@ symbolic::cost cost_of(std::initializer_list<quantity> wanted) {
   std::vector<request> all;
   for (const quantity one : wanted) all.push_back({.what = request::kind::result, .wanted = one});
   derived_system system(System::record);
-  go_on(system, stage::constrained);
+  advance(system, stage::constrained);
   for (const stage next : {stage::equations, stage::linearized})
-    if (stage_for(all) >= next) go_on(system, next);
+    if (stage_for(all) >= next) advance(system, next);
   return lower::cost_of(lower::tape_of(system.graph(), nodes_for(system, all).nodes));
 }
 

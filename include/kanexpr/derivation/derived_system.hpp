@@ -39,7 +39,7 @@ public:
   constexpr derived_system(const system_record& from, const Image& stored)
       : system_(graph_), reader_(from, system_) {
     equations_.emplace(system_, mechanics::equations::for_restore{});
-    reader_.know(equations_->known());
+    reader_.set_known_motion(equations_->known());
     image_reader read(stored, graph_, system_.mechanism);
     each_part(*this, read);
   }
@@ -57,13 +57,13 @@ public:
   constexpr void derive() {
     if (mistake()) return;
     mechanics::known_motion known(system_.mechanism);
-    reader_.know(known);
+    reader_.set_known_motion(known);
     reader_.read_lagrangian();
     if (reader_.read_moving_loads() && !mistake())
       mistake_ = mechanics::check_loads(system_.mechanism, system_.loads, mechanics::contents(graph_));
     reader_.read_constraints();
     equations_.emplace(system_, std::move(known));
-    reader_.know(equations_->known());
+    reader_.set_known_motion(equations_->known());
     if (!mistake()) equations_->constrain();
   }
 

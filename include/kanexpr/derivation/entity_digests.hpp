@@ -46,7 +46,7 @@ public:
 
   /// Returns a sentence that names the first entity that the intended file describes differently; empty if
   /// there is none.
-  constexpr sentence unlike(std::span<const std::uint64_t> meant) const {
+  constexpr sentence first_difference(std::span<const std::uint64_t> meant) const {
     for (int i = 0; i < size() && static_cast<std::size_t>(i) < meant.size(); ++i)
       if (contents_[i] != meant[static_cast<std::size_t>(i)])
         return sentence({"two source files have different ", kinds_[i], names_[i]});
@@ -170,11 +170,11 @@ constexpr auto digests_in_this_file() {
 
 /// The hashes for use at compile time, when no other file is known.
 template <class System>
-inline constexpr auto digests_as_read = digests_in_this_file<System>();
+inline constexpr auto compile_time_digests = digests_in_this_file<System>();
 
 /// The hashes for use at run time. The combined hash is part of the name, so that the linker does not
 /// substitute the hashes of another file.
 template <class System, std::uint64_t of_all>
-inline constexpr auto digests_as_meant = digests_as_read<System>;
+inline constexpr auto linked_digests = compile_time_digests<System>;
 
 } // namespace kanexpr::derivation

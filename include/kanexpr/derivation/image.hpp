@@ -17,8 +17,8 @@ namespace kanexpr::derivation {
 /// A stored derivation, as plain arrays that can outlive constant evaluation: the graph node by node, and
 /// everything else known at that stage as a sequence of integers.
 ///
-/// It has room for any model that a compiler can derive in reasonable time; entries beyond the counts are
-/// unused. It must be used only in constant evaluation, because any other reference would put it into the
+/// Its capacity suffices for any model that a compiler can derive in reasonable time; entries beyond the
+/// counts are unused. Only constant evaluation may use it, because any other reference would put it into the
 /// program.
 struct image {
   static constexpr int most_nodes = 1 << 17;
@@ -48,7 +48,7 @@ struct image {
   int externals = 0;
   const symbolic::external_function* external[most_externals]{};
 
-  /// Whether a part was omitted for lack of room.
+  /// Whether a part was omitted because an array was full.
   bool is_full = false;
 };
 

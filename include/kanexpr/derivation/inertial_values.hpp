@@ -15,7 +15,7 @@ namespace kanexpr::derivation {
 
 /// Masses and inertias that are expressions of parameters, such as m - 2*k, or whose validity depends on
 /// numeric values, stored as a sequence of operations on numbers. Programs use it to check the parameters
-/// that they are given. It covers as many bodies as it has room for.
+/// that are passed to them. Bodies beyond its capacity are not checked.
 struct inertial_values {
   static constexpr int room = 256, room_for_bodies = 32, room_for_names = 40;
 
@@ -166,8 +166,8 @@ private:
     return into_.named++;
   }
 
-  /// The step that computes a value, counted from 1; 0 if the value does not depend on parameters only, or if
-  /// there is no room.
+  /// The step that computes a value, counted from 1; 0 if the value depends on more than parameters, or if
+  /// the arrays are full.
   constexpr int place_of(const expression& value) {
     const int known = nodes_.size();
     const int step = step_of(value.node());
@@ -178,7 +178,7 @@ private:
     return step + 1;
   }
 
-  /// The step that computes a node, or -1 if the node does not depend on parameters only or is not a plain
+  /// The step that computes a node, or -1 if the node depends on more than parameters or is not a plain
   /// number.
   constexpr int step_of(int id) {
     if (const int known = nodes_.find(id); known >= 0) return known;

@@ -41,7 +41,7 @@ struct request {
     expressions, ///< phrases of the model, one below the other; vectors as their components
     jacobian,    ///< the derivatives of a phrase with respect to symbols
     derivatives, ///< the derivatives of a quantity of the system with respect to symbols of the system
-    sensitivity, ///< the sensitivity of phrases to the state or the inputs
+    sensitivity, ///< the sensitivity of phrases to the state or to the inputs
     parameters,  ///< the sensitivity of the rates of the state to parameters, given as phrases
   };
 
@@ -52,7 +52,7 @@ struct request {
   std::span<const phrase> phrases{};       ///< the phrases of the other kinds
   std::string_view whom = "an expression"; ///< contains the phrases
   std::span<const describe::token> by{};   ///< the symbols of a Jacobian
-  bool is_to_inputs = false;               ///< whether a sensitivity is to the inputs, not to the state
+  bool is_to_inputs = false; ///< whether a sensitivity is with respect to the inputs, not the state
 
   /// Whether a function that returns it takes weights or a direction.
   constexpr bool is_weighted() const {
@@ -60,13 +60,13 @@ struct request {
   }
 };
 
-/// The arguments of a function that follow the inputs.
-struct given_behind {
+/// The arguments of a function that follow the inputs: rates of the speeds, weights, a direction.
+struct extra_arguments {
   bool rates = false, weights = false, direction = false;
 };
 
-constexpr given_behind given_to(std::initializer_list<const request*> all) {
-  given_behind given;
+constexpr extra_arguments extra_arguments_of(std::initializer_list<const request*> all) {
+  extra_arguments given;
   for (const request* each : all) {
     if (each->what != request::kind::result && each->what != request::kind::derivatives) continue;
     const mechanics::result_row& row = mechanics::row_of(each->wanted);
@@ -122,7 +122,7 @@ constexpr mechanics::stage stage_for(const request& r) {
 constexpr void visit(std::span<const request> all, reader& r) {
   for (const request& wanted : all) {
     if (wanted.what == request::kind::foreign)
-      r.refuse("a function requests something that is not an expression of a model");
+      r.fail("a function requests something that is not an expression of a model");
     for (const phrase& p : wanted.phrases) r.visit(p.tokens, p.size);
   }
   r.add_late_entities();
@@ -137,7 +137,7 @@ constexpr symbolic::matrix values_of(const request& wanted, reader& r, const mec
   for (const phrase& p : wanted.phrases) {
     const value v = r.evaluate(p, wanted.whom);
     if (v.kind == shape::dyadic) {
-      r.refuse("a function requests a dyadic; it must request a scalar or a vector");
+      r.fail("a function requests a dyadic; it must request a scalar or a vector");
       return column;
     }
     if (p.kind != shape::vector || v.kind != shape::vector) {
@@ -190,12 +190,12 @@ constexpr symbolic::matrix sensitivity_to_parameters(const request& wanted, read
     sentence by({"a sensitivity is requested with respect to ",
                  is_symbol ? p.tokens[0].symbol->called.view() : "an expression"});
     if (!is_symbol || p.tokens[0].symbol->kind != symbolic::symbol_kind::parameter) {
-      r.refuse(sentence({by.view(), "; it must be a parameter"}).view());
+      r.fail(sentence({by.view(), "; it must be a parameter"}).view());
       return {};
     }
     parameters.push(r.symbol(*p.tokens[0].symbol, wanted.whom));
     if (parameters[parameters.size() - 1].is_constant()) {
-      r.refuse(sentence({by.view(), ", which is bound to a number"}).view());
+      r.fail(sentence({by.view(), ", which is bound to a number"}).view());
       return {};
     }
   }
@@ -231,7 +231,7 @@ constexpr symbolic::matrix form(const request& wanted, reader& r, mechanics::equ
   symbolic::matrix formed = form_with_rates(wanted, r, e);
   if (wanted.what != request::kind::result && wanted.what != request::kind::derivatives)
     formed = e.in_motion(formed);
-  if (const sentence lacking = mechanics::check_derivatives(formed)) r.refuse(lacking.view());
+  if (const sentence lacking = mechanics::check_derivatives(formed)) r.fail(lacking.view());
   return formed;
 }
 

@@ -15,7 +15,7 @@ namespace kanexpr::derivation {
 using mechanics::stage;
 
 /// Advances the equations to stage `to`; they must have completed the previous one.
-constexpr void go_on(mechanics::equations& e, stage to) {
+constexpr void advance(mechanics::equations& e, stage to) {
   switch (to) {
   case stage::constrained: e.constrain(); break;
   case stage::equations: e.get(mechanics::quantity::udot); break;
@@ -24,8 +24,8 @@ constexpr void go_on(mechanics::equations& e, stage to) {
 }
 
 /// Advances a system to stage `to`; its first stage starts from the model that was read.
-constexpr void go_on(derived_system& system, stage to) {
-  if (to != stage::constrained) return go_on(system.equations(), to);
+constexpr void advance(derived_system& system, stage to) {
+  if (to != stage::constrained) return advance(system.equations(), to);
   system.check_model();
   system.derive();
 }
@@ -34,8 +34,8 @@ constexpr void go_on(derived_system& system, stage to) {
 /// programs must not store one.
 struct staged {
   sentence mistake{};
-  bool follows_from_unparsed =
-      false; ///< the compiler has already reported an error about the type that contains the mistake
+  /// Whether the compiler has already reported an error about the type that contains the mistake.
+  bool follows_from_unparsed = false;
   image stored{};
 
   template <std::same_as<derived_system> System>
@@ -61,7 +61,7 @@ constexpr surveyed_stage first_stage() {
   if constexpr (requires { System::record; }) {
     if (s.mistake) return s;
     derived_system system(System::record);
-    go_on(system, stage::constrained);
+    advance(system, stage::constrained);
     s.known.take(system);
     s.follows_from_unparsed = system.reader().follows_from_unparsed();
     s.take(system, type_name<System>());
@@ -82,7 +82,7 @@ constexpr staged next_stage(const staged& before, stage to) {
   if constexpr (requires { System::record; }) {
     if (before.mistake) return s;
     derived_system system(System::record, before.stored);
-    go_on(system, to);
+    advance(system, to);
     s.take(system, type_name<System>());
   }
   return s;

@@ -80,7 +80,7 @@ struct particle : describe::body_words {
   static constexpr describe::body_record content() {
     describe::body_record r;
     r.called = type_name<Self>();
-    r.calls_itself = r.called;
+    r.declared_name = r.called;
     r.fits = describe::arguments_of("particle<Self, Point, mass>", sizeof...(mass), 1);
     r.center = &describe::point_of<Point>;
     r.mass = describe::given_phrases<mass...>[0];
@@ -94,7 +94,7 @@ struct rigid_body : describe::body_words {
   static constexpr describe::body_record content() {
     describe::body_record r;
     r.called = type_name<Self>();
-    r.calls_itself = r.called;
+    r.declared_name = r.called;
     r.rigid = true;
     r.center = &describe::point_of<Center>;
     r.frame = &describe::frame_of<Frame>;

@@ -11,7 +11,7 @@ namespace describe {
 
 /// Several operands, at least one of which is an expression.
 template <class... Operands>
-concept some_of_a_model = (written<Operands> && ...) && (expression_of_a_model<Operands> || ...);
+concept any_of_a_model = (written<Operands> && ...) && (expression_of_a_model<Operands> || ...);
 
 template <class... Operands>
 constexpr auto composed(symbolic::composition f, const Operands&... x) {
@@ -48,7 +48,7 @@ private:
 
 #define KANEXPR_COMPOSED_FUNCTION(name, form)                                                                \
   template <class... Operands>                                                                               \
-    requires describe::some_of_a_model<Operands...>                                                          \
+    requires describe::any_of_a_model<Operands...>                                                           \
   constexpr auto(name)(const Operands&... x) {                                                               \
     return describe::form(symbolic::composition::name, x...);                                                \
   }
@@ -66,7 +66,7 @@ KANEXPR_COMPOSED_FUNCTION(smooth_step, composed_with_zeros)
 
 /// `clamp(x, least, most)`
 template <class... Operands>
-  requires describe::some_of_a_model<Operands...>
+  requires describe::any_of_a_model<Operands...>
 constexpr auto clamp(const Operands&... x) {
   const bool is_of_zeros = ((!describe::plain_number<Operands> || describe::is_whole_zero(x)) && ...);
   return is_of_zeros ? describe::composed(symbolic::composition::clamp, x...)

@@ -9,7 +9,7 @@ namespace kanexpr {
 
 namespace describe {
 
-/// Takes the place of a list that contains something that is not an expression.
+/// Replaces a list that contains something that is not an expression.
 struct foreign {};
 
 /// A vector followed by the directions along which its components are zero.
@@ -50,8 +50,8 @@ struct velocity_constraints
     : describe::phrase_list<"velocity_constraints", &describe::system_record::velocity_constraints,
                             constraints...> {};
 
-/// Conditions on the rates of the speeds that replace the derivatives of the velocity constraints. They are
-/// linear in these rates.
+/// Conditions on the rates of the speeds, linear in these rates, that replace the derivatives of the velocity
+/// constraints.
 template <auto... constraints>
 struct acceleration_constraints
     : describe::phrase_list<"acceleration_constraints", &describe::system_record::acceleration_constraints,

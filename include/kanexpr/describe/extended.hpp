@@ -10,7 +10,7 @@ namespace describe {
 template <auto... symbols>
 struct added_inputs : phrase_list<"inputs", &system_record::added_inputs, symbols...> {};
 
-/// A word that the system does not have yet. Inputs are added by a separate word, because a new list of
+/// A word that the system does not contain yet. Inputs are added by a separate word, because a new list of
 /// inputs would have to include those that the system mentions.
 template <class Word>
 struct added_word {

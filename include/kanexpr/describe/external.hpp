@@ -22,7 +22,7 @@ class expression; // the expressions of builders, which models do not need
 
 namespace describe {
 
-/// The end of a sentence about a user function.
+/// The last part of a sentence about a user function.
 struct external_mistake {
   std::string_view whose = "", what = "", numbers = "";
 };
@@ -32,7 +32,7 @@ struct external_record {
   const symbolic::external_function* function = nullptr; ///< null if there is a mistake
   std::string_view called{};
   external_mistake mistake{};
-  int operands = 0; ///< the number of operands that it takes if it is called with a different number
+  int operands = 0; ///< the accepted number of operands if it is called with a different number
 };
 
 /// A derivative of a function: the operands with respect to which it is taken, in ascending order, so that
@@ -46,7 +46,7 @@ struct derivative_of {
     for (int rest = digits; rest != 0; rest /= 10) ++order;
     for (int k = order - 1; k >= 0; --k, digits /= 10) by[k] = digits % 10 - 1;
   }
-  constexpr int and_by(int operand) const {
+  constexpr int with_operand(int operand) const {
     int digits = 0;
     bool is_in = false;
     for (int k = 0; k < order; ++k) {
@@ -66,7 +66,7 @@ concept counts_as_number =
 /// Describes a numeric type that cannot represent every double, so that values would be truncated or rounded
 /// silently; empty for all other types.
 template <class Given>
-constexpr std::string_view lesser_than_double() {
+constexpr std::string_view narrower_than_double() {
   using number = std::remove_cvref_t<Given>;
   if constexpr (std::is_integral_v<number> || std::is_enum_v<number>)
     return "integers, not double";
@@ -79,17 +79,18 @@ constexpr std::string_view lesser_than_double() {
 
 /// Describes the first such argument of a function whose argument types are fixed.
 template <class Call>
-inline constexpr std::string_view lesser_argument{};
+inline constexpr std::string_view narrower_argument{};
 template <class Function, class Result, class... Arguments, bool never_throws>
 inline constexpr std::string_view
-    lesser_argument<Result (Function::*)(Arguments...) const noexcept(never_throws)> = [] {
+    narrower_argument<Result (Function::*)(Arguments...) const noexcept(never_throws)> = [] {
       std::string_view found;
-      ((found = found.empty() ? lesser_than_double<Arguments>() : found), ...);
+      ((found = found.empty() ? narrower_than_double<Arguments>() : found), ...);
       return found;
     }();
 template <class Function, class Result, class... Arguments, bool never_throws>
-inline constexpr std::string_view lesser_argument<Result (Function::*)(Arguments...) noexcept(never_throws)> =
-    lesser_argument<Result (Function::*)(Arguments...) const>;
+inline constexpr std::string_view
+    narrower_argument<Result (Function::*)(Arguments...) noexcept(never_throws)> =
+        narrower_argument<Result (Function::*)(Arguments...) const>;
 
 /// A function and its derivatives, each of them a class whose objects are called with scalars. For several
 /// operands, or order two and higher, a derivative returns numbers accessed by [i] or [i][j].
@@ -164,12 +165,12 @@ struct external_family {
     } else {
       using given = value_with<first_of_order(order), double>;
       if constexpr (requires { &one<order>::operator(); })
-        if (constexpr std::string_view taken = lesser_argument<decltype(&one<order>::operator())>;
+        if (constexpr std::string_view taken = narrower_argument<decltype(&one<order>::operator())>;
             !taken.empty())
           return {whose, " takes ", taken};
       if constexpr (!counts_as_number<given>)
         return {whose, order == 0 ? " does not return a number" : " does not return numbers"};
-      else if (constexpr std::string_view lesser = lesser_than_double<given>(); !lesser.empty())
+      else if (constexpr std::string_view lesser = narrower_than_double<given>(); !lesser.empty())
         return {whose, " returns ", lesser};
       else
         return {};
@@ -192,8 +193,8 @@ struct external_family {
     return found;
   }();
 
-  /// The number of operands that the function takes, if it is called with a different number.
-  static constexpr int other_count = [] {
+  /// The accepted number of operands if the function is called with a different number.
+  static constexpr int accepted_operand_count = [] {
     int found = 0;
     if constexpr (!is_called_with<0, double>)
       [&]<int... place>(std::integer_sequence<int, place...>) {
@@ -241,7 +242,7 @@ private:
   template <int... index>
   struct slopes<std::integer_sequence<int, index...>> {
     static constexpr const symbolic::external_function* all[]{
-        linked<external_member<Family, path.and_by(index)>>()...};
+        linked<external_member<Family, path.with_operand(index)>>()...};
   };
 
   static constexpr symbolic::external_function described() {
@@ -270,7 +271,7 @@ inline constexpr external_record external_of = [] {
   external_record r;
   r.called = Family::name;
   r.mistake = Family::mistake;
-  r.operands = Family::other_count;
+  r.operands = Family::accepted_operand_count;
   if constexpr (Family::mistake.whose.empty()) r.function = linked<external_member<Family, no_derivative>>();
   return r;
 }();
@@ -285,7 +286,7 @@ inline constexpr external_record external_of = [] {
 template <text called, class Function, class... Derivatives>
 struct external {
   template <class... Operands>
-    requires describe::some_of_a_model<Operands...>
+    requires describe::any_of_a_model<Operands...>
   constexpr auto operator()(const Operands&... x) const {
     constexpr int count = static_cast<int>(sizeof...(Operands));
     auto all = describe::composed({}, x...);

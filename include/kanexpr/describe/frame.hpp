@@ -56,19 +56,19 @@ constexpr vector<1> basis(const frame_record* frame, int axis, bool is_of_one_fi
   return {{t}};
 }
 
-/// Takes the place of the frame if a different frame uses its name.
+/// Replaces the record of a frame if a different frame uses its name.
 template <class Other>
 inline constexpr frame_record frame_under_another_name = [] {
   frame_record r;
-  r.called = r.calls_itself = type_name<Other>();
+  r.called = r.declared_name = type_name<Other>();
   r.conflict =
       "a frame other than @ names itself @; the first template argument of a frame's base must be the frame "
       "itself";
   return r;
 }();
 
-/// Gives a frame its basis vectors `Frame::x`, `Frame::y`, `Frame::z`. If `Frame` is a complete type before
-/// this base class is, it is not the frame being defined, and the axes would belong to the wrong frame.
+/// Gives a frame its basis vectors `Frame::x`, `Frame::y`, `Frame::z`. If `Frame` is already a complete type
+/// here, it is not the frame being defined, and the axes would belong to the wrong frame.
 template <class Frame, bool is_another = requires { sizeof(Frame); }>
 struct axes : orientation_words {
   static constexpr bool are_of_another = is_another;
@@ -94,7 +94,7 @@ template <class Self>
 struct inertial_frame : describe::axes<Self> {
   static constexpr describe::frame_record orientation() {
     describe::frame_record r;
-    r.calls_itself = type_name<Self>();
+    r.declared_name = type_name<Self>();
     return r;
   }
 };
@@ -106,7 +106,7 @@ template <class Self, class Parent>
 constexpr frame_record oriented(orientation_word word, std::string_view given_as, const arguments& fits,
                                 const phrase* given, int count) {
   frame_record r;
-  r.calls_itself = type_name<Self>();
+  r.declared_name = type_name<Self>();
   r.orientation = word;
   r.given_as = given_as;
   r.fits = fits;

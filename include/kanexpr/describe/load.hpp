@@ -108,8 +108,8 @@ struct potential_energy : describe::load_words {
 };
 
 /// A straight massless spring that pulls two points together with stiffness·(distance − natural length):
-/// `spring<P, Q, k, l0>`. With a natural length, the force has no direction at zero distance and is NaN
-/// there.
+/// `spring<P, Q, k, l0>`. With a natural length, the force has no direction at zero distance and is
+/// NaN.
 template <class Point, class Other, auto... stiffness_and_length>
 struct spring : describe::load_words {
   static constexpr describe::load_record load{

@@ -44,7 +44,7 @@ struct origin : describe::place_words {
   static constexpr describe::point_record place() {
     const describe::frame_record* const frames[]{&describe::frame_of<Frame>..., nullptr};
     describe::point_record r;
-    r.calls_itself = type_name<Self>();
+    r.declared_name = type_name<Self>();
     r.fits = describe::arguments_of("origin<Self, Frame>", sizeof...(Frame), 1);
     r.origin_of = frames[0];
     return r;
@@ -57,7 +57,7 @@ template <class Self, class From, auto... vector>
 struct offset : describe::place_words {
   static constexpr describe::point_record place() {
     describe::point_record r;
-    r.calls_itself = type_name<Self>();
+    r.declared_name = type_name<Self>();
     r.parent = &describe::point_of<From>;
     r.fits = describe::arguments_of("offset<Self, From, vector>", sizeof...(vector), 1);
     r.offset = describe::given_phrases<vector...>[0];

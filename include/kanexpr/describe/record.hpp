@@ -145,8 +145,8 @@ enum class orientation_word : unsigned char;
 /// The properties that all entities have in common.
 struct entity_record {
   std::string_view called{};
-  std::string_view calls_itself{}; ///< the first template argument of its word; empty if it has none
-  std::string_view instead{};      ///< the actual kind, if it is not the one for which it is used
+  std::string_view declared_name{}; ///< the first template argument of its word; empty if it has none
+  std::string_view instead{};       ///< the actual kind, if it is not the one for which it is used
   base_conflict conflict = nullptr;
   bool unparsed = false; ///< whether it is a class without bases, as after an error in a base clause
 };

@@ -45,11 +45,11 @@ inline constexpr int most_steps = 1 << 16;
 inline constexpr int most_linear_steps = most_steps / 16;
 inline constexpr int most_externals = 1 << 8;
 
-/// A tape of that capacity; entries beyond the sizes are unused. It costs nothing as long as only constant
-/// evaluation uses it: `trimmed` returns the tape that programs use.
+/// A tape of that capacity; entries beyond the sizes are unused. It costs nothing if only constant evaluation
+/// uses it; programs use the tape that `trimmed` returns.
 ///
-/// All entries are scalars: of an array of classes with member initializers, clang++ creates every element,
-/// but of an array of scalars only those that are written.
+/// All entries are scalars, because clang++ creates every element of an array of classes with member
+/// initializers, but only the written elements of an array of scalars.
 struct roomy_tape {
   tape_sizes sizes{};
   symbolic::cost cost{};

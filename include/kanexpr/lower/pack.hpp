@@ -10,9 +10,9 @@
 #include <limits>
 #include <type_traits>
 
-/// The compiler's own vectors as scalars, `typedef double pack __attribute__((vector_size(32)));`: a function
-/// of a `state<System, pack>` evaluates as many states side by side as a pack has lanes. Include this header
-/// to use them.
+/// Vector extensions of the compiler as scalars, `typedef double pack __attribute__((vector_size(32)));`: a
+/// function of a `state<System, pack>` evaluates as many states side by side as a pack has lanes. Include
+/// this header to use them.
 namespace kanexpr::lower {
 
 template <class Vector>

@@ -154,14 +154,15 @@ struct default_scalar_math {
   }
 };
 
-/// Specialize it to replace functions, for example to compute sine and cosine together by a vector routine:
+/// Specialize this class to replace functions, for example to compute sine and cosine by a vector routine:
 /// `template <> struct scalar_math<double> : default_scalar_math<double> { … };`
 template <class Number>
 struct scalar_math : default_scalar_math<Number> {};
 
 /// One operation of a tape on values of one type; the only place where a step becomes arithmetic, both for
-/// compiled and for interpreted evaluation. If the processor supports it, products are fused with the sums
-/// that use them; clang++ would otherwise do so only within one statement. KANEXPR_NO_FUSING prevents it.
+/// compiled and for interpreted evaluation. If the processor supports it, products and the sums that use them
+/// are contracted into fused multiply-adds; clang++ would otherwise contract only within one statement.
+/// KANEXPR_NO_FUSING prevents the contraction.
 template <symbolic::operation op, class Number>
 [[gnu::always_inline]] inline Number apply(const Number& a, const Number& b) {
 #if defined(__clang__) && !defined(KANEXPR_NO_FUSING)
@@ -200,8 +201,8 @@ template <class Number>
   return Number(numerator / scalar_math<Number>::from(static_cast<double>(n.denominator)));
 }
 
-/// Whether a measure exceeds `least` times its scale, regardless of their signs. An infinite or NaN measure
-/// is not reported as singular: the results that depend on it are not finite, and this is checked last.
+/// Whether the magnitude of a measure exceeds `least` times that of its scale. An infinite or NaN measure is
+/// not reported as singular, because the results that depend on it are not finite, which is checked last.
 template <class Number>
 [[gnu::always_inline]] inline bool is_regular(const Number& measure, const Number& scale, double least) {
   using math = scalar_math<Number>;
@@ -215,8 +216,7 @@ template <class Number>
     return math::exceeds(size, bound) || !math::is_finite(measure);
 }
 
-/// Whether a measure meets the condition of a status: that it is finite, or that it is regular relative to
-/// its scale.
+/// Whether a measure meets the condition of a status: it is finite, or it is regular relative to its scale.
 template <bool finiteness, class Number>
 [[gnu::always_inline]] inline bool passes(const Number& measure, [[maybe_unused]] const Number& scale,
                                           [[maybe_unused]] double least) {

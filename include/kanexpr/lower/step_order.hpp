@@ -16,8 +16,8 @@ using symbolic::operation;
 ///
 /// Among the nodes whose operands are available, the next is the one that is the last use of the most values;
 /// ties are resolved by the order of the graph. Products that are used only by one sum directly precede it,
-/// because processors fuse a product and a sum into one operation. The code accesses arrays directly because
-/// compilers interpret every call.
+/// because processors contract a product and a sum into one operation. The code accesses arrays directly
+/// because compilers interpret every call.
 class step_order {
 public:
   /// Orders the `live` nodes of the graph, except leaves and nodes that already have a slot.

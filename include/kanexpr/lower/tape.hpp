@@ -45,8 +45,8 @@ struct load {
   int position = 0;
 };
 
-/// Straight-line code: first the constants, then the arguments, then the steps, each with the slot of the
-/// same number. It includes only the nodes that the outputs need.
+/// Straight-line code: the constants, the arguments and the steps, whose values fill the slots in this order.
+/// It contains only the nodes that the outputs need.
 ///
 /// The sines and cosines of angles that do not depend on other functions are contiguous, `angle_count` pairs
 /// from step `first_angle` on, so that one routine can compute them all.

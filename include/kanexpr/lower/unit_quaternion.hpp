@@ -45,8 +45,8 @@ template <class State, class Places>
   return true;
 }
 
-/// Removes the component along the quaternion from derivatives with respect to a quaternion of norm 1: the
-/// result is the derivative of the function after normalization.
+/// Removes the component along the quaternion from derivatives with respect to a unit quaternion. The result
+/// is the derivative of the function of the normalized quaternion.
 template <class Jacobian, class State, class Places>
 void leave_norm_out(Jacobian& by_all, const State& x, const Places& places) {
   for (Eigen::Index i = 0; i < by_all.rows(); ++i) {

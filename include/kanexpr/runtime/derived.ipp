@@ -27,9 +27,9 @@ public:
       : mistake_(from.mistake), record_(from.record), system_(from.record) {
     if (mistake_) return;
     if (!expected_digests.empty())
-      mistake_ = derivation::entity_digests(from.record).unlike(expected_digests);
+      mistake_ = derivation::entity_digests(from.record).first_difference(expected_digests);
     if (mistake_) return;
-    derivation::go_on(system_, derivation::stage::constrained);
+    derivation::advance(system_, derivation::stage::constrained);
     derivation::visit(extra_requests, system_.reader());
   }
   derived_from_types(const describe::system_record& record, const derivation::image& from)
@@ -62,13 +62,13 @@ public:
       no_words_.derived_by = describe::method::lagrange;
     if (mistake_) return;
     equations_.emplace(system_);
-    reader_.know(equations_->known());
+    reader_.set_known_motion(equations_->known());
     equations_->constrain();
   }
   derived_from_builder(const derived_from_builder& same, const derivation::image& from)
       : graph_(std::make_shared<symbolic::graph>()), system_(*graph_), no_words_(same.no_words_) {
     equations_.emplace(system_, mechanics::equations::for_restore{});
-    reader_.know(equations_->known());
+    reader_.set_known_motion(equations_->known());
     derivation::image_reader read(from, *graph_, system_.mechanism);
     each_part(*this, read);
   }

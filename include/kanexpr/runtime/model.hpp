@@ -164,9 +164,9 @@ private:
 
 /// Derives a system at run time.
 template <class System, auto... extra_requests,
-          std::uint64_t described = derivation::digests_as_read<System>[0]>
+          std::uint64_t described = derivation::compile_time_digests<System>[0]>
 model derive() {
-  const std::span<const std::uint64_t> expected_digests(derivation::digests_as_meant<System, described>);
+  const std::span<const std::uint64_t> expected_digests(derivation::linked_digests<System, described>);
   if constexpr (sizeof...(extra_requests) == 0) {
     return model(derivation::words_of<System>, {}, expected_digests.subspan(1));
   } else {

@@ -51,7 +51,7 @@ inline symbolic::matrix form_result(derived& system, const derivation::request& 
   if (system.request_mistake) return {};
   for (const derivation::stage next : {derivation::stage::equations, derivation::stage::linearized})
     if (derivation::stage_for(wanted) >= next && !system.equations()->mistake())
-      derivation::go_on(*system.equations(), next);
+      derivation::advance(*system.equations(), next);
   derivation::visit({&wanted, 1}, system.reader());
   return derivation::form(wanted, system.reader(), *system.equations());
 }
@@ -108,7 +108,7 @@ KANEXPR_ENGINE mechanics::vector model::vector(const describe::phrase& words) {
     system_->reader().add_late_entities();
     const derivation::value found = system_->reader().evaluate(words, "an expression");
     if (found.kind != describe::shape::vector)
-      system_->reader().refuse("the expression requested as a vector is not a vector");
+      system_->reader().fail("the expression requested as a vector is not a vector");
     return found.vector;
   });
 }

@@ -114,7 +114,7 @@ private:
     for (const describe::token& t : words) {
       if (t.symbol == nullptr) continue;
       if (t.symbol->kind == symbolic::symbol_kind::parameter)
-        system_.reader().admit_parameter(*t.symbol);
+        system_.reader().add_parameter(*t.symbol);
       else if (!symbol_of(*t.symbol).has_value()) {
         failures_.push_back("the value of " + e.what.name() + " at the operating point contains " +
                             std::string(t.symbol->called.view()) + ", which the system does not have");

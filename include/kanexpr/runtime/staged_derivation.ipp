@@ -30,7 +30,7 @@ runtime::staged_derivation::stored(mechanics::stage at) {
     const auto before = stored(static_cast<mechanics::stage>(static_cast<int>(at) - 1));
     if (!before) return nullptr;
     system = system->resumed(*before);
-    derivation::go_on(*system->equations(), at);
+    derivation::advance(*system->equations(), at);
   }
   if (system->mistake()) return nullptr;
   const auto made = make_image();

@@ -18,11 +18,11 @@ public:
   constexpr void read(const body_record& r) {
     if (r.unparsed) return reading_.fail_by_unparsed(r.called, "bodies<...>");
     if (!reading_.check_base_conflict(r.conflict, r.called)) return;
-    if (r.calls_itself.empty())
+    if (r.declared_name.empty())
       return reading_.fail({"bodies<...> lists ", short_name(r.called).view(), ", which is ",
                             r.instead.empty() ? "not a body" : r.instead});
-    if (r.called != r.calls_itself) return reading_.fail_by_self("body", r.called, r.calls_itself);
-    if (!r.fits) return reading_.wrong_count("body ", r.called, r.fits);
+    if (r.called != r.declared_name) return reading_.fail_by_self("body", r.called, r.declared_name);
+    if (!r.fits) return reading_.fail_by_argument_count("body ", r.called, r.fits);
     if (r.has_whole_zeros && r.about == nullptr && !r.inertia_changes && !r.effective)
       return reading_.fail(
           {"the inertia of ", r.called,

@@ -19,7 +19,7 @@ class constraint_reader : part_reader {
 public:
   using part_reader::part_reader;
 
-  /// Evaluates the constraints; requires that `know` was called.
+  /// Evaluates the constraints; requires that `set_known_motion` was called.
   constexpr void read_constraints() {
     for (const kind& k : kinds)
       for (const phrase& p : reading_.from.*k.list)
@@ -77,7 +77,7 @@ private:
 
   constexpr void read_constraint(const kind& k, const phrase& p) {
     mechanics::given_constraints& into = reading_.into.constraints;
-    for (const velocity_constraint& c : vanishing_by(p, phrases_.evaluate_each(p, k.whom), k.whom))
+    for (const velocity_constraint& c : zero_expressions(p, phrases_.evaluate_each(p, k.whom), k.whom))
       if (k.list == &system_record::configuration_constraints)
         into.on_configuration.push(c.value);
       else if (k.list == &system_record::velocity_constraints)
@@ -87,7 +87,8 @@ private:
     if (k.list != &system_record::configuration_constraints || m_.auxiliary_speeds.empty() ||
         reading_.mistake)
       return;
-    for (const velocity_constraint& c : vanishing_by(p, phrases_.evaluate_each_displaced(p, k.whom), k.whom))
+    for (const velocity_constraint& c :
+         zero_expressions(p, phrases_.evaluate_each_displaced(p, k.whom), k.whom))
       into.rates_by_auxiliary.push(rate_by_auxiliary(m_, c.value));
   }
 
@@ -104,8 +105,8 @@ private:
   }
   /// Returns the expressions that one constraint sets to zero: the difference of an equation's sides, or a
   /// vector's component along each direction.
-  constexpr sequence<velocity_constraint> vanishing_by(const phrase& p, const sequence<value>& found,
-                                                       std::string_view whom) {
+  constexpr sequence<velocity_constraint> zero_expressions(const phrase& p, const sequence<value>& found,
+                                                           std::string_view whom) {
     sequence<velocity_constraint> all;
     if (reading_.mistake) return all;
     if (p.kind == shape::equation) {

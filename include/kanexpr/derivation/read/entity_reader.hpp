@@ -158,10 +158,10 @@ private:
       reading_.fail_by_unparsed(r.called, whom);
     else if (!reading_.check_base_conflict(r.conflict, r.called))
       return false;
-    else if (r.calls_itself.empty())
+    else if (r.declared_name.empty())
       fail_by_kind(kind, r.called, whom, r.instead, r.its_own);
-    else if (r.called != r.calls_itself)
-      reading_.fail_by_self(kind, r.called, r.calls_itself);
+    else if (r.called != r.declared_name)
+      reading_.fail_by_self(kind, r.called, r.declared_name);
     else
       return true;
     return false;
@@ -178,7 +178,7 @@ private:
     if (!check_kind("frame", r, whom)) return;
     if (r.is_of_joint && !is_listed(r))
       return reading_.fail({"joint ", r.called, ", which ", whom, " uses, is not listed in joints<...>"});
-    if (!r.fits) return reading_.wrong_count("frame ", r.called, r.fits);
+    if (!r.fits) return reading_.fail_by_argument_count("frame ", r.called, r.fits);
     const frame_record* const inertial = reading_.from.inertial;
     if (&r == inertial && r.orientation != describe::orientation_word::inertial)
       reading_.fail(
@@ -194,7 +194,7 @@ private:
 
   constexpr void check_point(const point_record& r, std::string_view whom) {
     if (!check_kind("point", r, whom)) return;
-    if (!r.fits) return reading_.wrong_count("point ", r.called, r.fits);
+    if (!r.fits) return reading_.fail_by_argument_count("point ", r.called, r.fits);
     if (r.parent == nullptr && (r.fixed_in != nullptr || r.reference != nullptr))
       reading_.fail(
           {"point ", r.called, " is an origin, fixed in the inertial frame, but has a declared motion"});

@@ -34,8 +34,8 @@ public:
   }
 
   /// Reads a joint and its body, which are part of the system even if nothing else mentions them. A joint
-  /// that contributes neither motion nor mass is an exception: its point would only be one more candidate
-  /// wherever a reference point is chosen.
+  /// that contributes neither motion nor mass is an exception, because its point would only be another
+  /// candidate for reference points.
   constexpr void read(const joint_record& r) {
     check_axes(r);
     if (!reading_.mistake && r.place.kind != shape::nothing) check_place(r);
@@ -55,15 +55,15 @@ private:
   constexpr void check_joint(const joint_record& r) {
     if (r.unparsed) return reading_.fail_by_unparsed(r.called, "joints<...>");
     if (!reading_.check_base_conflict(r.conflict, r.called)) return;
-    if (r.calls_itself.empty())
+    if (r.declared_name.empty())
       return reading_.fail({"joints<...> lists ", short_name(r.called).view(), ", which is ",
                             r.instead.empty() ? "not a joint" : r.instead});
-    if (r.called != r.calls_itself) return reading_.fail_by_self("joint", r.called, r.calls_itself);
+    if (r.called != r.declared_name) return reading_.fail_by_self("joint", r.called, r.declared_name);
     if (!r.mistake.empty())
       return reading_.fail({"joint ", r.called, " ", r.mistake, r.form.empty() ? "" : "; write ", r.form});
-    if (r.parent_frame->calls_itself.empty())
+    if (r.parent_frame->declared_name.empty())
       check_parent(r, r.parent_frame->called, r.parent_frame->instead);
-    else if (r.parent_point->calls_itself.empty())
+    else if (r.parent_point->declared_name.empty())
       check_parent(r, r.parent_point->called, r.parent_point->instead);
   }
 
@@ -91,7 +91,7 @@ private:
       reading_.fail({"joint ", r.called, " has two parallel axes"});
   }
 
-  /// Checks that the location of a joint turns with its parent.
+  /// Checks that the location of a joint rotates with its parent.
   constexpr void check_place(const joint_record& r) {
     const mechanics::vector given =
         phrases_.vector_of(r.place, {"the position of joint ", r.called}, r.called);

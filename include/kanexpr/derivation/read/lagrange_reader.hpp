@@ -15,7 +15,7 @@ class lagrange_reader : part_reader {
 public:
   using part_reader::part_reader;
 
-  /// Evaluates the Lagrangian; requires that `know` was called.
+  /// Evaluates the Lagrangian; requires that `set_known_motion` was called.
   constexpr void read_lagrangian() {
     if (reading_.mistake || !reading_.into.loads.has_lagrangian) return;
     reading_.into.loads.lagrangian =
@@ -36,7 +36,7 @@ public:
     if (reading_.from.lagrangian.size > 1) return reading_.fail({"lagrangian<...> takes one expression"});
     const phrase& p = reading_.from.lagrangian[0];
     if (p.kind != shape::scalar && p.kind != shape::vector &&
-        p.kind != shape::dyadic) // see `read_lagrangian`
+        p.kind != shape::dyadic) // `read_lagrangian` reports vectors and dyadics
       return reading_.fail({the_lagrangian, is_a(p.kind), "it must be a scalar"});
     reading_.into.loads.has_lagrangian = true;
     mention(p, the_lagrangian);

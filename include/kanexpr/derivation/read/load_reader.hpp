@@ -18,7 +18,8 @@ class load_reader : part_reader {
 public:
   using part_reader::part_reader;
 
-  /// Reads the loads that depend on motion; returns whether there are any. Requires that `know` was called.
+  /// Reads the loads that depend on motion; returns whether there are any. Requires that `set_known_motion`
+  /// was called.
   constexpr bool read_moving_loads() {
     bool any = false;
     for (const load_record& r : reading_.from.loads) {
@@ -31,7 +32,7 @@ public:
 
   constexpr void read_load(const load_record& r) {
     if (!reading_.check_base_conflict(r.conflict, r.called)) return;
-    if (!r.fits) return reading_.wrong_count("", name_of(r).view(), r.fits);
+    if (!r.fits) return reading_.fail_by_argument_count("", name_of(r).view(), r.fits);
     if (r.once && is_listed_twice(r)) return reading_.fail({name_of(r).view(), " is listed twice"});
     if (!moves(r)) return evaluate_load(r);
     phrases_.check_misuse(r.value, name_of(r).view());

@@ -61,7 +61,7 @@ public:
   }
 
   /// Returns the same values with points and axes displaced by auxiliary speeds (displacement.hpp). Requires
-  /// that `know` was called.
+  /// that `set_known_motion` was called.
   constexpr sequence<value> evaluate_each_displaced(const phrase& p, std::string_view whom) {
     is_displaced_ = true;
     const sequence<value> found = evaluate_each(p, whom);

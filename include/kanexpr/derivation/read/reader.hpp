@@ -58,7 +58,7 @@ public:
     symbols_.forget_all_but(known);
   }
   /// Records this sentence as the mistake, if it is the first.
-  constexpr void refuse(std::string_view because) { reading_.fail({because}); }
+  constexpr void fail(std::string_view because) { reading_.fail({because}); }
 
   /// Reads the moving parts, and the loads and constraints as far as they do not depend on velocities.
   constexpr void read() {
@@ -84,7 +84,7 @@ public:
   constexpr void check_listed_are_used() { symbols_.check_listed_are_used(); }
 
   /// Allows phrases to use positions, velocities and derivatives from now on.
-  constexpr void know(mechanics::known_motion& of) { reading_.known = &of; }
+  constexpr void set_known_motion(mechanics::known_motion& of) { reading_.known = &of; }
   constexpr void read_lagrangian() { lagrange_.read_lagrangian(); }
   /// Reads the loads that depend on motion; returns whether there are any.
   constexpr bool read_moving_loads() { return loads_.read_moving_loads(); }
@@ -99,7 +99,7 @@ public:
     return symbols_.symbol(r, whom);
   }
   /// Adds a parameter that the model itself does not mention, after all others.
-  constexpr void admit_parameter(const symbol_record& r) { symbols_.admit_parameter(r); }
+  constexpr void add_parameter(const symbol_record& r) { symbols_.add_parameter(r); }
 
 private:
   constexpr void read_coordinates(const describe::listing<phrase>& listed) {

@@ -30,8 +30,8 @@ struct reading {
   const describe::frame_record* parent = nullptr; ///< the parent of the frame whose orientation is being read
   int describing = none;                          ///< the frame that `own` denotes
   sentence mistake{};
-  bool follows_from_unparsed =
-      false; ///< the mistake concerns a type about which the compiler has already reported an error
+  /// Whether the compiler has already reported an error about the type that contains the mistake.
+  bool follows_from_unparsed = false;
 
   constexpr reading(const system_record& records, mechanics::multibody_system& system)
       : from(records), into(system) {}
@@ -48,7 +48,7 @@ struct reading {
     fail({called, ", which ", whom, " uses, has no base class"});
   }
 
-  /// Checks that an entity does not have a word twice and has only words that belong to it.
+  /// Checks that an entity has no word twice and no word of a different kind of entity.
   constexpr bool check_base_conflict(describe::base_conflict conflict, std::string_view called) {
     if (conflict == nullptr) return true;
     const std::string_view text = conflict;
@@ -67,7 +67,8 @@ struct reading {
     fail({kind, " ", called, " names itself ", other, "; the first template argument of its base must be ",
           called});
   }
-  constexpr void wrong_count(std::string_view kind, std::string_view called, const describe::arguments& has) {
+  constexpr void fail_by_argument_count(std::string_view kind, std::string_view called,
+                                        const describe::arguments& has) {
     fail({kind, called, has.missing > 0 ? " lacks an argument" : " has too many arguments", "; write ",
           has.form});
   }

@@ -84,7 +84,7 @@ public:
   }
 
   /// Adds a parameter that the model itself does not mention, after all others.
-  constexpr void admit_parameter(const symbol_record& r) {
+  constexpr void add_parameter(const symbol_record& r) {
     if (!bound_.contains(r.called) && !has(m_.parameters, r.called)) m_.parameter(r.called);
   }
 

@@ -110,7 +110,7 @@ constexpr base::sentence name_of(const load_record& r) {
   return base::sentence({r.word.empty() ? r.called : r.word, held.empty() ? "" : " with ", held});
 }
 
-/// The uses of a model's names, each of which has a single meaning.
+/// The lists in which a name of a model may appear; each name has a single meaning.
 enum class symbol_list : unsigned char {
   coordinates,
   rates_of_coordinates,

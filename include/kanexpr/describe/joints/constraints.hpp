@@ -14,7 +14,7 @@ struct left_out {};
 
 /// Replaces a constraint that contains a mistake.
 template <class Named>
-constexpr equation<1> mistaken(misuse what) {
+constexpr equation<1> invalid_constraint(misuse what) {
   return {{misused_with<Named>(what)}};
 }
 
@@ -23,34 +23,34 @@ template <class First, class Second>
 constexpr auto coupled(const auto& of_first, const auto& of_second) {
   if constexpr (effort_of_joint<First>() == joint_effort::none ||
                 effort_of_joint<Second>() == joint_effort::none) {
-    return mistaken<First>(misuse::coupling);
+    return invalid_constraint<First>(misuse::coupling);
   } else if constexpr (std::same_as<First, Second>) {
-    return mistaken<First>(misuse::self_coupling);
+    return invalid_constraint<First>(misuse::self_coupling);
   } else {
     return of_first * First::template q<0> == of_second * Second::template q<0>;
   }
 }
 
 template <class First, class Second, auto... ratio>
-constexpr auto geared() {
+constexpr auto gear_equation() {
   if constexpr (sizeof...(ratio) == 1)
     return coupled<First, Second>(constant(1), ratio...);
   else
-    return mistaken<First>(misuse::gear_arguments);
+    return invalid_constraint<First>(misuse::gear_arguments);
 }
 template <class First, class Second, auto... radii>
-constexpr auto coupled_by_belt() {
+constexpr auto belt_equation() {
   if constexpr (sizeof...(radii) == 2)
     return coupled<First, Second>(radii...);
   else
-    return mistaken<First>(misuse::belt_arguments);
+    return invalid_constraint<First>(misuse::belt_arguments);
 }
 template <class Rack, class Pinion, auto... radius>
-constexpr auto racked() {
+constexpr auto rack_equation() {
   if constexpr (sizeof...(radius) == 1)
     return coupled<Rack, Pinion>(constant(1), radius...);
   else
-    return mistaken<Rack>(misuse::rack_arguments);
+    return invalid_constraint<Rack>(misuse::rack_arguments);
 }
 
 /// Requires the components of a direction along the other two axes of a frame to vanish.
@@ -62,17 +62,17 @@ constexpr auto kept_parallel() {
       return zero_along<direction, basis(t.frame, (t.index + 1) % 3, t.is_of_one_file),
                         basis(t.frame, (t.index + 2) % 3, t.is_of_one_file)>;
     else
-      return mistaken<left_out>(misuse::parallel);
+      return invalid_constraint<left_out>(misuse::parallel);
   } else {
-    return mistaken<left_out>(misuse::parallel);
+    return invalid_constraint<left_out>(misuse::parallel);
   }
 }
 template <auto... direction_and_axis>
-constexpr auto parallel_ones() {
+constexpr auto parallelism() {
   if constexpr (sizeof...(direction_and_axis) == 2)
     return kept_parallel<direction_and_axis...>();
   else
-    return mistaken<left_out>(misuse::parallel_arguments);
+    return invalid_constraint<left_out>(misuse::parallel_arguments);
 }
 
 /// The axis of a wheel, marked to be checked by the phrase reader.
@@ -155,26 +155,26 @@ constexpr auto slip_on() {
 }
 
 template <class Point, class Other, auto... length>
-constexpr auto held_apart() {
+constexpr auto distance_equation() {
   if constexpr (sizeof...(length) == 1)
     return dot(position_of<Point, Other>, position_of<Point, Other>) ==
            length_of<length...>() * length_of<length...>();
   else
-    return mistaken<Point>(misuse::rod_arguments);
+    return invalid_constraint<Point>(misuse::rod_arguments);
 }
 
 template <class Point, class Other, auto... directions>
-constexpr auto held_together() {
+constexpr auto coincidence() {
   if constexpr (std::same_as<Other, left_out>)
-    return mistaken<Point>(misuse::coincident_arguments);
+    return invalid_constraint<Point>(misuse::coincident_arguments);
   else
     return zero_along<position_of<Point, Other>, directions...>;
 }
 
 template <class Frame, class Other>
-constexpr auto held_alike() {
+constexpr auto alignment() {
   if constexpr (std::same_as<Other, left_out>)
-    return mistaken<Frame>(misuse::same_axes_arguments);
+    return invalid_constraint<Frame>(misuse::same_axes_arguments);
   else
     return zero_along<dot(axis_of<Frame>(0), axis_of<Other>(1)) * axis_of<Other>(0) +
                           dot(axis_of<Frame>(1), axis_of<Other>(2)) * axis_of<Other>(1) +
@@ -192,7 +192,7 @@ constexpr auto rolling() {
     return zero_along<slip_on<Wheel, Ground, axis_and_radii...>(), axis_of<Ground>(0), axis_of<Ground>(1),
                       axis_of<Ground>(2)>;
   else
-    return mistaken<Wheel>(misuse::rolling_arguments);
+    return invalid_constraint<Wheel>(misuse::rolling_arguments);
 }
 
 template <class Wheel, class Ground, auto... axis_and_radii>
@@ -201,7 +201,7 @@ constexpr auto touching() {
     return dot(position_between<Wheel, Ground>(), axis_of<Ground>(2)) ==
            height_of_center<Wheel, axis_of<Ground>(2), axis_and_radii...>();
   else
-    return mistaken<Wheel>(misuse::touch_arguments);
+    return invalid_constraint<Wheel>(misuse::touch_arguments);
 }
 
 } // namespace describe
@@ -209,38 +209,38 @@ constexpr auto touching() {
 /// Keeps two points at a fixed distance, like the ends of a massless rod: `rod_of_length<P, Q, l>`, a
 /// configuration constraint. Its multiplier times −2 l is the tension.
 template <class Point, class Other = describe::left_out, auto... length>
-inline constexpr auto rod_of_length = describe::held_apart<Point, Other, length...>();
+inline constexpr auto rod_of_length = describe::distance_equation<Point, Other, length...>();
 
 /// A configuration constraint that couples two gears: the first joint turns `ratio` times as far as the
 /// second, in the opposite direction if the ratio is negative.
 template <class First, class Second = describe::left_out, auto... ratio>
-inline constexpr auto gear = describe::geared<First, Second, ratio...>();
+inline constexpr auto gear = describe::gear_equation<First, Second, ratio...>();
 
 /// A configuration constraint for a belt around two pulleys: the products of radius and angle are equal; for
 /// a crossed belt, one radius is negative.
 template <class First, class Second = describe::left_out, auto... radii>
-inline constexpr auto belt = describe::coupled_by_belt<First, Second, radii...>();
+inline constexpr auto belt = describe::belt_equation<First, Second, radii...>();
 
 /// A configuration constraint by which a sliding joint moves as far as the rim of a turning one:
 /// `rack_and_pinion<Rack, Pinion, r>`.
 template <class Rack, class Pinion = describe::left_out, auto... radius>
-inline constexpr auto rack_and_pinion = describe::racked<Rack, Pinion, radius...>();
+inline constexpr auto rack_and_pinion = describe::rack_equation<Rack, Pinion, radius...>();
 
 /// A configuration constraint that makes two points coincide, which closes a loop with a ball joint:
 /// `coincident<P, Q, N::x, N::y, N::z>`. A planar mechanism needs only two directions.
 template <class Point, class Other = describe::left_out, auto... directions>
-inline constexpr auto coincident = describe::held_together<Point, Other, directions...>();
+inline constexpr auto coincident = describe::coincidence<Point, Other, directions...>();
 
 /// A configuration constraint that keeps a direction parallel to an axis of a frame: `parallel<A::z, B::z>`.
 /// Together with `coincident`, it closes a loop with a pin about B::z.
 template <auto... direction_and_axis>
-inline constexpr auto parallel = describe::parallel_ones<direction_and_axis...>();
+inline constexpr auto parallel = describe::parallelism<direction_and_axis...>();
 
 /// A configuration constraint that keeps the axes of two frames aligned: `same_axes<A, B>`. Together with
 /// `coincident`, it closes a loop with a weld. Half turns about an axis and rotations that permute the axes
 /// satisfy it as well, so the motion must start with aligned axes.
 template <class Frame, class Other = describe::left_out>
-inline constexpr auto same_axes = describe::held_alike<Frame, Other>();
+inline constexpr auto same_axes = describe::alignment<Frame, Other>();
 
 /// A velocity constraint by which a wheel rolls without slipping on the plane x, y of `Ground`, which may
 /// itself move: `rolls_on<Wheel, Ground, Wheel::y, r>`, with the axis and radius of the wheel and, if it is a

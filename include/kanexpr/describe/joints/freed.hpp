@@ -10,7 +10,7 @@ namespace kanexpr::describe {
 
 /// Six auxiliary speeds, along and about the axes of the child.
 template <class Joint>
-struct freeing_speeds {
+struct release_speeds {
   static constexpr speed<joint_name<"f1", Joint>> f1{};
   static constexpr speed<joint_name<"f2", Joint>> f2{};
   static constexpr speed<joint_name<"f3", Joint>> f3{};
@@ -21,14 +21,14 @@ struct freeing_speeds {
 
 /// The angular velocity of the child in its home due to these speeds.
 template <class Joint>
-inline constexpr auto freed_spin = freeing_speeds<Joint>::t1 * basis(&frame_of<Joint>, 0) +
-                                   freeing_speeds<Joint>::t2 * basis(&frame_of<Joint>, 1) +
-                                   freeing_speeds<Joint>::t3 * basis(&frame_of<Joint>, 2);
+inline constexpr auto freed_spin = release_speeds<Joint>::t1 * basis(&frame_of<Joint>, 0) +
+                                   release_speeds<Joint>::t2 * basis(&frame_of<Joint>, 1) +
+                                   release_speeds<Joint>::t3 * basis(&frame_of<Joint>, 2);
 /// The velocity of the joint's point in the parent due to these speeds.
 template <class Joint>
-inline constexpr auto freed_drift = freeing_speeds<Joint>::f1 * basis(&frame_of<Joint>, 0) +
-                                    freeing_speeds<Joint>::f2 * basis(&frame_of<Joint>, 1) +
-                                    freeing_speeds<Joint>::f3 * basis(&frame_of<Joint>, 2);
+inline constexpr auto freed_drift = release_speeds<Joint>::f1 * basis(&frame_of<Joint>, 0) +
+                                    release_speeds<Joint>::f2 * basis(&frame_of<Joint>, 1) +
+                                    release_speeds<Joint>::f3 * basis(&frame_of<Joint>, 2);
 
 /// Return the component of a vector along a unit vector, and the remainder.
 constexpr auto part_along(const auto& given, const auto& axis) { return dot(given, axis) * axis; }

@@ -11,7 +11,7 @@
 /// members:
 ///
 ///     symbols                joint_symbols<names<"q">, names<"u">>
-///     least_axes, most_axes  the number of axes it takes
+///     least_axes, most_axes  the least and the greatest number of its axes
 ///     is_second_axis_of_child   if the second axis is not fixed in the parent
 ///     form                   the form that error sentences suggest
 ///     special                the type of its special word, if it takes one
@@ -23,7 +23,7 @@
 ///     drift<Joint>           its velocity in the parent, if it moves
 ///     bound_spin<Joint>      the part of any angular velocity that it constrains, if not all (freed.hpp)
 ///     bound_drift<Joint>     the same for any velocity
-///     effort                 whether a motor drives it by a torque or a force, if it has one axis
+///     effort                 the effort of a motor, a torque or a force, if it has one axis
 ///     kinematics<Joint>()    its kinematic equations, if they are not q̇ = u
 namespace kanexpr::describe {
 
@@ -96,7 +96,7 @@ inline constexpr frame_record home_of_joint = Joint::home_record();
 template <class Joint>
 inline constexpr point_record base_of_joint = Joint::base_record();
 template <class Joint>
-inline constexpr point_record point_of_joint = Joint::joint_record_of_point();
+inline constexpr point_record point_of_joint = Joint::joint_point_record();
 template <class Joint>
 inline constexpr point_record center_of_joint = Joint::center_record();
 template <class Joint>
@@ -108,11 +108,11 @@ inline constexpr joint_record joint_of = record_joint<Joint>();
 
 /// Whether `Joint` is among the nearest ancestors of a joint, up to `depth`.
 template <class Parent, class Joint, int depth>
-constexpr bool hangs_on() {
+constexpr bool is_ancestor() {
   if constexpr (std::is_same_v<Parent, Joint>)
     return true;
   else if constexpr (depth > 0 && requires { typename Parent::parent; })
-    return hangs_on<typename Parent::parent, Joint, depth - 1>();
+    return is_ancestor<typename Parent::parent, Joint, depth - 1>();
   else
     return false;
 }
@@ -135,18 +135,18 @@ struct joint : axes<Self>, place_words, joint_words {
   static constexpr auto u = Kind::symbols::template motion<index, Self, word<joint_word::by>>();
 
   using parent = Parent;
-  static constexpr bool hangs_on_itself = hangs_on<Parent, Self, 3>();
+  static constexpr bool is_its_own_ancestor = is_ancestor<Parent, Self, 3>();
   static constexpr bool lacks_parent = word_of_a_joint<Parent>;
   /// Whether the joint is well-formed; if not, its record contains a mistake.
-  static constexpr bool is_written = !joint::are_of_another && !lacks_parent && !hangs_on_itself;
+  static constexpr bool is_written = !joint::are_of_another && !lacks_parent && !is_its_own_ancestor;
   static constexpr const frame_record* parent_frame() {
-    if constexpr (hangs_on_itself)
+    if constexpr (is_its_own_ancestor)
       return nullptr;
     else
       return parts_of<Parent>::frame();
   }
   static constexpr const point_record* parent_point() {
-    if constexpr (hangs_on_itself)
+    if constexpr (is_its_own_ancestor)
       return nullptr;
     else
       return parts_of<Parent>::point();
@@ -162,15 +162,15 @@ struct joint : axes<Self>, place_words, joint_words {
   }
 
   /// Returns an axis. If it is given in `own` axes, it is fixed both in the home of the child and in the
-  /// child; `seen_by` is the frame that `own` denotes.
+  /// child; `frame` is the frame that `own` denotes.
   template <std::size_t index>
-  static constexpr auto axis_in(const frame_record* seen_by) {
+  static constexpr auto axis_in(const frame_record* frame) {
     if constexpr (!has<joint_word::axis>)
-      return by_axes_of(seen_by, index == 0 ? own::z : own::x);
+      return by_axes_of(frame, index == 0 ? own::z : own::x);
     else if constexpr (index == 0)
-      return unit_along(by_axes_of(seen_by, word<joint_word::axis>::first));
+      return unit_along(by_axes_of(frame, word<joint_word::axis>::first));
     else
-      return unit_along(by_axes_of(seen_by, word<joint_word::axis>::second));
+      return unit_along(by_axes_of(frame, word<joint_word::axis>::second));
   }
   template <std::size_t index>
   static constexpr auto axis_at_home = axis_in<index>(home_frame());
@@ -197,7 +197,7 @@ struct joint : axes<Self>, place_words, joint_words {
 
   static constexpr frame_record orientation() {
     frame_record r;
-    r.calls_itself = type_name<Self>();
+    r.declared_name = type_name<Self>();
     r.is_of_joint = true;
     if constexpr (is_written) {
       r.parent = home_frame();
@@ -214,29 +214,29 @@ struct joint : axes<Self>, place_words, joint_words {
       r.parent = joint_point();
       r.offset = phrase_of<from_joint(child_frame()), Self>;
     } else {
-      r = joint_record_of_point();
+      r = joint_point_record();
     }
-    r.calls_itself = type_name<Self>();
+    r.declared_name = type_name<Self>();
     return r;
   }
 
   static constexpr frame_record home_record() {
     frame_record r;
-    r.called = r.calls_itself = joint_name<"", Self, "home">.view();
+    r.called = r.declared_name = joint_name<"", Self, "home">.view();
     r.parent = parent_frame();
     if constexpr (has<joint_word::home>) word<joint_word::home>::turn(r);
     return r;
   }
   static constexpr point_record base_record() {
     point_record r;
-    r.called = r.calls_itself = joint_name<"", Self, "base">.view();
+    r.called = r.declared_name = joint_name<"", Self, "base">.view();
     r.parent = parent_point();
     if constexpr (is_off_parent) r.offset = phrase_of<word<joint_word::at>::in_parent, Self>;
     return r;
   }
-  static constexpr point_record joint_record_of_point() {
+  static constexpr point_record joint_point_record() {
     point_record r = base_record();
-    r.called = r.calls_itself = joint_name<"", Self, "joint">.view();
+    r.called = r.declared_name = joint_name<"", Self, "joint">.view();
     if constexpr (Kind::moves) {
       r.parent = base_point();
       Kind::template move<Self>(r);
@@ -247,7 +247,7 @@ struct joint : axes<Self>, place_words, joint_words {
   }
   static constexpr point_record center_record() {
     point_record r;
-    r.called = r.calls_itself = joint_name<"", Self, "center">.view();
+    r.called = r.declared_name = joint_name<"", Self, "center">.view();
     r.parent = &point_of<Self>;
     if constexpr (has<joint_word::body>)
       r.offset = phrase_of<by_axes_of(child_frame(), word<joint_word::body>::center_given), Self>;
@@ -255,7 +255,7 @@ struct joint : axes<Self>, place_words, joint_words {
   }
   static constexpr body_record body_record_of_child() {
     body_record r;
-    r.called = r.calls_itself = type_name<Self>();
+    r.called = r.declared_name = type_name<Self>();
     r.center = &center_of_joint<Self>;
     r.frame = child_frame();
     if constexpr (has<joint_word::body>) word<joint_word::body>::give_to(r);
@@ -271,7 +271,7 @@ struct joint : axes<Self>, place_words, joint_words {
       r.mistake = lacks_parent ? "lacks a parent" : "is attached to itself";
       if (lacks_parent) r.form = Kind::form;
     }
-    r.calls_itself = type_name<Self>();
+    r.declared_name = type_name<Self>();
     return r;
   }
 
@@ -329,11 +329,11 @@ private:
   }
 
   /// The child's point relative to the location of the joint in the child.
-  static constexpr auto from_joint(const frame_record* seen_by) {
+  static constexpr auto from_joint(const frame_record* frame) {
     if constexpr (is_off_child)
-      return -by_axes_of(seen_by, word<joint_word::at>::in_child);
+      return -by_axes_of(frame, word<joint_word::at>::in_child);
     else
-      return 0.0 * basis(seen_by, 0);
+      return 0.0 * basis(frame, 0);
   }
 };
 

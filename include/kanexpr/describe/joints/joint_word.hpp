@@ -7,7 +7,8 @@
 #include <cstddef>
 #include <utility>
 
-/// The words of a joint, which follow its parent between the angle brackets, in any order.
+/// The words of a joint, which follow its parent as template arguments in any order, and the names that a
+/// joint forms from the name of its type.
 namespace kanexpr {
 
 namespace describe {

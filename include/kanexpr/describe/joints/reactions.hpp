@@ -61,7 +61,7 @@ inline constexpr reaction_record reaction_of = [] {
   r.called = type_name<Joint>();
   if constexpr (requires { requires Joint::is_written; }) {
     using freed = freed_joint<Joint>;
-    using speeds = freeing_speeds<Joint>;
+    using speeds = release_speeds<Joint>;
     r.joint = &joint_of<Joint>;
     r.frame = &frame_of<Joint>;
     r.freed_frame = &freed::frame;

@@ -11,7 +11,7 @@ namespace describe {
 template <class Joint>
 inline constexpr frame_record cross_of_joint = [] {
   frame_record r;
-  r.called = r.calls_itself = joint_name<"", Joint, "cross">.view();
+  r.called = r.declared_name = joint_name<"", Joint, "cross">.view();
   r.parent = Joint::home_frame();
   turn_about(r, phrase_of<Joint::template q<0>, Joint>, phrase_of<Joint::template axis_at_home<0>, Joint>);
   return r;

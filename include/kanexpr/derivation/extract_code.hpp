@@ -17,18 +17,18 @@ namespace kanexpr::derivation {
 /// The straight-line code for a set of results. The measures and scales of potential singularities follow all
 /// other results of the tape, one pair per cause. The arrays have room for any model, so programs must not
 /// store one.
-struct cut_code {
+struct extracted_code {
   sentence mistake{};
-  roomy_causes causes{};
+  large_cause_list causes{};
   lower::roomy_tape tape{};
-  bool follows_from_unparsed = false; ///< the mistake comes from a type that did not parse
+  bool follows_from_unparsed = false; ///< whether the mistake is caused by a type that did not parse
   bool checks_finiteness = false;     ///< the last pair checks whether the results are finite
 
-  constexpr cut_code() = default;
-  constexpr explicit cut_code(const sentence& because) : mistake(because) {}
+  constexpr extracted_code() = default;
+  constexpr explicit extracted_code(const sentence& because) : mistake(because) {}
 };
 
-/// Reports code that exceeds the available room.
+/// Reports code that exceeds the capacity of the arrays.
 constexpr sentence check_room(std::string_view system, const lower::tape_sizes& sizes) {
   if (lower::has_room_for(sizes)) return {};
   return sentence({"the results requested from ", system, " take ", base::counted(sizes.steps).view(),
@@ -45,13 +45,13 @@ constexpr sentence check_room(std::string_view system, const cause_list<room>& c
 
 /// The nodes of all entries of the results, followed by those of the potential singularities on which they
 /// depend.
-struct cut_nodes {
+struct needed_nodes {
   sequence<int> nodes{};
   sequence<mechanics::singularity_check> checks{};
 };
 
-constexpr cut_nodes nodes_for(derived_system& system, std::span<const request> all) {
-  cut_nodes found;
+constexpr needed_nodes nodes_for(derived_system& system, std::span<const request> all) {
+  needed_nodes found;
   for (const request& each : all) {
     const symbolic::matrix result = form(each, system.reader(), system.equations());
     for (const expression& entry : result.entries) found.nodes.push(entry.node());
@@ -65,7 +65,8 @@ constexpr cut_nodes nodes_for(derived_system& system, std::span<const request> a
   return found;
 }
 
-/// Reports a symbol that an expression adds to those of the system, because no argument has an entry for it.
+/// Reports a symbol that a requested expression contains but the system does not: no argument has an entry
+/// for it.
 constexpr sentence check_symbols(std::string_view system, const survey& known, const mechanism& m) {
   struct list {
     std::string_view kind;
@@ -83,19 +84,20 @@ constexpr sentence check_symbols(std::string_view system, const survey& known, c
 }
 
 /// Extracts the code for the requested results from a derivation.
-constexpr cut_code cut(derived_system& system, std::string_view called, const survey& of_system,
-                       std::span<const request> all) {
-  const cut_nodes found = nodes_for(system, all);
-  if (system.mistake()) return cut_code(system.mistake());
-  if (const sentence added = check_symbols(called, of_system, system.mechanism())) return cut_code(added);
-  cut_code code;
+constexpr extracted_code extract_code(derived_system& system, std::string_view called,
+                                      const survey& of_system, std::span<const request> all) {
+  const needed_nodes found = nodes_for(system, all);
+  if (system.mistake()) return extracted_code(system.mistake());
+  if (const sentence added = check_symbols(called, of_system, system.mechanism()))
+    return extracted_code(added);
+  extracted_code code;
   for (const mechanics::singularity_check& g : found.checks) {
-    if (const sentence lacking = check_room(called, code.causes, g.cause)) return cut_code(lacking);
+    if (const sentence lacking = check_room(called, code.causes, g.cause)) return extracted_code(lacking);
     code.causes.push(g.cause);
     code.checks_finiteness = g.of_finiteness;
   }
   const lower::tape tape = lower::tape_from(system.graph(), found.nodes);
-  if (const sentence lacking = check_room(called, lower::sizes_of(tape))) return cut_code(lacking);
+  if (const sentence lacking = check_room(called, lower::sizes_of(tape))) return extracted_code(lacking);
   code.tape = lower::fixed(tape);
   return code;
 }
@@ -109,30 +111,32 @@ constexpr stage stage_for(std::span<const request> all) {
 
 /// Extracts the code from a stored stage of the derivation.
 template <std::same_as<image> Image>
-constexpr cut_code cut(const system_record& from, const Image& stored, std::string_view called,
-                       const survey& of_system, std::span<const request> all) {
+constexpr extracted_code extract_code(const system_record& from, const Image& stored, std::string_view called,
+                                      const survey& of_system, std::span<const request> all) {
   derived_system system(from, stored);
   visit(all, system.reader());
-  cut_code code = cut(system, called, of_system, all);
+  extracted_code code = extract_code(system, called, of_system, all);
   code.follows_from_unparsed = system.reader().follows_from_unparsed();
   return code;
 }
 
 /// Returns the code for the results that the template arguments request.
 template <class System, auto... wanted>
-constexpr cut_code code_for() {
+constexpr extracted_code code_for() {
   constexpr request all[]{requested<wanted>::value...};
   constexpr const survey& known = stages_of<System>::constrained.known;
   if constexpr (static_cast<bool>(stages_of<System>::constrained.mistake)) {
     return {};
   } else if constexpr (stage_for(all) == stage::constrained) {
-    return cut(System::record, stages_of<System>::constrained.stored, type_name<System>(), known, all);
+    return extract_code(System::record, stages_of<System>::constrained.stored, type_name<System>(), known,
+                        all);
   } else if constexpr (static_cast<bool>(stages_of<System>::equations.mistake)) {
-    return cut_code(stages_of<System>::equations.mistake);
+    return extracted_code(stages_of<System>::equations.mistake);
   } else if constexpr (stage_for(all) == stage::equations) {
-    return cut(System::record, stages_of<System>::equations.stored, type_name<System>(), known, all);
+    return extract_code(System::record, stages_of<System>::equations.stored, type_name<System>(), known, all);
   } else {
-    return cut(System::record, stages_of<System>::linearized.stored, type_name<System>(), known, all);
+    return extract_code(System::record, stages_of<System>::linearized.stored, type_name<System>(), known,
+                        all);
   }
 }
 
