@@ -167,7 +167,7 @@ constexpr symbolic::matrix derivatives_of(const request& wanted, reader& r, cons
   return by_symbols;
 }
 
-/// The derivatives of a result, in which q̇ and u̇ are replaced according to the equations of motion.
+/// The derivatives of a result; q̇ and u̇ are replaced according to the equations of motion.
 constexpr symbolic::matrix derivatives_of(const request& wanted, const mechanism& m,
                                           mechanics::equations& e) {
   const symbolic::matrix result = e.get(wanted.wanted);

@@ -15,6 +15,16 @@ constexpr void give_inertia(body_record& r) {
     r.instead_of_inertia = type_name<Inertia>();
 }
 
+/// An inertia with an intentional property, `mark`.
+template <text form, bool body_record::* mark, class... Inertia>
+struct marked_inertia : inertia_words {
+  static constexpr void give_to(body_record& r) {
+    if (r.fits) r.fits = arguments_of(form.view(), sizeof...(Inertia), 1);
+    (give_inertia<Inertia>(r), ...);
+    r.*mark = true;
+  }
+};
+
 } // namespace describe
 
 /// Inertia about the mass center, specified by its entries in the axes of `Frame`: I = Σ m (r·r E − r r).
@@ -55,23 +65,14 @@ struct inertia_about : describe::inertia_words {
 /// An inertia that intentionally changes as seen from the body, because it is given in axes that turn in the
 /// body or about a point that moves in it.
 template <class... Inertia>
-struct changing_inertia : describe::inertia_words {
-  static constexpr void give_to(describe::body_record& r) {
-    if (r.fits) r.fits = describe::arguments_of("changing_inertia<Inertia>", sizeof...(Inertia), 1);
-    (describe::give_inertia<Inertia>(r), ...);
-    r.inertia_changes = true;
-  }
-};
+struct changing_inertia : describe::marked_inertia<"changing_inertia<Inertia>",
+                                                   &describe::body_record::inertia_changes, Inertia...> {};
 
 /// An inertia that intentionally does not correspond to any mass distribution, because it was identified from
 /// motions or is increased by a gear about one axis: `effective_inertia<inertia<A, 0.1, 0.1, 0.35>>`.
 template <class... Inertia>
-struct effective_inertia : describe::inertia_words {
-  static constexpr void give_to(describe::body_record& r) {
-    if (r.fits) r.fits = describe::arguments_of("effective_inertia<Inertia>", sizeof...(Inertia), 1);
-    (describe::give_inertia<Inertia>(r), ...);
-    r.effective = true;
-  }
+struct effective_inertia
+    : describe::marked_inertia<"effective_inertia<Inertia>", &describe::body_record::effective, Inertia...> {
 };
 
 /// A mass at a point: `struct Bob : particle<Bob, P, m> {};`

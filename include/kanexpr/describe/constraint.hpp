@@ -66,8 +66,8 @@ template <int number>
 inline constexpr int number_of_constraint = number;
 }
 
-/// The numbers, counted from 1, of configuration constraints that follow from the others wherever all of them
-/// are satisfied: `redundant<6>`. They are not used in solving, but states are checked against them.
+/// The numbers, counted from 1, of configuration constraints that are satisfied if all others are:
+/// `redundant<6>`. They are not used in solving, but states are checked against them.
 template <int... numbers>
 struct redundant : describe::system_words {
   static constexpr std::string_view word = "redundant";

@@ -94,7 +94,7 @@ constexpr token misused(misuse what) {
   return t;
 }
 
-/// Whether a value is the integer 0, such as 1/2 in C++; it is hardly ever written on purpose in a model.
+/// Whether a value is the integer 0, such as 1/2 in C++, which is rarely intended in a model.
 template <class Written>
 constexpr bool is_whole_zero(const Written& value) {
   if constexpr (plain_number<Written> && std::integral<Written>)

@@ -89,7 +89,7 @@ struct own {
   static constexpr vector<1> z = describe::basis(nullptr, 2);
 };
 
-/// The frame in which Newton's laws hold: `struct N : inertial_frame<N> {};`
+/// The inertial frame, to which Newton's laws apply: `struct N : inertial_frame<N> {};`
 template <class Self>
 struct inertial_frame : describe::axes<Self> {
   static constexpr describe::frame_record orientation() {

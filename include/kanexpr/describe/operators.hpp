@@ -37,7 +37,7 @@ constexpr auto quotient(const Left& x, const Right& y) {
       fits && is_whole_zero(x) ? misused(misuse::zero_factor) : with(token_kind::divide), x, y);
 }
 
-/// A side of an equation, where 0 is allowed; the value reader rejects a parameter bound to 0.
+/// A side of an equation, which may be 0; the value reader rejects a parameter that is bound to 0.
 template <class Operand>
 constexpr auto side(const Operand& x) {
   auto given = operand_or_zero(x);

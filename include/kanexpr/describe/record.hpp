@@ -146,7 +146,7 @@ enum class orientation_word : unsigned char;
 struct entity_record {
   std::string_view called{};
   std::string_view declared_name{}; ///< the first template argument of its word; empty if it has none
-  std::string_view instead{};       ///< the actual kind, if it is not the one for which it is used
+  std::string_view instead{};       ///< the actual kind, if it is used as a different one
   base_conflict conflict = nullptr;
   bool unparsed = false; ///< whether it is a class without bases, as after an error in a base clause
 };

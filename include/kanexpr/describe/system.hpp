@@ -78,7 +78,7 @@ template <auto... symbols>
 struct coordinates : describe::phrase_list<"coordinates", &describe::system_record::coordinates, symbols...> {
 };
 
-/// The generalized speeds, in the order of the state, in which they follow the coordinates.
+/// The generalized speeds, in the order of the state; they follow the coordinates.
 template <auto... symbols>
 struct speeds : describe::phrase_list<"speeds", &describe::system_record::speeds, symbols...> {};
 

@@ -62,7 +62,7 @@ struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>>
     }
     return {static_cast<Real>(f.value(operands)), along};
   }
-  /// A function that <complex> lacks is that of the real part, corrected to first order.
+  /// A function that <complex> does not provide is evaluated for the real part and extended to first order.
   template <symbolic::operation op>
   static number by_name(const number& x) {
     if constexpr (symbolic::properties_of(op).has_complex) {

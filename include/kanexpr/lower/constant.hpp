@@ -9,7 +9,7 @@
 
 #include <array>
 
-/// Evaluation inside a constant expression, in which neither Eigen nor the C library can be used.
+/// Evaluation inside constant expressions, which cannot use Eigen or the C library.
 namespace kanexpr::lower {
 
 /// Executes a call or a step of an elimination; the solution of a singular system is NaN.

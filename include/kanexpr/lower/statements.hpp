@@ -24,8 +24,8 @@ struct statement {
   int a = 0, b = 0, by = 0;
 };
 
-/// A tape as code that assigns every value once, either by an operation that any language provides or by a
-/// call of a user-supplied function. Backends that generate code use this form. Linear systems are written
+/// A tape as code that assigns every value once, by an operation that any language provides or by a call of a
+/// user-supplied function. Backends that generate code use this form. Linear systems are written
 /// out, each row exchange as two choices. The cosine of a pair follows its sine.
 struct statements {
   sequence<symbolic::number> numbers{};

@@ -16,8 +16,8 @@ namespace kanexpr::lower {
 template <class Code>
 struct step_plan {
   static constexpr const auto& tape = Code::tape;
-  /// The actions that are neither an operation nor a component: a sine with its cosine, and the linear steps
-  /// from `first_linear_step` downward.
+  /// The other actions besides operations and components: a sine with its cosine, and the linear steps from
+  /// `first_linear_step` downward.
   static constexpr int sine_and_cosine = -1, first_linear_step = -2;
   static constexpr int component = static_cast<int>(operation::component);
 

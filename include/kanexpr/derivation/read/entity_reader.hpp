@@ -140,7 +140,7 @@ private:
     open_points_.clear();
   }
 
-  /// Reports a type that is used as a frame or point but is neither.
+  /// Reports a type that is used as a frame or point but is something else.
   constexpr void fail_by_kind(std::string_view kind, std::string_view called, std::string_view whom,
                               std::string_view instead, std::string_view its_own) {
     if (instead.empty())

@@ -32,8 +32,8 @@ struct anything {
   operator Type() const;
 };
 
-/// Whether a class has neither bases nor members and is not a word of the library. No model contains such an
-/// entity or system on purpose, but after an error in a base clause, compilers continue with such a class.
+/// Whether a class is empty, without bases, and not a word of the library. No model contains such a class on
+/// purpose, but after an error in a base clause, compilers continue with one.
 /// The user should read that error; a sentence about its consequences would be misleading.
 template <class Type>
 constexpr bool is_unparsed() {
