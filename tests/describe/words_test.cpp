@@ -285,7 +285,7 @@ TEST(words, constraints) {
   reading<constrained> r;
   ASSERT_EQ(r.reader.mistake().view(), "");
   mechanics::known_motion known(r.m);
-  r.reader.know(known);
+  r.reader.set_known_motion(known);
   r.reader.read_constraints();
   ASSERT_EQ(r.reader.mistake().view(), "");
   ASSERT_EQ(r.c.on_configuration.size(), 3);
