@@ -20,7 +20,7 @@ namespace compiled {
 /// The code for a set of results of a system, derived once for each set.
 template <class System, auto... wanted>
 struct derived_code {
-  static constexpr base::sentence mistake() { return cut.mistake; }
+  static constexpr base::sentence mistake() { return extracted.mistake; }
 
 protected:
   static constexpr derivation::extracted_code extracted = derivation::code_for<System, wanted...>();
@@ -32,14 +32,14 @@ struct code : private derived_code<System, wanted...> {
   using system = System;
 
 private:
-  using derived_code<System, wanted...>::cut;
+  using derived_code<System, wanted...>::extracted;
 
 public:
-  static constexpr auto tape = lower::trimmed<cut.tape.sizes>(cut.tape);
-  static constexpr auto causes = derivation::trimmed<cut.causes.sizes>(cut.causes);
-  static constexpr base::sentence mistake = cut.mistake;
-  static constexpr bool follows_from_unparsed = cut.follows_from_unparsed;
-  static constexpr bool checks_finiteness = cut.checks_finiteness;
+  static constexpr auto tape = lower::trimmed<extracted.tape.sizes>(extracted.tape);
+  static constexpr auto causes = derivation::trimmed<extracted.causes.sizes>(extracted.causes);
+  static constexpr base::sentence mistake = extracted.mistake;
+  static constexpr bool follows_from_unparsed = extracted.follows_from_unparsed;
+  static constexpr bool checks_finiteness = extracted.checks_finiteness;
   static_assert(derivation::report<code>());
 };
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/letter.hpp>
+#include <kanexpr/base/text.hpp>
 #include <kanexpr/describe/expression.hpp>
 
 #include <concepts>
