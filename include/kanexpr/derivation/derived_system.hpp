@@ -84,6 +84,7 @@ public:
 
   constexpr symbolic::graph& graph() { return graph_; }
   constexpr const symbolic::graph& graph() const { return graph_; }
+  constexpr const mechanics::multibody_system& system() const { return system_; }
   constexpr const mechanics::mechanism& mechanism() const { return system_.mechanism; }
   constexpr derivation::reader& reader() { return reader_; }
 

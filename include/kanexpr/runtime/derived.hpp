@@ -1,7 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
-#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 
 #include <memory>
@@ -29,7 +29,7 @@ public:
 
   virtual const base::sentence& mistake() const = 0;
   virtual symbolic::graph& graph() = 0;
-  virtual const mechanics::mechanism& mechanism() const = 0;
+  virtual const mechanics::multibody_system& system() const = 0;
   virtual derivation::reader& reader() = 0;
   /// The equations of motion; null if a mistake was found before they were derived.
   virtual mechanics::equations* equations() = 0;

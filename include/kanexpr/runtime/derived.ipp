@@ -37,7 +37,7 @@ public:
 
   const base::sentence& mistake() const override { return mistake_ ? mistake_ : system_.mistake(); }
   symbolic::graph& graph() override { return system_.graph(); }
-  const mechanics::mechanism& mechanism() const override { return system_.mechanism(); }
+  const mechanics::multibody_system& system() const override { return system_.system(); }
   derivation::reader& reader() override { return system_.reader(); }
   mechanics::equations* equations() override { return system_.is_derived() ? &system_.equations() : nullptr; }
 
@@ -78,7 +78,7 @@ public:
     return reader_.mistake() ? reader_.mistake() : equations_->mistake();
   }
   symbolic::graph& graph() override { return *graph_; }
-  const mechanics::mechanism& mechanism() const override { return system_.mechanism; }
+  const mechanics::multibody_system& system() const override { return system_; }
   derivation::reader& reader() override { return reader_; }
   mechanics::equations* equations() override { return equations_ ? &*equations_ : nullptr; }
 

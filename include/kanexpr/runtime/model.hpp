@@ -146,7 +146,8 @@ public:
   std::shared_ptr<const derivation::survey> known() const;
 
   symbolic::graph& graph() { return system_->graph(); }
-  const mechanics::mechanism& mechanism() const { return system_->mechanism(); }
+  const mechanics::mechanism& mechanism() const { return system_->system().mechanism; }
+  const mechanics::multibody_system& system() const { return system_->system(); }
   /// Requires a model without a mistake.
   mechanics::equations& equations() { return *system_->equations(); }
 

@@ -24,7 +24,7 @@ inline std::string enumerated(derived& system, const base::sequence<symbolic::ex
   std::string text;
   for (int i = 0; i < dependent.size(); ++i)
     text.append(mechanics::before_entry(i, dependent.size()))
-        .append(mechanics::called(system.mechanism(), symbols[dependent[i]]));
+        .append(mechanics::called(system.system().mechanism, symbols[dependent[i]]));
   return text;
 }
 

@@ -30,7 +30,7 @@ namespace kanexpr::runtime {
 /// uses, such as the speed of a vehicle, is added to the parameters.
 class point_reader {
 public:
-  explicit point_reader(derived& system) : system_(system), m_(system.mechanism()) {}
+  explicit point_reader(derived& system) : system_(system), m_(system.system().mechanism) {}
 
   std::vector<symbolic::replacement> read(const linearization_point& point) {
     std::vector<symbolic::replacement> found;
