@@ -3,15 +3,53 @@
 #include <kanexpr/figures/canvas.hpp>
 #include <kanexpr/figures/geometry.hpp>
 #include <kanexpr/figures/view.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/model/vector.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/printing/print.hpp>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace kanexpr::figures {
+
+namespace detail {
+
+inline constexpr int no_axis = -1;
+
+/// The only component of a vector that is not zero, if there is exactly one.
+struct single_component {
+  int frame = mechanics::none, axis = no_axis;
+  symbolic::expression value{};
+};
+
+inline single_component single_component_of(const mechanics::vector& v) {
+  single_component found;
+  for (const mechanics::vector::part& part : v.parts)
+    for (int axis = 0; axis < 3; ++axis) {
+      if (part.value[axis].is_zero()) continue;
+      if (found.axis != no_axis) return {};
+      found = {part.frame, axis, part.value[axis]};
+    }
+  return found;
+}
+
+/// The frame of all components of a vector; none if there are several.
+inline int frame_of(const mechanics::vector& v) {
+  int frame = mechanics::none;
+  for (const mechanics::vector::part& part : v.parts) {
+    if (part.value.is_zero()) continue;
+    if (frame != mechanics::none && frame != part.frame) return mechanics::none;
+    frame = part.frame;
+  }
+  return frame;
+}
+
+} // namespace detail
 
 /// A model and its geometry, seen in a view and drawn on a canvas.
 struct drawing {
@@ -19,7 +57,7 @@ struct drawing {
   const geometry& at;
   const view& seen;
   canvas on{};
-  double scale = 1;                  ///< pixels per unit of length
+  double scale;                      ///< pixels per unit of length
   std::vector<int> place_of_frame{}; ///< the point at which the axes of each frame are drawn
 
   drawing(const mechanics::multibody_system& s, const geometry& g, const view& v);
@@ -32,18 +70,49 @@ struct drawing {
   int body_of_frame(int frame) const;
   /// Whether a point is fixed in a frame at a distance from another one.
   bool has_links(int frame) const;
+  /// Whether the names of all axes and points would hide the rest.
+  bool is_crowded() const { return mechanism().frames.size() > 9; }
   /// The style of a body's color.
-  std::string color_of_body(int body) const { return "b" + std::to_string(body % 6); }
-  std::string name_of(const symbolic::expression& e) const;
-
-  // in the order of their layers
-  void draw_bodies();
-  void draw_links(bool with_lengths);
-  void draw_points(bool with_names);
-  void draw_axes();
-  void draw_angles();
-  void draw_loads();
-  void draw_gravity();
+  static std::string color_of_body(int body) { return "b" + std::to_string(body % 6); }
+  /// An expression without the sign of a negative product; the direction of what is drawn shows the sign.
+  static std::string name_of_size(const symbolic::expression& e) {
+    const std::string printed = symbolic::print(e);
+    const bool is_sum = printed.find(" + ") != std::string::npos || printed.find(" - ") != std::string::npos;
+    return printed.starts_with('-') && !is_sum ? printed.substr(1) : printed;
+  }
 };
+
+inline drawing::drawing(const mechanics::multibody_system& s, const geometry& g, const view& v)
+    : system(s), at(g), seen(v), scale(230 / g.size) {
+  const mechanics::mechanism& m = s.mechanism;
+  place_of_frame.assign(static_cast<std::size_t>(m.frames.size()), mechanics::none);
+  const auto place = [&](int frame, int point) {
+    if (frame == mechanics::none || point == mechanics::none) return;
+    int& where = place_of_frame[static_cast<std::size_t>(frame)];
+    if (where == mechanics::none) where = point;
+  };
+  for (int i = 0; i < m.points.size(); ++i)
+    if (m.points[i].parent == mechanics::none) place(mechanics::mechanism::inertial, i);
+  for (const mechanics::point& p : m.points) place(detail::frame_of(p.offset), p.parent);
+  for (const mechanics::body& b : m.bodies) place(b.frame, b.center);
+  for (int f = m.frames.size() - 1; f > 0;
+       --f) // an intermediate frame is drawn with the frames that follow it
+    place(m.frames[f].parent, place_of_frame[static_cast<std::size_t>(f)]);
+  for (int f = 1; f < m.frames.size(); ++f)
+    place(f, place_of_frame[static_cast<std::size_t>(m.frames[f].parent)]);
+}
+
+inline int drawing::body_of_frame(int frame) const {
+  const mechanics::mechanism& m = mechanism();
+  for (int i = 0; i < m.bodies.size(); ++i)
+    if (m.bodies[i].frame == frame) return i;
+  return mechanics::none;
+}
+
+inline bool drawing::has_links(int frame) const {
+  for (const mechanics::point& p : mechanism().points)
+    if (p.parent != mechanics::none && detail::frame_of(p.offset) == frame) return true;
+  return false;
+}
 
 } // namespace kanexpr::figures

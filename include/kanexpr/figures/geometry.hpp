@@ -1,11 +1,21 @@
 #pragma once
 
-#include <kanexpr/base/engine.hpp>
 #include <kanexpr/base/status.hpp>
+#include <kanexpr/mechanics/loads/loads.hpp>
+#include <kanexpr/mechanics/model/central_inertia.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/model/orientation.hpp>
+#include <kanexpr/mechanics/model/points.hpp>
+#include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/runtime/model.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <Eigen/Core>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
 #include <vector>
 
 namespace kanexpr::figures {
@@ -14,7 +24,9 @@ namespace kanexpr::figures {
 /// model's lists.
 struct geometry {
   std::vector<Eigen::Matrix3d> frames{}; ///< the basis vectors as columns
-  std::vector<double> angles{};          ///< by which frames are rotated; 0 if a frame has no angle
+  std::vector<Eigen::Vector3d>
+      rotation_axes{};          ///< about which frames are rotated; zero if a frame has no angle
+  std::vector<double> angles{}; ///< relative to the parent frame
   std::vector<Eigen::Vector3d> points{};
   std::vector<double> masses{};
   std::vector<Eigen::Matrix3d> inertias{}; ///< about the mass centers; zero for particles
@@ -25,13 +37,128 @@ struct geometry {
   kanexpr::status status{};
 };
 
+namespace detail {
+
+/// Collects expressions, evaluates them with one function, and reads the values in the same order.
+class evaluation {
+public:
+  explicit evaluation(model& m) : model_(m) {}
+
+  void ask(const symbolic::expression& e) { asked_.push(e); }
+  void ask(const mechanics::vector& v) {
+    const mechanics::components inertial =
+        mechanics::express(model_.mechanism(), v, mechanics::mechanism::inertial);
+    for (int i = 0; i < 3; ++i) ask(inertial[i]);
+  }
+
+  status evaluate(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& p, const Eigen::VectorXd& r) {
+    symbolic::matrix all(model_.graph(), asked_.size(), 1);
+    for (int i = 0; i < asked_.size(); ++i) all(i, 0) = asked_[i];
+    auto values = model_.function(all);
+    values_ = values(t, x, p, r, Eigen::VectorXd::Zero(model_.mechanism().speeds.size()));
+    return values.status();
+  }
+
+  double number() { return values_(next_++); }
+  Eigen::Vector3d vector() {
+    const Eigen::Vector3d v = values_.segment<3>(next_);
+    next_ += 3;
+    return v;
+  }
+
+private:
+  model& model_;
+  base::sequence<symbolic::expression> asked_{};
+  Eigen::VectorXd values_{};
+  Eigen::Index next_ = 0;
+};
+
+inline mechanics::vector basis_vector(const mechanics::mechanism& m, int frame, int axis) {
+  mechanics::components unit(*m.g);
+  unit[axis] = m.one();
+  mechanics::vector v;
+  v.add(frame, unit);
+  return v;
+}
+
+/// The axis about which a frame is rotated relative to its parent; zero if it is not given by an angle.
+inline mechanics::vector axis_of_rotation(const mechanics::mechanism& m, int f) {
+  const mechanics::frame& frame = m.frames[f];
+  if (frame.kind == mechanics::orientation::about_basis) return basis_vector(m, frame.parent, frame.axis);
+  mechanics::vector axis;
+  if (frame.kind == mechanics::orientation::about_axis) axis.add(frame.parent, frame.direction);
+  return axis;
+}
+
+inline Eigen::Vector3d finite_or_zero(const Eigen::Vector3d& v) {
+  return v.allFinite() ? v : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
+/// The extent of a cloud of points, and at least that of the bodies.
+inline double extent(const geometry& g) {
+  Eigen::Vector3d least = Eigen::Vector3d::Zero(), most = least;
+  for (const Eigen::Vector3d& p : g.points) least = least.cwiseMin(p), most = most.cwiseMax(p);
+  double size = (most - least).maxCoeff();
+  for (std::size_t i = 0; i < g.masses.size(); ++i)
+    if (g.masses[i] > 0) size = (std::max)(size, 2 * std::sqrt(g.inertias[i].trace() / g.masses[i]));
+  return size > 0 && std::isfinite(size) ? size : 1;
+}
+
+} // namespace detail
+
 /// Evaluates the geometry of a model without a mistake. Loads that depend on inputs without a value or on
 /// accelerations are zero.
-KANEXPR_ENGINE geometry geometry_of(model& m, double t, const Eigen::VectorXd& x, const Eigen::VectorXd& p,
-                                    const Eigen::VectorXd& r);
+inline geometry geometry_of(model& m, double t, const Eigen::VectorXd& x, const Eigen::VectorXd& p,
+                            const Eigen::VectorXd& r) {
+  const mechanics::multibody_system& system = m.system();
+  const mechanics::mechanism& mechanism = system.mechanism;
+  detail::evaluation placed(m), loaded(m);
+  for (int f = 0; f < mechanism.frames.size(); ++f) {
+    for (int axis = 0; axis < 3; ++axis) placed.ask(detail::basis_vector(mechanism, f, axis));
+    const mechanics::vector axis = detail::axis_of_rotation(mechanism, f);
+    placed.ask(axis);
+    placed.ask(axis.is_zero() ? mechanism.zero() : mechanism.frames[f].angle);
+  }
+  for (int i = 0; i < mechanism.points.size(); ++i)
+    placed.ask(mechanics::position_from(mechanism, mechanics::origin_of(mechanism, i), i));
+  for (const mechanics::body& b : mechanism.bodies) {
+    placed.ask(b.mass);
+    const mechanics::symmetric inertia =
+        b.frame == mechanics::none ? mechanics::symmetric(*mechanism.g)
+                                   : mechanics::central_inertia(mechanism, b, mechanics::mechanism::inertial);
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) placed.ask(inertia(i, j));
+  }
+  for (const mechanics::force& each : system.loads.forces) loaded.ask(each.value);
+  for (const mechanics::torque& each : system.loads.torques) loaded.ask(each.value);
+  if (system.loads.has_gravity) loaded.ask(system.loads.gravity);
+
+  geometry g;
+  g.status = placed.evaluate(t, x, p, r);
+  for (int f = 0; f < mechanism.frames.size(); ++f) {
+    Eigen::Matrix3d axes;
+    for (int axis = 0; axis < 3; ++axis) axes.col(axis) = placed.vector();
+    g.frames.push_back(axes);
+    g.rotation_axes.push_back(placed.vector());
+    g.angles.push_back(placed.number());
+  }
+  for (int i = 0; i < mechanism.points.size(); ++i) g.points.push_back(placed.vector());
+  for (int i = 0; i < mechanism.bodies.size(); ++i) {
+    g.masses.push_back(placed.number());
+    Eigen::Matrix3d inertia;
+    for (int row = 0; row < 3; ++row) inertia.row(row) = placed.vector();
+    g.inertias.push_back(inertia);
+  }
+  if (g.status) {
+    loaded.evaluate(t, x, p, r); // a load that depends on an unset input is NaN, which is no error
+    for (int i = 0; i < system.loads.forces.size(); ++i)
+      g.forces.push_back(detail::finite_or_zero(loaded.vector()));
+    for (int i = 0; i < system.loads.torques.size(); ++i)
+      g.torques.push_back(detail::finite_or_zero(loaded.vector()));
+    if (system.loads.has_gravity) g.gravity = detail::finite_or_zero(loaded.vector());
+  }
+  g.size = detail::extent(g);
+  return g;
+}
 
 } // namespace kanexpr::figures
-
-#ifndef KANEXPR_COMPILED_ENGINE
-#include <kanexpr/figures/geometry.ipp>
-#endif

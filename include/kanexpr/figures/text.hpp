@@ -1,9 +1,13 @@
 #pragma once
 
-#include <kanexpr/base/engine.hpp>
-
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace kanexpr::figures {
 
@@ -13,11 +17,72 @@ struct text {
   double width = 0; ///< in pixels
 };
 
+namespace detail {
+
+inline std::string_view greek(std::string_view word) {
+  constexpr auto letters = std::to_array<std::pair<std::string_view, std::string_view>>(
+      {{"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"},  {"epsilon", "ε"}, {"zeta", "ζ"},
+       {"eta", "η"},   {"theta", "θ"}, {"kappa", "κ"}, {"lambda", "λ"}, {"mu", "μ"},      {"nu", "ν"},
+       {"xi", "ξ"},    {"rho", "ρ"},   {"sigma", "σ"}, {"tau", "τ"},    {"phi", "φ"},     {"chi", "χ"},
+       {"psi", "ψ"},   {"omega", "ω"}, {"Omega", "Ω"}, {"Delta", "Δ"},  {"Phi", "Φ"},     {"pi", "π"}});
+  for (const auto& [name, letter] : letters)
+    if (name == word) return letter;
+  return word;
+}
+
+} // namespace detail
+
+namespace detail {
+
+/// A decimal number with at most four digits after the point.
+inline std::string shortened(std::string_view number) {
+  constexpr std::size_t digits = 4;
+  const std::size_t point = number.find('.');
+  if (point == std::string_view::npos || number.size() - point - 1 <= digits) return std::string(number);
+  const double rounded = std::round(std::strtod(std::string(number).c_str(), nullptr) * 1e4) / 1e4;
+  std::array<char, 32> text{};
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), rounded);
+  return {text.data(), written.ptr};
+}
+
+} // namespace detail
+
 /// Writes digits after a letter as a subscript, Greek letters by their signs, and a product without its sign.
-KANEXPR_ENGINE text typeset(std::string_view plain);
+inline text typeset(std::string_view plain) {
+  constexpr double letter = 7.4, subscript = 5.2;
+  text out;
+  const auto is = [](char c, int (*kind)(int)) { return kind(static_cast<unsigned char>(c)) != 0; };
+  for (std::size_t at = 0; at < plain.size();) {
+    std::size_t end = at;
+    if (is(plain[at], std::isalpha)) {
+      while (end < plain.size() && is(plain[end], std::isalpha)) ++end;
+      const std::string_view word = plain.substr(at, end - at), sign = detail::greek(word);
+      out.svg += sign;
+      out.width += letter * (sign == word ? static_cast<double>(word.size()) : 1.0);
+      at = end + (end < plain.size() && plain[end] == '_' ? 1 : 0);
+      for (end = at; end < plain.size() && is(plain[end], std::isalnum);) ++end;
+      if (end == at) continue;
+      out.svg += "<tspan class=\"sub\" dy=\"3\">" + std::string(plain.substr(at, end - at)) +
+                 "</tspan><tspan dy=\"-3\">\u200b</tspan>";
+      out.width += subscript * static_cast<double>(end - at);
+    } else if (is(plain[at], std::isdigit)) {
+      while (end < plain.size() && (is(plain[end], std::isdigit) || plain[end] == '.')) ++end;
+      const std::string number = detail::shortened(plain.substr(at, end - at));
+      out.svg += number;
+      out.width += letter * static_cast<double>(number.size());
+    } else {
+      const char c = plain[at];
+      end = at + 1;
+      out.svg += c == '*'   ? "\u2009"
+                 : c == '<' ? "&lt;"
+                 : c == '&' ? "&amp;"
+                 : c == '-' ? "−"
+                            : std::string(1, c);
+      out.width += c == '*' || c == '.' ? letter / 2 : letter;
+    }
+    at = end;
+  }
+  return out;
+}
 
 } // namespace kanexpr::figures
-
-#ifndef KANEXPR_COMPILED_ENGINE
-#include <kanexpr/figures/text.ipp>
-#endif

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/base/engine.hpp>
 #include <kanexpr/figures/geometry.hpp>
 
 #include <Eigen/Core>
@@ -40,15 +39,43 @@ inline view view_along(const Eigen::Vector3d& eye, const Eigen::Vector3d& upward
 
 } // namespace detail
 
+/// A view in which `upward`, in inertial axes, is up as far as the view permits.
+inline view view_of(const geometry& g, const Eigen::Vector3d& upward) {
+  constexpr double nearly_one = 0.99;
+  for (int axis : {2, 1, 0}) {
+    const Eigen::Vector3d normal = Eigen::Vector3d::Unit(axis);
+    if (std::abs(upward.normalized().dot(normal)) > nearly_one || !detail::is_planar(g, normal)) continue;
+    view planar = detail::view_along(normal, upward);
+    planar.is_planar = true;
+    return planar;
+  }
+  constexpr double azimuth = 28 * std::numbers::pi / 180, elevation = 20 * std::numbers::pi / 180;
+  const Eigen::Vector3d up = upward.normalized();
+  int along = 0;
+  up.cwiseAbs().maxCoeff(&along);
+  const Eigen::Vector3d front =
+      (Eigen::Vector3d::Unit((along + 1) % 3) - up * up((along + 1) % 3)).normalized();
+  const Eigen::Vector3d side = up.cross(front);
+  return detail::view_along((std::cos(elevation) * (std::cos(azimuth) * front + std::sin(azimuth) * side) +
+                             std::sin(elevation) * up),
+                            up);
+}
+
 /// The view of a textbook: of a planar system, perpendicular to its plane; of a spatial one, from above and
 /// from a side. Upward is opposite to gravity, otherwise along N.y in a plane and along N.z in space.
-KANEXPR_ENGINE view view_of(const geometry& g);
-
-/// A view in which `upward`, in inertial axes, is up as far as the view permits.
-KANEXPR_ENGINE view view_of(const geometry& g, const Eigen::Vector3d& upward);
+inline view view_of(const geometry& g) {
+  const auto nearest_axis = [](const Eigen::Vector3d& v) {
+    int along = 0;
+    v.cwiseAbs().maxCoeff(&along);
+    return Eigen::Vector3d(Eigen::Vector3d::Unit(along));
+  };
+  if (!g.gravity.isZero()) {
+    const Eigen::Vector3d up = -g.gravity.normalized();
+    const bool is_across = detail::is_planar(g, nearest_axis(up)) && g.points.size() > 1;
+    if (!is_across) return view_of(g, up);
+  }
+  const bool is_in_z = detail::is_planar(g, Eigen::Vector3d::UnitZ());
+  return view_of(g, is_in_z ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ());
+}
 
 } // namespace kanexpr::figures
-
-#ifndef KANEXPR_COMPILED_ENGINE
-#include <kanexpr/figures/view.ipp>
-#endif

@@ -1,0 +1,5 @@
+#pragma once
+
+/// Figures of textbooks: draw<System>(state, parameters) as SVG.
+
+#include <kanexpr/figures/figure.hpp>

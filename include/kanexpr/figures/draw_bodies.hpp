@@ -1,0 +1,99 @@
+#pragma once
+
+#include <kanexpr/figures/drawing.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+
+#include <Eigen/Core>
+#include <Eigen/Eigenvalues>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kanexpr::figures {
+
+/// A body without links is drawn as the silhouette of the homogeneous body with the same mass and inertia: an
+/// ellipsoid, a disc or a rod.
+inline void draw_bodies(drawing& d) {
+  const mechanics::mechanism& m = d.mechanism();
+  for (int i = 0; i < m.bodies.size(); ++i) {
+    if (m.bodies[i].frame != mechanics::none && d.has_links(m.bodies[i].frame)) continue;
+    const double mass = d.at.masses[static_cast<std::size_t>(i)];
+    const Eigen::Matrix3d& inertia = d.at.inertias[static_cast<std::size_t>(i)];
+    if (m.bodies[i].frame == mechanics::none || !(mass > 0) || !inertia.allFinite() || inertia.isZero())
+      continue;
+    const Eigen::Matrix3d moments =
+        (0.5 * inertia.trace() * Eigen::Matrix3d::Identity() - inertia) / mass; // Σ m r rᵀ / Σ m
+    const Eigen::Vector3d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments).eigenvalues();
+    const auto dimensions = (principal.array() > 1e-6 * principal.maxCoeff()).count();
+    const double per_dimension = dimensions >= 3 ? 5 : dimensions == 2 ? 4 : 3;
+    Eigen::Matrix<double, 2, 3> project;
+    project << d.seen.right.transpose(), d.seen.up.transpose();
+    Eigen::Matrix2d silhouette = per_dimension * d.scale * d.scale * project * moments * project.transpose();
+    silhouette.diagonal().array() += 16; // visible if it is thin
+    d.on.ellipse(layer::bodies, d.picture(m.bodies[i].center), silhouette, "volume " + d.color_of_body(i));
+  }
+}
+
+inline void draw_links(drawing& d, bool with_lengths) {
+  const mechanics::mechanism& m = d.mechanism();
+  for (int i = 0; i < m.points.size(); ++i) {
+    const mechanics::point& p = m.points[i];
+    if (p.parent == mechanics::none) continue;
+    const Eigen::Vector2d from = d.picture(p.parent), to = d.picture(i);
+    if ((to - from).norm() < 1) continue;
+    const int frame = detail::frame_of(p.offset), body = frame > 0 ? d.body_of_frame(frame) : mechanics::none;
+    const bool is_rigid = frame > 0;
+    if (body != mechanics::none) d.on.line(layer::bodies, from, to, "solid " + d.color_of_body(body));
+    d.on.line(layer::lines, from, to, is_rigid ? "rod" : "dashed");
+    const detail::single_component along = detail::single_component_of(p.offset);
+    if (!with_lengths || along.axis == detail::no_axis || along.value.is_constant()) continue;
+    const Eigen::Vector2d direction = (to - from).normalized();
+    d.on.label((from + to) / 2, {-direction(1), direction(0)}, typeset(d.name_of_size(along.value)),
+               "length");
+  }
+}
+
+/// The sign of a point that is fixed in the inertial frame.
+inline void draw_ground(drawing& d, const Eigen::Vector2d& here) {
+  using vector = Eigen::Vector2d;
+  d.on.line(layer::lines, here + vector(-16, -9), here + vector(16, -9), "pale");
+  for (int k = -3; k <= 3; ++k)
+    d.on.line(layer::lines, here + vector(5 * k, -9), here + vector(5 * k - 4, -14), "pale");
+}
+
+inline void draw_mass_center(drawing& d, const Eigen::Vector2d& here) {
+  using vector = Eigen::Vector2d;
+  d.on.circle(layer::marks, here, 5, "hollow");
+  for (const double side : {1.0, -1.0})
+    d.on.path(
+        layer::marks,
+        {here, here + side * vector(0, 5), here + side * vector(3.5, 3.5), here + side * vector(5, 0), here},
+        "filled");
+}
+
+/// Draws bodies at their mass centers and, unless the figure is crowded, the other points.
+inline void draw_points(drawing& d, bool with_names) {
+  const mechanics::mechanism& m = d.mechanism();
+  const auto label = [&](int point, std::string_view called) {
+    if (with_names) d.on.label(d.picture(point), {0.8, -0.8}, typeset(called), "name");
+  };
+  std::vector<bool> is_center(d.at.points.size());
+  for (int i = 0; i < m.bodies.size(); ++i) {
+    const mechanics::body& b = m.bodies[i];
+    is_center[static_cast<std::size_t>(b.center)] = true;
+    if (b.frame == mechanics::none)
+      d.on.circle(layer::marks, d.picture(b.center), 6, "filled " + d.color_of_body(i));
+    else
+      draw_mass_center(d, d.picture(b.center));
+    label(b.center, b.called.view());
+  }
+  for (int i = 0; i < m.points.size(); ++i) {
+    if (m.points[i].parent == mechanics::none) draw_ground(d, d.picture(i));
+    if (is_center[static_cast<std::size_t>(i)] || d.is_crowded()) continue;
+    d.on.circle(layer::marks, d.picture(i), 3, "hollow");
+    label(i, m.points[i].called.view());
+  }
+}
+
+} // namespace kanexpr::figures

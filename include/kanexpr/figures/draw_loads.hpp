@@ -1,0 +1,106 @@
+#pragma once
+
+#include <kanexpr/figures/drawing.hpp>
+
+#include <Eigen/Core>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace kanexpr::figures {
+
+namespace detail {
+
+/// A unit vector perpendicular to another one.
+inline Eigen::Vector3d across(const Eigen::Vector3d& v) {
+  int least = 0;
+  v.cwiseAbs().minCoeff(&least);
+  return v.cross(Eigen::Vector3d::Unit(least)).normalized();
+}
+
+} // namespace detail
+
+/// The only component of a load, or a name for it if there are several or the component is long.
+inline text label_of_load(const drawing& d, const mechanics::vector& value, std::string_view otherwise) {
+  constexpr std::size_t longest = 24;
+  const detail::single_component along = detail::single_component_of(value);
+  const std::string component = along.axis == detail::no_axis ? std::string() : d.name_of_size(along.value);
+  return typeset(component.empty() || component.size() > longest ? otherwise : component);
+}
+
+inline void draw_force(drawing& d, int i) {
+  const mechanics::force& each = d.system.loads.forces[i];
+  const Eigen::Vector2d along = d.seen(d.at.forces[static_cast<std::size_t>(i)].normalized());
+  if (along.norm() < 0.05) return;
+  const Eigen::Vector2d here = d.picture(each.point), tip = here + 58 * along;
+  d.on.arrow(layer::axes, here, tip, "load");
+  d.on.label(tip, along, label_of_load(d, each.value, "F"), "load");
+}
+
+inline void draw_torque(drawing& d, int i) {
+  const mechanics::torque& each = d.system.loads.torques[i];
+  const int place = d.place_of_frame[static_cast<std::size_t>(each.frame)];
+  const Eigen::Vector3d about = d.at.torques[static_cast<std::size_t>(i)].normalized();
+  if (place == mechanics::none || about.isZero()) return;
+  const Eigen::Vector3d start = detail::across(about);
+  std::vector<Eigen::Vector2d> through;
+  constexpr int pieces = 24;
+  for (int k = 0; k <= pieces; ++k) {
+    const double turned = (0.3 + 1.2 * k / pieces) * std::numbers::pi;
+    through.push_back(d.picture(place) + 20 * d.seen(Eigen::AngleAxisd(turned, about) * start));
+  }
+  d.on.path(layer::axes, through, "load", 8);
+  d.on.label(through[pieces / 2], through[pieces / 2] - d.picture(place), label_of_load(d, each.value, "τ"),
+             "load");
+}
+
+inline void draw_spring(drawing& d, const Eigen::Vector2d& from, const Eigen::Vector2d& along,
+                        const Eigen::Vector2d& aside) {
+  std::vector<Eigen::Vector2d> zigzag{from, from + 0.15 * along};
+  for (int k = 0; k < 9; ++k)
+    zigzag.push_back(from + (0.19 + 0.0775 * k) * along + (k % 2 == 0 ? 1 : -1) * aside);
+  zigzag.push_back(from + 0.85 * along), zigzag.push_back(from + along);
+  d.on.path(layer::axes, zigzag, "load");
+}
+
+inline void draw_damper(drawing& d, const Eigen::Vector2d& from, const Eigen::Vector2d& along,
+                        const Eigen::Vector2d& aside) {
+  const Eigen::Vector2d piston = from + 0.5 * along, open = from + 0.42 * along, closed = from + 0.62 * along;
+  d.on.line(layer::axes, from, piston, "load");
+  d.on.line(layer::axes, piston + 0.8 * aside, piston - 0.8 * aside, "load");
+  d.on.path(layer::axes, {open + aside, closed + aside, closed - aside, open - aside}, "load");
+  d.on.line(layer::axes, closed, from + along, "load");
+}
+
+inline void draw_loads(drawing& d) {
+  for (int i = 0; i < d.system.loads.forces.size(); ++i) draw_force(d, i);
+  for (int i = 0; i < d.system.loads.torques.size(); ++i) draw_torque(d, i);
+  for (const mechanics::spring_damper& each : d.system.loads.spring_dampers) {
+    const Eigen::Vector2d from = d.picture(each.point), along = d.picture(each.other) - from;
+    if (along.norm() < 4) continue;
+    const Eigen::Vector2d aside = 6 * Eigen::Vector2d(-along(1), along(0)).normalized();
+    const bool has_spring = !each.stiffness.is_zero(), has_damper = !each.damping.is_zero();
+    const Eigen::Vector2d beside = has_spring ? Eigen::Vector2d(-2.6 * aside) : Eigen::Vector2d(0, 0);
+    if (has_spring) {
+      draw_spring(d, from, along, aside);
+      d.on.label(from + along / 2, aside, typeset(d.name_of_size(each.stiffness)), "load");
+    }
+    if (has_damper) {
+      draw_damper(d, from + beside, along, aside);
+      d.on.label(from + along / 2 + beside, -aside, typeset(d.name_of_size(each.damping)), "load");
+    }
+  }
+}
+
+inline void draw_gravity(drawing& d) {
+  const Eigen::Vector2d along = d.seen(d.at.gravity.normalized());
+  if (along.norm() < 0.05) return;
+  const detail::single_component value = detail::single_component_of(d.system.loads.gravity);
+  const Eigen::Vector2d from(d.on.most()(0) + 48, d.on.most()(1) - 6), to = from + 44 * along;
+  d.on.arrow(layer::axes, from, to, "load");
+  const std::string called = value.axis == detail::no_axis ? "g" : d.name_of_size(value.value);
+  d.on.label((from + to) / 2, {1, 0}, typeset(called), "load");
+}
+
+} // namespace kanexpr::figures

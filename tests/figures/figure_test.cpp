@@ -1,0 +1,153 @@
+// What is drawn: positions, directions and names, read from the SVG.
+#include "models/double_pendulum.hpp"
+#include "models/rolling_disc.hpp"
+
+#include <kanexpr/figures.hpp>
+#include <kanexpr/runtime/builder.hpp>
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace kanexpr;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace crane { // a cart with a spring and a damper to a wall, and a pendulum
+constexpr coordinate<"x"> x;
+constexpr coordinate<"theta"> theta;
+constexpr speed<"v"> v;
+constexpr speed<"w"> w;
+constexpr parameter<"l"> l;
+constexpr parameter<"k"> k;
+constexpr parameter<"c1"> c1;
+constexpr input<"F"> F;
+
+struct N : inertial_frame<N> {};
+struct A : rotated<A, N, theta, N::z> {};
+struct O : origin<O, N> {};
+struct Wall : offset<Wall, O, -2.0 * N::x> {};
+struct C : offset<C, O, x * N::x> {};
+struct P : offset<P, C, -l * A::y> {};
+struct Cart : particle<Cart, C, 1.0> {};
+struct Bob : particle<Bob, P, 1.0> {};
+struct System
+    : kane_system<
+          inertial<N>, coordinates<x, theta>, speeds<v, w>, kinematics<dot(x) == v, dot(theta) == w>,
+          bodies<Cart, Bob>,
+          loads<gravity<-9.81 * N::y>, force<C, F * N::x>, spring<C, Wall, k, 1.0>, damper<C, Wall, c1>>> {};
+} // namespace crane
+
+figure crane_at(double x, double theta, const figure_options& how = {}) {
+  using namespace crane;
+  return draw<System>({{crane::x, x}, {crane::theta, theta}, {v, 0}, {w, 0}}, {{l, 1.5}, {k, 3}, {c1, 1}},
+                      {{F, 2}}, how);
+}
+
+std::vector<Eigen::Vector2d> circles(const std::string& svg, const std::string& style) {
+  static const std::regex number(R"re(cx="([-.0-9]+)" cy="([-.0-9]+)")re");
+  std::vector<Eigen::Vector2d> found;
+  for (std::size_t at = 0; (at = svg.find("<circle class=\"" + style + "\"", at)) != std::string::npos;
+       ++at) {
+    std::smatch match;
+    const std::string rest = svg.substr(at, 120);
+    if (std::regex_search(rest, match, number)) found.emplace_back(std::stod(match[1]), -std::stod(match[2]));
+  }
+  return found;
+}
+
+std::string without_tags(const std::string& svg) {
+  return std::regex_replace(svg.substr(svg.find("</style>")), std::regex("<[^>]*>|\u200b"), "");
+}
+
+TEST(figure, places_points_in_the_plane) {
+  const figure f = crane_at(0.6, 0.4);
+  ASSERT_TRUE(f) << f.cause();
+  const double scale = 230 / (2.6 + 1.5 * std::sin(0.4)); // from the wall to the bob
+  const auto cart = circles(f.svg(), "filled b0"), bob = circles(f.svg(), "filled b1");
+  ASSERT_EQ(cart.size(), 1);
+  ASSERT_EQ(bob.size(), 1);
+  EXPECT_NEAR(cart[0](0), scale * 0.6, 0.06);
+  EXPECT_NEAR(cart[0](1), 0, 0.06);
+  EXPECT_NEAR(bob[0](0), scale * (0.6 + 1.5 * std::sin(0.4)), 0.06);
+  EXPECT_NEAR(bob[0](1), scale * -1.5 * std::cos(0.4), 0.06);
+}
+
+TEST(figure, has_the_names_of_the_model) {
+  const std::string seen = without_tags(crane_at(0.6, 0.4).svg());
+  for (const char* name : {"\nx\n", "\nl\n", "\nθ\n", "\nk\n", "\nc1\n", "\nF\n", "\n9.81\n", "\nCart\n",
+                           "\nBob\n", "\nWall\n", "\nN.x\n", "\nN.y\n", "\nN.z\n", "\nA.x\n", "\nA.y\n"})
+    EXPECT_THAT(seen, HasSubstr(name));
+}
+
+TEST(figure, leaves_out_what_is_not_wanted) {
+  const figure_options bare{.axes = false, .angles = false, .lengths = false, .loads = false, .names = false};
+  EXPECT_THAT(crane_at(0.6, 0.4, bare).svg(), Not(HasSubstr("<text")));
+  EXPECT_THAT(crane_at(0.6, 0.4, bare).svg(), HasSubstr("filled b1"));
+}
+
+TEST(figure, labels_cover_neither_each_other_nor_the_model_much) {
+  using namespace double_pendulum;
+  for (const double angle : {0.1, 0.5, 1.2, 2.5, -0.7}) {
+    const figure f = draw<System>(
+        {{q1, angle}, {q2, angle / 2}, {u1, 0}, {u2, 0}},
+        {{m1, 1}, {m2, 1}, {d1, 0.5}, {d2, 0.5}, {l1, 1}, {I1, 0.1}, {I2, 0.1}, {g, 9.81}, {c1, 0}, {c2, 0}},
+        {{T1, 1}, {T2, 0}});
+    ASSERT_TRUE(f) << f.cause();
+    std::vector<Eigen::Vector2d> at;
+    static const std::regex text(R"re(<text class="\w+" x="([-.0-9]+)" y="([-.0-9]+)")re");
+    for (std::sregex_iterator i(f.svg().begin(), f.svg().end(), text), end; i != end; ++i)
+      at.emplace_back(std::stod(i->str(1)), std::stod(i->str(2)));
+    EXPECT_GT(at.size(), 10);
+    for (std::size_t i = 0; i < at.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        EXPECT_FALSE(std::abs(at[i](1) - at[j](1)) < 8 && std::abs(at[i](0) - at[j](0)) < 8) << angle;
+  }
+}
+
+TEST(figure, is_upright_where_gravity_points_down) {
+  // x down in the simple pendulum of the README: the bob hangs below the pivot
+  runtime::builder b("N");
+  const auto q = b.coordinate("q"), u = b.speed("u");
+  b.kinematic_equation(b.dot(q) - u);
+  const auto A = b.rotated("A", b.inertial_frame(), q, b.along(b.inertial_frame(), 0.0, 0.0, 1.0));
+  const auto O = b.origin("O");
+  b.particle("Bob", b.offset("P", O, b.along(A, 1.0, 0.0, 0.0)), b.number(1));
+  b.gravity(b.along(b.inertial_frame(), 9.81, 0.0, 0.0));
+  model m = derive(b);
+  const figure f = draw(m, {{"q", 0.3}, {"u", 0.0}});
+  ASSERT_TRUE(f) << f.cause();
+  const Eigen::Vector2d bob = circles(f.svg(), "filled b0").at(0);
+  EXPECT_NEAR(std::atan2(bob(0), -bob(1)), 0.3, 1e-3);
+}
+
+TEST(figure, shows_a_disc_in_space) {
+  using namespace rolling_disc;
+  model m = derive<System>();
+  const Eigen::VectorXd x = Eigen::VectorXd::Constant(m.known()->coordinates + m.known()->speeds, 0.4),
+                        p = Eigen::VectorXd::Ones(m.mechanism().parameters.size());
+  const figure f = draw(m, x, p);
+  ASSERT_TRUE(f) << f.cause();
+  EXPECT_THAT(f.svg(), HasSubstr("<ellipse"));
+  EXPECT_EQ(f.svg(), draw(m, x, p).svg());
+  EXPECT_THAT(f.svg(), HasSubstr("prefers-color-scheme: dark"));
+  EXPECT_NE(f.svg(), draw(m, x, p, {}, {.eye = Eigen::Vector3d(1, 1, 1)}).svg());
+}
+
+TEST(figure, reports_why_there_is_none) {
+  using namespace crane;
+  EXPECT_EQ((draw<System>({{x, 1}, {theta, 0}, {v, 0}, {w, 0}}, {{l, 1}, {k, 3}}).cause()),
+            "parameter c1 has no value");
+  EXPECT_EQ((draw<System>({{x, NAN}, {theta, 0}, {v, 0}, {w, 0}}, {{l, 1}, {k, 3}, {c1, 0}}).cause()),
+            "the value of coordinate x is not a number");
+  const figure f = crane_at(0, 0);
+  EXPECT_THAT(std::string(f.write("/nowhere/figure.svg").cause()),
+              "the figure cannot be written to /nowhere/figure.svg");
+}
+
+} // namespace
