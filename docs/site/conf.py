@@ -1,0 +1,27 @@
+"""The site: pages of docs/ and what they link to, staged by stage.py, with the reference that reference.py writes."""
+
+from pygments.lexers.c_cpp import CppLexer
+
+project = "kanexpr"
+author = "the kanexpr authors"
+extensions = ["myst_parser"]
+source_suffix = {".md": "markdown"}
+root_doc = "docs/index"
+exclude_patterns = ["docs/site"]
+
+myst_enable_extensions = ["deflist"]
+myst_heading_anchors = 4
+suppress_warnings = ["toc.not_included"]  # pages of the source tree, which others link to
+
+html_theme = "furo"
+html_title = "kanexpr"
+html_extra_path = ["extra"]
+html_copy_source = False
+html_show_sphinx = False
+highlight_language = "none"
+pygments_style = "friendly"
+pygments_dark_style = "monokai"
+
+
+def setup(app):
+    app.add_lexer("hpp", CppLexer)
