@@ -9,7 +9,8 @@ function(kanexpr_add_harness name engine)
   target_link_libraries(${name} PUBLIC ${engine} kanexpr_strict GTest::gmock GTest::gtest_main)
   # Eigen calls malloc directly: replacing operator new would not detect it.
   target_link_options(${name} INTERFACE
-    LINKER:--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=posix_memalign)
+    LINKER:--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=posix_memalign
+    LINKER:--undefined=__wrap_malloc) # from the harness, before a library needs it
 
   foreach(header IN LISTS kanexpr_harness_headers)
     set(sources ${header}.cpp)

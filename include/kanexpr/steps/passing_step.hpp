@@ -26,7 +26,7 @@ Vector own_vector(const Given& given) {
   if constexpr (std::is_same_v<Given, omitted>)
     return Vector::Zero();
   else
-    return passed<Vector>(given);
+    return compiled::forwarded<Vector>(given);
 }
 
 /// The equations of all speeds, evaluated at the nearest state that satisfies the constraints, in the form

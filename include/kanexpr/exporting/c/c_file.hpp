@@ -19,21 +19,21 @@
 namespace kanexpr::exporting {
 
 /// The text around the functions in C, and the functions that they call.
-namespace c {
+namespace detail {
 
-inline constexpr std::string_view header = template_text(
+inline constexpr std::string_view c_header = template_text(
 #include <kanexpr/exporting/c/header.h.in>
 );
 
-inline constexpr std::string_view source = template_text(
+inline constexpr std::string_view c_source = template_text(
 #include <kanexpr/exporting/c/source.c.in>
 );
 
-inline constexpr std::string_view helpers = template_text(
+inline constexpr std::string_view c_helpers = template_text(
 #include <kanexpr/exporting/c/helpers.c.in>
 );
 
-} // namespace c
+} // namespace detail
 
 /// Writes NAME.h and NAME.c: a C99 function for each function of the system, without branches and without
 /// allocating memory.
@@ -43,7 +43,7 @@ public:
 
   std::string header() const {
     std::string text = fill_template(
-        c::header,
+        detail::c_header,
         {{"title", title()}, {"changed", renamed_symbols_comment()}, {"name", name()}, {"places", places()}});
     for (const exported_function& f : system().functions) text += declaration(f);
     text += "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
@@ -54,7 +54,7 @@ public:
     std::string bodies;
     for (const exported_function& f : system().functions) bodies += definition(f);
     std::string text = fill_template(
-        c::source, {{"title", title()}, {"own_header", "#include \"" + name() + ".h\""}, {"name", name()}});
+        detail::c_source, {{"title", title()}, {"own_header", "#include \"" + name() + ".h\""}, {"name", name()}});
     text += helpers(bodies);
     return text + bodies;
   }
@@ -229,7 +229,7 @@ private:
             in_text(std::string("\n@name@_INLINE @number@ @name@_") + symbolic::function_name(each) +
                     (symbolic::is_binary(each) ? "(@number@ x, @number@ y) {\n" : "(@number@ x) {\n") +
                     symbolic::spelling_of(each).body + "}\n");
-    const auto part = [&](const char* called) { return in_text(template_part(c::helpers, called)); };
+    const auto part = [&](const char* called) { return in_text(template_part(detail::c_helpers, called)); };
     const bool turns = calls("sine_and_cosine"),
                chooses = calls("choose") || functions.find("_choose(") != functions.npos;
     std::string text;

@@ -88,7 +88,12 @@ private:
   static constexpr bool has_no_effect(expression energy) { return energy.is_constant(); }
 
   static constexpr bool are_equal(const vector& a, const vector& b, int sign) {
-    return (sign < 0 ? a + b : a - b).is_zero();
+    vector difference = a;
+    if (sign < 0)
+      difference.add(b);
+    else
+      difference.subtract(b);
+    return difference.is_zero();
   }
   static constexpr bool are_equal(expression a, expression b, int) { return a == b; }
 
