@@ -17,26 +17,33 @@ namespace describe {
 template <shape kind, class... Operands>
 constexpr auto misused(misuse what, const Operands&... x);
 
-/// An expression of a model as tokens in postfix order.
-template <shape is, int size>
+} // namespace describe
+
+/// An expression of a model as tokens in postfix order. It belongs to kanexpr itself, so that its operators
+/// and functions are found in every namespace.
+template <describe::shape is, int size>
 struct postfix {
-  static constexpr shape kind = is;
-  token tokens[static_cast<std::size_t>(size)];
+  static constexpr describe::shape kind = is;
+  describe::token tokens[static_cast<std::size_t>(size)];
 
   // C++ allows only members for these operators, whose use is a mistake.
   template <class Right>
   constexpr auto operator=(const Right& other) const {
-    return misused<shape::equation>(misuse::assignment, *this, other);
+    return describe::misused<describe::shape::equation>(describe::misuse::assignment, *this, other);
   }
   template <class Index>
   constexpr auto operator[](const Index&) const {
-    return misused<shape::scalar>(misuse::index, *this);
+    return describe::misused<describe::shape::scalar>(describe::misuse::index, *this);
   }
   template <class... Arguments>
   constexpr auto operator()(const Arguments&...) const {
-    return misused<shape::scalar>(misuse::arguments, *this);
+    return describe::misused<describe::shape::scalar>(describe::misuse::arguments, *this);
   }
 };
+
+namespace describe {
+
+using kanexpr::postfix;
 
 } // namespace describe
 

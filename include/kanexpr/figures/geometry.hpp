@@ -6,7 +6,7 @@
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
-#include <kanexpr/mechanics/model/points.hpp>
+#include <kanexpr/mechanics/model/position.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
