@@ -77,7 +77,7 @@ inline void draw_loads(drawing& d) {
   for (int i = 0; i < d.system.loads.forces.size(); ++i) draw_force(d, i);
   for (int i = 0; i < d.system.loads.torques.size(); ++i) draw_torque(d, i);
   for (const mechanics::spring_damper& each : d.system.loads.spring_dampers) {
-    const Eigen::Vector2d from = d.picture(each.point), along = d.picture(each.other) - from;
+    const Eigen::Vector2d from = d.picture(each.point), along = d.picture(each.against) - from;
     if (along.norm() < 4) continue;
     const Eigen::Vector2d aside = 6 * Eigen::Vector2d(-along(1), along(0)).normalized();
     const bool has_spring = !each.stiffness.is_zero(), has_damper = !each.damping.is_zero();
