@@ -1,7 +1,7 @@
 #pragma once
 
-/// Animated pages of moving systems: the appearance of a system described as types, and a page that a browser
-/// opens without a network. Requires nlohmann-json; the page itself is built by the CMake target
+/// Animated pages of moving systems: describe the appearance of a system as types, and write a page that a
+/// browser can open offline. Requires nlohmann-json; the page itself is built by the CMake target
 /// kanexpr::animate, with npm.
 
 #include <kanexpr/compiler.hpp>

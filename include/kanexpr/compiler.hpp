@@ -1,7 +1,7 @@
 #pragma once
 
-/// Checks the compiler and its options. Compilation must stop after an error sentence. An error does not stop
-/// it, but a missing file does, as do classes that require each other.
+/// Checks the compiler and its options. Compilation must stop after an error sentence. The error itself does
+/// not stop it, but a missing header or an endless recursion of class templates does.
 
 #if __cplusplus < 202002L
 #error "kanexpr requires C++20: compile with -std=c++20 or a later standard"

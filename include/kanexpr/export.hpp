@@ -1,6 +1,6 @@
 #pragma once
 
-/// Models exported by a program to other languages and tools: `write_c`, `write_casadi`.
+/// Export models from a program to other languages and tools: `write_c`, `write_casadi`.
 
 #include <kanexpr/symbolic.hpp>
 

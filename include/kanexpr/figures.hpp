@@ -1,5 +1,5 @@
 #pragma once
 
-/// Figures of textbooks: draw<System>(state, parameters) as SVG.
+/// Textbook-style figures: draw<System>(state, parameters) draws a system as SVG.
 
 #include <kanexpr/figures/figure.hpp>

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Models exported by a program as FMUs for simulation tools: `write_fmu`. Link kanexpr::fmi.
+/// Export models from a program as FMUs for simulation tools: `write_fmu`. Link kanexpr::fmi.
 
 #include <kanexpr/symbolic.hpp>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Joints for the description of mechanisms, the words of `describe/joints`. This header does not derive
-/// anything; also include `kanexpr.hpp` and, for joint loads, `reactions.hpp`.
+/// Joints for describing mechanisms, the words of `describe/joints`. This header does not derive anything;
+/// also include `kanexpr.hpp` and, for joint loads, `reactions.hpp`.
 
 #include <kanexpr/describe.hpp>
 

@@ -464,8 +464,8 @@ one.free()
 one = Instance(slider, "CoSimulation").initialize()
 statuses = [one.step(k / 8, 1 / 8)[0] for k in range(10)]
 assert statuses == [OK] * 9 + [DISCARD]
-assert one.told[-1] == (DISCARD, "the step passes or comes close to a position where the constraints cannot be "
-                         "solved for the dependent speeds: use a model with a different dependent<...> if only this "
+assert one.told[-1] == (DISCARD, "the step passes through or comes close to a position where the constraints "
+                         "cannot be solved for the dependent speeds: use a model with a different dependent<...> if only this "
                          "choice is singular")
 one.free()
 

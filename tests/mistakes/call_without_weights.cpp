@@ -13,7 +13,7 @@ int main() {
   double sum = 0;
   // expect: hessian needs a weight for each rate of the state: call it as hessian(x, p, r, w)
   sum += to_second::hessian(x, p, r)(0);
-  // expect: hessian_product needs a direction, a change of the state and the inputs: call it as
+  // expect: hessian_product needs a direction (a change in the state and the inputs): call it as
   // expect: hessian_product(x, p, r, w, v)
   sum += to_second::hessian_product(x, p, r, w)(0);
   // expect: a sensitivity is requested with respect to q; it must be a parameter

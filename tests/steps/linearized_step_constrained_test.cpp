@@ -36,8 +36,8 @@ void expect_a_refusal(auto linearized_or_second) {
   const kanexpr::status plain = Step{}(t, same, 1e-3, p);
   EXPECT_EQ(
       plain.cause(),
-      "the step passes or comes close to a position where the constraints cannot be solved for the dependent "
-      "speeds: use passing<...>, or a different dependent<...> if only this choice is singular");
+      "the step passes through or comes close to a position where the constraints cannot be solved for the "
+      "dependent speeds: use passing<...>, or a different dependent<...> if only this choice is singular");
   EXPECT_EQ(linearized_or_second(x, 1e-3, p), plain.cause());
 }
 

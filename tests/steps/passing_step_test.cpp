@@ -82,8 +82,9 @@ TEST(fixed_step, refuses_to_pass_a_singular_position) {
     while (s && t < 10) s = runge_kutta_4<System>{}(t, x, h);
     EXPECT_EQ(
         s.cause(),
-        "the step passes or comes close to a position where the constraints cannot be solved for the "
-        "dependent speeds: use passing<...>, or a different dependent<...> if only this choice is singular");
+        "the step passes through or comes close to a position where the constraints cannot be solved for "
+        "the dependent speeds: use passing<...>, or a different dependent<...> if only this choice is "
+        "singular");
     EXPECT_NEAR(t, 0.7143, 1e-3);
     EXPECT_NEAR(x[q1], 0, 1e-2);
     EXPECT_NEAR(energy(x[q1], x[u1]), energy(upright()[q1], -1), 1e-6);

@@ -159,7 +159,7 @@ struct weighted_call {
       keep(base::sentence({result, " needs a weight for each rate of the state: call it as ", result,
                            given.direction ? "(x, p, r, w, v)" : "(x, p, r, w)"}));
     if (given.direction && std::is_same_v<Direction, omitted>)
-      keep(base::sentence({result, " needs a direction, a change of the state and the inputs: call it as ",
+      keep(base::sentence({result, " needs a direction (a change in the state and the inputs): call it as ",
                            result, given.weights ? "(x, p, r, w, v)" : "(x, p, r, v)"}));
     keep(check_size("weight", system, entries_of<Weights>(), state));
     keep(check_size("direction", system, entries_of<Direction>(), state + known.inputs));

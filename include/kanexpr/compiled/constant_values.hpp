@@ -13,7 +13,7 @@ namespace compiled {
 
 /// Returns a vector of a system from values given by name, for constant expressions. Dependent symbols may be
 /// omitted and are zero. Other entries without a value, or with two values, are NaN; if a name does not
-/// belong to the system, all entries are. clang++ rejects any further use of them.
+/// belong to the system, all entries are NaN. clang++ rejects any further use of NaN entries.
 template <class System, symbols_of which>
 constexpr auto constant_values(std::initializer_list<entry<System, which, double>> named) {
   constexpr symbol_range range = range_of(which, survey_of<System>);

@@ -289,7 +289,7 @@ private:
       into.value = done.template result<first>();
     else
       static_cast<Number&>(into) =
-          done.template result<first>(); // a class type of numbers may also carry a status
+          done.template result<first>(); // a scalar of class type may also carry a status
   }
 
 protected:

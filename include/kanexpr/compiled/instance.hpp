@@ -77,7 +77,7 @@ struct vectors {
 /// explicitly; other files declare it by `extern template`.
 ///
 /// Eigen aligns vectors according to the vector instructions enabled in a file. The alignment is part of the
-/// name, so that files with different vector layouts do not link.
+/// name, so that files with different vector layouts cannot be linked together.
 template <class Number, class Function, int alignment = EIGEN_MAX_STATIC_ALIGN_BYTES>
 struct instance {
   using vectors = compiled::vectors<typename results_with_status<Function>::System, Number>;

@@ -123,7 +123,7 @@ struct given_inputs
   using given_inputs::given_values::given_values;
 };
 
-/// The initial guess for a state or for inputs that are searched for; omitted entries start at zero.
+/// The initial guess for a state or for inputs that a search determines; omitted entries start at zero.
 template <class System>
 struct guessed_state
     : compiled::given_values<System, compiled::symbols_of::state, kanexpr::state<System>, true> {

@@ -13,7 +13,7 @@ namespace kanexpr {
 /// Second-order derivatives of a weighted sum of the rates, λᵀẋ with ẋ = [q̇; u̇], as compiled functions for
 /// optimal control. They are taken with respect to z = [q; u; r], the whole state and the inputs, as if the
 /// state were unconstrained. λ, the argument w, contains a weight for each rate; with zeros for q̇, the sum
-/// is λᵀu̇. A direction v is a change of z. No inverse is differentiated, and all derivatives are exact.
+/// is λᵀu̇. A direction v is a change in z. No inverse is differentiated, and all derivatives are exact.
 ///
 /// Quaternions must have norm 1; derivatives in the direction that changes the norm are meaningless.
 template <class System>

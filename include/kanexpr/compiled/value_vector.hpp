@@ -85,8 +85,8 @@ private:
 
   static Scalar from(double value) { return lower::scalar_math<Scalar>::from(value); }
 
-  /// Uses plain loops, like the rest of the library: the compiler would instantiate Eigen's vector functions
-  /// for each system.
+  /// Uses plain loops, like the rest of the library, because the compiler would instantiate Eigen's vector
+  /// functions for each system.
   void fill(const Scalar& value) { std::fill_n(this->data(), range.size, value); }
 
   template <class Derived>

@@ -13,8 +13,8 @@ struct cause_sizes {
   int letters = 0;
 };
 
-/// The reasons why results may have no value at a state, as consecutive sentences. The arrays are unused
-/// beyond the sizes.
+/// The reasons why results may have no value at a state, as consecutive sentences. Array elements beyond the
+/// sizes are unused.
 template <cause_sizes room>
 struct cause_list {
   cause_sizes sizes{};

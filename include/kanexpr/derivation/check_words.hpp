@@ -24,7 +24,8 @@ constexpr sentence check_symbol_among_words(const describe::token& t, std::strin
       {one, "<...> is among the words of ", system, ", but is a symbol; the word is ", list, "<...>"});
 }
 
-/// Checks for base classes next to a system or one of its words: `struct System : kane_system<…>, loads<…>`.
+/// Checks for base classes in addition to a system or one of its words: `struct System : kane_system<…>,
+/// loads<…>`.
 template <class Type>
 constexpr sentence check_base_classes() {
   constexpr bool is_system = __is_base_of(describe::whole_systems, Type);
@@ -104,7 +105,7 @@ constexpr bool lists_joint(const describe::listing<describe::body_record>& bodie
   return false;
 }
 
-/// Checks for words of one method in a system of the other, and for incompatible words.
+/// Checks for words that belong to the other method, and for incompatible words.
 template <class System>
 constexpr sentence check_method(std::string_view called) {
   const bool bodies = System::count_of_word("bodies") != 0 || brings_body(System::record.joints),

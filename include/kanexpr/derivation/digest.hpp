@@ -9,8 +9,8 @@
 /// Hashes that identify models and code across runs and builds of a program.
 namespace kanexpr::derivation {
 
-/// Adds the user functions to a digest. They are identified only by their names, entities by their effect on
-/// the derivation.
+/// Adds the user functions to a digest. User functions are identified only by their names, whereas entities
+/// are identified by their effect on the derivation.
 template <class Holder>
 constexpr void take_externals(base::digest& all, const Holder& externals, int count) {
   for (int i = 0; i < count; ++i) all.take(externals[i]->called.view());

@@ -15,8 +15,9 @@
 namespace kanexpr::derivation {
 
 /// One hash per entity of a system; each covers everything that describes the entity. Two source files may
-/// have different entities of the same name; the linker keeps one of them. A program that derives a system at
-/// run time detects this by comparing with the hashes that the compiler computed in the intended file.
+/// define different entities with the same name; the linker keeps one of them. A program that derives a
+/// system at run time detects this by comparing with the hashes that the compiler computed in the intended
+/// file.
 class entity_digests {
   using frame_record = describe::frame_record;
   using point_record = describe::point_record;

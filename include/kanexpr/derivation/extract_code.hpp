@@ -65,8 +65,8 @@ constexpr needed_nodes nodes_for(derived_system& system, std::span<const request
   return found;
 }
 
-/// Reports a symbol that a requested expression contains but the system does not: no argument has an entry
-/// for it.
+/// Reports a symbol that a requested expression contains but the system does not, because no argument has an
+/// entry for it.
 constexpr sentence check_symbols(std::string_view system, const survey& known, const mechanism& m) {
   struct list {
     std::string_view kind;

@@ -37,7 +37,7 @@ struct inertial_values {
   int named = 0;
   base::name names[room_for_names]{}; ///< names of bodies and of reference points of inertias
 
-  /// Returns the first mistake for the given parameters: a value that is negative by more than rounding, or
+  /// Returns the first mistake for the given parameters: a value that is negative beyond rounding error, or
   /// an inertia that no body can have. Values that depend on a NaN parameter are skipped.
   constexpr base::sentence mistake(const double* parameters) const {
     double value[room]{}, size[room]{}; // size: the magnitude of the terms that add up to a value
@@ -166,8 +166,8 @@ private:
     return into_.named++;
   }
 
-  /// The step that computes a value, counted from 1; 0 if the value depends on more than parameters, or if
-  /// the arrays are full.
+  /// The step that computes a value, counted from 1; 0 if the value depends on anything other than
+  /// parameters, or if the arrays are full.
   constexpr int place_of(const expression& value) {
     const int known = nodes_.size();
     const int step = step_of(value.node());
@@ -178,8 +178,8 @@ private:
     return step + 1;
   }
 
-  /// The step that computes a node, or -1 if the node depends on more than parameters or is not a plain
-  /// number.
+  /// The step that computes a node, or -1 if the node depends on anything other than parameters or is not a
+  /// plain number.
   constexpr int step_of(int id) {
     if (const int known = nodes_.find(id); known >= 0) return known;
     const symbolic::node n = g_[id];

@@ -101,8 +101,8 @@ constexpr int count_pieces(const base::sentence& p) {
   return pieces;
 }
 
-// Overload resolution for `accept` completes its argument's class, which is the error; the call itself
-// remains valid, so there is no second error. Repeating the same sentence gives no further error either.
+// Overload resolution for `accept` completes its argument's class, which causes the error; the call itself
+// remains valid, so there is no second error. Repeating the same sentence causes no further error either.
 constexpr bool accept(const void*) { return true; }
 
 template <text... sentence>

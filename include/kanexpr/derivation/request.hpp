@@ -50,7 +50,7 @@ struct request {
   with_respect_to symbols{};               ///< the symbols of derivatives
   bool is_at_given_rates = false;          ///< whether the result contains the symbols u̇
   std::span<const phrase> phrases{};       ///< the phrases of the other kinds
-  std::string_view whom = "an expression"; ///< contains the phrases
+  std::string_view whom = "an expression"; ///< names the source of the phrases in messages
   std::span<const describe::token> by{};   ///< the symbols of a Jacobian
   bool is_to_inputs = false; ///< whether a sensitivity is with respect to the inputs, not the state
 

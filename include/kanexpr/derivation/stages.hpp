@@ -8,8 +8,8 @@
 
 #include <string_view>
 
-/// Derives a system in stages, each of which resumes where the previous one was stored. A stage is derived
-/// when one of its results is first requested.
+/// Derives a system in stages, each of which resumes from the stored result of the previous one. A stage is
+/// derived when one of its results is first requested.
 namespace kanexpr::derivation {
 
 using mechanics::stage;

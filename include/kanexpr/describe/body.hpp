@@ -15,7 +15,8 @@ constexpr void give_inertia(body_record& r) {
     r.instead_of_inertia = type_name<Inertia>();
 }
 
-/// An inertia with an intentional property, `mark`.
+/// An inertia with an unusual property that is intentional; `mark` is the member of the record that states
+/// it.
 template <text form, bool body_record::* mark, class... Inertia>
 struct marked_inertia : inertia_words {
   static constexpr void give_to(body_record& r) {
@@ -62,14 +63,15 @@ struct inertia_about : describe::inertia_words {
   }
 };
 
-/// An inertia that intentionally changes as seen from the body, because it is given in axes that turn in the
-/// body or about a point that moves in it.
+/// An inertia that intentionally varies relative to the body, because it is given in axes that rotate
+/// relative to the body or about a point that moves relative to it.
 template <class... Inertia>
 struct changing_inertia : describe::marked_inertia<"changing_inertia<Inertia>",
                                                    &describe::body_record::inertia_changes, Inertia...> {};
 
 /// An inertia that intentionally does not correspond to any mass distribution, because it was identified from
-/// motions or is increased by a gear about one axis: `effective_inertia<inertia<A, 0.1, 0.1, 0.35>>`.
+/// measured motions or is increased about one axis by a gear: `effective_inertia<inertia<A, 0.1, 0.1,
+/// 0.35>>`.
 template <class... Inertia>
 struct effective_inertia
     : describe::marked_inertia<"effective_inertia<Inertia>", &describe::body_record::effective, Inertia...> {

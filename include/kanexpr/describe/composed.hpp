@@ -73,7 +73,8 @@ constexpr auto clamp(const Operands&... x) {
                      : describe::composed_with_zeros(symbolic::composition::clamp, x...);
 }
 
-/// A monotone cubic through points, constant beyond them: `tabulated<x0, y0, x1, y1, x2, y2>(q)`.
+/// Monotone cubic interpolation of points, constant beyond the first and the last: `tabulated<x0, y0, x1, y1,
+/// x2, y2>(q)`.
 template <auto... points>
 inline constexpr describe::table_word<symbolic::composition::tabulated, points...> tabulated{};
 

@@ -9,7 +9,7 @@ namespace kanexpr {
 
 namespace describe {
 
-/// Replaces a list that contains something that is not an expression.
+/// Placeholder for a list with an entry that is not an expression.
 struct foreign {};
 
 /// A vector followed by the directions along which its components are zero.
@@ -66,8 +66,8 @@ template <int number>
 inline constexpr int number_of_constraint = number;
 }
 
-/// The numbers, counted from 1, of configuration constraints that are satisfied if all others are:
-/// `redundant<6>`. They are not used in solving, but states are checked against them.
+/// The numbers, counted from 1, of configuration constraints that are satisfied whenever all others are:
+/// `redundant<6>`. They are not solved, but states are checked against them.
 template <int... numbers>
 struct redundant : describe::system_words {
   static constexpr std::string_view word = "redundant";

@@ -13,20 +13,20 @@ namespace kanexpr {
 
 namespace describe {
 
-/// Returns the operands, followed by a mistake.
+/// Returns the operands, followed by a token that represents the mistake.
 template <shape kind, class... Operands>
 constexpr auto misused(misuse what, const Operands&... x);
 
 } // namespace describe
 
-/// An expression of a model as tokens in postfix order. It belongs to kanexpr itself, so that its operators
-/// and functions are found in every namespace.
+/// An expression of a model as tokens in postfix order. It is declared in the namespace `kanexpr` itself, so
+/// that its operators and functions are found from every namespace.
 template <describe::shape is, int size>
 struct postfix {
   static constexpr describe::shape kind = is;
   describe::token tokens[static_cast<std::size_t>(size)];
 
-  // C++ allows only members for these operators, whose use is a mistake.
+  // These operators, whose use is a mistake, must be members in C++.
   template <class Right>
   constexpr auto operator=(const Right& other) const {
     return describe::misused<describe::shape::equation>(describe::misuse::assignment, *this, other);

@@ -93,7 +93,7 @@ inline constexpr std::string_view
         narrower_argument<Result (Function::*)(Arguments...) const>;
 
 /// A function and its derivatives, each of them a class whose objects are called with scalars. For several
-/// operands, or order two and higher, a derivative returns numbers accessed by [i] or [i][j].
+/// operands, or for order two and higher, a derivative returns an object indexed by [i] or [i][j].
 template <text called, int operands, class Function, class... Derivatives>
 struct external_family {
   static constexpr std::string_view name = called.view();
@@ -281,8 +281,8 @@ inline constexpr external_record external_of = [] {
 /// A user function, which models call like built-in ones: `constexpr external<"tyre", F, dF> tyre;` and
 /// `tyre(slip, load)`. F is a class whose objects take scalars of a type T and return a T; dF returns the
 /// derivatives with respect to the operands: a number for one operand, otherwise an object indexed by [i]. A
-/// second derivative, which linearizations of an expression with a first derivative need, is indexed by
-/// [i][j], and a third one by [i][j][k]. Derivatives that are never needed may be omitted.
+/// second derivative, needed to linearize an expression that contains a first derivative, is indexed by
+/// [i][j], and a third by [i][j][k]. Derivatives that are never needed may be omitted.
 template <text called, class Function, class... Derivatives>
 struct external {
   template <class... Operands>

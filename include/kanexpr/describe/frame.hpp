@@ -56,7 +56,7 @@ constexpr vector<1> basis(const frame_record* frame, int axis, bool is_of_one_fi
   return {{t}};
 }
 
-/// Replaces the record of a frame if a different frame uses its name.
+/// The record of a frame whose name a different frame uses.
 template <class Other>
 inline constexpr frame_record frame_under_another_name = [] {
   frame_record r;
@@ -153,7 +153,7 @@ struct rotated : describe::axes<Self> {
 };
 
 /// Three successive rotations about the frame's own axes: `body_fixed<B, N, "zxz", q1, q2, q3>`. All twelve
-/// sequences, in letters or digits ("313"). Kane, Likins & Levinson (1983), appendix I.
+/// sequences are supported, in letters or digits ("313"). Kane, Likins & Levinson (1983), appendix I.
 template <class Self, class Parent, text sequence, auto... angles>
 struct body_fixed
     : describe::sequence_of_turns<Self, Parent, describe::orientation_word::body_fixed, sequence, angles...> {
@@ -213,9 +213,9 @@ struct declared_rotation : angular_velocity_words {
 
 } // namespace describe
 
-/// Declares a frame's angular velocity in `Reference`, which always replaces the derived one. It must equal
-/// the one that follows from the orientation, except for a spin about an axis whose angle the orientation
-/// omits.
+/// Declares a frame's angular velocity in `Reference`. The declared value always replaces the derived one. It
+/// must equal the angular velocity that follows from the orientation, except for a spin about an axis whose
+/// angle the orientation omits.
 template <class Reference, auto... value>
 struct angular_velocity
     : describe::declared_rotation<"angular_velocity<Reference, vector>", false, Reference, value...> {};

@@ -37,7 +37,7 @@ inline constexpr phrase drag_on[]{
 } // namespace describe
 
 /// A force that opposes the velocity of a point and is quadratic in it: `drag<P, c>` is −c |v| v. For a body
-/// in a fluid c is ½ ρ C A, with the density, the drag coefficient and the frontal area.
+/// in a fluid c is ½ ρ C A, where ρ is the density, C the drag coefficient and A the frontal area.
 template <class Point, auto... coefficient>
 struct drag : describe::load_words {
   static constexpr describe::load_record load{
@@ -107,9 +107,9 @@ struct potential_energy : describe::load_words {
       .once = true};
 };
 
-/// A straight massless spring that pulls two points together with stiffness·(distance − natural length):
-/// `spring<P, Q, k, l0>`. With a natural length, the force has no direction at zero distance and is
-/// NaN.
+/// A straight massless spring that pulls two points together with the force stiffness·(distance − natural
+/// length): `spring<P, Q, k, l0>`. If a natural length is specified, the force has no direction at zero
+/// distance and is NaN.
 template <class Point, class Other, auto... stiffness_and_length>
 struct spring : describe::load_words {
   static constexpr describe::load_record load{
@@ -123,8 +123,8 @@ struct spring : describe::load_words {
       .rest = describe::given_phrases<stiffness_and_length...>[1]};
 };
 
-/// A straight massless damper that pulls two points together with damping·(rate of their distance):
-/// `damper<P, Q, c>`. The force is NaN at zero distance.
+/// A straight massless damper that pulls two points together with the force damping·(rate of change of their
+/// distance): `damper<P, Q, c>`. The force is NaN at zero distance.
 template <class Point, class Other, auto... damping>
 struct damper : describe::load_words {
   static constexpr describe::load_record load{
@@ -136,8 +136,8 @@ struct damper : describe::load_words {
       .value = describe::given_phrases<damping...>[0]};
 };
 
-/// A spring that returns an angle to its rest value with stiffness·(angle − rest): `torsional_spring<q2, k>`,
-/// `torsional_spring<q2 - q1, k, a>`.
+/// A spring that returns an angle to its rest value with the torque stiffness·(angle − rest):
+/// `torsional_spring<q2, k>`, `torsional_spring<q2 - q1, k, a>`.
 template <auto... angle_stiffness_and_rest>
 struct torsional_spring : describe::load_words {
   static constexpr describe::load_record load{

@@ -50,7 +50,8 @@ template <class Operand>
 concept written = requires(const Operand& x) { operand(x); };
 template <class Operand>
 concept expression_of_a_model = std::is_class_v<Operand> && written<Operand>;
-/// Two operands, at least one of which is an expression; others belong to the operators of C++.
+/// Two operands, at least one of which is an expression; all other pairs are left to the built-in C++
+/// operators.
 template <class Left, class Right>
 concept operands_of_a_model =
     (std::is_class_v<Left> || std::is_class_v<Right>) && written<Left> && written<Right>;
@@ -93,8 +94,8 @@ constexpr auto joined(const token& last, const Expressions&... x) {
 }
 
 /// Returns an operation on operands, whether or not their kinds fit, as in `u1 + N::x`: the reader of the
-/// model can report it with the point or frame to which it belongs. An equation does not contain its ==, so
-/// it is a different mistake.
+/// model can report it with the point or frame to which it belongs. An equation is stored without its ==, so
+/// an equation among the operands is reported as a different mistake.
 template <shape kind, class... Operands>
 constexpr auto as_written(const token& last, const Operands&... x) {
   constexpr bool has_equation = ((shape_of_operand<Operands> == shape::equation) || ...);

@@ -3,7 +3,7 @@
 #include <kanexpr/describe/operand.hpp>
 
 /// The operators and products of expressions. They accept operands of any kind, because only the reader of
-/// the model can report those that do not fit with the entity to which they belong.
+/// the model can report a mismatch together with the entity to which it belongs.
 namespace kanexpr {
 
 namespace describe {

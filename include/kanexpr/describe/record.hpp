@@ -215,7 +215,7 @@ struct load_record {
   phrase value{};                            ///< a force or torque, energy, stiffness or damping
   phrase angle{};                            ///< the angle of a torsional spring
   phrase rest{};                             ///< the length or angle of a spring at rest
-  phrase known_by{};                         ///< the expression that identifies it, if not points or frames
+  phrase known_by{}; ///< the expression that identifies it, if points or frames do not
   std::string_view called{};
   std::string_view instead{}; ///< the actual kind, if it is not a load
   base_conflict conflict = nullptr;
@@ -223,10 +223,10 @@ struct load_record {
   bool once = false; ///< listing the same load again is a mistake
 };
 
-/// What a joint contributes to a system in addition to its frame and its point.
+/// The contributions of a joint to a system in addition to its frame and its point.
 struct joint_record : entity_record {
   std::string_view mistake{}; ///< the end of a sentence, such as "has two homes"
-  std::string_view form{};    ///< the correct form, if the form is the mistake
+  std::string_view form{};    ///< the correct form, if the joint is written incorrectly
   const frame_record* frame = nullptr;
   const point_record* point = nullptr;
   const frame_record* home = nullptr; ///< the child's frame when all coordinates are zero

@@ -35,7 +35,7 @@ struct symbol_record {
   symbolic::symbol_kind kind;
   base::name called; ///< theta'' for the second derivative of a prescribed theta
   int order = unprescribed;
-  int given = 0;        ///< the number of letters given in the model, without index and primes
+  int given = 0;        ///< the number of letters given in the model, without the index and the primes
   bool is_named = true; ///< whether the name is valid for a symbol
 };
 

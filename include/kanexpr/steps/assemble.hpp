@@ -116,8 +116,8 @@ public:
     }
   }
 
-  /// If the constraints are not finite, returns a sentence that names the parameter, input or state entry
-  /// that is not set; otherwise an empty one.
+  /// Returns a sentence that names the parameter, input or state entry that is not set if the constraints are
+  /// not finite; otherwise, the sentence is empty.
   base::sentence gap_before(const state& x) const {
     if (numeric::all_finite(configuration_residual(x)) && numeric::all_finite(velocity_residual(x)))
       return {};
@@ -195,9 +195,9 @@ assembly assemble(state<System, Number>& x, const Parameters& p = {}, const Inpu
   return report;
 }
 
-/// Checks whether a state satisfies the constraints within `tolerance`, relative to the terms that they sum,
-/// and whether its quaternions have norm 1. The default tolerance is 1e-9, or 1e-5 for `float`. If not, the
-/// report names the violated constraint and its residual.
+/// Checks whether a state satisfies the constraints within `tolerance`, relative to the magnitude of their
+/// terms, and whether its quaternions have norm 1. The default tolerance is 1e-9, or 1e-5 for `float`. If a
+/// check fails, the report names the violated constraint and its residual.
 template <class System, class Number = double, class Parameters = parameter_values<System, Number>,
           class Inputs = input_values<System, Number>>
 consistency check_consistency(const state<System, Number>& x, const Parameters& p = {}, const Inputs& r = {},

@@ -22,9 +22,9 @@
 /// evaluation of the equations; prescribed quantities require the function. `corrections` is the number of
 /// Newton steps that return the dependent coordinates to the constraints; quaternions are normalized before
 /// these steps, and the dependent speeds are solved for after them. With 0 corrections, the integrated state
-/// is left as it is. If a system of equations cannot be solved, or the state would not be finite, the status
-/// reports the cause, and t and x are unchanged. The same holds if a step would pass or come close to a
-/// position at which the constraints cannot be solved for the dependent speeds;
+/// is not corrected. If a system of equations cannot be solved, or the state would not be finite, the status
+/// reports the cause, and t and x are unchanged. The same holds if a step would pass through or come close to
+/// a position at which the constraints cannot be solved for the dependent speeds;
 /// `passing<runge_kutta_4<System>>` continues through such positions.
 namespace kanexpr {
 

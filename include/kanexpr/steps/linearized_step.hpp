@@ -204,8 +204,8 @@ constexpr symbolic::cost cost_of_pivot_checks() {
 /// Returns the number of operations needed to add h times a vector of the given length.
 constexpr symbolic::cost cost_of_advance(int entries) { return arithmetic(entries, entries); }
 
-/// Applies the chain rule through the stages of an explicit method. The derivatives so far are multiplied by
-/// the Jacobian of ẋ; entries known to be 0 or 1 need no multiplication.
+/// Applies the chain rule through the stages of an explicit method. The derivatives accumulated so far are
+/// multiplied by the Jacobian of ẋ; entries known to be 0 or 1 need no multiplication.
 template <class Step>
 struct varied_step {
   using System = typename Step::system;
@@ -301,7 +301,7 @@ struct varied_step<kanexpr::semi_implicit_euler<System, corrections>> {
 
 /// Returns the result of a fixed-length step with its derivatives, which are exact for the discrete step,
 /// including corrections: `const auto next = linearized<runge_kutta_4<System>>{}(t, x, h, p, r);` The
-/// arguments are not advanced.
+/// arguments are left unchanged.
 template <class Step>
 struct linearized {
   template <class System, class Number, class Parameters = compiled::omitted,

@@ -35,11 +35,12 @@ inline constexpr std::string_view state_not_finite = "the state after the step i
 /// The messages for steps in C++ and for steps in languages that have no `passing`.
 inline constexpr std::string_view
     singular_position =
-        "the step passes or comes close to a position where the constraints cannot be solved for the "
-        "dependent speeds: use passing<...>, or a different dependent<...> if only this choice is singular",
+        "the step passes through or comes close to a position where the constraints cannot be solved for "
+        "the dependent speeds: use passing<...>, or a different dependent<...> if only this choice is "
+        "singular",
     singular_position_elsewhere =
-        "the step passes or comes close to a position where the constraints cannot be solved for the "
-        "dependent speeds: use a model with a different dependent<...> if only this choice is singular";
+        "the step passes through or comes close to a position where the constraints cannot be solved for "
+        "the dependent speeds: use a model with a different dependent<...> if only this choice is singular";
 
 /// Returns a positive number if a pivot of the constraints keeps its sign and changes by a factor below four.
 /// A pivot that only touches zero, as a square does, keeps its sign but changes by a factor of at least 3 +

@@ -73,7 +73,7 @@ public:
   static constexpr bool has_pivots() { return false; }
   static status same_side(const Number&, const Number&) { return {}; }
 
-  /// Whether a state satisfies the constraints as closely as a step leaves it.
+  /// Whether a state is close enough to the constraints to be the result of a step.
   template <class Time>
   bool satisfies_constraints(const Time& t, const state<System, Number>& x) const {
     const status s = find(t, x);
@@ -104,7 +104,8 @@ constexpr bool can_be_passed_on() {
          (has_inputs || compiled::can_forward<System, compiled::symbols_of::inputs, Inputs>());
 }
 
-/// The equations of the independent speeds, which record whether a step comes close to a singular position.
+/// The equations for the independent speeds; evaluating them also records whether a step comes close to a
+/// singular position.
 template <class System, int corrections, class Parameters, class Inputs>
 struct watching_equations : compiled_equations<System, corrections, Parameters, Inputs> {
   mutable bool is_near = false;
@@ -136,7 +137,7 @@ struct passing_step {
   }
 
 private:
-  /// Takes the step with the equations of all speeds; if this fails, too, the result of the regular step is
+  /// Takes the step with the equations of all speeds; if this also fails, the result of the regular step is
   /// kept.
   template <class Time, class Number, class Parameters, class Inputs>
   [[gnu::cold, gnu::noinline]] static status
@@ -159,10 +160,10 @@ private:
 
 namespace kanexpr {
 
-/// A fixed-length step that passes positions in which the constraints of a system are linearly dependent,
-/// such as those of a linkage whose bars are in line: `passing<runge_kutta_4<System>> step;`. Near such
-/// positions it uses the equations of all speeds at states projected onto the constraints, at about thirty
-/// times the cost; elsewhere it is identical to `Step`. It neither allocates nor throws.
+/// A fixed-length step that can pass through positions in which the constraints of a system are linearly
+/// dependent, such as those of a linkage whose bars are in line: `passing<runge_kutta_4<System>> step;`. Near
+/// such positions it uses the equations of all speeds at states projected onto the constraints, at about
+/// thirty times the cost; elsewhere it is identical to `Step`. It neither allocates nor throws.
 template <class Step>
 struct passing : steps::passing_step<typename Step::method, typename Step::system, Step::corrections> {};
 

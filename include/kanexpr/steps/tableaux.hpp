@@ -20,7 +20,7 @@ struct tableau {
   };
 
   std::string_view name{};  ///< the identifier, such as `runge_kutta_4`
-  std::string_view title{}; ///< the name in texts
+  std::string_view title{}; ///< the name in generated text
   int stages = 0;
   std::array<stage, most_stages> stage_at{};
 

@@ -46,7 +46,7 @@ inline constexpr auto dependent_places = [] {
   return found;
 }();
 
-/// The quaternions of a system; the motion keeps their norms at 1.
+/// The quaternions of a system; the motion preserves their unit norms.
 template <class System>
 class unit_quaternions {
   static constexpr const derivation::survey& known = compiled::survey_of<System>;

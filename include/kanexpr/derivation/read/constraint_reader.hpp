@@ -14,7 +14,7 @@ namespace kanexpr::derivation {
 using mechanics::velocity_constraint;
 
 /// Reads the constraints of a model. Their symbols and entities are read together with all others; the
-/// constraints themselves are evaluated when positions and velocities are known.
+/// constraints themselves are evaluated once positions and velocities are known.
 class constraint_reader : part_reader {
 public:
   using part_reader::part_reader;

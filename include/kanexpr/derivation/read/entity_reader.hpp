@@ -36,8 +36,8 @@ public:
     reading_.known = known;
   }
 
-  /// Adds entities that phrases mention but the system itself does not use to a derived system. If there is a
-  /// mistake, they are discarded, because the system is valid without them.
+  /// Adds to a derived system the entities that phrases mention but the system itself does not use. If there
+  /// is a mistake, they are discarded, because the system is valid without them.
   constexpr void add_late_entities() {
     if (reading_.known == nullptr) return;
     const mechanics::skeleton& s = reading_.known->skeleton_used();
@@ -269,7 +269,7 @@ constexpr entity_lookup lookup_in(entity_reader& all) {
       [](entity_reader& with, const point_record* r, std::string_view whom) { return with.point(r, whom); }};
 }
 
-/// The readers on which those of bodies, loads and other parts of a model depend.
+/// The common base of the readers of bodies, loads and other parts of a model.
 class part_reader {
 public:
   constexpr part_reader(reading& all, symbol_reader& symbols, phrase_reader& phrases, entity_reader& entities)

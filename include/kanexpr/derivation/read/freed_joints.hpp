@@ -33,7 +33,7 @@ public:
   }
 
   /// The frame of the joint to which a point is attached: auxiliary speeds rotate this frame and everything
-  /// fixed in it, in whichever axes it was given. Null if there are no such joints.
+  /// fixed in it, regardless of the axes in which the point was given. Null if there are no such joints.
   constexpr const frame_record* frame_below(const point_record& r) const {
     if (freed().size == 0) return nullptr;
     for (const point_record* p = r.parent; p != nullptr; p = p->parent)

@@ -10,7 +10,7 @@ namespace kanexpr::derivation {
 
 /// Reads the parts that are specific to Lagrange's method: the rates of the coordinates as speeds, and the
 /// Lagrangian if the model specifies it. The symbols of the Lagrangian are read with all others; it is
-/// evaluated when velocities are known.
+/// evaluated once velocities are known.
 class lagrange_reader : part_reader {
 public:
   using part_reader::part_reader;

@@ -13,7 +13,7 @@
 namespace kanexpr::derivation {
 
 /// Reads the loads of a model. The symbols and entities of loads that depend on motion are read like all
-/// others; these loads are evaluated when velocities are known.
+/// others; these loads are evaluated once velocities are known.
 class load_reader : part_reader {
 public:
   using part_reader::part_reader;

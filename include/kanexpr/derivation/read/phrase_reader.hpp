@@ -35,8 +35,8 @@ public:
   constexpr phrase_reader(reading& all, symbol_reader& symbols, const entity_lookup& entities)
       : reading_(all), m_(all.into.mechanism), symbols_(symbols), calls_(all), entities_(entities) {}
 
-  /// Returns the value of a phrase of `whom`. Motions are not known while a model is read and cause a
-  /// mistake.
+  /// Returns the value of a phrase of `whom`. Motions are not known while a model is read, so a phrase that
+  /// contains one is a mistake.
   constexpr value evaluate(const phrase& p, std::string_view whom) {
     if (p.kind == shape::vanishing || p.kind == shape::kinematics || p.kind == shape::simple)
       reading_.fail({reading_.part, whom, is_a(p.kind), "it must be an expression"});
@@ -133,7 +133,7 @@ private:
     return false;
   }
 
-  /// Reports constants without a value that a step added to the graph.
+  /// Reports undefined constants that a step added to the graph.
   constexpr void check_constants(int known, const describe::token& t, std::string_view whom) {
     using describe::token_kind;
     for (int id = known; id < m_.g->size() && !reading_.mistake; ++id) {

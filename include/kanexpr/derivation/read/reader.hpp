@@ -51,7 +51,7 @@ public:
   constexpr bool follows_from_unparsed() const { return reading_.follows_from_unparsed; }
   /// Discards the mistake of a requested expression; everything that was read before remains valid.
   constexpr void forget_mistake() { reading_.mistake = {}, reading_.follows_from_unparsed = false; }
-  /// Also discards the symbols that it added.
+  /// Counts the known symbols, so that `forget_mistake` can also discard those that an expression added.
   constexpr symbol_reader::count symbols_known() const { return symbols_.symbols_known(); }
   constexpr void forget_mistake(const symbol_reader::count& known) {
     forget_mistake();

@@ -120,7 +120,7 @@ public:
     place_input(r);
   }
 
-  /// Adds an input. Links a prescribed quantity and its rate, whichever comes first.
+  /// Adds an input. Links a prescribed quantity to its rate, in whichever order they appear.
   constexpr void place_input(const symbol_record& r) {
     const expression placed = m_.input(r.called);
     if (r.order == describe::unprescribed) return;
@@ -131,7 +131,7 @@ public:
     if (has(m_.inputs, below)) m_.prescribed_rates.push({find(m_.inputs, below), placed});
   }
 
-  /// Places the inputs added to a system without a list, in one step, unless they are already there.
+  /// Places all inputs added to a system without a list of inputs, unless they are already placed.
   constexpr void place_added_inputs() {
     const auto& added = reading_.from.added_inputs;
     if (added.size == 0 || are_added_inputs_placed()) return;
@@ -194,7 +194,7 @@ public:
       if (p.tokens[i].symbol != nullptr && is_bound(p.tokens[i].symbol->called)) return true;
     return false;
   }
-  /// Mentions a parameter or an input that is needed only for results requested later.
+  /// Registers a parameter or an input that is needed only for results requested later.
   constexpr void mention_elsewhere(const phrase& p) {
     using symbolic::symbol_kind;
     constexpr std::string_view whom = "used_elsewhere<...>";
@@ -319,8 +319,8 @@ private:
     return called;
   }
 
-  /// Without a list of inputs, a prescribed quantity takes three consecutive places, because an acceleration
-  /// needs its second derivative.
+  /// Without a list of inputs, a prescribed quantity occupies three consecutive places, because an
+  /// acceleration needs its second derivative.
   constexpr void place_with_derivatives(const symbol_record& r) {
     for (int order = 0; order <= 2 || order <= r.order; ++order) {
       const symbol_record one{r.kind, derivative(r, order), order, r.given, r.is_named};

@@ -69,7 +69,7 @@ constexpr value scaled(expression s, const value& a) {
   return value::of(s * a.scalar);
 }
 
-/// Two vectors in the axes of one frame, the deepest in the tree of those that the vectors use.
+/// Two vectors in the axes of one frame: the frame deepest in the tree among those that the vectors use.
 struct together {
   int frame = mechanics::mechanism::inertial;
   components a{}, b{};

@@ -44,7 +44,7 @@ constexpr std::string_view name_in(const phrase& p) {
   return "";
 }
 
-/// The name of a type, without arguments that are too long for a sentence: `particle<...>`.
+/// The name of a type; arguments that are too long for a sentence are omitted: `particle<...>`.
 constexpr base::sentence short_name(std::string_view called) {
   constexpr std::size_t longest = 40;
   if (called.size() <= longest) return base::sentence({called});

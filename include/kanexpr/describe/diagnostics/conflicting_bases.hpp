@@ -4,7 +4,7 @@
 /// the same kind makes name lookup ambiguous, so both would be ignored silently.
 namespace kanexpr::describe {
 
-// Base classes of the library's words, by which they are counted.
+// Base classes that mark the kinds of words, so that the words of an entity can be counted.
 struct orientation_words {};
 struct place_words {};
 struct joint_words {};

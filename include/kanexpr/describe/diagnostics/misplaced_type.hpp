@@ -3,7 +3,7 @@
 #include <string_view>
 #include <type_traits>
 
-/// Types in the wrong place of a model.
+/// Types in the wrong place in a model.
 namespace kanexpr::describe {
 
 inline constexpr std::string_view joint_out_of_place = "a joint; list it in joints<...>";
@@ -33,8 +33,8 @@ struct anything {
 };
 
 /// Whether a class is empty, without bases, and not a word of the library. No model contains such a class on
-/// purpose, but after an error in a base clause, compilers continue with one.
-/// The user should read that error; a sentence about its consequences would be misleading.
+/// purpose, but after an error in a base clause, compilers continue with such a class. The user should read
+/// that error; a sentence about its consequences would be misleading.
 template <class Type>
 constexpr bool is_unparsed() {
   if constexpr (requires { sizeof(Type); })

@@ -43,7 +43,8 @@ constexpr auto operator*(const Operand& x) {
   return describe::misused<describe::shape::scalar>(describe::misuse::unsupported_operator, x);
 }
 
-// g++'s -Weffc++ warns about the mere existence of these operators, but only they allow an error sentence.
+// g++'s -Weffc++ warns about the mere existence of these operators, but without them there would be no error
+// sentence.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Weffc++"
 KANEXPR_UNSUPPORTED_OPERATOR(&&, equation, logical_operator)

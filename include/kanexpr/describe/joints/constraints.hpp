@@ -12,7 +12,7 @@ namespace describe {
 /// The default for an omitted argument.
 struct left_out {};
 
-/// Replaces a constraint that contains a mistake.
+/// Returns a placeholder for a constraint that contains a mistake.
 template <class Named>
 constexpr equation<1> invalid_constraint(misuse what) {
   return {{misused_with<Named>(what)}};
@@ -75,7 +75,7 @@ constexpr auto parallelism() {
     return invalid_constraint<left_out>(misuse::parallel_arguments);
 }
 
-/// The axis of a wheel, marked to be checked by the phrase reader.
+/// The axis of a wheel, marked so that the phrase reader checks it.
 template <class Wheel, auto axis>
 constexpr auto axis_of_wheel() {
   if constexpr (requires { requires shape_of_operand<decltype(unit_along(axis))> == shape::vector; }) {
@@ -136,7 +136,7 @@ constexpr auto position_between() {
          motion_of(token_kind::position, parts_of<From>::point(), !is_known_to_all_files<From>);
 }
 
-/// Returns an axis of a frame, or of the frame of a type that has one.
+/// Returns an axis of a frame, or of the frame that a type contains.
 template <class Frame>
 constexpr vector<1> axis_of(int index) {
   return basis(parts_of<Frame>::frame(), index, !is_known_to_all_files<Frame>);
@@ -245,7 +245,7 @@ inline constexpr auto same_axes = describe::alignment<Frame, Other>();
 /// A velocity constraint by which a wheel rolls without slipping on the plane x, y of `Ground`, which may
 /// itself move: `rolls_on<Wheel, Ground, Wheel::y, r>`, with the axis and radius of the wheel and, if it is a
 /// torus, the radius of its tube. `Wheel` is a joint or a `frame_and_point<A, P>` in which P is its center;
-/// `Ground` has a frame and a point, too.
+/// `Ground` also has a frame and a point.
 template <class Wheel, class Ground = describe::left_out, auto... axis_and_radii>
 inline constexpr auto rolls_on = describe::rolling<Wheel, Ground, axis_and_radii...>();
 

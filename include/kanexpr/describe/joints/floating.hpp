@@ -57,7 +57,7 @@ struct floating_joint : free_orientation<by_angles, 3, 3> {
 /// A joint with six degrees of freedom, such as the base of a walking robot. Its coordinates are the position
 /// p1, p2, p3 in the axes of its home and a unit quaternion e1, e2, e3, e0, or three angles with
 /// `angles<"zyx">`. Its speeds are the components of its velocity and of its angular velocity relative to the
-/// parent, in its own axes. (It is not called `free` because this is a function of the C library.)
+/// parent, in its own axes. (It is not called `free` because that is the name of a C library function.)
 template <class Self, class Parent, class... Words>
 struct floating
     : describe::joint<Self, Parent, describe::floating_joint<describe::has_angles<Words...>>, Words...> {};

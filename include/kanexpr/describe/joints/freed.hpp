@@ -4,8 +4,8 @@
 
 /// The motion that the child would have if the joint did not constrain it, in terms of auxiliary speeds. A
 /// kind of joint declares the part of this motion that it constrains, `bound_spin<Joint>` and
-/// `bound_drift<Joint>`, unless it constrains all of it. Along the free directions, the child moves with the
-/// joint's own speeds, as does everything else that the model expresses by them.
+/// `bound_drift<Joint>`, unless it constrains all of it. Along the unconstrained directions, the child moves
+/// with the joint's own speeds, as does everything else that the model expresses in terms of them.
 namespace kanexpr::describe {
 
 /// Six auxiliary speeds, along and about the axes of the child.

@@ -16,7 +16,7 @@
 ///     form                   the form that error sentences suggest
 ///     special                the type of its special word, if it takes one
 ///     without_special        the mistake if a required special word is missing
-///     moves                  whether its two points separate
+/// moves                  whether its two points can move apart
 ///     turn<Joint>(frame_record&)   the rotation of the child from its home
 ///     move<Joint>(point_record&)   the displacement from its base, if it moves
 ///     spin<Joint>            its angular velocity in the frame from which it is rotated, if it turns
@@ -311,8 +311,7 @@ private:
     return list_of<phrase, &phrase_of<rate_is_speed<Self, index>, Self>...>::all;
   }
 
-  /// The axes that need a check: for their length, for being fixed, and, if there are two, for not being
-  /// parallel.
+  /// The axes to check: each must be fixed and have nonzero length, and two axes must not be parallel.
   static constexpr listing<phrase> axes_to_check() {
     if constexpr (!has<joint_word::axis>) {
       return {};

@@ -18,7 +18,7 @@ constexpr bool is_no_vector() {
 }
 
 /// Whether an expression contains axes of frames other than `frame` (null for `own` axes only), or positions,
-/// whose axes may be any.
+/// which may be expressed in any axes.
 template <class Expression>
 constexpr bool holds_other_axes(const Expression& given, const frame_record* frame = nullptr) {
   if constexpr (requires { given.tokens; })

@@ -13,8 +13,8 @@ namespace kanexpr {
 
 namespace describe {
 
-/// Appends the characters of a type's name that are allowed in a name and replaces all others by an
-/// underscore: `Link<3>` becomes Link_3.
+/// Appends a type's name, with an underscore in place of each group of characters that are not allowed in a
+/// symbol's name: `Link<3>` becomes Link_3.
 template <class Type>
 constexpr std::size_t append_name_of(char* to) {
   std::size_t size = 0;
@@ -196,7 +196,7 @@ struct by {
 
 /// The body that moves with the child: its mass, its mass center as a vector from the child's point, and its
 /// inertia about the mass center. Without an inertia, the body is a particle; the default mass center is the
-/// child's point. `own` denotes the axes of the child, also in `inertia<own, Ixx, …>`.
+/// child's point. `own` denotes the axes of the child, including in `inertia<own, Ixx, …>`.
 template <auto mass, auto center = 0.0 * own::x, class... Inertia>
 struct body {
   static constexpr describe::joint_word joint_word = describe::joint_word::body;

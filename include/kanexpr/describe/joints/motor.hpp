@@ -5,7 +5,7 @@
 
 #include <string_view>
 
-/// Loads along the axis of a joint, which act on the child and oppositely on the parent.
+/// Loads along the axis of a joint, which act on the child and, with opposite sign, on the parent.
 namespace kanexpr {
 
 namespace describe {
@@ -65,8 +65,9 @@ constexpr auto friction_of_joint() {
 template <class Joint>
 inline constexpr auto effort_of = describe::chosen_effort<Joint>;
 
-/// A motor in a joint with one axis: a torque about the axis or a force along it, which acts on the child and
-/// oppositely on the parent. `motor<Link2, T2>`, or `motor<Link2>` with the input `effort_of<Link2>`.
+/// A motor in a joint with one axis: a torque about the axis or a force along it, which acts on the child
+/// and, with opposite sign, on the parent. `motor<Link2, T2>`, or `motor<Link2>` with the input
+/// `effort_of<Link2>`.
 template <class Joint, auto... effort>
 struct motor : describe::load_words {
   static constexpr describe::load_record load = [] {

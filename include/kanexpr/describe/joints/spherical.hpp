@@ -30,8 +30,8 @@ struct angles {
 
 namespace describe {
 
-/// A freely turning child. Its orientation coordinates start at index `first_q`; the components of its
-/// angular velocity relative to its home, in its own axes, start at index `first_u`.
+/// The orientation of a child that rotates freely. Its coordinates start at index `first_q`; the components
+/// of its angular velocity relative to its home, in its own axes, start at index `first_u`.
 template <bool by_angles, std::size_t first_q, std::size_t first_u>
 struct free_orientation {
   using special = turns_freely;
