@@ -89,7 +89,7 @@ struct System : moved_by<dot(q* q) == u> {};
 void f() { use<System>(); }
 } // namespace n14
 
-// expect: the damping of the damper between Q and O uses a function that models do not have; they have sqrt,
+// expect: the damping of the damper between Q and O uses an unsupported function; models support sqrt,
 // expect: sin, cos, tan, asin, acos, atan, exp, log, sinh, cosh, tanh, abs, sign, cbrt, erf,
 // expect: wrap_to_pi, atan2, pow, hypot, min, max and clamp
 namespace n15 {
@@ -97,7 +97,7 @@ struct System : loaded<damper<Q, O, exp2(u)>> {};
 void f() { use<System>(); }
 } // namespace n15
 
-// expect: the damping of the torsional damper between A and N uses a function that models do not have
+// expect: the damping of the torsional damper between A and N uses an unsupported function
 namespace n16 {
 struct System : loaded<torsional_damper<A, N, fmod(u, c)>> {};
 void f() { use<System>(); }

@@ -85,7 +85,7 @@ struct System : moved_by<dot(q) == u == 0> {};
 void f() { use<System>(); }
 } // namespace n13
 
-// expect: the torque between A and N uses an operator that models do not have
+// expect: the torque between A and N uses an unsupported operator
 namespace n14 {
 struct System : loaded<torque_between<A, N, (T | 1) * N::z>> {};
 void f() { use<System>(); }

@@ -12,7 +12,7 @@ namespace kanexpr::compiled {
 /// memory of compiled code.
 struct code_table {
   lower::tape_view tape;
-  int causes; ///< the number of causes for which results may be invalid
+  int causes; ///< the number of possible causes of an invalid result
   std::string_view (*cause)(int);
   bool checks_finiteness; ///< whether the last cause is a result that is not finite
 };

@@ -23,7 +23,8 @@ constexpr double number_for(gap why) {
 }
 
 /// A vector holds only numbers, so if a list contains a name that the system does not define, the name is
-/// stored in the lower bits of a NaN: six letters, or the first five and a mark that more follow.
+/// stored in the lower bits of a NaN: six letters, or the first five and a mark that indicates further
+/// letters.
 inline constexpr std::size_t stored_letters = 6;
 inline constexpr char truncation_mark = 1;
 

@@ -18,7 +18,7 @@ namespace kanexpr::compiled {
 
 /// The common part of the vectors of a system: fixed-size Eigen vectors with access by name, `x[q1]`,
 /// constructed from numbers, from any Eigen vector, or by name, `{{q1, 0.1}, {u1, 2}}`. Assignments first
-/// convert to this type; with Eigen's own assignments available, too, `x = {0.1, 2}` would be ambiguous.
+/// convert to this type; if Eigen's own assignments were also available, `x = {0.1, 2}` would be ambiguous.
 ///
 /// A list of names must contain a value for every symbol except the dependent ones, which the constraints
 /// determine; they are set to zero here. An entry without a value, or with two values, is NaN, and
@@ -85,8 +85,8 @@ private:
 
   static Scalar from(double value) { return lower::scalar_math<Scalar>::from(value); }
 
-  /// Uses plain loops, like the rest of the library, because the compiler would instantiate Eigen's vector
-  /// functions for each system.
+  /// Uses plain loops, like the rest of the library, because the compiler would otherwise instantiate Eigen's
+  /// vector functions for each system.
   void fill(const Scalar& value) { std::fill_n(this->data(), range.size, value); }
 
   template <class Derived>

@@ -75,7 +75,7 @@ struct survey {
   /// the equations were formed.
   constexpr void take(const mechanics::mechanism& m, bool is_sound, const mechanics::equations* derived);
 
-  /// The index in `names` of the first symbol of a kind; those of rates are the names of the coordinates.
+  /// The index in `names` of the first symbol of a kind; rates share the names of the coordinates.
   constexpr int first_of(symbolic::symbol_kind kind) const {
     using symbolic::symbol_kind;
     return kind == symbol_kind::speed       ? coordinates

@@ -6,7 +6,7 @@ namespace kanexpr {
 
 namespace describe {
 
-/// Records the argument that is passed as an inertia, whether or not it is an inertia.
+/// Records the argument passed as an inertia, even if it is not one.
 template <class Inertia>
 constexpr void give_inertia(body_record& r) {
   if constexpr (requires { Inertia::give_to(r); })

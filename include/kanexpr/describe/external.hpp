@@ -77,7 +77,7 @@ constexpr std::string_view narrower_than_double() {
     return "";
 }
 
-/// Describes the first such argument of a function whose argument types are fixed.
+/// Describes the first argument with such a type if the argument types of a function are fixed.
 template <class Call>
 inline constexpr std::string_view narrower_argument{};
 template <class Function, class Result, class... Arguments, bool never_throws>

@@ -56,7 +56,7 @@ constexpr vector<1> basis(const frame_record* frame, int axis, bool is_of_one_fi
   return {{t}};
 }
 
-/// The record of a frame whose name a different frame uses.
+/// Replaces the record of a frame whose name is used by a different frame.
 template <class Other>
 inline constexpr frame_record frame_under_another_name = [] {
   frame_record r;
@@ -220,7 +220,7 @@ template <class Reference, auto... value>
 struct angular_velocity
     : describe::declared_rotation<"angular_velocity<Reference, vector>", false, Reference, value...> {};
 
-/// The same for a frame whose orientation intentionally does not follow its angular velocity.
+/// The same for a frame whose orientation is intentionally inconsistent with its angular velocity.
 template <class Reference, auto... value>
 struct angular_velocity_apart_from_orientation
     : describe::declared_rotation<"angular_velocity_apart_from_orientation<Reference, vector>", true,

@@ -64,7 +64,8 @@ constexpr auto pow(const Left& x, const Right& y) {
     return describe::function_of(symbolic::operation::power, x, y);
 }
 
-// Functions that C++ has but models do not; they are declared so that an error sentence can report their use.
+// Functions that C++ provides but models do not support; they are declared so that an error sentence can
+// report their use.
 
 #define KANEXPR_UNSUPPORTED_FUNCTION(name)                                                                   \
   template <describe::expression_of_a_model Operand>                                                         \

@@ -167,9 +167,10 @@ constexpr auto jacobian(const Operand& x, const Symbols&... symbols) {
 inline constexpr describe::postfix<describe::shape::simple, 1> simple{
     {describe::with(describe::token_kind::number)}};
 
-/// The kinematic differential equations of a frame whose angular velocity is declared: the angular velocity
-/// that follows from its orientation in `Reference` equals the one in `angular_velocity<Reference, …>`. These
-/// are three equations, or four for a quaternion: `kinematics<kinematics_of<B, N>, dot(q4) == u4>`.
+/// The kinematic differential equations of a frame whose angular velocity is declared. They equate the
+/// angular velocity that follows from its orientation in `Reference` and the one in
+/// `angular_velocity<Reference, …>`. There are three equations, or four for a quaternion:
+/// `kinematics<kinematics_of<B, N>, dot(q4) == u4>`.
 template <class Frame, class... Reference>
 inline constexpr describe::kinematics_of_frame kinematics_of =
     describe::kinematics_between(&describe::frame_of<Frame>, nullptr, !is_known_to_all_files<Frame>);

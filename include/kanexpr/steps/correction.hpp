@@ -14,7 +14,7 @@ namespace kanexpr::steps {
 
 using symbolic::added;
 
-/// Brings a state that nearly satisfies its constraints back to them with a fixed amount of work: it
+/// Moves a state that nearly satisfies its constraints back onto them with a fixed amount of work: it
 /// normalizes the quaternions, takes `corrections` Newton steps for the dependent coordinates, then solves
 /// for the dependent speeds. The independent coordinates and speeds are unchanged.
 template <class System, int newton_steps>

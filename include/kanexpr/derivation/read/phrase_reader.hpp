@@ -96,7 +96,7 @@ public:
     return {};
   }
 
-  /// Checks for constructs that C++ has but models do not.
+  /// Checks for constructs that C++ provides but models do not support.
   constexpr void check_misuse(const phrase& p, std::string_view whom) {
     for (const describe::token& t : p)
       if (t.what == describe::token_kind::misused) fail_by(static_cast<describe::misuse>(t.index), p, whom);

@@ -37,13 +37,14 @@ constexpr bool inherits_privately(Entity* e) {
   return requires { words(e); }; // a cast that ignores access control
 }
 
-/// Returns the conflict of a base class to which a pointer cannot be converted: it is private or ambiguous.
+/// Returns the conflict for a base class to which a pointer cannot be converted because it is private or
+/// ambiguous.
 template <class Words, class Entity>
 constexpr base_conflict private_or(base_conflict twice, Entity* e) {
   return inherits_privately<Words>(e) ? "@ inherits privately; declare it as a struct" : twice;
 }
 
-/// Finds the conflict of a joint, which is both a frame and a point.
+/// Finds the conflict in a joint, which is both a frame and a point.
 template <class Joint>
 constexpr base_conflict find_base_conflict_of_joint() {
   constexpr Joint* j = nullptr;
@@ -62,7 +63,7 @@ constexpr base_conflict find_base_conflict_of_joint() {
   return nullptr;
 }
 
-/// Finds the conflict of an entity or a load. It is evaluated for every entity, so it avoids templates, which
+/// Finds the conflict in an entity or a load. It is evaluated for every entity, so it avoids templates, which
 /// the compiler would have to store.
 template <class Entity>
 constexpr base_conflict find_base_conflict() {

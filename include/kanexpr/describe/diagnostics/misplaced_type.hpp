@@ -8,7 +8,7 @@ namespace kanexpr::describe {
 
 inline constexpr std::string_view joint_out_of_place = "a joint; list it in joints<...>";
 
-/// Describes a type for a sentence about a type in the wrong place; empty if it is not a word of a model.
+/// Describes a type for a sentence about a misplaced type; empty if the type is not a word of a model.
 template <class Type>
 constexpr std::string_view describe_kind() {
   if constexpr (requires { Type::joint_description(); })

@@ -59,7 +59,7 @@ inline constexpr base::sentence unknown_function_message = [] {
   const auto append = [&](std::string_view text) {
     for (char letter : text) p.letters[p.length++] = letter;
   };
-  append(" uses a function that models do not have; they have ");
+  append(" uses an unsupported function; models support ");
   for (const symbolic::function_properties& f : symbolic::functions) append(f.name), append(", ");
   for (const symbolic::binary_function_properties& f : symbolic::binary_functions)
     append(f.name), append(", ");
@@ -109,7 +109,7 @@ constexpr std::string_view misuse_message(misuse what) {
     return " has too few or too many arguments; write rolls_on<Wheel, Ground, axis, radius>";
   case misuse::touch_arguments:
     return " has too few or too many arguments; write touches<Wheel, Ground, axis, radius>";
-  case misuse::unsupported_operator: return " uses an operator that models do not have";
+  case misuse::unsupported_operator: return " uses an unsupported operator";
   case misuse::boolean: return " contains true or false, which is not a number";
   case misuse::character: return " contains a quoted character, which is not a number";
   case misuse::inner_equation:

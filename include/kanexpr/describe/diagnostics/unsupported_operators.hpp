@@ -2,8 +2,8 @@
 
 #include <kanexpr/describe/operand.hpp>
 
-/// Operators that C++ has but models do not, such as `q^2`. The operands are kept, followed by the mistake,
-/// so that the reader of the model can report it with its location.
+/// Operators that C++ provides but models do not support, such as `q^2`. The operands are kept, followed by
+/// the mistake, so that the reader of the model can report it with its location.
 namespace kanexpr {
 
 #define KANEXPR_UNSUPPORTED_OPERATOR(symbol, kind, mistake)                                                  \

@@ -16,7 +16,7 @@
 ///     form                   the form that error sentences suggest
 ///     special                the type of its special word, if it takes one
 ///     without_special        the mistake if a required special word is missing
-/// moves                  whether its two points can move apart
+///     moves                  whether its two points can move apart
 ///     turn<Joint>(frame_record&)   the rotation of the child from its home
 ///     move<Joint>(point_record&)   the displacement from its base, if it moves
 ///     spin<Joint>            its angular velocity in the frame from which it is rotated, if it turns
