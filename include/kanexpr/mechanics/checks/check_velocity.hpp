@@ -15,7 +15,7 @@ namespace kanexpr::mechanics {
 namespace detail {
 
 /// Compares velocities at several random states, so that both sides of min, max and similar functions are
-/// covered, and with each speed by itself, so that no speed is lost in the rounding errors of others.
+/// covered, and with one speed at a time, so that no speed is lost in the rounding errors of others.
 ///
 /// A declared velocity agrees if it equals the rate of the position from the origin, or the velocity of its
 /// reference or parent plus the rate of the offset from there. If the angular velocity of a frame contains an

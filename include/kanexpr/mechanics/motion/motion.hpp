@@ -53,7 +53,7 @@ public:
 
   constexpr const skeleton& skeleton_used() const { return *s_; }
 
-  /// Updates the address of the skeleton after it was moved.
+  /// Updates the address of the skeleton after the skeleton has been moved.
   constexpr void follow(const skeleton& s) { s_ = &s; }
 
   /// The time derivative of a scalar.
