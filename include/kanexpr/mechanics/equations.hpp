@@ -376,8 +376,8 @@ private:
   const skeleton& s_ = known_.skeleton_used();
   sentence mistake_{};
   constraints constraints_{};
-  symbolic::matrix
-      configuration_{}; ///< the Jacobian of the configuration constraints with respect to all coordinates
+  symbolic::matrix configuration_{}; ///< the Jacobian of the configuration constraints with respect to all
+                                     ///< coordinates
   partition speeds_{}, coordinates_{};
   sequence<symbolic::solved_block>
       step_blocks_{}; ///< the blocks of the Newton step of the dependent coordinates

@@ -21,11 +21,11 @@ enum class quantity : unsigned char {
   unreduced_mass_matrix, ///< M of all speeds before constraints reduce it, p×p
   unreduced_forcing,     ///< f of all speeds before constraints reduce it, p
   constraint_bias,       ///< γ in J u̇ + γ = 0, m
-  inverse_dynamics,      ///< additional forces required on the independent speeds, p−m, with the symbols u̇
+  inverse_dynamics,      ///< generalized forces required in addition to the loads, p−m, with the symbols u̇
   required_inputs,       ///< the inputs that produce u̇, s = p−m, with the symbols u̇
-  gravity_compensation,  ///< forces on the independent speeds that balance gravity, p−m
-  load_compensation,     ///< forces on the independent speeds that balance all other loads, p−m
-  regressor,             ///< Y in τ = Y π + τ_0, the inverse dynamics in the b inertial parameters, (p−m)×b
+  gravity_compensation,  ///< generalized forces of the independent speeds that balance gravity, p−m
+  load_compensation,     ///< generalized forces of the independent speeds that balance all other loads, p−m
+  regressor,             ///< Y in the inverse dynamics τ = Y π + τ_0 for b inertial parameters, (p−m)×b
   inertial_parameters,   ///< π with the values given in the model, b
   coriolis,              ///< C with Ṁ − 2C skew-symmetric, if the speeds are coordinate rates, p×p
   kinetic_energy,

@@ -31,13 +31,13 @@ struct frame {
   int axis = 0;
   expression angle{};
   components direction{}; ///< in the parent's axes
-  matrix3
-      to_parent{}; ///< direction cosine matrix; transforms components from the frame's axes to the parent's
+  matrix3 to_parent{};    ///< direction cosine matrix; transforms components from the frame's axes to the
+                          ///< parent's
   sequence<expression> quaternion{}; ///< e0, e1, e2, e3, if the frame is given by a quaternion, which then
                                      ///< determines `to_parent`
-  sequence<parameter_rate>
-      rates{}; ///< of the orientation parameters, such as a quaternion; if empty, the rates are solved for
-  int reference = none; ///< the frame in which a declared angular velocity is measured
+  sequence<parameter_rate> rates{};  ///< of the orientation parameters, such as a quaternion; if empty, the
+                                     ///< rates are solved for
+  int reference = none;              ///< the frame in which a declared angular velocity is measured
   vector angular_velocity{};
   bool turns_apart = false; ///< declared not to match the orientation
 

@@ -29,8 +29,8 @@ constexpr components turned(const elementary_rotation& h, const components& v) {
 }
 
 /// A symmetric dyadic in rotated axes. For a rotation about a basis vector a, with e = s²(I_bb − I_dd) + 2sc
-/// I_bd, the new diagonal entries are I_bb − e and I_dd + e, and the new product is sc(I_bb − I_dd) + (1 −
-/// 2s²) I_bd; row a transforms like a vector.
+/// I_bd, the new diagonal entries are I_bb − e and I_dd + e, and the new product of inertia is sc(I_bb −
+/// I_dd) + (1 − 2s²) I_bd; row a transforms like a vector.
 constexpr symmetric turned(const elementary_rotation& h, const symmetric& m) {
   symmetric out = m;
   if (!h.about_basis) {

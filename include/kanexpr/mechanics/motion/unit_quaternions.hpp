@@ -6,8 +6,8 @@
 #include <kanexpr/mechanics/motion/generic_states.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
-/// The quaternions of frames whose unit norm the kinematic differential equations preserve. The norm is not a
-/// constraint, because it does not restrict the speeds, but numerical integration must maintain it.
+/// The quaternions of frames whose unit norm is preserved by the kinematic differential equations. The norm
+/// is not a constraint, because it does not restrict the speeds, but numerical integration must maintain it.
 namespace kanexpr::mechanics {
 
 namespace detail {
