@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  /// Partial velocities as numbers.
+  /// Numeric partial velocities.
   struct numeric_partials {
     sequence<int> speeds{};
     sequence<triple> values{};

@@ -95,7 +95,7 @@ private:
     push_turns(m, from, meeting, true);
     std::reverse(rotations_.begin(), rotations_.end());
   }
-  /// Adds the rotations of the frames between `meeting` and `end`, from the inside outward.
+  /// Adds the rotations of the frames between `meeting` and `end`, from the innermost outward.
   constexpr void push_turns(const mechanism& m, int end, int meeting, bool is_upward) {
     const sequence<int> way = way_down(m, end, meeting);
     const int first = rotations_.size();

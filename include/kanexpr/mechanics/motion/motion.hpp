@@ -62,7 +62,7 @@ public:
   /// Substitutes the coordinate rates from the kinematic equations into a scalar.
   constexpr expression known(expression e) const { return known_rates(*m_, s_->coordinate_rates).in(e); }
 
-  /// Gives the ground a uniform acceleration; −g replaces gravity on every body.
+  /// Gives the ground a uniform acceleration; an acceleration of −g replaces gravity on every body.
   constexpr void accelerate_ground(const vector& acceleration) {
     ground_ = known_rates(*m_, s_->coordinate_rates).in(acceleration);
   }
