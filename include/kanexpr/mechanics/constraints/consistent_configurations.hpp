@@ -57,7 +57,7 @@ public:
   }
 
   /// The number of leading rows that contain the norms of quaternions. The rows of the constraints follow.
-  /// Each row is scaled by its typical size.
+  /// Each row is divided by its length at the start of the iteration.
   constexpr int count_of_norms() const { return quaternions_.size(); }
   constexpr sequence<double> row(int i) const {
     sequence<double> entries;
