@@ -93,7 +93,7 @@ public:
   constexpr const partition& speeds() const { return speeds_; }
   constexpr const partition& coordinates() const { return coordinates_; }
 
-  /// Rejects results that need bodies if the model specifies its Lagrangian as a whole.
+  /// Rejects results that need bodies if the model gives a Lagrangian instead.
   constexpr sentence check_bodies(quantity wanted) const {
     if (!row_of(wanted).is_of_bodies || !system_->loads.has_lagrangian) return {};
     return sentence(
@@ -339,7 +339,7 @@ private:
     return c;
   }
 
-  /// ∂T/∂u; if the model specifies its Lagrangian, ∂L/∂q̇.
+  /// ∂T/∂u, or ∂L/∂q̇ if the model gives a Lagrangian.
   constexpr sequence<expression> momenta() {
     if (system_->loads.has_lagrangian) return gradient_of(*m_, system_->loads.lagrangian).momenta;
     return gradient_of(*m_, mechanics::kinetic_energy(moving())).momenta;
@@ -376,7 +376,8 @@ private:
   const skeleton& s_ = known_.skeleton_used();
   sentence mistake_{};
   constraints constraints_{};
-  symbolic::matrix configuration_{}; ///< the Jacobian of the configuration constraints by all coordinates
+  symbolic::matrix configuration_{}; ///< the Jacobian of the configuration constraints with respect to all
+                                     ///< coordinates
   partition speeds_{}, coordinates_{};
   sequence<symbolic::solved_block>
       step_blocks_{}; ///< the blocks of the Newton step of the dependent coordinates

@@ -21,27 +21,27 @@ enum class quantity : unsigned char {
   unreduced_mass_matrix, ///< M of all speeds before constraints reduce it, p×p
   unreduced_forcing,     ///< f of all speeds before constraints reduce it, p
   constraint_bias,       ///< γ in J u̇ + γ = 0, m
-  inverse_dynamics,      ///< additional forces required on the independent speeds, p−m, with the symbols u̇
+  inverse_dynamics,      ///< generalized forces required in addition to the loads, p−m, with the symbols u̇
   required_inputs,       ///< the inputs that produce u̇, s = p−m, with the symbols u̇
-  gravity_compensation,  ///< forces on the independent speeds that balance gravity, p−m
-  load_compensation,     ///< forces on the independent speeds that balance all other loads, p−m
-  regressor,             ///< Y in τ = Y π + τ_0, the inverse dynamics in the b inertial parameters, (p−m)×b
-  inertial_parameters,   ///< π with the values of the model, b
+  gravity_compensation,  ///< generalized forces of the independent speeds that balance gravity, p−m
+  load_compensation,     ///< generalized forces of the independent speeds that balance all other loads, p−m
+  regressor,             ///< Y in the inverse dynamics τ = Y π + τ_0 for b inertial parameters, (p−m)×b
+  inertial_parameters,   ///< π with the values given in the model, b
   coriolis,              ///< C with Ṁ − 2C skew-symmetric, if the speeds are coordinate rates, p×p
   kinetic_energy,
-  potential_energy,                    ///< the energy of gravity, springs and given potential energies
-  linear_momentum,                     ///< 3, inertial axes
-  angular_momentum,                    ///< 3, inertial axes, about the origin
-  center_of_mass,                      ///< 3, inertial axes, from the origin
-  generalized_momenta,                 ///< ∂T/∂u, or ∂L/∂q̇, of all speeds before constraints reduce them, p
-  configuration_residual,              ///< values of the configuration constraints, l
-  configuration_terms,                 ///< magnitude of the terms of this residual, l
-  redundant_residual,                  ///< residual of the redundant constraints
-  redundant_terms,                     ///< magnitude of the terms of this residual
-  redundant_jacobian,                  ///< J of their rates, a column for each speed
-  redundant_bias,                      ///< their γ in J u̇ + γ = 0
-  redundant_rate,                      ///< the rates of the redundant constraints
-  redundant_rate_terms,                ///< magnitude of the terms of these rates
+  potential_energy,       ///< the energy of gravity, springs and given potential energies
+  linear_momentum,        ///< 3, inertial axes
+  angular_momentum,       ///< 3, inertial axes, about the origin
+  center_of_mass,         ///< 3, inertial axes, from the origin
+  generalized_momenta,    ///< ∂T/∂u, or ∂L/∂q̇, of all speeds before constraints reduce them, p
+  configuration_residual, ///< values of the configuration constraints, l
+  configuration_terms,    ///< magnitude of the terms of this residual, l
+  redundant_residual,     ///< residual of the redundant constraints
+  redundant_terms,        ///< magnitude of the terms of this residual
+  redundant_jacobian,     ///< J of the rates of the redundant constraints, a column for each speed
+  redundant_bias,         ///< γ in J u̇ + γ = 0 for the redundant constraints
+  redundant_rate,         ///< the rates of the redundant constraints
+  redundant_rate_terms,   ///< magnitude of the terms of these rates
   configuration_jacobian_by_dependent, ///< derivatives of the residual with respect to the dependent
                                        ///< coordinates, l×l
   configuration_jacobian_by_all,       ///< derivatives of the residual with respect to all coordinates, l×n
@@ -106,7 +106,7 @@ struct result_row {
   std::string_view called{}; ///< the name by which it is requested
   extent_by rows{}, columns{};
   stage needs{};
-  bool is_of_bodies = false;      ///< not available if the model specifies its Lagrangian as a whole
+  bool is_of_bodies = false;      ///< not available if the model gives a Lagrangian instead of bodies
   bool holds_speed_rates = false; ///< depends on the symbols u̇, which are passed to its function
   bool takes_weights = false;     ///< depends on the weights λ of ẋ, which are passed to its function
   bool takes_direction = false;   ///< depends on the direction v of z, which is passed to its function
@@ -199,11 +199,11 @@ static_assert([] {
   return true;
 }());
 
-/// The kinds of results; those of one kind follow each other in `quantity`.
+/// The kinds of results. Results of the same kind are adjacent in `quantity`.
 enum class result_kind : unsigned char {
   equations_of_motion,
-  forces,   ///< and the matrices with which they are formed
-  energies, ///< and momenta
+  forces,   ///< forces, and the matrices from which they are formed
+  energies, ///< energies and momenta
   configuration_constraints,
   velocity_constraints,
   derivatives, ///< linearized equations, and derivatives with weights or a direction

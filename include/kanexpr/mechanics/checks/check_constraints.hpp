@@ -17,7 +17,7 @@
 /// Checks of constraints: of their contents, of their number, and for singularity in every configuration.
 namespace kanexpr::mechanics {
 
-/// Reports configuration constraints that vanish identically, as they do for planar loops modeled in space.
+/// Reports configuration constraints that vanish identically, as happens for planar loops modeled in space.
 constexpr sentence vanishing_constraints(const given_constraints& given) {
   sequence<int> numbers;
   for (int i = 0; i < given.on_configuration.size(); ++i)
@@ -68,7 +68,7 @@ constexpr sentence check_contents_of_constraints(const mechanism& m, const given
 namespace detail {
 
 /// Whether a constraint is violated wherever the first `configurations` configuration constraints and the
-/// first `velocities` constraints on the speeds hold. Its gradient depends linearly on theirs.
+/// first `velocities` constraints on the speeds hold. Its gradient must be a linear combination of theirs.
 constexpr bool contradicts(const skeleton& s, const constraints& c, const symbolic::matrix& configuration,
                            int configurations, int velocities, expression constraint) {
   const sequence<expression> last{constraint};
@@ -82,7 +82,7 @@ constexpr sentence check_repeated_rates(const skeleton& s, const constraints& c,
   if (c.repeated.empty()) return {};
   consistent_states anywhere(s, configuration, 0, c, c.size(), c.repeated);
   if (first_that_never_vanishes(anywhere, c.repeated) == none)
-    return {}; // true in any configuration, as it is for most models
+    return {}; // they vanish in every configuration, as in most models
   consistent_states states(s, configuration, configuration.rows, c, c.size(), c.repeated);
   const int i = first_that_never_vanishes(states, c.repeated);
   if (i == none) return {};

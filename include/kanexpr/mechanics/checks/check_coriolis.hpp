@@ -76,9 +76,9 @@ constexpr sentence mismatch_with_lagrange(motion& k, const loads& acting) {
 
 } // namespace detail
 
-/// Returns a sentence that explains why the matrix `c` of Christoffel symbols is not a Coriolis matrix, empty
-/// if it is one: either M does not depend on the coordinates only, or C u differs from the part of −F_r* at
-/// u̇ = 0 that is quadratic in the speeds. `bias_of` forms that part; it is called only in doubtful cases.
+/// Returns a sentence that explains why the matrix `c` of Christoffel symbols is not a Coriolis matrix; empty
+/// if it is one. Either M depends on more than the coordinates, or C u differs from the part of −F_r* at
+/// u̇ = 0 that is quadratic in the speeds. `bias_of` forms that part and is called only in doubtful cases.
 template <class Form>
 constexpr sentence check_coriolis(motion& k, const loads& acting, const symbolic::matrix& mass,
                                   const symbolic::matrix& c, const Form& bias_of) {

@@ -47,7 +47,7 @@ struct numeric_axes {
   constexpr bool right_handed() const { return !all_known() || dot(axis.x, cross(axis.y, axis.z)) > 0; }
 };
 
-/// The values of expressions at generic states, if they must be valid at any angle; otherwise empty.
+/// The values of expressions at generic states if the expressions depend only on angles; otherwise empty.
 constexpr sequence<numbers> at_any_angles(const mechanism& m, const sequence<expression>& all, int rows) {
   if (!symbolic::depend_only_on_angles(*m.g, symbolic::nodes_of(all))) return {};
   symbolic::matrix a(*m.g, rows, all.size() / rows);

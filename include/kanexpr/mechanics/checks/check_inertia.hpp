@@ -14,13 +14,13 @@
 
 #include <string_view>
 
-/// Physically impossible inertias, as far as they are numbers.
+/// Checks for physically impossible inertias, to the extent that their values are known.
 namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Whether a node is positive for positive parameters; handles sums, products, quotients, powers and the
-/// like.
+/// Whether a node is positive for positive parameters; handles sums, products, quotients, powers and similar
+/// operations.
 constexpr bool is_positive(const graph& g, int id) {
   using symbolic::form;
   const symbolic::node& n = g[id];
@@ -54,7 +54,7 @@ constexpr bool is_negative(expression e) {
 
 namespace detail {
 
-/// An inertia as numbers; an inertia that contains symbols is not known.
+/// A numeric inertia; `known` is false if the inertia contains symbols.
 struct numeric_inertia {
   triad at{};
   bool known = true;
@@ -134,7 +134,7 @@ constexpr base::sentence check_principal_values(std::string_view called, std::st
   if (!inertia.positive(1, 1e-9))
     return base::sentence(
         {"the inertia of ", called, " is indefinite: its moment about some axis is negative"});
-  constexpr double rounded = 2.5e-3; // admits a plate of zero thickness given with three digits
+  constexpr double rounded = 2.5e-3; // admits a plate of zero thickness given to three digits
   const double whole = inertia.trace();
   bool is_given[3]{},
       is_planar = false; // in planar models only one moment matters, and the others are often left zero

@@ -36,8 +36,8 @@ public:
   constexpr inertias_at_states(const mechanism& m, const contents& held) : m_(m), held_(held) {}
 
 protected:
-  /// Returns the first sentence that `test(motion, inertia, state)` returns, at one or more generic
-  /// states.
+  /// Calls `test(motion, inertia, state)` at one or more generic states and returns the first mistake that it
+  /// reports.
   template <class Test>
   constexpr base::sentence first_mistake(int states, const Test& test) {
     if (bodies_.empty()) return {};
@@ -76,10 +76,10 @@ private:
 
 /// Checks rigid bodies whose inertia contains only numbers and parameters, and is therefore meant to be
 /// constant, but is given along axes or about a point that may move in the body. An inertia that is meant to
-/// change contains the quantities with which it changes, or the model marks it.
+/// change contains the quantities with which it changes, or is marked in the model.
 class changing_inertia_checker : public inertias_at_states {
 public:
-  /// `apart` means that a frame turns differently from its orientation, so that even the axes of a body may
+  /// `apart` means that some frame turns differently from its orientation, so that even a body's own axes may
   /// move in the body.
   constexpr changing_inertia_checker(const mechanism& m, const contents& held, bool apart)
       : inertias_at_states(m, held) {

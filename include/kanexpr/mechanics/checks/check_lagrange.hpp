@@ -18,7 +18,7 @@
 
 #include <string_view>
 
-/// Checks that apply to Lagrange's method only.
+/// Checks that apply only to Lagrange's method.
 namespace kanexpr::mechanics {
 
 namespace detail {

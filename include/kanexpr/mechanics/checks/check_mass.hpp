@@ -42,9 +42,9 @@ constexpr sequence<int> motion_without_energy(numbers a, double least) {
   return {};
 }
 
-/// Whether a mass matrix is clearly regular if symbols have smaller or larger magnitudes than assumed,
-/// because a model may specify too little about magnitudes. With an inertia of 1e-18, a mass of 1 and an arm
-/// of 1, for example, a rotation and a translation are the same motion to all digits.
+/// Whether a mass matrix is clearly regular if symbols have smaller or larger magnitudes than assumed. A
+/// model may specify too little about magnitudes: with an inertia of 1e-18, a mass of 1 and an arm of 1, for
+/// example, a rotation and a translation are numerically the same motion.
 constexpr bool is_regular_in_other_sizes(const mechanism& m, const symbolic::matrix& mass) {
   for (const double size : trial_sizes)
     for (const numbers& state : at_generic_states(mass, &m, size))

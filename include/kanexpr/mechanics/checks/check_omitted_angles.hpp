@@ -13,7 +13,8 @@
 
 #include <string_view>
 
-/// Vectors given along the axes of a frame whose orientation omits an angle, and that depend on this angle.
+/// Checks for vectors that are given along the axes of a frame whose orientation omits an angle, and that
+/// depend on this angle.
 namespace kanexpr::mechanics {
 
 namespace detail {

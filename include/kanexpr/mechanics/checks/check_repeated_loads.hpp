@@ -35,7 +35,7 @@ private:
   struct ends {
     int on = none;
     int against = none;
-    int sign = 1; ///< −1: the load acts opposite to the written one
+    int sign = 1; ///< −1 if the ends are swapped, so that the load acts in the opposite sense
 
     constexpr bool is_same(const ends& other) const { return on == other.on && against == other.against; }
   };
@@ -48,7 +48,7 @@ private:
       on = l.frame;
     return l.against == none || on < l.against ? ends{on, l.against, 1} : ends{l.against, on, -1};
   }
-  /// The ends of a load except one that is at rest.
+  /// The ends of a load, without an end that is at rest.
   template <class Load>
   constexpr ends moving_ends_of(const Load& l) const {
     const ends all = ends_of(l);

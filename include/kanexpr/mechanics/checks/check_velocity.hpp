@@ -15,13 +15,13 @@ namespace kanexpr::mechanics {
 namespace detail {
 
 /// Compares velocities at several random states, so that both sides of min, max and similar functions are
-/// covered, and with each speed by itself, so that no speed is lost in the rounding errors of others.
+/// covered, and with one speed at a time, so that no speed is lost in the rounding errors of others.
 ///
-/// A declared velocity agrees if it equals the rate of the position from the origin, or the velocity of its
-/// reference or parent plus the rate of the offset from there. If the angular velocity of a frame contains an
-/// angle that its orientation omits, both angular velocities are tried. For a point without an offset, there
-/// is no position to compare with. Speeds that appear in no kinematic equation are the rates of coordinates
-/// that the model omits.
+/// A declared velocity is accepted if it equals the rate of the position from the origin, or the velocity of
+/// its reference or parent plus the rate of the offset from there. If the angular velocity of a frame
+/// contains the rate of an angle that its orientation omits, both angular velocities are tried. For a point
+/// without an offset, there is no position to compare with. Speeds that appear in no kinematic equation are
+/// the rates of coordinates that the model omits.
 class velocity_checker {
 public:
   constexpr velocity_checker(const mechanism& m, const contents& held)

@@ -15,9 +15,9 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Finds weights among the loads, as summands and along any axes. Loads that contain the symbols of the mass
-/// and of gravity are evaluated at one generic state: the summands of a force at the mass center, and the
-/// rates of the summands of a potential energy.
+/// Finds weights among the loads, even as summands of other loads and along arbitrary axes. Loads that
+/// contain the symbols of the mass and of gravity are evaluated at one generic state: the summands of a force
+/// at the mass center, and the rates of the summands of a potential energy.
 class weights_checker {
 public:
   constexpr weights_checker(const mechanism& m, const loads& given, const contents& held, load_check& by)

@@ -19,7 +19,7 @@ struct summand {
 /// Expands products of sums numerically, without creating expressions.
 class summand_expansion {
 public:
-  /// `wanted` are the nodes of symbols.
+  /// `wanted` contains the nodes of the symbols to find.
   constexpr summand_expansion(const generic_motion& motion, const graph& g, const sequence<int>& wanted)
       : motion_(motion), g_(g), wanted_(wanted) {}
 
@@ -56,7 +56,7 @@ private:
   static constexpr bool is_finite(symbolic::value_and_rate x) {
     return numeric::elementary::detail::is_finite(x.value) && numeric::elementary::detail::is_finite(x.rate);
   }
-  /// Multiplies two numbers; a constant expression must not compute with NaN or infinity.
+  /// Multiplies two numbers without computing with NaN or infinity, which constant evaluation rejects.
   static constexpr symbolic::value_and_rate product(symbolic::value_and_rate a, symbolic::value_and_rate b) {
     return is_finite(a) && is_finite(b) ? symbolic::evaluate_with_rate(symbolic::operation::multiply, a, b)
                                         : symbolic::value_and_rate{numeric::elementary::detail::infinity, 0};

@@ -9,11 +9,11 @@
 
 namespace kanexpr::mechanics {
 
-/// Finds configurations in which all constraints hold, by the Levenberg–Marquardt method, which admits
+/// Finds configurations in which all constraints hold, by the Levenberg–Marquardt method, which tolerates
 /// redundant constraints. The norms of quaternions are treated as additional constraints.
 class consistent_configurations {
 public:
-  /// `by_q` contains the derivatives of the constraints `all`, in its first rows.
+  /// The first rows of `by_q` contain the derivatives of the constraints `all`.
   constexpr consistent_configurations(const mechanism& m, const symbolic::matrix& by_q,
                                       const sequence<expression>& all)
       : m_(m), by_q_(by_q), all_(all), sizes_(*m.g), evaluate_(*m.g, outputs(by_q, all)),
@@ -57,7 +57,7 @@ public:
   }
 
   /// The number of leading rows that contain the norms of quaternions. The rows of the constraints follow.
-  /// Each row is scaled to its usual size.
+  /// Each row is divided by its length at the start of the iteration.
   constexpr int count_of_norms() const { return quaternions_.size(); }
   constexpr sequence<double> row(int i) const {
     sequence<double> entries;

@@ -104,7 +104,7 @@ private:
     return true;
   }
 
-  /// Makes the smallest change of the unknowns, in units of their typical sizes, with which the residual of
+  /// Changes the unknowns as little as possible, in units of their typical sizes, so that the residual of
   /// J u + c = 0, or of its rate, vanishes. Returns false if the rows are singular. Zero rows are skipped.
   constexpr bool change(const sequence<expression>& unknowns, const sequence<double>& residual) {
     const int n = unknowns.size();

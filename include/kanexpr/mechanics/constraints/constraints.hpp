@@ -31,7 +31,7 @@ struct constraints {
   symbolic::matrix jacobian{};      ///< J, a column for each speed
   symbolic::matrix by_auxiliary{};  ///< J_a, a column for each auxiliary speed
   sequence<expression> remainder{}; ///< c, the part without speeds
-  sequence<expression> repeated{};  ///< omitted rates, if they agree only in J u
+  sequence<expression> repeated{};  ///< omitted rates; empty if no constraint has a part without speeds
   sequence<int> repeats{};          ///< the configuration constraints of these rates
 
   constexpr int size() const { return on_velocities.size(); }

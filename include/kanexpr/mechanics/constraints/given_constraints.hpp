@@ -19,10 +19,10 @@ struct velocity_constraint {
 struct given_constraints {
   sequence<expression> on_configuration{};   ///< expressions of coordinates, parameters and time that vanish
   sequence<expression> rates_by_auxiliary{}; ///< the contribution of auxiliary speeds to the rates of these
-                                             ///< constraints; empty: none
+                                             ///< constraints; empty if there is none
   sequence<velocity_constraint> on_velocities{};
-  sequence<expression> on_accelerations{}; ///< expressions linear in u̇ that vanish; empty: derived from the
-                                           ///< others
+  sequence<expression> on_accelerations{}; ///< expressions linear in u̇ that vanish; if empty, they are
+                                           ///< derived from the others
   sequence<int> redundant{}; ///< configuration constraints that follow from the others, numbered from 1
   sequence<int> dependent_coordinates{},
       dependent_speeds{}; ///< as indices; if empty, the library chooses them

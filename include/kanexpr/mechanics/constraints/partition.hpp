@@ -54,10 +54,10 @@ private:
     int column = none;
   };
 
-  static constexpr double rounding = 1e-13; ///< relative to 1
+  static constexpr double rounding = 1e-13; ///< relative to entries of order 1
   static constexpr double magnitude(double x) { return x < 0 ? -x : x; }
 
-  /// The best pivot among the entries of the Jacobian, or also among the fill-in.
+  /// The best pivot among the entries of the Jacobian; if `takes_all`, also among the fill-in.
   constexpr place best(bool takes_all) const {
     sequence<int> in_row(jacobian_.rows, 0), in_column(jacobian_.columns, 0); // remaining entries
     sequence<double> largest(states_.size() * jacobian_.rows, 0.0);
@@ -76,7 +76,7 @@ private:
       for (int j = 0; j < jacobian_.columns && row_done_[i] == 0; ++j) {
         if (is_dependent_[j] != 0) continue;
         if (!takes_all && jacobian_(i, j).is_zero()) continue;
-        double least = 1; // smallest ratio of the entry to the largest of its row, over the states
+        double least = 1; // smallest ratio, over the states, of the entry to the largest in its row
         for (int s = 0; s < states_.size(); ++s) {
           const double l = largest[s * jacobian_.rows + i];
           const double ratio = l > rounding ? magnitude(states_[s](i, j)) / l : 0;
@@ -108,7 +108,7 @@ private:
 /// Chooses dependent unknowns among the columns of a Jacobian, one for each row, by elimination with full
 /// pivoting at several generic states simultaneously, so that the choice is well conditioned at all of them.
 /// Columns and rows with few entries have a larger weight, which makes the solution cheap (Markowitz).
-/// `preferred` columns are preferred if they are nearly as good.
+/// `preferred` columns are chosen if they are nearly as good.
 constexpr partition choose_dependent(const sequence<numbers>& states, const symbolic::matrix& jacobian,
                                      const sequence<char>& preferred) {
   return detail::choice_by_elimination(states, jacobian, preferred).run();

@@ -12,7 +12,7 @@
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 /// Configuration constraints that follow from the others: those that the model declares redundant, and those
-/// that it should declare.
+/// that it should declare redundant.
 namespace kanexpr::mechanics {
 
 /// The constraints used in solving.
@@ -56,12 +56,13 @@ constexpr sentence check_redundant(const given_constraints& all) {
 }
 
 /// The rate of a redundant constraint vanishes wherever the other constraints hold, for all speeds that they
-/// admit, even though elsewhere its gradient may be no linear combination of theirs. A constraint whose rate
-/// vanishes at none of many such states restricts a remaining motion and is reported.
+/// admit, even though elsewhere its gradient need not be a linear combination of theirs. If the rate of a
+/// constraint vanishes at none of many such states, the constraint restricts a remaining motion and is
+/// reported.
 constexpr sentence check_redundant_rates(const skeleton& s, const constraints& c,
                                          const symbolic::matrix& configuration,
                                          const sequence<expression>& rates) {
-  // values that are set at run time may make constraints redundant, such as those of bars of equal length
+  // values that are set at run time, such as equal lengths of bars, may make constraints redundant
   const contents held(*s.model->g);
   const sequence<expression> residual = c.velocity_residual();
   for (const sequence<expression>* all : {&rates, &c.on_configuration, &residual})
@@ -76,17 +77,17 @@ constexpr sentence check_redundant_rates(const skeleton& s, const constraints& c
                    number.view(), ">"});
 }
 
-/// Returns advice for constraints that seem to leave no motion, but some of which follow from the others
-/// where all of them hold, such as the closure equations of a loop with special geometry: "; where all hold,
-/// configuration constraint 5 follows from the preceding ones; add redundant<5> to drop it". Empty if they do
-/// leave no motion.
+/// Returns advice if the constraints seem to leave no motion, but some of them follow from the others where
+/// all hold, as in the closure equations of a loop with special geometry: "; where all hold, configuration
+/// constraint 5 follows from the preceding ones; add redundant<5> to drop it". The advice is empty if the
+/// constraints really leave no motion.
 constexpr sentence advice_on_redundant(const mechanism& m, const symbolic::matrix& by_q,
                                        const constraints& c) {
   constexpr double nothing = 1e-6;
   const int count = c.on_configuration.size();
   if (count < 2) return {};
   consistent_configurations states(m, by_q, c.on_configuration);
-  sequence<char> adds(count, 0); // to the rows of the norms and of the preceding constraints, at some state
+  sequence<char> adds(count, 0); // independent of the norms and of the preceding constraints at some state
   int found = 0;
   for (int attempts = 0; attempts < 12 && found < 2; ++attempts) {
     if (!states.next()) continue;

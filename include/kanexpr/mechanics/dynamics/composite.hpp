@@ -15,7 +15,7 @@ namespace kanexpr::mechanics {
 struct composite {
   struct column {
     int speed = none;
-    vector force{};      ///< kept in its axes until a change is needed
+    vector force{};      ///< stays in its original axes as long as possible
     components moment{}; ///< about the station, on the frame
   };
   int frame = mechanism::inertial;
@@ -25,8 +25,8 @@ struct composite {
 
 /// M = Σ J_iᵀ M_i J_i by composite bodies (Featherstone 2008, section 6.2), for any tree of frames, any tree
 /// of points and any generalized speeds. The velocity that a frame or a point adds to that of its parent is
-/// given by a few columns; each column is multiplied with the composite body where it enters and with all
-/// columns farther outward.
+/// given by a few columns; each column is multiplied by the composite body where it enters and by all columns
+/// farther outward.
 class mass_matrix_builder {
 public:
   constexpr explicit mass_matrix_builder(const skeleton& s)
@@ -162,8 +162,8 @@ private:
     return v;
   }
 
-  /// Multiplies new columns with each other and with the existing ones: rotations with moments, and
-  /// translations, given in `axes`, with forces.
+  /// Multiplies new columns by each other and by the existing ones: rotations by moments, and translations,
+  /// given in `axes`, by forces.
   constexpr void enter(composite& c, const sequence<partial_velocity>& ways,
                        const sequence<composite::column>& entering, int axes) {
     const auto felt = [&](const composite::column& k) {

@@ -10,8 +10,8 @@
 #include <kanexpr/symbolic/graph/sum_shortening.hpp>
 
 /// Simplification for models that specify positions or velocities by components with sines and cosines, such
-/// as a ball in a trough. Terms that frames would keep separate then occur together: squared velocities
-/// contain sin² + cos², and centripetal terms cancel.
+/// as a ball in a trough. In such models, terms that frames would keep separate occur together: squared
+/// velocities contain sin² + cos², and centripetal terms cancel.
 namespace kanexpr::mechanics {
 
 /// Whether a model specifies vectors by components with sines and cosines.

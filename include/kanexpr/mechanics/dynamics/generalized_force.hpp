@@ -13,7 +13,7 @@
 namespace kanexpr::mechanics {
 
 /// I·α + ω×(I·ω) about a point, from the matrix U that the forces also use. Because the products of inertia
-/// weight the entries of U directly, this takes half the products of the two-step form.
+/// weight the entries of U directly, this takes half as many multiplications as the two-step form.
 constexpr components inertia_moment(const symmetric& i, const components& w, const components& alpha,
                                     const matrix3& u) {
   components moment;

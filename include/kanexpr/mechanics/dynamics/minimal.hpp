@@ -66,7 +66,8 @@ constexpr sequence<expression> reduced_force(const sequence<expression>& force, 
 }
 
 /// The matrix on the left-hand side of linear equations for the rates of all coordinates and speeds, q̇
-/// followed by u̇: q̇, the equations of motion, and the constraints on the rates of the dependent speeds.
+/// followed by u̇. The rows are those of q̇, of the equations of motion, and of the constraints on the rates
+/// of the dependent speeds.
 constexpr symbolic::matrix mass_matrix_of_all(const mechanism& m, const partition& speeds,
                                               const symbolic::matrix& mass, const dependent_speeds& bound) {
   const int n = m.coordinates.size(), p = m.speeds.size();

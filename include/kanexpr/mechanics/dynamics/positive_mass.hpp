@@ -27,10 +27,10 @@ constexpr bool is_positive_definite(sequence<double> a, int order) {
 }
 
 /// Proves that a mass matrix is positive definite in every configuration by showing, from the ground outward,
-/// that all parts rest if the kinetic energy is zero. A frame that rotates in a resting one rests as well if
-/// its axes are numeric and the inertias that rotate with it resist all of its rotations. A point that slides
-/// relative to a resting one rests if its directions are numeric and it has a mass. All masses and inertias
-/// must be numbers for which no energy is negative.
+/// that all parts are at rest if the kinetic energy is zero. A frame that rotates in a frame at rest is
+/// itself at rest if its axes are numeric and the inertias that rotate with it resist all of its rotations. A
+/// point that slides relative to a point at rest is itself at rest if its directions are numeric and it has
+/// mass. All masses and inertias must be numbers for which no energy is negative.
 class positive_energy_proof {
 public:
   constexpr explicit positive_energy_proof(const skeleton& s)
@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  /// Partial velocities as numbers.
+  /// Numeric partial velocities.
   struct numeric_partials {
     sequence<int> speeds{};
     sequence<triple> values{};
@@ -96,7 +96,7 @@ private:
     return w;
   }
 
-  /// Whether the energy is positive definite in the speeds, so that they vanish if it is zero.
+  /// Whether the energy is positive definite in the speeds; if so, records that they vanish.
   constexpr bool prove(const numeric_partials& w, const triad& energy) {
     const int count = w.speeds.size();
     sequence<double> by_speed;

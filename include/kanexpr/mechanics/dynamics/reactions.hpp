@@ -5,7 +5,7 @@
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 
-/// Forces that do no work, from Kane's equations of the speeds that the motion does not have.
+/// Forces that do no work, from Kane's equations for the dependent and the auxiliary speeds.
 namespace kanexpr::mechanics {
 
 /// F_r + F_r* = f − M u̇ in the actual motion, for the given speeds; zero for all others.

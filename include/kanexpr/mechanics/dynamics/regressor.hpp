@@ -12,7 +12,7 @@
 #include <kanexpr/symbolic/graph/matrix.hpp>
 
 /// Inverse dynamics as a linear function of the inertial parameters of the bodies. Each parameter is treated
-/// separately; the masses and inertias that the model specifies do not matter.
+/// separately; the result does not depend on the masses and inertias that the model specifies.
 namespace kanexpr::mechanics {
 
 /// The point of a body about which its inertial parameters are given: the last point fixed in the body on the
@@ -35,7 +35,7 @@ constexpr int reference_point(const skeleton& s, const body& b) {
   return at;
 }
 
-/// The inertial parameters of all bodies with the values of the model.
+/// The inertial parameters of all bodies, with the values given in the model.
 constexpr sequence<expression> inertial_values(const skeleton& s) {
   const mechanism& m = *s.model;
   sequence<expression> all;
@@ -56,7 +56,7 @@ constexpr sequence<expression> inertial_values(const skeleton& s) {
   return all;
 }
 
-/// Reports a mass or inertia that changes, because its forces are not linear in it.
+/// Reports a mass or inertia that changes, because the resulting forces are not linear in it.
 constexpr sentence check_regressor(const skeleton& s, motion& k) {
   for (const body& b : s.model->bodies)
     if (generalized_forces(s).add_change_of_mass(k, b))

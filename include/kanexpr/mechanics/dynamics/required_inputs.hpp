@@ -13,8 +13,8 @@
 
 namespace kanexpr::mechanics {
 
-/// The inputs for which given forces vanish, or a sentence if there are no such inputs. The forces must be
-/// linear in the inputs.
+/// The inputs for which given forces vanish, or an error sentence if there are no such inputs. The forces
+/// must be linear in the inputs.
 struct required_inputs {
   sentence mistake{};
   symbolic::linear_solution solved{};

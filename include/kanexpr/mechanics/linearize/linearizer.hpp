@@ -95,7 +95,7 @@ public:
     const sequence<expression> force = negative(summed(form_.f_2, form_.f_3));
     sequence<expression> all = force;
     all.append(form_.f_a);
-    if (force.size() < active_directions(all)) // no temporary of a conditional expression: g++ 12
+    if (force.size() < active_directions(all)) // not ?:, whose temporary g++ 12 mishandles
       force_ = changes_by_reverse(force);
     else
       force_ = changes_by_forward(force);

@@ -14,7 +14,7 @@ namespace kanexpr::mechanics {
 /// How loads with a potential energy are applied.
 enum class conservative : unsigned char {
   by_forces,
-  by_energy, ///< their energy is part of a Lagrangian; only the remaining part is a force
+  by_energy, ///< their energy is part of a Lagrangian; only the part without an energy is applied as a force
 };
 
 /// ∂V̇/∂u_r for every speed, where V is the sum of the potential energies of the model: Σ_s ∂V/∂q_s
@@ -62,8 +62,8 @@ public:
     force_[n] += express(m_, value, s_.working_axes[s_.stations[n].axes]);
   }
 
-  /// Adds a torque on a frame and its opposite on another one. Between adjacent frames it contributes only to
-  /// the speeds of their relative rotation.
+  /// Adds a torque on a frame and the opposite torque on another. Between adjacent frames it contributes only
+  /// to the speeds of their relative rotation.
   constexpr void add_torque(int frame, int against, const vector& value) {
     const int f = s_.rigid_with[frame], b = against == none ? mechanism::inertial : s_.rigid_with[against];
     if (b != mechanism::inertial && s_.turns_in[f] == b) return add_relative_torque(f, value);

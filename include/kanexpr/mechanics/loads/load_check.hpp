@@ -70,7 +70,7 @@ public:
                            {kind::auxiliary_speed, kind::coordinate_rate, kind::speed, kind::speed_rate}),
                  of, whose);
   }
-  /// Reports the symbol that a quantity must not contain, unless it is empty.
+  /// Reports a symbol that a quantity contains but must not contain; does nothing if `symbol` is empty.
   constexpr void fail_varying(const sentence& symbol, std::string_view of, std::string_view whose) {
     if (symbol)
       fail({of, whose, " contains the ", symbol.view(), "; it may contain only parameters, inputs and time"});

@@ -40,8 +40,8 @@ struct spring_damper {
     on.add_force(against, force);
   }
 
-  /// ½ k (|d| − l)². A rotation of the whole line does not change it, so the line is expressed in the axes of
-  /// the first rotating frame that it involves.
+  /// ½ k (|d| − l)². Rotating the whole line does not change the energy, so the line is expressed in the axes
+  /// of the first rotating frame that it involves.
   constexpr expression potential_energy(const mechanism& m) const {
     const vector line = line_in(m);
     int axes = mechanism::inertial, least = 0;
@@ -73,8 +73,8 @@ struct spring_damper {
   }
 
 private:
-  /// The line d in the axes in which the forces at one of its points are formed: the point that is deeper in
-  /// the tree.
+  /// The line d between the points, in the axes in which the forces at the point deeper in the tree are
+  /// formed.
   struct stretch {
     int axes = mechanism::inertial;
     components d{};
@@ -91,7 +91,7 @@ private:
     return line;
   }
 
-  /// The vector from the second point to the first, without the common part of both positions.
+  /// The vector from the second point to the first, without the part that both positions have in common.
   constexpr vector line_in(const mechanism& m) const {
     vector d;
     for (const vector::part& p : position_from(m, against, point).parts)
@@ -99,8 +99,8 @@ private:
     return d;
   }
 
-  /// The spring force divided by the length, k (1 − l/|d|). Without a natural length, this needs no root or
-  /// division.
+  /// The spring force divided by the length, k (1 − l/|d|). If the natural length is zero, this needs no root
+  /// or division.
   constexpr expression spring_force_over_length(const components& d) const {
     return length.is_zero() ? stiffness : stiffness * (1 - length / sqrt(dot(d, d)));
   }

@@ -11,8 +11,8 @@
 
 #include <string_view>
 
-/// Checks of the symbols that an expression contains. `of` and `whose` name the expression in sentences, as
-/// in "the angle of frame " and "B".
+/// Checks of the symbols that an expression contains. `of` and `whose` name the expression in error
+/// sentences, such as "the angle of frame " and "B".
 namespace kanexpr::mechanics {
 
 /// Returns, for example, "speed u1" or "rate of coordinate q1".
@@ -45,7 +45,8 @@ constexpr sentence check_no_rates(const mechanism& m, const contents& held, expr
   return sentence({of, whose, " contains the ", found.view(), "; it may contain only coordinates"});
 }
 
-/// Reports an input in a differentiated quantity whose derivatives up to the given order are not known.
+/// Reports an input whose derivatives up to the given order are not known, in a quantity that is
+/// differentiated.
 constexpr sentence check_prescribed(const mechanism& m, const contents& held, expression e, int derivatives,
                                     std::string_view of, std::string_view whose = {}) {
   sequence<int> inputs;

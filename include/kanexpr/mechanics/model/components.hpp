@@ -46,7 +46,7 @@ struct components {
 
 namespace detail {
 
-/// `factor · rest`, which equals an expression up to its sign.
+/// `factor · rest`, which equals an expression up to sign.
 struct factored {
   expression rest;
   bool found = false;
@@ -63,7 +63,7 @@ constexpr factored without_factor(expression e, int factor) {
 
 } // namespace detail
 
-/// s v; a factor common to all components of v is multiplied by s once.
+/// Returns s v. If all components of v have a common factor, s multiplies that factor only once.
 constexpr components scaled(expression s, const components& v) {
   graph& g = s.owner();
   const expression& first = !v.x.is_zero() ? v.x : v.y;

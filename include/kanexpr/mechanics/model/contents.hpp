@@ -64,7 +64,7 @@ public:
     collect(e.node(), wanted, nodes);
   }
 
-  /// The symbols of some kinds in an expression or a vector.
+  /// The symbols of the given kinds in an expression or a vector.
   constexpr sequence<int> symbols_in(expression e, std::initializer_list<kind> wanted) const {
     sequence<int> nodes;
     for (const kind k : wanted) collect(e.node(), k, nodes);

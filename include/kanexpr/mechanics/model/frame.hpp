@@ -11,8 +11,8 @@ namespace kanexpr::mechanics {
 enum class orientation {
   inertial,
   about_basis, ///< rotation by `angle` about axis number `axis` of the parent
-  about_axis,  ///< rotation by `angle` about `direction`, a unit vector fixed in the parent; determines
-               ///< `to_parent`
+  about_axis,  ///< rotation by `angle` about `direction`, a unit vector fixed in the parent; together they
+               ///< determine `to_parent`
   matrix,      ///< given by `to_parent`
 };
 
@@ -31,12 +31,13 @@ struct frame {
   int axis = 0;
   expression angle{};
   components direction{}; ///< in the parent's axes
-  matrix3 to_parent{};    ///< direction cosine matrix: v in the parent's axes = to_parent · v in the frame's
-                          ///< axes
-  sequence<expression> quaternion{}; ///< e0, e1, e2, e3, if the frame is given by a quaternion; determines
-                                     ///< `to_parent`
-  sequence<parameter_rate> rates{}; ///< for example those of a quaternion; if empty, the rates are solved for
-  int reference = none;             ///< the frame in which a declared angular velocity is measured
+  matrix3 to_parent{};    ///< direction cosine matrix; transforms components from the frame's axes to the
+                          ///< parent's
+  sequence<expression> quaternion{}; ///< e0, e1, e2, e3, if the frame is given by a quaternion, which then
+                                     ///< determines `to_parent`
+  sequence<parameter_rate> rates{};  ///< of the orientation parameters, such as a quaternion; if empty, the
+                                     ///< rates are solved for
+  int reference = none;              ///< the frame in which a declared angular velocity is measured
   vector angular_velocity{};
   bool turns_apart = false; ///< declared not to match the orientation
 

@@ -14,7 +14,8 @@ constexpr int add_inertial_frame(mechanism& m, const name& called) {
   return m.frames.push({.called = called});
 }
 
-/// Adds a frame with v in the parent's axes = to_parent · v in the frame's axes.
+/// Adds a frame given by the matrix `to_parent`, which transforms components from the frame's axes to the
+/// parent's.
 constexpr int add_frame_by_matrix(mechanism& m, const name& called, int parent, const matrix3& to_parent) {
   return m.frames.push(
       {.called = called, .parent = parent, .kind = orientation::matrix, .to_parent = to_parent});

@@ -87,9 +87,9 @@ struct rigid_mass {
 /// The mass properties about c, moved to p, where c is at p + r.
 ///
 /// With h' = h + m r, the diagonal entry i increases by r·(h + h') − r_i (h_i + h'_i), and the off-diagonal
-/// entries change by r_i h_j + r_j h'_i. This takes half as many multiplications as the usual form
-/// of the parallel-axis theorem (derived in Featherstone 2008, eq. 2.63). Without mass, h' = h, and the
-/// diagonal increases by twice the terms that the moments of forces at r also require.
+/// entries change by r_i h_j + r_j h'_i. This takes half as many multiplications as the usual form of the
+/// parallel-axis theorem (derived in Featherstone 2008, eq. 2.63). Without mass, h' = h, and the diagonal
+/// increases by twice the terms that also occur in the moments of forces at r.
 constexpr rigid_mass shifted(const rigid_mass& at, const components& r) {
   rigid_mass to = at;
   const components& h = at.first_moment;

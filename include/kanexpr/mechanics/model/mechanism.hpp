@@ -104,7 +104,7 @@ struct mechanism {
     speed_rates.push(symbolic::variable(*g, {symbolic::symbol_kind::speed_rate, called, i}));
     return speeds[i];
   }
-  /// Takes the rate of each coordinate as a speed, named after the coordinate with a prime.
+  /// Makes the rate of each coordinate a speed, named after the coordinate with a prime appended.
   constexpr void take_rates_as_speeds() {
     for (int i = 0; i < coordinates.size(); ++i) {
       name rate = g->symbol_at(coordinates[i].node()).called;
@@ -123,7 +123,7 @@ struct mechanism {
     return i < speeds.size() ? speeds[i] : auxiliary_speeds[i - speeds.size()];
   }
 
-  /// Adds a speed that is zero at all times and belongs to no state.
+  /// Adds a speed that is zero at all times and is not part of the state.
   constexpr expression auxiliary_speed(const name& called) {
     const int i = auxiliary_speeds.size();
     auxiliary_speeds.push(symbolic::variable(*g, {symbolic::symbol_kind::auxiliary_speed, called, i}));

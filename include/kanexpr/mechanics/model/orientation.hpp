@@ -29,8 +29,8 @@ constexpr components turned(const elementary_rotation& h, const components& v) {
 }
 
 /// A symmetric dyadic in rotated axes. For a rotation about a basis vector a, with e = s²(I_bb − I_dd) + 2sc
-/// I_bd, the new diagonal entries are I_bb − e and I_dd + e, and the new product is sc(I_bb − I_dd) + (1 −
-/// 2s²) I_bd; row a transforms like a vector.
+/// I_bd, the new diagonal entries are I_bb − e and I_dd + e, and the new product of inertia is sc(I_bb −
+/// I_dd) + (1 − 2s²) I_bd; row a transforms like a vector.
 constexpr symmetric turned(const elementary_rotation& h, const symmetric& m) {
   symmetric out = m;
   if (!h.about_basis) {
@@ -95,7 +95,7 @@ private:
     push_turns(m, from, meeting, true);
     std::reverse(rotations_.begin(), rotations_.end());
   }
-  /// Adds the rotations of the frames between `meeting` and `end`, from the inside outward.
+  /// Adds the rotations of the frames between `meeting` and `end`, from the innermost outward.
   constexpr void push_turns(const mechanism& m, int end, int meeting, bool is_upward) {
     const sequence<int> way = way_down(m, end, meeting);
     const int first = rotations_.size();

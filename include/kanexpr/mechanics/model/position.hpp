@@ -12,7 +12,8 @@ constexpr int origin_of(const mechanism& m, int point) {
   return point;
 }
 
-/// Reports two points with different origins: origins are fixed in the inertial frame at unknown positions.
+/// Reports two points with different origins, because origins are fixed in the inertial frame at unknown
+/// positions.
 constexpr base::sentence check_position(const mechanism& m, int point, int from) {
   const int origin = origin_of(m, point), other = origin_of(m, from);
   if (origin == other) return {};

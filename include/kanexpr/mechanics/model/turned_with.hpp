@@ -29,7 +29,7 @@ constexpr bool is_along_still_axes(const mechanism& m, const vector& v, int fram
   return true;
 }
 
-/// Rewrites the parts of a vector that are given along axes constant in `frame` along the axes of `frame`, so
+/// Expresses those parts of a vector whose axes are constant in `frame` in the axes of `frame` itself, so
 /// that these parts also rotate with the frame under auxiliary speeds.
 constexpr vector turned_with(const mechanism& m, const vector& v, int frame) {
   vector out;

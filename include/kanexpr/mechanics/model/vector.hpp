@@ -6,7 +6,7 @@
 
 namespace kanexpr::mechanics {
 
-/// The index of no frame, point or body.
+/// The index that denotes no frame, point or body.
 inline constexpr int none = -1;
 
 /// A vector as a sum over frames: each part has components in the axes of one frame.

@@ -21,13 +21,13 @@ constexpr sentence several(int n, std::string_view one, std::string_view what = 
   return sentence({base::counted(n).view(), " ", one, n == 1 ? "" : "s", what});
 }
 
-/// Returns the separator in front of entry `i` of a list of `count` entries: "q1, q2 and q3".
+/// Returns the separator that precedes entry `i` in a list of `count` entries, as in "q1, q2 and q3".
 constexpr std::string_view before_entry(int i, int count) {
   return i == 0 ? "" : i + 1 < count ? ", " : " and ";
 }
 
-/// Returns "q1", "q1 and q2" or "q1, q2 and q3", preceded by a noun in the singular or plural. Long lists
-/// name ten entries and the number of the others.
+/// Returns "q1", "q1 and q2" or "q1, q2 and q3", preceded by a noun in the singular or plural. A long list
+/// names ten entries and gives the number of the others.
 constexpr sentence enumerated(const mechanism& m, const sequence<expression>& symbols,
                               const sequence<int>& places, std::string_view noun = {}) {
   constexpr int most_named = 10;
@@ -41,8 +41,8 @@ constexpr sentence enumerated(const mechanism& m, const sequence<expression>& sy
       {p.view(), before_entry(named, entries), base::counted(places.size() - named).view(), " others"});
 }
 
-/// Returns "configuration constraint 3 follows; add redundant<3> to drop it", with the verb that is given in
-/// the singular and the plural.
+/// Returns "configuration constraint 3 follows; add redundant<3> to drop it", with the verb given in the
+/// singular and in the plural.
 constexpr sentence dropping(const sequence<int>& numbers, std::string_view verb,
                             std::string_view verb_of_many) {
   const bool is_one = numbers.size() == 1;

@@ -20,7 +20,7 @@ namespace kanexpr::mechanics {
 /// velocities.
 class generic_motion {
 public:
-  /// `more` are additional expressions whose values and rates are needed.
+  /// `more` contains additional expressions whose values and rates are needed.
   constexpr generic_motion(const mechanism& m, const contents& held, const sequence<expression>& more = {})
       : m_(m), g_(*m.g), equations_(g_, symbolic::nodes_of(m.kinematics)),
         scalars_(g_, nodes_of_frames(m, more)), symbols_(g_.size()), frames_(m.frames.size()) {
@@ -83,7 +83,7 @@ public:
     return evaluate();
   }
 
-  /// Whether the basis of a frame is orthonormal; with quaternions and matrices this depends on their values.
+  /// Whether the basis of a frame is orthonormal; for quaternions and matrices, this depends on their values.
   constexpr bool is_proper(int f) const { return frames_[f].proper; }
   /// The basis vectors of a frame in inertial axes.
   constexpr const triad& basis(int f) const { return frames_[f].basis; }
@@ -91,8 +91,8 @@ public:
   constexpr triple by_orientation(int f) const { return frames_[f].by_orientation; }
   /// The angular velocity of a frame in the inertial frame, as used in the equations of motion.
   constexpr triple angular_velocity(int f) const { return frames_[f].angular_velocity; }
-  /// The rounding error of an angular velocity that is zero, for rates that all come from one linear
-  /// solution.
+  /// The rounding error to expect in an angular velocity that is exactly zero, if all rates come from one
+  /// linear solution.
   constexpr double rounding() const {
     double fastest = 0;
     for (const pose& p : frames_)
@@ -105,7 +105,8 @@ public:
 
   constexpr const symbolic::value_and_rate& at(int node) const { return scalars_[node]; }
   constexpr const symbolic::value_and_rate& operator[](expression e) const { return at(e.node()); }
-  /// Whether an expression is finite here; a constant expression must not compute with NaN or infinity.
+  /// Whether an expression is finite at the drawn state; constant evaluation rejects computations with NaN or
+  /// infinity.
   constexpr bool is_defined(expression e) const {
     return numeric::elementary::detail::is_finite((*this)[e].value) &&
            numeric::elementary::detail::is_finite((*this)[e].rate);
@@ -145,7 +146,7 @@ private:
     triad basis{};
     triple by_orientation{}, angular_velocity{};
     bool proper = true;
-    bool known = false; ///< of `angular_velocity`
+    bool known = false; ///< whether `angular_velocity` is known
   };
 
   /// The scalars from which the orientation of a frame is evaluated.

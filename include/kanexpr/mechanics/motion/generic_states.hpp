@@ -113,8 +113,7 @@ public:
   constexpr double operator[](int symbol) const { return value_[symbols_.find(symbol)]; }
 
 private:
-  /// Adds the unused entries of a quaternion whose other entries are used, because they contribute to its
-  /// norm.
+  /// If some entries of a quaternion are used, adds the others, because they contribute to its norm.
   constexpr void complete(const sequence<expression>& quaternion) {
     bool any = false;
     for (const expression& e : quaternion) any = any || symbols_.contains(e.node());
@@ -133,9 +132,9 @@ private:
 } // namespace detail
 
 /// Evaluates a matrix of expressions at three generic states, or fewer if functions are undefined at some of
-/// them. Entries that are zero up to rounding, or too small to keep their digits, become zero. If a mechanism
-/// is given, its quaternions have norm 1. The magnitudes of symbols that are not part of an angle are
-/// multiplied by `relative_size`.
+/// them. Entries that are zero up to rounding, or subnormal, are set to zero. If a mechanism is given, its
+/// quaternions have norm 1. The magnitudes of symbols that are not part of an angle are multiplied by
+/// `relative_size`.
 constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const mechanism* of = nullptr,
                                               double relative_size = 1) {
   sequence<numbers> values;
@@ -164,9 +163,9 @@ constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const m
   return values;
 }
 
-/// Scales rows and columns, alike for all states, so that the largest entry of each is near 1. The result
-/// does not depend on the units of rows and columns: initial scales are propagated along a tree of rows and
-/// columns that is determined by the sparsity pattern only.
+/// Scales rows and columns by the same factors at all states, so that the largest entry of each is near 1.
+/// The result does not depend on the units of rows and columns: initial scales are propagated along a tree of
+/// rows and columns that is determined by the sparsity pattern only.
 class equilibration {
 public:
   constexpr explicit equilibration(const sequence<numbers>& states) {
@@ -227,7 +226,7 @@ constexpr sequence<numbers> equilibrated(sequence<numbers> states) {
 /// Factors on typical magnitudes that are tried before a model is rejected, because the model may specify too
 /// little about the magnitudes of its symbols.
 inline constexpr double trial_sizes[]{detail::unit_sizes, 1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9, 1e-12};
-inline constexpr double clearly = 1e-5; ///< tolerance for these, relative to the whole
+inline constexpr double clearly = 1e-5; ///< tolerance for these trials, relative to the whole
 
 /// The space spanned by the rows found independent, stored as an orthonormal basis. A row may be an equation
 /// with a right-hand side.
@@ -252,7 +251,7 @@ public:
     return true;
   }
 
-  /// The smallest solution of the equations that were added, with `size` unknowns.
+  /// The minimum-norm solution of the equations that were added, with `size` unknowns.
   constexpr sequence<double> solution(int size) const {
     sequence<double> x(size, 0.0);
     for (int i = 0; i < basis_.size(); ++i)
@@ -268,7 +267,7 @@ private:
   }
   static constexpr double norm(const sequence<double>& a) { return numeric::elementary::sqrt(dot(a, a)); }
 
-  double least_; ///< smallest remainder, relative to the row
+  double least_; ///< smallest remainder of an independent row, relative to the row
   sequence<sequence<double>> basis_{};
   sequence<double> right_{};
 };
@@ -278,7 +277,7 @@ constexpr sequence<char> independent_rows(const sequence<numbers>& states, int r
   sequence<row_space> spaces(states.size());
   sequence<char> independent;
   for (int i = 0; i < rows; ++i) {
-    bool adds = states.empty(); // no information
+    bool adds = states.empty(); // without states, a row counts as independent
     for (int s = 0; s < states.size(); ++s)
       if (spaces[s].add(states[s].row(i))) adds = true;
     independent.push(adds ? 1 : 0);

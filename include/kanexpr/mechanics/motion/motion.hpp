@@ -53,7 +53,7 @@ public:
 
   constexpr const skeleton& skeleton_used() const { return *s_; }
 
-  /// Updates the address of the skeleton after it was moved.
+  /// Updates the address of the skeleton after the skeleton has been moved.
   constexpr void follow(const skeleton& s) { s_ = &s; }
 
   /// The time derivative of a scalar.
@@ -62,7 +62,7 @@ public:
   /// Substitutes the coordinate rates from the kinematic equations into a scalar.
   constexpr expression known(expression e) const { return known_rates(*m_, s_->coordinate_rates).in(e); }
 
-  /// Gives the ground a uniform acceleration; −g replaces gravity on every body.
+  /// Gives the ground a uniform acceleration; an acceleration of −g replaces gravity on every body.
   constexpr void accelerate_ground(const vector& acceleration) {
     ground_ = known_rates(*m_, s_->coordinate_rates).in(acceleration);
   }

@@ -42,7 +42,7 @@ constexpr triad outer(triple a, triple b) { return {b.x * a, b.y * a, b.z * a}; 
 /// s times the unit dyadic.
 constexpr triad diagonal(double s) { return {{s, 0, 0}, {0, s, 0}, {0, 0, s}}; }
 
-/// The span of vectors that must be longer than the rounding error.
+/// The span of some vectors, all of which must be longer than the rounding error.
 class span_of_triples {
 public:
   constexpr void add(triple v) {

@@ -6,8 +6,8 @@
 #include <kanexpr/mechanics/motion/generic_states.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
-/// The quaternions of frames whose unit norm the kinematic differential equations preserve. The norm is not a
-/// constraint, because it does not restrict the speeds, but numerical integration must maintain it.
+/// The quaternions of frames whose unit norm is preserved by the kinematic differential equations. The norm
+/// is not a constraint, because it does not restrict the speeds, but numerical integration must maintain it.
 namespace kanexpr::mechanics {
 
 namespace detail {
@@ -63,11 +63,11 @@ private:
   /// A random number between 0.5 and 1.5 that depends on `number` only.
   static constexpr double value_of(int number) {
     random_numbers random(88172645463325252u + 2654435761u * static_cast<std::uint64_t>(number));
-    random.next(), random.next(); // numbers of similar seeds are similar at first
+    random.next(), random.next(); // similar seeds yield similar numbers at first
     return 0.5 + random.next();
   }
 
-  /// The residuals of the equations with one rate of the quaternion set to 1, or none.
+  /// The residuals of the equations with one rate of the quaternion, or none, set to 1 and the others to 0.
   constexpr sequence<double> with_rate(int moving) {
     evaluate_.at([&](int id) {
       for (int i = 0; i < places_.size(); ++i) {
@@ -89,8 +89,8 @@ private:
 
 } // namespace detail
 
-/// The coordinate indices of each quaternion whose norm is preserved. A quaternion with entries other than
-/// coordinates, or whose norm other equations must preserve, is not included.
+/// The coordinate indices of each quaternion whose norm is preserved. Quaternions that have entries other
+/// than coordinates, or whose norm must be preserved by other equations, are not included.
 constexpr sequence<sequence<int>> unit_quaternions(const mechanism& m) {
   sequence<sequence<int>> found;
   sequence<char> taken(m.coordinates.size(), 0);

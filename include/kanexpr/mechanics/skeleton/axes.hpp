@@ -46,8 +46,8 @@ constexpr bool axisymmetric(const skeleton& s, int f, int a) {
   return true;
 }
 
-/// Whether every rotation of the mechanism is about one axis of the ground and all offsets are given in the
-/// ground's axes.
+/// Whether all rotations of the mechanism are about the same axis of the ground and all offsets are given in
+/// the ground's axes.
 constexpr bool planar(const skeleton& s) {
   int axis = none;
   for (const station& n : s.stations)

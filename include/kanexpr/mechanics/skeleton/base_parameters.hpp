@@ -5,8 +5,8 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 
-/// Combines masses that move as one body, and regroups them into the smallest set of numbers that determines
-/// the motion.
+/// Combines masses that move as one body, and regroups them into the smallest set of parameters that
+/// determines the motion.
 namespace kanexpr::mechanics {
 
 namespace detail {
@@ -18,7 +18,8 @@ public:
     for (const link& l : links) put(l);
   }
 
-  /// Walks from the tips to the ground; `regroup` determines whether numbers may move across joints.
+  /// Proceeds from the tips to the ground; `regroup` specifies whether mass properties may move across
+  /// joints.
   constexpr sequence<link> run(bool regroup) {
     for (int c = s_.stations.size() - 1; c >= 0; --c)
       for (int i = deepest_at(c); i >= 0; i = deepest_at(c)) {
@@ -45,7 +46,7 @@ private:
     links_.push(added);
   }
 
-  /// The unsettled link at station `c` whose frame is the farthest from the ground, or -1.
+  /// The remaining link at station `c` whose frame is the farthest from the ground, or -1.
   constexpr int deepest_at(int c) const {
     int found = -1, depth = -1;
     const link* const links = links_.begin();
@@ -61,7 +62,8 @@ private:
   /// in the frame below, or that frame also has mass there, the mass acts on that frame as a particle at the
   /// station. Likewise, a joint about axis a does not sense the part {m, h_a, I_dd about both other axes} of
   /// the link it carries (base inertial parameters: Gautier & Khalil 1990). Numeric values are folded into
-  /// the frame below. Of symbolic values, only the mass is moved, which never costs more than it saves.
+  /// the frame below. If the values are symbolic, only the mass is moved, which never costs more than it
+  /// saves.
   constexpr link without_unobservable_part(const link& l) {
     const station& at = s_.stations[l.station];
     const bool is_at_rest = at.rigid || (at.absolute && at.relative_velocity.parts.empty());

@@ -48,7 +48,7 @@ constexpr int nonzero(const components& r) {
   return (r.x.is_zero() ? 0 : 1) + (r.y.is_zero() ? 0 : 1) + (r.z.is_zero() ? 0 : 1);
 }
 
-/// The number of nonzero offset components if the joint's point moves by `along` its axis.
+/// The number of nonzero offset components if the joint's point is moved along its axis by `along`.
 constexpr int offsets_left(const skeleton& s, int root, const components& below, const components& above,
                            expression along) {
   const station& at = s.stations[root];
@@ -60,8 +60,9 @@ constexpr int offsets_left(const skeleton& s, int root, const components& below,
 
 } // namespace detail
 
-/// Slides joint points along their axes if fewer offset components remain; joints with intersecting axes then
-/// share a point. Only numeric offsets are moved, because they are folded into constants.
+/// Slides joint points along their axes if this leaves fewer nonzero offset components; joints with
+/// intersecting axes then share a point. Only numeric offsets are moved, because they are folded into
+/// constants.
 constexpr void place_joint_points(skeleton& s) {
   const mechanism& m = *s.model;
   for (int f = 1; f < m.frames.size(); ++f) {

@@ -52,15 +52,15 @@ constexpr sequence<expression> kinematics_of_parameters(const sequence<parameter
 /// Expressions that vanish if the declared angular velocity of a frame in `reference` equals the one that
 /// follows from its orientation.
 ///
-/// They are formed in the axes of the frame before the last rotation, in which the equations of three angles
-/// can be solved one after another.
+/// They are formed in the axes of the frame before the last rotation, in which the equations for the three
+/// angles can be solved one after another.
 constexpr sequence<expression> orientation_kinematics(const mechanism& m, int place, int reference) {
   symbolic::differentiation along_time = time_derivative(m, m.coordinate_rates);
   vector missing = without_auxiliary_speeds(m).in(m.frames[place].angular_velocity);
   const frame& last = m.frames[place];
   const bool has_rates = !last.rates.empty();
   int axes = place;
-  bool turns = false; // above `axes`
+  bool turns = false; // whether a rotation has been found
   for (int f = place; f != reference; f = m.frames[f].parent) {
     if (has_rates && f == place) continue;
     vector w = relative_angular_velocity(m, f, along_time);

@@ -18,7 +18,7 @@ struct station {
   int offset_frame = mechanism::inertial; ///< the frame in whose axes `r` is given
   components r{};
   bool carried = true; ///< ṙ = ω_frame × r
-  bool rigid = false;  ///< r is constant in the frame, not only treated as constant in the velocity
+  bool rigid = false; ///< r is actually constant in the frame, not merely treated as constant in the velocity
   vector relative_velocity{};
   int axes = mechanism::inertial; ///< the frame in whose working axes its motion and forces are expressed
 
@@ -64,8 +64,8 @@ struct skeleton {
       partial_velocities{}; ///< by station: the partial derivatives of its relative velocity, in working axes
   sequence<int> station_of_point{};
   sequence<link> links{};      ///< all masses, combined if they move as one body
-  sequence<link> base_links{}; ///< an equivalent set with fewer numbers: masses regrouped across joints, see
-                               ///< base_parameters.hpp
+  sequence<link> base_links{}; ///< an equivalent set with fewer parameters: masses are regrouped across
+                               ///< joints, see base_parameters.hpp
 
   /// Whether the inertia of a rigid body is given along axes that are fixed in the body, and about its mass
   /// center.
@@ -77,7 +77,7 @@ struct skeleton {
     return true;
   }
 
-  /// Whether the mechanism has frames or points that were added later.
+  /// Whether frames or points have been added to the mechanism since the skeleton was formed.
   constexpr bool lacks_any() const {
     return rigid_with.size() < model->frames.size() || station_of_point.size() < model->points.size();
   }
@@ -102,8 +102,7 @@ struct skeleton {
     return order;
   }
 
-  /// The basis axis about which frame `f` rotates in its parent frame, or none if there is no such single
-  /// axis.
+  /// The basis axis about which frame `f` rotates in its parent frame, or none if there is no such axis.
   constexpr int joint_axis(int f) const {
     const frame& own = model->frames[f];
     return own.kind == orientation::about_basis && !own.has_declared_angular_velocity() ? own.axis : none;

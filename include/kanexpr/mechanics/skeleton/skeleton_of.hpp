@@ -17,8 +17,8 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// Converts the parts of a mechanism that its skeleton lacks into stations and links, with every coordinate
-/// rate replaced by its solution of the kinematic equations.
+/// Converts the parts of a mechanism that are missing from its skeleton into stations and links, with every
+/// coordinate rate replaced by its solution of the kinematic equations.
 class skeleton_builder {
 public:
   constexpr explicit skeleton_builder(skeleton& s)
@@ -103,7 +103,7 @@ private:
                                .axes = axes});
     }
     int last = s_.station_of_point[at.parent];
-    const bool carried = !at.moves_apart; // if it moves apart, the offset does not follow the velocity
+    const bool carried = !at.moves_apart; // otherwise, ṙ need not equal ω × r
     for (const vector::part& p : at.offset.parts) last = push_step(last, in, p, carried);
     if (at.offset.parts.empty()) last = push_step(last, in, {in, components(*m_.g)}, true);
     s_.stations[last].relative_velocity = v;

@@ -21,7 +21,7 @@ constexpr symbolic::differentiation time_derivative(const mechanism& m, const se
   return d;
 }
 
-/// The angular velocity of a frame in its parent that follows from its orientation; `along_time` provides the
+/// The angular velocity of a frame in its parent, derived from its orientation; `along_time` provides the
 /// rates.
 constexpr vector relative_angular_velocity(const mechanism& m, int place,
                                            symbolic::differentiation& along_time) {

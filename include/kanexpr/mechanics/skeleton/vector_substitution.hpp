@@ -42,7 +42,7 @@ public:
   }
 };
 
-/// Removes the auxiliary speeds. They are zero at all times and appear in no motion once their partial
+/// Removes the auxiliary speeds. They are zero at all times and are no longer needed once their partial
 /// velocities, which bring into evidence forces that do no work, are known. Kane & Levinson (1985), section
 /// 4.9.
 class without_auxiliary_speeds : public vector_substitution {
