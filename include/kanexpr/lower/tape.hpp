@@ -49,7 +49,7 @@ struct load {
 /// It contains only the nodes that the outputs need.
 ///
 /// The sines and cosines of angles that do not depend on other functions are contiguous, `angle_count` pairs
-/// from step `first_angle` on, so that one routine can compute them all.
+/// starting at step `first_angle`, so that one routine can compute them all.
 struct tape {
   sequence<instruction> steps{};
   sequence<symbolic::number> numbers{};

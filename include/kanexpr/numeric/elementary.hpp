@@ -75,7 +75,7 @@ constexpr double scaled(real x, int n) noexcept {
 
 constexpr int nearest(real x) noexcept { return static_cast<int>(x < 0 ? x - 0.5L : x + 0.5L); }
 
-// A plain array, because a call of std::array's operator[] would cost more than the multiplication in
+// A plain array, because a call to std::array's operator[] would cost more than the multiplication in
 // `series`.
 struct coefficients {
   real of[24];
@@ -273,7 +273,7 @@ constexpr double positive_pow(double x, double y) noexcept {
 }
 
 // Returns the exact remainder of x after division by the double 2 pi, in [-pi, pi). The significand of x is
-// doubled, modulo the significand of 2 pi, as often as the exponents differ.
+// doubled modulo the significand of 2 pi, once per unit of difference between the exponents.
 [[nodiscard]] constexpr double wrap_to_pi(double x) noexcept {
   if (!detail::is_finite(x)) return detail::not_a_number;
   constexpr double turn = 2 * detail::half_turn;

@@ -14,7 +14,7 @@ constexpr bool is_value(const node& n) {
 /// Marks the nodes that `outputs` need, except constants that end lists or represent orders and indices.
 constexpr sequence<char> live_nodes(const graph& g, const sequence<int>& outputs) {
   sequence<char> marks(g.size(), 0);
-  const node* const nodes = g.begin(); // a pointer, because compilers interpret every call of []
+  const node* const nodes = g.begin(); // a pointer, because compilers interpret every call to operator[]
   char* const live = marks.begin();
   int last = -1;
   for (int id : outputs) {

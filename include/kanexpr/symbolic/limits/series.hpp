@@ -8,8 +8,8 @@
 
 namespace kanexpr::symbolic::limits {
 
-/// A truncated Laurent series in ε: terms from a first order, where the coefficient is nonzero, up to an
-/// order from which on the series is unknown. A polynomial is known to all orders.
+/// A truncated Laurent series in ε: terms from a first order, whose coefficient is nonzero, up to the order
+/// from which the series is unknown. A polynomial is known to all orders.
 ///
 /// Arithmetic: Knuth, The Art of Computer Programming 2 (1997), section 4.7; Griewank & Walther, Evaluating
 /// Derivatives (2008), section 13.2.
@@ -44,7 +44,7 @@ public:
   bool has_terms() const { return !terms_.empty(); }
   bool is_zero() const { return terms_.empty() && end_ == all_orders; }
   bool is_constant() const { return end_ == all_orders && (terms_.empty() || (first_ == 0 && size() == 1)); }
-  /// The order of the first term; without terms, the order from which on the series is unknown.
+  /// The order of the first term; if there are no terms, the order from which the series is unknown.
   int order() const { return terms_.empty() ? end_ : first_; }
   int end() const { return end_; }
   int max_order() const { return max_order_; }

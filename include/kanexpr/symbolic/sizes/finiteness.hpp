@@ -6,7 +6,7 @@
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
-/// Finds results that can become infinite or NaN although all values they depend on are finite and of
+/// Finds results that can become infinite or NaN even though all values they depend on are finite and of
 /// ordinary size.
 namespace kanexpr::symbolic {
 
