@@ -31,7 +31,7 @@ struct statements {
   sequence<symbolic::number> numbers{};
   sequence<load> arguments{};
   sequence<statement> lines{}; ///< line i computes the value i
-  sequence<int> results{};     ///< values
+  sequence<int> results{};     ///< indices of values
   sequence<int> operands{};    ///< the arguments of calls, as indices of values
   sequence<const symbolic::external_function*> externals{};
 };
@@ -208,7 +208,7 @@ inline symbolic::cost cost_of(const statements& code) {
     const statement* const before = i > 0 ? &code.lines[i - 1] : nullptr;
     if (line.op == operation::cos && before != nullptr && before->is == line.is &&
         before->op == operation::sin && before->a == line.a)
-      --total.trigonometric; // of the same angle
+      --total.trigonometric; // counted with the sine of the same angle
   }
   return total;
 }

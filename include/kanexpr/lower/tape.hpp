@@ -19,8 +19,8 @@ struct instruction {
   bool paired; ///< a sine followed by the cosine of its angle in the next slot, or that cosine
 };
 
-/// A step that fills several slots, either part of the solution of a linear system or a call of a function.
-/// It fills as many slots from `step` on as its operation requires; the list of steps marks them as its
+/// A step that fills several slots, either part of the solution of a linear system or a function call.
+/// Starting at `step`, it fills as many slots as its operation requires; the list of steps marks them as its
 /// components.
 struct linear_step {
   operation op = operation::factorization;

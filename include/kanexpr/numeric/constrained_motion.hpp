@@ -56,8 +56,8 @@ State typical_magnitudes(const Equations& of, const State& x) {
 ///
 /// At a position where rows of J become dependent, the constraints do not determine how the mechanism
 /// continues to move; on both sides of the position, they do. The motion near such a position is therefore
-/// interpolated from states at some distance before and after it along its speeds: the required quantities
-/// are smooth along this path.
+/// interpolated from states at some distance before and after it in the direction of its speeds: the required
+/// quantities are smooth along this path.
 ///
 /// `Equations` provides the sizes of its vectors as constants, −1 for sizes known only at run time, and
 ///

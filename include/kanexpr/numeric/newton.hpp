@@ -14,7 +14,7 @@ namespace kanexpr::numeric {
 
 struct newton_options {
   int most_steps = 50;
-  /// The largest relative change of the Jacobian over the last step.
+  /// The largest permitted relative change in the Jacobian over the last step.
   double tolerance = 1e-10;
 };
 

@@ -27,7 +27,7 @@ inline std::optional<real_polynomial> without_angles(const trigonometric_polynom
   return real;
 }
 
-/// Conversion between angles and sums of multiples of nodes.
+/// Converts between angles and sums of multiples of nodes.
 class angles {
 public:
   explicit angles(graph& g) : g_(g) {}

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-/// Conversion between expressions and polynomials in nodes of a graph. The order of construction follows from
+/// Converts between expressions and polynomials in nodes of a graph. The order of construction follows from
 /// node numbers, so equal polynomials become the same node.
 namespace kanexpr::symbolic::algebra {
 

@@ -62,7 +62,7 @@ struct function_properties {
   }
 };
 
-/// In the order of the operations.
+/// Listed in the order of the operations.
 inline constexpr function_properties functions[] = {
     {.op = operation::sqrt,
      .name = "sqrt",
@@ -227,7 +227,7 @@ struct binary_function_properties {
   bool stays_finite = false;     ///< finite wherever its arguments are finite
 };
 
-/// In the order of the operations.
+/// Listed in the order of the operations.
 inline constexpr binary_function_properties binary_functions[] = {
     {.op = operation::atan2,
      .name = "atan2",

@@ -62,7 +62,7 @@ public:
   constexpr const sequence<symbol>& symbols() const { return symbols_; }
   constexpr const sequence<number>& numbers() const { return numbers_; }
 
-  /// Records that the program put the integer 0 into an expression; `consume_integer_zero` returns this once.
+  /// Records that the program put the integer 0 into an expression; `consume_integer_zero` reports this once.
   void record_integer_zero() { has_integer_zero_ = true; }
   bool consume_integer_zero() { return std::exchange(has_integer_zero_, false); }
 

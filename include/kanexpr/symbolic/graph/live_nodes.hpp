@@ -46,7 +46,7 @@ constexpr sequence<int> live_values(const graph& g, const sequence<int>& outputs
   return values;
 }
 
-/// Whether `outputs` depend on any of the nodes `some`.
+/// Whether `outputs` depend on any of the nodes in `some`.
 constexpr bool depends_on(const graph& g, const sequence<int>& outputs, const sequence<int>& some) {
   const sequence<char> live = live_nodes(g, outputs);
   for (int id : some)

@@ -12,7 +12,7 @@
 /// out.
 namespace kanexpr::symbolic {
 
-/// Rewrites such sums in the outputs. The nodes in `also_needed` are needed in any case.
+/// Rewrites such sums in the outputs. The nodes in `also_needed` are needed regardless of the outputs.
 class sum_shortening {
 public:
   /// The sums to rewrite: either those that individually reduce the number of operations of all outputs
@@ -322,8 +322,8 @@ private:
 
 /// Combines sin² + cos² in the outputs if that saves operations, and otherwise returns the outputs unchanged.
 /// A small gain is not worthwhile, because later derivatives share parts of the sums. The nodes in
-/// `also_needed` are needed in any case. Long equations are skipped, because this step would take longer for
-/// them than the derivation.
+/// `also_needed` are needed regardless of the outputs. Long equations are skipped, because this step would
+/// take longer for them than the derivation.
 constexpr sequence<int> shorten_sums(graph& g, const sequence<int>& outputs,
                                      const sequence<int>& also_needed) {
   constexpr int most_operations = 200, least_part = 16;

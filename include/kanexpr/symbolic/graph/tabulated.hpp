@@ -85,7 +85,7 @@ constexpr expression excess_over(expression x, expression point) {
 
 /// A monotone cubic interpolant through two or more points x₀, y₀, x₁, y₁, … with increasing x, constant
 /// beyond them. Each interval adds the rise of the curve within it, a cubic in the fraction t of the interval
-/// that x has passed. Therefore no lookup is needed, and the derivatives are those of the cubics; at a point,
+/// that lies below x. Therefore no lookup is needed, and the derivatives are those of the cubics; at a point,
 /// the derivatives are those of the interval before it.
 constexpr expression tabulated(expression x, const expression* points, int count) {
   const detail::table_points p(points, count);

@@ -13,8 +13,8 @@
 
 namespace kanexpr::symbolic::limits {
 
-/// The values of an expression at generic values of its symbols; an expression that vanishes there is assumed
-/// to vanish everywhere. A number has only one value.
+/// The values of an expression at generic values of its symbols; an expression that vanishes at these values
+/// is assumed to vanish everywhere. A number has only one value.
 class generic_values {
 public:
   static constexpr int count = 4;

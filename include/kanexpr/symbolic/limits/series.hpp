@@ -48,14 +48,14 @@ public:
   int order() const { return terms_.empty() ? end_ : first_; }
   int end() const { return end_; }
   int max_order() const { return max_order_; }
-  /// The end of the terms worth computing.
+  /// One past the order of the last term worth computing.
   int computed_end() const { return (std::min)(end_, max_order_ + 1); }
   const coefficient& lead() const { return terms_.front(); }
   coefficient operator[](int k) const {
     const int place = k - first_;
     return place >= 0 && place < size() ? terms_[static_cast<std::size_t>(place)] : coefficient{};
   }
-  /// The end of the nonzero terms.
+  /// One past the order of the last nonzero term.
   int nonzero_end() const { return terms_.empty() ? end_ : first_ + size(); }
 
   /// The series times εⁿ.

@@ -188,7 +188,7 @@ bool has_decimals(const polynomial<Coefficient>& p) {
   return std::ranges::any_of(p.terms, [](const term<Coefficient>& t) { return is_decimal(t.coefficient); });
 }
 
-/// A polynomial as a number times a monomial times the remaining polynomial.
+/// A polynomial written as the product of a number, a monomial and the remaining polynomial.
 template <class Coefficient>
 struct factored {
   rational number;
