@@ -13,7 +13,7 @@ class digest {
 public:
   constexpr void take(std::uint64_t content) {
     value_ = (value_ ^ content) * 0x9fb21c651e98df25u;
-    value_ ^= value_ >> 32; // otherwise differences in the highest bits would stay there
+    value_ ^= value_ >> 32; // otherwise differences in the highest bits would not spread
   }
   template <class Content>
     requires(std::signed_integral<Content> || std::is_enum_v<Content>)

@@ -6,7 +6,7 @@
 
 namespace kanexpr {
 
-/// The path of a file: a string, or a `std::filesystem::path`, whose header is too long to be included here.
+/// The path of a file: a string or a `std::filesystem::path`, whose header is too large to include here.
 class file_path {
 public:
   template <std::convertible_to<std::string_view> Text>

@@ -8,8 +8,8 @@
 
 namespace kanexpr::base {
 
-/// A sentence in mechanical terms that names the entity concerned. It describes a mistake or the cause of a
-/// status or a failure, or is a part of such a sentence. Empty if there is nothing to report.
+/// A sentence in mechanical terms that names the entity concerned, or a part of such a sentence. It describes
+/// a mistake or the cause of a status or of a failure. Empty if there is nothing to report.
 struct sentence {
   static constexpr int capacity = 255;
   char letters[capacity + 1]{};
@@ -22,7 +22,7 @@ struct sentence {
 
   constexpr explicit operator bool() const { return length != 0; }
   constexpr std::string_view view() const { return {letters, static_cast<std::size_t>(length)}; }
-  /// The same text, under the name that is common to all types that report a cause.
+  /// The same text; all types that report a cause have a member of this name.
   constexpr std::string cause() const { return std::string(view()); }
 
 private:
@@ -38,7 +38,7 @@ namespace detail {
 
 constexpr std::string_view left_out = "...";
 
-/// Returns the maximum length of a piece for which all pieces fit.
+/// Returns the largest length limit per piece for which all pieces fit.
 constexpr std::size_t longest_piece_of(std::initializer_list<std::string_view> pieces) {
   std::size_t longest = sentence::capacity;
   for (;; --longest) {

@@ -90,7 +90,8 @@ public:
   }
 
 private:
-  /// Arrays of large elements are usually short, and the whole capacity is initialized.
+  /// Arrays of large elements are usually short and start with a small capacity, because all of it is
+  /// initialized.
   struct element {
     Element value;
   };

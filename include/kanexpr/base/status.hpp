@@ -7,8 +7,8 @@
 
 namespace kanexpr {
 
-/// Indicates whether all equations that an evaluation had to solve could be solved at its state. If not, the
-/// accompanying results are meaningless.
+/// Indicates whether all equations that an evaluation had to solve were solvable at the given state. If not,
+/// the accompanying results are meaningless.
 class status {
 public:
   constexpr status() = default;
@@ -40,7 +40,7 @@ inline constexpr double vanishing_measure = 4096.0 * std::numeric_limits<double>
 
 /// The smallest measure that is not treated as singular. The relative error of a solution is at most the
 /// rounding error of its matrix divided by this bound: 1e-6 in double precision; in single precision, four
-/// digits remain. For a compiler vector type, that of its elements.
+/// digits remain. For a compiler vector type, returns the measure for its elements.
 template <class Scalar>
 constexpr double least_singularity_measure() {
   if constexpr (std::is_same_v<Scalar, float>)

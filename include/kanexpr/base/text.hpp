@@ -65,7 +65,7 @@ template <class Type>
 inline constexpr bool is_known_to_all_files =
     whole_name_of<Type>().whole.find_first_of("({") == std::string_view::npos;
 
-/// The unqualified name of a type as the model writes it: `Link<3>`.
+/// The unqualified name of a type, as written in the model: `Link<3>`.
 template <class Type>
 constexpr std::string_view type_name() {
   const whole_name name = whole_name_of<Type>();

@@ -12,8 +12,8 @@
 
 namespace kanexpr::lower {
 
-/// Complex numbers for differentiation by complex steps: functions that depend on magnitudes and signs use
-/// the real part, so every function remains analytic (Squire & Trapp, Using complex variables to estimate
+/// Complex numbers for complex-step differentiation: functions that depend on magnitudes or signs use the
+/// real part, so every function remains analytic (Squire & Trapp, Using complex variables to estimate
 /// derivatives of real functions, SIAM Review 40, 1998).
 template <class Real>
 struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>> {
@@ -79,7 +79,7 @@ struct scalar_math<std::complex<Real>> : default_scalar_math<std::complex<Real>>
   }
 
 private:
-  /// In double, the precision of functions in constant expressions.
+  /// Computes in double, the precision of functions in constant expressions.
   template <symbolic::operation op>
   static Real slope(Real x, Real f) {
     return static_cast<Real>(symbolic::function_slope<op>(static_cast<double>(x), static_cast<double>(f)));

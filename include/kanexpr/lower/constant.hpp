@@ -40,8 +40,8 @@ constexpr void run_linear_step(const linear_step& e, const int* operands,
     numeric::solve_transposed_factorized<math>(e.order, factors, out);
 }
 
-/// Whether a tape contains selections; the values of steps that are not selected may then be undefined. It is
-/// a variable because clang++ re-evaluates a local constant each time control reaches it.
+/// Whether a tape contains selections; the values of steps that are not selected may then be undefined. This
+/// is a variable because clang++ re-evaluates a local constant each time control reaches it.
 template <const auto& tape>
 inline constexpr bool selects = [] {
   for (int i = 0; i < tape.sizes.steps; ++i)

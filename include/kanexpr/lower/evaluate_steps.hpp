@@ -6,7 +6,7 @@
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 /// Evaluates the steps of a tape on values of any type: numbers, or lines of generated code. A value type
-/// requires arithmetic and a `scalar_math`. `Code` is a tape or a view of one.
+/// must provide arithmetic and a `scalar_math`. `Code` is a tape or a view of one.
 namespace kanexpr::lower {
 
 /// Returns the scratch size that `evaluate_steps` requires in addition to the slots.

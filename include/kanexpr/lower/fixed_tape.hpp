@@ -49,7 +49,7 @@ inline constexpr int most_externals = 1 << 8;
 /// uses it; programs use the tape that `trimmed` returns.
 ///
 /// All entries are scalars, because clang++ creates every element of an array of classes with member
-/// initializers, but only the written elements of an array of scalars.
+/// initializers, but only those elements of an array of scalars that are written.
 struct roomy_tape {
   tape_sizes sizes{};
   symbolic::cost cost{};

@@ -10,9 +10,9 @@
 #include <limits>
 #include <type_traits>
 
-/// Vector extensions of the compiler as scalars, `typedef double pack __attribute__((vector_size(32)));`: a
-/// function of a `state<System, pack>` evaluates as many states side by side as a pack has lanes. Include
-/// this header to use them.
+/// Compiler vectors as scalar types, `typedef double pack __attribute__((vector_size(32)));`: a function of a
+/// `state<System, pack>` evaluates as many states side by side as a pack has lanes. Include this header to
+/// use them.
 namespace kanexpr::lower {
 
 template <class Vector>
@@ -21,7 +21,7 @@ concept vector_extension = !std::is_class_v<Vector> && requires(const Vector v) 
   v* v;
 };
 
-/// Arithmetic is that of the compiler; sines, cosines and square roots are computed for all lanes together,
+/// The compiler provides the arithmetic; sines, cosines and square roots are computed for all lanes together,
 /// other functions lane by lane. Each lane has the same bits as a separate evaluation.
 template <vector_extension Vector>
 struct scalar_math<Vector> {

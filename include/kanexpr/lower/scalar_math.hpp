@@ -101,7 +101,7 @@ struct default_scalar_math {
   }
 
   static Number sign(const Number& x) { return symbolic::sign_of(x); }
-  /// Exchanges a and b if d is positive, by selection, because a branch would depend on the data.
+  /// Exchanges a and b if d is positive; uses selection because a branch would depend on the data.
   [[gnu::always_inline]] static void exchange_if_positive(const Number& d, Number& a, Number& b) {
     const bool exchanged = Number(0) < d;
     const Number upper = exchanged ? b : a, lower = exchanged ? a : b;
@@ -154,13 +154,13 @@ struct default_scalar_math {
   }
 };
 
-/// Specialize this class to replace functions, for example to compute sine and cosine by a vector routine:
+/// Specialize this class to replace functions, for example to compute sine and cosine with a vector routine:
 /// `template <> struct scalar_math<double> : default_scalar_math<double> { … };`
 template <class Number>
 struct scalar_math : default_scalar_math<Number> {};
 
-/// One operation of a tape on values of one type; the only place where a step becomes arithmetic, both for
-/// compiled and for interpreted evaluation. If the processor supports it, products and the sums that use them
+/// Applies one operation of a tape to values of one type. Only here does a step become arithmetic, in
+/// compiled and in interpreted evaluation. If the processor supports it, products and the sums that use them
 /// are contracted into fused multiply-adds; clang++ would otherwise contract only within one statement.
 /// KANEXPR_NO_FUSING prevents the contraction.
 template <symbolic::operation op, class Number>
@@ -202,7 +202,8 @@ template <class Number>
 }
 
 /// Whether the magnitude of a measure exceeds `least` times that of its scale. An infinite or NaN measure is
-/// not reported as singular, because the results that depend on it are not finite, which is checked last.
+/// not reported as singular, because the results that depend on it are not finite, and finiteness is checked
+/// last.
 template <class Number>
 [[gnu::always_inline]] inline bool is_regular(const Number& measure, const Number& scale, double least) {
   using math = scalar_math<Number>;

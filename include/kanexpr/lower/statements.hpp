@@ -17,22 +17,22 @@ struct statement {
     argument,  ///< `arguments[a]`
     operation, ///< `op` applied to the value a, or to the values a and b
     choice,    ///< the value a if the value `by` is positive, otherwise b
-    call,      ///< the function `externals[by]` of b values, listed from `operands[a]` on
+    call,      ///< the function `externals[by]` of b values, listed starting at `operands[a]`
   };
   kind is = kind::number;
   lower::operation op{};
   int a = 0, b = 0, by = 0;
 };
 
-/// A tape as code that assigns every value once, by an operation that any language provides or by a call of a
-/// user-supplied function. Backends that generate code use this form. Linear systems are written
-/// out, each row exchange as two choices. The cosine of a pair follows its sine.
+/// A tape as code that assigns every value once, using only operations that any language provides and calls
+/// to user-supplied functions. Backends that generate code use this form. Linear systems are written out,
+/// with each row exchange as two choices. In each sine-cosine pair, the cosine follows the sine.
 struct statements {
   sequence<symbolic::number> numbers{};
   sequence<load> arguments{};
   sequence<statement> lines{}; ///< line i computes the value i
-  sequence<int> results{};     ///< values
-  sequence<int> operands{};    ///< the arguments of calls, as values
+  sequence<int> results{};     ///< indices of values
+  sequence<int> operands{};    ///< the arguments of calls, as indices of values
   sequence<const symbolic::external_function*> externals{};
 };
 
@@ -208,7 +208,7 @@ inline symbolic::cost cost_of(const statements& code) {
     const statement* const before = i > 0 ? &code.lines[i - 1] : nullptr;
     if (line.op == operation::cos && before != nullptr && before->is == line.is &&
         before->op == operation::sin && before->a == line.a)
-      --total.trigonometric; // of the same angle
+      --total.trigonometric; // counted with the sine of the same angle
   }
   return total;
 }

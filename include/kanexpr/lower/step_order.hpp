@@ -14,10 +14,10 @@ using symbolic::operation;
 
 /// Orders nodes so that few values are live simultaneously and more of them stay in registers.
 ///
-/// Among the nodes whose operands are available, the next is the one that is the last use of the most values;
-/// ties are resolved by the order of the graph. Products that are used only by one sum directly precede it,
-/// because processors contract a product and a sum into one operation. The code accesses arrays directly
-/// because compilers interpret every call.
+/// Among the nodes whose operands are available, the one that is the last use of the most values comes next;
+/// ties are resolved by the order of the graph. Products used by only one sum directly precede it, because
+/// processors can contract a product and a sum into one operation. The code accesses arrays directly because
+/// compilers interpret every call.
 class step_order {
 public:
   /// Orders the `live` nodes of the graph, except leaves and nodes that already have a slot.
@@ -117,7 +117,7 @@ private:
     operands_of_.push(operand);
   }
 
-  /// Lists the users of each value, one after another.
+  /// Lists the users of all values, grouped by value.
   constexpr void list_users() {
     const int count = values_.size();
     for (int k = 0; k < count; ++k) uses_[k] = 0;
@@ -139,7 +139,7 @@ private:
     }
   }
 
-  /// Returns by how many values the live set shrinks after a step, plus one.
+  /// Returns one plus the number of values by which a step shrinks the live set.
   constexpr int rank_now(int k) const {
     int rank = uses_[k] > 0 ? 0 : 1;
     for (int i = first_operand_[k]; operands_[i] != none; ++i)

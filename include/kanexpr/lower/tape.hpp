@@ -19,8 +19,8 @@ struct instruction {
   bool paired; ///< a sine followed by the cosine of its angle in the next slot, or that cosine
 };
 
-/// A step that fills several slots, either part of the solution of a linear system or a call of a function.
-/// It fills as many slots from `step` on as its operation requires; the list of steps marks them as its
+/// A step that fills several slots, either part of the solution of a linear system or a function call.
+/// Starting at `step`, it fills as many slots as its operation requires; the list of steps marks them as its
 /// components.
 struct linear_step {
   operation op = operation::factorization;
@@ -49,7 +49,7 @@ struct load {
 /// It contains only the nodes that the outputs need.
 ///
 /// The sines and cosines of angles that do not depend on other functions are contiguous, `angle_count` pairs
-/// from step `first_angle` on, so that one routine can compute them all.
+/// starting at step `first_angle`, so that one routine can compute them all.
 struct tape {
   sequence<instruction> steps{};
   sequence<symbolic::number> numbers{};

@@ -16,7 +16,7 @@ namespace kanexpr::lower {
 template <class Code>
 struct step_plan {
   static constexpr const auto& tape = Code::tape;
-  /// The other actions besides operations and components: a sine with its cosine, and the linear steps from
+  /// The actions other than operations and components: a sine with its cosine, and the linear steps from
   /// `first_linear_step` downward.
   static constexpr int sine_and_cosine = -1, first_linear_step = -2;
   static constexpr int component = static_cast<int>(operation::component);
@@ -42,8 +42,9 @@ struct step_plan {
 /// Straight-line evaluation of a tape that is a constant of the type `Code` (`Code::tape`).
 ///
 /// Every index is a constant, and all steps are in one function, each at the position of its slot in one
-/// initializer, so compilers replace the array by registers before any other optimization. With a pointer to
-/// the slots, they would analyze the memory accesses of every step, again after each level of inlining.
+/// initializer, so compilers replace the array by registers before any other optimization. If there were a
+/// pointer to the slots, they would analyze the memory accesses of every step again after each level of
+/// inlining.
 template <class Code, class Number>
 class unrolled_tape {
 public:

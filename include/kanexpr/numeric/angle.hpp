@@ -10,9 +10,10 @@ namespace kanexpr::numeric {
 
 /// Whether functions of a coordinate are nonlinear and repeat after full turns; `at(h)` returns their values
 /// at the offset h from the current coordinate. If they do, the coordinate is an angle, and its typical size
-/// is 1 in any units. Terms linear in the coordinate, such as those of springs, may be added to the
-/// functions. Multiples of the angle, and halves to twelfths of it, all repeat after twelve turns. Functions
-/// that vanish up to rounding are ignored: their curvature changes at a slightly different offset.
+/// is 1 in any units. The functions may also contain terms linear in the coordinate, such as those of
+/// springs. Functions of multiples of the angle, and of its halves, thirds, quarters, sixths and twelfths,
+/// all repeat after twelve turns. Functions that vanish up to rounding are ignored: their curvature changes
+/// at a slightly different offset.
 template <class Functions>
 bool is_angle(const Functions& at) {
   const Eigen::VectorXd here = at(0.0);

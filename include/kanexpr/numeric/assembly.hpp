@@ -53,7 +53,7 @@ inline base::sentence with_number(std::string_view before, double number, int pr
 /// Returns the larger of two numbers, or NaN if either is NaN.
 inline double larger(double a, double b) { return !is_finite(a) || a > b ? a : b; }
 
-/// Returns the typical magnitude of the terms of constraints near a state, even if the terms vanish at it:
+/// Returns the typical magnitude of the terms of constraints near a state, even if the terms vanish there:
 /// the largest magnitude at the state and at a few points around it. The distances of these points match the
 /// magnitudes of the coordinates, in any units.
 template <class Terms, class State>
@@ -190,8 +190,8 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   return report;
 }
 
-/// Checks whether a state satisfies the constraints within `tolerance`, relative to the terms that they sum,
-/// and reports the first violated one.
+/// Checks whether a state satisfies the constraints within `tolerance`, relative to the terms of each
+/// constraint, and reports the first violation.
 template <class Constraints, class State>
 consistency check_consistency(Constraints& c, const State& x, double tolerance) {
   consistency report;

@@ -10,9 +10,9 @@
 
 namespace kanexpr::numeric {
 
-/// Returns typical sizes of the entries of a state if nothing else is known about them: their magnitudes, at
-/// least 1. If the constraints repeat after one turn of a coordinate, it is an angle, of size 1 regardless of
-/// the number of turns.
+/// Returns typical sizes of the entries of a state if nothing else is known about them: their magnitudes, but
+/// no less than 1. If the constraints repeat after one turn of a coordinate, it is an angle, of size 1
+/// regardless of the number of turns.
 template <class Equations, class State = typename Equations::state>
 State typical_magnitudes(const Equations& of, const State& x) {
   using number = typename State::Scalar;
@@ -54,10 +54,10 @@ State typical_magnitudes(const Equations& of, const State& x) {
 /// the nearest state that satisfies the constraints. The speeds need not be divided into independent and
 /// dependent ones, and the rows of J may be linearly dependent.
 ///
-/// At a position at which rows of J become dependent, the constraints do not determine how a mechanism
-/// continues; on both sides of the position, they do. The motion near such a position is therefore
-/// interpolated from states at some distance before and after it along its speeds: the required quantities
-/// are smooth along this path.
+/// At a position where rows of J become dependent, the constraints do not determine how the mechanism
+/// continues to move; on both sides of the position, they do. The motion near such a position is therefore
+/// interpolated from states at some distance before and after it in the direction of its speeds: the required
+/// quantities are smooth along this path.
 ///
 /// `Equations` provides the sizes of its vectors as constants, −1 for sizes known only at run time, and
 ///
@@ -94,9 +94,9 @@ public:
     estimate_scales(nearby);
   }
 
-  /// Returns how far the velocity constraints are from linear dependence at a state, relative to the best
-  /// value: about 1 far from all positions where constraints become dependent, and 0 if some are always
-  /// dependent.
+  /// Returns how far the velocity constraints are from linear dependence at a state, relative to the largest
+  /// distance found: about 1 far from all positions where constraints become dependent, and 0 if some are
+  /// always dependent.
   number distinctness(const state& x) {
     if (usual_rank_ < most_rank()) return 0;
     velocities(x);
@@ -122,9 +122,9 @@ public:
     return usual_rank_ == rank ? s : find_at_nearest(given, found);
   }
 
-  /// Finds u̇ and the multipliers from the constraints at a state, without moving it. Among all multipliers
-  /// that give the same forces, these have the least sum of squares. `rank_of` returns the rank of J with its
-  /// rows scaled to their typical lengths.
+  /// Finds u̇ and the multipliers from the constraints at a state, without changing the state. Among all
+  /// multipliers that give the same forces, these have the least sum of squares. `rank_of` returns the rank
+  /// of J with its rows scaled to their typical lengths.
   template <class Rank>
   status find_at(const state& x, const Rank& rank_of, speeds& udot, rows_of_speeds& multipliers) {
     if (const status s = of_.motion(x, qdot_, mass_, force_, bias_); !s) return s;
@@ -178,9 +178,9 @@ private:
   static constexpr number residual_tolerance =
       is_single ? number(1e-4) : number(1e-8); ///< the permitted residual of the constraints
   static constexpr number nonzero_tolerance =
-      is_single ? number(1e-3) : number(1e-6); ///< above this bound, a singular value is not always zero
+      is_single ? number(1e-3) : number(1e-6); ///< a singular value above this bound is not identically zero
   static constexpr number min_distinctness =
-      number(1e-2); ///< below this distinctness, the motion loses digits
+      number(1e-2); ///< below this distinctness, the motion loses accuracy
   static constexpr number close_enough =
       is_single ? number(1e-4) : number(1e-9); ///< a step whose square is negligible
   static constexpr number max_move =
@@ -305,7 +305,7 @@ private:
   speeds scaled_by_sizes(const speeds& of) const { return of.cwiseProduct(sizes_of_speeds()); }
   speeds sizes_of_speeds() const { return sizes_.tail(of_.speeds()); }
 
-  /// Removes from the multipliers the components that J maps to no force. The rows of J are not scaled here.
+  /// Removes from the multipliers the components that produce no force. The rows of J are not scaled here.
   rows_of_speeds least_of(rows_of_speeds multipliers, const singular_values<by_speeds>& j,
                           Eigen::Index rank) const {
     matrix<m, m> none = matrix<m, m>::Zero(by_u_.rows(), by_u_.rows()); // directions that produce no force
@@ -346,7 +346,7 @@ private:
       return find_at_nearest(there, one);
     };
     constexpr number farthest_stride = strides[3];
-    for (int tries = 0; tries < 4; ++tries) { // the sizes may include many turns
+    for (int tries = 0; tries < 4; ++tries) { // the magnitudes of angles may span many revolutions
       motion one;
       if (!find_ahead(farthest_stride * step, one) || !(distinct_ > 2 * farthest_stride * spacing)) break;
       step *= farthest_stride * spacing / distinct_;
@@ -376,8 +376,8 @@ private:
     return {};
   }
 
-  /// Returns the weight of two states at equal distances on both sides, in the polynomial interpolation
-  /// through all states.
+  /// Returns the weight of each of the two states at the same distance before and after, in the polynomial
+  /// interpolation through all states.
   static constexpr number weight_of(int reach) {
     number weight = number(0.5);
     for (const int other : strides)
@@ -396,7 +396,7 @@ private:
   rows_of_speeds bias_;
   rows_of_coordinates row_sizes_q_;
   rows_of_speeds row_sizes_u_;
-  number usual_ = 0;            ///< the largest value of the smallest singular value that is not always zero
+  number usual_ = 0; ///< the largest value found for the smallest singular value that is not identically zero
   Eigen::Index usual_rank_ = 0; ///< the usual rank of J
   number distinct_ = 0;         ///< the distinctness at the last state evaluated
 };

@@ -75,7 +75,7 @@ constexpr double scaled(real x, int n) noexcept {
 
 constexpr int nearest(real x) noexcept { return static_cast<int>(x < 0 ? x - 0.5L : x + 0.5L); }
 
-// A plain array, because a call of std::array's operator[] would cost more than the multiplication in
+// A plain array, because a call to std::array's operator[] would cost more than the multiplication in
 // `series`.
 struct coefficients {
   real of[24];
@@ -121,7 +121,7 @@ constexpr real other_leg(double x) noexcept {
   return (root + square / root) / 2;
 }
 
-// The bits of 1/(2 pi) from weight 2^63 on, enough for the largest double.
+// The bits of 1/(2 pi) starting at weight 2^63, enough for the largest double.
 inline constexpr std::uint64_t turns_per_radian[] = {
     0x0000000000000000u, 0x28be60db9391054au, 0x7f09d5f47d4d3770u, 0x36d8a5664f10e410u, 0x7f9458eaf7aef158u,
     0x6dc91b8e909374b8u, 0x01924bba82746487u, 0x3f877ac72c4a69cfu, 0xba208d7d4baed121u, 0x3a671c09ad17df90u,
@@ -236,7 +236,7 @@ constexpr double positive_pow(double x, double y) noexcept {
 
 [[nodiscard]] constexpr double abs(double x) noexcept { return __builtin_fabs(x); }
 
-// Uses Newton's method with a first guess within 20 %.
+// Uses Newton's method with an initial guess accurate to within 20 %.
 [[nodiscard]] constexpr double cbrt(double x) noexcept {
   if (base::equal(x, 0.0) || !detail::is_finite(x)) return x;
   const auto [significand, exponent] = detail::decompose(x);
@@ -272,8 +272,9 @@ constexpr double positive_pow(double x, double y) noexcept {
   return detail::copy_sign(static_cast<double>(value), x);
 }
 
-// Returns the exact remainder of x after division by the double 2 pi, in [-pi, pi). The significand of x is
-// doubled, modulo the significand of 2 pi, as often as the exponents differ.
+// Returns the exact remainder of x after division by the double nearest to 2 pi, in [-pi, pi). The
+// significand of x is doubled modulo the significand of 2 pi, once per unit of difference between the
+// exponents.
 [[nodiscard]] constexpr double wrap_to_pi(double x) noexcept {
   if (!detail::is_finite(x)) return detail::not_a_number;
   constexpr double turn = 2 * detail::half_turn;

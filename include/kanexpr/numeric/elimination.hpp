@@ -83,8 +83,8 @@ constexpr void solve_transposed_factorized(int order, const Number* f, Number* x
   }
 }
 
-/// Returns the smallest pivot relative to the terms that it sums: elimination is applied to `squares`, the
-/// squared sizes of the entries in row-major order, without cancellation. Each size has the unit of its
+/// Returns the smallest pivot relative to the terms that add up to it: elimination is applied to `squares`,
+/// the squared sizes of the entries in row-major order, without cancellation. Each size has the unit of its
 /// entry, so the units of rows and columns do not matter. NaN propagates.
 template <class Math, class Number>
 constexpr Number singularity_measure_of(int order, const Number* f, Number* squares) {

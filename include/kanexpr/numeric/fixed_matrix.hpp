@@ -9,8 +9,8 @@
 
 namespace kanexpr::numeric {
 
-/// A matrix for constant expressions, in which Eigen's cannot be used: `m(i, j)`; a 1-by-1 matrix converts to
-/// a number. The entries are stored in column-major order, as in Eigen.
+/// A matrix for constant expressions, in which Eigen matrices cannot be used. `m(i, j)` is an entry; a 1-by-1
+/// matrix converts to a number. The entries are stored in column-major order, as in Eigen.
 template <class Number, int rows, int columns>
 struct fixed_matrix {
   static constexpr std::size_t capacity = rows * columns > 0 ? static_cast<std::size_t>(rows* columns) : 1;

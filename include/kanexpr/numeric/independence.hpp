@@ -24,8 +24,8 @@ struct independence {
 
 namespace numeric {
 
-/// Checks the rows of a Jacobian in their order. Redundant constraints follow the first `solved` rows. The
-/// function is a template so that files that do not call it do not instantiate its matrices.
+/// Checks the rows of a Jacobian in order. Redundant constraints follow the first `solved` rows. The function
+/// is a template so that files that do not call it do not instantiate its matrices.
 template <class Jacobian>
 independence independence_of(const Jacobian& jacobian, Eigen::Index solved, double least) {
   independence found;

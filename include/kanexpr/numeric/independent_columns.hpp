@@ -14,13 +14,13 @@ namespace kanexpr::numeric {
 struct independent_columns {
   std::vector<Eigen::Index> kept{};
   Eigen::MatrixXd combination{}; ///< K in A = A_kept K
-  /// The shortest remainder of a column that was kept and the longest of one that was not, relative to the
-  /// length of the column. If they differ by orders of magnitude, the choice is reliable; a column that is
-  /// too short compared with the longest makes it unreliable.
+  /// The shortest remainder of the columns that were kept and the longest of those that were not, relative to
+  /// the length of the column. If they differ by orders of magnitude, the choice is reliable; a column that
+  /// is too short compared with the longest makes it unreliable.
   double shortest_kept = 1, longest_left = 0;
 };
 
-/// Finds the columns, in their order, by the Gram-Schmidt process with reorthogonalization (Golub & Van Loan,
+/// Finds the columns, in order, by the Gram-Schmidt process with reorthogonalization (Golub & Van Loan,
 /// Matrix Computations, section 5.2). For columns of length 1, remainders and coefficients of `least` or
 /// below are treated as zero. The function is a template so that files that do not call it do not instantiate
 /// its matrices.

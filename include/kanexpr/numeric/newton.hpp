@@ -14,13 +14,13 @@ namespace kanexpr::numeric {
 
 struct newton_options {
   int most_steps = 50;
-  /// The largest relative change of the Jacobian over the last step.
+  /// The largest permitted relative change in the Jacobian over the last step.
   double tolerance = 1e-10;
 };
 
 struct newton_report {
   bool converged = false;
-  bool singular = false; ///< the final Jacobian could not be solved
+  bool singular = false; ///< the final Jacobian was singular
   int steps = 0;
   double residual = 0; ///< the largest final magnitude
 };
@@ -36,7 +36,7 @@ newton_report newton(Vector& x, const Function& function, const Jacobian& jacobi
   using Matrix = Eigen::Matrix<number, Vector::RowsAtCompileTime, Vector::RowsAtCompileTime>;
   newton_report report;
   Vector f = function(x);
-  // smaller changes of the Jacobian are rounding errors
+  // smaller changes in the Jacobian are rounding errors
   const double least_change = (std::max)(options.tolerance, 1024.0 * std::numeric_limits<number>::epsilon());
   report.residual = largest(f);
   if (!all_finite(f)) return report;

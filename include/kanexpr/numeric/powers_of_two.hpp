@@ -15,7 +15,7 @@ namespace kanexpr::numeric {
 inline constexpr int exponent_of_zero = -(1 << 20);
 constexpr bool is_exponent_of_zero(int exponent) { return exponent < exponent_of_zero / 2; }
 
-/// Avoids the warnings of compilers that assume finite numbers.
+/// Infinity, without the warnings of compilers that assume finite numbers.
 template <class Number>
 inline constexpr Number infinity = static_cast<Number>(numeric::elementary::detail::infinity);
 template <class Number>
@@ -63,7 +63,7 @@ constexpr Number power_of_two(int k) {
     return static_cast<Number>(numeric::elementary::detail::power_of_two(k));
 }
 
-/// Returns x 2ᵏ, or infinity, without overflowing arithmetic, if the product is too large.
+/// Returns x 2ᵏ; if the product is too large, returns infinity without an operation that overflows.
 template <class Number>
 constexpr Number times_power_of_two(Number x, int k) {
   constexpr int too_large = std::numeric_limits<Number>::max_exponent, most = too_large - 2;

@@ -7,7 +7,7 @@
 namespace kanexpr::numeric {
 
 /// The factorization M = L D Lᵀ, with D ≥ 0, of a symmetric matrix that is positive semidefinite up to
-/// rounding. The result does not depend on the units of the rows. Only the lower half of M is read.
+/// rounding. The result does not depend on the units of the rows. Only the lower triangle of M is read.
 ///
 /// The next pivot is the one that is largest relative to its entry on the diagonal of M. If it is below
 /// `least` times that entry, the remainder is attributed to rounding and must be smaller than `rounding`; its
@@ -63,9 +63,9 @@ public:
     return l;
   }
 
-  /// Returns S + W D Wᵀ, reading the lower half of S. Without S, the result is a sum of squares: symmetric,
-  /// with nonnegative diagonal entries, and by the Cauchy-Schwarz inequality the rounding error of each entry
-  /// is at most a fraction of the square root of the product of the two diagonal entries.
+  /// Returns S + W D Wᵀ, reading the lower triangle of S. Without S, the result is a sum of squares: it is
+  /// symmetric and has nonnegative diagonal entries; by the Cauchy-Schwarz inequality, the rounding error of
+  /// each entry is at most a fraction of the square root of the product of the two diagonal entries.
   template <int rows>
   constexpr fixed_matrix<Number, rows, rows> squares(const fixed_matrix<Number, rows, order>& w,
                                                      fixed_matrix<Number, rows, rows> s = {}) const {

@@ -10,8 +10,8 @@
 #include <type_traits>
 #include <utility>
 
-/// Sine and cosine of one or several angles in straight-line code, for `double`, `float`, the compiler's
-/// vectors of them, and in constant expressions.
+/// Sine and cosine of one or several angles in straight-line code, for `double`, `float` and the compiler's
+/// vectors of these, also in constant expressions.
 ///
 /// |x| is reduced to an offset of at most π/4 from a multiple of π/2 by Cody and Waite's method (Software
 /// Manual for the Elementary Functions, 1980, chapter 8): π/2 is split into parts so short that their
@@ -68,7 +68,7 @@ template <class Value>
 #endif
 }
 
-/// An angle of `quadrant` quarter turns (the lowest two bits count) plus `offset + rest`.
+/// An angle of `quadrant` quarter turns (only the lowest two bits matter) plus `offset + rest`.
 template <class Value>
 struct reduced_angle {
   Value offset, rest;
@@ -202,7 +202,7 @@ template <class Value>
   return is_set_in_a_lane(left);
 }
 
-/// Replaces the results of the angles that are out of reach.
+/// Replaces the results of the angles that are out of range.
 template <class Number>
 [[gnu::noinline, gnu::cold]] void by_c_library(std::size_t count, const Number* angle, Number* sine,
                                                Number* cosine) noexcept {

@@ -9,7 +9,7 @@ namespace kanexpr::numeric {
 
 namespace detail {
 
-/// Sets the highest bit of each lane whose angle is out of reach or NaN.
+/// Sets the highest bit of each lane whose angle is out of range or NaN.
 template <class Value>
 [[gnu::always_inline]] inline bits_of<Value> out_of_range_bits(const Value& angle) {
   const bits_of<Value> given = __builtin_bit_cast(bits_of<Value>, angle);

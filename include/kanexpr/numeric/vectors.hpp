@@ -5,8 +5,8 @@
 #include <type_traits>
 #include <utility>
 
-/// The compiler's own vectors, `typedef double pack __attribute__((vector_size(32)));`, which compilers map
-/// to those of the processor.
+/// The compiler's vector types, `typedef double pack __attribute__((vector_size(32)));`, which compilers map
+/// to the vector registers of the processor.
 namespace kanexpr::numeric {
 
 /// The width in bytes of the vectors used for computation; 0 if none are used. AVX-512 vectors would be

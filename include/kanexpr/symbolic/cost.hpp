@@ -17,7 +17,7 @@ struct cost {
   int divisions = 0;
   int trigonometric = 0;
   int other = 0;
-  int nodes = 0; ///< all operations including signs, without inputs and constants
+  int nodes = 0; ///< all operations, including signs but not inputs and constants
 
   constexpr bool operator==(const cost&) const = default;
 

@@ -27,13 +27,13 @@ inline std::optional<real_polynomial> without_angles(const trigonometric_polynom
   return real;
 }
 
-/// Conversion between angles and sums of multiples of nodes.
+/// Converts between angles and sums of multiples of nodes.
 class angles {
 public:
   explicit angles(graph& g) : g_(g) {}
 
-  /// e^{iθ} for a sum θ. A multiple that is not such a fraction, for instance a decimal number, is treated as
-  /// an independent angle.
+  /// e^{iθ} for a sum θ. If a coefficient is not a multiple of 1/720720, for instance if it is a decimal
+  /// number, its term is treated as an independent angle.
   monomial exponential(const real_polynomial& angle) {
     monomial all;
     for (const term<rational>& t : angle.terms) {
@@ -60,8 +60,8 @@ public:
     return known == factors_.end() ? nullptr : &known->second;
   }
 
-  /// The polynomial in terms of sines and cosines of sums, as symbols. The input must be real: every
-  /// exponential has its conjugate.
+  /// The polynomial expressed in sines and cosines of sums, which are treated as symbols. The input must be
+  /// real: every exponential must occur together with its conjugate.
   real_polynomial to_sines_and_cosines(const trigonometric_polynomial& p) {
     term_sum<rational> sum;
     for (const term<gaussian>& t : p.terms) {

@@ -8,13 +8,13 @@ namespace kanexpr::symbolic {
 
 enum class equality {
   equal,     ///< wherever both are defined; proved
-  different, ///< at some state; proved or clearly visible numerically
+  different, ///< at some state; proved, or evident numerically
   undecided,
 };
 
-/// Determines whether two expressions have the same value everywhere. Polynomials in symbols and in sines,
-/// cosines and tangents of sums of angles, and quotients of these, are always decided unless they have too
-/// many terms.
+/// Determines whether two expressions have the same value everywhere. The result is decided for all
+/// polynomials in symbols and in sines, cosines and tangents of sums of angles, and for quotients of these,
+/// unless they have too many terms.
 ///
 /// Other functions are treated as symbols, except that squares of square roots are simplified: expressions
 /// found equal are equal. If relations between these functions might matter, or there are too many terms, a

@@ -19,8 +19,8 @@ constexpr bool is_atomic(operation op) { return is_leaf(op) || op >= operation::
 /// Reads expressions bottom-up as values of a form, which is derived from this class. A form provides
 /// - `negative(a)`, `sum(a, b)`, `product(a, b)` and `quotient(a, b)`;
 /// - `atomic(node)` for symbols, numbers and nodes treated as a whole, and `function(op, a, b)`;
-/// - `size(a)`, the number of terms; `has_minus(a)`, whether a minus is written in front; and `written(a)`,
-///   the expression.
+/// - `size(a)`, the number of terms; `has_minus(a)`, whether it is written with a leading minus sign; and
+///   `written(a)`, the expression.
 template <class Value, class Form>
 class expression_reader {
 public:

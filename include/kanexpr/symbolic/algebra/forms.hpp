@@ -33,9 +33,10 @@ KANEXPR_ENGINE rewritten cancel(expression e, std::size_t most_terms = default_m
 /// equality.hpp). Other functions are treated as symbols; decimal numbers have their exact binary value.
 KANEXPR_ENGINE rewritten trigonometric_normal_form(expression e, std::size_t most_terms = default_max_terms);
 
-/// Returns the form with the fewest operations among the expression with small linear systems expanded, the
-/// same in lowest terms (`cancel`), and the same in lowest terms after combining sines and cosines
-/// (`trigonometric_normal_form`). Forms with more than `most_terms` terms are not considered.
+/// Returns the form with the fewest operations among three: the expression with small linear systems
+/// expanded, its reduction to lowest terms (`cancel`), and its reduction to lowest terms after combining
+/// sines and cosines (`trigonometric_normal_form`). Forms with more than `most_terms` terms are not
+/// considered.
 KANEXPR_ENGINE expression simplify(expression e, std::size_t most_terms = 1000);
 
 /// Simplifies each entry separately.

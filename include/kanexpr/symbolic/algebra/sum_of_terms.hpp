@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-/// Conversion between expressions and polynomials in nodes of a graph. The order of construction follows from
+/// Converts between expressions and polynomials in nodes of a graph. The order of construction follows from
 /// node numbers, so equal polynomials become the same node.
 namespace kanexpr::symbolic::algebra {
 
@@ -57,7 +57,7 @@ inline expression to_expression(graph& g, const real_polynomial& p) {
   return sum;
 }
 
-/// The order in which the factors of a product of all bases are written.
+/// The order of the bases when the product of all of them is written.
 inline std::map<int, std::size_t> written_order(graph& g, const real_polynomial& p) {
   monomial all;
   for (const auto& [base, range] : exponent_ranges(p)) all.push_back({base, 1});

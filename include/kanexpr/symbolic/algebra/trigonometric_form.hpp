@@ -51,8 +51,8 @@ public:
 
   void on_opaque_function(int node) { opaque_.insert(node); }
 
-  /// Whether a polynomial contains functions treated as symbols, so it may be zero although its terms do not
-  /// cancel.
+  /// Whether a polynomial contains functions treated as symbols and so may be zero even though its terms do
+  /// not cancel.
   bool has_opaque_functions(const trigonometric_polynomial& p) const {
     return std::ranges::any_of(p.terms,
                                [this](const term<gaussian>& t) { return has_opaque_functions(t.factors); });

@@ -95,7 +95,7 @@ private:
   }
 
   /// The branch that is not selected must not affect the result, but zero times an infinite derivative is
-  /// NaN. If a derivative may be infinite, the selection is therefore applied to the derivative with respect
+  /// NaN. Therefore, if a derivative may be infinite, the selection is applied to the derivative with respect
   /// to each symbol.
   constexpr void propagate_selection(const node& n, int adjoint) {
     bool stays_finite = true;
@@ -158,7 +158,7 @@ private:
 
   graph& graph_;
   sequence<int> adjoints_;
-  sequence<int> uses_;  ///< number of uses by live nodes
+  sequence<int> uses_;  ///< the number of uses by live nodes
   sequence<int> order_; ///< live nodes, users first
 };
 

@@ -11,9 +11,9 @@
 
 namespace kanexpr::symbolic {
 
-/// A component of a vector rotated about an axis: c a − s b or s a + c b, with c and s the cosine and sine of
-/// an angle. Its derivative with respect to the angle is, up to sign, the other component, which usually
-/// exists already. The chain rule through sine and cosine would need two more products.
+/// A component of a vector rotated about an axis: c a − s b or s a + c b, where c and s are the cosine and
+/// sine of an angle. Its derivative with respect to the angle is, up to sign, the other component, which
+/// usually exists already. The chain rule through sine and cosine would need two more products.
 struct rotated_component {
   int angle = -1; ///< -1: not a rotated component
   /// The factors of the two products: a sine or cosine, and a value.

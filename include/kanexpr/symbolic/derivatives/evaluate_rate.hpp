@@ -19,7 +19,7 @@ struct value_and_rate {
   static constexpr value_and_rate undefined() {
     return {numeric::elementary::detail::not_a_number, numeric::elementary::detail::not_a_number};
   }
-  /// The result of an operation, given the values by node; linear systems are undefined.
+  /// The result of an operation, given the values of the nodes; linear systems are undefined.
   static constexpr value_and_rate at_node(const graph& g, int id, const value_and_rate* value);
 
 private:
@@ -68,7 +68,7 @@ constexpr value_and_rate value_and_rate::at_node(const graph& g, int id, const v
   if (n.op == operation::call) return of_call(g.external_at(id), elements_of(g, n.a), value);
   if (n.op >= operation::pair) return undefined();
   const value_and_rate &a = value[n.a], b = is_binary(n.op) ? value[n.b] : value_and_rate{};
-  // constant expressions reject undefined operands and a zero divisor, except where a selection drops them
+  // constant expressions reject undefined operands and a zero divisor, except where a selection discards them
   const bool is_defined =
       is_finite(a) && is_finite(b) && !(n.op == operation::divide && base::equal(b.value, 0.0)) &&
       !(is_binary_function(n.op) && !binary_properties_of(n.op).is_smooth_at(a.value, b.value));

@@ -8,8 +8,8 @@
 #include <kanexpr/symbolic/graph/rules.hpp>
 #include <kanexpr/symbolic/numbers/number.hpp>
 
-/// Builds nodes of all operations, including linear systems: a system of order one becomes a division, and a
-/// constant system is solved immediately; all others stay symbolic until lowering, when the required
+/// Builds the nodes of all operations, including linear systems: a system of order one becomes a division,
+/// and a constant system is solved immediately; all others stay symbolic until lowering, when the required
 /// components are known.
 namespace kanexpr::symbolic {
 

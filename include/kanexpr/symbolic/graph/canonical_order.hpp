@@ -9,8 +9,8 @@
 #include <bit>
 #include <cstdint>
 
-/// A node order that depends only on the expressions. Node numbers depend on the nodes that were built before
-/// and, in user-written expressions, on the order in which a compiler evaluates operands.
+/// A node order that depends only on the expressions. Node numbers depend on the nodes that were built
+/// earlier and, in user-written expressions, on the order in which a compiler evaluates operands.
 namespace kanexpr::symbolic {
 
 namespace detail {
@@ -48,8 +48,8 @@ private:
     return hash_combine(hash_combine(mark, exchanged ? b : a), exchanged ? a : b);
   }
 
-  /// The number of an operation in hashes. Functions that are added do not change the numbers of others, so
-  /// that existing models keep their order.
+  /// The number that identifies an operation in hashes. Adding functions does not renumber the existing ones,
+  /// so existing models keep their order.
   static constexpr std::uint64_t number_of(operation op) {
     constexpr int first_selection = 23, first_new = 64;
     const int place = static_cast<int>(op), selections = static_cast<int>(operation::if_positive);

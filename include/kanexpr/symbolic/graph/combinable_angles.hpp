@@ -14,8 +14,8 @@ namespace detail {
 constexpr bool is_sum(operation op) { return op == operation::add || op == operation::subtract; }
 
 /// Sums whose terms may combine, found by visiting each node once. A set of angles is stored as bits at even
-/// positions; the bit that follows distinguishes a cosine from a sine. If there are more than 32 angles, they
-/// share bits.
+/// positions; the bit that follows distinguishes a cosine from a sine. If there are more than 32 angles, some
+/// of them share bits.
 class combinable_angles {
 public:
   using set = std::uint64_t;
@@ -25,7 +25,7 @@ public:
     set shared = 0;    ///< sines and cosines that every term of a sum has as factors
     set inside = 0;    ///< angles in factors of the terms of sums that are factors of the node
     set twice = 0;     ///< angles that occur twice when those sums are multiplied out
-    set combining = 0; ///< angles that two terms of a sum have twice, or all terms have once
+    set combining = 0; ///< angles that occur twice in each of two terms of a sum, or once in every term
   };
 
   constexpr const angle_sets& operator[](int id) const { return known_[id]; }

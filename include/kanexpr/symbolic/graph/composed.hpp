@@ -12,7 +12,7 @@ namespace kanexpr::symbolic {
 constexpr expression hypot(expression x, expression y) { return sqrt(sum_of_products(x, x, y, y)); }
 
 /// `positive` if the condition is positive, otherwise `other`; NaN if the condition is NaN. Neither the
-/// branch that is not selected nor its derivative has an effect, even if it is undefined.
+/// branch that is not selected nor its derivative affects the result, even if it is undefined.
 constexpr expression if_positive(expression condition, expression positive, expression other) {
   if (positive == other) return other;
   const expression first = selected(operation::if_positive, condition, positive);
@@ -46,8 +46,8 @@ constexpr expression softplus(expression x, expression width) {
   return above_zero + width * log(exp(exponent / width) + 1);
 }
 
-/// Rises from 0 at `from` to 1 at `to` with continuous second derivatives and is constant beyond: t³ (6 t² −
-/// 15 t + 10), where t is the fraction of the distance covered.
+/// Rises from 0 at `from` to 1 at `to` with continuous second derivatives and is constant outside this
+/// interval: t³ (6 t² − 15 t + 10), where t is the fraction of this interval below x.
 constexpr expression smooth_step(expression x, expression from, expression to) {
   const expression zero = x.number(exactly(0)), one = x.number(exactly(1));
   const expression distance = x - from, t = clamp(distance / (to - from), zero, one), cube = t * t * t;

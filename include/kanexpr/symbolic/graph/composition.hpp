@@ -25,7 +25,7 @@ struct composite_signature {
   int operands;
 };
 
-/// In the order of the enumeration; a test checks this.
+/// Listed in the order of the enumeration; a test checks this.
 inline constexpr composite_signature compositions[] = {
     {composition::hypot, "hypot", 2},
     {composition::if_positive, "if_positive", 3},

@@ -43,9 +43,9 @@ constexpr double defined_value_of(operation op, double a, double b) {
 }
 
 /// Evaluates the nodes that the outputs need, for any number of sets of symbol values. Undefined values (0/0,
-/// the solution of a singular system) are NaN and propagate. Calls of user-defined functions get generic
+/// the solution of a singular system) are NaN and propagate. Calls to user-defined functions get generic
 /// values, which are consistent with their derivatives. `Number` is double, or a class whose `at_node`
-/// returns the result of an operation from the values by node.
+/// computes the result of an operation from the values of the nodes.
 template <class Number>
 class basic_evaluation {
 public:
@@ -58,7 +58,7 @@ public:
   template <class ValueOfSymbol>
   constexpr void at(ValueOfSymbol value_of_symbol) {
     more_.clear();
-    const node* const nodes = g_.begin(); // a pointer, because compilers interpret every call of []
+    const node* const nodes = g_.begin(); // a pointer, because compilers interpret every call to operator[]
     Number* const value = value_.begin();
     for (int id : live_) {
       const node& n = nodes[id];

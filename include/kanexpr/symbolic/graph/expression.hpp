@@ -103,7 +103,8 @@ private:
 };
 
 /// a b + c d. C++ does not fix the evaluation order of the operands of `+`, and nodes are numbered as they
-/// are created; so here, and wherever several operands create nodes, each is named first.
+/// are created; so here, and wherever several operands create nodes, each is first stored in a named
+/// variable.
 constexpr expression sum_of_products(expression a, expression b, expression c, expression d) {
   const expression first = a * b, second = c * d;
   return first + second;
@@ -122,7 +123,7 @@ constexpr expression apply(operation op, expression a, expression b) {
   if (!__builtin_is_constant_evaluated() && !expression::share_a_graph(a, b)) return {};
   return {a.owner(), apply(a.owner(), op, a.node(), b.node())};
 }
-/// x if the condition is positive (or not positive), otherwise zero.
+/// x if the condition is positive (or, for the other operation, not positive), otherwise zero.
 constexpr expression selected(operation op, expression condition, expression x) {
   if (!__builtin_is_constant_evaluated() && !expression::share_a_graph(condition, x)) return {};
   return {x.owner(), selected(x.owner(), op, condition.node(), x.node())};
@@ -132,7 +133,7 @@ constexpr expression power(expression base, expression exponent) {
   return {base.owner(), power(base.owner(), base.node(), exponent.node())};
 }
 
-/// A call of a user-defined function; it requires at least one operand, and all operands must share a graph.
+/// A call to a user-defined function; it requires at least one operand, and all operands must share a graph.
 constexpr expression call(const external_function& f, const sequence<expression>& operands) {
   sequence<int> nodes;
   for (const expression& each : operands) {

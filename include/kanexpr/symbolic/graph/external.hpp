@@ -9,7 +9,7 @@ namespace kanexpr::symbolic {
 /// The highest order of derivatives of a user-defined function, and its maximum number of operands.
 inline constexpr int max_derivatives = 4, max_operands = 9;
 
-/// A user-defined function in an expression: its name and its partial derivatives, each of which is again
+/// A user-defined function in an expression: its name and its partial derivatives, each of which is itself
 /// such a function. Functions are identified by their addresses.
 struct external_function {
   base::name called{};   ///< `tyre`; `tyre_1_2` for its derivative with respect to operands 1 and 2

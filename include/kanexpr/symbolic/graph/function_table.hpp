@@ -22,9 +22,9 @@ enum class unit_rule {
   dropped, ///< dimensionless, for any argument
 };
 
-/// How C calls a function: by a name in <math.h>, or as a function that the exporter writes next to the code.
-/// In its body, `x` and `y` are the arguments, and the exporter replaces `@number@` (the type), `@f@` (the
-/// suffix of functions of math.h), `@zero@`, `@one@`, `@pi@`, `@turn@` and `@name@` (the prefix of
+/// How C calls a function: by a name in <math.h>, or as a function that the exporter writes along with the
+/// code. In its body, `x` and `y` are the arguments, and the exporter replaces `@number@` (the type), `@f@`
+/// (the suffix of math.h functions), `@zero@`, `@one@`, `@pi@`, `@turn@` and `@name@` (the prefix of
 /// `_choose`).
 struct spelling_in_c {
   const char* name = ""; ///< if empty, the name in C++
@@ -44,7 +44,7 @@ struct function_properties {
   spelling_in_c in_c = {};
   parity symmetry = parity::none;
   double smooth_from = -everywhere, smooth_to = everywhere; ///< open interval where differentiable
-  double steep_at = everywhere; ///< where it is continuous with an infinite slope; it must be increasing
+  double steep_at = everywhere; ///< where it is continuous with an infinite slope; must be increasing there
   int exact_at = nowhere;       ///< the integer at which its value is an integer
   unit_rule unit = unit_rule::numbers;
   bool is_trigonometric = false; ///< counted as trigonometric, otherwise as `other`
@@ -62,7 +62,7 @@ struct function_properties {
   }
 };
 
-/// In the order of the operations.
+/// Listed in the order of the operations.
 inline constexpr function_properties functions[] = {
     {.op = operation::sqrt,
      .name = "sqrt",
@@ -209,7 +209,7 @@ inline constexpr function_properties functions[] = {
 /// The unit of the value of a function of two arguments.
 enum class binary_unit_rule {
   numbers, ///< dimensionless, for dimensionless arguments
-  ratio,   ///< dimensionless, for arguments of one unit
+  ratio,   ///< dimensionless, for arguments of the same unit
   kept,    ///< the unit of both arguments
 };
 
@@ -227,7 +227,7 @@ struct binary_function_properties {
   bool stays_finite = false;     ///< finite wherever its arguments are finite
 };
 
-/// In the order of the operations.
+/// Listed in the order of the operations.
 inline constexpr binary_function_properties binary_functions[] = {
     {.op = operation::atan2,
      .name = "atan2",

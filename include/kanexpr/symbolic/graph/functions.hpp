@@ -138,8 +138,8 @@ struct binary_slopes {
 };
 
 /// `of` is the function for any scalar type; `slopes` are its derivatives at (a, b), where its value is f,
-/// for expressions and for numbers. `rate` is optional: the rate of the value if the arguments change at
-/// given rates, where this costs less than a product with each slope.
+/// for expressions and for numbers. `rate` is optional: it gives the rate of the value for given rates of the
+/// arguments, if this costs less than multiplying them by the slopes.
 template <operation op>
 struct binary_function;
 

@@ -23,10 +23,10 @@ struct node {
   int b;
 };
 
-/// A hash-consed expression graph: equal expressions are one node, and operands precede their users.
+/// A hash-consed expression graph: equal expressions share one node, and operands precede their users.
 ///
-/// This class only stores nodes; rules.hpp builds them in simplest form. Most of a derivation happens here,
-/// and compilers interpret every call, so the code accesses its arrays directly.
+/// This class only stores nodes; rules.hpp builds them in simplest form. Most of the work of a derivation is
+/// done here, and compilers interpret every call, so the code accesses its arrays directly.
 class graph {
 public:
   static constexpr int zero = 0;
@@ -62,7 +62,7 @@ public:
   constexpr const sequence<symbol>& symbols() const { return symbols_; }
   constexpr const sequence<number>& numbers() const { return numbers_; }
 
-  /// Records that the program put the integer 0 into an expression; `consume_integer_zero` returns this once.
+  /// Records that the program put the integer 0 into an expression; `consume_integer_zero` reports this once.
   void record_integer_zero() { has_integer_zero_ = true; }
   bool consume_integer_zero() { return std::exchange(has_integer_zero_, false); }
 
@@ -137,7 +137,8 @@ private:
     const auto real = std::bit_cast<std::uint64_t>(value.real);
     return hash(node{operation::constant, static_cast<int>(fraction), static_cast<int>(real ^ (real >> 32))});
   }
-  /// Takes a reference, because g++ caches every constexpr call with plain values, and there are many.
+  /// Takes a reference, because g++ caches every constexpr call whose arguments are plain values, and there
+  /// are many such calls.
   static constexpr unsigned hash(const node& n) {
     const unsigned mixed = (static_cast<unsigned>(n.a) * 2654435761u) ^
                            (static_cast<unsigned>(n.b) * 2246822519u) ^

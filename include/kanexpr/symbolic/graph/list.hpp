@@ -5,7 +5,7 @@
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
-/// Lists as nodes, so that a node with two operands can represent an operation on many.
+/// Lists as nodes, so that a node with two operands can represent an operation on many values.
 namespace kanexpr::symbolic {
 
 constexpr int list_of(graph& g, const sequence<int>& elements) {
@@ -30,7 +30,7 @@ constexpr int integer_at(const graph& g, int constant) {
   return static_cast<int>(g.number_at(constant).numerator);
 }
 
-/// A call of a user-defined function with a list of operands.
+/// A call to a user-defined function with a list of operands.
 constexpr int call(graph& g, const external_function& f, int operands) {
   sequence<const external_function*>& all = g.externals();
   int place = all.find(&f);

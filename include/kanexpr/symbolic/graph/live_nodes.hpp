@@ -14,7 +14,7 @@ constexpr bool is_value(const node& n) {
 /// Marks the nodes that `outputs` need, except constants that end lists or represent orders and indices.
 constexpr sequence<char> live_nodes(const graph& g, const sequence<int>& outputs) {
   sequence<char> marks(g.size(), 0);
-  const node* const nodes = g.begin(); // a pointer, because compilers interpret every call of []
+  const node* const nodes = g.begin(); // a pointer, because compilers interpret every call to operator[]
   char* const live = marks.begin();
   int last = -1;
   for (int id : outputs) {
@@ -46,7 +46,7 @@ constexpr sequence<int> live_values(const graph& g, const sequence<int>& outputs
   return values;
 }
 
-/// Whether `outputs` depend on any of the nodes `some`.
+/// Whether `outputs` depend on any of the nodes in `some`.
 constexpr bool depends_on(const graph& g, const sequence<int>& outputs, const sequence<int>& some) {
   const sequence<char> live = live_nodes(g, outputs);
   for (int id : some)

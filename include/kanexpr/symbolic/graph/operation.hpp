@@ -13,7 +13,7 @@ enum class operation : unsigned char {
   subtract,
   multiply,
   divide,
-  power, ///< general exponents only; integer powers become products, half powers square roots
+  power, ///< general exponents only; integer powers become products, and half powers become square roots
   // functions of one argument, up to `last_function`; `functions` lists their properties
   sqrt,
   sin,
@@ -46,7 +46,7 @@ enum class operation : unsigned char {
   component,           ///< an element of a solution; the constant b is its zero-based index
   singularity_measure, ///< distance of a factorization from singularity: the determinant if small, otherwise
                        ///< the pivots relative to the list b, the squared sizes of the entries
-  call, ///< call of a user-defined function with a list of operands; the constant b is its index
+  call, ///< call to a user-defined function with a list of operands; the constant b is its index
 };
 
 constexpr bool is_leaf(operation op) { return op == operation::constant || op == operation::symbol; }
@@ -88,8 +88,8 @@ constexpr bool is_binary_function(operation op) {
   return op == operation::atan2 || (op > last_function && op < operation::if_positive);
 }
 
-/// The forms of operations; all functions of one argument have the same form, and so do all of two. Code that
-/// treats these functions alike switches over forms, so that adding a function does not affect it.
+/// The forms of operations; all functions of one argument have the same form, and so do all functions of two.
+/// Code that treats these functions alike switches over forms, so that adding a function does not affect it.
 enum class form : unsigned char {
   leaf, ///< a constant or a symbol
   negate,

@@ -119,7 +119,7 @@ constexpr int add(graph& g, int a, int b) {
   if (x.op == operation::multiply && y.op == operation::multiply &&
       (detail::is_pythagorean(g, a, b) || detail::is_pythagorean(g, b, a)))
     return graph::one;
-  // constants move to the front: (c + x) + y becomes c + (x + y) only if it is then combined with another
+  // constants move to the front: (c + x) + y becomes c + (x + y) only if c is then combined with another
   // constant
   if (x.op == operation::add && nodes[x.a].op == operation::constant && y.op == operation::add &&
       nodes[y.a].op == operation::constant) {
@@ -217,7 +217,7 @@ constexpr int divide(graph& g, int a, int b) {
   return g.find_or_append({operation::divide, a, b});
 }
 
-/// Rounds function values near zero: the cosine of the double next to π/2 is zero.
+/// Rounds function values near zero: the cosine of the double nearest to π/2 is zero.
 constexpr number round_near_zero(double value, double argument) {
   return real(numeric::elementary::abs(value) <= 0x1p-51 * numeric::elementary::abs(argument) &&
                       !base::equal(value, argument)

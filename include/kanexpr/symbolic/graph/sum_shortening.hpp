@@ -12,7 +12,7 @@
 /// out.
 namespace kanexpr::symbolic {
 
-/// Rewrites such sums in the outputs. The nodes in `also_needed` are needed in any case.
+/// Rewrites such sums in the outputs. The nodes in `also_needed` are needed regardless of the outputs.
 class sum_shortening {
 public:
   /// The sums to rewrite: either those that individually reduce the number of operations of all outputs
@@ -211,7 +211,7 @@ private:
     if (is_multiplied_out(id, about)) return terms_of(id, about);
     if (n.op == operation::multiply || n.op == operation::divide) {
       const sum_of_monomials a = product_at(n.a, about), b = product_at(n.b, about);
-      if (n.op == operation::multiply) return a * b; // no temporary in a conditional expression: g++ 12
+      if (n.op == operation::multiply) return a * b; // g++ 12: no temporary in a conditional expression
       return a * inverse_of(n.b, b);
     }
     monomial m;
@@ -322,8 +322,8 @@ private:
 
 /// Combines sin² + cos² in the outputs if that saves operations, and otherwise returns the outputs unchanged.
 /// A small gain is not worthwhile, because later derivatives share parts of the sums. The nodes in
-/// `also_needed` are needed in any case. Long equations are skipped: for them this step would take longer
-/// than the derivation.
+/// `also_needed` are needed regardless of the outputs. Long equations are skipped, because this step would
+/// take longer for them than the derivation.
 constexpr sequence<int> shorten_sums(graph& g, const sequence<int>& outputs,
                                      const sequence<int>& also_needed) {
   constexpr int most_operations = 200, least_part = 16;

@@ -85,8 +85,8 @@ constexpr expression excess_over(expression x, expression point) {
 
 /// A monotone cubic interpolant through two or more points x₀, y₀, x₁, y₁, … with increasing x, constant
 /// beyond them. Each interval adds the rise of the curve within it, a cubic in the fraction t of the interval
-/// that x has passed. Therefore no lookup is needed, and the derivatives are those of the cubics; at a point,
-/// those of the interval before it.
+/// that lies below x. Therefore no lookup is needed, and the derivatives are those of the cubics; at a point,
+/// the derivatives are those of the interval before it.
 constexpr expression tabulated(expression x, const expression* points, int count) {
   const detail::table_points p(points, count);
   const expression within = (min)(x, p.x.back());
@@ -95,9 +95,9 @@ constexpr expression tabulated(expression x, const expression* points, int count
   return detail::sum_of_rises(p, detail::monotone_slopes(p), excesses);
 }
 
-/// The periodic counterpart of `tabulated`: it repeats after the last point, which has the value and slope of
-/// the first. The position within the period is computed from the angle to which x corresponds, so that no
-/// derivative jumps.
+/// The periodic counterpart of `tabulated`: it repeats after the last point, which has the same value and
+/// slope as the first. The position within the period is computed from the angle that corresponds to x, so
+/// that no derivative jumps.
 constexpr expression periodic(expression x, const expression* points, int count) {
   constexpr double whole_turn = 6.28318530717958647692;
   const detail::table_points p(points, count);

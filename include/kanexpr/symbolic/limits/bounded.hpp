@@ -34,7 +34,7 @@ struct bounded {
 
   bool defined() const { return base::is_number(value); }
   /// Whether the value counts as zero: it is zero or has no significant digit. `0.1 + 0.2 - 0.3` and the
-  /// cosine of the double next to π/2 vanish; 1e-30 does not. Four times the bound allows for errors made
+  /// cosine of the double nearest to π/2 vanish; 1e-30 does not. Four times the bound allows for errors made
   /// earlier.
   bool vanishes() const { return std::abs(value) <= 4 * error; }
 };

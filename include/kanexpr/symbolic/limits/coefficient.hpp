@@ -58,8 +58,8 @@ inline number arithmetic(operation op, const number& a, const number& b) {
   return op == operation::multiply ? a * b : a / b;
 }
 
-/// A quotient of expressions with its numerical factors combined in front, so that the factors from a
-/// direction cancel.
+/// A quotient of expressions with its numerical factors combined in front, so that the factors that come from
+/// a direction cancel.
 inline int quotient(graph& g, int a, int b) {
   const bool is_negative = (g[a].op == operation::negate) != (g[b].op == operation::negate);
   struct scaled {

@@ -138,7 +138,7 @@ inline expansion sign(const series& s) {
   return detail::constant_or(apply(operation::sign, s.lead()), obstacle::not_real);
 }
 
-/// s less whole turns. At an odd multiple of π, the first term that follows decides between π and -π.
+/// s minus whole turns. At an odd multiple of π, the first term that follows decides between π and -π.
 inline expansion wrap_to_pi(const series& s) {
   if (const obstacle reason = entire_function_obstacle(s); reason != obstacle::none) return reason;
   const std::optional<coefficient> first = apply(operation::wrap_to_pi, s[0]);
@@ -183,7 +183,8 @@ inline expansion atan(const series& s) {
   return integral_from(first, quotient(rate, series(coefficient(1)) + s * s));
 }
 
-/// The arcsine or arccosine. At the ends of its domain the rate is a quotient whose terms vanish.
+/// The arcsine or arccosine. At the ends of the domain, the rate is a quotient whose numerator and
+/// denominator both vanish.
 inline expansion arcsine(const series& s, operation wanted) {
   if (s.has_terms() && s.order() < 0) return obstacle::not_real;
   if (s.end() <= 0) return obstacle::truncated;

@@ -13,8 +13,8 @@
 
 namespace kanexpr::symbolic::limits {
 
-/// The values of an expression at generic values of its symbols; an expression that vanishes there is assumed
-/// to vanish everywhere. A number has only one value.
+/// The values of an expression at generic values of its symbols; an expression that vanishes at these values
+/// is assumed to vanish everywhere. A number has only one value.
 class generic_values {
 public:
   static constexpr int count = 4;
@@ -91,8 +91,8 @@ inline bool never_selects(operation op, const generic_values& condition) {
 /// Solves A x = b by elimination with row exchanges, for a square A stored by rows and x holding b on entry;
 /// returns false if a column has no pivot. Overwrites both.
 ///
-/// `rank_pivot(x)` is an optional of any comparable type, largest for the best pivot; empty if x cannot be a
-/// divisor.
+/// `rank_pivot(x)` returns an optional of any comparable type: the largest value for the best pivot, and
+/// nothing if x cannot be a divisor.
 template <class Number, class Worth>
 bool eliminate(std::vector<Number>& a, std::vector<Number>& x, Worth rank_pivot) {
   const std::size_t order = x.size();

@@ -18,9 +18,9 @@ namespace kanexpr::symbolic {
 namespace limits {
 
 /// Straight lines toward a point, given by the steps of the replaced symbols. A single symbol approaches the
-/// point from both sides. Among several symbols, any two have steps of opposite signs on some line, and each
-/// has the larger step on some line. The last line has equal steps, which give the shortest expressions; it
-/// may be a special case.
+/// point from both sides. With several symbols, any two of them have steps of opposite signs on some line,
+/// and each has the larger step on some line. The last line has equal steps, which give the shortest
+/// expressions; it may be a special case.
 class directions {
 public:
   /// Covers the replaced symbols that the outputs depend on.
@@ -33,7 +33,7 @@ public:
   int size() const { return replaced_.size() == 1 ? 2 : mixed + sign_patterns_ + 1; }
   bool has_equal_steps() const { return replaced_.size() > 1; }
 
-  /// The step of a symbol along a line; the ratios of steps are not simple numbers.
+  /// The step of a symbol along a line; the ratios of steps are not simple fractions.
   int step(int way, int symbol) const {
     if (replaced_.size() == 1) return way == 0 ? 1 : -1;
     if (way == size() - 1) return 1;
@@ -75,7 +75,7 @@ private:
   using lines = std::vector<std::unique_ptr<line>>;
   static constexpr int most_terms = 16;
 
-  /// Drops the outputs that have no value anywhere.
+  /// Returns the outputs that have values somewhere; reports the others as failures.
   sequence<int> defined_outputs(const sequence<int>& outputs) {
     const point_evaluation generic(g_, outputs, {});
     sequence<int> others;
@@ -136,8 +136,7 @@ private:
     return true;
   }
 
-  /// The reason why there is no limit, from a line that is_conclusive and an earlier one; empty if they
-  /// agree.
+  /// The reason why there is no limit, from a conclusive line and an earlier one; empty if they agree.
   std::string limit_failure(const line* first, const line& other, int id) const {
     if (!other[id]) return diagnostics_.describe_missing_series(other, id);
     if (has_pole(other, id)) return diagnostics_.describe_pole(other, id);

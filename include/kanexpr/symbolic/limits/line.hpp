@@ -36,7 +36,7 @@ public:
 
   const expansion& operator[](int id) const { return found_.at(id); }
   bool holds(int id) const { return found_.contains(id); }
-  /// The first node without a series that a node depends on, or the node itself if there is none.
+  /// The first node without a series among those that a node depends on; the node itself if there is none.
   int first_failing_node(int id) const {
     const auto found = first_failing_node_.find(id);
     return found == first_failing_node_.end() ? id : found->second;
@@ -96,7 +96,7 @@ private:
     return expand_call(g_, f, operands, most_);
   }
 
-  /// A node of a whole solution represents its first component.
+  /// The node of a complete solution represents its first component.
   expansion solve(int id, const node& n) {
     std::vector<series> a, b, x;
     const auto gather = [&](const sequence<int>& ids, std::vector<series>& all) {

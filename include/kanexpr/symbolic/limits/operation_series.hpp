@@ -26,7 +26,7 @@ inline bool is_piecewise(operation op, const series& a, const series& b) {
 
 inline expansion apply(operation op, const series& a, const series& b);
 
-/// Evaluates an expression whose symbols are series, given by their positions.
+/// Evaluates an expression whose symbols are replaced by series, which are indexed by symbol position.
 inline expansion series_of(expression e, std::initializer_list<const series*> symbols) {
   const graph& g = e.owner();
   std::vector<expansion> at;

@@ -8,8 +8,8 @@
 
 namespace kanexpr::symbolic::limits {
 
-/// A truncated Laurent series in ε: terms from a first order, where the coefficient is nonzero, up to an
-/// order from which on the series is unknown. A polynomial is known to all orders.
+/// A truncated Laurent series in ε: terms from a first order, whose coefficient is nonzero, up to the order
+/// from which the series is unknown. A polynomial is known to all orders.
 ///
 /// Arithmetic: Knuth, The Art of Computer Programming 2 (1997), section 4.7; Griewank & Walther, Evaluating
 /// Derivatives (2008), section 13.2.
@@ -44,18 +44,18 @@ public:
   bool has_terms() const { return !terms_.empty(); }
   bool is_zero() const { return terms_.empty() && end_ == all_orders; }
   bool is_constant() const { return end_ == all_orders && (terms_.empty() || (first_ == 0 && size() == 1)); }
-  /// The order of the first term; without terms, the order from which on the series is unknown.
+  /// The order of the first term; if there are no terms, the order from which the series is unknown.
   int order() const { return terms_.empty() ? end_ : first_; }
   int end() const { return end_; }
   int max_order() const { return max_order_; }
-  /// The end of the terms worth computing.
+  /// One past the order of the last term worth computing.
   int computed_end() const { return (std::min)(end_, max_order_ + 1); }
   const coefficient& lead() const { return terms_.front(); }
   coefficient operator[](int k) const {
     const int place = k - first_;
     return place >= 0 && place < size() ? terms_[static_cast<std::size_t>(place)] : coefficient{};
   }
-  /// The end of the nonzero terms.
+  /// One past the order of the last nonzero term.
   int nonzero_end() const { return terms_.empty() ? end_ : first_ + size(); }
 
   /// The series times εⁿ.

@@ -6,7 +6,7 @@ namespace kanexpr::symbolic {
 
 using base::sequence;
 
-/// Rows of a linear system and the equally many unknowns that they determine, given the preceding blocks.
+/// Rows of a linear system and the same number of unknowns, which they determine given the preceding blocks.
 struct diagonal_block {
   sequence<int> rows{};
   sequence<int> columns{};

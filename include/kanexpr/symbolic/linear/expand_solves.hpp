@@ -181,8 +181,8 @@ constexpr bool has_linear_systems(const graph& g, const sequence<char>& live) {
   return false;
 }
 
-/// Rewrites the outputs such that systems of order 1 to 3 are solved by cofactors, with one determinant and
-/// its reciprocal for all right-hand sides. Larger systems are kept.
+/// Rewrites the outputs so that systems of order 1 to 3 are solved by cofactors, with one determinant and its
+/// reciprocal for all right-hand sides. Larger systems are kept.
 constexpr sequence<int> expand_solves(graph& g, const sequence<int>& outputs) {
   detail::expansion expanded(g, outputs);
   expanded.run();

@@ -20,7 +20,7 @@ struct pivot {
 
 struct symmetric_solution {
   sequence<expression> x{};
-  sequence<pivot> pivots{}; ///< constants are left out; a pivot precedes those that depend on it
+  sequence<pivot> pivots{}; ///< constants are omitted; a pivot precedes those that depend on it
 };
 
 namespace detail {

@@ -107,7 +107,7 @@ constexpr number operator*(const number& a, const number& b) {
   return real(x * y);
 }
 
-/// base^exponent by repeated squaring, for an exponent of at least zero.
+/// base^exponent by repeated squaring, for a nonnegative exponent.
 template <class Value, class Multiply>
 constexpr Value power_by_squaring(Value base, std::uint64_t exponent, Value one, Multiply multiply) {
   for (; exponent > 0; exponent /= 2) {

@@ -22,7 +22,7 @@ public:
   bool allows(std::size_t terms) {
     return is_within(terms, most_terms_, "the sums have more than ", " terms");
   }
-  /// Whether all sums held simultaneously may have the given number of terms.
+  /// Whether all sums held simultaneously may together have the given number of terms.
   bool allows_total(std::size_t terms) {
     return is_within(terms, 10 * most_terms_, "the sums together have more than ", " terms");
   }

@@ -110,7 +110,7 @@ bool has_large_exponent(const polynomial<Coefficient>& p) {
   return false;
 }
 
-/// The cost of a product with such coefficients, relative to small ones.
+/// The cost of multiplying by such coefficients, relative to small ones.
 template <class Coefficient>
 std::size_t effort(const polynomial<Coefficient>& p) {
   std::size_t most = 0;
@@ -151,7 +151,7 @@ struct exponent_range {
   std::int64_t largest = 0;
 };
 
-/// The ranges by base; a base missing from some terms has exponent zero there.
+/// The ranges, keyed by base; if a base is missing from a term, its exponent there is zero.
 template <class Coefficient>
 std::map<int, exponent_range> exponent_ranges(const polynomial<Coefficient>& p) {
   std::map<int, exponent_range> ranges;
@@ -175,7 +175,7 @@ monomial common_monomial(const polynomial<Coefficient>& p) {
   return common;
 }
 
-/// The positive number whose removal leaves coprime integer coefficients.
+/// The positive number that leaves coprime integer coefficients when it is factored out.
 template <class Coefficient>
 rational common_number(const polynomial<Coefficient>& p) {
   rational common = 0;
@@ -188,7 +188,7 @@ bool has_decimals(const polynomial<Coefficient>& p) {
   return std::ranges::any_of(p.terms, [](const term<Coefficient>& t) { return is_decimal(t.coefficient); });
 }
 
-/// A polynomial as a number times a monomial times the remaining polynomial.
+/// A polynomial written as the product of a number, a monomial and the remaining polynomial.
 template <class Coefficient>
 struct factored {
   rational number;
@@ -204,7 +204,7 @@ factored<Coefficient> split_content(const polynomial<Coefficient>& p) {
   return {number, factors, scaled(p, Coefficient(rational(1) / number), over({}, factors))};
 }
 
-/// The coefficients of a polynomial, by the monomials in some of its bases.
+/// The coefficients of a polynomial, keyed by the monomials in some of its bases.
 template <class Coefficient, class IsTakenOut>
 std::map<monomial, polynomial<Coefficient>, descending> coefficients(const polynomial<Coefficient>& p,
                                                                      IsTakenOut is_taken_out) {

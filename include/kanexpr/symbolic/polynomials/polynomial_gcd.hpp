@@ -93,7 +93,7 @@ private:
     }
     return primitive_or_monomial(common);
   }
-  /// The primitive part with its monomial, without sign and numerical factor.
+  /// The primitive part with its monomial, without sign or numerical factor.
   static real_polynomial primitive_or_monomial(const real_polynomial& p) {
     return scaled(primitive_part(p), rational(1), common_monomial(p));
   }

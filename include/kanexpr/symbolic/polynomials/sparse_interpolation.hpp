@@ -12,7 +12,7 @@
 
 namespace kanexpr::symbolic::polynomials {
 
-/// The value of a monomial whose exponents are not negative.
+/// The value of a monomial with nonnegative exponents.
 inline residue value_at(const prime_field& field, const monomial& m, const std::map<int, residue>& point) {
   residue value = 1;
   for (const factor& f : m)
@@ -75,7 +75,7 @@ public:
   /// The degree of an image in the main variable; lower than the given degree if that was too high.
   std::size_t image_degree() const { return image_degree_; }
 
-  /// The coefficients by monomials; nothing if a random point was unsuitable.
+  /// The coefficients, keyed by monomial; nothing if a random point was unsuitable.
   std::optional<std::vector<std::pair<monomial, residue>>> run() {
     for (const auto& [base, bound] : given_.bounds) point_[base] = random_nonzero();
     const residues first = image(point_);

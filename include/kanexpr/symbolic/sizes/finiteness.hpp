@@ -6,13 +6,13 @@
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
-/// Finds results that can become infinite or NaN although all values they depend on are finite and of
+/// Finds results that can become infinite or NaN even though all values they depend on are finite and of
 /// ordinary size.
 namespace kanexpr::symbolic {
 
-/// Determines which outputs must be checked to be sure that all are finite. Quotients, roots and functions
-/// can produce infinity or NaN, except divisions by `sure_divisors`. Sums and products are ignored: they
-/// overflow only at values of no practical use.
+/// Determines which outputs must be checked to be sure that all are finite. Roots, functions and quotients
+/// can produce infinity or NaN, except quotients whose divisor is in `sure_divisors`. Sums and products are
+/// ignored: they overflow only at values of no practical use.
 class finiteness {
 public:
   constexpr finiteness(const graph& g, const sequence<int>& outputs, const sequence<int>& sure_divisors)
@@ -120,7 +120,7 @@ private:
     if (found != 0) facts_of_[id] |= found;
   }
 
-  /// Marks the operands that make the result not finite if they are not finite.
+  /// Marks the operands that, if they are not finite, make the result not finite.
   static constexpr void propagate(const node& n, char* is_covered) {
     switch (form_of(n.op)) {
     case form::add:

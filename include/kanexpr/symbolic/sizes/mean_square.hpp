@@ -18,9 +18,9 @@ namespace kanexpr::symbolic {
 /// axes, and does not vanish where sines and cosines vanish or terms cancel. Other functions, divisors and
 /// symbols contribute the squares of their values.
 ///
-/// Coordinates that are not angles may vanish where an equation does. Each contributes the mean square of all
-/// such coordinates of the same unit in the equations, some of which are usually nonzero: (x² + y²)/2 for x
-/// as well as for y, as if the axes could be rotated. Equal units are inferred from sums: those in the
+/// Coordinates that are not angles may vanish where an equation vanishes. Each contributes the mean square of
+/// all such coordinates of the same unit in the equations, some of which are usually nonzero: (x² + y²)/2 for
+/// x as well as for y, as if the axes could be rotated. Equal units are inferred from sums: those in the
 /// equations and the `sums` from which the equations come.
 class mean_square {
 public:
