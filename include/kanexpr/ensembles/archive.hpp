@@ -61,7 +61,7 @@ public:
   void operator()(Values&... all) {
     (get(all), ...);
   }
-  /// False if the bytes have ended too early.
+  /// Returns false if the bytes ended too early.
   explicit operator bool() const { return static_cast<bool>(in_); }
   bool is_at_end() const { return in_.is_at_end(); }
 

@@ -39,7 +39,7 @@ public:
       : simulated_system<System>({of, System::record, type_name<System>(), factory_of_manifold()}, p,
                                  options.inputs, options, kept) {}
 
-  /// Returns a hash by which the system and its equations of motion are identified.
+  /// Returns a hash that identifies the system and its equations of motion.
   static std::uint64_t digest() {
     constexpr quantity first = is_implicit ? quantity::qdot : quantity::rhs; // derived in any case
     return out_of_line<function<System, first>>::digest();
@@ -86,7 +86,7 @@ private:
   status evaluate(const instant<Number>& at, outputs<Number> into, std::index_sequence<i...>) const {
     if constexpr (wanted == results::jacobian)
       return store(call<finite_function<System, list_of(wanted).quantities[i]...>>(at), into);
-    else if constexpr (wanted == results::redundant) // each without the others, as only checks need them
+    else if constexpr (wanted == results::redundant) // evaluated one by one, since only checks need them
       return (store(call<function<System, list_of(wanted).quantities[i]>>(at), into.begin()[i]), ...);
     else if constexpr (wanted == results::forces)
       return store(call<function<System, list_of(wanted).quantities[i]...>>(at, vector_of<o>(at.udot)), into);

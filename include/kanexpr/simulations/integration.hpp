@@ -63,7 +63,7 @@ private:
     return fail(where + ": " + why + (because.empty() || why.empty() ? "" : ": ") + because);
   }
 
-  /// Fails with a mistake; returns whether there is none.
+  /// Fails if there is a mistake; returns true if there is none.
   bool passes(const std::string& mistake) { return mistake.empty() || fail(mistake); }
 
   bool begin() {
@@ -120,8 +120,8 @@ private:
     return restart();
   }
 
-  /// Limits the tolerances near a singular position, where rates have fewer digits and no step would satisfy
-  /// smaller tolerances.
+  /// Raises tolerances that are too small near a singular position, where the rates are less accurate and no
+  /// step would satisfy them.
   void set_tolerances() {
     const double least = context_.is_near_singular() ? least_tolerance_near_singular : 0;
     std::vector<double> absolute = context_.absolute_tolerances();
@@ -172,8 +172,8 @@ private:
     while (goes_on && elapsed_ < context_.length()) goes_on = step();
   }
 
-  /// Takes one step of the integrator. The simulation stays at the beginning of the step until its end is
-  /// accepted.
+  /// Takes one step of the integrator. The simulation stays at the beginning of the step until the end of the
+  /// step is accepted.
   bool step() {
     if (moving_.steps() >= options_.most_steps) return fail_here("the maximum number of steps was reached");
     const arrival arrived = stepper().advance(context_.length());
@@ -311,7 +311,7 @@ private:
   }
 
   static constexpr double least_tolerance_near_singular = 1e-10;
-  static constexpr double not_far = 0.5; ///< as a distinctness of the constraints
+  static constexpr double not_far = 0.5; ///< a distinctness of the constraints
   static constexpr const char* ever_faster = "events occur faster and faster; a handler must stop this";
 
   const settings& options_;
@@ -322,7 +322,7 @@ private:
   state state_{}; ///< the current state
   sampling sampling_;
   events_at_start events_at_start_{context_};
-  double elapsed_ = 0; ///< from the start to the current time
+  double elapsed_ = 0; ///< the time from the start to the current state
   double begun_ = -std::numeric_limits<double>::infinity();
   /// Counts how many times in succession an event has occurred at the same time.
   struct repetition {
@@ -331,8 +331,7 @@ private:
   };
   std::vector<repetition> repetitions_ = std::vector<repetition>(options_.events.size());
   bool has_begun_ = false;
-  bool has_tightened_tolerances_ =
-      false; ///< the tolerances are sharper than those of the integrator's last steps
+  bool has_tightened_tolerances_ = false; ///< the tolerances are tighter than in the integrator's last steps
 };
 
 template <integrator by>

@@ -35,8 +35,7 @@ inline std::string check_model(model& m) {
          std::to_string(derivation::survey::room);
 }
 
-/// Several results of a model, interpreted together in the same way as their compiled function evaluates
-/// them.
+/// Several results of a model, interpreted together just as a compiled function would evaluate them.
 template <class Number>
 class interpreted_results {
 public:

@@ -47,7 +47,7 @@ simulation<model> simulate(model m, given_state<model> x, given_parameters<model
   return result;
 }
 
-/// The same for the system that has been built so far.
+/// The same for the system built so far.
 template <integrator by = integrator::adams, std::derived_from<runtime::builder> Builder>
 simulation<model> simulate(const Builder& built, const given_state<model>& x,
                            const given_parameters<model>& p, time_span span,

@@ -10,7 +10,8 @@
 
 namespace kanexpr::simulations {
 
-/// The times of the requested samples, in order: regular ones with both ends of the span, or those of a list.
+/// The times of the requested samples, in order: regularly spaced times that include both ends of the span,
+/// or the times of a list.
 class output_schedule {
 public:
   output_schedule(const time_span& span, double every, const std::vector<double>& times)

@@ -13,7 +13,7 @@
 
 namespace kanexpr {
 
-/// Sets a prescribed quantity and its derivatives among the inputs from a function of time, which is
+/// Sets the inputs for a prescribed quantity and its derivatives from a function of time, which is
 /// differentiated exactly: `prescribe(r, theta, t, [](auto t) { using std::sin; return 0.1 * sin(t); })`.
 template <class System, text called, int index, class Function>
 void prescribe(input_values<System>& r, const prescribed<called, index>& quantity, double t,

@@ -7,9 +7,9 @@
 
 namespace kanexpr {
 
-/// Shows the progress and the remaining time of a run in a terminal, at most ten times a second; it writes
-/// nothing to a file. Called with the time and the span, like the option `progress` of a simulation:
-/// `.progress = progress_bar()`.
+/// Shows the progress and the remaining time of a run in a terminal, at most ten times a second; writes
+/// nothing if the stream is not a terminal. Called with the time and the span, like the option `progress` of
+/// a simulation: `.progress = progress_bar()`.
 ///
 /// The line is completed when the time reaches the end of the span; if the bar is destroyed earlier, the line
 /// is erased.
@@ -36,7 +36,7 @@ private:
 
   std::FILE* out_;
   bool is_shown_;
-  bool has_begun_ = false, is_drawn_ = false; ///< in this run; since the line was last erased
+  bool has_begun_ = false, is_drawn_ = false; ///< the run has begun; the line is on the screen
   std::int64_t begin_ = 0, drawn_ = 0;        ///< clock readings in nanoseconds
 };
 

@@ -38,8 +38,8 @@ public:
     return true;
   }
 
-  /// Takes the samples that became due during a step, up to a time since the start. If a sample is due at
-  /// that time, the state is projected onto the constraints.
+  /// Takes the samples that became due during a step, up to an elapsed time. If a sample is due at that time,
+  /// the state is projected onto the constraints.
   bool record_due_samples(stepper& s, double elapsed, state& x) {
     const double t = context_.time(elapsed);
     if (takes_each_step()) return record(t, x);
@@ -81,7 +81,7 @@ public:
     t = last_->t, x = last_->x;
   }
 
-  /// Keeps the polynomial of the last step, from the last event or later up to a time since the start.
+  /// Stores the polynomial of the last step up to an elapsed time; it begins no earlier than the last event.
   void keep_polynomial(stepper& s, double elapsed, double last_event) {
     piece p{context_.time((std::max)(s.step_begin(), last_event)), context_.time(elapsed), {}};
     double factorial = 1;
@@ -119,7 +119,7 @@ private:
     return true;
   }
 
-  /// Returns storage for all entries of an integrator, which may be more than the state.
+  /// Returns a buffer for all entries of an integrator, which may have more entries than the state.
   double* buffer_for(const stepper& s) {
     whole_.resize(static_cast<std::size_t>(s.entries()));
     return whole_.data();

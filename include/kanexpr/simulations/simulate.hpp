@@ -13,7 +13,7 @@ namespace kanexpr {
 
 namespace simulations {
 
-/// Simulates a system over a time span from a state, which becomes the state at the end.
+/// Simulates a system over a time span; `state` contains the initial state and receives the final one.
 template <integrator by>
 simulation_end run(system_interface& moved, double* state, const time_span& span, const settings& options);
 
@@ -50,7 +50,7 @@ settings settings_of(const simulation_options<System>& o) {
 /// Simulates a system from a state over a time span: `simulate<System>({{q, 0.1}, {u, 0}}, {{m, 1}, {g,
 /// 9.81}}, {0, 10})`. Dependent coordinates and speeds are solved for at the start and kept on the
 /// constraints; a given value that contradicts the constraints is a failure, unless the options declare it a
-/// guess. The result holds the cause of a failure and everything computed until then; nothing is thrown.
+/// guess. The result holds the cause of a failure and everything computed until then; no exception is thrown.
 ///
 /// Select a different method as in `simulate<System, integrator::bdf>(…)`.
 template <class System, integrator by = integrator::adams>

@@ -48,14 +48,15 @@ protected:
   using state = kanexpr::state<System>;
   using inputs = input_values<System>;
 
-  /// The last two arguments are vectors of the right size.
+  /// The last two arguments are vectors of the correct size.
   simulated_system(const system_description& of, const parameter_values<System>& p,
                    const input_source<System>& source, const simulation_options<System>& options,
                    trajectory<System>& kept, state any_state = {}, inputs no_inputs = {})
       : system_interface(of), p_(p), inputs_(source), options_(options), kept_(kept),
         any_state_(std::move(any_state)), no_inputs_(std::move(no_inputs)) {}
 
-  /// Checks the names that a user function looked up in the vectors, and the size of the one that it left.
+  /// Checks the names that a user function looked up in the vectors, and the size of the vector that it
+  /// wrote.
   virtual void validate(const state&, const inputs&, compiled::symbols_of) const {}
 
   const parameter_values<System> p_;

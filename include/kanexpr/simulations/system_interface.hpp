@@ -37,8 +37,8 @@ enum class results : unsigned char {
   velocities,    ///< the residuals of the velocity constraints; their derivatives with respect to the speeds
   dependent_speeds, ///< the dependent speeds
   unreduced,        ///< q̇, and the terms of the equations of all speeds, M u̇ = f + Jᵀ λ with J u̇ + γ = 0
-  jacobian,         ///< ∂ẋ/∂x and ∂ẋ/∂r, for methods with Newton's iteration
-  multipliers,      ///< λ, for the method with multipliers, like the next two
+  jacobian,         ///< ∂ẋ/∂x and ∂ẋ/∂r, for methods that use Newton's iteration
+  multipliers,      ///< λ; these and the next two are for the method with multipliers
   coordinate_rates, ///< q̇
   forces,           ///< F_r + F_r* of all speeds, for the given u̇
 };
@@ -107,7 +107,7 @@ struct system_description {
   const derivation::survey& known;
   const describe::system_record& record;
   std::string_view name;
-  manifold_factory create_manifold; ///< null if there are no constraints and no quaternions
+  manifold_factory create_manifold; ///< null if there are neither constraints nor quaternions
 
   int states() const { return known.coordinates + known.speeds; }
 };

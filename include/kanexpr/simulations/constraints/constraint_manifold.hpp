@@ -20,11 +20,12 @@
 
 namespace kanexpr::simulations {
 
-/// The manifold of the constraints and quaternions of a system. A projection applies the smallest correction:
-/// first of the coordinates, by Newton's method, then of the speeds, in which the constraints are linear
-/// (Eich 1993).
+/// The manifold of the constraints and quaternions of a system. A projection applies the smallest correction,
+/// first to the coordinates by Newton's method, then to the speeds, in which the constraints are linear (Eich
+/// 1993).
 ///
-/// A template, like everything that depends on it, so that systems without constraints compile none of it.
+/// This is a template, like everything that depends on it, so that systems without constraints do not compile
+/// it.
 template <class System>
 class constraint_manifold final : public manifold {
 public:
@@ -78,7 +79,7 @@ public:
   }
   void update_singularity(double t, const vector& x, const vector& r, double least) override {
     const double distinctness = motion_at(t, x, r).distinctness(x);
-    if (!is_near_) clear_ = 2 * least; // so that it does not switch at every step
+    if (!is_near_) clear_ = 2 * least; // to avoid switching at every step
     is_near_ = distinctness < (is_near_ ? clear_ : least);
   }
   bool is_near_singular() const override { return is_near_; }
@@ -118,8 +119,9 @@ private:
     return spread.lazyProduct(b);
   }
 
-  /// The constraints at a fixed time with its inputs, in the form that `numeric::assemble` requires. If one
-  /// is solved for a coordinate of a quaternion, all are evaluated at norm 1.
+  /// The constraints at a fixed time with its inputs, in the form that `numeric::assemble` requires. If a
+  /// constraint is solved for a coordinate of a quaternion, all constraints are evaluated with unit
+  /// quaternions.
   class constraints {
   public:
     using coordinate_vector = vector;
@@ -270,7 +272,8 @@ private:
     return numeric::all_finite(correction_);
   }
 
-  /// A Newton step this small relative to the tolerances leaves an error of its square, which is negligible.
+  /// A Newton step this small relative to the tolerances leaves an error of the order of its square, which is
+  /// negligible.
   static constexpr double close_enough = 1e-2;
   static constexpr int most_steps = 10;
 

@@ -23,8 +23,8 @@ public:
   virtual assembly assemble(double t, vector& x, const vector& r) = 0;
   /// Returns the residuals of the configuration constraints.
   virtual vector configuration_residual(double t, const vector& x, const vector& r) = 0;
-  /// Returns a sentence about a redundant constraint that does not hold within a tolerance of its terms, with
-  /// its residual; empty if all hold.
+  /// Returns a sentence about a redundant constraint whose residual, relative to its terms, exceeds a
+  /// tolerance; empty if all hold.
   virtual base::sentence redundant_violation(double t, const vector& x, const vector& r,
                                              double tolerance) = 0;
 
@@ -48,7 +48,7 @@ public:
   virtual void project_error(double* error) const = 0;
 };
 
-/// Returns the manifold of a system; null if it has no constraints and no quaternions.
+/// Returns the manifold of a system; null if it has neither constraints nor quaternions.
 inline std::unique_ptr<manifold> manifold_for(const system_interface& of) {
   return of.create_manifold == nullptr ? nullptr : of.create_manifold(of);
 }

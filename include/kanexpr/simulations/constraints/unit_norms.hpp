@@ -10,7 +10,7 @@
 
 namespace kanexpr::simulations {
 
-/// The quaternions of a system whose unit norm the motion preserves.
+/// The quaternions of a system. The motion preserves their unit norm.
 class unit_norms {
 public:
   explicit unit_norms(const derivation::survey& known)
@@ -24,10 +24,10 @@ public:
   }
 
   int count() const { return static_cast<int>(places_.size()); }
-  /// Whether a constraint is solved for a coordinate of one of them.
+  /// Whether a constraint is solved for a coordinate of a quaternion.
   bool are_bound() const { return are_bound_; }
 
-  /// Normalizes each of them; the status names one whose norm is out of range.
+  /// Normalizes each quaternion; the status names one whose norm is out of range.
   status normalize(Eigen::VectorXd& x, const lower::norm_range& from) const {
     for (std::size_t k = 0; k < places_.size(); ++k)
       if (!lower::normalize(x, places_[k], from)) return status(far_from_one_[k].view());

@@ -66,7 +66,7 @@ struct event {
   function value;
   crossing direction;
   event_handler<System> handler;
-  std::string text{}; ///< identifies what crosses zero, for a study; empty for a function
+  std::string text{}; ///< identifies the expression, for a study; empty for a function
 };
 
 namespace simulations {

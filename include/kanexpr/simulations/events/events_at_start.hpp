@@ -21,8 +21,8 @@ public:
   explicit events_at_start(simulation_context& context) : context_(context) {}
 
   /// Finds the functions that cross zero at the start: those that are zero there, within the tolerances, and
-  /// leave zero in the direction of their event. An event of either direction must be seen on both sides of
-  /// zero. Returns false if a function cannot be evaluated.
+  /// leave zero in the direction of their event. An event of either direction requires values on both sides
+  /// of zero. Returns false if a function cannot be evaluated.
   bool begin(double t, const state& x, double span, std::vector<int>& passed) {
     passed.assign(count(), 0);
     waiting_ = returning_ = completing_ = passed;
@@ -90,7 +90,7 @@ public:
     return false;
   }
 
-  /// Records the functions that have just crossed zero, after handlers that left the state `x`: a function
+  /// Records the functions that have just crossed zero, after handlers that set the state to `x`: a function
   /// that they reversed or brought to rest is expected to return; one that continues may not have reached
   /// zero yet.
   void record_passed(double t, const state& before, const state& x, const std::vector<int>& passed) {
@@ -157,7 +157,7 @@ private:
   }
   bool is_clear(std::size_t i, double moved) const { return std::abs(moved) > 1e-3 * margins_[i]; }
 
-  /// Extrapolates farther and farther until it is clear to which side each function at zero moves.
+  /// Extrapolates farther and farther until it is clear to which side of zero each function moves.
   void extrapolate(double t, const state& x, double farthest, std::vector<int>& passed) {
     const state units = context_.tolerances_at(x);
     state slope, rough, fine;
@@ -183,7 +183,7 @@ private:
     state now;
     if (evaluate(t, x, here_) && context_.find_rates(t, x, now)) {
       const double seen =
-          16 * std::numeric_limits<double>::epsilon() * std::abs(t); // the rounding of the time itself
+          16 * std::numeric_limits<double>::epsilon() * std::abs(t); // the rounding error of the time itself
       const double ahead = (std::max)({least_ahead_, 1 / fastest(x, now), seen});
       if (numeric::is_finite(ahead) && evaluate(t + ahead, moved(x, ahead, now), later_))
         for (std::size_t i = 0; i < count(); ++i) slopes[i] = (later_[i] - here_[i]) / ahead;
@@ -200,7 +200,7 @@ private:
   simulation_context& context_;
   double least_ahead_ = 0;
   std::vector<int> waiting_{};                  ///< the direction in which each must leave zero
-  std::vector<int> returning_{}, completing_{}; ///< the direction in which each is expected to pass
+  std::vector<int> returning_{}, completing_{}; ///< the direction in which each is expected to cross zero
   std::vector<double> here_{}, later_{}, margins_{};
 };
 

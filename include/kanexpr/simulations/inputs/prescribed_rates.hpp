@@ -53,7 +53,7 @@ inline std::vector<rate_pair> prescribed_rates(const derivation::survey& known) 
   return all;
 }
 
-/// Returns a sentence about a nonzero rate if the inputs are constant.
+/// Returns a sentence about a nonzero rate among constant inputs.
 inline std::string contradiction_in_constants(const derivation::survey& known, const double* r) {
   if (!has_prescribed_rates(known)) return {};
   for (const rate_pair& each : prescribed_rates(known))
@@ -63,16 +63,16 @@ inline std::string contradiction_in_constants(const derivation::survey& known, c
   return {};
 }
 
-/// Compares the rates that a function gives with differences of the quantities: near the start, within the
-/// span and near its end. Values that jump, are piecewise constant or noisy have no such differences, and at
-/// a corner the rate is that of either side.
+/// Compares the rates that a function returns with difference quotients of the quantities near the start,
+/// within the span and near its end. Values that jump, are piecewise constant or are noisy are skipped; at a
+/// corner, the rate may be that of either side.
 class rate_checker {
 public:
   rate_checker(const derivation::survey& known, const time_span& span, inputs_at_times give)
       : known_(known), span_(span), give_(std::move(give)), length_(span.to - span.from) {}
 
-  /// Returns a contradiction, as a sentence; `depends` returns whether one of two inputs changes with the
-  /// state.
+  /// Returns a contradiction, as a sentence; `depends` returns whether a quantity or its rate changes with
+  /// the state.
   template <class Depends>
   std::string find(const Depends& depends) const {
     constexpr double eps = std::numeric_limits<double>::epsilon();

@@ -130,9 +130,9 @@ private:
     return check_derivatives(columns);
   }
 
-  /// Near a singular position the rates have no analytic derivatives, so differences are used. At a perturbed
-  /// state there may be no state on the constraints, or one on a different branch of the mechanism; Newton's
-  /// method then omits the derivative in that direction.
+  /// Near a singular position the rates have no analytic derivatives, so differences are used. Near a
+  /// perturbed state there may be no state that satisfies the constraints, or one on a different branch of
+  /// the mechanism; Newton's method then omits the derivative in that direction.
   answer differences_at(double t, const double* y, double* columns) {
     const Eigen::Map<const vector> from(y, size());
     vector nearby = from, here(size()), before(size()), after(size());
@@ -163,10 +163,10 @@ private:
 ///     q̇ − q̇(q, u) − Φ_qᵀ μ = 0,  F_r + F_r* + Jᵀ λ = 0,  J u + c = 0,  Φ = 0.
 ///
 /// Coordinates and speeds both satisfy their constraints; μ, which is zero in the solution, makes this
-/// possible (Gear, Gupta & Leimkuhler 1985). Quaternion norms are omitted: a multiplier for each takes three
-/// times as many evaluations and gains nothing.
+/// possible (Gear, Gupta & Leimkuhler 1985). Quaternion norms are omitted: a multiplier for each would triple
+/// the number of evaluations and gain nothing.
 ///
-/// A template on its problem, so that the other methods compile none of it.
+/// This is a template on its problem so that the other methods do not compile it.
 template <class Problem = implicit_problem>
 class multiplier_motion final : public motion<Problem> {
   using base = motion<Problem>;

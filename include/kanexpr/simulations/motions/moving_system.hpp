@@ -23,14 +23,15 @@ struct integrated {
 };
 
 /// A system together with its integrator. `differential_algebraic` uses the equations with multipliers; near
-/// singular positions, where these are not determined, backward differentiation of the rates replaces them.
+/// singular positions, where the multipliers are indeterminate, backward differentiation of the rates
+/// replaces them.
 template <integrator by>
 class moving_system {
   static constexpr bool has_multipliers = by == integrator::differential_algebraic;
 
 public:
   /// The distinctness of the constraints below which the equations of all speeds are used. Multipliers lose
-  /// digits sooner.
+  /// accuracy sooner.
   static constexpr double least_distinctness = has_multipliers ? 0.2 : 0.05;
 
   explicit moving_system(simulation_context& context)
@@ -127,7 +128,7 @@ private:
     std::vector<double> y(static_cast<std::size_t>(motion.size())), ydot(y.size());
     if (const answer a = motion.start(elapsed, x, y.data(), ydot.data()); a != answer::success) return a;
     stepper_options all = options_;
-    constexpr double any = 1e100; // for multipliers, which no error test checks
+    constexpr double any = 1e100; // for multipliers, which are excluded from the error test
     all.absolute_tolerances.resize(y.size(), any);
     integrator.emplace(motion, elapsed, y, ydot, all);
     return answer::success;

@@ -38,7 +38,7 @@ public:
   const system_interface& system() const { return of_; }
   const derivation::survey& known() const { return of_.known; }
 
-  /// Integrators count time from the start, because floating-point numbers are finest near zero.
+  /// Integrators count time from the start, because floating-point numbers are most closely spaced near zero.
   double time(double elapsed) const {
     return elapsed < length() ? (std::min)(span_.from + elapsed, span_.to) : span_.to;
   }
@@ -118,7 +118,7 @@ public:
   }
   int direction(int i) const { return events()[static_cast<std::size_t>(i)].direction; }
 
-  /// Records why an evaluation has no result here.
+  /// Records why an evaluation failed.
   answer fail(std::string why) {
     last_error_ = std::move(why);
     return answer::recoverable;
@@ -185,15 +185,14 @@ private:
   bool has_thrown_ = false;
 };
 
-/// Returns x + h k. This and the next functions are plain loops, which compile faster than expressions of
-/// Eigen.
+/// Returns x + h k. This and the next functions are plain loops, which compile faster than Eigen expressions.
 inline Eigen::VectorXd moved(const Eigen::VectorXd& x, double h, const Eigen::VectorXd& k) {
   Eigen::VectorXd to(x.size());
   for (Eigen::Index i = 0; i < x.size(); ++i) to(i) = x(i) + h * k(i);
   return to;
 }
 
-/// Returns the largest magnitude of the entries of a, each divided by that of b.
+/// Returns the largest magnitude of the quotients of the entries of a and b.
 inline double largest(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   double most = 0;
   for (Eigen::Index i = 0; i < a.size(); ++i) most = (std::max)(most, std::abs(a(i) / b(i)));

@@ -15,8 +15,8 @@
 
 namespace kanexpr::simulations {
 
-/// Explores the beginning of a motion by steps of the classic Runge-Kutta method from the start, each longer
-/// than the one before, as long as they can be trusted.
+/// Explores the beginning of a motion by steps of the classic Runge-Kutta method. Each begins at the start
+/// and is longer than the one before, as long as the steps are accurate.
 class trial_steps {
 public:
   using state = Eigen::VectorXd;
@@ -26,14 +26,14 @@ public:
     if (span > 0 && context_.find_rates(t, x, rates_)) look_ahead();
   }
 
-  /// Whether the motion has its own time scale: a time within the span after which one step no longer
-  /// predicts most entries.
+  /// Whether the motion has its own time scale: a time, shorter than the span, beyond which a single step no
+  /// longer predicts most entries.
   bool has_own_time() const { return has_own_time_ && !trials_.empty(); }
 
   /// Returns that time, or the span.
   double time() const { return has_own_time() ? trials_.back().ahead : span_; }
 
-  /// Returns how large the entries become until the motion has changed.
+  /// Returns the largest magnitudes that the entries reach before the motion has changed.
   state sizes() const {
     state found = start_;
     for (double& size : found) size = std::abs(size);
@@ -88,7 +88,7 @@ private:
   }
 
   /// Returns, for a motion without its own time scale, such as a fall, the time in which entries change by
-  /// their own magnitude: the median over the entries, so that one that begins near zero does not matter.
+  /// their own magnitude: the median over the entries, so that an entry that begins near zero has no effect.
   double time_of_change() const {
     const double all = std::numeric_limits<double>::infinity();
     if (has_own_time_) return all;
@@ -118,10 +118,11 @@ private:
 };
 
 /// The magnitudes of the coordinates and speeds of a motion, in their units, estimated from its beginning:
-/// their values there, and the values that they reach in the time in which the motion changes. An angle is at
-/// least 1. Any other coordinate that does not move is as large as the largest of these, or as the distance
-/// that it would move if the angles were different, or 1; a speed is not much smaller than the speed that
-/// moves its coordinate through its magnitude in that time.
+/// their values there, and the values that they reach in the time in which the motion changes. The magnitude
+/// of an angle is at least 1. Any other coordinate that does not move is assigned the largest magnitude of
+/// the coordinates that are not angles or, if that is zero, the distance that they would move if the angles
+/// were different or, if that is zero too, 1. A speed is not much smaller than the speed that moves its
+/// coordinate through its magnitude in that time.
 class state_sizes {
 public:
   using state = Eigen::VectorXd;
@@ -193,8 +194,8 @@ private:
     return longest;
   }
 
-  /// The rates of coordinates are linear in the speeds. Errors of a speed that move each coordinate by less
-  /// than its own error do not matter.
+  /// The rates of coordinates are linear in the speeds. An error in a speed does not matter if it moves each
+  /// coordinate by less than the error in that coordinate.
   void fill_speeds(const simulation_context& context, double t, const state& x) {
     state alone = x;
     std::fill_n(alone.data() + coordinates, speeds, 0.0);

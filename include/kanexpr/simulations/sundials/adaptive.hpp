@@ -14,8 +14,8 @@
 #include <utility>
 #include <vector>
 
-/// Defines the static members of a class that gives the functions of one package of SUNDIALS the names that
-/// they share. `Prefix` begins the names of the package's functions, and `CODE` those of its return codes.
+/// Defines static members that give the functions of a SUNDIALS package common names. `Prefix` is the prefix
+/// of the package's functions, and `CODE` that of its return codes.
 #define KANEXPR_SUNDIALS_CALLS(Prefix, CODE)                                                                 \
   static constexpr auto free = Prefix##Free;                                                                 \
   static constexpr auto set_error_handler = Prefix##SetErrHandlerFn;                                         \
@@ -116,7 +116,7 @@ protected:
     return false;
   }
 
-  /// Applies the settings that all of them share, after the first state is set.
+  /// Applies the settings that all integrators share, after the first state is set.
   bool set_common() {
     return accepted(Calls::set_user_data(memory_, this), "the user data") &&
            accepted(Calls::set_weights(memory_, compute_weights), "the tolerances") &&
@@ -186,7 +186,7 @@ private:
   }
 
   arrival step(double target) {
-    if (is_at(target)) { // as after an event, where SUNDIALS would reject the target as too close
+    if (is_at(target)) { // for example after an event, where SUNDIALS would reject the target as too close
       t_ = target;
       return arrival::step;
     }
@@ -198,9 +198,9 @@ private:
     return flag == root_return ? arrival::event : arrival::step;
   }
 
-  /// Projects the reported state onto a manifold from which the formulas drift, if the integrator does
-  /// not. A term that is added to the rates returns the formulas themselves to the manifold over the next
-  /// steps: restarting them from a corrected state would begin at low orders, which drift fastest.
+  /// Projects the reported state onto a manifold from which the formulas drift, unless the integrator does so
+  /// itself. A term added to the rates returns the formulas to the manifold over the next steps; if they were
+  /// restarted from a corrected state, they would begin at low orders, which drift fastest.
   bool correct() {
     if (!reports_projected_states()) return true;
     correction_.assign(y_.size(), 0);
@@ -245,7 +245,7 @@ private:
     return watch(t, y, values, of);
   }
 
-  /// Returns the end of a sentence about a lower limit of the step size, unless the limit is only rounding.
+  /// Returns the end of an error sentence about the least step; empty if only rounding limits the step size.
   std::string step_limit_text() const {
     if (options_.least_step <= 4 * std::numeric_limits<double>::epsilon() * options_.end) return {};
     return "; the least step is " + base::digits(options_.least_step);

@@ -11,7 +11,7 @@
 #include <string>
 #include <type_traits>
 
-/// Owning handles to SUNDIALS objects, and its error messages.
+/// Owning handles to SUNDIALS objects, and the error messages of SUNDIALS.
 namespace kanexpr::simulations {
 
 struct sundials_deleter {

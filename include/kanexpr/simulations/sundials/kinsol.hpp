@@ -42,7 +42,7 @@ public:
     first_.emplace(by_stiff_ - reached.lazyProduct(reached.transpose().lazyProduct(by_stiff_).eval()), least);
   }
 
-  /// Returns the step for the residual of the equations with its sign changed.
+  /// Returns the step for the negative residual of the equations.
   Eigen::VectorXd operator()(const Eigen::VectorXd& wanted) const {
     const Eigen::VectorXd b = wanted.cwiseQuotient(sizes_.equations);
     Eigen::VectorXd step(slope_.cols());
@@ -65,8 +65,9 @@ private:
   std::optional<numeric::complete_orthogonal> first_{}, others_{};
 };
 
-/// Wraps the step as a linear solver of SUNDIALS. Its matrix is square; surplus rows and columns are zero.
-/// The right-hand side returns the change of the equations along the step, which the line search uses.
+/// Wraps the step as a linear solver of SUNDIALS. Its matrix is square; surplus rows and columns are zero. On
+/// return, the right-hand side contains the change of the residual along the step, which the line search
+/// uses.
 inline linear_solver_handle linear_solver_by(least_squares_step& step, SUNContext context) {
   linear_solver_handle solver(SUNLinSolNewEmpty(context));
   if (solver == nullptr) return solver;
@@ -92,10 +93,10 @@ inline linear_solver_handle linear_solver_by(least_squares_step& step, SUNContex
   return solver;
 }
 
-/// The outcome of a search. KINSOL's own report of success is not relied on: the caller checks the residuals.
+/// The outcome of a search. The caller checks the residuals and does not rely on KINSOL's report of success.
 struct search_end {
   int iterations = 0;
-  std::string failure; ///< "the line search finds no better point"; empty if KINSOL succeeded
+  std::string failure; ///< "the line search found no better point"; empty if KINSOL succeeded
 };
 
 /// KINSOL: Newton's method with line search (Hindmarsh et al. 2005), here with the smallest least-squares
@@ -170,12 +171,12 @@ private:
     case KIN_INITIAL_GUESS_OK: return {};
     case KIN_STEP_LT_STPTOL: return "the steps have become too small";
     case KIN_LINESEARCH_NONCONV:
-    case KIN_LINESEARCH_BCFAIL: return "the line search finds no better point";
+    case KIN_LINESEARCH_BCFAIL: return "the line search found no better point";
     case KIN_MAXITER_REACHED: return "after " + std::to_string(most_iterations_) + " iterations";
     case KIN_MXNEWT_5X_EXCEEDED: return "the steps do not get smaller";
     case KIN_SYSFUNC_FAIL:
     case KIN_FIRST_SYSFUNC_ERR:
-    case KIN_REPTD_SYSFUNC_ERR: return "the equations have no value beyond this point";
+    case KIN_REPTD_SYSFUNC_ERR: return "the equations cannot be evaluated beyond this point";
     case KIN_LSETUP_FAIL:
     case KIN_LSOLVE_FAIL:
     case KIN_LINSOLV_NO_RECOVERY: return "the derivatives of the equations are not finite";

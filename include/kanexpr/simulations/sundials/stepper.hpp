@@ -29,7 +29,7 @@ public:
   virtual int direction(int watched) const = 0;
   virtual bool has_jacobian() const = 0;
 
-  /// Whether the exact solution stays on a manifold that does not follow from the equations at each time.
+  /// Whether the exact solution stays on a manifold that the equations at a single time do not enforce.
   virtual bool has_manifold() const = 0;
   /// Finds the correction from `y` to the nearest point on the manifold, with 1/`weights` as the unit of each
   /// entry; removes the component normal to the manifold from an error estimate, if one is given.
@@ -76,7 +76,7 @@ public:
   /// was none.
   const std::string& failure() const { return failure_; }
 
-  /// Takes one step, or a shorter one up to an event or a target.
+  /// Takes one step, which ends early at an event or a target.
   virtual arrival advance(double target) = 0;
   /// Sets the tolerances for the following steps. Entries beyond the given ones keep theirs.
   virtual void set_tolerances(double relative, const std::vector<double>& absolute) = 0;
@@ -93,10 +93,11 @@ public:
   /// different state.
   virtual double* rates() { return nullptr; }
 
-  /// Returns for each watched function 1 if it crossed zero rising, −1 if falling, 0 if it did not pass zero.
+  /// Returns, for each watched function, 1 if it crossed zero while rising, −1 while falling, and 0 if it did
+  /// not cross zero.
   virtual std::vector<int> events() const = 0;
 
-  /// Evaluates a derivative of the solution's polynomial over the last step, of any order.
+  /// Evaluates a derivative of any order of the solution's polynomial over the last step.
   virtual bool derivative(double t, int order, double* out) = 0;
   /// Returns the degree of that polynomial.
   virtual int degree() const = 0;

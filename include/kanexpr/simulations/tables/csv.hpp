@@ -18,7 +18,7 @@
 
 namespace kanexpr {
 
-/// Writes a table row by row, for runs that are too large to keep:
+/// Writes a table row by row, for runs that are too large to keep in memory:
 ///
 ///     csv_writer out(file, {"t", "q1", "u1"});
 ///     while (…) out.row({t, x[q1], x[u1]});

@@ -44,8 +44,7 @@ inline std::string csv_field(const std::string& name) {
   return field + '"';
 }
 
-/// Reads a table from a text. Its records are one line each, or several if a quoted field contains line
-/// breaks.
+/// Reads a table from a text. A record is one line, or several if a quoted field contains line breaks.
 class csv_reader {
 public:
   /// `called` is the name of the text in error sentences; it may be empty.
@@ -71,7 +70,7 @@ private:
   static constexpr const char* lone_return = " contains a carriage return; lines must end with LF or CR LF";
 
   bool read_header(table& names) {
-    if (!has_quotes_) { // only names may need them
+    if (!has_quotes_) { // only names may need quotes
       for (const auto& [mark, called] : {std::pair{';', "semicolons"}, std::pair{'\t', "tabs"}})
         if (fields_.size() == 1 && fields_.front().find(mark) != std::string::npos)
           return refuse(std::string(" uses ") + called + " as separators; it must use commas");
@@ -259,7 +258,7 @@ KANEXPR_SIMULATIONS table read_csv(std::istream& in, const std::string& called) 
 }
 
 KANEXPR_SIMULATIONS outcome write_csv(const table& all, const file_path& path) {
-  if (!all) return outcome(all.cause()); // before it replaces a file
+  if (!all) return outcome(all.cause()); // before a file is replaced
   std::ofstream out(path.text(), std::ios::binary);
   if (!out) return simulations::not_opened(path.text());
   return write_csv(all, out, path.text());

@@ -38,8 +38,7 @@ public:
   };
 
   table() = default;
-  /// Creates a table that could not be read, with the cause, which every function that uses the table
-  /// reports.
+  /// Represents a table that could not be read; every function that uses it reports the cause.
   explicit table(outcome failed) : read_(std::move(failed)) {}
 
   explicit operator bool() const { return static_cast<bool>(read_); }

@@ -25,8 +25,8 @@ public:
   trajectory() = default;
   trajectory(const model& of, const parameters_type& p) : samples(p), of_(of) {}
 
-  /// Returns a coordinate, speed or input over the samples: `path["q1"]`. Empty if the model has none of that
-  /// name.
+  /// Returns a coordinate, speed or input over the samples: `path["q1"]`; empty if the model has no symbol of
+  /// that name.
   std::vector<double> operator[](std::string_view name) const {
     if (empty()) return {};
     const derivation::survey& known = *front().x.known();
@@ -39,7 +39,7 @@ public:
     return {};
   }
 
-  /// Returns an expression of the model at each sample, for the motion given by the equations.
+  /// Returns the value of an expression of the model at each sample, for the motion given by the equations.
   std::vector<double> along(symbolic::expression e) const {
     if (!of_) return {};
     model m = *of_;

@@ -52,8 +52,8 @@ struct piece {
   }
 };
 
-/// Evaluates the polynomial of the step that contains a time, the later one where two meet; returns whether
-/// there is one.
+/// Evaluates the polynomial of the step that contains a time, or of the later step where two meet; returns
+/// whether there is one.
 inline bool evaluate(const std::vector<piece>& pieces, double t, double* out, std::size_t entries) {
   const auto after = std::upper_bound(pieces.begin(), pieces.end(), t,
                                       [](double time, const piece& p) { return time < p.begin; });

@@ -46,7 +46,7 @@ public:
   auto along(function<System, wanted...> f) const {
     return collect([&](const sample& s) { return f(s.t, s.x, parameters(), s.r); });
   }
-  /// Returns an expression of the model at each sample: `path.along<velocity_of<Dmc>>()`.
+  /// Returns the value of an expression of the model at each sample: `path.along<velocity_of<Dmc>>()`.
   template <auto expression>
   auto along() const {
     return along(function<System, expression>{});

@@ -26,7 +26,7 @@ struct requirements {
 
 /// The functions of a system that the search for an operating point needs. They evaluate [constraints; ẋ] at
 /// time t and [x; p; r], and are given as tables or as a compiled function in a library, which returns a
-/// sentence that names a singular linear system, or an empty one.
+/// sentence that names a singular linear system, or an empty string.
 struct system_functions {
   using library = std::string_view (*)(double t, const std::complex<double>* at, std::complex<double>* all);
 

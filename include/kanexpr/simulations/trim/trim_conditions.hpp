@@ -13,8 +13,8 @@
 /// The search for operating points.
 namespace kanexpr::simulations {
 
-/// An equation that holds at an operating point: it specifies the residual of a norm or constraint, or a
-/// rate.
+/// An equation that holds at an operating point: it specifies the value of a rate, or of the residual of a
+/// norm or constraint.
 struct condition {
   int place = 0; ///< in [norms of quaternions; constraints; ẋ]
   double wanted = 0;
@@ -105,8 +105,8 @@ private:
     return input >= 0 && !is_prescribed(input);
   }
 
-  /// Whether an input is prescribed as a function of time: according to the list of inputs or, if there is no
-  /// list, to the presence of its derivatives.
+  /// Whether an input is prescribed as a function of time: as determined by the list of inputs or, if there
+  /// is none, by the presence of its derivatives.
   bool is_prescribed(int input) const {
     if (input < record_.inputs.size)
       return record_.inputs[input].tokens[0].symbol->order != describe::unprescribed;

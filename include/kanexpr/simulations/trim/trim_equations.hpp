@@ -42,8 +42,8 @@ public:
 
   int equations() const { return static_cast<int>(asked_.equations().size()); }
   int unknowns() const { return static_cast<int>(asked_.unknowns().size()); }
-  /// Returns how many of the unknowns, counted from the first, change only if the others cannot solve the
-  /// equations: the states.
+  /// Returns the number of leading unknowns that change only if the others cannot solve the equations: the
+  /// states.
   int unknowns_kept_close() const {
     return static_cast<int>(
         std::ranges::count_if(asked_.unknowns(), [&](int place) { return place < asked_.states(); }));
@@ -51,7 +51,7 @@ public:
 
   Eigen::VectorXd start() const { return at_(asked_.unknowns()).real(); }
 
-  /// Evaluates the residuals at z; returns whether they have values there.
+  /// Evaluates the residuals at z; returns whether they are finite there.
   bool residual(const Eigen::VectorXd& z, Eigen::VectorXd& f) {
     place(z);
     unsolved_ = evaluate();
@@ -74,7 +74,8 @@ public:
     return numeric::all_finite(slope);
   }
 
-  /// Limits the change of a state in one step to its own magnitude or its scale, which for an angle is 1.
+  /// Limits the change of a state in one step to its absolute value or, if that is smaller, to its scale,
+  /// which is 1 for an angle.
   Eigen::VectorXd limits(const Eigen::VectorXd& z) const {
     Eigen::VectorXd most = Eigen::VectorXd::Constant(unknowns(), std::numeric_limits<double>::infinity());
     for (Eigen::Index i = 0; i < unknowns_kept_close(); ++i) most(i) = (std::max)(sizes_(i), std::abs(z(i)));
@@ -101,8 +102,8 @@ public:
     return of;
   }
 
-  /// Returns a sentence that names the linear system that was singular in the last residual; empty if there
-  /// was none.
+  /// Returns a sentence that names the linear system that was singular when the residual was last evaluated;
+  /// empty if there was none.
   std::string_view unsolved() const { return unsolved_; }
   /// Returns [x; p; r] with the unknowns inserted.
   Eigen::VectorXd values(const Eigen::VectorXd& z) {
@@ -130,7 +131,7 @@ private:
         rates_->evaluate(t_, x, p, r, all + known.configuration_constraints + known.constraints);
     return (moved ? kept : moved).view();
   }
-  /// Differentiates by a complex step, whose square is negligible compared with any value.
+  /// Differentiates by a complex step, the square of which is negligible compared with any value.
   void differentiate(int symbol) {
     at_(symbol).imag(step);
     evaluate();
@@ -138,7 +139,7 @@ private:
   }
   double derivative_of(int function) const { return all_(function).imag() / step; }
 
-  /// Determines which coordinates are angles, at the guess.
+  /// Determines, at the guess, which coordinates are angles.
   void find_angles() {
     const derivation::survey& known = asked_.known();
     for (int j = 0; j < known.coordinates; ++j) {

@@ -52,7 +52,8 @@ private:
     while (found_.iterations < most_iterations_ && refine(sizes)) ++found_.iterations;
   }
 
-  /// Takes a Newton step; returns false if it does not reduce the residual or does not need to.
+  /// Takes a Newton step; returns false if it does not reduce the residual or the residual is already
+  /// negligible.
   bool refine(const magnitudes& sizes) {
     const auto size = [&](const Eigen::VectorXd& f) { return f.cwiseQuotient(sizes.equations).norm(); };
     if (size(left_) < 1e-3 * std::numeric_limits<double>::epsilon()) return false;
@@ -82,7 +83,7 @@ private:
                        (failure_.empty() ? "" : " (" + failure_ + ")");
   }
 
-  /// Returns the rank with columns scaled to equal length, so that an unknown of small effect counts.
+  /// Returns the rank with columns scaled to equal length, so that unknowns with a small effect are counted.
   static int rank(Eigen::MatrixXd slope, const magnitudes& sizes) {
     for (Eigen::Index j = 0; j < slope.cols(); ++j) {
       slope.col(j).array() *= sizes.unknowns(j) / sizes.equations.array();
