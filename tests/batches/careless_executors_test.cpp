@@ -16,7 +16,7 @@ using namespace kanexpr;
 using namespace simple_pendulum;
 using eom = equations_of_motion<System>;
 
-constexpr const char* left_out = "the chunk of this system was not run to completion";
+constexpr const char* left_out = "the chunk that contains this system was not run to completion";
 
 many<eom::state> swinging(Eigen::Index systems) {
   many<eom::state> x(systems);

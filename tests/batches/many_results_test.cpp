@@ -261,7 +261,8 @@ TEST(many_results, say_which_systems_were_left_out) {
     EXPECT_GT(chunks, 2);
     for (int i = 0; i < chunks; i += 2) chunk(i);
   };
-  EXPECT_EQ(rhs.evaluate(careless, x, p, r).cause(), "the chunk of this system was not run to completion");
+  EXPECT_EQ(rhs.evaluate(careless, x, p, r).cause(),
+            "the chunk that contains this system was not run to completion");
   EXPECT_GT(rhs.failures(), systems / 4);
   EXPECT_TRUE(rhs.status_of(0));
 }

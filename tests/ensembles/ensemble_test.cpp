@@ -249,10 +249,9 @@ std::string refusal(study<System> told, const ensemble_options& options = {}) {
 TEST(ensemble, says_what_was_told_wrongly) {
   study<System> told = bouncing_balls();
   told.runs = grid({{"m_2", {1}}});
-  EXPECT_EQ(
-      refusal(told),
-      "the system System has no m_2 to vary; a quantity that is not a symbol of the system is a factor: "
-      "factor{\"m_2\"}, or of a table runs_of(table, {factor{\"m_2\"}})");
+  EXPECT_EQ(refusal(told),
+            "the system System has no m_2 to vary; for a quantity that is not a symbol of the system, use "
+            "factor{\"m_2\"} or, if it is a column of a table, runs_of(table, {factor{\"m_2\"}})");
   told = bouncing_balls(), told.for_each_run = [](const run_values& run, auto&) { run["push"]; };
   EXPECT_EQ(refusal(told), "the runs of the study do not vary push");
   told = bouncing_balls(), told.state = {};
@@ -278,7 +277,7 @@ TEST(ensemble, says_what_was_told_wrongly) {
     EXPECT_EQ(refusal(bouncing_balls(), {.reduce = {wrong}}),
               "the histogram of g requires between 1 and 16777216 bins and a start below its end");
   told = bouncing_balls(), told.runs = grid({{g, evenly_spaced(0, 1, std::size_t(-3))}});
-  EXPECT_EQ(refusal(told), "the grid has no values of g");
+  EXPECT_EQ(refusal(told), "the grid has no values for g");
   told = bouncing_balls(), told.runs = runs_of(read_csv("nowhere/runs.csv"));
   EXPECT_EQ(refusal(told), "nowhere/runs.csv cannot be opened: No such file or directory");
 }

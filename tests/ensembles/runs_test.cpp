@@ -206,7 +206,7 @@ TEST(runs, that_cannot_be_say_why) {
   EXPECT_EQ(mistake_of(random_runs(9, {{"m", triangular(0, 2, 1)}}, 1)),
             "there is no distribution triangular(0, 2, 1): its mode must lie between its ends");
   EXPECT_EQ(mistake_of(latin_hypercube(0, {{"m", uniform(0, 1)}}, 1)), "a study requires at least one run");
-  EXPECT_EQ(mistake_of(grid({{"m", {}}})), "the grid has no values of m");
+  EXPECT_EQ(mistake_of(grid({{"m", {}}})), "the grid has no values for m");
   EXPECT_EQ(mistake_of(grid({{"m", {1}}, {"m", {2}}})), "m is varied twice");
   EXPECT_EQ(mistake_of(grid({{"", {1}}})), "a varied quantity has no name");
   const std::vector<double> many(1 << 16);

@@ -41,7 +41,7 @@ private:
 };
 
 /// A batch of systems that advances by steps of a fixed length. A system whose step fails leaves the batch,
-/// and its lane continues as a copy of another.
+/// and its lane continues as a copy of another lane.
 template <class Step, class Batch, class GivenParameters, class GivenInputs>
 class batch_stepper {
   static constexpr std::size_t lanes = Batch::lanes;

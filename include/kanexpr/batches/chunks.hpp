@@ -21,8 +21,8 @@ struct chunks {
   int count = 0;
   Eigen::Index length = 0; ///< length of each chunk except the last
 
-  /// Divides `systems` into chunks of at least `least` systems each, except the last. Chunks are whole cache
-  /// lines and whole batches of `width`.
+  /// Divides `systems` into chunks of at least `least` systems each, except the last. Each chunk consists of
+  /// whole cache lines and whole batches of `width`.
   static constexpr chunks of(Eigen::Index systems, Eigen::Index least, Eigen::Index width) {
     if (systems <= 0) return {};
     const Eigen::Index unit = (std::max)(Eigen::Index{16}, width); // both are powers of two

@@ -124,7 +124,7 @@ template <class Function, class Pack, class Number, class... Arguments>
   return first;
 }
 
-/// Returns the cause of a failure as the function for a single system reports it.
+/// Returns the cause of a failure as the function for a single system would report it.
 template <class Function, class State, class Parameters = compiled::omitted, class Inputs = compiled::omitted,
           class... Rates>
 status cause_of(const status& failure, const State& x, const Parameters& p = {}, const Inputs& r = {},

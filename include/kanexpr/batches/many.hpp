@@ -24,7 +24,7 @@ constexpr int place_of(const compiled::value_vector<System, which, Scalar>*, con
   return compiled::place_in<System, which, Symbol>::place;
 }
 
-/// Writes NaN by its bits: with -ffast-math, compilers assume that no number is NaN and may omit code that
+/// Writes the bits of a NaN: with -ffast-math, compilers assume that no number is NaN and may omit code that
 /// writes one.
 template <class Number>
 void set_to_nan(Number* to) {

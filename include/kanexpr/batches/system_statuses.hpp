@@ -11,7 +11,7 @@
 
 namespace kanexpr::batches {
 
-/// A status for each of many systems; the chunks of work set those of the systems that fail.
+/// A status for each of many systems; the chunks of work set the statuses of the systems that fail.
 class system_statuses {
 public:
   explicit system_statuses(Eigen::Index systems)
@@ -81,7 +81,7 @@ private:
 
     Eigen::Index mark_unfinished(Eigen::Index begin, Eigen::Index end) {
       for (Eigen::Index system = begin; system < end; ++system)
-        of_.set(system, status("the chunk of this system was not run to completion"));
+        of_.set(system, status("the chunk that contains this system was not run to completion"));
       on_unfinished_(begin, end);
       return end - begin;
     }

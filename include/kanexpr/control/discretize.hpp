@@ -27,7 +27,7 @@ struct discrete_form {
 
 namespace control {
 
-/// An upper bound on the exponent that summing n products adds.
+/// An upper bound on the increase of the exponent when n products are summed.
 template <int states>
 inline constexpr int of_sum = 2 + std::bit_width(static_cast<unsigned>(states));
 

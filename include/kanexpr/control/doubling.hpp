@@ -55,10 +55,10 @@ constexpr Number power_of_two_near_root(Number x) {
 /// algorithms for periodic discrete-time algebraic Riccati equations, Int. J. Control 77, 2004): A_k becomes
 /// the motion of the closed loop over 2ᵏ steps. The iteration fails if this motion grows so much that the
 /// inputs reach it only through rounding, if it does not vanish, or if it only halves with each doubling; the
-/// last happens when the closed loop has an eigenvalue on the unit circle (Chiang et al., Convergence
+/// last case occurs when the closed loop has an eigenvalue on the unit circle (Chiang et al., Convergence
 /// analysis of the doubling algorithm, SIAM J. Matrix Anal. Appl. 31, 2009). A closed loop with an eigenvalue
 /// closer to the unit circle than √ε cannot be distinguished from one with an eigenvalue on it; the
-/// additional steps are for motions that are slow compared with others and less affected by rounding.
+/// additional steps serve motions that are slow compared with others and less affected by rounding.
 template <class Number, int states>
 constexpr riccati_solution<Number, states> doubled(riccati_equation<Number, states> e) {
   using limits = std::numeric_limits<Number>;

@@ -8,7 +8,7 @@
 #include <type_traits>
 
 /// The functions in this folder accept Eigen matrices at run time and `numeric::fixed_matrix` in constant
-/// expressions; they return matrices of the type that they are given.
+/// expressions; they return matrices of the same kind as their arguments.
 namespace kanexpr::control {
 
 using numeric::fixed_matrix;

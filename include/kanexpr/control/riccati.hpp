@@ -33,8 +33,8 @@ constexpr riccati_equation<Number, states> defect(const riccati_equation<Number,
   }
 }
 
-/// Solves Aᵀ X + X A + W = 0 or X = Aᵀ X A + W for two matrices W, where A is that of a closed loop that
-/// decays, by squaring (Smith, Matrix equation XA + BX = C, SIAM J. Appl. Math. 16, 1968).
+/// Solves Aᵀ X + X A + W = 0 or X = Aᵀ X A + W for two matrices W, where A is the matrix of a decaying closed
+/// loop, by squaring (Smith, Matrix equation XA + BX = C, SIAM J. Appl. Math. 16, 1968).
 template <time_domain domain, class Number, int states>
 constexpr bool solve_linear(fixed_matrix<Number, states, states> a,
                             fixed_matrix<Number, states, states>& first,
@@ -130,7 +130,8 @@ public:
         if (!is_reached[i] && is_reached[j]) unit.of[i] = -larger(-unit.of[i], a(j, i) - rate - unit.of[j]);
   }
 
-  /// Whether there is a state that depends on no other state, does not decay, and is reached by no input.
+  /// Whether there is a state that depends on no other state, does not decay, and is not reached by any
+  /// input.
   template <time_domain domain>
   constexpr bool has_unreached_persistent_state(const fixed_matrix<Number, states, states>& a) const {
     for (int i = 0; i < states; ++i) {

@@ -14,12 +14,13 @@
 
 namespace kanexpr::ensembles {
 
-/// "PATH WHAT: " and the reason that the system gives in errno.
+/// Returns "PATH WHAT: " followed by the message of the system for errno.
 inline outcome file_failure(const std::string& path, const char* what) {
   return outcome(path + ' ' + what + ": " + std::generic_category().message(errno));
 }
 
-/// Waits until the system has stored a file, so that it survives a power failure. Errors mention `called`.
+/// Waits until the system has stored a file, so that it survives a power failure. `called` is the name of the
+/// file in error sentences.
 inline outcome store(const std::string& file, const std::string& called) {
   const int opened = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   const bool is_stored = opened >= 0 && (::fsync(opened) == 0 || errno == EINVAL);
@@ -46,7 +47,7 @@ public:
                : outcome();
   }
 
-  /// The file by an absolute path without links.
+  /// Returns the absolute path of the file, with links resolved.
   const std::string& target() const { return target_; }
   std::string replacement() const { return target_ + ".new"; }
 
@@ -59,7 +60,7 @@ public:
   void discard_replacement() const { std::remove(replacement().c_str()); }
 
   outcome failure(const char* what) const { return file_failure(path_, what); }
-  /// The path as the user wrote it.
+  /// Returns the path as the user wrote it.
   const std::string& path() const { return path_; }
 
 private:

@@ -19,7 +19,7 @@ class checkpoint_file {
 public:
   explicit checkpoint_file(const std::string& path) : file_(path) {}
 
-  /// Leaves the content empty if there is no file, or an empty one.
+  /// Leaves the content empty if the file does not exist or is empty.
   outcome read(std::string& content) const {
     if (outcome checked = file_.check(); !checked) return checked;
     std::ifstream in(file_.target(), std::ios::binary);

@@ -16,7 +16,7 @@
 
 namespace kanexpr::ensembles {
 
-/// The content of a study, and the version of the library, to compare it with other studies.
+/// Returns bytes that identify the content of a study and the version of the library.
 inline std::string identity_of(const study_interface& study) {
   const study_layout& layout = study.layout();
   saver all;
@@ -25,7 +25,8 @@ inline std::string identity_of(const study_interface& study) {
   return all.bytes();
 }
 
-/// Collects the results of runs, in the order of the runs: in tables, reductions and files, with checkpoints.
+/// Collects the results of runs, in the order of the runs, in tables, reductions and files; writes
+/// checkpoints.
 class collector {
   static constexpr std::size_t max_failures = 1000;
   using clock = std::chrono::steady_clock;
@@ -51,7 +52,7 @@ public:
   bool add(std::vector<finished_run>&& runs) {
     return found_.failure.empty() && attempt([&] { return add_all(std::move(runs)); });
   }
-  /// Completes files and checkpoint, and returns the results.
+  /// Completes the files and the checkpoint, and returns the results.
   ensemble_results end() {
     if (checkpoint_ && found_.failure.empty() && found_.done < found_.planned)
       attempt([&] { return write_checkpoint(); });
@@ -71,7 +72,7 @@ public:
   }
 
 private:
-  /// Calls a step, which may call functions of the user, and keeps the first failure.
+  /// Calls a step, which may call user functions, and keeps the first failure.
   template <class Step>
   bool attempt(const Step& step) {
     std::string cause;
@@ -117,7 +118,7 @@ private:
     std::string content;
     if (outcome read = checkpoint_->read(content); !read) return read;
     if (!content.empty()) return resume_from(content, positions);
-    // Reports a checkpoint that cannot be written before the first run, not an hour later.
+    // If the checkpoint cannot be written, this is reported before the first run, not an hour later.
     outcome written = checkpoint_->write({});
     return written ? checkpoint_->remove() : written;
   }

@@ -8,8 +8,8 @@
 
 namespace kanexpr {
 
-/// The table of runs as text, one line per run: `.files = {csv_file("study.csv")}`. It has no units, and
-/// refuses trajectories and events, which the files of <kanexpr/hdf5.hpp> can hold.
+/// The table of runs as text, one line per run: `.files = {csv_file("study.csv")}`. It contains no units and
+/// cannot hold trajectories or events; the files of <kanexpr/hdf5.hpp> can.
 KANEXPR_ENSEMBLES std::shared_ptr<results_file> csv_file(const file_path& path);
 
 } // namespace kanexpr

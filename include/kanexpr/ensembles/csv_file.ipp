@@ -73,7 +73,8 @@ public:
   outcome end() override {
     writer_->finish();
     out_.close();
-    return out_ || !*writer_ ? state() : outcome("writing " + path_ + " failed at its end");
+    return out_ || !*writer_ ? state()
+                             : outcome("writing " + path_ + " failed while the file was being closed");
   }
 
 private:

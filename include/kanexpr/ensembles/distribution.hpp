@@ -8,21 +8,21 @@
 
 namespace kanexpr {
 
-/// The distribution of a number, given by its quantile function: the value below which it lies with a
-/// probability between 0 and 1. Some are defined below; any other is constructed from its quantile
-/// function, for example one from Boost.Math: `distribution("weibull(1.5, 2)", [w](double part) { return
-/// quantile(w, part); })`.
+/// The distribution of a number, given by its quantile function: the value below which the number lies with a
+/// given probability. Some are defined below; any other is constructed from its quantile function, for
+/// example one from Boost.Math: `distribution("weibull(1.5, 2)", [w](double part) { return quantile(w, part);
+/// })`.
 ///
-/// The first argument must contain all parameters with all digits: it distinguishes studies when one resumes
-/// from a checkpoint.
+/// The first argument must contain all parameters with all digits, since it identifies the distribution when
+/// a study resumes from a checkpoint.
 ///
-/// `uniform` and `triangular` have the same bits on every machine. The last digits of the others depend on
-/// its long double, and those of the normal ones on Boost.Math too.
+/// The values of `uniform` and `triangular` have the same bits on every machine. The last digits of the
+/// others depend on the machine's long double, and those of the normal distributions also on Boost.Math.
 class distribution {
 public:
   distribution(std::string identity, std::function<double(double part)> quantile)
       : identity_(std::move(identity)), quantile_(std::move(quantile)) {}
-  /// No distribution, for this reason.
+  /// Returns an invalid distribution, with the reason.
   static distribution mistaken(std::string mistake) {
     distribution none({}, {});
     none.mistake_ = std::move(mistake);
@@ -40,10 +40,10 @@ private:
 };
 
 KANEXPR_ENSEMBLES distribution uniform(double from, double to);
-/// The logarithm is uniform: for quantities of which only the order of magnitude is known.
+/// A distribution whose logarithm is uniform, for quantities of which only the order of magnitude is known.
 KANEXPR_ENSEMBLES distribution log_uniform(double from, double to);
 KANEXPR_ENSEMBLES distribution normal(double mean, double deviation);
-/// A normal distribution restricted to [from, to], as for masses, which are positive.
+/// A normal distribution restricted to [from, to], for example for masses, which are positive.
 KANEXPR_ENSEMBLES distribution truncated_normal(double mean, double deviation, double from, double to);
 KANEXPR_ENSEMBLES distribution triangular(double from, double mode, double to);
 

@@ -43,7 +43,7 @@ inline distribution distribution_of(const char* name, const std::vector<double>&
   return {call_of(name, numbers, all_digits), std::move(quantile)};
 }
 
-/// Quantiles out of range are infinite; nothing is thrown.
+/// Quantiles out of range are infinite; no exception is thrown.
 using standard_normal = boost::math::normal_distribution<
     double, boost::math::policies::policy<
                 boost::math::policies::domain_error<boost::math::policies::ignore_error>,
@@ -83,7 +83,7 @@ KANEXPR_ENSEMBLES distribution truncated_normal(double mean, double deviation, d
   const ensembles::standard_normal standard;
   const bool is_normal = deviation > 0 && from < to && numeric::is_finite(mean) &&
                          numeric::is_finite(deviation) && !numeric::is_nan(from) && !numeric::is_nan(to);
-  // Mirrored if most of it lies below the bounds, because only probabilities near 0 are exact.
+  // Mirrored if the bounds lie above the mean, because only probabilities near 0 are accurate.
   const bool is_mirrored = from > mean;
   const double sign = is_mirrored ? -1 : 1;
   const auto below = [&](double bound) {
@@ -103,7 +103,7 @@ KANEXPR_ENSEMBLES distribution truncated_normal(double mean, double deviation, d
 }
 
 KANEXPR_ENSEMBLES distribution triangular(double from, double mode, double to) {
-  // Halves, if the width overflows.
+  // Scaled by one half if the width overflows.
   const double scale = numeric::is_finite(to - from) ? 1 : 0.5;
   const double rises = (mode * scale - from * scale) / (to * scale - from * scale);
   return ensembles::distribution_of(

@@ -10,7 +10,7 @@
 
 namespace kanexpr {
 
-/// A study that can be run, any number of times. Copies share the study.
+/// A study that can be run any number of times. Copies share the study.
 template <class Runner>
 class ensemble_of {
 public:
@@ -54,9 +54,9 @@ private:
 ///     if (!found) std::cerr << found.cause() << '\n';
 ///     for (double angle : found.runs["q"]) …
 ///
-/// The results do not depend on the number of threads, to the last bit. A run that fails is a row like the
-/// others, with its cause in `failures`, and the study continues. A different integrator: `ensemble<System,
-/// integrator::bdf>`.
+/// The results are the same to the last bit for any number of threads. A run that fails has a row like the
+/// others and its cause in `failures`, and the study continues. Select a different integrator as in
+/// `ensemble<System, integrator::bdf>`.
 template <class System, integrator by = integrator::adams>
 using ensemble = ensemble_of<ensembles::simulation_runner<System, by>>;
 
@@ -70,8 +70,8 @@ using ensemble = ensemble_of<ensembles::simulation_runner<System, by>>;
 ///         .keep = {at_end<q>("q_end"), greatest<u>("fastest")},
 ///     });
 ///
-/// Inputs are constants by name, or a function (t, x): `ensemble_in_steps(study, law)`. It takes one state,
-/// or a batch of states if its second parameter is `const auto&`.
+/// Inputs are constants by name, or a function (t, x): `ensemble_in_steps(study, law)`. The function takes
+/// one state, or a batch of states if its second parameter is `const auto&`.
 template <class Step, class Law = ensembles::constant_inputs, class Number = double>
 auto ensemble_in_steps(study_in_steps<Step, Number> what, Law law = {}) {
   using runner = ensembles::step_runner<Step, Law, Number>;

@@ -11,7 +11,7 @@
 
 namespace kanexpr {
 
-/// Why and in which state a run failed.
+/// The cause of a failed run, and the state in which it ended.
 struct failed_run {
   std::size_t run;
   double time;
@@ -32,8 +32,8 @@ struct [[nodiscard]] ensemble_results {
   std::vector<table> trajectories{};             ///< of each run, if the study keeps them
   std::vector<std::vector<occurrence>> events{}; ///< of each run, if the study keeps them
 
-  std::size_t planned = 0; ///< runs of the study
-  std::size_t done = 0;    ///< runs performed: the first of the study, including failed ones
+  std::size_t planned = 0; ///< the number of runs of the study
+  std::size_t done = 0;    ///< the number of runs performed, including failed ones
   std::size_t failed = 0;
   std::string failure{}; ///< why the study itself could not start or continue; empty if it could
 
@@ -41,7 +41,7 @@ struct [[nodiscard]] ensemble_results {
   explicit operator bool() const {
     return failure.empty() && done == planned && !(failed > 0 && failed == done);
   }
-  /// Why not, as a sentence.
+  /// Returns the cause of a failure, as a sentence; empty on success.
   std::string cause() const {
     if (!failure.empty() || *this) return failure;
     if (done < planned)
@@ -51,7 +51,7 @@ struct [[nodiscard]] ensemble_results {
            (failures.empty() ? std::string() : ", the first of them: " + failures.front().cause);
   }
 
-  /// The reductions of a column. A reduction that was not requested is empty; its `count()` is 0.
+  /// Return the reductions of a column. A reduction that was not requested is empty; its `count()` is 0.
   const kanexpr::statistics& statistics(std::string_view column) const {
     return reduced<kanexpr::statistics>(column);
   }

@@ -30,18 +30,18 @@ public:
     else if (value > best_)
       best_ = value;
   }
-  /// Searches between two times, whose values `take` has seen.
+  /// Searches between two times, the values at which were already passed to `take`.
   void search(double from, double at_from, double to, double at_to) {
     divide({from, at_from}, sample(inner(from, to)), {to, at_to}, 0);
   }
 
-  /// NaN if the function was NaN somewhere.
+  /// Returns the maximum so far; NaN if the function was NaN anywhere.
   double best() const { return has_nan_ ? std::numeric_limits<double>::quiet_NaN() : best_; }
 
 private:
   static constexpr int max_divisions = 8;
 
-  /// Not the midpoint, at which a periodic function could look constant.
+  /// Returns a point other than the midpoint, since a periodic function could look constant there.
   static double inner(double from, double to) { return from + 0.46 * (to - from); }
 
   point sample(double t) {
@@ -50,7 +50,7 @@ private:
     return {t, found};
   }
 
-  /// How far a point is from the parabola through three others.
+  /// Returns the distance of a point from the parabola through three others.
   static double distance(const point& a, const point& b, const point& c, const point& from) {
     const double ab = (b.value - a.value) / (b.t - a.t), bc = (c.value - b.value) / (c.t - b.t);
     const double there = a.value + (from.t - a.t) * (ab + (from.t - b.t) * (bc - ab) / (c.t - a.t));
@@ -89,8 +89,8 @@ private:
   bool has_nan_ = false;
 };
 
-/// The maximum of a function of samples along a motion, at its samples and between them, where `between`
-/// interpolates a sample. Two samples at one time are the states before and after a jump.
+/// Returns the maximum of a function of samples along a motion, both at its samples and between them;
+/// `between` interpolates a sample. Two samples at the same time are the states before and after a jump.
 template <class Path, class Between, class Function>
 double maximum_along(const Path& path, const Between& between, const Function& of) {
   const auto at = [&](double t) { return of(between(t)); };

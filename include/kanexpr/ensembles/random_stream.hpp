@@ -9,8 +9,8 @@
 
 namespace kanexpr::ensembles {
 
-/// Philox4x32-10, a counter-based random number generator (Salmon, Moraes, Dror & Shaw, SC11, 2011): the 128
-/// random bits of a counter, for a key.
+/// Philox4x32-10, a counter-based random number generator (Salmon, Moraes, Dror & Shaw, SC11, 2011): 128
+/// random bits for each pair of a counter and a key.
 constexpr std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> counter,
                                               std::array<std::uint32_t, 2> key) {
   for (int round = 0; round < 10; ++round) {
@@ -25,8 +25,8 @@ constexpr std::array<std::uint32_t, 4> philox(std::array<std::uint32_t, 4> count
 }
 
 /// The random numbers of one varied name. The seed is the key of the generator; the counter consists of the
-/// number of the run and the hash of the name. So a draw depends neither on other draws nor on the order of
-/// execution.
+/// number of the run and the hash of the name. Therefore, a draw depends neither on other draws nor on the
+/// order of execution.
 class random_stream {
 public:
   constexpr random_stream(std::uint64_t seed, std::string_view name)

@@ -35,10 +35,11 @@ public:
 
   std::uint64_t count() const { return count_; }
   std::uint64_t missing() const { return missing_; } ///< the number of NaN
-  /// NaN without numbers. Infinite if a number is infinite, and NaN if there are infinite numbers of both
-  /// signs.
+  /// Returns NaN if there are no numbers, infinity if a number is infinite, and NaN if there are infinite
+  /// numbers of both signs.
   double mean() const { return count_ == 0 ? none : are_finite() ? mean_ : least_ + greatest_; }
-  /// The unbiased estimate, with n − 1: NaN for fewer than two numbers, or if one of them is infinite.
+  /// Returns the unbiased estimate, with n − 1; NaN for fewer than two numbers, or if one of them is
+  /// infinite.
   double variance() const {
     return count_ > 1 && are_finite() ? squares_ / static_cast<double>(count_ - 1) : none;
   }
@@ -67,7 +68,7 @@ private:
 ///
 /// When a level of numbers is full, it is sorted, and every other number moves to the next level, where it
 /// counts twice (Manku, Rajagopalan & Lindsay, SIGMOD 1998). This changes the rank of a number by at most the
-/// weight of one. Odd and even places alternate, so most of the error cancels.
+/// weight of one number of that level. Odd and even places alternate, so most of the error cancels.
 class quantile_sketch {
 public:
   static constexpr std::size_t room = 4096;
@@ -86,11 +87,11 @@ public:
 
   std::uint64_t count() const { return count_; }
   std::uint64_t missing() const { return missing_; } ///< the number of NaN
-  /// The maximum error of a quantile, in places of the sorted numbers.
+  /// The maximum error of a quantile, as a number of places in the sorted numbers.
   std::uint64_t rank_error() const { return rank_error_; }
 
-  /// The number below which this part of them lies: quantile(0.5) is the median, quantile(0) the minimum. NaN
-  /// without numbers, or if the part is not between 0 and 1.
+  /// Returns the number below which a given fraction of the numbers lies: quantile(0.5) is the median,
+  /// quantile(0) the minimum. Returns NaN if there are no numbers, or if the fraction is not between 0 and 1.
   double quantile(double part) const {
     if (count_ == 0 || numeric::is_nan(part) || part < 0 || part > 1) return numeric::not_a_number<double>;
     if (part <= 0) return least_;
@@ -99,7 +100,7 @@ public:
     for (std::size_t i = 0; i < levels_.size(); ++i)
       for (double number : levels_[i].numbers) all.emplace_back(number, std::uint64_t{1} << i);
     std::sort(all.begin(), all.end());
-    // 0.07 of 100 numbers are 7 of them, though 0.07 · 100 is a little more.
+    // A fraction of 0.07 of 100 numbers is 7 numbers, although 0.07 · 100 is rounded to slightly more.
     const double wanted = part * static_cast<double>(count_) * (1 - 0x1p-51);
     double below = 0;
     for (const auto& [number, weight] : all) {
@@ -137,13 +138,13 @@ private:
   double greatest_ = -numeric::infinity<double>;
 };
 
-/// Counts numbers in equal bins between two numbers, of which the second is excluded.
+/// Counts numbers in bins of equal width between two bounds, the second of which is excluded.
 class histogram {
 public:
   static constexpr std::size_t max_bins = std::size_t{1} << 24;
 
   histogram() = default;
-  /// A histogram with a negative number of bins, or too many, has none; a study refuses it.
+  /// If the number of bins is negative or too large, the histogram has no bins, and a study rejects it.
   histogram(double from, double to, std::size_t bins)
       : from_(from), to_(to), counts_(bins <= max_bins ? bins : 0) {}
 
@@ -155,7 +156,7 @@ public:
     } else if (number >= to_) {
       ++above_;
     } else {
-      // Compared with the edges, because other formulas round differently.
+      // The number is compared with the edges, because other formulas round differently.
       const auto inner = std::views::iota(std::size_t{1}, bins());
       const auto next = std::ranges::partition_point(inner, [&](auto i) { return number >= edge(i); });
       ++counts_[static_cast<std::size_t>(next - inner.begin())];
@@ -185,7 +186,7 @@ private:
   std::uint64_t below_ = 0, above_ = 0, missing_ = 0;
 };
 
-/// The frequency of each value of a quantity with few values: the number of events, or how a run ended.
+/// The frequency of each value of a quantity with few values, such as the number of events.
 class value_counts {
 public:
   static constexpr std::size_t max_values = 1000;
@@ -204,7 +205,7 @@ public:
     return found == counts_.end() ? 0 : found->second;
   }
   const std::map<double, std::uint64_t>& counts() const { return counts_; }
-  std::uint64_t others() const { return others_; }   ///< values after the first `max_values` ones
+  std::uint64_t others() const { return others_; } ///< numbers that differ from the first `max_values` values
   std::uint64_t missing() const { return missing_; } ///< the number of NaN
 
   static void fields(auto& self, auto& archive) { archive(self.counts_, self.others_, self.missing_); }
@@ -229,7 +230,7 @@ struct reduction {
 
 inline reduction statistics_of(std::string column) { return {std::move(column), statistics()}; }
 inline reduction quantiles_of(std::string column) { return {std::move(column), quantile_sketch()}; }
-/// Equal bins between two numbers, of which the second is excluded.
+/// Bins of equal width between two bounds, the second of which is excluded.
 inline reduction histogram_of(std::string column, double from, double to, std::size_t bins) {
   return {std::move(column), histogram(from, to, bins)};
 }

@@ -43,20 +43,20 @@ struct ended_run {
   }
 };
 
-/// A number that a study keeps of each simulation.
+/// A number that a study keeps for each simulation.
 template <class System>
 struct run_output {
   column_label what;
   std::function<double(const ended_run<System>&)> of;
-  std::string symbol{};        ///< whose unit is the default; empty: none
+  std::string symbol{};        ///< the symbol whose unit is the default; empty: none
   std::string identity{};      ///< distinguishes outputs of the same name
   std::string event{};         ///< the event that it requires
   bool needs_motion = false;   ///< every step, with interpolation
   bool needs_samples = false;  ///< the samples that the options request
-  bool may_be_missing = false; ///< NaN is a value
+  bool may_be_missing = false; ///< NaN is a valid value
 };
 
-/// A number that a study in steps keeps of each run. It is evaluated in all lanes.
+/// A number that a study in steps keeps for each run. It is evaluated in all lanes.
 template <class System, class Number = double>
 struct step_output {
   using vectors = batch<batches::default_lanes<Number>, Number>;
@@ -108,7 +108,7 @@ struct expression_output {
 
   template <class System>
   operator run_output<System>() const {
-    std::uint64_t digest = 0; // of the library that has the code
+    std::uint64_t digest = 0; // from the library that contains the code
     if constexpr (output::is_scalar) digest = out_of_line<function<System, expression>>::digest();
     const auto of = [](const ended_run<System>& ended) {
       const auto value = [&](double t, const auto& x, const auto& r) {
@@ -193,8 +193,8 @@ struct function_output {
 
 } // namespace ensembles
 
-/// An expression at the end of each run: `at_end<q1>()`, `at_end<dot(position_of<P, O>, N::y)>("height",
-/// "m")`. The default name of a symbol is q1_end.
+/// The value of an expression at the end of each run: `at_end<q1>()`, `at_end<dot(position_of<P, O>,
+/// N::y)>("height", "m")`. The default name for a symbol q1 is q1_end.
 template <auto expression>
 ensembles::expression_output<expression, ensembles::aggregate::at_end>
 at_end(std::string name = ensembles::output_expression<expression>::name("_end"), std::string unit = {}) {
@@ -215,7 +215,7 @@ least(std::string name = ensembles::output_expression<expression>::name("_least"
   return {{std::move(name), std::move(unit)}};
 }
 
-/// The time at which an event first happens; NaN in runs in which it does not.
+/// The time at which an event first occurs; NaN in runs in which it does not.
 inline ensembles::event_output<ensembles::of_event::first_time>
 first_time_of(std::string event, std::string name, std::string unit = "s") {
   return {std::move(event), {std::move(name), std::move(unit)}};
@@ -224,7 +224,7 @@ inline ensembles::event_output<ensembles::of_event::last_time>
 last_time_of(std::string event, std::string name, std::string unit = "s") {
   return {std::move(event), {std::move(name), std::move(unit)}};
 }
-/// How often an event happens.
+/// The number of times an event occurs.
 inline ensembles::event_output<ensembles::of_event::count> times_of(std::string event, std::string name) {
   return {std::move(event), {std::move(name)}};
 }

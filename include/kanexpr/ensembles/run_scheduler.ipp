@@ -51,24 +51,24 @@ public:
   using consumer = std::function<bool(std::vector<finished_run>&&)>;
 
   struct options {
-    std::size_t runs = 0, done = 0;  ///< the first `done` runs are done already
+    std::size_t runs = 0, done = 0;  ///< the first `done` runs have already been performed
     std::size_t lanes = 1;           ///< shares start and end at multiples of this number
     std::size_t workers = 1;         ///< the approximate number of workers
     double share_seconds = 0.001;    ///< the intended duration of a share
-    std::size_t max_pending = 65536; ///< the number of runs that may be handed out and not passed on yet
+    std::size_t max_pending = 65536; ///< the number of runs that may be handed out but not yet passed on
   };
 
   run_scheduler(const options& how, std::stop_token stop, consumer consume)
       : options_(how), next_(how.done), passed_on_(how.done), stop_(std::move(stop)),
         consume_(std::move(consume)) {}
 
-  /// The next share, after waiting until one is available; without runs if there are no more.
+  /// Waits for the next share and returns it; the share has no runs if there are no more.
   share next() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return !gives_more() || !is_full(); });
     return give();
   }
-  /// The same, if it is known without waiting.
+  /// The same without waiting; empty if no share is available yet.
   std::optional<share> try_next() {
     const std::scoped_lock lock(mutex_);
     return !gives_more() || !is_full() ? std::optional(give()) : std::nullopt;
@@ -93,7 +93,7 @@ public:
     const std::scoped_lock lock(mutex_);
     return !gives_more() && open_ == 0 && !is_passing_on_;
   }
-  /// Hands out no more shares.
+  /// Stops handing out shares.
   void end() {
     const std::scoped_lock lock(mutex_);
     is_ended_ = true;
@@ -148,7 +148,7 @@ private:
   consumer consume_;
 };
 
-/// Starts threads that call `work` with their numbers; fewer if the system cannot start as many.
+/// Starts threads that call `work` with their numbers; fewer if the system cannot start all of them.
 template <class Work>
 std::vector<std::jthread> start_threads(std::size_t count, const Work& work) {
   std::vector<std::jthread> threads;

@@ -17,7 +17,7 @@
 
 namespace kanexpr {
 
-/// A varied quantity that is not a symbol of the model, as the size of a push: `factor{"push"}`.
+/// A varied quantity that is not a symbol of the model, such as the size of a push: `factor{"push"}`.
 struct factor {
   std::string name;
 };
@@ -50,16 +50,16 @@ struct drawn {
 };
 
 /// The runs of a study: their number, and the varied values of each. The values depend only on the number of
-/// the run, so nothing but tables is stored.
+/// the run, so only tables are stored.
 class runs {
 public:
   /// Computes the values of a run.
   using plan = std::function<void(std::size_t run, double* values)>;
 
-  /// One run, in which nothing varies.
+  /// A single run, in which nothing varies.
   runs() = default;
   runs(std::size_t count, std::vector<varied_name> what, plan values, std::string identity);
-  /// No runs, for this reason.
+  /// Returns an invalid set of runs, with the reason.
   static runs mistaken(std::string mistake);
 
   std::size_t size() const { return size_; }
@@ -115,8 +115,8 @@ private:
 
 namespace ensembles {
 
-/// Reports a value that a function of the study requests and that does not vary; other exceptions concern one
-/// run.
+/// Returns a mistake if a function of the study requests a value that does not vary. Other exceptions concern
+/// a single run and are ignored here.
 template <class Function>
 std::string mistake_in_call(const Function& of) {
   std::string mistake;
@@ -132,7 +132,8 @@ std::string mistake_in_call(const Function& of) {
 
 } // namespace ensembles
 
-/// This many numbers from the first to the last, inclusive; empty if the count is negative or exceeds 2³².
+/// Returns `count` equally spaced numbers from the first to the last, inclusive; empty if the count is
+/// negative or exceeds 2³².
 KANEXPR_ENSEMBLES std::vector<double> evenly_spaced(double first, double last, std::size_t count);
 
 /// All combinations: `grid({{q1, evenly_spaced(-3, 3, 100)}, {m, {1, 2}}})`. The last axis varies fastest.
@@ -145,7 +146,7 @@ KANEXPR_ENSEMBLES runs random_runs(std::size_t count, std::vector<drawn> what, s
 /// Beckman & Conover, Technometrics 21, 1979).
 KANEXPR_ENSEMBLES runs latin_hypercube(std::size_t count, std::vector<drawn> what, std::uint64_t seed);
 
-/// One run per row of a table. Its columns have the names of symbols, or of the listed factors.
+/// One run per row of a table. Each column has the name of a symbol or of a listed factor.
 KANEXPR_ENSEMBLES runs runs_of(const table& rows, const std::vector<factor>& factors = {});
 
 } // namespace kanexpr

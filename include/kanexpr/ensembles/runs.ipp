@@ -15,7 +15,8 @@ namespace kanexpr {
 
 namespace ensembles {
 
-inline constexpr std::size_t max_runs = std::size_t{1} << 53; // a column holds their numbers
+inline constexpr std::size_t max_runs = std::size_t{1}
+                                        << 53; // a column of doubles holds the numbers of the runs
 
 inline std::string mistake_in(const std::vector<varied_name>& what) {
   for (std::size_t i = 0; i < what.size(); ++i) {
@@ -26,7 +27,7 @@ inline std::string mistake_in(const std::vector<varied_name>& what) {
   return {};
 }
 
-/// Draws each value from the whole distribution or, if `stratified`, from an interval that no other run has.
+/// Draws each value from the whole distribution or, if `stratified`, from an interval that no other run uses.
 inline runs drawn_runs(std::size_t count, std::vector<drawn> what, std::uint64_t seed, bool stratified) {
   const std::string name = stratified ? "latin_hypercube" : "random_runs";
   std::string identity = name + '(' + std::to_string(count) + ", {";
@@ -56,7 +57,7 @@ inline runs drawn_runs(std::size_t count, std::vector<drawn> what, std::uint64_t
   return {count, std::move(names), std::move(draw), std::move(identity)};
 }
 
-/// The name and the bits of a column.
+/// Returns the name and the bits of a column.
 inline std::string identity_of(const std::string& name, const std::vector<double>& numbers) {
   bytes_writer all;
   all.put(numbers);
@@ -90,7 +91,7 @@ KANEXPR_ENSEMBLES runs grid(std::vector<grid_axis> axes) {
   std::vector<varied_name> names;
   std::string identity = "grid";
   for (const grid_axis& each : axes) {
-    if (each.values.empty()) return runs::mistaken("the grid has no values of " + each.what.name());
+    if (each.values.empty()) return runs::mistaken("the grid has no values for " + each.what.name());
     if (count > ensembles::max_runs / each.values.size())
       return runs::mistaken("the grid has more than 2^53 runs");
     count *= each.values.size();

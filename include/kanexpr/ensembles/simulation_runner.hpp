@@ -17,7 +17,7 @@
 
 namespace kanexpr::ensembles {
 
-/// Performs runs by `simulate`.
+/// Performs runs with `simulate`.
 template <class System, integrator by>
 class simulation_runner {
 public:
@@ -117,14 +117,15 @@ private:
       keep_outputs(of, {varied, reported, one.p, r, ended.trajectory, how.inputs}, done);
   }
 
-  /// Without the dependent coordinates and speeds that neither the study nor its function set.
+  /// Returns the initial state without the dependent coordinates and speeds that neither the study nor its
+  /// function sets.
   static given_state<System> start_of(const context& of, const state<System>& x) {
     given_state<System> start(x);
     for (std::size_t i = 0; i < start.is_left_out.size(); ++i) start.is_left_out[i] = !of.values.sets(x, i);
     return start;
   }
 
-  /// A simulation with every step, reduced to the requested samples.
+  /// Reduces a simulation that has every step to the requested samples.
   static simulation<System> sampled(const simulation<System>& of, const parameter_values<System>& p,
                                     const input_source<System>& inputs,
                                     simulations::output_schedule requested,

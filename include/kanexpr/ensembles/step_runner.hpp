@@ -20,10 +20,10 @@
 
 namespace kanexpr::ensembles {
 
-/// Inputs by name, instead of a function (t, x).
+/// Represents inputs given by name instead of by a function (t, x).
 struct constant_inputs {};
 
-/// Performs runs by steps of a fixed length, one in each lane of a SIMD vector.
+/// Performs runs with steps of a fixed length, one run in each lane of a SIMD vector.
 template <class Step, class Law, class Number>
 class step_runner {
 public:
@@ -71,12 +71,12 @@ public:
       if (!runs[lane].has_failed()) attempt(runs[lane], [&] { begin(of, lane, at, runs[lane]); });
     const auto sound = std::ranges::find(runs, false, &finished_run::has_failed);
     if (sound == runs.end()) return;
-    // Lanes without a sound run repeat one.
+    // Lanes without a valid run repeat a valid one.
     for (std::size_t lane = 0; lane < lanes; ++lane)
       if (lane >= runs.size() || runs[lane].has_failed())
         at.copy(static_cast<std::size_t>(sound - runs.begin()), lane);
     stepper all(at.x, 0, static_cast<Eigen::Index>(lanes), at.p, inputs_of(at), of.study.span.start);
-    finished_run together; // an exception in a function of the inputs concerns all lanes
+    finished_run together; // an exception in the input function affects all lanes
     attempt(together, [&] { move(of, all, at, runs); });
     for (finished_run& each : runs)
       if (together.has_failed() && !each.has_failed()) each.fail(together.failure);
@@ -128,7 +128,7 @@ private:
     at.r.set(place, rounded<input_values<System, Number>>(r));
   }
 
-  /// A mistake in the rates of prescribed quantities.
+  /// Returns a mistake in the rates of prescribed quantities.
   std::string mistake_in_rates(const step_span& span, const state<System>& x,
                                const input_values<System>& r) const {
     if constexpr (!simulations::has_prescribed_rates(known)) {
@@ -151,7 +151,7 @@ private:
     else
       return at.r;
   }
-  /// The inputs of all lanes, which `held` has if they are constant.
+  /// Returns the inputs of all lanes; `held` contains them if they are constant.
   template <class State, class Inputs>
   decltype(auto) inputs_of(double t, const State& x, const Inputs& held) const {
     if constexpr (!has_law)
@@ -205,7 +205,7 @@ private:
           runs[lane].add_sample(t, all.state_in(lane), vectors::get(inputs_of(t, x, r), lane));
         });
   }
-  /// NaN stays.
+  /// A NaN is never replaced.
   static bool replaces(aggregate when, Number now, Number before) {
     if (numeric::elementary::detail::is_nan(before) || numeric::elementary::detail::is_nan(now) ||
         when == aggregate::at_end)

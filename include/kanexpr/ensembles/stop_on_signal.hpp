@@ -16,7 +16,7 @@ namespace kanexpr {
 
 namespace ensembles {
 
-/// How often each signal was received. A signal handler may do little more than count.
+/// The number of times each signal was received. A signal handler may do little more than count.
 inline std::array<std::atomic<unsigned>, 128> signals_received{};
 
 /// Installs the handler of a signal while at least one object listens to it.
@@ -38,13 +38,14 @@ inline void listen_to(int signal, bool begins) {
 
 } // namespace ensembles
 
-/// Stops a study when this process receives a signal, as from Ctrl-C or a batch scheduler:
+/// Stops a study when this process receives a signal, for example from Ctrl-C or a batch scheduler:
 ///
 ///     const stop_on_signal stop;
 ///     study.run({.checkpoint = "study.checkpoint", .stop = stop.token()});
 ///
 /// Runs that have started are completed. While the object exists, its signals do not end the program. Several
-/// objects may exist on any threads and end in any order; a signal stops all that listen to it.
+/// objects may exist on any threads and end in any order; a signal stops the studies of all objects that
+/// listen to it.
 class stop_on_signal {
 public:
   explicit stop_on_signal(std::initializer_list<int> watched = {SIGINT, SIGTERM, SIGUSR1}) {
@@ -79,7 +80,7 @@ private:
 
   std::stop_source source_{};
   std::map<int, unsigned> before_{};
-  std::jthread thread_{}; ///< compares the counts with those before
+  std::jthread thread_{}; ///< compares the counts with the initial ones
 };
 
 } // namespace kanexpr

@@ -5,8 +5,8 @@
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/ensembles/run_output.hpp>
 #include <kanexpr/ensembles/runs.hpp>
-#include <kanexpr/simulations/simulation.hpp>
 #include <kanexpr/simulations/settings.hpp>
+#include <kanexpr/simulations/simulation.hpp>
 
 #include <functional>
 #include <string>
@@ -37,7 +37,7 @@ struct step_span {
 };
 
 struct step_options {
-  /// Takes the values of dependent coordinates and speeds as guesses. By default a run fails if the
+  /// Treats the values of dependent coordinates and speeds as guesses. By default a run fails if the
   /// constraints contradict them.
   bool guesses_dependent = false;
   int look_every = 1; ///< the number of steps after which extremes are updated and samples taken
@@ -73,7 +73,7 @@ struct step_kind {
 
 } // namespace ensembles
 
-/// A set of runs of one system, and the outputs to keep of each.
+/// A set of runs of one system, and the outputs to keep for each.
 template <class Kind>
 struct study_of {
   kanexpr::runs runs = {};                  ///< the values that vary from run to run
@@ -83,8 +83,8 @@ struct study_of {
   typename Kind::span span = {};
   typename Kind::options simulation = {}; ///< of all runs; several threads call its functions
 
-  /// Changes the setup of a run that depends on its values in other ways, as a push, a controller, or
-  /// parameters that vary together. Each run has a copy of the function.
+  /// Changes the setup of a run that depends on the varied values in another way: for a push, a controller,
+  /// or parameters that vary together. Each run uses its own copy of the function.
   std::function<void(const run_values&, typename Kind::setup&)> for_each_run = {};
 
   std::vector<typename Kind::output> keep = {};

@@ -14,7 +14,7 @@
 
 namespace kanexpr::ensembles {
 
-/// The index of a symbol of a system; -1 if there is none of this name.
+/// The index of a symbol of a system; -1 if there is no symbol of this name.
 template <class System>
 int symbol_index(std::string_view name) {
   constexpr const derivation::survey& known = compiled::survey_of<System>;

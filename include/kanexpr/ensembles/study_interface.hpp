@@ -10,7 +10,7 @@
 
 namespace kanexpr {
 
-/// The name of a column, and the unit of its numbers, empty if unknown.
+/// The name of a column and the unit of its numbers; the unit is empty if unknown.
 struct column_label {
   std::string name;
   std::string unit{};
@@ -26,7 +26,7 @@ struct constant_of_runs {
   static void fields(auto& self, auto& archive) { archive(self.what, self.value); }
 };
 
-/// The quantities that a study keeps of each run.
+/// The quantities that a study keeps for each run.
 struct study_layout {
   std::string study{};                       ///< its name
   std::size_t runs = 0;                      ///< their number
@@ -35,7 +35,7 @@ struct study_layout {
   std::vector<column_label> columns{};       ///< of the table of runs, which has a row per run
   std::vector<column_label> state{};         ///< of a failed run, at its end
   std::vector<column_label> samples{};       ///< of the trajectories, time first; empty: none are kept
-  std::vector<std::string> events{};         ///< whose times are kept
+  std::vector<std::string> events{};         ///< the events whose times are kept
 };
 
 /// How a run ended.
@@ -76,7 +76,7 @@ struct finished_run {
 
 namespace ensembles {
 
-/// A study without the type of its system.
+/// The interface of a study, which does not depend on the type of its system.
 class study_interface {
 public:
   study_interface() = default;
@@ -87,7 +87,7 @@ public:
   virtual const study_layout& layout() const = 0;
   /// Distinguishes the study from others with the same layout.
   virtual std::string identity() const = 0;
-  /// The number of runs that share a vector; shares of runs start at multiples of it.
+  /// Returns the number of runs that share a vector; shares of runs start at multiples of it.
   virtual std::size_t lanes() const = 0;
   /// Performs the runs [first, first + count) on the calling thread. The result of a run depends only on its
   /// number.

@@ -19,13 +19,13 @@
 
 namespace kanexpr::ensembles {
 
-/// Performs a part of a run; the run fails if it throws.
+/// Performs a part of a run; the run fails if the part throws an exception.
 template <class Part>
 void attempt(finished_run& done, const Part& part) {
   if (auto thrown = exception_in(part)) done.fail(*std::move(thrown));
 }
 
-/// A study, as its runner uses it.
+/// A study in the form that its runner uses.
 template <class Kind>
 struct study_context {
   study_of<Kind> study;
@@ -41,11 +41,11 @@ struct study_context {
     return one;
   }
 
-  /// The outputs of a run, in its row.
+  /// Returns the outputs of a run, in its row.
   std::span<double> outputs(finished_run& done) const {
     return std::span(done.values).subspan(3 + layout.varied);
   }
-  /// Keeps an output; returns false if the run fails because it is NaN.
+  /// Keeps an output; returns false if the run fails because the output is NaN.
   bool keep(finished_run& done, std::size_t i, double value, bool may_be_missing = false) const {
     outputs(done)[i] = value;
     if (may_be_missing || !numeric::elementary::detail::is_nan(value)) return true;
@@ -69,11 +69,11 @@ public:
     mistake_ = find_mistake();
   }
 
-  /// A mistake in the study, as a sentence; empty if there is none.
+  /// Returns a mistake in the study, as a sentence; empty if there is none.
   const std::string& mistake() const { return mistake_; }
 
   const study_layout& layout() const override { return context_.layout; }
-  /// Functions cannot be compared, only their presence.
+  /// Functions cannot be compared; only their presence is part of the identity.
   std::string identity() const override {
     saver all;
     all(context_.study.runs.identity(), static_cast<bool>(context_.study.for_each_run));

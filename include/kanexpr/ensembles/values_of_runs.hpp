@@ -18,7 +18,7 @@
 
 namespace kanexpr::ensembles {
 
-/// A vector of a system in each run: its constant values, and varied values in their places.
+/// A vector of a system for each run, composed of constant and varied values.
 template <class System, compiled::symbols_of which, class Vector>
 class vector_of_runs {
   static constexpr const derivation::survey& known = compiled::survey_of<System>;
@@ -32,7 +32,8 @@ public:
       const int k = symbol_index<System>(varied.name()) - range.first;
       if (varied.is_factor() || k < 0 || k >= range.size) continue;
       places_.emplace_back(i, k);
-      constants.push_back({varied.name(), 0.0}); // a valid value; only a run with an invalid one fails
+      constants.push_back(
+          {varied.name(), 0.0}); // a valid value; a run fails only if its own value is invalid
     }
     if (is_set_later)
       take(compiled::given_values<System, which, Vector, true>(constants));
@@ -79,7 +80,7 @@ struct values_of_runs {
         inputs(of.runs, of.inputs, static_cast<bool>(of.for_each_run)),
         specifies_inputs(inputs.is_varied() || !of.inputs.empty()) {}
 
-  /// The first mistake in the values and in what varies, as a sentence.
+  /// Returns the first mistake in the constant and varied values, as a sentence.
   std::string mistake(const study_of<Kind>& of) const {
     if (std::string mistake = mistake_in(of.runs); !mistake.empty()) return mistake;
     for (const unit_of& each : of.units)
@@ -90,11 +91,11 @@ struct values_of_runs {
     return specifies_inputs ? inputs.mistake() : std::string();
   }
 
-  /// The setup of a run, before a function of the study changes it.
+  /// Returns the setup of a run before a function of the study changes it.
   run_setup<System> in(const run_values& run) const {
     return {states.in(run), parameters.in(run), inputs.in(run)};
   }
-  /// False if neither the study nor its function set this dependent coordinate or speed.
+  /// Returns false if neither the study nor its function sets this dependent coordinate or speed.
   bool sets(const state<System>& x, std::size_t i) const {
     return !states.is_left_out(i) || std::abs(x(static_cast<Eigen::Index>(i))) > 0;
   }
@@ -112,8 +113,8 @@ private:
         return "the factor " + each.name() + " has the name of a symbol of the system " + system;
       else if (!each.is_factor() && symbol_index<System>(each.name()) < 0)
         return "the system " + system + " has no " + each.name() +
-               " to vary; a quantity that is not a symbol of the system is a factor: factor{\"" +
-               each.name() + "\"}, or of a table runs_of(table, {factor{\"" + each.name() + "\"}})";
+               " to vary; for a quantity that is not a symbol of the system, use factor{\"" + each.name() +
+               "\"} or, if it is a column of a table, runs_of(table, {factor{\"" + each.name() + "\"}})";
     if (!all.mistake().empty()) return all.mistake();
     return exception_in([&] { run_values(all, 0); }).value_or(""); // from a user's distribution
   }

@@ -17,14 +17,16 @@
 
 namespace kanexpr::mpi {
 
-/// The tags of messages: to the first rank, from it to a rank, and from it to each thread of a rank.
+/// The tags of messages to the first rank, from the first rank to another rank, and from the first rank to
+/// each thread of another rank.
 enum tag : int { to_first = 0, to_rank = 1, to_thread = 2 };
 
 /// The messages to the first rank: a thread requests a share, a rank has no more threads at work and waits
-/// for the summary of the study, or a rank takes part in no more studies.
+/// for the summary of the study, or a rank no longer takes part in studies.
 enum class request : std::uint8_t { share, summary, leave };
 
-/// The message to the first rank. A thread that requests a share reports the results of the one before.
+/// The message to the first rank. A thread that requests a share also reports the results of its previous
+/// share.
 struct report {
   request wants = request::share;
   std::uint64_t study = 0; ///< the hash of its identity
@@ -50,9 +52,9 @@ struct message {
 };
 
 /// Messages between ranks. A function that waits polls MPI and sleeps in between, so that a waiting rank
-/// leaves its core to others, and any thread may wait. Errors of MPI are thrown as std::runtime_error.
+/// leaves its core to others, and any thread may wait. MPI errors are thrown as std::runtime_error.
 class channel {
-  static constexpr std::size_t word = 8; // messages are counted in words, because MPI counts by an int
+  static constexpr std::size_t word = 8; // messages are counted in words, because MPI counts with an int
 
 public:
   channel() {
@@ -87,7 +89,7 @@ public:
     }
   }
 
-  /// A message that has arrived, if there is one.
+  /// Returns a message that has arrived, if there is one.
   template <class Content>
   std::optional<message<Content>> try_receive(int from, int tag) {
     int is_there = 0, words = 0;
@@ -105,7 +107,7 @@ public:
     return found;
   }
 
-  /// Yields the processor first, and sleeps when that has not helped.
+  /// Yields the processor at first, and sleeps after many tries.
   static void pause(int tries) {
     if (tries < 100)
       std::this_thread::yield();
@@ -119,7 +121,8 @@ private:
     char text[MPI_MAX_ERROR_STRING] = {};
     int length = 0;
     MPI_Error_string(code, text, &length);
-    throw std::runtime_error("MPI reports an error: " + std::string(text, static_cast<std::size_t>(length)));
+    throw std::runtime_error("MPI reported an error:  " +
+                             std::string(text, static_cast<std::size_t>(length)));
   }
 
   std::mutex mutex_{}; ///< MPI is called by one thread at a time

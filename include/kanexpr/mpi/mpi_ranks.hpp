@@ -28,12 +28,13 @@ namespace kanexpr {
 ///       …
 ///     }
 ///
-/// Every rank must construct the same studies in the same order. The results are those of one process, to the
-/// last bit, on any number of ranks. The first rank distributes the runs and performs some of them; only this
-/// rank has rows, files and the checkpoint. Each rank uses `ensemble_options::threads` threads, by default
-/// one.
+/// Every rank must construct the same studies in the same order. For any number of ranks, the results are the
+/// same to the last bit as those of one process. The first rank distributes the runs and performs some of
+/// them; only this rank has rows, files and the checkpoint. Each rank uses `ensemble_options::threads`
+/// threads, by default one.
 ///
-/// A program creates one such object at its start. It initializes MPI, and finalizes it at its end.
+/// A program creates one such object at its start. Its constructor initializes MPI, and its destructor
+/// finalizes it.
 class mpi_ranks {
 public:
   KANEXPR_MPI mpi_ranks(int& argc, char**& argv);

@@ -69,7 +69,7 @@ public:
       take(messages_.receive<report>(MPI_ANY_SOURCE, to_first), none);
       answer(none);
       for (const int each : finished_)
-        messages_.send(each, to_rank, summary{0, 0, "the first rank has ended without this study"});
+        messages_.send(each, to_rank, summary{0, 0, "the first rank ended without performing this study"});
       finished_.clear();
     }
   }
@@ -115,7 +115,7 @@ private:
     }
   }
 
-  /// Gives shares to idle threads while not too many runs are pending.
+  /// Hands out shares to idle threads unless too many runs are pending.
   void answer(scheduler& shares) {
     while (!idle_.empty()) {
       const auto next = shares.try_next();
@@ -127,7 +127,7 @@ private:
   }
 
   channel& messages_;
-  std::set<int>& absent_; ///< ranks that take part in no more studies
+  std::set<int>& absent_; ///< ranks that no longer take part in studies
   const std::uint64_t study_;
   std::deque<std::pair<int, int>> idle_{}; ///< rank and thread
   std::vector<int> finished_{};            ///< ranks that wait for the summary
@@ -164,7 +164,7 @@ private:
         messages_.send(0, to_first, done);
         const auto next = messages_.receive<ensembles::share>(0, to_thread + thread).content;
         if (next.count == 0) return;
-        // Runs report errors as failed runs; without memory, the rank ends.
+        // An error in a run is reported as a failed run; if memory runs out, the rank terminates.
         done.done = [&]() noexcept { return ensembles::perform(study, next); }();
       }
     } catch (const std::exception& thrown) {
@@ -190,7 +190,8 @@ KANEXPR_MPI mpi_ranks::mpi_ranks(int& argc, char**& argv) : state_(std::make_uni
   int provided = 0;
   MPI_Init_thread(&argc, &argv, MPI_THREAD_SERIALIZED, &provided);
   if (provided < MPI_THREAD_SERIALIZED)
-    throw std::runtime_error("this MPI does not support calls from several threads (MPI_THREAD_SERIALIZED)");
+    throw std::runtime_error(
+        "this MPI library does not support calls from several threads (MPI_THREAD_SERIALIZED)");
   state_->messages.emplace();
 }
 
@@ -200,7 +201,7 @@ KANEXPR_MPI mpi_ranks::~mpi_ranks() {
       mpi::first_rank(*state_->messages, state_->absent, 0).serve_without_study();
     else
       state_->messages->send(0, mpi::to_first, mpi::report{.wants = mpi::request::leave});
-  } catch (const std::exception&) { // ranks that cannot be reached would make MPI_Finalize wait for ever
+  } catch (const std::exception&) { // MPI_Finalize would wait forever for ranks that cannot be reached
     MPI_Abort(MPI_COMM_WORLD, EXIT_FAILURE);
   }
   state_->messages.reset();

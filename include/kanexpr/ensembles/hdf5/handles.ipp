@@ -12,10 +12,10 @@
 #include <utility>
 #include <vector>
 
-/// Objects of HDF5 and its errors.
+/// HDF5 objects and errors.
 namespace kanexpr::ensembles {
 
-/// Owns an object of HDF5.
+/// Owns an HDF5 object.
 class hdf5_handle {
 public:
   hdf5_handle() = default;
@@ -41,7 +41,7 @@ private:
   herr_t (*close_)(hid_t) = nullptr;
 };
 
-/// While it exists, keeps the first error of HDF5 on this thread, instead of printing errors.
+/// During its lifetime, records the first HDF5 error on this thread, and prevents HDF5 from printing errors.
 class hdf5_errors {
 public:
   hdf5_errors() {
@@ -52,8 +52,8 @@ public:
   hdf5_errors& operator=(const hdf5_errors&) = delete;
   ~hdf5_errors() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
 
-  /// The message of the operating system if it refused an operation, else that of HDF5; empty if there is
-  /// none.
+  /// Returns the message of the operating system if it refused an operation, otherwise that of HDF5; empty if
+  /// there was no error.
   const std::string& first() const { return first_; }
 
 private:
@@ -75,7 +75,7 @@ private:
   std::string first_{};
 };
 
-/// The type of texts: UTF-8, of this size in bytes.
+/// Returns the type of UTF-8 texts of a given size in bytes.
 inline hdf5_handle text_type(std::size_t size = H5T_VARIABLE) {
   hdf5_handle type(H5Tcopy(H5T_C_S1), &H5Tclose);
   H5Tset_size(type.id(), size);
@@ -115,7 +115,7 @@ public:
     for (const column_label& each : numbers) add(each, H5T_NATIVE_DOUBLE);
   }
 
-  /// After a failure, as for a name that exists already, the type is invalid.
+  /// After a failure, for example because the name already exists, the type is invalid.
   void add(const column_label& label, hid_t column) {
     const std::size_t offset = size_;
     size_ += H5Tget_size(column);

@@ -1,12 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/file_path.hpp>
 #include <kanexpr/base/one_way.hpp>
 #include <kanexpr/ensembles/results_file.hpp>
-#include <kanexpr/base/file_path.hpp>
 
 #include <memory>
 
-// kanexpr::hdf5_engine defines KANEXPR_COMPILED_HDF5 for all its users. Other files see the macros of HDF5.
+// kanexpr::hdf5_engine defines KANEXPR_COMPILED_HDF5 for all its users. Without this library, the files that
+// include this header see the macros of HDF5.
 #if defined KANEXPR_COMPILED_HDF5
 #define KANEXPR_HDF5
 KANEXPR_ONE_WAY("KANEXPR_COMPILED_HDF5", "1");
@@ -22,8 +23,8 @@ struct hdf5_options {
   double flush_every = 5; ///< seconds between updates that other programs see
 };
 
-/// All results that a study keeps, for h5py, pandas or MATLAB: `.files = {hdf5_file("study.h5")}`. Other
-/// programs may read the file while it is written, as SWMR readers (single writer, multiple readers).
+/// A file of all results that a study keeps, for h5py, pandas or MATLAB: `.files = {hdf5_file("study.h5")}`.
+/// Other programs may read the file while it is written, as SWMR readers (single writer, multiple readers).
 ///
 /// The file has datasets with named columns: `runs`, with a row per run; `failures`, with state and cause;
 /// `samples` of all trajectories; `events`. Their units are attributes.

@@ -19,9 +19,9 @@ namespace kanexpr {
 
 namespace ensembles {
 
-/// Written in HDF5's SWMR mode, in which no metadata on the disk refers to data that is not there yet. So the
-/// file is readable wherever the program ends, and a study resumes by overwriting the rows after its
-/// checkpoint.
+/// Writes in HDF5's SWMR mode, in which no metadata on the disk refers to data that has not been written yet.
+/// Therefore, the file is readable no matter when the program ends, and a study resumes by overwriting the
+/// rows after its checkpoint.
 class hdf5_results final : public results_file {
   using clock = std::chrono::steady_clock;
 
@@ -94,7 +94,7 @@ private:
     return path_.check();
   }
 
-  /// Opens files also after their writer was killed, as the command h5clear does.
+  /// Allows files to be opened even if their writer was killed, as the command h5clear does.
   static hdf5_handle access() {
     hdf5_handle how(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose);
     const hbool_t yes = true;

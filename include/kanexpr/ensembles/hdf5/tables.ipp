@@ -14,9 +14,9 @@
 
 namespace kanexpr::ensembles {
 
-/// A dataset to which rows are appended. Its functions return false on errors of HDF5.
+/// A dataset to which rows are appended. Its functions return false on HDF5 errors.
 class growing_table {
-  static constexpr std::size_t chunk_bytes = 131072; // several fit into HDF5's cache of a dataset
+  static constexpr std::size_t chunk_bytes = 131072; // several chunks fit into HDF5's cache of a dataset
 
 public:
   growing_table(const char* name, row_type columns)
@@ -34,7 +34,7 @@ public:
     return rows_ && write_attribute(rows_.id(), "units", type_.units());
   }
 
-  /// Opens a table of an interrupted study, to which rows are appended after the first `done` ones.
+  /// Opens a table of an interrupted study, in which new rows follow the first `done` rows.
   bool open(hid_t file, hsize_t done) {
     rows_ = {H5Dopen2(file, name_, H5P_DEFAULT), &H5Dclose};
     const hdf5_handle type(H5Dget_type(rows_.id()), &H5Tclose), space(H5Dget_space(rows_.id()), &H5Sclose);
@@ -127,7 +127,7 @@ public:
     runs_.put_all(run.values.data() + 2, run.values.size() - 2);
     if (run.has_failed()) {
       failures_.put(number, run.time);
-      std::vector<double> state = run.state; // empty if a function threw
+      std::vector<double> state = run.state; // empty if a function threw an exception
       state.resize(layout_.state.size(), std::numeric_limits<double>::quiet_NaN());
       failures_.put_all(state.data(), state.size());
       failures_.put_text(shortened(run.failure), cause_bytes);
@@ -163,7 +163,7 @@ private:
     while (std::ranges::find(others, name, &column_label::name) != others.end()) name += '_';
     return name;
   }
-  /// The part of a sentence that fits, cut between characters of UTF-8.
+  /// Returns the part of a sentence that fits, cut between UTF-8 characters.
   static std::string shortened(const std::string& text) {
     constexpr std::string_view dots = "\xE2\x80\xA6";
     if (text.size() <= cause_bytes) return text;

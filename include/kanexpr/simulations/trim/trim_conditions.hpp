@@ -105,7 +105,7 @@ private:
     return input >= 0 && !is_prescribed(input);
   }
 
-  /// Whether an input is prescribed as a function of time: as determined by the list of inputs or, if there
+  /// Whether an input is prescribed as a function of time, as determined by the list of inputs or, if there
   /// is none, by the presence of its derivatives.
   bool is_prescribed(int input) const {
     if (input < record_.inputs.size)
