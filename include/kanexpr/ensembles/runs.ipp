@@ -15,8 +15,7 @@ namespace kanexpr {
 
 namespace ensembles {
 
-inline constexpr std::size_t max_runs = std::size_t{1}
-                                        << 53; // a column of doubles holds the numbers of the runs
+inline constexpr std::size_t max_runs = std::size_t{1} << 53; // a column holds the run numbers
 
 inline std::string mistake_in(const std::vector<varied_name>& what) {
   for (std::size_t i = 0; i < what.size(); ++i) {

@@ -32,8 +32,7 @@ public:
       const int k = symbol_index<System>(varied.name()) - range.first;
       if (varied.is_factor() || k < 0 || k >= range.size) continue;
       places_.emplace_back(i, k);
-      constants.push_back(
-          {varied.name(), 0.0}); // a valid value; a run fails only if its own value is invalid
+      constants.push_back({varied.name(), 0.0}); // valid; only runs with an invalid value fail
     }
     if (is_set_later)
       take(compiled::given_values<System, which, Vector, true>(constants));

@@ -121,8 +121,7 @@ private:
     char text[MPI_MAX_ERROR_STRING] = {};
     int length = 0;
     MPI_Error_string(code, text, &length);
-    throw std::runtime_error("MPI reported an error:  " +
-                             std::string(text, static_cast<std::size_t>(length)));
+    throw std::runtime_error("MPI reported an error: " + std::string(text, static_cast<std::size_t>(length)));
   }
 
   std::mutex mutex_{}; ///< MPI is called by one thread at a time

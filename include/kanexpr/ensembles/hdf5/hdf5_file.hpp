@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kanexpr/base/file_path.hpp>
 #include <kanexpr/base/one_way.hpp>
 #include <kanexpr/ensembles/results_file.hpp>
+#include <kanexpr/base/file_path.hpp>
 
 #include <memory>
 
