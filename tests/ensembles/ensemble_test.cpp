@@ -259,7 +259,7 @@ TEST(ensemble, says_what_was_told_wrongly) {
   told = bouncing_balls(), told.parameters.push_back({g, 9.81});
   EXPECT_EQ(refusal(told), "parameter g has two values");
   told = bouncing_balls(), told.runs = random_runs(3, {{g, normal(1, 0)}}, 1);
-  EXPECT_EQ(refusal(told), "there is no distribution normal(1, 0): the deviation must be positive");
+  EXPECT_EQ(refusal(told), "invalid distribution normal(1, 0): the deviation must be positive");
   told = bouncing_balls(), told.keep.push_back(times_of("flip", "flips"));
   EXPECT_EQ(refusal(told), "the simulations of the study have no event flip");
   told = bouncing_balls(), told.keep.push_back(at_end<v>("g"));
@@ -267,7 +267,7 @@ TEST(ensemble, says_what_was_told_wrongly) {
   told = bouncing_balls(), told.keep.push_back(at_end<height>());
   EXPECT_EQ(refusal(told), "in the outputs of the study, a column has no name");
   told = bouncing_balls(), told.units.push_back({"hh", "m"});
-  EXPECT_EQ(refusal(told), "the study has no hh that could have a unit");
+  EXPECT_EQ(refusal(told), "the study has no hh to assign a unit to");
   told = bouncing_balls(), told.span = {1, 0};
   EXPECT_EQ(refusal(told), "the time span ends at 0, before it begins at 1");
   EXPECT_EQ(refusal(bouncing_balls(), {.reduce = {statistics_of("velocity")}}),

@@ -176,8 +176,7 @@ TEST(distributions, over_more_than_numbers_can_say_are_right) {
   EXPECT_NEAR(triangular(-1e308, 0, 1e308).quantile(0.875), 0.5e308, 1e293);
   EXPECT_THAT(evenly_spaced(-1.6e308, 1.6e308, 5),
               ElementsAre(-1.6e308, DoubleEq(-0.8e308), 0, DoubleEq(0.8e308), 1.6e308));
-  EXPECT_EQ(normal(0, 1e308).mistake(),
-            "there is no distribution normal(0, 1e+308): its draws must be finite");
+  EXPECT_EQ(normal(0, 1e308).mistake(), "invalid distribution normal(0, 1e+308): its draws must be finite");
 }
 
 // Whether or not the compiler contracts into fused multiply-adds, the result is rounded once.
@@ -194,17 +193,16 @@ TEST(distributions, are_told_with_all_digits) {
 TEST(runs, that_cannot_be_say_why) {
   const auto mistake_of = [](const runs& all) { return all.mistake(); };
   EXPECT_EQ(mistake_of(random_runs(9, {{"m", normal(1, -1)}}, 1)),
-            "there is no distribution normal(1, -1): the deviation must be positive");
+            "invalid distribution normal(1, -1): the deviation must be positive");
   EXPECT_EQ(mistake_of(random_runs(9, {{"m", uniform(2, 1)}}, 1)),
-            "there is no distribution uniform(2, 1): its start must be below its end");
+            "invalid distribution uniform(2, 1): its start must be below its end");
   EXPECT_EQ(mistake_of(random_runs(9, {{"m", log_uniform(0, 1)}}, 1)),
-            "there is no distribution log_uniform(0, 1): its start must be above 0 and below its end");
-  EXPECT_EQ(
-      mistake_of(random_runs(9, {{"m", truncated_normal(0, 1, 50, 60)}}, 1)),
-      "there is no distribution truncated_normal(0, 1, 50, 60): the deviation must be positive, and the "
-      "probability between the bounds must not vanish");
+            "invalid distribution log_uniform(0, 1): its start must be above 0 and below its end");
+  EXPECT_EQ(mistake_of(random_runs(9, {{"m", truncated_normal(0, 1, 50, 60)}}, 1)),
+            "invalid distribution truncated_normal(0, 1, 50, 60): the deviation must be positive, and the "
+            "probability between the bounds must not vanish");
   EXPECT_EQ(mistake_of(random_runs(9, {{"m", triangular(0, 2, 1)}}, 1)),
-            "there is no distribution triangular(0, 2, 1): its mode must lie between its ends");
+            "invalid distribution triangular(0, 2, 1): its mode must lie between its ends");
   EXPECT_EQ(mistake_of(latin_hypercube(0, {{"m", uniform(0, 1)}}, 1)), "a study requires at least one run");
   EXPECT_EQ(mistake_of(grid({{"m", {}}})), "the grid has no values for m");
   EXPECT_EQ(mistake_of(grid({{"m", {1}}, {"m", {2}}})), "m is varied twice");

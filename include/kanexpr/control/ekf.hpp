@@ -237,7 +237,7 @@ private:
     return found ? found : factors<states>(m, of_half, of_half);
   }
 
-  /// The messages for an invalid covariance, worded as those of `lqr` for the weights.
+  /// The messages for an invalid covariance, worded like those of `lqr` for the weights.
   struct sentences {
     std::string_view infinite, asymmetric, negative;
   };

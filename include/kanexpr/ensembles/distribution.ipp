@@ -38,7 +38,7 @@ inline distribution distribution_of(const char* name, const std::vector<double>&
                                     const char* requirement, bool can_be,
                                     std::function<double(double)> quantile) {
   if (!can_be)
-    return distribution::mistaken("there is no distribution " + call_of(name, numbers, base::digits) + ": " +
+    return distribution::mistaken("invalid distribution " + call_of(name, numbers, base::digits) + ": " +
                                   requirement);
   return {call_of(name, numbers, all_digits), std::move(quantile)};
 }

@@ -84,7 +84,7 @@ struct values_of_runs {
     if (std::string mistake = mistake_in(of.runs); !mistake.empty()) return mistake;
     for (const unit_of& each : of.units)
       if (symbol_index<System>(each.what.name()) < 0 && !of.runs.varies(each.what.name()))
-        return "the study has no " + each.what.name() + " that could have a unit";
+        return "the study has no " + each.what.name() + " to assign a unit to";
     if (!states.mistake().empty()) return states.mistake();
     if (!parameters.mistake().empty()) return parameters.mistake();
     return specifies_inputs ? inputs.mistake() : std::string();

@@ -10,7 +10,7 @@
 
 namespace kanexpr::simulations {
 
-/// A system with the parameters, options and trajectory of a simulation: the part that calls the user's
+/// A system with the parameters, options and trajectory of a simulation: the part that calls the user
 /// functions with the vectors of the system.
 template <class System>
 class simulated_system : public system_interface {

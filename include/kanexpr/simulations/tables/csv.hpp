@@ -2,7 +2,7 @@
 
 /// Tables as text: a line of names, then a line for each row, with fields separated by commas and names
 /// quoted if necessary (RFC 4180). Numbers have the fewest digits that reproduce the same bits; nan and inf
-/// are numbers. The format does not depend on the locale.
+/// are valid numbers. The format does not depend on the locale.
 
 #include <kanexpr/base/file_path.hpp>
 #include <kanexpr/base/outcome.hpp>

@@ -75,8 +75,8 @@ private:
       }
   }
 
-  /// A speed that is zero, or nonzero only because of rounding, is assigned a typical magnitude of the
-  /// others.
+  /// A speed that is zero, or nonzero only because of rounding, is assigned the typical magnitude of the
+  /// other speeds.
   void size_speeds() {
     Eigen::VectorXd distances = Eigen::VectorXd::Zero(speeds_);
     std::vector<double> rates;
