@@ -66,7 +66,7 @@ public:
 
   bool holds(std::string_view name) const { return find(name) >= 0; }
 
-  /// Returns a sentence that names the last unknown name that was looked up; empty if there was none.
+  /// Returns a sentence about the last unknown name that was looked up; empty if there was none.
   base::sentence mistake() const {
     if (unknown_.empty()) return {};
     return base::sentence({"the model has no ", range().symbol, " ", unknown_});
