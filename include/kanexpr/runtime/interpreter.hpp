@@ -93,7 +93,7 @@ private:
 
   interpreter<Scalar> code_;
   base::sequence<Scalar> found_;        ///< the result, then the measure and the scale of each check
-  base::sentence missing_derivative_{}; ///< reports an unknown derivative, without which there are no values
+  base::sentence missing_derivative_{}; ///< reports an unknown derivative; if set, there are no values
   base::sequence<mechanics::singularity_check> checks_;
 };
 

@@ -11,8 +11,8 @@
 
 namespace kanexpr {
 
-/// The value of a symbol at an operating point: a number (integers are exact), an expression written in
-/// types, such as `v / r`, or an expression of a derived model.
+/// The value of a symbol at an operating point: a number (integers are exact), an expression in a system's
+/// symbols such as `v / r`, or an expression of a derived model.
 class point_value {
 public:
   template <std::integral Whole>

@@ -15,7 +15,7 @@ namespace kanexpr::robots::sdf {
 
 using ignition::math::Pose3d;
 
-/// The poses of the links in the world if all coordinates are zero.
+/// The poses of the links in the world when all coordinates are zero.
 struct placed_links {
   std::map<std::string, int> index_by_name{};
   std::vector<Pose3d> poses{};
@@ -179,7 +179,7 @@ private:
   }
 
   /// Reads the mimic of a joint. Mimics were introduced in SDF 1.11; older versions of libsdformat keep the
-  /// element without reading it.
+  /// element but do not interpret it.
   bool read_mimic(const ::sdf::JointAxis& axis, const std::string& scope) {
     const ::sdf::ElementPtr mimic = axis.Element() ? axis.Element()->FindElement("mimic") : nullptr;
     if (!mimic) return true;
