@@ -28,7 +28,7 @@ public:
   using point = Eigen::Vector2d;
 
   void line(layer on, const point& from, const point& to, std::string_view style);
-  /// A polyline, with an arrow head at its end if the length `head` of the arrow head in pixels is nonzero.
+  /// A polyline; if `head` is not 0, it ends in an arrow head of this length in pixels.
   void path(layer on, const std::vector<point>& through, std::string_view style, double head = 0);
   void arrow(layer on, const point& from, const point& to, std::string_view style);
   void circle(layer on, const point& center, double radius, std::string_view style);
