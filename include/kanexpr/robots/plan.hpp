@@ -25,7 +25,7 @@ struct planned_joint {
 };
 
 struct plan {
-  const robot& source; ///< must exist as long as the plan
+  const robot& source; ///< must outlive the plan
   model_options options;
   articulation tree{};
   std::vector<planned_joint> joints{}; ///< the joint of the base, then the others in the order of the file
@@ -86,7 +86,8 @@ inline std::string check_overflow(const robot& r, const articulation& a) {
     const joint& j = entry(r.joints, b.joint);
     const mimic_rule rule = resolved_mimic(r, b.joint);
     if (!numeric::is_finite(j.reflected_inertia() + rule.multiplier + rule.offset))
-      return "the gear of joint " + printable(j.name) + " is so large that it overflows";
+      return "the rotor or the mimic rule of joint " + printable(j.name) +
+             " has values so large that they overflow";
   }
   return {};
 }

@@ -97,7 +97,7 @@ struct joint {
   double gear_ratio = 1;    ///< turns of the rotor per turn of the joint
   double rotor_inertia = 0; ///< about the axis of the rotor
 
-  /// The inertia n² J of the rotor as it acts at the joint.
+  /// The inertia n² J of the rotor, reflected to the joint.
   double reflected_inertia() const { return gear_ratio * gear_ratio * rotor_inertia; }
 };
 

@@ -125,7 +125,7 @@ private:
     }
   }
 
-  /// Returns the motion of a joint; the motion of a mimic joint is expressed by the symbols of its leader.
+  /// Returns the motion of a joint; the motion of a mimic joint is expressed in the symbols of its leader.
   motion motion_of(int joint) {
     const mimic_rule rule = resolved_mimic(robot_, joint);
     const motion& leader = entry(motions_, entry(plan_.joint_of, rule.leader));

@@ -53,7 +53,7 @@ public:
     return *this;
   }
 
-  /// The value of a symbol. If the model has no symbol of that name, the value is NaN, assignments are
+  /// The value of a symbol. If the model has no symbol with that name, the value is NaN, assignments are
   /// ignored, and `mistake` reports the name.
   double& operator[](std::string_view name) {
     const int i = index(name);

@@ -81,7 +81,7 @@ private:
     return std::string("  const ") + number_.type() + ' ' + value + " = ";
   }
 
-  /// An exact fraction is written as a quotient of the scalar type.
+  /// An exact fraction is written as a quotient of two numbers of the scalar type.
   std::string number_of(const symbolic::number& n) const {
     if (number_.is_single) return number_.number(static_cast<double>(lower::number_as<float>(n)));
     return number_.number(lower::number_as<double>(n));

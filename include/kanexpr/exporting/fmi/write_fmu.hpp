@@ -81,10 +81,10 @@ inline constexpr export_format fmi_format{
 
 } // namespace exporting
 
-/// Writes `folder`/`name`.fmu, an FMU of FMI 3.0 with its sources and a library for the host machine, or
-/// reports why it cannot; no file is left half-written. The library is compiled by `chosen.compiler`; if it
-/// is not available, the FMU contains only the sources, and `note()` explains why. The functions of `chosen`
-/// are its outputs.
+/// Writes `folder`/`name`.fmu, an FMI 3.0 FMU with its sources and a library for the host machine, or reports
+/// why it cannot; no file is left half-written. The library is compiled by `chosen.compiler`; if it is not
+/// available, the FMU contains only the sources, and `note()` explains why. The functions of `chosen` are its
+/// outputs.
 template <class System>
 exporting::written_fmu write_fmu(const std::filesystem::path& folder, const std::string& name,
                                  const exporting::fmu_options& chosen = {}) {

@@ -115,7 +115,7 @@ private:
     return begin_.child * Pose3d(begin_.joint_position, ignition::math::Quaterniond::Identity);
   }
 
-  /// Adds a joint from the link added last to a link with the pose `at`.
+  /// Adds a joint from the most recently added link to a link with the pose `at`.
   bool add(joint_kind is, const std::string& called, int to, const Pose3d& at) {
     const Pose3d seen = entry(links_.poses, begin_.from).Inverse() * at;
     joint made;
