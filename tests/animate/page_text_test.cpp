@@ -182,7 +182,7 @@ TEST_F(page, tells_why_it_is_not_written) {
   write("other.html", "<p>");
   EXPECT_EQ(
       write_page<pendulum>(path("page.html"), run, {.title = "A", .empty_page = path("other.html")}).cause(),
-      path("other.html") + " is not an empty page for a motion");
+      path("other.html") + " is not an empty page into which a motion can be inserted");
   EXPECT_EQ(
       write_page<pendulum>(path("page.html"), run, {.title = "A", .empty_page = path("none.html")}).cause(),
       "the empty page cannot be read, " + path("none.html") + "; the target kanexpr_page builds it with npm");

@@ -326,11 +326,12 @@ std::string cause_for_casadi(const std::string& name, const casadi_options& chos
 TEST(WriteCasadi, NamesWhatCannotBeExported) {
   for (const char* const name : {"_arm", "arm_", "arm__1", "7arms", "", "jac", "while", "main", "sinl",
                                  "sinf64x", "double_t", "M_PI_2", "abs", "memcpy", "wcsxfrm", "link"})
-    EXPECT_EQ(cause_for_casadi(name),
-              std::string(
-                  "the name of a CasADi function must begin with a letter, must have no two underscores in a "
-                  "row and none at its end, and must not be a word of C, of its library or of CasADi; \"") +
-                  name + "\" is not such a name");
+    EXPECT_EQ(
+        cause_for_casadi(name),
+        std::string(
+            "the name of a CasADi function must begin with a letter, must not contain two consecutive "
+            "underscores or end with one, and must not be a reserved name in C, its library or CasADi; \"") +
+            name + "\" is not a valid name");
   EXPECT_EQ(cause_for_casadi("arm", {{{"k", 1}}}), "there is no parameter k to bind to a number");
   EXPECT_EQ(cause_for_casadi("arm", {{{"m", 1e300}, {"l", 1e300}}}),
             "function rates contains a number that double cannot represent");
@@ -451,7 +452,7 @@ TEST(WriteFmu, SaysWhyThereIsNoLibrary) {
   const folder to;
   fmu_options chosen = with_starts();
   EXPECT_EQ(write_fmu<simple_pendulum::System>(to.path, "arm", chosen).note(),
-            "arm.fmu holds sources only, because no compiler is specified");
+            "arm.fmu contains only sources, because no compiler is specified");
   const std::string without = to.text_of("arm.fmu");
   EXPECT_THAT(without, HasSubstr("sources/arm_fmi.c"));
   EXPECT_THAT(without, testing::Not(HasSubstr("binaries/")));
@@ -459,7 +460,7 @@ TEST(WriteFmu, SaysWhyThereIsNoLibrary) {
   const written_fmu again = write_fmu<simple_pendulum::System>(to.path, "arm", chosen);
   EXPECT_TRUE(again);
   EXPECT_EQ(again.note(),
-            "arm.fmu holds sources only, because there is no compiler no-compiler-of-this-name");
+            "arm.fmu contains only sources, because there is no compiler no-compiler-of-this-name");
   EXPECT_EQ(to.text_of("arm.fmu"), without) << "the same bytes";
 }
 

@@ -54,13 +54,13 @@ TEST(check_robot, knows_what_is_no_tree) {
   EXPECT_EQ(cause_of([](robot& r) { r.joints[1].parent = 2; }), "joint j2 connects a link to itself");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[1].child = 1; }), "joint j2 connects a link to itself");
   EXPECT_EQ(cause_of([](robot& r) { r.joints.pop_back(); }),
-            "no joint has link l0 or link l2 as its child; a robot has one such link, its root");
+            "neither link l0 nor link l2 is the child of a joint; a robot has only one such link, its root");
   EXPECT_EQ(cause_of([](robot& r) { r.joints.push_back(between(2, 0)); }),
             "the joints form a loop: every link is the child of a joint");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[0].parent = 2; }),
             "the joints form a loop: link l1 is its own ancestor");
   EXPECT_EQ(cause_of([](robot& r) { r.root = 1; }),
-            "the root of the robot must be link l0, which is the child of no joint");
+            "the root of the robot must be link l0, which is not the child of any joint");
 }
 
 TEST(check_robot, knows_what_is_no_number) {
@@ -72,11 +72,11 @@ TEST(check_robot, knows_what_is_no_number) {
             "the mass or the inertia of link l2 is not a finite number");
   EXPECT_EQ(cause_of([](robot& r) { r.links[2].inertial->mass = -1; }), "the mass of link l2 is negative");
   EXPECT_EQ(cause_of([](robot& r) { r.links[2].inertial->center.position[1] = nan; }),
-            "the mass center of link l2 is not placed by finite numbers and a rotation matrix");
+            "the pose of the mass center of link l2 must consist of finite numbers and a rotation matrix");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[0].origin.position[2] = inf; }),
-            "the origin of joint j1 is not placed by finite numbers and a rotation matrix");
+            "the origin of joint j1 must consist of finite numbers and a rotation matrix");
   EXPECT_EQ(cause_of([](robot& r) { r.joints[0].origin.orientation[0][0] = -1; }), // mirrors
-            "the origin of joint j1 is not placed by finite numbers and a rotation matrix");
+            "the origin of joint j1 must consist of finite numbers and a rotation matrix");
   for (const vector3& axis : {vector3{}, {0, 0, 2}, {nan, 0, 1}, {1e-300, 0, 0}, {inf, 0, 0}})
     EXPECT_EQ(cause_of([&](robot& r) { r.joints[0].axis = axis; }),
               "the axis of joint j1 does not have length 1");

@@ -268,7 +268,7 @@ TEST(header_writer, says_why_there_is_none) {
                 "<link name='a'/><link name='b'>" + vast + "</link><link name='c'>" + vast +
                 "</link><joint name='j' type='revolute'><parent link='a'/><child link='b'/></joint><joint "
                 "name='k' type='fixed'><parent link='b'/><child link='c'/><origin xyz='1 0 0'/></joint>")),
-            "the numbers of link b are so large that they overflow");
+            "the values of link b are so large that they overflow");
   std::string many = "<link name='l0'/>";
   for (int i = 1; i < 10000; ++i)
     many += "<link name='l" + std::to_string(i) + "'/><joint name='j" + std::to_string(i) +

@@ -272,8 +272,9 @@ TEST(read_urdf, says_why_links_are_no_tree) {
   EXPECT_EQ(cause_of(links + joint_between("i", "a", "a")), "line 3: joint i connects a link to itself");
   EXPECT_EQ(cause_of(links + joint_between("i", "a", "c") + joint_between("j", "b", "c")),
             "line 4: link c is the child of two joints, i and j");
-  EXPECT_EQ(cause_of(links + joint_between("i", "a", "b")),
-            "line 1: no joint has link a or link c as its child; a robot has one such link, its root");
+  EXPECT_EQ(
+      cause_of(links + joint_between("i", "a", "b")),
+      "line 1: neither link a nor link c is the child of a joint; a robot has only one such link, its root");
   EXPECT_EQ(cause_of(links + joint_between("i", "b", "c") + joint_between("j", "c", "b")),
             "line 4: the joints form a loop: link b is its own ancestor");
   EXPECT_EQ(cause_of(links + joint_between("i", "a", "b") + joint_between("j", "b", "c") +

@@ -30,9 +30,9 @@ namespace kanexpr {
 /// The shapes of a picture along a trajectory, or the reason why there are none.
 struct animation {
   struct shape {
-    std::string name{}, kind{}; ///< the name and the word of the picture, such as "sphere" or "trace"
-    std::string colour{};       ///< "#rrggbb"; empty: the page chooses
-    std::string file{};         ///< the file of a mesh, as specified in the picture
+    std::string name{}, kind{}; ///< the name and the kind of shape or element, such as "sphere" or "trace"
+    std::string colour{};       ///< "#rrggbb"; if empty, the page chooses a colour
+    std::string file{};         ///< the mesh file, as specified in the picture
     double opacity = 1;
     std::vector<double> sizes{};
     animate::placement_kind placed_by = animate::placement_kind::place;
@@ -51,7 +51,7 @@ struct animation {
   std::optional<Eigen::Vector3d> seen_from{};
   std::optional<double> ground{};
   bool carried = false;
-  std::string folder{}; ///< the folder of files with relative names; empty: the current one
+  std::string folder{}; ///< the folder for relative file names; if empty, the current folder
   std::string failure{};
 
   explicit operator bool() const { return failure.empty(); }

@@ -11,8 +11,8 @@ namespace animate {
 
 /// The appearance and the name of a shape.
 struct look {
-  std::string_view colour{}; ///< "#rrggbb"; empty: the page chooses
-  std::string_view name{};   ///< empty: formed from its kind and place
+  std::string_view colour{}; ///< "#rrggbb"; if empty, the page chooses a colour
+  std::string_view name{};   ///< if empty, formed from the kind and the place of the shape
   double opacity = 1;
 };
 
@@ -45,7 +45,7 @@ constexpr auto spin_of() {
   return found;
 }
 
-/// An element of a picture. Of its phrases, `varying` are evaluated at each time, `constant` once, and
+/// An element of a picture. Its phrases `varying` are evaluated at each time and `constant` only once;
 /// `rates` are integrated over time.
 struct element {
   static constexpr phrases<0> varying{}, constant{}, rates{};
@@ -104,7 +104,7 @@ struct trace : animate::element {
   static constexpr auto varying = attachment::varying;
 };
 
-/// The up direction: any constant vector, evaluated at the first time.
+/// The up direction: any constant vector, evaluated at the first sample.
 template <auto vector>
 struct up : animate::element {
   static constexpr std::string_view word = "up";
@@ -132,7 +132,7 @@ struct ground : animate::element {
 /// with the velocity that the model gives it.
 ///
 /// A rolling model may use the contact point as its origin, because the point of the wheel at the contact has
-/// zero velocity, although the contact travels. With r the position of `Point` from the origin and v its
+/// zero velocity, even though the contact travels. With r the position of `Point` from the origin and v its
 /// velocity, the displacement of the origin is ∫ v dt − (r − r(0)). The integral is evaluated by Simpson's
 /// rule if the trajectory provides the state midway between two samples, else by the trapezoidal rule on the
 /// samples.
@@ -144,7 +144,7 @@ struct carried : animate::element {
   static constexpr auto rates = animate::phrases_of<velocity_of<Point>>;
 };
 
-/// The folder of mesh files with relative names; `page_options::folder` overrides it for a single page.
+/// The folder for relative names of mesh files; `page_options::folder` overrides it for a single page.
 template <text directory>
 struct files_in : animate::element {
   static constexpr std::string_view word = "files_in";

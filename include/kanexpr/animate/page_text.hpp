@@ -43,7 +43,7 @@ struct mesh_file {
   std::string data{}; ///< in base64
 };
 
-/// The files of all meshes in an animation, each of them once, or the reason why one of them cannot be
+/// The files of all meshes in an animation, each listed once, or the reason why one of them cannot be
 /// embedded in a page.
 struct mesh_files : outcome {
   using outcome::outcome;
@@ -146,7 +146,7 @@ inline nlohmann::json file_text(const mesh_file& f) {
 
 inline bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
 
-/// Returns an animation as JSON. It contains no `<`, so that it can be inserted into a page without escaping.
+/// Returns an animation as JSON. It contains no `<`, so it can be inserted into a page without escaping.
 inline std::string page_text(const animation& a, const std::string& title, const std::string& text,
                              const std::vector<mesh_file>& files = {}) {
   nlohmann::json all{

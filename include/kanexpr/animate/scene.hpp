@@ -16,8 +16,8 @@ namespace kanexpr::animate {
 struct element_record {
   std::string_view word{};
   base::name name{};        ///< "sphere at P"
-  std::string_view shape{}; ///< "sphere"; empty: shows no shape
-  std::string_view file{};  ///< file of a mesh, or folder of files_in
+  std::string_view shape{}; ///< "sphere"; empty if it shows no shape
+  std::string_view file{};  ///< mesh file, or the folder for files_in
   look looks{};
   placement_kind placed_by = placement_kind::place;
   bool has_axis = false; ///< if true, its axis precedes those of the frame

@@ -11,7 +11,7 @@ namespace kanexpr {
 
 namespace animate {
 
-/// The scales along x, y and z: three given ones, one given for all axes, or 1.
+/// The scales along x, y and z: three values, one value for all axes, or 1 by default.
 template <auto... scales>
 constexpr phrases<3> scales_of() {
   if constexpr (sizeof...(scales) == 0)
@@ -108,10 +108,10 @@ struct axes : animate::attached<Frame, Point> {
 };
 
 /// The mesh in an STL, COLLADA (.dae) or Wavefront OBJ file, with its origin at `Point` and its axes along
-/// those of `Frame`, regardless of the up axis that the file declares. `scales` is one factor or one along
-/// each axis. Lengths are in meters unless the file declares a different unit. The file is embedded in the
-/// page when the page is written. A relative name is resolved in the folder that `files_in` specifies, by
-/// default in the current folder.
+/// those of `Frame`, regardless of the up axis that the file declares. `scales` is one factor for all axes,
+/// or one for each axis. Lengths are in meters unless the file declares a different unit. The file is
+/// embedded in the page when the page is written. A relative name is resolved in the folder that `files_in`
+/// specifies, by default in the current folder.
 template <class Frame, class Point, text file_name, auto... scales>
 struct mesh : animate::attached<Frame, Point> {
   static constexpr std::string_view shape = "mesh";

@@ -17,7 +17,7 @@ struct page_options {
   std::string title{};                  ///< default: the name of the system
   std::string text{};                   ///< a sentence under the title
   std::string empty_page{KANEXPR_PAGE}; ///< path of the empty page, without a motion
-  std::string folder{}; ///< folder of files with relative names; empty: the folder that the picture specifies
+  std::string folder{}; ///< folder for relative file names; if empty, the folder that the picture specifies
 };
 
 namespace animate {
@@ -27,8 +27,8 @@ KANEXPR_PAGES outcome write_page(const std::string& path, const animation& a, co
 
 } // namespace animate
 
-/// Writes an animated page of a system that moves along a trajectory, which a browser opens without network
-/// access, or reports why it cannot.
+/// Writes an animated page of a system that moves along a trajectory; a browser opens the page without
+/// network access. Reports the reason if the page cannot be written.
 template <class Picture, class Trajectory>
 outcome write_page(const std::string& path, const Trajectory& trajectory, page_options options = {}) {
   if (options.title.empty()) options.title = type_name<typename Picture::System>();

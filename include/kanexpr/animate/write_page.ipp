@@ -32,7 +32,7 @@ inline outcome fill(std::string& page, const std::string& title, const std::stri
                     const std::string& from) {
   const std::size_t title_at = page.find(title_placeholder), motion_at = page.find(motion_placeholder);
   if (title_at == std::string::npos || motion_at == std::string::npos || motion_at < title_at)
-    return outcome(from + " is not an empty page for a motion");
+    return outcome(from + " is not an empty page into which a motion can be inserted");
   page.replace(motion_at, motion_placeholder.size(), motion);
   page.replace(title_at, title_placeholder.size(), title);
   return {};

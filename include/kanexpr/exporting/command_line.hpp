@@ -16,7 +16,7 @@ namespace kanexpr::exporting {
 /// options.
 class command_line {
 public:
-  /// `others` are functions that a string cannot specify.
+  /// `others` are functions that cannot be specified by strings.
   command_line(const export_format& format, const std::vector<std::string>& arguments,
                const std::vector<requested_function>& others = {})
       : format_(format) {

@@ -74,8 +74,8 @@ private:
   using expression = symbolic::expression;
   using expressions = base::sequence<expression>;
 
-  /// Returns a variable with the same name as in mechanics/linearize/second_order.hpp, whose results may
-  /// appear in the same function.
+  /// Returns a variable with the same name as in mechanics/linearize/second_order.hpp, because the results of
+  /// both may appear in the same function.
   expression seed(symbolic::symbol_kind kind, std::string_view what, int place) {
     base::name called(what);
     called.append(place + 1);

@@ -23,11 +23,11 @@ enum class symbols : unsigned char { state, rates, inputs, parameters, time };
 struct requested_derivative {
   enum class kind : unsigned char {
     none,                 ///< y itself
-    jacobian,             ///< ∂y/∂z, z of `by`
+    jacobian,             ///< ∂y/∂z for z in `by`
     directional,          ///< (∂y/∂z) w for a direction w
-    directional_jacobian, ///< ∂((∂y/∂z) w)/∂z', z' of `by`
-    weighted,             ///< ∂(wᵀy)/∂z for weights w, z of `by`
-    weighted_jacobian     ///< ∂²(wᵀy)/∂z∂z', z of `by` and z' of `and_by`
+    directional_jacobian, ///< ∂((∂y/∂z) w)/∂z' for z' in `by`
+    weighted,             ///< ∂(wᵀy)/∂z for weights w and z in `by`
+    weighted_jacobian     ///< ∂²(wᵀy)/∂z∂z' for z in `by` and z' in `and_by`
   };
   kind type = kind::none;
   std::vector<symbols> along{}; ///< the symbols for which the direction has entries
@@ -37,7 +37,7 @@ struct requested_derivative {
 struct requested_result {
   std::string name{};
   derivation::request request{};
-  symbolic::expression written{}; ///< replaces the request for an expression of a builder
+  symbolic::expression written{}; ///< an expression of a builder, in place of the request
   bool is_residual = false;       ///< the residual of the implicit form, in place of the request
   requested_derivative derivative{};
   std::vector<symbols> part{}; ///< symbols of the rows and the columns of a second-order result
@@ -79,13 +79,13 @@ inline std::string names_of_steps() {
   return all;
 }
 
-/// Returns why there is no such method; empty if there is one.
+/// Returns the reason why there is no such method; empty if there is one.
 inline std::string mistake_of_method(const std::string& name) {
   if (steps::find_tableau(name) != nullptr) return {};
   return "unknown step method " + name + "; expected " + names_of_steps();
 }
 
-/// A step by a given method, under a separate name: `fixed_step("step", {"runge_kutta_4", 2})`.
+/// A step of a given method, exported under a given name: `fixed_step("step", {"runge_kutta_4", 2})`.
 inline requested_function fixed_step(std::string name, const requested_step& how) {
   requested_function wanted{.name = std::move(name), .step = how};
   if (!how.method.empty()) wanted.mistake = mistake_of_method(how.method);
@@ -93,8 +93,8 @@ inline requested_function fixed_step(std::string name, const requested_step& how
   return wanted;
 }
 
-/// A function that returns the named results, separated by spaces: "udot", "mass_matrix forcing", or one of
-/// the steps, such as "runge_kutta_4".
+/// A function that returns the named results, whose names are separated by spaces: "udot", "mass_matrix
+/// forcing", or one of the steps, such as "runge_kutta_4".
 inline requested_function results(std::string_view names) {
   if (steps::find_tableau(names) != nullptr) return fixed_step(std::string(names), {std::string(names)});
   requested_function wanted;
@@ -120,7 +120,7 @@ inline requested_function results(std::string_view names) {
   return wanted;
 }
 
-/// An expression of the model, under a separate name: `expression<position_of<P>>("tip")`.
+/// An expression of the model, exported under a given name: `expression<position_of<P>>("tip")`.
 template <auto wanted, class Where = describe::file_of<wanted>>
 requested_function expression(std::string name) {
   requested_function one;

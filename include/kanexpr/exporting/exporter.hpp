@@ -194,7 +194,7 @@ private:
     return made;
   }
 
-  /// Adds the function to the system, or refuses it if a file cannot hold it.
+  /// Adds the function to the system, or refuses it if it cannot be written to a file.
   void finish(exported_function made) {
     constexpr std::size_t most_checks = 64; // one bit of the status each
     if (const std::size_t checks = made.causes().size(); checks > most_checks)

@@ -18,7 +18,7 @@ namespace kanexpr::exporting {
 struct export_options {
   std::filesystem::path folder{};
   std::string name{};
-  std::vector<requested_function> functions{}; ///< empty: the default of the format
+  std::vector<requested_function> functions{}; ///< if empty, the default of the format
   std::vector<bound_parameter> bound{};
   precision number = precision::double_precision;
   bool with_python = false, with_cpp = false;

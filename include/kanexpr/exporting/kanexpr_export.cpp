@@ -32,7 +32,7 @@ namespace files = std::filesystem;
 
 using exporting::shell_quoted;
 
-/// The formats; one that requires a missing library cannot write.
+/// The formats; a format whose library is missing has no function that writes files.
 constexpr exporting::export_format formats[]{exporting::c_format, exporting::casadi_format,
 #ifdef KANEXPR_FMI_OPTIONS
                                              exporting::fmi_format
@@ -87,7 +87,7 @@ robots::read_robot read_robot_file(const std::string& file) {
   return robots::read_sdf(file, {});
 #else
   return robots::read_robot(file + " is an SDF file, but kanexpr-export was compiled without libsdformat 12, "
-                                   "which reads them; the Debian package is libsdformat-dev");
+                                   "which reads such files; the Debian package is libsdformat-dev");
 #endif
 }
 
@@ -240,7 +240,7 @@ int main(int count, char** arguments) {
       ->option_text("NUMBER");
   add_repeated(
       "--results", r.results,
-      "a function of one result, or of several separated by spaces; in an FMU, an output; may be repeated")
+      "a function with one result, or several separated by spaces; in an FMU, an output; may be repeated")
       ->option_text("RESULTS");
   add_repeated("--expression", r.expressions,
                "a function that evaluates an expression of the header's model; may be repeated")

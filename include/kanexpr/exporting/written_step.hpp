@@ -52,7 +52,7 @@ struct step_in_code {
 /// Forms one result of a system; empty if it cannot be formed.
 using result_former = std::function<std::optional<formed_results>(mechanics::quantity)>;
 
-/// Equations for the functions of steps/ that generate code: every value becomes a line, and every status a
+/// Equations with which the functions in steps/ generate code: every value becomes a line, and every status a
 /// check.
 class written_equations {
 public:
@@ -157,7 +157,7 @@ struct identity_step {
   }
 };
 
-/// Generates a step by the method of this name.
+/// Generates a step of the method with this name.
 template <std::size_t... row>
 void write_step(const written_equations& of, std::string_view name, const lower::written_value& t,
                 written_vector& x, const lower::written_value& h, std::index_sequence<row...>) {

@@ -18,7 +18,7 @@
 
 namespace kanexpr::figures {
 
-/// What is drawn later covers what is drawn earlier.
+/// The layers of a drawing; each covers those listed before it.
 enum class layer { bodies, lines, axes, marks, labels };
 
 /// A drawing in pixels, with y upward, that grows with its contents. Labels are placed last, where they cover
@@ -28,19 +28,19 @@ public:
   using point = Eigen::Vector2d;
 
   void line(layer on, const point& from, const point& to, std::string_view style);
-  /// A polyline; with an arrow head at its end if `head` is given in pixels.
+  /// A polyline; if `head` is not 0, it ends in an arrow head of this length in pixels.
   void path(layer on, const std::vector<point>& through, std::string_view style, double head = 0);
   void arrow(layer on, const point& from, const point& to, std::string_view style);
   void circle(layer on, const point& center, double radius, std::string_view style);
   /// The ellipse { center + s : sᵀ S⁻¹ s = 1 }.
   void ellipse(layer on, const point& center, const Eigen::Matrix2d& s, std::string_view style);
-  /// A label near a point, preferably in a direction from it.
+  /// A label near a point, preferably in the given direction from it.
   void label(const point& at, const point& direction, text words, std::string_view style);
 
   const point& least() const { return least_; }
   const point& most() const { return most_; }
 
-  /// The file, with a title for readers who do not see it.
+  /// The file contents, including a title for readers who cannot see the figure.
   std::string svg(std::string_view title);
 
 private:
@@ -69,7 +69,7 @@ private:
 
 namespace detail {
 
-/// A length with a tenth of a pixel, in the locale of the file format.
+/// A length in pixels, rounded to a tenth and written independently of the locale.
 inline std::string pixels(double number) {
   const long tenths = std::lround(10 * number);
   std::string digits = std::to_string(tenths / 10);

@@ -16,7 +16,7 @@ inline constexpr double axis_length = 46; ///< in pixels
 
 } // namespace detail
 
-/// An axis that points toward the eye or away from it, as a circle with a point or a cross.
+/// An axis that points toward the eye or away from it, as a circle with a dot or a cross.
 inline void draw_axis_along_sight(drawing& d, const Eigen::Vector2d& at, bool is_toward_eye) {
   d.on.circle(layer::axes, at, 5, "hollow");
   if (is_toward_eye) return d.on.circle(layer::axes, at, 1.2, "filled");
@@ -61,8 +61,8 @@ inline int first_axis_used(const drawing& d, int frame) {
   return detail::no_axis;
 }
 
-/// An arc from where an axis of the frame would be without the rotation to where it is. Of the axes that the
-/// rotation moves, this is the one along which the first offset goes.
+/// An arc from the direction that an axis of the frame would have without the rotation to its actual
+/// direction. The axis is that of the first offset in the frame if the rotation moves this axis.
 inline void draw_angle(drawing& d, int f, int place, double radius) {
   const auto which = static_cast<std::size_t>(f);
   const Eigen::Vector3d about = d.at.rotation_axes[which];

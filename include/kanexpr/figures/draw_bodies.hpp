@@ -12,7 +12,7 @@
 
 namespace kanexpr::figures {
 
-/// A body without links is drawn as the silhouette of the homogeneous body with the same mass and inertia: an
+/// A body without links is drawn as the silhouette of a homogeneous body with the same mass and inertia: an
 /// ellipsoid, a disc or a rod.
 inline void draw_bodies(drawing& d) {
   const mechanics::mechanism& m = d.mechanism();
@@ -30,7 +30,7 @@ inline void draw_bodies(drawing& d) {
     Eigen::Matrix<double, 2, 3> project;
     project << d.seen.right.transpose(), d.seen.up.transpose();
     Eigen::Matrix2d silhouette = per_dimension * d.scale * d.scale * project * moments * project.transpose();
-    silhouette.diagonal().array() += 16; // visible if it is thin
+    silhouette.diagonal().array() += 16; // keeps thin bodies visible
     d.on.ellipse(layer::bodies, d.picture(m.bodies[i].center), silhouette, "volume " + d.color_of_body(i));
   }
 }
@@ -54,7 +54,7 @@ inline void draw_links(drawing& d, bool with_lengths) {
   }
 }
 
-/// The sign of a point that is fixed in the inertial frame.
+/// The symbol for a point that is fixed in the inertial frame.
 inline void draw_ground(drawing& d, const Eigen::Vector2d& here) {
   using vector = Eigen::Vector2d;
   d.on.line(layer::lines, here + vector(-16, -9), here + vector(16, -9), "pale");

@@ -21,7 +21,7 @@ inline Eigen::Vector3d across(const Eigen::Vector3d& v) {
 
 } // namespace detail
 
-/// The only component of a load, or a name for it if there are several or the component is long.
+/// The only component of a load; if there are several, or if its text is long, a name for the load.
 inline text label_of_load(const drawing& d, const mechanics::vector& value, std::string_view otherwise) {
   constexpr std::size_t longest = 24;
   const detail::single_component along = detail::single_component_of(value);

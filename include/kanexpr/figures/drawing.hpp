@@ -21,7 +21,7 @@ namespace detail {
 
 inline constexpr int no_axis = -1;
 
-/// The only component of a vector that is not zero, if there is exactly one.
+/// The nonzero component of a vector, if there is exactly one.
 struct single_component {
   int frame = mechanics::none, axis = no_axis;
   symbolic::expression value{};
@@ -38,7 +38,7 @@ inline single_component single_component_of(const mechanics::vector& v) {
   return found;
 }
 
-/// The frame of all components of a vector; none if there are several.
+/// The frame of all nonzero components of a vector; none if there are several frames.
 inline int frame_of(const mechanics::vector& v) {
   int frame = mechanics::none;
   for (const mechanics::vector::part& part : v.parts) {
@@ -66,15 +66,16 @@ struct drawing {
   Eigen::Vector2d picture(const Eigen::Vector3d& position) const { return scale * seen(position); }
   Eigen::Vector2d picture(int point) const { return picture(at.points[static_cast<std::size_t>(point)]); }
   const Eigen::Matrix3d& axes(int frame) const { return at.frames[static_cast<std::size_t>(frame)]; }
-  /// The body with a frame; none if there is none.
+  /// The body to which a frame belongs; none if there is no such body.
   int body_of_frame(int frame) const;
-  /// Whether a point is fixed in a frame at a distance from another one.
+  /// Whether the offset between two points is fixed in a frame.
   bool has_links(int frame) const;
   /// Whether the names of all axes and points would hide the rest.
   bool is_crowded() const { return mechanism().frames.size() > 9; }
   /// The style of a body's color.
   static std::string color_of_body(int body) { return "b" + std::to_string(body % 6); }
-  /// An expression without the sign of a negative product; the direction of what is drawn shows the sign.
+  /// An expression without the sign of a negative product; the direction in which the quantity is drawn shows
+  /// the sign.
   static std::string name_of_size(const symbolic::expression& e) {
     const std::string printed = symbolic::print(e);
     const bool is_sum = printed.find(" + ") != std::string::npos || printed.find(" - ") != std::string::npos;

@@ -18,11 +18,11 @@ namespace kanexpr {
 
 /// The options of `draw`.
 struct figure_options {
-  std::string title{};                     ///< read aloud to readers who do not see the figure
+  std::string title{};                     ///< read aloud to readers who cannot see the figure
   std::optional<Eigen::Vector3d> upward{}; ///< in inertial axes; by default opposite to gravity
   std::optional<Eigen::Vector3d>
       eye{}; ///< the direction to the eye; by default perpendicular to a plane of motion
-  bool axes = true, angles = true, lengths = true, loads = true, names = true; ///< what is drawn
+  bool axes = true, angles = true, lengths = true, loads = true, names = true; ///< the parts to draw
 };
 
 /// A figure as the text of an SVG file, which adapts to light and dark pages.
@@ -48,8 +48,8 @@ private:
   std::string svg_{}, cause_{};
 };
 
-/// Draws a model at a state as a textbook does: points, axes, bodies, lengths, angles and loads, with the
-/// names that the model gives them. Parameters need values, inputs do not.
+/// Draws a model at a state as in a textbook: points, axes, bodies, lengths, angles and loads, with the names
+/// that the model gives them. All parameters need values; inputs do not.
 inline figure draw(model& m, given_state<model> x = {}, given_parameters<model> p = {},
                    given_inputs<model> r = {}, const figure_options& how = {});
 
@@ -79,7 +79,7 @@ inline figure draw(model& m, given_state<model> x, given_parameters<model> p, gi
   if (!at.status) return figure::refused(at.status.cause());
   for (const Eigen::Vector3d& each : at.points)
     if (!each.allFinite())
-      return figure::refused("the position of a point is not finite; give all parameters values");
+      return figure::refused("the position of a point is not finite; specify values for all parameters");
   figures::view seen = how.upward ? figures::view_of(at, *how.upward) : figures::view_of(at);
   if (how.eye) seen = figures::detail::view_along(how.eye->normalized(), seen.up);
   figures::drawing shown(m.system(), at, seen);

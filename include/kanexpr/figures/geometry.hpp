@@ -25,14 +25,14 @@ namespace kanexpr::figures {
 struct geometry {
   std::vector<Eigen::Matrix3d> frames{}; ///< the basis vectors as columns
   std::vector<Eigen::Vector3d>
-      rotation_axes{};          ///< about which frames are rotated; zero if a frame has no angle
+      rotation_axes{};          ///< the axes about which frames are rotated; zero if a frame has no angle
   std::vector<double> angles{}; ///< relative to the parent frame
   std::vector<Eigen::Vector3d> points{};
   std::vector<double> masses{};
   std::vector<Eigen::Matrix3d> inertias{}; ///< about the mass centers; zero for particles
   std::vector<Eigen::Vector3d> forces{}, torques{};
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
-  double size = 1; ///< the largest extent of the points along an axis, and at least that of a body
+  double size = 1; ///< the largest extent of the points along an axis, but at least that of a body
 
   kanexpr::status status{};
 };
@@ -81,7 +81,8 @@ inline mechanics::vector basis_vector(const mechanics::mechanism& m, int frame, 
   return v;
 }
 
-/// The axis about which a frame is rotated relative to its parent; zero if it is not given by an angle.
+/// The axis about which a frame is rotated relative to its parent; zero if the rotation is not specified by
+/// an angle.
 inline mechanics::vector axis_of_rotation(const mechanics::mechanism& m, int f) {
   const mechanics::frame& frame = m.frames[f];
   if (frame.kind == mechanics::orientation::about_basis) return basis_vector(m, frame.parent, frame.axis);
@@ -94,7 +95,7 @@ inline Eigen::Vector3d finite_or_zero(const Eigen::Vector3d& v) {
   return v.allFinite() ? v : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
-/// The extent of a cloud of points, and at least that of the bodies.
+/// The extent of all points, but at least that of the largest body.
 inline double extent(const geometry& g) {
   Eigen::Vector3d least = Eigen::Vector3d::Zero(), most = least;
   for (const Eigen::Vector3d& p : g.points) least = least.cwiseMin(p), most = most.cwiseMax(p);
@@ -150,7 +151,7 @@ inline geometry geometry_of(model& m, double t, const Eigen::VectorXd& x, const 
     g.inertias.push_back(inertia);
   }
   if (g.status) {
-    loaded.evaluate(t, x, p, r); // a load that depends on an unset input is NaN, which is no error
+    loaded.evaluate(t, x, p, r); // a load that depends on an unset input is NaN, which is not an error
     for (int i = 0; i < system.loads.forces.size(); ++i)
       g.forces.push_back(detail::finite_or_zero(loaded.vector()));
     for (int i = 0; i < system.loads.torques.size(); ++i)

@@ -34,7 +34,7 @@ inline std::string_view greek(std::string_view word) {
 
 namespace detail {
 
-/// A decimal number with at most four digits after the point.
+/// A decimal number with at most four digits after the decimal point.
 inline std::string shortened(std::string_view number) {
   constexpr std::size_t digits = 4;
   const std::size_t point = number.find('.');
@@ -47,7 +47,8 @@ inline std::string shortened(std::string_view number) {
 
 } // namespace detail
 
-/// Writes digits after a letter as a subscript, Greek letters by their signs, and a product without its sign.
+/// Writes digits after a letter as a subscript, names of Greek letters as the letters, and products without a
+/// multiplication sign.
 inline text typeset(std::string_view plain) {
   constexpr double letter = 7.4, subscript = 5.2;
   text out;

@@ -13,9 +13,9 @@ namespace kanexpr::figures {
 /// An orthographic view with right-handed axes: to the right, upward and toward the eye.
 struct view {
   Eigen::Vector3d right, up, eye;
-  bool is_planar = false; ///< everything lies and turns in a plane perpendicular to `eye`
+  bool is_planar = false; ///< all points lie, and all frames rotate, in a plane perpendicular to `eye`
 
-  /// The picture of a vector.
+  /// The projection of a vector onto the picture.
   Eigen::Vector2d operator()(const Eigen::Vector3d& v) const { return {v.dot(right), v.dot(up)}; }
   double toward_eye(const Eigen::Vector3d& v) const { return v.dot(eye); }
 };
@@ -39,7 +39,7 @@ inline view view_along(const Eigen::Vector3d& eye, const Eigen::Vector3d& upward
 
 } // namespace detail
 
-/// A view in which `upward`, in inertial axes, is up as far as the view permits.
+/// A view in which `upward`, in inertial axes, points up as far as the view permits.
 inline view view_of(const geometry& g, const Eigen::Vector3d& upward) {
   constexpr double nearly_one = 0.99;
   for (int axis : {2, 1, 0}) {
@@ -61,8 +61,9 @@ inline view view_of(const geometry& g, const Eigen::Vector3d& upward) {
                             up);
 }
 
-/// The view of a textbook: of a planar system, perpendicular to its plane; of a spatial one, from above and
-/// from a side. Upward is opposite to gravity, otherwise along N.y in a plane and along N.z in space.
+/// The view that a textbook would use: a planar system is viewed perpendicular to its plane, a spatial one
+/// obliquely from above. Up is opposite to gravity; without gravity, it is along N.y in a plane and along N.z
+/// in space.
 inline view view_of(const geometry& g) {
   const auto nearest_axis = [](const Eigen::Vector3d& v) {
     int along = 0;

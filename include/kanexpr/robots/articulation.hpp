@@ -60,7 +60,7 @@ inline inertia_matrix rotated(const rotation& by, const inertia_matrix& i) {
   return {t[0][0], t[1][1], t[2][2], t[0][1], t[1][2], t[2][0]};
 }
 
-/// Adds a mass to a total mass and updates its mass center.
+/// Adds a mass to a total mass and updates the mass center.
 inline void add_mass(double& mass, vector3& center, double added, const vector3& at) {
   const double whole = mass + added;
   if (mass > 0 && added > 0)
@@ -144,7 +144,8 @@ private:
 
   const robot& robot_;
   articulation into_{};
-  std::vector<std::vector<int>> outward_; ///< joints that start at each link, in the order of the robot
+  std::vector<std::vector<int>>
+      outward_; ///< the joints to the children of each link, in the order of the robot
   std::vector<step> open_{};
 };
 

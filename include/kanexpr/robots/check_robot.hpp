@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// Checks the inertias of links, and robots as a whole, whether they come from a file or from a program.
+/// Checks the inertias of links, and complete robots, whether they come from a file or from a program.
 namespace kanexpr::robots {
 
 namespace detail {
@@ -48,7 +48,7 @@ inline bool is_unphysical(const inertia_matrix& i) {
   return !detail::is_semidefinite(s, -1, (0.5 + 1e-3) * trace);
 }
 
-/// A mistake in the inertial properties of a link, and a note about something unusual; both may be empty.
+/// A mistake in the inertial properties of a link, and a note about unusual values; both may be empty.
 struct inertial_findings {
   std::string mistake{}, note{};
 };
@@ -80,7 +80,7 @@ namespace detail {
 
 inline std::string link_name(const robot& r, int link) { return printable(entry(r.links, link).name); }
 
-/// Checks that the path from every link to its parent, and so on, leads to the root.
+/// Checks that the path from every link through its ancestors leads to the root.
 inline found_root check_connected(const robot& r, const std::vector<int>& leads_to, int root) {
   std::vector<bool> reached(leads_to.size(), false);
   reached[static_cast<std::size_t>(root)] = true;
@@ -117,7 +117,8 @@ inline std::string mistake_in(const link& l) {
   if (!numeric::is_finite(i.mass + i.inertia.sum()))
     return "the mass or the inertia of " + whose + " is not a finite number";
   if (!is_valid(i.center))
-    return "the mass center of " + whose + " is not placed by finite numbers and a rotation matrix";
+    return "the pose of the mass center of " + whose +
+           " must consist of finite numbers and a rotation matrix";
   return i.mass < 0 ? "the mass of " + whose + " is negative" : "";
 }
 
@@ -147,7 +148,7 @@ inline std::string mistake_in(const robot& r, const joint& j) {
     return whose + " has a parent or a child that is not among the links";
   if (j.parent == j.child) return whose + " connects a link to itself";
   if (!is_valid(j.origin))
-    return "the origin of " + whose + " is not placed by finite numbers and a rotation matrix";
+    return "the origin of " + whose + " must consist of finite numbers and a rotation matrix";
   if (has_axis(j.kind) && !(std::abs(dot(j.axis, j.axis) - 1) < 1e-6))
     return "the axis of " + whose + " does not have length 1";
   if (!(j.damping >= 0) || !(j.friction >= 0) || !(j.rotor_inertia >= 0) ||
@@ -175,9 +176,9 @@ inline found_root root_of(const robot& r) {
   for (std::size_t l = 0; l < leads_to.size(); ++l) {
     if (leads_to[l] >= 0) continue;
     if (root >= 0)
-      return {-1, "no joint has link " + detail::link_name(r, root) + " or link " +
+      return {-1, "neither link " + detail::link_name(r, root) + " nor link " +
                       detail::link_name(r, static_cast<int>(l)) +
-                      " as its child; a robot has one such link, its root"};
+                      " is the child of a joint; a robot has only one such link, its root"};
     root = static_cast<int>(l);
   }
   if (root < 0) return {-1, "the joints form a loop: every link is the child of a joint"};
@@ -195,7 +196,7 @@ inline std::string check_robot(const robot& r) {
   const found_root found = root_of(r);
   if (!found.mistake.empty() || found.link == r.root) return found.mistake;
   return "the root of the robot must be link " + detail::link_name(r, found.link) +
-         ", which is the child of no joint";
+         ", which is not the child of any joint";
 }
 
 } // namespace kanexpr::robots

@@ -11,7 +11,7 @@
 
 namespace kanexpr::robots {
 
-/// Writes the model of a robot as a header, which the compiler derives and people can read and change.
+/// Writes the model of a robot as a header, which people can read and change before the compiler derives it.
 class header_writer {
 public:
   header_writer(const robot& r, const model_options& options)
@@ -69,7 +69,7 @@ private:
     declarations_ += cpp::wrapped("struct " + called + " : " + word + "<", all) + "> {};\n";
   }
 
-  /// The arguments that place a joint in its parent; a zero offset or rotation is omitted.
+  /// The arguments that place a joint relative to its parent; a zero offset or rotation is omitted.
   static std::vector<std::string> placed(const std::string& parent, const pose& origin) {
     std::vector<std::string> words{parent};
     if (!is_zero(origin.position)) words.push_back("at<" + cpp::along(parent, origin.position) + ">");
@@ -304,7 +304,7 @@ private:
     return lines + "> {};\n";
   }
 
-  /// Writes the limits of the joints with one coordinate, in their order.
+  /// Writes the limits of the joints with one coordinate, in the order of the joints.
   std::string limits() const {
     std::vector<std::string> lower, upper, effort, velocity;
     for (const planned_joint& j : plan_.joints) {

@@ -94,7 +94,7 @@ private:
   }
 
   std::set<std::string> used_{};
-  std::map<std::string, int> next_{}; ///< keeps a thousand links with the same name fast
+  std::map<std::string, int> next_{}; ///< makes naming fast even for a thousand links with the same name
 };
 
 } // namespace kanexpr::robots

@@ -30,7 +30,7 @@ read_robot robot_of(const std::string& file, const reading_options& options) {
   return read_sdf(file, options);
 #else
   return read_robot(file + " is an SDF file, but kanexpr-robot was compiled without libsdformat 12, which "
-                           "reads these; the Debian package is libsdformat-dev");
+                           "reads such files; the Debian package is libsdformat-dev");
 #endif
 }
 

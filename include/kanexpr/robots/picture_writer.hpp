@@ -111,7 +111,7 @@ private:
     if (count == 0 && omitted_meshes_.size() != omitted) draw_rods(link);
   }
 
-  /// Finds the file of a mesh and sets its path as the picture uses it; returns false if the file is missing
+  /// Finds the file of a mesh and stores the path that the picture uses; returns false if the file is missing
   /// or of an unsupported kind.
   bool find(shape& s, std::size_t link) {
     const std::optional<std::string> found = files_.find(s.file);
@@ -228,7 +228,7 @@ private:
   mesh_finder files_;
   std::vector<std::string> elements_{};
   std::string declarations_{};
-  std::vector<std::string> omitted_meshes_{}; ///< meshes
+  std::vector<std::string> omitted_meshes_{}; ///< sentences
   int shown_meshes_ = 0;
 };
 

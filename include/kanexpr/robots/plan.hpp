@@ -25,13 +25,13 @@ struct planned_joint {
 };
 
 struct plan {
-  const robot& source; ///< must exist as long as the plan
+  const robot& source; ///< must outlive the plan
   model_options options;
   articulation tree{};
   std::vector<planned_joint> joints{}; ///< the joint of the base, then the others in the order of the file
   std::vector<std::string> links{};    ///< names of all links
   std::vector<int> joint_of{};         ///< index in `joints` for each joint of the robot; -1 if it has none
-  std::vector<std::string> renamed{};  ///< names that differ from those of the file: "Finger_a is finger a"
+  std::vector<std::string> renamed{};  ///< names that differ from those in the file: "Finger_a is finger a"
   std::string mistake{};               ///< the reason why there is no model; empty if there is one
 
   const std::string& name(int link) const { return entry(links, link); }
@@ -44,11 +44,11 @@ struct plan {
 
   bool has_floating_base() const { return options.base == base_kind::floating; }
   bool is_on_ground(const moving_body& b) const { return b.joint < 0 && !has_floating_base(); }
-  /// Whether the values of the file are written as numbers instead of parameters.
+  /// Whether the values in the file are written as numbers instead of parameters.
   bool binds_numbers() const { return options.bind == binding::numbers; }
 };
 
-/// Names the symbols of a joint after it; those of the base, without a name, are only letters. A floating
+/// Names the symbols of a joint after it; those of the base, which has no name, have no suffix. A floating
 /// joint has a position, a unit quaternion with the scalar part last, and the velocity and angular velocity
 /// in the axes of the child.
 inline planned_joint plan_joint(int index, joint_kind kind, const std::string& called) {
@@ -73,7 +73,7 @@ inline planned_joint plan_joint(int index, joint_kind kind, const std::string& c
 /// Reports a number that overflows when links are merged; empty if none does.
 inline std::string check_overflow(const robot& r, const articulation& a) {
   const auto too_large = [&](int link) {
-    return "the numbers of link " + printable(entry(r.links, link).name) + " are so large that they overflow";
+    return "the values of link " + printable(entry(r.links, link).name) + " are so large that they overflow";
   };
   for (const moving_body& b : a.bodies)
     if (!numeric::is_finite(b.mass + b.inertia.sum()) || !is_finite(b.center) ||
@@ -86,7 +86,8 @@ inline std::string check_overflow(const robot& r, const articulation& a) {
     const joint& j = entry(r.joints, b.joint);
     const mimic_rule rule = resolved_mimic(r, b.joint);
     if (!numeric::is_finite(j.reflected_inertia() + rule.multiplier + rule.offset))
-      return "the gear of joint " + printable(j.name) + " is so large that it overflows";
+      return "the rotor or the mimic rule of joint " + printable(j.name) +
+             " has values so large that they overflow";
   }
   return {};
 }

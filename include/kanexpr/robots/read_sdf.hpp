@@ -8,7 +8,7 @@
 /// Reads robots from SDF files. Only this header and the folder `sdf` include libsdformat.
 namespace kanexpr::robots {
 
-/// Reads a robot from a text in the Simulation Description Format (SDF).
+/// Reads a robot from text in the Simulation Description Format (SDF).
 inline read_robot read_sdf_text(const std::string& text, const reading_options& options = {}) {
   return detail::read_text<sdf::reader>(text, {}, options);
 }

@@ -27,7 +27,7 @@ struct [[nodiscard]] read_robot : outcome {
 
 namespace detail {
 
-/// Reads a robot from a text with the reader of one format.
+/// Reads a robot from text with the reader for one format.
 template <class Reader>
 read_robot read_text(const std::string& text, const std::string& called, const reading_options& options) {
   urdf::document from(called, options.right_angles);
@@ -48,7 +48,7 @@ read_robot read_file(const std::string& path, const reading_options& options) {
 
 } // namespace detail
 
-/// Reads a robot from a text in the Unified Robot Description Format (URDF).
+/// Reads a robot from text in the Unified Robot Description Format (URDF).
 inline read_robot read_urdf_text(const std::string& text, const reading_options& options = {}) {
   return detail::read_text<urdf::reader>(text, {}, options);
 }

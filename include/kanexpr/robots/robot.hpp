@@ -28,7 +28,7 @@ struct inertia_matrix {
   double largest() const {
     return (std::max)({std::abs(xx), std::abs(yy), std::abs(zz), std::abs(xy), std::abs(yz), std::abs(zx)});
   }
-  /// Finite only if all entries are.
+  /// The sum of the entries; finite only if all of them are.
   double sum() const { return xx + yy + zz + xy + yz + zx; }
 };
 
@@ -44,9 +44,9 @@ enum class shape_kind : unsigned char { box, cylinder, sphere, capsule, mesh };
 struct shape {
   shape_kind kind = shape_kind::box;
   pose origin{};  ///< in the axes of the link
-  vector3 size{}; ///< edges of a box; radius and length of a cylinder or capsule along z; radius of a sphere;
-                  ///< scale of a mesh
-  std::string file{}; ///< the file of a mesh, as written
+  vector3 size{}; ///< edge lengths of a box; radius and length of a cylinder or capsule along z; radius of a
+                  ///< sphere; scale of a mesh
+  std::string file{}; ///< name of the mesh file, as written
 };
 
 struct link {
@@ -70,7 +70,7 @@ constexpr bool has_one_coordinate(joint_kind k) {
   return k == joint_kind::revolute || k == joint_kind::continuous || k == joint_kind::prismatic;
 }
 
-/// Whether the joint has an axis to rotate about or to move along or across.
+/// Whether the joint has an axis about, along or normal to which it moves.
 constexpr bool has_axis(joint_kind k) { return k != joint_kind::fixed && k != joint_kind::floating; }
 
 struct joint_limits {
@@ -97,7 +97,7 @@ struct joint {
   double gear_ratio = 1;    ///< turns of the rotor per turn of the joint
   double rotor_inertia = 0; ///< about the axis of the rotor
 
-  /// The inertia n² J of the rotor as it acts at the joint.
+  /// The inertia n² J of the rotor, reflected to the joint.
   double reflected_inertia() const { return gear_ratio * gear_ratio * rotor_inertia; }
 };
 

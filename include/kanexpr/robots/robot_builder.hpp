@@ -18,9 +18,9 @@ namespace kanexpr::robots {
 /// A robot as a run-time model: a builder with the joints, links and motors of the robot, to which loads and
 /// constraints may be added. `derive(arm)` and `simulate(arm, …)` accept it like any other builder.
 ///
-/// The coordinates are px, py, pz, e1, e2, e3, e0 of a floating base, followed by q_ of each joint in the
-/// order of the file; the speeds are vx, vy, vz, wx, wy, wz of the base, followed by u_ of each joint. The
-/// inputs are T_ (torques) and F_ (forces).
+/// The coordinates are px, py, pz, e1, e2, e3, e0 of a floating base, followed by q_JOINT for each joint in
+/// the order of the file; the speeds are vx, vy, vz, wx, wy, wz of the base, followed by u_JOINT for each
+/// joint. The inputs are T_JOINT (torques) and F_JOINT (forces).
 class robot_builder : public runtime::builder {
 public:
   using frame_id = runtime::frame_id;
@@ -125,7 +125,7 @@ private:
     }
   }
 
-  /// Returns the motion of a joint; the motion of a mimic joint is expressed by the symbols of its leader.
+  /// Returns the motion of a joint; the motion of a mimic joint is expressed in the symbols of its leader.
   motion motion_of(int joint) {
     const mimic_rule rule = resolved_mimic(robot_, joint);
     const motion& leader = entry(motions_, entry(plan_.joint_of, rule.leader));
@@ -282,7 +282,7 @@ private:
   std::vector<point_id> origins_{};
   std::map<std::string, std::size_t, std::less<>> index_by_name_{};
   std::vector<std::pair<std::string, double>> values_{};
-  std::map<int, weight> weights_{}; ///< weights of the bodies, by link
+  std::map<int, weight> weights_{}; ///< weights of the bodies, keyed by link
 };
 
 inline robot_builder::robot_builder(robot r, const model_options& options)

@@ -79,7 +79,7 @@ template <class Parameters = Eigen::VectorXd, class Inputs = Eigen::VectorXd>
 numeric::least_multipliers<Eigen::VectorXd, Eigen::VectorXd>
 find_least_multipliers(model& m, const Eigen::VectorXd& x, const Parameters& p = {}, const Inputs& r = {},
                        double t = 0) {
-  m.udot(); // may report a mistake, and clears that of the previous request
+  m.udot(); // clears the mistake of the previous request, and may report a new one
   if (!m.mistake().empty()) return {.failure = base::sentence({m.mistake()})};
   const mechanics::mechanism& of = m.mechanism();
   if (const base::sentence wrong = compiled::check_size("state", "the model", static_cast<int>(x.size()),

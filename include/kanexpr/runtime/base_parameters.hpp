@@ -44,7 +44,7 @@ struct base_parameter_options {
 
 namespace runtime {
 
-/// The base parameters without matrices.
+/// The base parameters in plain vectors instead of matrices.
 struct found_base_parameters {
   std::vector<int> columns{};
   std::vector<double> combination{}; ///< row by row
@@ -58,9 +58,9 @@ KANEXPR_ENGINE found_base_parameters find_base_parameters(model& m, std::span<co
 } // namespace runtime
 
 /// Finds the base parameters of a system with the parameters `p`, from random states that satisfy the
-/// constraints; the combinations depend on lengths in `p`. A parameter that depends on preceding ones is
-/// combined with them, so the remaining parameters are those of the bodies closest to the ground, in the
-/// order of the system.
+/// constraints. The combinations depend on the lengths in `p`. A parameter that depends on preceding ones is
+/// combined with them, so the remaining parameters belong to the bodies closest to the ground, in the order
+/// of the system.
 template <class Parameters = Eigen::VectorXd>
 base_parameters find_base_parameters(model& m, const Parameters& p = {},
                                      const base_parameter_options& options = {}) {

@@ -24,7 +24,7 @@ namespace runtime {
 class builder;
 }
 
-/// Derives the system built so far; later calls of the builder do not change the model. A mistake made in the
+/// Derives the system built so far; later calls to the builder do not change the model. A mistake made in the
 /// builder is also a mistake of the model.
 KANEXPR_ENGINE model derive(const runtime::builder& built);
 
@@ -40,7 +40,7 @@ KANEXPR_ENGINE model derive_in_own_graph(const builder& built);
 
 namespace kanexpr::runtime {
 
-/// A number as it was passed. In C++, 1/2 is the integer 0, which is never intended.
+/// A number in the type in which it was passed. In C++, 1/2 is the integer 0, which is never intended.
 class given_number {
 public:
   template <class Number>
@@ -199,7 +199,7 @@ public:
   void velocity(point_id point, frame_id reference, const vector& value);
   /// The same for a point whose position intentionally does not follow its velocity.
   void velocity_apart_from_position(point_id point, frame_id reference, const vector& value);
-  /// Like `velocity`, with the motion of the parent added in any frame.
+  /// Like `velocity`, but the motion of the parent is added in any frame.
   void velocity_from_parent(point_id point, frame_id reference, const vector& value);
 
   // ---- bodies and loads
@@ -250,22 +250,22 @@ public:
     return {v, {directions...}};
   }
 
-  /// An expression of the coordinates that vanishes.
+  /// An expression in the coordinates that must vanish.
   void configuration_constraint(expression vanishes);
   /// Requires the components of a position along given directions to vanish; see `zero_along`.
   void configuration_constraint(const zero_components& v);
-  /// An expression that vanishes and is linear in speeds or rates of coordinates.
+  /// An expression that must vanish and is linear in the speeds or the rates of the coordinates.
   void velocity_constraint(expression vanishes);
   /// Requires the component of a velocity along `direction` to vanish.
   void velocity_constraint(const vector& vanishes, const vector& direction);
   /// Requires the components of a velocity along given directions to vanish; see `zero_along`.
   void velocity_constraint(const zero_components& v);
-  /// An expression that vanishes and is linear in the rates of the speeds, such as `dot(u1) + dot(u2)`.
+  /// An expression that must vanish and is linear in the rates of the speeds, such as `dot(u1) + dot(u2)`.
   void acceleration_constraint(expression vanishes);
   /// Selects a coordinate or speed for which the constraints are solved.
   void dependent(expression e);
-  /// Declares that a configuration constraint, counted from 1, follows from the others at every position that
-  /// satisfies them all.
+  /// Declares that a configuration constraint, numbered from 1, follows from the others at every position
+  /// that satisfies them all.
   void redundant(int configuration_constraint) {
     system_.constraints.redundant.push(configuration_constraint);
   }

@@ -60,7 +60,7 @@ public:
   bool is_new_symbol(std::string_view called) {
     return is_valid_name("symbols", called) && is_unused(called);
   }
-  /// Checks that no symbol has the name.
+  /// Checks that no symbol already has the name.
   bool is_unused(std::string_view called) {
     for (const auto* list : {&m_.coordinates, &m_.speeds, &m_.parameters, &m_.inputs, &m_.auxiliary_speeds})
       for (const expression& e : *list)

@@ -36,7 +36,7 @@ public:
 
   /// Stores the derivation. Requires that there is no mistake.
   virtual void store(derivation::image& into) const = 0;
-  /// The same system in a separate graph, resumed from what it stored.
+  /// The same system in a separate graph, resumed from the stored derivation.
   virtual std::shared_ptr<derived> resumed(const derivation::image& from) const = 0;
 
   /// The mistake in the last request, not in the system itself.

@@ -47,7 +47,7 @@ public:
   }
 
 private:
-  base::sentence mistake_{}; ///< a mistake in the words themselves
+  base::sentence mistake_{}; ///< a mistake in the types themselves
   const describe::system_record& record_;
   derivation::derived_system system_;
 };

@@ -31,8 +31,8 @@ class interpreted {
 public:
   using matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  /// `checks` detect singularities in the computation of the result. `mistake` is the reason why the result
-  /// has no values at any state.
+  /// `checks` detect singularities in the computation of the result. If the result has no values at any
+  /// state, `mistake` is the reason.
   interpreted(symbolic::graph& g, const symbolic::matrix& wanted, int coordinates,
               const base::sequence<mechanics::singularity_check>& checks = {},
               const base::sentence& mistake = {})
@@ -42,10 +42,10 @@ public:
       if (need* const of = need_of(each.from)) of->take(place_of(each), g, each);
   }
 
-  /// The number of operations of one call.
+  /// The number of operations per call.
   symbolic::cost cost() const { return code_.cost(); }
 
-  /// Reports whether all systems of equations in the last call could be solved at its state.
+  /// Reports whether all systems of equations could be solved at the state of the last call.
   kanexpr::status status() const {
     if (mistake_) return kanexpr::status(mistake_.view());
     return too_short_ ? kanexpr::status(too_short_.view()) : code_.status();

@@ -14,8 +14,8 @@
 
 namespace kanexpr::runtime {
 
-/// Evaluates code that is known only at run time, a tape or a view of one. It performs the same steps in the
-/// same order and arithmetic as compiled code, so the results agree to the last bit. The constructor
+/// Evaluates code that is known only at run time, a tape or a view of one. It performs the same steps as
+/// compiled code, in the same order and arithmetic, so the results agree to the last bit. The constructor
 /// allocates all memory.
 template <class Number = double, class Code = lower::tape>
 class interpreter {
@@ -25,7 +25,7 @@ public:
   const Code& code() const { return code_; }
   int size() const { return code_.results.size(); }
 
-  /// Writes `results[i]` for each result; `value_of(load)` returns the value of a symbol by its kind and
+  /// Writes `results[i]` for each result; `value_of(load)` returns the value of a symbol, given its kind and
   /// position.
   template <class Arguments, class Results>
   void evaluate(const Arguments& value_of, Results&& results) {
@@ -58,7 +58,7 @@ void interpreter<Number, Code>::run() {
   lower::evaluate_steps(code_, slots_.begin(), scratch_.begin());
 }
 
-/// Whether a check passes: its measure is finite or, compared with its scale, not singular.
+/// Whether a check passes: the measure must be finite or, compared with the scale, not singular.
 template <class Scalar>
 bool passes(bool of_finiteness, const Scalar& measure, const Scalar& scale) {
   constexpr double least = base::least_singularity_measure<Scalar>();
@@ -93,7 +93,7 @@ private:
 
   interpreter<Scalar> code_;
   base::sequence<Scalar> found_;        ///< the result, then the measure and the scale of each check
-  base::sentence missing_derivative_{}; ///< reports an unknown derivative; then there are no values
+  base::sentence missing_derivative_{}; ///< reports an unknown derivative; if set, there are no values
   base::sequence<mechanics::singularity_check> checks_;
 };
 

@@ -38,7 +38,7 @@ public:
   /// If the system has a mistake, there are no results, and the mistake is the only failure.
   linearization(std::shared_ptr<derived> system, const linearization_point& at);
 
-  /// Whether the point satisfies all equations, and all results requested so far have values there.
+  /// Whether the point satisfies all equations and all results requested so far have values there.
   explicit operator bool() const { return failures().empty(); }
 
   /// Sentences that describe the mistakes in the point and the entries that have no value there.

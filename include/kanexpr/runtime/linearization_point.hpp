@@ -11,8 +11,8 @@
 
 namespace kanexpr {
 
-/// The value of a symbol at an operating point: a number (integers are exact), an expression in the words of
-/// a model such as `v / r`, or an expression of a derived model.
+/// The value of a symbol at an operating point: a number (integers are exact), an expression in a system's
+/// symbols such as `v / r`, or an expression of a derived model.
 class point_value {
 public:
   template <std::integral Whole>
@@ -31,7 +31,8 @@ private:
 };
 
 /// An operating point for linearization, as named values: `linearization_point{{q1, 0}, {u1, 2.5}, {u2, v /
-/// r}}`. Symbols that the point does not name are kept; rates that it does not name are those of the motion.
+/// r}}`. Symbols that the point does not name are kept; rates that it does not name follow from the equations
+/// of motion.
 class linearization_point {
 public:
   struct entry {

@@ -18,8 +18,7 @@ namespace kanexpr {
 
 namespace runtime {
 
-/// Writes statements as text: `s1 = sin(q1)`. Numbers and arguments are written at the places where they are
-/// used.
+/// Writes statements as text: `s1 = sin(q1)`. Numbers and arguments are written inline where they are used.
 class code_printer {
 public:
   code_printer(const lower::statements& code, const symbolic::graph& g) : code_(code), graph_(g) {
@@ -49,7 +48,7 @@ private:
     return std::string(s.called.view()) + (is_rate ? "'" : "");
   }
 
-  /// Whether a symbol or a function has a name that could also be chosen for a value of the code.
+  /// Whether a symbol or a function has a name that the listing could also choose for a value.
   bool is_taken() const {
     for (const symbolic::symbol& s : graph_.symbols())
       if (is_taken_by(s.called.view())) return true;
@@ -139,8 +138,8 @@ private:
 ///     t1 = g * s1
 ///     udot(0) = t1
 ///
-/// `a > 0 ? b : c` is b if a is positive; linear systems use it to exchange rows. The singularity checks of a
-/// compiled function are not included.
+/// `a > 0 ? b : c` is b if a is positive; the solution of linear systems uses it to exchange rows. The
+/// singularity checks of a compiled function are not included.
 inline std::string listing(const symbolic::matrix& result, std::string_view called = "result") {
   if (result.entries.empty()) return "";
   const symbolic::graph& g = result.entries[0].owner();

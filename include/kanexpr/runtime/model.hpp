@@ -34,12 +34,12 @@ namespace runtime {
 class staged_derivation;
 }
 
-/// A system derived at run time by the functions that derive it at compile time. Its results are expressions
-/// to print, inspect and evaluate. Copies share one derivation, which exists as long as any of them or of
+/// A system derived at run time by the same functions as at compile time. Its results are expressions to
+/// print, inspect and evaluate. Copies share one derivation, which exists as long as any of the copies or
 /// their linearizations; only one thread at a time may use it.
 class model {
 public:
-  /// `extra_requests` are expressions with points and frames that the system itself does not use.
+  /// `extra_requests` are expressions that contain points and frames not used by the system itself.
   /// `expected_digests` are the digests of the entities in the file that refers to the system.
   explicit model(const derivation::checked_words& from,
                  std::span<const derivation::request> extra_requests = {},
@@ -59,7 +59,7 @@ public:
   /// Link", … "izx of Link".
   std::vector<std::string> names_of_inertial_parameters() const;
 
-  /// A result as a matrix of expressions; without entries if the system has a mistake.
+  /// A result as a matrix of expressions; empty if the system has a mistake.
   symbolic::matrix get(mechanics::quantity wanted);
   // the steps of Kane's method
   symbolic::matrix qdot() { return get(mechanics::quantity::qdot); }

@@ -44,7 +44,7 @@ auto try_form(derived& system, const Form& form) {
   return system.request_mistake || system.mistake() ? result() : found;
 }
 
-/// Forms a result of a system in the same stages as at compile time.
+/// Forms a result of a system through the same stages as at compile time.
 inline symbolic::matrix form_result(derived& system, const derivation::request& wanted) {
   if (wanted.what == derivation::request::kind::result)
     system.request_mistake = system.equations()->check_bodies(wanted.wanted);

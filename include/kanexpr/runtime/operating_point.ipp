@@ -157,7 +157,7 @@ public:
 
   symbolic::point_values values(const symbolic::matrix& m) { return symbolic::limits_at(g_, m, all_); }
 
-  /// The equations that the point does not satisfy, as sentences.
+  /// Sentences about the equations that the point does not satisfy.
   const std::vector<std::string>& failures() const { return failures_; }
 
 private:
@@ -190,7 +190,7 @@ private:
     all_.insert(all_.end(), added.begin(), added.end());
   }
 
-  /// Checks that equations vanish. Those that still contain a coordinate, a speed or a rate may be satisfied
+  /// Checks that residuals vanish. Those that still contain a coordinate, a speed or a rate may be satisfied
   /// by unspecified values.
   void check_vanishes(const symbols& zero, const std::string& what) {
     using kind = symbolic::symbol_kind;
@@ -211,7 +211,7 @@ private:
     }
   }
 
-  /// Whether a sum is negligible compared with its terms, at two generic values of its symbols.
+  /// Whether a sum is negligible compared with its terms for two sets of generic values of its symbols.
   bool vanishes(symbolic::expression e, symbolic::expression terms) const {
     for (const double first : {0.7312, 1.2931}) {
       const auto any = [&](int id) { return 0.4 + std::fmod(first * (id + 1), 1.0); };

@@ -17,8 +17,8 @@ struct image;
 
 namespace runtime {
 
-/// Derives a system once, stage by stage. Each model resumes from the stored stage, in a separate graph, and
-/// has the expressions of a model that is derived separately.
+/// Derives a system once, stage by stage. Each model resumes from the stored stage in a separate graph, and
+/// its expressions are the same as if it had been derived separately.
 class staged_derivation {
 public:
   explicit staged_derivation(std::function<model()> derive) : derive_(std::move(derive)) {}

@@ -11,8 +11,8 @@ namespace kanexpr {
 
 namespace runtime {
 
-/// An empty image. Zeroed memory is one, as it is an aggregate that is initialized with zeros; pages that it
-/// does not use are never touched. Null without memory.
+/// An empty image. Zeroed memory is a valid one, because an image is an aggregate initialized with zeros;
+/// unused pages are never touched. Null if there is not enough memory.
 inline std::shared_ptr<derivation::image> make_image() {
   static_assert(std::is_aggregate_v<derivation::image>);
   return {static_cast<derivation::image*>(std::calloc(1, sizeof(derivation::image))), std::free};

@@ -11,7 +11,7 @@
 
 namespace kanexpr::runtime {
 
-/// Interprets the code table of a function with one scalar type.
+/// Interprets the code table of a function in one scalar type.
 template <class Number>
 class table_interpreter {
 public:

@@ -53,7 +53,7 @@ public:
     return *this;
   }
 
-  /// The value of a symbol. If the model has no symbol of that name, the value is NaN, assignments are
+  /// The value of a symbol. If the model has no symbol with that name, the value is NaN, assignments are
   /// ignored, and `mistake` reports the name.
   double& operator[](std::string_view name) {
     const int i = index(name);
@@ -66,7 +66,7 @@ public:
 
   bool holds(std::string_view name) const { return find(name) >= 0; }
 
-  /// Returns a sentence that names the last unknown name that was looked up; empty if there was none.
+  /// Returns a sentence about the last unknown name that was looked up; empty if there was none.
   base::sentence mistake() const {
     if (unknown_.empty()) return {};
     return base::sentence({"the model has no ", range().symbol, " ", unknown_});

@@ -3,7 +3,7 @@ import { Color, MeshStandardMaterial } from 'three';
 
 const palette = ['#4a7fb5', '#d0694a', '#6f9e54', '#dfa63c', '#8568ae', '#3a9d93', '#99705a', '#687488'];
 
-/// Shapes without a colour take the next one of these.
+/// Shapes without a specified colour take these in turn.
 export function colourOf(shape, index) {
   return new Color(shape.colour ?? palette[index % palette.length]);
 }

@@ -6,7 +6,7 @@ import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import { STLLoader } from 'three/addons/loaders/STLLoader.js';
 import { material } from './materials.js';
 
-const noTextures = { load: () => new Texture() }; // these are in other files
+const noTextures = { load: () => new Texture() }; // textures are in separate files
 
 function text(bytes) {
   return new TextDecoder().decode(bytes);
@@ -21,7 +21,7 @@ function dae(bytes) {
   return scene;
 }
 
-/// Without separate lines and points: next to one of them, three.js also reads faces as lines.
+/// Omits separate lines and points; otherwise, three.js would read faces as lines, too.
 function obj(bytes) {
   return new OBJLoader().parse(text(bytes).replace(/^[lp]\s.*$/gm, ''));
 }

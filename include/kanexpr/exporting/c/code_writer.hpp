@@ -81,7 +81,7 @@ private:
     return std::string("  const ") + number_.type() + ' ' + value + " = ";
   }
 
-  /// An exact fraction is divided in the scalar type.
+  /// An exact fraction is written as a quotient of two numbers of the scalar type.
   std::string number_of(const symbolic::number& n) const {
     if (number_.is_single) return number_.number(static_cast<double>(lower::number_as<float>(n)));
     return number_.number(lower::number_as<double>(n));
@@ -122,7 +122,7 @@ private:
     }
   }
 
-  /// Computes sine and cosine of an angle together when the first of them is needed.
+  /// Computes the sine and the cosine of an angle together when the first of them is needed.
   std::string sine_or_cosine(int i, const lower::statement& s) {
     const bool is_sine = s.op == symbolic::operation::sin;
     for (const angle& known : angles_)
@@ -176,7 +176,7 @@ private:
   scalar number_;
   identifiers names_{};
   std::vector<std::string> values_{}; ///< one for each line
-  std::vector<std::string> unread_{}; ///< lines that read arguments, until they are needed
+  std::vector<std::string> unread_{}; ///< lines that read arguments that have not been used yet
   std::vector<angle> angles_{};
   int count_ = 0;
 };

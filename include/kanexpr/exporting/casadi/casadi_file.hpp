@@ -10,11 +10,11 @@
 
 namespace kanexpr::exporting {
 
-/// Writes the functions that CasADi loads from a shared library, a column and its derivatives, as wrappers of
-/// the C functions that compute them.
+/// Writes the functions that CasADi loads from a shared library, a column and its derivatives, as wrappers
+/// around the C functions that compute them.
 ///
-/// CasADi, core/external.cpp: a null argument is zero, a null result is not requested, and a nonzero return
-/// value means that there is no result.
+/// CasADi, core/external.cpp: a null argument means zero, a null result is not requested, and a nonzero
+/// return value means that there is no result.
 class casadi_file {
 public:
   /// Exports the rates as the function `library`, or the residual as `library`_implicit. `kernels` has the
@@ -125,7 +125,7 @@ private:
     return f;
   }
 
-  /// The derivatives with respect to each argument, which are the results from `place` on.
+  /// The derivatives with respect to each argument, which are the results starting at `place`.
   std::vector<requested_output> first_derivatives(std::size_t place) const {
     std::vector<requested_output> all;
     for (std::size_t i = 0; i < arguments_.size(); ++i)
@@ -142,7 +142,7 @@ private:
   }
 
   /// Declares `i` and, if some arguments are not basic, `more`, which is nonzero if the direction has nonzero
-  /// entries for the others. The direction fills the first entries of `w`.
+  /// entries for these. The direction fills the first entries of `w`.
   std::string take_direction(int& size_of_all) const {
     std::string text = has_more() ? "  long long i;\n  int more = 0;\n" : "  long long i;\n";
     for (std::size_t k = 0; k < arguments_.size(); ++k) {
@@ -168,8 +168,8 @@ private:
     return f;
   }
 
-  /// The derivatives of the directional derivative with respect to each argument, the column (zero) and the
-  /// direction (the first derivatives).
+  /// The derivatives of the directional derivative with respect to each argument, to the column (these are
+  /// zero) and to the direction (these are the first derivatives).
   casadi_function jacobian_of_forward() const {
     casadi_function f = family_.jacobian_of_forward();
     int direction = 0;
@@ -195,8 +195,8 @@ private:
     return f;
   }
 
-  /// The derivatives of each adjoint with respect to each argument, the column (zero) and the weights (the
-  /// transposed first derivatives).
+  /// The derivatives of each adjoint with respect to each argument, to the column (these are zero) and to the
+  /// weights (these are the transposed first derivatives).
   casadi_function jacobian_of_adjoint() const {
     casadi_function f = family_.jacobian_of_adjoint();
     std::vector<requested_output> second;

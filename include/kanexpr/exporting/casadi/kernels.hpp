@@ -19,9 +19,9 @@ inline std::size_t count_of_basic(const std::vector<casadi_argument>& arguments)
   return count;
 }
 
-/// The C functions that CasADi may request for a column (the rates of the state or the residual of the
-/// implicit form): the column itself, its derivatives with respect to the basic arguments, and its
-/// derivatives with respect to all arguments, which cost more.
+/// The C functions that CasADi may need for a column (the rates of the state or the residual of the implicit
+/// form): the column itself, its derivatives with respect to the basic arguments, and its derivatives with
+/// respect to all arguments, which cost more.
 class casadi_kernels {
 public:
   casadi_kernels(bool of_residual, const std::vector<casadi_argument>& by_all)
@@ -64,7 +64,8 @@ private:
     std::vector<symbols> all;
     all.reserve(count);
     for (std::size_t i = 0; i < count; ++i) all.push_back(by_all_[i].are);
-    // Next to derivatives with respect to the parameters, those from the graph share more operations.
+    // If there are derivatives with respect to the parameters, those taken from the graph share more
+    // operations.
     const bool is_by_parameters = !by_all_[count - 1].is_basic();
     const auto to_second_order = [&](requested_result found, quantity by, std::vector<symbols> part) {
       if (of_residual_ || is_by_parameters) return found;

@@ -34,7 +34,7 @@ public:
   }
 
 private:
-  /// The pattern of the rows from `first_row` on and of the columns of argument `by`.
+  /// The pattern of the rows starting at `first_row` and of the columns of argument `by`.
   casadi_sparsity block(const pattern& all, int first_row, int rows, std::size_t by) const {
     casadi_sparsity found = casadi_sparsity::empty(rows, given_[by].size);
     for (int j = 0; j < found.columns; ++j)
@@ -63,7 +63,7 @@ private:
     return copied(f, place, all, [&](int row, int column) { return row * columns_ + begin_[by] + column; });
   }
 
-  /// Returns the C condition that one of these results is requested.
+  /// Returns the C condition under which one of these results is requested.
   static std::string any_of(const std::vector<std::size_t>& places) {
     if (places.empty()) return "0";
     return joined(places, " || ", [](std::size_t each) { return "res[" + std::to_string(each) + "] != 0"; });

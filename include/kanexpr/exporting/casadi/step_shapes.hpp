@@ -63,8 +63,8 @@ public:
   pattern first{}, along{}, second{}; ///< ∂x⁺/∂z, ∂((∂x⁺/∂z) v)/∂z and ∂²(λᵀx⁺)/∂z²
 
 private:
-  /// The derivatives with respect to the arguments of the step, from those with respect to the arguments of a
-  /// stage.
+  /// The derivatives with respect to the arguments of the step, computed from those with respect to the
+  /// arguments of a stage.
   pattern chained(const entry_places& places, const pattern& point, int rows) const {
     pattern all(rows, columns_);
     for (const auto& [row, column] : places) {

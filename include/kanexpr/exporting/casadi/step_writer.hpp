@@ -24,9 +24,9 @@ inline constexpr std::string_view step_template = template_text(
 );
 
 /// The bodies of the functions of a step. `moved` computes the points, slopes and derivatives of all stages;
-/// `after` holds those of the step, and `rest` is free. `moved_along` computes the derivatives `total` of a
-/// directional derivative: those of a stage's rates follow from the second derivatives of the rates along the
-/// stage's direction, and from the derivatives of that direction.
+/// `after` holds those of the step, and `rest` is scratch space. `moved_along` computes the derivatives
+/// `total` of a directional derivative: those of a stage's rates follow from the second derivatives of the
+/// rates along the stage's direction, and from the derivatives of that direction.
 inline constexpr std::string_view step_functions_template = template_text(
 #include <kanexpr/exporting/casadi/step_functions.c.in>
 );
@@ -76,7 +76,7 @@ protected:
   int stages() const { return method_.stages; }
   bool takes_time() const { return of_rates_.size() > 3; }
   bool has_more() const { return columns_ > h_ + 1; }
-  /// Whether derivatives with respect to argument i follow without those of the rates with respect to
+  /// Whether the derivatives with respect to argument i do not require those of the rates with respect to
   /// parameters and time.
   bool is_basic(std::size_t i) const { return i < basic || (i == 3 && !takes_time()); }
 
@@ -103,8 +103,8 @@ protected:
   }
   std::string argument_at(std::size_t place) const { return library_ + "_given(arg[" + number(place) + "])"; }
 
-  /// Returns the call of a C function; the generated code returns if it has no result. `given` follows the
-  /// inputs.
+  /// Returns the call of a C function; the generated code returns if it has no result. `given` is passed
+  /// after the inputs.
   std::string call(const std::string& function, const std::string& given, const std::string& into,
                    const std::map<std::string, std::size_t>& begin) const {
     const auto one = [&](const std::string& called) {
@@ -155,7 +155,7 @@ protected:
     return text;
   }
 
-  /// Returns a part of the template of functions, filled in.
+  /// Returns a part of the function template with its placeholders filled in.
   std::string part(std::string_view name) const { return in(template_part(step_functions_template, name)); }
 
   std::string in(std::string_view text) const {

@@ -25,7 +25,7 @@ struct casadi_options {
 
 namespace detail {
 
-/// Returns why CasADi would reject a function of this name; empty if it accepts it.
+/// Returns the reason why CasADi would reject a function of this name; empty if it would accept it.
 inline std::string mistake_of_casadi_name(const std::string& name) {
   identifiers known;
   known.reserve_words();
@@ -34,9 +34,9 @@ inline std::string mistake_of_casadi_name(const std::string& name) {
   known.reserve("null jac hess");
   const bool has_two = (name + "_step").find("__") != name.npos;
   if (!name.empty() && name[0] != '_' && !has_two && known.unique(name) == name) return {};
-  return "the name of a CasADi function must begin with a letter, must have no two underscores in a row and "
-         "none at its end, and must not be a word of C, of its library or of CasADi; \"" +
-         name + "\" is not such a name";
+  return "the name of a CasADi function must begin with a letter, must not contain two consecutive "
+         "underscores or end with one, and must not be a reserved name in C, its library or CasADi; \"" +
+         name + "\" is not a valid name";
 }
 
 inline bool depends_on_time(const exported_system& s) {
@@ -102,7 +102,7 @@ inline constexpr export_format casadi_format{
 /// derivatives, in `folder`/`name`_casadi.c and .h, which a C compiler turns into a shared library. The state
 /// x consists of the coordinates followed by the speeds; a system that depends on time takes it as the last
 /// argument, t. The library also has a step, `name`_step(x, r, p, h), and the residual of the implicit form,
-/// `name`_implicit(x, xdot, r, p), with the same kinds of derivatives. Reports the reason if it cannot; no
+/// `name`_implicit(x, xdot, r, p), with the same kinds of derivatives. Reports the reason if this fails; no
 /// file is left half-written.
 template <class System>
 outcome write_casadi(const std::filesystem::path& folder, const std::string& name,

@@ -17,7 +17,7 @@ struct fmu_variable {
   bool is_dependent = false; ///< follows from the constraints
 };
 
-/// A change of an entry of the state at an event.
+/// A change in an entry of the state at an event.
 struct fmu_change {
   int event = 0;
   int place = 0; ///< index in the state

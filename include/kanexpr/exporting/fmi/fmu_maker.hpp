@@ -43,7 +43,7 @@ struct exported_event {
   after_event then = after_event::go_on;
 };
 
-/// The event that an expression of the model crosses zero, or that an equation becomes satisfied:
+/// An event that occurs when an expression of the model crosses zero, or when an equation becomes satisfied:
 /// `exporting::when<h>("bounce", crossing::falling, {exporting::set<-0.8 * u>(u)})`.
 template <auto watched, class Where = describe::file_of<watched>>
 exported_event when(const std::string& name, crossing direction = crossing::either,
@@ -66,7 +66,7 @@ struct fmu_options {
   std::vector<exported_event> events{};
   double step = 1e-3;                   ///< internal step of the co-simulation, s
   std::string method = "runge_kutta_4"; ///< method of the internal steps
-  std::string compiler = "cc";          ///< the C compiler as a shell command; empty: sources only
+  std::string compiler = "cc"; ///< the C compiler as a shell command; if empty, only sources are written
 };
 
 struct made_fmu {
@@ -74,7 +74,7 @@ struct made_fmu {
   std::string mistake{};
 };
 
-/// Makes an FMU of a system.
+/// Creates an FMU from a system.
 class fmu_maker {
 public:
   fmu_maker(std::string name, runtime::staged_derivation& derivation, const fmu_options& chosen)
@@ -236,7 +236,8 @@ private:
     return -1;
   }
 
-  /// Returns a variable of that name, or of a similar one if the name is taken or cannot be written in XML.
+  /// Returns a variable with this name, or with a similar one if the name is taken or cannot be written in
+  /// XML.
   fmu_variable variable(const std::string& name) {
     std::string own = printable(name);
     while (!names_.insert(own).second) own += '_';

@@ -14,8 +14,8 @@ namespace kanexpr::exporting {
 /// A shared library for the host machine, compiled from C sources.
 struct library {
   std::string bytes{};
-  std::string note{};    ///< why there is no library, if none can be built here
-  std::string mistake{}; ///< why it could not be compiled
+  std::string note{};    ///< the reason why no library can be built here, if none can
+  std::string mistake{}; ///< the reason why the library could not be compiled
 
   static std::string ending() { return is_apple ? ".dylib" : ".so"; }
 
@@ -49,10 +49,10 @@ private:
 inline library compiled_library(const std::string& name, const std::vector<file_text>& files,
                                 const std::string& compiler) {
   if (library::platform().empty())
-    return {.note = "holds sources only, because kanexpr compiles no library for this platform"};
-  if (compiler.empty()) return {.note = "holds sources only, because no compiler is specified"};
+    return {.note = "contains only sources, because kanexpr cannot compile a library for this platform"};
+  if (compiler.empty()) return {.note = "contains only sources, because no compiler is specified"};
   if (std::system(("command -v " + compiler + " >/dev/null 2>&1").c_str()) != 0)
-    return {.note = "holds sources only, because there is no compiler " + compiler};
+    return {.note = "contains only sources, because there is no compiler " + compiler};
   const temporary_folder folder;
   if (folder.path().empty()) return {.mistake = "the temporary folder for compilation cannot be created"};
   const std::string made = (folder.path() / (name + library::ending())).string();

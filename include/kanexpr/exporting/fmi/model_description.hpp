@@ -91,7 +91,7 @@ private:
     xml_.close();
   }
 
-  /// The attributes that variables of a kind have in common.
+  /// The attributes that all variables of one kind have in common.
   struct variable_kind {
     const char* causality = "local";
     const char* initial = nullptr;
@@ -146,7 +146,7 @@ private:
   void add_unknown(const char* kind, int reference, const std::vector<int>& on) {
     xml_.add(kind, {{"valueReference", std::to_string(reference)}, {"dependencies", joined(on, " ")}});
   }
-  /// During initialization, parameters matter too, and values that follow from the constraints depend on all
+  /// During initialization, parameters also matter, and values that follow from the constraints depend on all
   /// states; CasADi requires the full list, so all known variables are listed.
   void add_initial_unknown(int reference) {
     std::vector<int> on{0};

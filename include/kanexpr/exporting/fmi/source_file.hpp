@@ -73,7 +73,7 @@ private:
                           {"drifts", of_.system.function(fmu::correction) == nullptr ? "0" : "1"}});
   }
 
-  /// Returns an array, which has one entry if there are none.
+  /// Returns an array; if there are no entries, it has a single entry 0.
   template <class Entries, class TextOf>
   static std::string array(const char* type, const char* called, const Entries& all, const TextOf& text_of) {
     return std::string("static const ") + type + ' ' + called + "[] = {" +

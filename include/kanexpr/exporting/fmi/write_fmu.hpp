@@ -22,7 +22,7 @@ class [[nodiscard]] written_fmu : public outcome {
 public:
   using outcome::outcome;
 
-  /// Explains why the FMU holds only sources; empty if it holds a library.
+  /// Explains why the FMU contains only sources; empty if it contains a library.
   const std::string& note() const { return note_; }
   void set_note(std::string why) { note_ = std::move(why); }
 
@@ -81,10 +81,10 @@ inline constexpr export_format fmi_format{
 
 } // namespace exporting
 
-/// Writes `folder`/`name`.fmu, an FMU of FMI 3.0 with its sources and a library for the host machine, or
-/// reports why it cannot; no file is left half-written. The library is compiled by `chosen.compiler`; if it
-/// is not available, the FMU holds only the sources, and `note()` explains why. The functions of `chosen` are
-/// its outputs.
+/// Writes `folder`/`name`.fmu, an FMI 3.0 FMU with its sources and a library for the host machine, or reports
+/// why it cannot; no file is left half-written. The library is compiled by `chosen.compiler`; if it is not
+/// available, the FMU contains only the sources, and `note()` explains why. The functions of `chosen` are its
+/// outputs.
 template <class System>
 exporting::written_fmu write_fmu(const std::filesystem::path& folder, const std::string& name,
                                  const exporting::fmu_options& chosen = {}) {

@@ -10,15 +10,15 @@
 
 namespace kanexpr::exporting {
 
-/// Returns a zip archive of the files, uncompressed and with a fixed time, so that equal files give equal
-/// archives; empty if there is not enough memory.
+/// Returns a zip archive of the files, uncompressed and with a fixed timestamp, so that equal files give
+/// equal archives; empty if there is not enough memory.
 inline std::string zipped(const std::vector<file_text>& files) {
   const auto release = [](zip_source_t* source) { zip_source_free(source); };
   const std::unique_ptr<zip_source_t, decltype(release)> bytes(
       zip_source_buffer_create(nullptr, 0, 0, nullptr), release);
   zip_t* const archive = bytes ? zip_open_from_source(bytes.get(), ZIP_TRUNCATE, nullptr) : nullptr;
   if (archive == nullptr) return {};
-  zip_source_keep(bytes.get()); // the archive releases it, too
+  zip_source_keep(bytes.get()); // the archive also releases it
   bool is_complete = true;
   for (const file_text& each : files) {
     const zip_int64_t place =

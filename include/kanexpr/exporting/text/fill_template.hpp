@@ -21,7 +21,7 @@ inline std::string_view template_part(std::string_view file, std::string_view na
   return file.substr(0, file.find("@@@ "));
 }
 
-/// Joins the texts of entries.
+/// Joins the texts of the entries, separated by `between`.
 template <class Entries, class TextOf>
 std::string joined(const Entries& all, std::string_view between, const TextOf& text_of) {
   std::string whole;

@@ -26,8 +26,8 @@ global if import in is lambda nonlocal not or pass raise return try while with y
 isinstance len list pathlib range str zip ArithmeticError KeyError Singular ValueError
 )";
 
-/// Makes a text fit for comments and XML: valid UTF-8 without control characters. Each invalid byte becomes
-/// an underscore.
+/// Makes a text suitable for comments and XML: valid UTF-8 without control characters. Each invalid byte
+/// becomes an underscore.
 inline std::string printable(std::string_view text) {
   std::string fit;
   while (!text.empty()) {
@@ -42,11 +42,11 @@ inline std::string printable(std::string_view text) {
   return fit;
 }
 
-/// Maps names to unique identifiers of C and C++.
+/// Maps names to unique identifiers in C and C++.
 class identifiers {
 public:
-  /// Returns the name or a similar one: other characters become `u` and their code point, and a taken name
-  /// gets an underscore appended.
+  /// Returns the name or a similar one: other characters become `u` followed by their code point, and an
+  /// underscore is appended to a name that is taken.
   std::string unique(std::string_view name) {
     std::string plain = spelled(name);
     while (!used_.insert(plain).second) plain += '_';
@@ -60,7 +60,7 @@ public:
       used_.insert(std::string(word).append(end));
   }
 
-  /// Reserves the words that no variable of a function may have as its name.
+  /// Reserves the words that must not be used as names of variables in a function.
   void reserve_words() {
     reserve(words_of_cpp);
     reserve(base::library_words::macros_of_the_library);

@@ -11,7 +11,7 @@
 
 namespace kanexpr::exporting {
 
-/// Functions that C does not have; a file defines those that its code calls.
+/// Functions that C lacks; a file defines those that its code calls.
 inline std::vector<symbolic::operation> written_functions() {
   std::vector<symbolic::operation> all;
   for (const auto& f : symbolic::functions)
@@ -27,7 +27,7 @@ struct system_with_c_names {
   std::vector<std::pair<std::string, std::string>> changed{}; ///< model names and their replacements
 };
 
-/// Maps all names to C. Symbols and functions share one set of names, as all have the prefix `NAME_`.
+/// Maps all names to C. Symbols and functions share one set of names, because all have the prefix `NAME_`.
 inline system_with_c_names names_in_c(exported_system s) {
   identifiers taken;
   taken.reserve("states coordinates speeds parameters inputs bits FUNCTION INLINE SINES_OF_THE_LIBRARY "

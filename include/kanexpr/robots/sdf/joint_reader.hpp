@@ -15,7 +15,7 @@ namespace kanexpr::robots::sdf {
 
 using ignition::math::Pose3d;
 
-/// The poses of the links in the world if all coordinates are zero.
+/// The poses of the links in the world when all coordinates are zero.
 struct placed_links {
   std::map<std::string, int> index_by_name{};
   std::vector<Pose3d> poses{};
@@ -115,7 +115,7 @@ private:
     return begin_.child * Pose3d(begin_.joint_position, ignition::math::Quaterniond::Identity);
   }
 
-  /// Adds a joint from the link added last to a link with the pose `at`.
+  /// Adds a joint from the most recently added link to a link with the pose `at`.
   bool add(joint_kind is, const std::string& called, int to, const Pose3d& at) {
     const Pose3d seen = entry(links_.poses, begin_.from).Inverse() * at;
     joint made;
@@ -179,7 +179,7 @@ private:
   }
 
   /// Reads the mimic of a joint. Mimics were introduced in SDF 1.11; older versions of libsdformat keep the
-  /// element without reading it.
+  /// element but do not interpret it.
   bool read_mimic(const ::sdf::JointAxis& axis, const std::string& scope) {
     const ::sdf::ElementPtr mimic = axis.Element() ? axis.Element()->FindElement("mimic") : nullptr;
     if (!mimic) return true;

@@ -27,7 +27,7 @@
 
 #include <kanexpr/base/letters_aside.hpp>
 
-/// Converts links and poses of libsdformat. Poses use quaternions there; right angles become exact.
+/// Converts links and poses of libsdformat, which stores poses with quaternions; right angles are made exact.
 namespace kanexpr::robots::sdf {
 
 inline vector3 vector_of(const ignition::math::Vector3d& v) {

@@ -161,7 +161,7 @@ private:
 
   bool read_mimic(const element& e, joint& into) {
     const std::string whose = "joint " + printable(into.name);
-    if (into.kind == joint_kind::fixed) { // programs that fix joints do not remove the mimic element
+    if (into.kind == joint_kind::fixed) { // programs that make a joint fixed do not remove its mimic element
       from_.note(e, whose + " is fixed, so its mimic is ignored");
       return true;
     }
@@ -185,7 +185,7 @@ private:
     return true;
   }
 
-  /// Whether the chain of leaders of a joint does not end.
+  /// Whether the chain of leaders of a joint contains a loop.
   bool mimics_itself(const joint& follower) const {
     const joint* at = &follower;
     for (std::size_t steps = 0; at->mimic; ++steps) {

@@ -46,7 +46,7 @@ class reader {
 public:
   reader(document& from, const reading_options& options) : from_(from), options_(options) {}
 
-  /// Reads the text; returns true if it contains a robot without a mistake.
+  /// Reads the text; returns true if it describes a robot without errors.
   bool read(const std::string& text) {
     const element* const root = from_.open(text);
     if (!root) return from_.fail(1, "there is no element, so the file does not describe a robot");
