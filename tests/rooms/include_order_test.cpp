@@ -107,9 +107,10 @@ TEST(include_order, sees_an_arrow_to_a_folder_above_within_a_room) {
 }
 
 TEST(include_order, sees_an_arrow_out_of_all_rooms) {
-  EXPECT_THAT(rooms::upward(with(library(), "kanexpr/animate/elements.hpp", "#include <kanexpr/kanexpr.hpp>\n"),
-                            order_of_rooms()),
-              ElementsAre("kanexpr/animate/elements.hpp includes kanexpr/kanexpr.hpp, which stands above it"));
+  EXPECT_THAT(
+      rooms::upward(with(library(), "kanexpr/animate/elements.hpp", "#include <kanexpr/kanexpr.hpp>\n"),
+                    order_of_rooms()),
+      ElementsAre("kanexpr/animate/elements.hpp includes kanexpr/kanexpr.hpp, which stands above it"));
 }
 
 TEST(include_order, sees_a_circle) {

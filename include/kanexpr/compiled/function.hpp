@@ -142,9 +142,9 @@ private:
   template <class Weights, class Direction>
   static constexpr bool can_take() {
     if constexpr (is_weighted)
-      return compiled::weighted_call<System, code, Weights, Direction,
-                                     derivation::extra_arguments_of({&derivation::requested<wanted>::value...}),
-                                     wanted...>::possible;
+      return compiled::weighted_call<
+          System, code, Weights, Direction,
+          derivation::extra_arguments_of({&derivation::requested<wanted>::value...}), wanted...>::possible;
     else
       return true;
   }

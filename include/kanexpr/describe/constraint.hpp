@@ -18,7 +18,7 @@ constexpr auto one_after_another() {
   if constexpr (sizeof...(expressions) == 0 || ((stored<expressions>::words.kind == shape::foreign) || ...)) {
     return foreign{};
   } else {
-    postfix<shape::vanishing, (stored<expressions>::words.size + ...)> all{};
+    postfix_expression<shape::vanishing, (stored<expressions>::words.size + ...)> all{};
     token* next = all.tokens;
     const auto append = [&](const phrase& p) {
       for (int i = 0; i < p.size; ++i) *next++ = p.tokens[i];

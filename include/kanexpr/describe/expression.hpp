@@ -22,7 +22,7 @@ constexpr auto misused(misuse what, const Operands&... x);
 /// An expression of a model as tokens in postfix order. It is declared in the namespace `kanexpr` itself, so
 /// that its operators and functions are found from every namespace.
 template <describe::shape is, int size>
-struct postfix {
+struct postfix_expression {
   static constexpr describe::shape kind = is;
   describe::token tokens[static_cast<std::size_t>(size)];
 
@@ -43,25 +43,25 @@ struct postfix {
 
 namespace describe {
 
-using kanexpr::postfix;
+using kanexpr::postfix_expression;
 
 } // namespace describe
 
 /// A scalar of a model, written with ordinary operators: `m*r*r/4`, `u3/cos(q2)`.
 template <int size>
-using scalar = describe::postfix<describe::shape::scalar, size>;
+using scalar = describe::postfix_expression<describe::shape::scalar, size>;
 
 /// A vector of a model: a combination of basis vectors of any frames, as in `u1*L::x + u2*N::y`.
 template <int size>
-using vector = describe::postfix<describe::shape::vector, size>;
+using vector = describe::postfix_expression<describe::shape::vector, size>;
 
 /// A dyadic, a sum of products of vectors, as in `Ixx*outer(L::x, L::x)`.
 template <int size>
-using dyadic = describe::postfix<describe::shape::dyadic, size>;
+using dyadic = describe::postfix_expression<describe::shape::dyadic, size>;
 
 /// `left == right`, stored as left − right.
 template <int size>
-using equation = describe::postfix<describe::shape::equation, size>;
+using equation = describe::postfix_expression<describe::shape::equation, size>;
 
 namespace describe {
 

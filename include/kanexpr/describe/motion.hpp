@@ -43,7 +43,7 @@ constexpr auto in_the_inertial_frame(const vector<1>& motion) {
 }
 
 /// A frame, and the frame relative to which its orientation and its declared angular velocity are given.
-using kinematics_of_frame = postfix<shape::kinematics, 2>;
+using kinematics_of_frame = postfix_expression<shape::kinematics, 2>;
 
 constexpr kinematics_of_frame kinematics_between(const frame_record* frame, const frame_record* reference,
                                                  bool is_of_one_file) {
@@ -164,7 +164,7 @@ constexpr auto jacobian(const Operand& x, const Symbols&... symbols) {
 /// `kinematics<simple>` adds the kinematic differential equations q̇ = u of all coordinates whose rates
 /// appear in no other equation. The first of these coordinates is paired with the first speed that appears in
 /// no other equation, and so on.
-inline constexpr describe::postfix<describe::shape::simple, 1> simple{
+inline constexpr describe::postfix_expression<describe::shape::simple, 1> simple{
     {describe::with(describe::token_kind::number)}};
 
 /// The kinematic differential equations of a frame whose angular velocity is declared. They equate the

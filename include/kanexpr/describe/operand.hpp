@@ -13,7 +13,7 @@ namespace kanexpr::describe {
 
 template <shape kind, int size>
   requires(kind <= shape::equation)
-constexpr const postfix<kind, size>& operand(const postfix<kind, size>& x) {
+constexpr const postfix_expression<kind, size>& operand(const postfix_expression<kind, size>& x) {
   return x;
 }
 template <class Operand>
@@ -61,7 +61,7 @@ inline constexpr shape shape_of_operand =
     std::remove_cvref_t<decltype(operand(std::declval<const Operand&>()))>::kind;
 
 template <shape kind, int size>
-constexpr shape shape_of(const postfix<kind, size>&) {
+constexpr shape shape_of(const postfix_expression<kind, size>&) {
   return kind;
 }
 
@@ -86,7 +86,7 @@ inline constexpr int size_of_all = static_cast<int>((sizeof(Expressions::tokens)
 /// Returns the expressions, followed by the operation.
 template <shape kind, class... Expressions>
 constexpr auto joined(const token& last, const Expressions&... x) {
-  postfix<kind, size_of_all<Expressions...> + 1> all{};
+  postfix_expression<kind, size_of_all<Expressions...> + 1> all{};
   token* to = all.tokens;
   ((to = append(to, x.tokens)), ...);
   *to = last;

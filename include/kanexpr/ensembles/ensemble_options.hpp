@@ -1,8 +1,8 @@
 #pragma once
 
+#include <kanexpr/base/file_path.hpp>
 #include <kanexpr/ensembles/reduction.hpp>
 #include <kanexpr/ensembles/results_file.hpp>
-#include <kanexpr/base/file_path.hpp>
 
 #include <functional>
 #include <memory>

@@ -5,8 +5,8 @@
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/ensembles/run_output.hpp>
 #include <kanexpr/ensembles/runs.hpp>
-#include <kanexpr/simulations/simulation.hpp>
 #include <kanexpr/simulations/settings.hpp>
+#include <kanexpr/simulations/simulation.hpp>
 
 #include <functional>
 #include <string>

@@ -1,20 +1,10 @@
 #pragma once
 
-#include <kanexpr/base/one_way.hpp>
 #include <kanexpr/ensembles/ensemble_options.hpp>
 #include <kanexpr/ensembles/ensemble_results.hpp>
 #include <kanexpr/ensembles/study_interface.hpp>
 
 #include <memory>
-
-// kanexpr::mpi_engine defines KANEXPR_COMPILED_MPI for all its users.
-#if defined KANEXPR_COMPILED_MPI
-#define KANEXPR_MPI
-KANEXPR_ONE_WAY("KANEXPR_COMPILED_MPI", "1");
-#else
-#define KANEXPR_MPI inline
-KANEXPR_ONE_WAY("KANEXPR_COMPILED_MPI", "2");
-#endif
 
 namespace kanexpr {
 
@@ -57,5 +47,6 @@ private:
 } // namespace kanexpr
 
 #ifndef KANEXPR_COMPILED_MPI
+#include <kanexpr/mpi/compiled_mpi.hpp>
 #include <kanexpr/mpi/mpi_ranks.ipp>
 #endif

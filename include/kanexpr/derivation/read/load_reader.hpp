@@ -144,8 +144,8 @@ private:
     if (r.other_point != nullptr || r.other_frame != nullptr)
       return phrases_.vector_of(r.value, {"", whom}, whom);
     const std::string_view on = r.point != nullptr ? r.point->called : r.frame->called;
-    const sentence word({r.word, place});
-    return phrases_.vector_of(r.value, {word.view(), on}, on);
+    const sentence load({r.word, place});
+    return phrases_.vector_of(r.value, {load.view(), on}, on);
   }
   constexpr expression part_of(const phrase& p, std::string_view part, std::string_view whom) {
     return phrases_.scalar_of(p, {part, whom}, whom);

@@ -1,20 +1,10 @@
 #pragma once
 
-#include <kanexpr/base/one_way.hpp>
-#include <kanexpr/ensembles/results_file.hpp>
 #include <kanexpr/base/file_path.hpp>
+#include <kanexpr/ensembles/hdf5/compiled_hdf5.hpp>
+#include <kanexpr/ensembles/results_file.hpp>
 
 #include <memory>
-
-// kanexpr::hdf5_engine defines KANEXPR_COMPILED_HDF5 for all its users. Without this library, the files that
-// include this header see the macros of HDF5.
-#if defined KANEXPR_COMPILED_HDF5
-#define KANEXPR_HDF5
-KANEXPR_ONE_WAY("KANEXPR_COMPILED_HDF5", "1");
-#else
-#define KANEXPR_HDF5 inline
-KANEXPR_ONE_WAY("KANEXPR_COMPILED_HDF5", "2");
-#endif
 
 namespace kanexpr {
 

@@ -54,7 +54,8 @@ public:
     std::string bodies;
     for (const exported_function& f : system().functions) bodies += definition(f);
     std::string text = fill_template(
-        detail::c_source, {{"title", title()}, {"own_header", "#include \"" + name() + ".h\""}, {"name", name()}});
+        detail::c_source,
+        {{"title", title()}, {"own_header", "#include \"" + name() + ".h\""}, {"name", name()}});
     text += helpers(bodies);
     return text + bodies;
   }
