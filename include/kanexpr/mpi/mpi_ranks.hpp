@@ -3,6 +3,7 @@
 #include <kanexpr/ensembles/ensemble_options.hpp>
 #include <kanexpr/ensembles/ensemble_results.hpp>
 #include <kanexpr/ensembles/study_interface.hpp>
+#include <kanexpr/mpi/compiled_mpi.hpp>
 
 #include <memory>
 
