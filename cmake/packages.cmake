@@ -7,7 +7,7 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libeigen3-dev (>= 3.4), libboost-dev (>= 1.74)")
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON) # of the commands
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libsundials-dev (>= 6.4), libtinyxml2-dev, nlohmann-json3-dev (>= 3.2)")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "libsundials-dev (>= 6.4), libtinyxml2-dev, libzip-dev, nlohmann-json3-dev (>= 3.2)")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libhdf5-dev, libopenmpi-dev, libsdformat-dev")
 if(NOT KANEXPR_BUILD_ENGINE)
   set(CPACK_DEBIAN_PACKAGE_ARCHITECTURE all)

@@ -52,8 +52,8 @@ if(KANEXPR_NPM)
 endif()
 install(TARGETS kanexpr_animate EXPORT kanexpr-animate-targets)
 install(EXPORT kanexpr-animate-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
-kanexpr_pkgconfig(animate "Animated pages of kanexpr's models" REQUIRES kanexpr nlohmann_json
-  CFLAGS "-DKANEXPR_PAGE=\\\"\${prefix}/${kanexpr_page}\\\"")
+kanexpr_pkgconfig(animate "Animated pages of kanexpr's models; page_options::empty_page is share/kanexpr/kanexpr.html"
+  REQUIRES kanexpr nlohmann_json)
 kanexpr_add_engine_of(animate PAGES)
 
 # The package omits the target if the page is missing.

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""single_header.py INCLUDE FILE: writes the headers that need only Eigen and Boost.Hana as one file.
+"""single_header.py INCLUDE FILE: writes the headers that need only Eigen and Boost as one file.
 
 INCLUDE is the folder include/ of kanexpr. Every header appears once, where it is first included. The compiled libraries
 are not used: the definitions that they contain are part of the file. Comments are omitted, except the license.
@@ -9,7 +9,7 @@ import pathlib
 import re
 import sys
 
-ENTRIES = ["kanexpr", "joints", "reactions", "assemble", "fixed_step", "batch", "control", "symbolic", "algebra"]
+ENTRIES = ["kanexpr", "joints", "reactions", "assemble", "fixed_step", "batch", "control", "symbolic", "algebra", "figures"]
 INCLUDE = re.compile(r"^\s*#\s*include\s*<(kanexpr/[^>]+)>\s*$")
 COMPILED = re.compile(r"^#ifndef KANEXPR_COMPILED_\w+\n(.*?)^#endif[^\n]*\n", re.M | re.S)
 PIECE = re.compile(r'R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\'|//[^\n]*|/\*.*?\*/', re.S)
@@ -37,7 +37,7 @@ def expand(folder, header, done, lines):
 def single_header(folder):
     license_lines = (folder.parent / "LICENSE").read_text().strip().split("\n")
     version = re.findall(r"#define KANEXPR_VERSION_\w+ (\d+)", (folder / "kanexpr/base/version.hpp").read_text())
-    lines = [f"// kanexpr {'.'.join(version[:3])} in one header. Requires Eigen 3.4 and Boost.Hana; see docs/install.md.", "//"]
+    lines = [f"// kanexpr {'.'.join(version[:3])} in one header. Requires Eigen 3.4 and Boost 1.74; see docs/install.md.", "//"]
     lines += [f"// {line}".rstrip() for line in license_lines]
     lines.append("#pragma once")
     done = set()

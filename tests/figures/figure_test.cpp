@@ -110,6 +110,25 @@ TEST(figure, labels_cover_neither_each_other_nor_the_model_much) {
   }
 }
 
+TEST(figure, needs_no_inputs) {
+  using namespace crane;
+  const figure f = draw<System>({{x, 1}, {theta, 0}, {v, 0}, {w, 0}}, {{l, 1}, {k, 3}, {c1, 0}});
+  EXPECT_TRUE(f) << f.cause();
+  EXPECT_THAT(without_tags(f.svg()), Not(HasSubstr("\nF\n")));
+}
+
+TEST(figure, escapes_what_has_a_meaning_in_xml) {
+  EXPECT_THAT(crane_at(0.6, 0.4, {.title = "a <b> & ]]>\n"}).svg(),
+              HasSubstr("<title>a &lt;b&gt; &amp; ]]&gt; </title>"));
+}
+
+TEST(figure, rounds_long_numbers) {
+  EXPECT_EQ(figures::typeset("9.8123456").svg, "9.8123");
+  EXPECT_EQ(figures::typeset("0.00014999").svg, "0.00014999");
+  EXPECT_EQ(figures::typeset("1.499912e-07").svg, "1.4999e-07");
+  EXPECT_EQ(figures::typeset("1.2566370614359172").svg, "1.2566");
+}
+
 TEST(figure, is_upright_where_gravity_points_down) {
   // x down in the simple pendulum of the README: the bob hangs below the pivot
   runtime::builder b("N");
@@ -145,6 +164,17 @@ TEST(figure, reports_why_there_is_none) {
             "parameter c1 has no value");
   EXPECT_EQ((draw<System>({{x, NAN}, {theta, 0}, {v, 0}, {w, 0}}, {{l, 1}, {k, 3}, {c1, 0}}).cause()),
             "the value of coordinate x is not a number");
+  EXPECT_EQ(crane_at(0, 0, {.upward = Eigen::Vector3d(0, 0, 0)}).cause(),
+            "the direction upward must be finite and not zero");
+  EXPECT_EQ(crane_at(0, 0, {.eye = Eigen::Vector3d(0, NAN, 0)}).cause(),
+            "the direction eye must be finite and not zero");
+  EXPECT_EQ(crane_at(0, 0, {.eye = Eigen::Vector3d(0, 1, 0)}).cause(),
+            "the eye is in the up direction; specify a different `upward`");
+  EXPECT_EQ(crane_at(1e300, 0).cause(),
+            "the position of a point is not finite or exceeds 1e100; specify values for all parameters");
+  EXPECT_NE(
+      (draw<System>({{x, 1}, {theta, 0}, {v, 0}, {w, 0}}, {{l, 1}, {k, 3}, {c1, 0}}, {{"G", 1}}).cause()),
+      "");
   const figure f = crane_at(0, 0);
   EXPECT_THAT(std::string(f.write("/nowhere/figure.svg").cause()),
               "the figure cannot be written to /nowhere/figure.svg");

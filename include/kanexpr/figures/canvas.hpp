@@ -86,7 +86,11 @@ inline canvas::point turned(const canvas::point& v, double angle) {
 
 inline std::string escaped(std::string_view plain) {
   std::string out;
-  for (const char c : plain) out += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+  for (const char c : plain)
+    out += c == '<'   ? "&lt;"
+           : c == '>' ? "&gt;"
+           : c == '&' ? "&amp;"
+                      : std::string(1, '\0' <= c && c < ' ' ? ' ' : c);
   return out;
 }
 

@@ -31,7 +31,7 @@ inline text label_of_load(const drawing& d, const mechanics::vector& value, std:
 
 inline void draw_force(drawing& d, int i) {
   const mechanics::force& each = d.system.loads.forces[i];
-  const Eigen::Vector2d along = d.seen(d.at.forces[static_cast<std::size_t>(i)].normalized());
+  const Eigen::Vector2d along = d.seen(d.at.forces[static_cast<std::size_t>(i)].stableNormalized());
   if (along.norm() < 0.05) return;
   const Eigen::Vector2d here = d.picture(each.point), tip = here + 58 * along;
   d.on.arrow(layer::axes, here, tip, "load");
@@ -41,7 +41,7 @@ inline void draw_force(drawing& d, int i) {
 inline void draw_torque(drawing& d, int i) {
   const mechanics::torque& each = d.system.loads.torques[i];
   const int place = d.place_of_frame[static_cast<std::size_t>(each.frame)];
-  const Eigen::Vector3d about = d.at.torques[static_cast<std::size_t>(i)].normalized();
+  const Eigen::Vector3d about = d.at.torques[static_cast<std::size_t>(i)].stableNormalized();
   if (place == mechanics::none || about.isZero()) return;
   const Eigen::Vector3d start = detail::across(about);
   std::vector<Eigen::Vector2d> through;
@@ -94,7 +94,7 @@ inline void draw_loads(drawing& d) {
 }
 
 inline void draw_gravity(drawing& d) {
-  const Eigen::Vector2d along = d.seen(d.at.gravity.normalized());
+  const Eigen::Vector2d along = d.seen(d.at.gravity.stableNormalized());
   if (along.norm() < 0.05) return;
   const detail::single_component value = detail::single_component_of(d.system.loads.gravity);
   const Eigen::Vector2d from(d.on.most()(0) + 48, d.on.most()(1) - 6), to = from + 44 * along;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/base/status.hpp>
+#include <kanexpr/base/outcome.hpp>
 #include <kanexpr/figures/draw_axes.hpp>
 #include <kanexpr/figures/draw_bodies.hpp>
 #include <kanexpr/figures/draw_loads.hpp>
@@ -41,8 +41,14 @@ public:
   const std::string& cause() const { return cause_; }
 
   const std::string& svg() const { return svg_; }
-  /// Writes the file; returns the reason for a failure.
-  inline status write(const std::string& file) const;
+  /// Writes the file; the outcome reports a failure.
+  outcome write(const std::string& file) const {
+    if (!*this) return outcome(cause_);
+    std::ofstream out(file, std::ios::binary);
+    out << svg_;
+    out.close();
+    return out ? outcome() : outcome("the figure cannot be written to " + file);
+  }
 
 private:
   std::string svg_{}, cause_{};
@@ -61,27 +67,39 @@ figure draw(given_state<model> x = {}, given_parameters<model> p = {}, given_inp
   return draw(m, std::move(x), std::move(p), std::move(r), how);
 }
 
-inline status figure::write(const std::string& file) const {
-  if (!*this) return status(cause_);
-  std::ofstream out(file, std::ios::binary);
-  out << svg_;
-  out.close();
-  return out ? status() : status(base::sentence({"the figure cannot be written to ", file}).view());
+namespace figures {
+
+/// The reason why a geometry cannot be drawn as requested; empty if it can be.
+inline std::string reason_against(const geometry& at, const figure_options& how) {
+  if (!at.cause.empty()) return at.cause;
+  constexpr double largest = 1e100, least_sine = 1e-3; // squares of sizes do not overflow
+  for (const Eigen::Vector3d& each : at.points)
+    if (!(each.cwiseAbs().maxCoeff() < largest))
+      return "the position of a point is not finite or exceeds 1e100; specify values for all parameters";
+  for (const auto& [direction, called] : {std::pair(how.upward, "upward"), std::pair(how.eye, "eye")})
+    if (direction && !(direction->allFinite() && direction->stableNorm() > 0))
+      return std::string("the direction ") + called + " must be finite and not zero";
+  if (!how.eye) return "";
+  const Eigen::Vector3d up = (how.upward ? *how.upward : view_of(at).up).stableNormalized();
+  if (up.cross(how.eye->stableNormalized()).norm() < least_sine)
+    return "the eye is in the up direction; specify a different `upward`";
+  return "";
 }
+
+} // namespace figures
 
 inline figure draw(model& m, given_state<model> x, given_parameters<model> p, given_inputs<model> r,
                    const figure_options& how) {
   if (const std::string mistake = m.mistake(); !mistake.empty()) return figure::refused(mistake);
-  x.read(m.known()), p.read(m.known()), r.read(m.known());
-  for (const base::sentence& mistake : {x.mistake, p.mistake})
+  x.read(m.known()), p.read(m.known()), r.read(m.known(), false);
+  for (const base::sentence& mistake : {x.mistake, p.mistake, r.mistake})
     if (mistake) return figure::refused(std::string(mistake.view()));
   const figures::geometry at = figures::geometry_of(m, 0, x.values, p.values, r.values);
-  if (!at.status) return figure::refused(at.status.cause());
-  for (const Eigen::Vector3d& each : at.points)
-    if (!each.allFinite())
-      return figure::refused("the position of a point is not finite; specify values for all parameters");
-  figures::view seen = how.upward ? figures::view_of(at, *how.upward) : figures::view_of(at);
-  if (how.eye) seen = figures::detail::view_along(how.eye->normalized(), seen.up);
+  if (const std::string reason = figures::reason_against(at, how); !reason.empty())
+    return figure::refused(reason);
+  figures::view seen =
+      how.upward ? figures::view_of(at, how.upward->stableNormalized()) : figures::view_of(at);
+  if (how.eye) seen = figures::detail::view_along(how.eye->stableNormalized(), seen.up);
   figures::drawing shown(m.system(), at, seen);
   figures::draw_bodies(shown);
   figures::draw_links(shown, how.lengths);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <kanexpr/base/status.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
@@ -15,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,9 +32,9 @@ struct geometry {
   std::vector<Eigen::Matrix3d> inertias{}; ///< about the mass centers; zero for particles
   std::vector<Eigen::Vector3d> forces{}, torques{};
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
-  double size = 1; ///< the largest extent of the points along an axis, but at least that of a body
+  double size = 1; ///< the largest extent of the points along an axis; of the bodies if it is zero
 
-  kanexpr::status status{};
+  std::string cause{}; ///< why there is no geometry; empty if there is one
 };
 
 namespace detail {
@@ -51,12 +51,14 @@ public:
     for (int i = 0; i < 3; ++i) ask(inertial[i]);
   }
 
-  status evaluate(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& p, const Eigen::VectorXd& r) {
+  /// Returns the reason why a value does not exist at this state; empty if all exist.
+  std::string evaluate(double t, const Eigen::VectorXd& x, const Eigen::VectorXd& p,
+                       const Eigen::VectorXd& r) {
     symbolic::matrix all(model_.graph(), asked_.size(), 1);
     for (int i = 0; i < asked_.size(); ++i) all(i, 0) = asked_[i];
     auto values = model_.function(all);
     values_ = values(t, x, p, r, Eigen::VectorXd::Zero(model_.mechanism().speeds.size()));
-    return values.status();
+    return std::string(values.status().cause());
   }
 
   double number() { return values_(next_++); }
@@ -95,11 +97,12 @@ inline Eigen::Vector3d finite_or_zero(const Eigen::Vector3d& v) {
   return v.allFinite() ? v : Eigen::Vector3d(Eigen::Vector3d::Zero());
 }
 
-/// The extent of all points, but at least that of the largest body.
+/// The largest extent of the points along an axis; if it is zero, that of the largest body.
 inline double extent(const geometry& g) {
   Eigen::Vector3d least = Eigen::Vector3d::Zero(), most = least;
   for (const Eigen::Vector3d& p : g.points) least = least.cwiseMin(p), most = most.cwiseMax(p);
   double size = (most - least).maxCoeff();
+  if (size > 0) return size;
   for (std::size_t i = 0; i < g.masses.size(); ++i)
     if (g.masses[i] > 0) size = (std::max)(size, 2 * std::sqrt(g.inertias[i].trace() / g.masses[i]));
   return size > 0 && std::isfinite(size) ? size : 1;
@@ -135,7 +138,7 @@ inline geometry geometry_of(model& m, double t, const Eigen::VectorXd& x, const 
   if (system.loads.has_gravity) loaded.ask(system.loads.gravity);
 
   geometry g;
-  g.status = placed.evaluate(t, x, p, r);
+  g.cause = placed.evaluate(t, x, p, r);
   for (int f = 0; f < mechanism.frames.size(); ++f) {
     Eigen::Matrix3d axes;
     for (int axis = 0; axis < 3; ++axis) axes.col(axis) = placed.vector();
@@ -150,7 +153,7 @@ inline geometry geometry_of(model& m, double t, const Eigen::VectorXd& x, const 
     for (int row = 0; row < 3; ++row) inertia.row(row) = placed.vector();
     g.inertias.push_back(inertia);
   }
-  if (g.status) {
+  if (g.cause.empty()) {
     loaded.evaluate(t, x, p, r); // a load that depends on an unset input is NaN, which is not an error
     for (int i = 0; i < system.loads.forces.size(); ++i)
       g.forces.push_back(detail::finite_or_zero(loaded.vector()));

@@ -3,10 +3,9 @@
 #include <array>
 #include <cctype>
 #include <charconv>
-#include <cmath>
-#include <cstdlib>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 namespace kanexpr::figures {
@@ -30,18 +29,16 @@ inline std::string_view greek(std::string_view word) {
   return word;
 }
 
-} // namespace detail
-
-namespace detail {
-
-/// A decimal number with at most four digits after the decimal point.
+/// A decimal number, rounded to five significant digits if it is long.
 inline std::string shortened(std::string_view number) {
-  constexpr std::size_t digits = 4;
-  const std::size_t point = number.find('.');
-  if (point == std::string_view::npos || number.size() - point - 1 <= digits) return std::string(number);
-  const double rounded = std::round(std::strtod(std::string(number).c_str(), nullptr) * 1e4) / 1e4;
+  constexpr std::size_t longest = 6;
+  double value = 0;
+  if (number.size() <= longest ||
+      std::from_chars(number.data(), number.data() + number.size(), value).ec != std::errc())
+    return std::string(number);
   std::array<char, 32> text{};
-  const auto written = std::to_chars(text.data(), text.data() + text.size(), rounded);
+  const auto written =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, longest - 1);
   return {text.data(), written.ptr};
 }
 
@@ -67,7 +64,11 @@ inline text typeset(std::string_view plain) {
                  "</tspan><tspan dy=\"-3\">\u200b</tspan>";
       out.width += subscript * static_cast<double>(end - at);
     } else if (is(plain[at], std::isdigit)) {
-      while (end < plain.size() && (is(plain[end], std::isdigit) || plain[end] == '.')) ++end;
+      const auto continues = [&] { // an exponent may have a sign
+        return is(plain[end], std::isdigit) || plain[end] == '.' || plain[end] == 'e' ||
+               (end > at && plain[end - 1] == 'e' && (plain[end] == '-' || plain[end] == '+'));
+      };
+      while (end < plain.size() && continues()) ++end;
       const std::string number = detail::shortened(plain.substr(at, end - at));
       out.svg += number;
       out.width += letter * static_cast<double>(number.size());
@@ -76,6 +77,7 @@ inline text typeset(std::string_view plain) {
       end = at + 1;
       out.svg += c == '*'   ? "\u2009"
                  : c == '<' ? "&lt;"
+                 : c == '>' ? "&gt;"
                  : c == '&' ? "&amp;"
                  : c == '-' ? "−"
                             : std::string(1, c);

@@ -71,7 +71,7 @@ inline view view_of(const geometry& g) {
     return Eigen::Vector3d(Eigen::Vector3d::Unit(along));
   };
   if (!g.gravity.isZero()) {
-    const Eigen::Vector3d up = -g.gravity.normalized();
+    const Eigen::Vector3d up = -g.gravity.stableNormalized();
     const bool is_across = detail::is_planar(g, nearest_axis(up)) && g.points.size() > 1;
     if (!is_across) return view_of(g, up);
   }

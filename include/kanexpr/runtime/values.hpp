@@ -123,8 +123,9 @@ public:
   std::vector<bool> is_left_out{}; ///< symbols without a value, which the constraints determine
   base::sentence mistake{};        ///< the first mistake in the values, as a sentence; empty if there is none
 
-  /// Assigns the values to the symbols of a model.
-  void read(const std::shared_ptr<const derivation::survey>& known) {
+  /// Assigns the values to the symbols of a model. Omitted values are zero, and a mistake if `requires_all`,
+  /// except those that the constraints determine.
+  void read(const std::shared_ptr<const derivation::survey>& known, bool requires_all = true) {
     const compiled::symbol_range range = compiled::range_of(which, *known);
     static constexpr describe::system_record nothing_bound{};
     values = Vector(value_vector(known, which));
@@ -138,7 +139,7 @@ public:
     } else {
       values.setZero(); // the default for omitted values
       for (const named_value& each : named_) reader.read(each.what, each.value);
-      reader.check_missing();
+      if (requires_all) reader.check_missing();
       for (int i = 0; i < range.size; ++i) is_left_out[static_cast<std::size_t>(i)] = !reader.is_named(i);
     }
     reader.check_finite();
