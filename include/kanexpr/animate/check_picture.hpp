@@ -67,7 +67,7 @@ struct origin_check {
   sentence mistake{};
 
   template <class Element>
-  constexpr void check() {
+  constexpr void check_origins() {
     if constexpr (shape_element<Element>)
       for (const point_record* p : Element::attachment::points) compare(p);
     else if constexpr (requires { Element::points; })

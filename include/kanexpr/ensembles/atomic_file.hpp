@@ -39,7 +39,7 @@ public:
   }
 
   /// Succeeds if the file does not exist or is a regular file.
-  outcome check() const {
+  outcome check_target() const {
     std::error_code none;
     if (path_.empty()) return outcome("the path of a file is empty");
     return std::filesystem::exists(target_, none) && !std::filesystem::is_regular_file(target_, none)

@@ -21,7 +21,7 @@ public:
 
   /// Leaves the content empty if the file does not exist or is empty.
   outcome read(std::string& content) const {
-    if (outcome checked = file_.check(); !checked) return checked;
+    if (outcome checked = file_.check_target(); !checked) return checked;
     std::ifstream in(file_.target(), std::ios::binary);
     if (!in) return errno == ENOENT ? outcome() : file_.failure("cannot be opened");
     const std::string whole(std::istreambuf_iterator<char>(in), {});

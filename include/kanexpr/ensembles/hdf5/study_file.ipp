@@ -91,7 +91,7 @@ private:
     failure_ = outcome();
     tables_.emplace(layout);
     flushed_ = clock::now();
-    return path_.check();
+    return path_.check_target();
   }
 
   /// Allows files to be opened even if their writer was killed, as the command h5clear does.
