@@ -106,7 +106,7 @@ constexpr sentence check_elements() {
   for (std::string_view word : {"up", "seen_from", "ground", "carried", "files_in"})
     if (times(word) > 1) return sentence({"the picture lists ", word, "<...> twice"});
   origin_check origins;
-  (origins.check<Elements>(), ...);
+  (origins.check_origins<Elements>(), ...);
   return origins.mistake;
 }
 
