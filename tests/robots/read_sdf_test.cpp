@@ -300,7 +300,7 @@ TEST(read_sdf, says_what_is_wrong) {
       "or universal joints");
   EXPECT_THAT(cause_of(two + joint_of("j", "revolute", "a", "c", axis("0 0 1"))),
               HasSubstr("libsdformat reports: "));
-  EXPECT_THAT(cause_of(two), HasSubstr("no joint has link a or link b"));
+  EXPECT_THAT(cause_of(two), HasSubstr("neither link a nor link b is the child of a joint"));
   EXPECT_THAT(cause_of(two + joint_of("j", "revolute", "a", "b",
                                       axis("0 0 1", "<dynamics><damping>-1</damping></dynamics>"))),
               HasSubstr("the damping of joint j is negative"));
