@@ -4,6 +4,7 @@
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/numeric/constrained_motion.hpp>
 #include <kanexpr/numeric/independence.hpp>
+#include <kanexpr/numeric/typical_magnitudes.hpp>
 
 #include <Eigen/Core>
 #include <string>

@@ -304,6 +304,8 @@ private:
 
 #ifndef KANEXPR_COMPILED_ENGINE
 #include <kanexpr/runtime/builder.ipp>
+#include <kanexpr/runtime/builder_constraints.ipp>
+#include <kanexpr/runtime/builder_loads.ipp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #endif

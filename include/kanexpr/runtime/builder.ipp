@@ -4,9 +4,6 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/read/value.hpp>
 #include <kanexpr/mechanics/checks/check.hpp>
-#include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
-#include <kanexpr/mechanics/constraints/given_constraints.hpp>
-#include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
@@ -291,122 +288,6 @@ KANEXPR_ENGINE void builder::changing_inertia(std::string_view body) {
 
 KANEXPR_ENGINE void builder::effective_inertia(std::string_view body) {
   mark_body(body, &mechanics::body::effective, "effective_inertia");
-}
-
-// ---- loads
-
-KANEXPR_ENGINE void builder::force(point_id at, const vector& value) {
-  if (checks_.owns("a force", at, value)) system_.loads.forces.push({place(at), value});
-}
-
-KANEXPR_ENGINE void builder::torque(frame_id on, const vector& value) {
-  if (checks_.owns("a torque", on, value)) system_.loads.torques.push({place(on), value});
-}
-
-KANEXPR_ENGINE void builder::force_between(point_id at, point_id other, const vector& value) {
-  if (checks_.owns("a force", at, other, value)) system_.loads.forces.push({place(at), value, place(other)});
-}
-
-KANEXPR_ENGINE void builder::torque_between(frame_id on, frame_id other, const vector& value) {
-  if (checks_.owns("a torque", on, other, value))
-    system_.loads.torques.push({place(on), value, place(other)});
-}
-
-KANEXPR_ENGINE void builder::gravity(const vector& acceleration) {
-  if (system_.loads.has_gravity)
-    checks_.fail({"gravity is specified twice"});
-  else if (checks_.owns("gravity", acceleration))
-    system_.loads.has_gravity = true, system_.loads.gravity = acceleration;
-}
-
-KANEXPR_ENGINE void builder::potential_energy(expression energy) {
-  if (!checks_.owns("a potential energy", energy)) return;
-  if (energy.is_zero()) checks_.fail({"a potential energy is zero"});
-  system_.loads.potential_energies.push({energy});
-}
-
-KANEXPR_ENGINE void builder::spring(point_id at, point_id other, expression stiffness,
-                                    expression natural_length) {
-  if (checks_.owns("a spring", at, other, stiffness, natural_length))
-    mechanics::add_spring(system_.loads.spring_dampers, place(at), place(other), stiffness, natural_length);
-}
-
-KANEXPR_ENGINE void builder::damper(point_id at, point_id other, expression damping) {
-  if (checks_.owns("a damper", at, other, damping))
-    mechanics::add_damper(system_.loads.spring_dampers, place(at), place(other), damping);
-}
-
-KANEXPR_ENGINE void builder::torsional_spring(expression angle, expression stiffness, expression rest) {
-  constexpr std::string_view whose = "a torsional spring";
-  if (!checks_.owns(whose, angle, stiffness, rest)) return;
-  if (const sentence found = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whose))
-    checks_.fail({found.view()});
-  else
-    system_.loads.potential_energies.push(mechanics::torsional_spring(angle, stiffness, rest));
-}
-
-KANEXPR_ENGINE void builder::torsional_damper(frame_id on, frame_id other, expression damping) {
-  if (checks_.owns("a torsional damper", on, other, damping))
-    system_.loads.torsional_dampers.push({place(on), place(other), damping});
-}
-
-// ---- constraints
-
-KANEXPR_ENGINE void builder::configuration_constraint(expression vanishes) {
-  if (checks_.owns("a configuration constraint", vanishes))
-    system_.constraints.on_configuration.push(vanishes);
-}
-
-KANEXPR_ENGINE bool builder::is_valid_direction(const vector& v, const vector& direction,
-                                                std::string_view whose) {
-  return checks_.owns(whose, v, direction) &&
-         (!direction.is_zero() || checks_.fail({whose, " has a direction of zero length"}));
-}
-
-KANEXPR_ENGINE void builder::configuration_constraint(const zero_components& v) {
-  constexpr std::string_view whose = "a configuration constraint";
-  if (v.directions.empty()) checks_.fail({"zero_along of ", whose, " requires at least one direction"});
-  for (const vector& direction : v.directions)
-    if (is_valid_direction(v.value, direction, whose))
-      system_.constraints.on_configuration.push(derivation::dot(m_, v.value, direction));
-}
-
-KANEXPR_ENGINE void builder::velocity_constraint(expression vanishes) {
-  if (checks_.owns("a velocity constraint", vanishes))
-    system_.constraints.on_velocities.push({vanishes, {}, {}});
-}
-
-KANEXPR_ENGINE void builder::velocity_constraint(const vector& vanishes, const vector& direction) {
-  if (!is_valid_direction(vanishes, direction, "a velocity constraint")) return;
-  const int axes = direction.parts[0].frame;
-  const mechanics::components velocity = mechanics::express(m_, vanishes, axes),
-                              along = mechanics::express(m_, direction, axes);
-  system_.constraints.on_velocities.push({mechanics::dot(velocity, along), vanishes, direction});
-}
-
-KANEXPR_ENGINE void builder::velocity_constraint(const zero_components& v) {
-  if (v.directions.empty())
-    checks_.fail({"zero_along of a velocity constraint requires at least one direction"});
-  for (const vector& direction : v.directions) velocity_constraint(v.value, direction);
-}
-
-KANEXPR_ENGINE void builder::acceleration_constraint(expression vanishes) {
-  if (checks_.owns("an acceleration constraint", vanishes))
-    system_.constraints.on_accelerations.push(vanishes);
-}
-
-KANEXPR_ENGINE void builder::dependent(expression e) {
-  if (!checks_.owns("the argument of dependent", e)) return;
-  const int q = m_.coordinates.find(e), u = m_.speeds.find(e);
-  base::sequence<int>& chosen =
-      q >= 0 ? system_.constraints.dependent_coordinates : system_.constraints.dependent_speeds;
-  const int at = q >= 0 ? q : u;
-  if (at < 0)
-    checks_.fail({"the argument of dependent is neither a coordinate nor a speed"});
-  else if (chosen.contains(at))
-    checks_.fail({mechanics::called(m_, e), " is declared dependent twice"});
-  else
-    chosen.push(at);
 }
 
 } // namespace kanexpr::runtime

@@ -6,6 +6,7 @@
 #include <kanexpr/lower/scalar_math.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/constrained_motion.hpp>
+#include <kanexpr/numeric/typical_magnitudes.hpp>
 #include <kanexpr/steps/fixed_step.hpp>
 #include <kanexpr/steps/unreduced_equations.hpp>
 
