@@ -33,10 +33,7 @@ inline outcome store(const std::string& file, const std::string& called) {
 /// its place.
 class atomic_file {
 public:
-  explicit atomic_file(std::string path) : path_(std::move(path)) {
-    std::error_code none;
-    target_ = std::filesystem::weakly_canonical(std::filesystem::absolute(path_, none), none).string();
-  }
+  explicit atomic_file(std::string path) : path_(std::move(path)), target_(resolved(path_)) {}
 
   /// Succeeds if the file does not exist or is a regular file.
   outcome check_target() const {
@@ -64,6 +61,11 @@ public:
   const std::string& path() const { return path_; }
 
 private:
+  static std::string resolved(const std::string& path) {
+    std::error_code none;
+    return std::filesystem::weakly_canonical(std::filesystem::absolute(path, none), none).string();
+  }
+
   std::string path_, target_;
 };
 

@@ -58,7 +58,7 @@ public:
     for (int i = 0; i < asked_.size(); ++i) all(i, 0) = asked_[i];
     auto values = model_.function(all);
     values_ = values(t, x, p, r, Eigen::VectorXd::Zero(model_.mechanism().speeds.size()));
-    return std::string(values.status().cause());
+    return values.status().cause();
   }
 
   double number() { return values_(next_++); }

@@ -108,17 +108,23 @@ struct system_description {
   const describe::system_record& record;
   std::string_view name;
   manifold_factory create_manifold; ///< null if there are neither constraints nor quaternions
-
-  int states() const { return known.coordinates + known.speeds; }
 };
 
 /// The interface of a system in a simulation: its survey, and functions over plain arrays in the order of its
 /// vectors. Implementations add its parameters and options. Code that uses only this interface does not
 /// depend on the model and is compiled without it.
-class system_interface : public system_description {
+class system_interface {
 public:
-  explicit system_interface(const system_description& of) : system_description(of) {}
+  explicit system_interface(const system_description& of)
+      : known(of.known), record(of.record), name(of.name), create_manifold(of.create_manifold) {}
   virtual ~system_interface() = default;
+
+  const derivation::survey& known;
+  const describe::system_record& record;
+  const std::string_view name;
+  const manifold_factory create_manifold; ///< see `system_description`
+
+  int states() const { return known.coordinates + known.speeds; }
 
   /// Evaluates results at an instant, each in column-major order. Results that the method or the system does
   /// not need remain unchanged.

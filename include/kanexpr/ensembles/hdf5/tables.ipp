@@ -19,8 +19,8 @@ class growing_table {
   static constexpr std::size_t chunk_bytes = 131072; // several chunks fit into HDF5's cache of a dataset
 
 public:
-  growing_table(const char* name, row_type columns)
-      : name_(name), type_(std::move(columns)),
+  growing_table(std::string name, row_type columns)
+      : name_(std::move(name)), type_(std::move(columns)),
         chunk_rows_((std::max)(chunk_bytes / (type_.size() + !type_), std::size_t{1})) {}
 
   bool create(hid_t file, int compression) {
@@ -30,13 +30,14 @@ public:
     if (!type_ || H5Pset_chunk(how.id(), 1, &chunk) < 0 || H5Pset_obj_track_times(how.id(), false) < 0 ||
         (compression > 0 && H5Pset_deflate(how.id(), static_cast<unsigned>(compression)) < 0))
       return false;
-    rows_ = {H5Dcreate2(file, name_, type_.id(), space.id(), H5P_DEFAULT, how.id(), H5P_DEFAULT), &H5Dclose};
+    rows_ = {H5Dcreate2(file, name_.c_str(), type_.id(), space.id(), H5P_DEFAULT, how.id(), H5P_DEFAULT),
+             &H5Dclose};
     return rows_ && write_attribute(rows_.id(), "units", type_.units());
   }
 
   /// Opens a table of an interrupted study, in which new rows follow the first `done` rows.
   bool open(hid_t file, hsize_t done) {
-    rows_ = {H5Dopen2(file, name_, H5P_DEFAULT), &H5Dclose};
+    rows_ = {H5Dopen2(file, name_.c_str(), H5P_DEFAULT), &H5Dclose};
     const hdf5_handle type(H5Dget_type(rows_.id()), &H5Tclose), space(H5Dget_space(rows_.id()), &H5Sclose);
     done_ = done;
     return type_ && H5Tequal(type.id(), type_.id()) > 0 &&
@@ -81,7 +82,7 @@ public:
   void abandon() { rows_.release(); }
 
 private:
-  const char* name_;
+  std::string name_;
   row_type type_;
   hdf5_handle rows_{};
   std::size_t chunk_rows_;
