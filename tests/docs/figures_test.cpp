@@ -1,22 +1,70 @@
-// Figures: docs/figures.md. The figure of the page is the one that its code draws.
+// Figures: docs/figures.md and the pages with figures. Each figure is the one that the code on its page
+// draws.
+#include "docs/printed.hpp"
+#include "docs/text.hpp"
+
 #include <docs/figures/crane.cpp>
+#include <docs/guide/forces/carriage.cpp>
+#include <docs/guide/frames/crane.cpp>
+#include <docs/guide/kanes-equations/pendulums.cpp>
+#include <docs/guide/masses/hammer.cpp>
+#include <docs/guide/points/slider.cpp>
+#include <docs/guide/vectors/kite.cpp>
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <iostream>
 #include <sstream>
+#include <string>
 
 namespace {
 
 using namespace kanexpr;
 
+// The committed figure is what the model of its page draws now; if not, the new one is in the folder of this
+// test.
+void expect_on_page(const std::string& file, const figure& f) {
+  ASSERT_TRUE(f) << file << ": " << f.cause();
+  std::ostringstream page;
+  page << std::ifstream(KANEXPR_DOCS "/" + file).rdbuf();
+  std::string drawn = file;
+  for (char& each : drawn)
+    if (each == '/') each = '.';
+  ASSERT_TRUE(f.write(drawn));
+  EXPECT_EQ(f.svg(), page.str()) << "copy " << drawn << " from the folder of this test to docs/" << file;
+}
+
 TEST(figures, are_those_of_the_page) {
 #include <docs/figures/drawn.cpp>
-  ASSERT_TRUE(f) << f.cause();
-  std::ostringstream page;
-  page << std::ifstream(KANEXPR_DOCS "/figures/crane.svg").rdbuf();
-  EXPECT_EQ(f.svg(), page.str()) << "copy crane.svg from the folder of this test to docs/figures";
+  expect_on_page("figures/crane.svg", f);
+}
+
+TEST(figures, are_those_of_the_guide) {
+  expect_on_page("guide/vectors/kite.svg",
+                 draw<kite::System>({{"x", 1.5}, {"y", 1.1}, {"u", 0}, {"v", 0}}, {{"m", 1}, {"theta", 0.4}},
+                                    {{"D", 1}, {"L", 1}}));
+  expect_on_page(
+      "guide/frames/crane.svg",
+      draw<jib_crane::System>({{"psi", 0.8}, {"theta", 0.4}, {"u1", 0}, {"u2", 0}}, {{"h", 1}, {"l", 1.4}, {"m", 1}}));
+  expect_on_page("guide/points/slider.svg", draw<slider::System>({{"q", 0.5}, {"s", 1.2}, {"u", 0}, {"v", 0}},
+                                                                 {{"a", 0.7}, {"m", 1}, {"J", 1}}));
+  expect_on_page(
+      "guide/masses/hammer.svg",
+      draw<hammer::System>({{"q", -1}, {"u", 0}}, {{"d", 0.7}, {"l", 1.5}, {"m", 1}, {"M", 1}, {"J", 0.2}}));
+  expect_on_page("guide/forces/carriage.svg",
+                 draw<carriage::System>({{"x", 1.5}, {"q", 0.4}, {"u", 0}, {"w", 0}},
+                                        {{"m1", 1}, {"m2", 1}, {"l", 1}, {"k", 1}, {"c", 1}, {"g", 9.81}},
+                                        {{"F", 1}, {"T", 1}}));
+  expect_on_page("guide/kanes-equations/pendulums.svg",
+                 draw<pendulums::System>({{"q1", 0.4}, {"q2", 0.9}, {"u1", 0}, {"u2", 0}},
+                                         {{"m", 1}, {"l", 1}, {"g", 9.81}}));
+}
+
+TEST(figures, show_the_system_of_these_equations) {
+  docs::printed output;
+#include <docs/guide/kanes-equations/derived.cpp>
+  EXPECT_EQ(output.text(), docs::text("docs/guide/kanes-equations/printed.text"));
 }
 
 } // namespace

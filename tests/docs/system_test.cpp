@@ -1,4 +1,5 @@
-// The words of a model: docs/guide/words.md.
+// A system and its parts: the pages vectors, frames, points, masses, forces and kanes-equations of
+// docs/guide.
 #include "docs/complete.hpp"
 #include "docs/no_mistake.hpp"
 
@@ -46,7 +47,7 @@ constexpr prescribed<"s"> s;
 
 namespace symbols {
 
-#include <docs/guide/words/symbols.cpp>
+#include <docs/guide/vectors/symbols.cpp>
 
 struct N : inertial_frame<N> {};
 struct O : origin<O, N> {};
@@ -55,7 +56,7 @@ struct Bead : particle<Bead, P, m> {};
 struct System : kane_system<inertial<N>, coordinates<q<1>>, speeds<u1>, kinematics<dot(q<1>) == u1>,
                             bodies<Bead>, loads<force<P, F * t * N::x>>> {};
 
-TEST(words, are_symbols) {
+TEST(systems, are_symbols) {
   expect_no_mistake<System>();
   EXPECT_EQ(symbolic::print(derive<System>().qdot()), "[u1]");
 }
@@ -66,7 +67,7 @@ namespace frames {
 
 using namespace given;
 
-#include <docs/guide/words/frames.cpp>
+#include <docs/guide/frames/orientations.cpp>
 
 struct O : origin<O, N> {};
 struct P : offset<P, O, B::x + C::y + D::z> {};
@@ -79,7 +80,7 @@ struct System : kane_system<inertial<N>, coordinates<q1, q2, q3, e0, e1, e2, e3>
                                        dot(e1) == u4, dot(e2) == v1, dot(e3) == speed<"v2">{}>,
                             bodies<Bead, Other>> {};
 
-TEST(words, are_frames) { expect_no_mistake<System>(); }
+TEST(systems, are_frames) { expect_no_mistake<System>(); }
 
 } // namespace frames
 
@@ -94,7 +95,7 @@ struct R : rotated<R, L, q3, L::y> {};
 struct B : rotated<B, A, q4, A::z> {};
 struct C : origin<C, N> {};
 
-#include <docs/guide/words/points.cpp>
+#include <docs/guide/points/points.cpp>
 
 struct First : particle<First, Q, m> {};
 struct Second : particle<Second, G, m> {};
@@ -104,7 +105,7 @@ struct System
                   kinematics<dot(q1) == u1, dot(q2) == u2, dot(q3) == u3, dot(q4) == v1, dot(x) == v1>,
                   bodies<First, Second, Third>> {};
 
-TEST(words, are_points) { expect_no_mistake<System>(); }
+TEST(systems, are_points) { expect_no_mistake<System>(); }
 
 } // namespace points
 
@@ -123,22 +124,22 @@ struct Q : offset<Q, O, l * N::y> {};
 struct G : offset<G, O, 0.0 * N::x> {};
 struct Beyond : rigid_body<Beyond, G, B, m, inertia<B, 0, 0, I>> {};
 
-#include <docs/guide/words/bodies.cpp>
+#include <docs/guide/masses/bodies.cpp>
 
 template <class Loads>
 struct system : kane_system<inertial<N>, coordinates<q1, q2, q3, q4>, speeds<u1, u2, u3, u4>,
                             kinematics<dot(q1) == u1, dot(q2) == u2, dot(q3) == u3, dot(q4) == u4>,
                             bodies<Bob, Link, Rod, Wheel, Beyond>, Loads> {};
 
-TEST(words, are_bodies_and_loads) {
+TEST(systems, are_bodies_and_loads) {
   expect_no_mistake<system<
-#include <docs/guide/words/loads.cpp>
+#include <docs/guide/forces/loads.cpp>
       >>();
   expect_no_mistake<system<loads<
-#include <docs/guide/words/between.cpp>
+#include <docs/guide/forces/between.cpp>
       >>>();
   expect_no_mistake<system<loads<
-#include <docs/guide/words/motion.cpp>
+#include <docs/guide/forces/motion.cpp>
       >>>();
 }
 
@@ -153,12 +154,12 @@ struct N : inertial_frame<N> {};
 struct O : origin<O, N> {};
 struct P : offset<P, O, x * N::z> {};
 
-#include <docs/guide/words/rocket.cpp>
+#include <docs/guide/masses/rocket.cpp>
 
-TEST(words, are_a_rocket) {
+TEST(systems, are_a_rocket) {
   state<System> now{{x, 0}, {u, 100}};
   input_values<System> r;
-#include <docs/guide/words/burning.cpp>
+#include <docs/guide/masses/burning.cpp>
   const parameter_values<System> p{{g, 9.81}};
   EXPECT_NEAR(equations_of_motion<System>::udot(now, p, r)[0], 3000 * 2.23 / 39.4 - 9.81, 1e-9);
 }
@@ -173,12 +174,12 @@ constexpr speed<"u"> u;
 struct N : inertial_frame<N> {};
 struct O : origin<O, N> {};
 
-#include <docs/guide/words/tube.cpp>
+#include <docs/guide/points/tube.cpp>
 
-TEST(words, are_a_tube) {
+TEST(systems, are_a_tube) {
   state<System> x{{q, 2}, {u, 0}};
   input_values<System> r;
-#include <docs/guide/words/turning.cpp>
+#include <docs/guide/points/turning.cpp>
   const parameter_values<System> p{{m, 3}};
   EXPECT_NEAR(equations_of_motion<System>::udot(x, p, r)[0], 2 * 2.94 * 2.94, 1e-9);
 }
@@ -198,13 +199,13 @@ struct Q : offset<Q, P, l * B::x> {};
 struct Link : rigid_body<Link, Q, B, m, inertia<B, 0, 0, m * l * l>> {};
 struct Bob : particle<Bob, P, m> {};
 
-#include <docs/guide/words/system.cpp>
+#include <docs/guide/kanes-equations/system.cpp>
 
-TEST(words, are_a_system) { expect_no_mistake<System>(); }
+TEST(systems, are_a_system) { expect_no_mistake<System>(); }
 
-#include <docs/guide/words/extended.cpp>
+#include <docs/guide/kanes-equations/extended.cpp>
 
-TEST(words, extend_a_system) {
+TEST(systems, extend_a_system) {
   const auto pushed = derive<Pushed>();
   EXPECT_EQ(pushed.mistake(), "");
   EXPECT_EQ(input_values<Pushed>::SizeAtCompileTime, 2);
@@ -217,7 +218,7 @@ namespace orientations {
 using namespace given;
 struct N : inertial_frame<N> {};
 
-#include <docs/guide/words/orientations.cpp>
+#include <docs/guide/kanes-equations/angular_velocities.cpp>
 
 struct C : origin<C, N> {};
 struct Angles : rigid_body<Angles, C, B, m, inertia<B, I, I, I>> {};
@@ -227,13 +228,13 @@ struct Quaternion : rigid_body<Quaternion, C, Q, m, inertia<Q, I, I, I>> {};
 struct OfAngles : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u2, u3>,
                               kinematics<kinematics_of<B, N>>, bodies<Angles>> {};
 struct OfTurns : kane_system<inertial<N>, coordinates<q1, q2, q3, q4>, speeds<u1, u2, u3, u4>,
-#include <docs/guide/words/kinematics_of.cpp>
+#include <docs/guide/kanes-equations/kinematics_of.cpp>
                              , bodies<Turns>, loads<potential_energy<q4 * q4>>> {
 };
 struct OfQuaternion : kane_system<inertial<N>, coordinates<e0, e1, e2, e3>, speeds<u1, u2, u3>,
                                   kinematics<kinematics_of<Q, N>>, bodies<Quaternion>> {};
 
-TEST(words, are_orientations) {
+TEST(systems, are_orientations) {
   expect_no_mistake<OfAngles>();
   expect_no_mistake<OfTurns>();
   expect_no_mistake<OfQuaternion>();
@@ -250,14 +251,14 @@ using namespace given;
 struct N : inertial_frame<N> {};
 struct Frame : rotated<Frame, N, q1, N::x> {};
 
-#include <docs/guide/words/wheel.cpp>
+#include <docs/guide/frames/wheel.cpp>
 
 struct C : origin<C, N> {};
 struct Body : rigid_body<Body, C, Wheel, m, inertia<Frame, I, J, I>> {};
 struct System
     : kane_system<inertial<N>, coordinates<q1>, speeds<u1, u3>, kinematics<dot(q1) == u1>, bodies<Body>> {};
 
-TEST(words, are_a_wheel) { expect_no_mistake<System>(); }
+TEST(systems, are_a_wheel) { expect_no_mistake<System>(); }
 
 } // namespace wheel
 } // namespace
