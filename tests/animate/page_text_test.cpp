@@ -6,8 +6,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 namespace {
 
@@ -107,19 +109,89 @@ TEST(page_text, holds_everything_to_seven_digits) {
   const kanexpr::animation a = pendulum_along(swing({0.3, -1.2}));
   const auto text = nlohmann::json::parse(kanexpr::animate::page_text(a, "A pendulum", "It swings."));
   EXPECT_EQ(text["title"], "A pendulum");
-  EXPECT_EQ(text["times"], nlohmann::json({0.0, 0.1}));
   EXPECT_EQ(text["ground"], -1.4);
-  EXPECT_EQ(text["columns"][0], nlohmann::json({{"name", "q"}, {"values", {0.3, -1.2}}}));
-  ASSERT_EQ(text["shapes"].size(), 4u);
-  const auto &sphere = text["shapes"][2], &axes = text["shapes"][3];
-  EXPECT_EQ(sphere["rows"], nlohmann::json({0.6687355, 0.2068641, 0.0, 0.2536504, -0.6524274, 0.0}));
+  ASSERT_EQ(text["runs"].size(), 1u);
+  const auto& run = text["runs"][0];
+  EXPECT_EQ(run["times"], nlohmann::json({0.0, 0.1}));
+  EXPECT_EQ(run["columns"][0], nlohmann::json({{"name", "q"}, {"values", {0.3, -1.2}}}));
+  ASSERT_EQ(run["shapes"].size(), 4u);
+  const auto &rod = run["shapes"][1], &sphere = run["shapes"][2], &axes = run["shapes"][3];
   EXPECT_EQ(sphere["sizes"], nlohmann::json::array({0.07}));
   EXPECT_EQ(sphere["colour"], "#c0392b");
   EXPECT_EQ(axes["placed"], "pose");
   EXPECT_EQ(axes["opacity"], 0.5);
-  EXPECT_EQ(axes["rows"].size(), 14u);
-  EXPECT_EQ(axes["rows"][5], 0.1494381); // sin 0.15
   EXPECT_FALSE(axes.contains("colour"));
+
+  ASSERT_EQ(run["tracks"].size(), 2u);
+  EXPECT_EQ(run["tracks"][0],
+            nlohmann::json({{"turns", true},
+                            {"rows",
+                             {0.6687355, 0.2068641, 0.0, 0.0, 0.0, 0.1494381, 0.9887711, 0.2536504,
+                              -0.6524274, 0.0, 0.0, 0.0, -0.5646425, 0.8253356}}}));
+  EXPECT_EQ(run["tracks"][1],
+            nlohmann::json({{"turns", true}, {"rows", {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}}}));
+  EXPECT_EQ(rod["anchors"], nlohmann::json({{{"track", 1}}, {{"track", 0}}}));
+  for (const auto* each : {&sphere, &axes})
+    EXPECT_EQ((*each)["anchors"], nlohmann::json::array({{{"track", 0}}}));
+}
+
+/// Rods between points of two bodies that a hinge joins, and a point that moves by itself.
+kanexpr::animation hinged_bodies(int times) {
+  using Eigen::Vector3d;
+  kanexpr::animation a;
+  const Vector3d hinge(0.4, 0.1, 0);
+  const std::pair<bool, Vector3d> corners[]{
+      {false, {0, 0, 0}},  {false, {0, 0.5, 0.1}},  {false, {0.2, 0, 0.3}}, {false, hinge},
+      {true, {0.6, 0, 0}}, {true, {0.3, 0.2, 0.4}}, {true, {0.1, 0, -1}}};
+  for (int k = 0; k < times; ++k) a.times.push_back(0.1 * k);
+  const auto place = [&](const std::pair<bool, Vector3d>& corner, double t) -> Vector3d {
+    const auto turn = [](double angle, const Vector3d& axis) {
+      return Eigen::AngleAxisd(angle, axis.normalized());
+    };
+    const auto first = turn(0.9 * t, {1, 2, 3});
+    const Vector3d from(t, std::sin(t), -0.3 * t);
+    if (!corner.first) return from + first * corner.second;
+    return from + first * (hinge + turn(std::cos(t), {0, 0, 1}) * corner.second);
+  };
+  for (const auto& from : corners)
+    for (const auto& to : corners) {
+      if (from.first != to.first || &from >= &to) continue;
+      auto& s = a.shapes.emplace_back();
+      s.kind = "rod", s.placed_by = kanexpr::animate::placement_kind::ends;
+      for (double t : a.times) s.placements.push_back({place(from, t), place(to, t)});
+    }
+  auto& s = a.shapes.emplace_back();
+  s.kind = "sphere";
+  for (double t : a.times) s.placements.push_back({Vector3d(t * t, 1, std::exp(-t))});
+  return a;
+}
+
+TEST(tracks, are_those_of_the_rigid_bodies) {
+  const kanexpr::animation a = hinged_bodies(30);
+  const kanexpr::animate::tracks found = kanexpr::animate::tracks_of(a);
+  ASSERT_EQ(found.all.size(), 3u);
+  EXPECT_TRUE(found.all[0].is_body() && found.all[1].is_body());
+  EXPECT_FALSE(found.all[2].is_body());
+  ASSERT_EQ(found.of_shape.size(), a.shapes.size());
+  for (std::size_t i = 0; i < a.shapes.size(); ++i)
+    for (std::size_t end = 0; end < found.of_shape[i].size(); ++end) {
+      const kanexpr::animate::anchor& at = found.of_shape[i][end];
+      const kanexpr::animate::track& body = found.all[at.track];
+      for (std::size_t k = 0; k < a.times.size(); ++k) {
+        const Eigen::Vector3d from = body.positions.col(static_cast<Eigen::Index>(k));
+        const Eigen::Vector3d here = body.is_body() ? from + body.orientations[k] * at.position : from;
+        const kanexpr::animate::placement& was = a.shapes[i].placements[k];
+        EXPECT_LT((here - (end == 0 ? was.position : was.end)).norm(), 1e-14);
+      }
+    }
+}
+
+TEST(tracks, separate_what_moves_by_more_than_the_digits_of_a_page) {
+  kanexpr::animation a = hinged_bodies(30);
+  for (kanexpr::animation::shape& s : a.shapes) s.placements[17].position(0) += 1e-8;
+  EXPECT_EQ(kanexpr::animate::tracks_of(a).all.size(), 3u);
+  a.shapes[0].placements[17].position(0) += 1e-6;
+  EXPECT_EQ(kanexpr::animate::tracks_of(a).all.size(), 4u);
 }
 
 TEST(page_text, names_the_time_beside_what_the_model_names) {
@@ -227,11 +299,12 @@ TEST_F(page, holds_the_file_of_a_mesh_once) {
   const std::size_t from = all.find("{"), to = all.rfind("}") + 1;
   const auto text = nlohmann::json::parse(all.substr(from, to - from));
   EXPECT_EQ(text["files"], nlohmann::json({{{"name", "head.stl"}, {"kind", "stl"}, {"data", "Zm9vYmFy"}}}));
-  ASSERT_EQ(text["shapes"].size(), 4u);
-  EXPECT_FALSE(text["shapes"][1].contains("file"));
+  const auto& shapes = text["runs"][0]["shapes"];
+  ASSERT_EQ(shapes.size(), 4u);
+  EXPECT_FALSE(shapes[1].contains("file"));
   for (const std::size_t i : {2u, 3u}) {
-    EXPECT_EQ(text["shapes"][i]["file"], "head.stl");
-    EXPECT_EQ(text["shapes"][i]["sizes"], nlohmann::json({1.0, -0.7, 0.01}));
+    EXPECT_EQ(shapes[i]["file"], "head.stl");
+    EXPECT_EQ(shapes[i]["sizes"], nlohmann::json({1.0, -0.7, 0.01}));
   }
 }
 

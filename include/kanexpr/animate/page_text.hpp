@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/animation.hpp>
+#include <kanexpr/animate/tracks.hpp>
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/base/mesh_kind.hpp>
 #include <kanexpr/base/name_of_time.hpp>
@@ -11,6 +12,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
@@ -104,31 +106,83 @@ inline nlohmann::json list_of(const Eigen::Vector3d& v) {
   return list_of(std::vector<double>(v.begin(), v.end()));
 }
 
-/// Returns the placements, row by row: 3 numbers for a place, 6 for two ends, and 7 for a pose, whose last
-/// four are the quaternion x, y, z, w.
-inline std::vector<double> rows_of(const animation::shape& s) {
-  std::vector<double> all;
-  for (const placement& here : s.placements) {
-    all.insert(all.end(), here.position.begin(), here.position.end());
-    if (s.placed_by == placement_kind::ends) all.insert(all.end(), here.end.begin(), here.end.end());
-    if (s.placed_by != placement_kind::pose) continue;
-    const Eigen::Quaterniond turned(here.orientation);
-    all.insert(all.end(), {turned.x(), turned.y(), turned.z(), turned.w()});
-  }
-  return all;
+inline std::vector<double> numbers_of_turn(const Eigen::Matrix3d& orientation) {
+  const Eigen::Quaterniond turned(orientation);
+  return {turned.x(), turned.y(), turned.z(), turned.w()};
 }
 
-inline nlohmann::json shape_text(const animation::shape& s) {
+/// Rounds to seven decimals of the power of ten above `largest`.
+class decimals {
+public:
+  explicit decimals(double largest)
+      : exponent_(largest > 0 ? 7 - static_cast<int>(std::ceil(std::log10(largest))) : 0),
+        power_(std::pow(10.0, std::abs(exponent_))) {}
+
+  double rounded(double value) const {
+    const double whole =
+        exponent_ < 0 ? std::round(value / power_) * power_ : std::round(value * power_) / power_;
+    return base::equal(whole, 0.0) ? 0 : whole; // no −0
+  }
+
+private:
+  int exponent_;
+  double power_;
+};
+
+/// Returns the rows of a track: 3 numbers for each time, or 7 for a body, whose last four are the quaternion
+/// x, y, z, w. A track that stays in place has one row.
+inline nlohmann::json track_text(const track& t) {
+  const decimals places(t.positions.cwiseAbs().maxCoeff()), turns(1);
+  std::vector<double> rows, row, first;
+  bool moves = false;
+  for (Eigen::Index k = 0; k < t.positions.cols(); ++k) {
+    row.clear();
+    for (const double x : t.positions.col(k)) row.push_back(places.rounded(x));
+    if (t.is_body())
+      for (const double x : numbers_of_turn(t.orientations[static_cast<std::size_t>(k)]))
+        row.push_back(turns.rounded(x));
+    if (k == 0) first = row;
+    moves = moves || row != first;
+    rows.insert(rows.end(), row.begin(), row.end());
+  }
+  return {{"turns", t.is_body()}, {"rows", moves ? rows : first}};
+}
+
+inline nlohmann::json anchor_text(const anchor& a, bool turns) {
+  nlohmann::json one{{"track", a.track}};
+  if (!a.position.isZero(0)) one["at"] = list_of(a.position);
+  if (turns && !a.orientation.isIdentity(0)) one["turn"] = list_of(numbers_of_turn(a.orientation));
+  return one;
+}
+
+inline nlohmann::json shape_text(const animation::shape& s, const std::vector<anchor>& anchors) {
   constexpr const char* kinds_of_placement[]{"place", "ends", "pose"};
   nlohmann::json one{{"name", s.name},
                      {"kind", s.kind},
                      {"placed", kinds_of_placement[static_cast<int>(s.placed_by)]},
                      {"opacity", s.opacity},
                      {"sizes", list_of(s.sizes)},
-                     {"rows", list_of(rows_of(s))}};
+                     {"anchors", nlohmann::json::array()}};
+  for (const anchor& a : anchors)
+    one["anchors"].push_back(anchor_text(a, s.placed_by == placement_kind::pose));
   if (!s.colour.empty()) one["colour"] = s.colour;
   if (!s.file.empty()) one["file"] = s.file;
   return one;
+}
+
+/// Returns the motion of one run: its times, tracks, shapes and columns.
+inline nlohmann::json run_text(const animation& a) {
+  nlohmann::json run{{"times", list_of(a.times)},
+                     {"tracks", nlohmann::json::array()},
+                     {"shapes", nlohmann::json::array()},
+                     {"columns", nlohmann::json::array()}};
+  const tracks found = tracks_of(a);
+  for (const track& t : found.all) run["tracks"].push_back(track_text(t));
+  for (std::size_t i = 0; i < a.shapes.size(); ++i)
+    run["shapes"].push_back(shape_text(a.shapes[i], found.of_shape[i]));
+  for (const animation::column& c : a.columns)
+    run["columns"].push_back({{"name", c.name}, {"values", list_of(c.values)}});
+  return run;
 }
 
 inline std::string written(const nlohmann::json& all) {
@@ -152,18 +206,13 @@ inline std::string page_text(const animation& a, const std::string& title, const
   nlohmann::json all{
       {"title", title},
       {"text", text},
-      {"times", list_of(a.times)},
       {"nameOfTime", base::name_of_time([&](const std::string& name) { return is_among(a.columns, name); })},
       {"up", list_of(a.up)},
       {"carried", a.carried},
-      {"shapes", nlohmann::json::array()},
-      {"columns", nlohmann::json::array()},
+      {"runs", nlohmann::json::array({run_text(a)})},
       {"files", nlohmann::json::array()}};
   if (a.seen_from) all["seenFrom"] = list_of(*a.seen_from);
   if (a.ground) all["ground"] = rounded(*a.ground);
-  for (const animation::shape& s : a.shapes) all["shapes"].push_back(shape_text(s));
-  for (const animation::column& c : a.columns)
-    all["columns"].push_back({{"name", c.name}, {"values", list_of(c.values)}});
   for (const mesh_file& f : files) all["files"].push_back(file_text(f));
   std::string page = written(all);
   for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at))

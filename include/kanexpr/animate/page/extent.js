@@ -1,39 +1,32 @@
 // The position and size of a system.
 import { Box3, Sphere, Vector3 } from 'three';
 
-function moments(count) {
+function momentsOf(times) {
   const most = 60;
-  const step = Math.max(1, Math.floor(count / most));
-  const found = [];
-  for (let index = 0; index < count; index += step) found.push({ index, part: 0 });
-  return found;
+  return times.filter((_, index) => index % Math.max(1, Math.floor(times.length / most)) === 0);
 }
 
-/// `middle(now)` is the center of the system, at its current position if it travels; `size` is the radius of
-/// the region to show around it.
-export function extent(model, solids, count, travels) {
-  const boxAt = (now) => {
-    for (const object of solids) object.show(now);
-    model.updateMatrixWorld(true);
-    return solids.reduce((box, object) => box.expandByObject(object), new Box3());
-  };
-  const mean = (now) => {
+/// `middle()` is the center of the first run as it is shown, at its current position if it travels; `size` is
+/// the radius of the region to show around it.
+export function extent(model, runs, travels) {
+  const mean = ({ solids }) => {
     const sum = new Vector3();
-    for (const object of solids) {
-      object.show(now);
-      sum.add(object.position);
-    }
+    for (const object of solids) sum.add(object.position);
     return sum.divideScalar(solids.length).applyQuaternion(model.quaternion);
   };
-  if (solids.length === 0) return { middle: () => new Vector3(), size: 1 };
+  if (runs.every(({ solids }) => solids.length === 0)) return { middle: () => new Vector3(), size: 1 };
 
   const whole = new Box3();
-  for (const now of moments(count)) {
-    const box = boxAt(now);
-    whole.union(travels ? box.translate(mean(now).negate()) : box);
+  for (const run of runs) {
+    for (const time of momentsOf(run.times)) {
+      run.show(time);
+      model.updateMatrixWorld(true);
+      const box = run.solids.reduce((all, object) => all.expandByObject(object), new Box3());
+      whole.union(travels ? box.translate(mean(run).negate()) : box);
+    }
   }
   const { center, radius } = whole.getBoundingSphere(new Sphere());
   const size = radius > 0 ? radius : 1;
   if (!travels) return { middle: () => center, size };
-  return { middle: (now) => mean(now).add(center), size };
+  return { middle: () => mean(runs[0]).add(center), size };
 }

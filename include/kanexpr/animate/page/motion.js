@@ -1,4 +1,4 @@
-// Interpolation between the samples.
+// The tracks of a motion, interpolated between the samples.
 import { Quaternion, Vector3 } from 'three';
 
 /// The last sample at or before a time, and the fraction of the interval to the next one, from 0 to 1.
@@ -18,17 +18,51 @@ export function between(values, { index, part }) {
   return part === 0 ? values[index] : values[index] + part * (values[index + 1] - values[index]);
 }
 
-export function placeBetween(rows, stride, first, { index, part }, result = new Vector3()) {
-  const at = index * stride + first;
-  result.fromArray(rows, at);
-  return part === 0 ? result : result.lerp(next.fromArray(rows, at + stride), part);
-}
-
-export function turnBetween(rows, stride, first, { index, part }, result = new Quaternion()) {
-  const at = index * stride + first;
-  result.fromArray(rows, at).normalize();
-  return part === 0 ? result : result.slerp(nextTurn.fromArray(rows, at + stride).normalize(), part);
-}
-
 const next = new Vector3();
 const nextTurn = new Quaternion();
+
+/// The path of a point or the poses of a rigid body. `show` sets its position and orientation.
+export class Track {
+  #rows;
+  #stride;
+
+  constructor({ turns, rows }) {
+    this.#rows = rows;
+    this.#stride = turns ? 7 : 3;
+    this.position = new Vector3();
+    this.turn = new Quaternion();
+    this.show({ index: 0, part: 0 });
+  }
+
+  get isFixed() {
+    return this.#rows.length === this.#stride;
+  }
+
+  show({ index, part }) {
+    const moves = !this.isFixed;
+    const at = moves ? index * this.#stride : 0;
+    this.position.fromArray(this.#rows, at);
+    if (this.#stride === 7) this.turn.fromArray(this.#rows, at + 3).normalize();
+    if (!moves || part === 0) return;
+    this.position.lerp(next.fromArray(this.#rows, at + this.#stride), part);
+    if (this.#stride === 7)
+      this.turn.slerp(nextTurn.fromArray(this.#rows, at + this.#stride + 3).normalize(), part);
+  }
+}
+
+/// A point or a frame that is fixed in the body of a track.
+export class Anchor {
+  constructor({ track, at = [0, 0, 0], turn = [0, 0, 0, 1] }, tracks) {
+    this.track = tracks[track];
+    this.at = new Vector3(...at);
+    this.own = new Quaternion(...turn).normalize();
+  }
+
+  position(result) {
+    return result.copy(this.at).applyQuaternion(this.track.turn).add(this.track.position);
+  }
+
+  turn(result) {
+    return result.copy(this.track.turn).multiply(this.own);
+  }
+}

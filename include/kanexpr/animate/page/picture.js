@@ -4,8 +4,7 @@ import { Camera } from './camera.js';
 import { extent } from './extent.js';
 import { ground } from './ground.js';
 import { Meshes, trianglesIn } from './meshes.js';
-import { moment } from './motion.js';
-import { objectOf } from './shapes.js';
+import { Run } from './run.js';
 import { stage } from './stage.js';
 import { tell } from './trouble.js';
 
@@ -13,13 +12,13 @@ import { tell } from './trouble.js';
 export function picture(motion, draw, view, changed) {
   const model = new Group();
   const meshes = new Meshes(motion.files);
-  const objects = motion.shapes.map((shape, index) => objectOf(shape, index, meshes));
+  const runs = motion.runs.map((run) => new Run(run, meshes));
+  const { objects } = runs[0];
   if (meshes.broken.length > 0)
     tell(`These files cannot be shown: ${meshes.broken.join(', ')}.`, true);
-  const solids = objects.filter((_, i) => motion.shapes[i].kind !== 'trace');
   model.quaternion.setFromUnitVectors(new Vector3(...motion.up), new Vector3(0, 1, 0));
-  model.add(...objects);
-  const { middle, size } = extent(model, solids, motion.times.length, motion.carried);
+  model.add(...runs.flatMap((run) => run.objects));
+  const { middle, size } = extent(model, runs, motion.carried);
   const scene = stage(size);
   const plane = motion.ground === undefined ? undefined : ground(motion.ground, size);
   scene.add(model, ...(plane ? [plane] : []));
@@ -36,7 +35,8 @@ export function picture(motion, draw, view, changed) {
     camera.resize(view.clientWidth, view.clientHeight);
     changed();
   }
-  camera.target.copy(middle(moment(motion.times, motion.times[0])));
+  for (const run of runs) run.show(run.times[0]);
+  camera.target.copy(middle());
   resize();
   camera.home();
   new ResizeObserver(resize).observe(view);
@@ -62,9 +62,9 @@ export function picture(motion, draw, view, changed) {
       });
       return { triangles, least: box.min.toArray(), most: box.max.toArray() };
     },
-    show(now) {
-      for (const object of objects) object.show(now);
-      const target = middle(now);
+    show(time) {
+      for (const run of runs) run.show(time);
+      const target = middle();
       camera.aim(target);
       scene.light(target);
       plane?.follow(target);

@@ -2,7 +2,6 @@
 import { Vector3 } from 'three';
 import * as links from './links.js';
 import { colourOf } from './materials.js';
-import { placeBetween, turnBetween } from './motion.js';
 import * as solids from './solids.js';
 import { trace } from './trace.js';
 
@@ -13,19 +12,18 @@ function solid(shape, colour, meshes) {
   const object = shape.kind === 'mesh'
     ? meshes.object(shape, colour)
     : solids[shape.kind](shape.sizes, colour, shape.opacity);
-  const stride = shape.placed === 'pose' ? 7 : 3;
-  object.show = (now) => {
-    placeBetween(shape.rows, stride, 0, now, object.position);
-    if (stride === 7) turnBetween(shape.rows, stride, 3, now, object.quaternion);
+  object.show = () => {
+    shape.anchors[0].position(object.position);
+    if (shape.placed === 'pose') shape.anchors[0].turn(object.quaternion);
   };
   return object;
 }
 
 function link(shape, colour) {
   const object = links[shape.kind](shape.sizes, colour, shape.opacity);
-  object.show = (now) => {
-    placeBetween(shape.rows, 6, 0, now, object.position);
-    placeBetween(shape.rows, 6, 3, now, end).sub(object.position);
+  object.show = () => {
+    shape.anchors[0].position(object.position);
+    shape.anchors[1].position(end).sub(object.position);
     const length = end.length();
     if (length > 0) object.quaternion.setFromUnitVectors(upright, end.divideScalar(length));
     object.stretch(length);

@@ -39,21 +39,22 @@ function withPicture() {
   return picture(motion, draw, view, changed);
 }
 
-const player = new Player(motion.times[0], motion.times.at(-1), changed);
+const [run] = motion.runs;
+const player = new Player(run.times[0], run.times.at(-1), changed);
 const seen = withPicture();
 const showControls = controls(player, seen.camera);
-const showValues = values(motion.nameOfTime, motion.columns);
+const showValues = values(motion.nameOfTime, run.columns);
 
 function show() {
-  const now = moment(motion.times, player.time);
-  seen.show(now);
+  const now = moment(run.times, player.time);
+  seen.show(player.time);
   showControls();
   showValues(player.time, now);
 }
 
 /// For scripts: the functions of the controls, and the pose and the extent of a shape in inertial axes.
 window.kanexpr = {
-  shapes: motion.shapes.map((shape) => shape.name),
+  shapes: run.shapes.map((shape) => shape.name),
   seek(t) {
     player.seek(t);
     show();
