@@ -1,6 +1,6 @@
 #pragma once
 
-/// Checks the compiler and its options. Compilation must stop after an error sentence. The error itself does
+/// Checks the compiler and its options. Compilation must stop after an error message. The error itself does
 /// not stop it, but a missing header or an endless recursion of class templates does.
 
 #if __cplusplus < 202002L

@@ -1,7 +1,7 @@
 #pragma once
 
-/// Joints for describing mechanisms, the words of `describe/joints`. This header does not derive anything;
-/// also include `kanexpr.hpp` and, for joint loads, `reactions.hpp`.
+/// The joints in `describe/joints`, for describing mechanisms. This header does not derive anything; also
+/// include `kanexpr.hpp` and, for joint loads, `reactions.hpp`.
 
 #include <kanexpr/describe.hpp>
 

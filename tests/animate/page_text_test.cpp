@@ -88,7 +88,7 @@ TEST(animation, tells_what_is_no_number) {
   run.p[l] = nan;
   EXPECT_EQ(pendulum_along(run).cause(), "the height of the ground must be finite");
   run.p[l] = -0.5;
-  EXPECT_EQ(pendulum_along(run).cause(), "a size of the sphere at P must be positive and finite");
+  EXPECT_EQ(pendulum_along(run).cause(), "every dimension of the sphere at P must be positive and finite");
 }
 
 TEST(animation, tells_which_place_is_no_number) {
@@ -285,7 +285,7 @@ TEST(animation, tells_which_scale_is_none) {
   EXPECT_EQ(kanexpr::animate::check_numbers(a), "");
   for (const double none : {0.0, std::numeric_limits<double>::infinity()}) {
     a.shapes[2].sizes[1] = none;
-    EXPECT_EQ(kanexpr::animate::check_numbers(a), "a scale of the head must be finite and nonzero");
+    EXPECT_EQ(kanexpr::animate::check_numbers(a), "every scale of the head must be finite and nonzero");
   }
 }
 

@@ -1,5 +1,5 @@
-// expect: required inputs are defined only for as many inputs as independent speeds; there are 0 inputs
-// expect: for 1
+// expect: required inputs are defined only if there are as many inputs as independent speeds; there are 0
+// expect: inputs for 1
 #include "pendulum.hpp"
 
 struct System : pendulum_with<Bob> {};

@@ -68,8 +68,8 @@ struct System : jointed<joints<Arm>, reactions<Link>> {};
 void f() { use<System>(); }
 } // namespace n10
 
-// expect: kinematics<simple> finds 1 coordinate and 2 speeds in no other kinematic differential equation; the
-// expect: numbers must be equal
+// expect: kinematics<simple> finds 1 coordinate and 2 speeds that appear in no other kinematic differential
+// expect: equation; the numbers must be equal
 namespace n11 {
 struct P : offset<P, Ground, s * Ground::x> {};
 struct Bob : particle<Bob, P, m> {};

@@ -38,8 +38,8 @@ struct System : jointed<joints<Arm, Link>> {};
 void f() { use<System>(); }
 } // namespace p5
 
-// expect: joint Link has a position in the child in axes of a different frame; write at<vector in the parent,
-// expect: vector in own axes>
+// expect: joint Link has a position in the child given in the axes of a different frame; write at<vector in
+// expect: the parent, vector in own axes>
 namespace p6 {
 struct P : offset<P, Arm, l * Ground::x> {};
 struct Link : cylindrical<Link, Arm, up, at<l * Arm::x, position_of<P, Ground>>, mass> {};
@@ -47,8 +47,8 @@ struct System : jointed<joints<Arm, Link>> {};
 void f() { use<System>(); }
 } // namespace p6
 
-// expect: joint Link has a mass center in axes of a different frame; write body<mass, vector in own axes,
-// expect: inertia>
+// expect: joint Link has a mass center given in the axes of a different frame; write body<mass, vector in own
+// expect: axes, inertia>
 namespace p7 {
 struct P : offset<P, Arm, l * Ground::x> {};
 struct Link : planar<Link, Arm, axis<own::x, own::y>, body<2, position_of<P, Ground>>> {};
@@ -63,8 +63,8 @@ struct System : jointed<joints<Arm, Link>> {};
 void f() { use<System>(); }
 } // namespace p8
 
-// expect: joint Link has its second axis in axes of a frame other than its own; write universal<Self, Parent,
-// expect: axis<vector in the parent, vector in the child>, by<two angles, two speeds>>
+// expect: joint Link has a second axis given in the axes of a frame other than its own; write universal<Self,
+// expect: Parent, axis<vector in the parent, vector in the child>, by<two angles, two speeds>>
 namespace p9 {
 struct Link : universal<Link, Arm, axis<Arm::x, Arm::y>, mass> {};
 struct System : jointed<joints<Arm, Link>> {};

@@ -171,7 +171,7 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n23
 
-// expect: Link is two joints; give each its own name
+// expect: Link is declared as two joints; give each its own name
 namespace n24 {
 struct Link : pin<Link, Ground, up, mass>, weld<Link, Ground> {};
 struct System : jointed<joints<Link>> {};
@@ -326,31 +326,31 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n45
 
-// expect: joint Link has a position in the parent in own axes; write at<vector in axes of the parent, vector
-// expect: in own axes>
+// expect: joint Link has a position in the parent given in own axes; write at<vector in axes of the parent,
+// expect: vector in own axes>
 namespace n46 {
 struct Link : pin<Link, Ground, up, at<l * own::x>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n46
 
-// expect: joint Link has a home in own axes, which turn with it; write home<angle, axis of the parent>
+// expect: joint Link has a home given in own axes, which turn with it; write home<angle, axis of the parent>
 namespace n47 {
 struct Link : pin<Link, Ground, up, home<1, own::x>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n47
 
-// expect: joint Link has a position in the child in axes of a different frame; write at<vector in the parent,
-// expect: vector in own axes>
+// expect: joint Link has a position in the child given in the axes of a different frame; write at<vector in
+// expect: the parent, vector in own axes>
 namespace n48 {
 struct Link : pin<Link, Ground, up, at<l * Ground::x, l * Ground::y>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n48
 
-// expect: joint Link has a mass center in axes of a different frame; write body<mass, vector in own axes,
-// expect: inertia>
+// expect: joint Link has a mass center given in the axes of a different frame; write body<mass, vector in own
+// expect: axes, inertia>
 namespace n49 {
 struct Link : pin<Link, Ground, up, body<2, l * Ground::x>> {};
 struct System : jointed<joints<Link>> {};

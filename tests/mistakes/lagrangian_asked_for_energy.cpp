@@ -1,4 +1,5 @@
-// expect: energies, momenta, the mass center and the regressor require bodies, which a Lagrangian replaces
+// expect: energies, momenta, the mass center and the regressor require bodies; a system given by a Lagrangian
+// expect: has none
 #include "pendulum.hpp"
 
 struct System : rates_of_pendulum<lagrangian<m * dot(q) * dot(q)>> {};

@@ -1,4 +1,5 @@
-// expect: gravity acts on bodies, which a Lagrangian replaces; add their potential energy to the Lagrangian
+// expect: gravity acts on bodies, but a system given by a Lagrangian has none; add the potential energy of
+// expect: gravity to the Lagrangian
 #include "pendulum.hpp"
 
 struct System : rates_of_pendulum<lagrangian<m * dot(q) * dot(q)>, loads<gravity<-g * N::y>>> {};

@@ -72,13 +72,13 @@ struct System : loaded<gravity<-g * N::y>, force<P, (F - m * g * sin(q)) * A::x 
 void f() { use<System>(); }
 } // namespace n11
 
-// expect: potential energy 1 contains that of the weight of Bob, which gravity already applies
+// expect: potential energy 1 includes the energy of the weight of Bob, which gravity already applies
 namespace n12 {
 struct System : loaded<gravity<-g * N::y>, potential_energy<m * g * l * sin(q)>> {};
 void f() { use<System>(); }
 } // namespace n12
 
-// expect: potential energy 2 contains that of the weight of Bob, which gravity already applies
+// expect: potential energy 2 includes the energy of the weight of Bob, which gravity already applies
 namespace n13 {
 struct System
     : loaded<gravity<g * N::x>, torsional_spring<q, k>, potential_energy<m * g * l * (1 - cos(q))>> {};

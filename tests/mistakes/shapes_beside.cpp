@@ -77,7 +77,7 @@ struct System : loaded<force<Tip, F * N::x>> {};
 void f() { use<System>(); }
 } // namespace n11
 
-// expect: Weight is two loads; give each its own name
+// expect: Weight is declared as two loads; give each its own name
 namespace n12 {
 struct Weight : force<P, F * N::x>, gravity<-g * N::y> {};
 struct System : loaded<Weight> {};

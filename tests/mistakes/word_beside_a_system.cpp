@@ -1,4 +1,4 @@
-// expect: loads<...> is a separate base class of System; list it among the words of the system, between
+// expect: loads<...> is a separate base class of System; list it with the other words of the system, inside
 // expect: its < >
 #include "pendulum.hpp"
 

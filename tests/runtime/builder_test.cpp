@@ -453,7 +453,7 @@ TEST(builder_mistakes, finds_weights_beside_gravity) {
     EXPECT_EQ(told([&](auto& b) { b.force(b.pivot, weigh(b, frame)); }), "") << "the weight of another";
   }
   EXPECT_EQ(told([](auto& b) { b.potential_energy(9.81 * b.m * b.length * (2 - cos(b.theta))); }),
-            "potential energy 1 contains that of the weight of Bob, which gravity already applies");
+            "potential energy 1 includes the energy of the weight of Bob, which gravity already applies");
   EXPECT_EQ(told([](auto& b) { b.potential_energy(9.81 * b.m * b.length * cos(b.theta)); }), "") << "a lift";
   EXPECT_EQ(told([](auto& b) { b.potential_energy(9.81 * b.m * b.length * sin(b.theta)); }), "");
 }

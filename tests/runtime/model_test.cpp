@@ -113,8 +113,8 @@ struct ByLagrangian
 
 TEST(model, of_a_whole_lagrangian_goes_on_after_an_energy_was_asked_for) {
   auto derived = derive<ByLagrangian>();
-  const auto refused =
-      "energies, momenta, the mass center and the regressor require bodies, which a Lagrangian replaces";
+  const auto refused = "energies, momenta, the mass center and the regressor require bodies; a system given "
+                       "by a Lagrangian has none";
   EXPECT_EQ(derived.get(mechanics::quantity::kinetic_energy).entries.size(), 0);
   EXPECT_EQ(derived.mistake(), refused);
   EXPECT_EQ(symbolic::print(derived.udot()), "[-kappa]");

@@ -55,8 +55,8 @@ struct TwoSystems : pendulum<>, rates_of_pendulum<bodies<Bob>> {};
 TEST(words, are_looked_through_while_a_program_runs) {
   EXPECT_EQ(mistake<Sound>(), "");
   EXPECT_EQ(mistake<LoadAmongWords>(), "gravity is among the words of LoadAmongWords; list it in loads<...>");
-  EXPECT_EQ(mistake<LoadsBeside>(), "loads<...> is a separate base class of LoadsBeside; list it among the "
-                                    "words of the system, between its < >");
+  EXPECT_EQ(mistake<LoadsBeside>(), "loads<...> is a separate base class of LoadsBeside; list it with the "
+                                    "other words of the system, inside its < >");
   EXPECT_EQ(mistake<LoadsTwice>(), "the system LoadsTwice lists loads<...> twice; write one list");
   EXPECT_EQ(mistake<BodyAmongWords>(), "body Bob is among the words of BodyAmongWords; write bodies<Bob>");
   EXPECT_EQ(mistake<NoBodies>(), "the system NoBodies has no bodies<...>");

@@ -55,7 +55,7 @@ struct animation {
   std::string failure{};
 
   explicit operator bool() const { return failure.empty(); }
-  /// The reason why there is no animation, as a sentence; empty if there is one.
+  /// Why there is no animation, as a sentence; empty if there is an animation.
   std::string cause() const { return failure; }
 
   const shape* find(std::string_view name) const {

@@ -7,7 +7,7 @@
 #include <array>
 
 /// The scalars and vectors of a model that a picture evaluates, and the attachments of shapes to frames and
-/// points. The numbers `varying` of an attachment determine its placement at each time.
+/// points. The values in `varying` determine the placement at each time.
 namespace kanexpr::animate {
 
 using describe::phrase;

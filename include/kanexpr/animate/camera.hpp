@@ -119,8 +119,8 @@ inline std::string at_time(double t) {
 inline std::string check_number(const animation::shape& s, double size) {
   const bool is_scale = s.kind == "mesh";
   if (numeric::is_finite(size) && (size > 0 || (is_scale && size < 0))) return {};
-  if (is_scale) return "a scale of the " + s.name + " must be finite and nonzero";
-  return "a size of the " + s.name + " must be positive and finite";
+  if (is_scale) return "every scale of the " + s.name + " must be finite and nonzero";
+  return "every dimension of the " + s.name + " must be positive and finite";
 }
 
 /// Returns a sentence that names the first value in an animation that is not finite or out of range; empty if

@@ -45,8 +45,8 @@ constexpr auto spin_of() {
   return found;
 }
 
-/// An element of a picture. Its phrases `varying` are evaluated at each time and `constant` only once;
-/// `rates` are integrated over time.
+/// An element of a picture. The expressions in `varying` are evaluated at each time, and those in `constant`
+/// only once; those in `rates` are integrated over time.
 struct element {
   static constexpr phrases<0> varying{}, constant{}, rates{};
 };
@@ -65,7 +65,7 @@ struct opacity {
   static constexpr void apply_to(animate::look& l) { l.opacity = static_cast<double>(part); }
 };
 
-/// The name of a shape on the page, in place of the default such as "sphere at P".
+/// The name of a shape on the page, in place of a default such as "sphere at P".
 template <text words>
 struct named {
   static constexpr void apply_to(animate::look& l) { l.name = words.view(); }
@@ -131,11 +131,11 @@ struct ground : animate::element {
 /// Makes the model travel over the ground: its origin moves perpendicular to `up` such that `Point` moves
 /// with the velocity that the model gives it.
 ///
-/// A rolling model may use the contact point as its origin, because the point of the wheel at the contact has
-/// zero velocity, even though the contact travels. With r the position of `Point` from the origin and v its
-/// velocity, the displacement of the origin is ∫ v dt − (r − r(0)). The integral is evaluated by Simpson's
-/// rule if the trajectory provides the state midway between two samples, else by the trapezoidal rule on the
-/// samples.
+/// A rolling model may use the contact point as its origin, because the point of the wheel that touches the
+/// ground has zero velocity, even though the contact point travels. With r the position of `Point` from the
+/// origin and v its velocity, the displacement of the origin is ∫ v dt − (r − r(0)). The integral is
+/// evaluated by Simpson's rule if the trajectory provides the state midway between two samples, else by the
+/// trapezoidal rule on the samples.
 template <class Point>
 struct carried : animate::element {
   static constexpr std::string_view word = "carried";

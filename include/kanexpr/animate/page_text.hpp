@@ -53,7 +53,7 @@ struct mesh_files : outcome {
   std::vector<mesh_file> all{};
 };
 
-/// Browsers reject much longer texts.
+/// Browsers reject much longer strings.
 inline constexpr std::uintmax_t most_bytes_of_meshes = 256'000'000;
 
 /// Whether one of the files or columns has the given name.

@@ -5,8 +5,8 @@
 
 #include <string_view>
 
-/// Simple shapes, attached to the frames and points of a model. Sizes are numbers or expressions of
-/// parameters.
+/// Simple shapes, attached to the frames and points of a model. Sizes are numbers or expressions that contain
+/// only parameters.
 namespace kanexpr {
 
 namespace animate {

@@ -15,7 +15,7 @@ namespace kanexpr {
 
 struct page_options {
   std::string title{};                  ///< default: the name of the system
-  std::string text{};                   ///< a sentence under the title
+  std::string text{};                   ///< text below the title
   std::string empty_page{KANEXPR_PAGE}; ///< path of the empty page, without a motion
   std::string folder{}; ///< folder for relative file names; if empty, the folder that the picture specifies
 };

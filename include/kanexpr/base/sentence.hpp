@@ -8,8 +8,8 @@
 
 namespace kanexpr::base {
 
-/// A sentence in mechanical terms that names the entity concerned, or a part of such a sentence. It describes
-/// a mistake or the cause of a status or of a failure. Empty if there is nothing to report.
+/// A sentence in the terms of mechanics that names the entity concerned, or a part of such a sentence. It
+/// describes a mistake or the cause of a status or of a failure. Empty if there is nothing to report.
 struct sentence {
   static constexpr int capacity = 255;
   char letters[capacity + 1]{};

@@ -40,7 +40,7 @@ inline constexpr double vanishing_measure = 4096.0 * std::numeric_limits<double>
 
 /// The smallest measure that is not treated as singular. The relative error of a solution is at most the
 /// rounding error of its matrix divided by this bound: 1e-6 in double precision; in single precision, four
-/// digits remain. For a compiler vector type, returns the measure for its elements.
+/// digits remain. For a compiler vector type, returns the bound for its element type.
 template <class Scalar>
 constexpr double least_singularity_measure() {
   if constexpr (std::is_same_v<Scalar, float>)

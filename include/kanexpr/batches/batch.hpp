@@ -27,8 +27,8 @@ exchanged(const Eigen::Matrix<Before, rows, columns, options, most_rows, most_co
 
 } // namespace detail
 
-/// The type of a vector of a system, or of a matrix, with a different scalar type; a result with a status
-/// becomes a plain matrix.
+/// The type of a system's vector, or of a matrix, converted to a different scalar type; a result with a
+/// status becomes a plain matrix.
 template <class Vector, class Scalar>
 using with_scalar = typename decltype(detail::exchanged<Scalar>(static_cast<const Vector*>(nullptr)))::type;
 
@@ -56,8 +56,9 @@ void set_lane(Pack& pack, [[maybe_unused]] std::size_t lane, const Number& numbe
 } // namespace batches
 
 /// Several systems side by side: the arguments and results of a compiled function hold `width` numbers per
-/// entry, so `x[q1]` of a `batch<4>::state<System>` is the coordinate of four systems. Each lane has the same
-/// bits as a separate evaluation. A status covers all lanes: it is good only if every lane is.
+/// entry, so `x[q1]` of a `batch<4>::state<System>` is the coordinate of four systems. Each lane holds the
+/// same bits as a separate evaluation. A status covers all lanes: it reports success only if every lane
+/// succeeded.
 ///
 /// The default width fills one vector register of the processor for which the file is compiled.
 template <std::size_t width = batches::default_lanes<double>, class Number = double>

@@ -28,10 +28,9 @@ struct rollout_options {
 ///     ahead.run(x, p, r);                  // x, a many<eom::state>, advances by 500 steps
 ///     ahead.stored(0)[q1];                 // after 50 steps, of all systems
 ///
-/// Every system passes through the same states as with single steps `step(t, x, h, p, r)`. Memory is
-/// allocated on construction; a run neither allocates memory nor throws. A system whose step fails stays at
-/// its last valid state, its status holds the cause, and states stored later are NaN; the other systems
-/// continue.
+/// The states are the same as after separate calls of `step(t, x, h, p, r)`. Memory is allocated on
+/// construction; a run neither allocates memory nor throws. A system whose step fails stays at its last valid
+/// state, its status holds the cause, and states stored later are NaN; the other systems continue.
 template <class Step, class Number = double, std::size_t lanes = batches::default_lanes<Number>>
 class rollout {
   using batch_type = batch<lanes, Number>;

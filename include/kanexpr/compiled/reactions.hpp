@@ -13,7 +13,7 @@ namespace kanexpr {
 
 /// The load that a joint transmits: the force on the child at the joint and the torque on the child, from the
 /// parent, in the axes of the child. A joint transmits nothing along its free directions; motors and friction
-/// are loads.
+/// are modeled as loads.
 template <class Scalar>
 struct joint_reactions {
   Eigen::Matrix<Scalar, 3, 1> force{};

@@ -141,7 +141,7 @@ template <class Of, symbols_of vector, class Scalar>
 vector_owner<Of, vector> vector_owner_of(const value_vector<Of, vector, Scalar>*);
 no_owner vector_owner_of(const void*);
 
-/// Whether an argument can be the given vector of a system.
+/// Whether an argument can serve as the given vector of a system.
 template <class System, symbols_of which, class Given>
 inline constexpr bool can_be_vector =
     decltype(vector_owner_of(static_cast<const Given*>(nullptr)))::template fits<System, which>;

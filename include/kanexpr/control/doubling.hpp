@@ -58,7 +58,7 @@ constexpr Number power_of_two_near_root(Number x) {
 /// last case occurs when the closed loop has an eigenvalue on the unit circle (Chiang et al., Convergence
 /// analysis of the doubling algorithm, SIAM J. Matrix Anal. Appl. 31, 2009). A closed loop with an eigenvalue
 /// closer to the unit circle than √ε cannot be distinguished from one with an eigenvalue on it; the
-/// additional steps serve motions that are slow compared with others and less affected by rounding.
+/// additional steps handle motions that are slow compared with others and less affected by rounding.
 template <class Number, int states>
 constexpr riccati_solution<Number, states> doubled(riccati_equation<Number, states> e) {
   using limits = std::numeric_limits<Number>;

@@ -39,7 +39,7 @@ constexpr sentence check_base_classes() {
     std::string_view word = "a word";
     if constexpr (requires { Type::word; }) word = Type::word;
     return sentence({word, word == "a word" ? "" : "<...>", " is a separate base class of ",
-                     type_name<Type>(), "; list it among the words of the system, between its < >"});
+                     type_name<Type>(), "; list it with the other words of the system, inside its < >"});
   } else {
     return {};
   }
@@ -170,8 +170,8 @@ constexpr sentence check_words() {
   }
 }
 
-/// The words of a system, used both at compile time and at run time. If one of them is a mistake, the record
-/// is empty.
+/// The words of a system, used both at compile time and at run time. If one of them is invalid, the record is
+/// empty.
 struct checked_words {
   sentence mistake{};
   describe::system_record record{};

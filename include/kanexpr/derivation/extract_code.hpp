@@ -16,7 +16,7 @@ namespace kanexpr::derivation {
 
 /// The straight-line code for a set of results. The measures and scales of potential singularities follow all
 /// other results of the tape, one pair per cause. The arrays have room for any model, so programs must not
-/// store one.
+/// store such an object.
 struct extracted_code {
   sentence mistake{};
   large_cause_list causes{};

@@ -14,8 +14,8 @@
 namespace kanexpr::derivation {
 
 /// Masses and inertias that are expressions of parameters, such as m - 2*k, or whose validity depends on
-/// numeric values, stored as a sequence of operations on numbers. Programs use it to check the parameters
-/// that are passed to them. Bodies beyond its capacity are not checked.
+/// numeric values, stored as a sequence of operations on numbers. Programs use this sequence to check the
+/// parameters that they receive. Bodies beyond its capacity are not checked.
 struct inertial_values {
   static constexpr int room = 256, room_for_bodies = 32, room_for_names = 40;
 

@@ -31,7 +31,7 @@ constexpr void advance(derived_system& system, stage to) {
 }
 
 /// The result of a stage: a mistake, or the stored derivation. The arrays have room for any model, so
-/// programs must not store one.
+/// programs must not store such an object.
 struct staged {
   sentence mistake{};
   /// Whether the compiler has already reported an error about the type that contains the mistake.

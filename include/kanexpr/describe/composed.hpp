@@ -4,7 +4,7 @@
 #include <kanexpr/symbolic/graph/composition.hpp>
 
 /// Functions of several expressions that are defined in terms of other functions. The reader of the model
-/// checks that the number of arguments is right and that they are scalars.
+/// checks the number of arguments and that they are scalars.
 namespace kanexpr {
 
 namespace describe {

@@ -26,7 +26,7 @@ struct postfix_expression {
   static constexpr describe::shape kind = is;
   describe::token tokens[static_cast<std::size_t>(size)];
 
-  // These operators, whose use is a mistake, must be members in C++.
+  // The use of these operators is a mistake, but C++ requires them to be members.
   template <class Right>
   constexpr auto operator=(const Right& other) const {
     return describe::misused<describe::shape::equation>(describe::misuse::assignment, *this, other);

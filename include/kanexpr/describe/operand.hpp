@@ -93,9 +93,9 @@ constexpr auto joined(const token& last, const Expressions&... x) {
   return all;
 }
 
-/// Returns an operation on operands, whether or not their kinds fit, as in `u1 + N::x`: the reader of the
-/// model can report it with the point or frame to which it belongs. An equation is stored without its ==, so
-/// an equation among the operands is reported as a different mistake.
+/// Returns an operation on operands, whether or not their kinds match, as in `u1 + N::x`; the reader of the
+/// model can report a mismatch together with the point or frame to which it belongs. An equation is stored
+/// without its ==, so an equation among the operands is reported as a different mistake.
 template <shape kind, class... Operands>
 constexpr auto as_written(const token& last, const Operands&... x) {
   constexpr bool has_equation = ((shape_of_operand<Operands> == shape::equation) || ...);

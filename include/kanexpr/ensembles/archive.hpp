@@ -11,8 +11,8 @@
 
 namespace kanexpr::ensembles {
 
-/// Converts values to bytes: numbers, texts, containers, pairs, optional values, and classes that list their
-/// members in a function `fields(self, archive)`.
+/// Converts values to bytes: numbers, strings, containers, pairs, optional values, and classes that list
+/// their members in a function `fields(self, archive)`.
 class saver {
 public:
   template <class... Values>

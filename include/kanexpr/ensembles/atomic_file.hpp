@@ -14,13 +14,13 @@
 
 namespace kanexpr::ensembles {
 
-/// Returns "PATH WHAT: " followed by the message of the system for errno.
+/// Returns "PATH WHAT: " followed by the operating system's message for errno.
 inline outcome file_failure(const std::string& path, const char* what) {
   return outcome(path + ' ' + what + ": " + std::generic_category().message(errno));
 }
 
-/// Waits until the system has stored a file, so that it survives a power failure. `called` is the name of the
-/// file in error sentences.
+/// Waits until the operating system has stored a file, so that it survives a power failure. `called` is the
+/// name of the file in error sentences.
 inline outcome store(const std::string& file, const std::string& called) {
   const int opened = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   const bool is_stored = opened >= 0 && (::fsync(opened) == 0 || errno == EINVAL);

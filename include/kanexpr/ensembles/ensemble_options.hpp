@@ -25,7 +25,8 @@ struct ensemble_options {
   std::optional<file_path> checkpoint = {};
   double checkpoint_every = 60; ///< seconds
 
-  /// Called as runs finish, with the number of finished runs, 0 and the number of planned runs.
+  /// Called as runs finish, with three arguments: the number of finished runs, 0, and the number of planned
+  /// runs.
   std::function<void(double done, double from, double to)> progress = {};
   /// Stops the study: runs that have started are completed, and their results are kept.
   std::stop_token stop = {};

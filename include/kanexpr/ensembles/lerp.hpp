@@ -8,7 +8,7 @@
 namespace kanexpr::ensembles {
 
 /// Linear interpolation between two numbers. It is monotonic, stays between the two numbers even if their
-/// difference overflows, and has the same bits whether or not the compiler contracts products and sums.
+/// difference overflows, and gives the same bits whether or not the compiler contracts products and sums.
 inline double lerp(double from, double to, double part) {
   if (part >= 1) return to;
   const double width = to - from;

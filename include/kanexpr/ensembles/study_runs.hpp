@@ -69,7 +69,7 @@ public:
     mistake_ = find_mistake();
   }
 
-  /// Returns a mistake in the study, as a sentence; empty if there is none.
+  /// Returns a sentence that describes a mistake in the study; empty if there is none.
   const std::string& mistake() const { return mistake_; }
 
   const study_layout& layout() const override { return context_.layout; }

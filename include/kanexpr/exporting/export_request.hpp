@@ -15,8 +15,8 @@
 /// The specification of the functions to export.
 namespace kanexpr::exporting {
 
-/// The symbols with respect to which a result is differentiated; `rates` are those of the state, `parameters`
-/// those that are not bound.
+/// The symbols with respect to which a result is differentiated; `rates` denotes the rates of the state,
+/// `parameters` the parameters that are not bound.
 enum class symbols : unsigned char { state, rates, inputs, parameters, time };
 
 /// A derivative of a column y with respect to symbols z.

@@ -62,7 +62,7 @@ inline int first_axis_used(const drawing& d, int frame) {
 }
 
 /// An arc from the direction that an axis of the frame would have without the rotation to its actual
-/// direction. The axis is that of the first offset in the frame if the rotation moves this axis.
+/// direction. If the rotation moves the axis of the first offset in the frame, the arc uses that axis.
 inline void draw_angle(drawing& d, int f, int place, double radius) {
   const auto which = static_cast<std::size_t>(f);
   const Eigen::Vector3d about = d.at.rotation_axes[which];

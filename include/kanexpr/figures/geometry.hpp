@@ -110,7 +110,7 @@ inline double extent(const geometry& g) {
 
 } // namespace detail
 
-/// Evaluates the geometry of a model without a mistake. Loads that depend on inputs without a value or on
+/// Evaluates the geometry of a model that has no mistakes. Loads that depend on inputs without a value or on
 /// accelerations are zero.
 inline geometry geometry_of(model& m, double t, const Eigen::VectorXd& x, const Eigen::VectorXd& p,
                             const Eigen::VectorXd& r) {

@@ -22,7 +22,7 @@ concept vector_extension = !std::is_class_v<Vector> && requires(const Vector v) 
 };
 
 /// The compiler provides the arithmetic; sines, cosines and square roots are computed for all lanes together,
-/// other functions lane by lane. Each lane has the same bits as a separate evaluation.
+/// other functions lane by lane. Each lane holds the same bits as a separate evaluation.
 template <vector_extension Vector>
 struct scalar_math<Vector> {
   using element = std::remove_cvref_t<decltype(std::declval<const Vector&>()[0])>;

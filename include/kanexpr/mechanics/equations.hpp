@@ -96,8 +96,8 @@ public:
   /// Rejects results that need bodies if the model gives a Lagrangian instead.
   constexpr sentence check_bodies(quantity wanted) const {
     if (!row_of(wanted).is_of_bodies || !system_->loads.has_lagrangian) return {};
-    return sentence(
-        {"energies, momenta, the mass center and the regressor require bodies, which a Lagrangian replaces"});
+    return sentence({"energies, momenta, the mass center and the regressor require bodies; a system given by "
+                     "a Lagrangian has none"});
   }
 
   /// A mistake that was found only during the derivation.

@@ -54,7 +54,7 @@ enum class quantity : unsigned char {
   dependent_speeds,       ///< u_d in terms of the independent speeds, m
   dependency,             ///< A in u̇_d = A u̇_i + b, m×(p−m)
   acceleration_bias,      ///< b in u̇_d = A u̇_i + b, m
-  constraint_pivots,      ///< the determinants of the blocks in which dependent speeds are solved, m
+  constraint_pivots,      ///< the determinants of the blocks that are solved for the dependent speeds, m
   multipliers,            ///< the generalized forces of the constraints: F_r + F_r* + Σ λ_j J_jr = 0, m
   noncontributing_forces, ///< the forces that keep the auxiliary speeds at zero, one for each
   state_matrix,           ///< A in δ[q̇_i; u̇_i] = A δ[q_i; u_i] + B δr, (n−l+p−m)×(n−l+p−m)

@@ -2,7 +2,7 @@
 
 #include <kanexpr/base/one_way.hpp>
 
-/// The code for MPI is compiled by every file that uses it, or once, in the library kanexpr::mpi_engine,
+/// The code for MPI is compiled in every file that uses it, or only once, in the library kanexpr::mpi_engine,
 /// which defines KANEXPR_COMPILED_MPI for all its users.
 #if defined KANEXPR_COMPILED_MPI
 #define KANEXPR_MPI

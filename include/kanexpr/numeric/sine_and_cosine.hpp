@@ -215,8 +215,8 @@ template <class Number>
 
 } // namespace detail
 
-/// Computes the sine and the cosine of an angle in radians, or of one angle per lane of T. Each lane has the
-/// same bits as a separate evaluation.
+/// Computes the sine and the cosine of an angle in radians, or of one angle per lane of T. Each lane holds
+/// the same bits as a separate evaluation.
 template <class Value>
 [[gnu::always_inline]] constexpr void sine_and_cosine(const Value& angle, Value& sine,
                                                       Value& cosine) noexcept {

@@ -54,8 +54,8 @@ template <std::size_t first, class Number, std::size_t count, std::size_t... lan
 
 } // namespace detail
 
-/// Computes the sines and the cosines of several angles in radians, using SIMD vectors. Each has the same
-/// bits as `sine_and_cosine` of its angle.
+/// Computes the sines and the cosines of several angles in radians, using SIMD vectors. Each result has the
+/// same bits as `sine_and_cosine` of its angle.
 template <class Number, std::size_t count>
 [[gnu::always_inline]] inline void sines_and_cosines(const Number (&angle)[count], Number (&sine)[count],
                                                      Number (&cosine)[count]) noexcept {

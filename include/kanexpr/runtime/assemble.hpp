@@ -31,7 +31,7 @@ public:
   static constexpr int fixed_coordinates = -1, fixed_speeds = -1, fixed_rows_of_coordinates = -1,
                        fixed_rows_of_speeds = -1;
 
-  /// Requires a model without a mistake.
+  /// Requires a model without mistakes.
   constraint_equations(model& m, double t, const vector& p, const vector& r)
       : coordinates_(m.mechanism().coordinates.size()), speeds_(m.mechanism().speeds.size()),
         solved_(m.get(quantity::constraint_jacobian).rows),
@@ -79,7 +79,7 @@ template <class Parameters = Eigen::VectorXd, class Inputs = Eigen::VectorXd>
 numeric::least_multipliers<Eigen::VectorXd, Eigen::VectorXd>
 find_least_multipliers(model& m, const Eigen::VectorXd& x, const Parameters& p = {}, const Inputs& r = {},
                        double t = 0) {
-  m.udot(); // clears the mistake of the previous request, and may report a new one
+  m.udot(); // clears the mistake in the previous request, and may report a new one
   if (!m.mistake().empty()) return {.failure = base::sentence({m.mistake()})};
   const mechanics::mechanism& of = m.mechanism();
   if (const base::sentence wrong = compiled::check_size("state", "the model", static_cast<int>(x.size()),

@@ -125,7 +125,7 @@ private:
 /// The reason why the constraints of a model cannot be evaluated at a state with `entries` entries; empty if
 /// they can.
 inline base::sentence check_constraints(model& m, std::size_t entries) {
-  m.get(mechanics::quantity::velocity_residual); // clears the mistake of the previous request
+  m.get(mechanics::quantity::velocity_residual); // clears the mistake in the previous request
   if (!m.mistake().empty()) return base::sentence({m.mistake()});
   return compiled::check_size("state", "the model", static_cast<int>(entries),
                               m.mechanism().coordinates.size() + m.mechanism().speeds.size());

@@ -25,7 +25,7 @@ class builder;
 }
 
 /// Derives the system built so far; later calls to the builder do not change the model. A mistake made in the
-/// builder is also a mistake of the model.
+/// builder also counts as a mistake in the model.
 KANEXPR_ENGINE model derive(const runtime::builder& built);
 
 namespace runtime {

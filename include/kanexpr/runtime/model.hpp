@@ -46,8 +46,8 @@ public:
                  std::span<const std::uint64_t> expected_digests = {});
   explicit model(std::shared_ptr<runtime::derived> system) : system_(std::move(system)) {}
 
-  /// The first mistake of the system as a sentence, or that of the last requested result; empty if there is
-  /// none.
+  /// The first mistake in the system as a sentence, or the mistake in the last requested result; empty if
+  /// there is none.
   std::string mistake() const;
 
   /// The coordinates or speeds for which the constraints are solved, chosen by the model or by the library:
@@ -148,7 +148,7 @@ public:
   symbolic::graph& graph() { return system_->graph(); }
   const mechanics::mechanism& mechanism() const { return system_->system().mechanism; }
   const mechanics::multibody_system& system() const { return system_->system(); }
-  /// Requires a model without a mistake.
+  /// Requires a model without mistakes.
   mechanics::equations& equations() { return *system_->equations(); }
 
 private:

@@ -28,8 +28,8 @@ inline std::string enumerated(derived& system, const base::sequence<symbolic::ex
   return text;
 }
 
-/// Forms a result of a system without a mistake. A mistake in the request itself is reported; the next
-/// request clears it.
+/// Forms a result of a system without mistakes. A mistake in the request itself is reported; the next request
+/// clears it.
 template <class Form>
 auto try_form(derived& system, const Form& form) {
   using result = decltype(form());

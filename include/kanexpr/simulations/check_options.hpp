@@ -15,7 +15,7 @@
 
 #include <unistd.h>
 
-/// Checks of the options of a simulation, before its first step.
+/// Checks the options of a simulation before its first step.
 namespace kanexpr::simulations {
 
 using base::digits;

@@ -41,7 +41,7 @@ public:
 
   /// Returns a hash that identifies the system and its equations of motion.
   static std::uint64_t digest() {
-    constexpr quantity first = is_implicit ? quantity::qdot : quantity::rhs; // derived in any case
+    constexpr quantity first = is_implicit ? quantity::qdot : quantity::rhs; // always derived
     return out_of_line<function<System, first>>::digest();
   }
 

@@ -117,8 +117,8 @@ TEST(acceleration_constraints, are_the_rates_of_the_constraints_where_these_hold
               b.acceleration_constraint(second + bias(b) + 6 * slip + 9 * f);
             }),
             "");
-  const std::string differs = " is not the rate of the constraints on the velocities: its part without rates "
-                              "of speeds differs from theirs";
+  const std::string differs = " is not the time derivative of the constraints on the velocities: the terms "
+                              "without rates of speeds differ";
   EXPECT_EQ(with([&](beads& b, expression, expression, expression second) {
               b.acceleration_constraint(b.rate());
               b.acceleration_constraint(second);

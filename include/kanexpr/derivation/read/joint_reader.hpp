@@ -33,9 +33,9 @@ public:
       if (!reading_.mistake) check_reaction(r);
   }
 
-  /// Reads a joint and its body, which are part of the system even if nothing else mentions them. A joint
-  /// that contributes neither motion nor mass is an exception, because its point would only be another
-  /// candidate for reference points.
+  /// Reads a joint and its body, which are part of the system even if nothing else mentions them. Joints that
+  /// contribute neither motion nor mass are an exception, because their points would only be additional
+  /// candidates for reference points.
   constexpr void read(const joint_record& r) {
     check_axes(r);
     if (!reading_.mistake && r.place.kind != shape::nothing) check_place(r);

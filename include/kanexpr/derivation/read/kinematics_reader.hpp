@@ -44,10 +44,11 @@ public:
     };
     const sequence<int> coordinates = left_out(m_.coordinate_rates), speeds = left_out(m_.speeds);
     if (coordinates.size() != speeds.size())
-      return reading_.fail({"kinematics<simple> finds ", base::counted(coordinates.size()).view(),
-                            coordinates.size() == 1 ? " coordinate and " : " coordinates and ",
-                            base::counted(speeds.size()).view(), speeds.size() == 1 ? " speed" : " speeds",
-                            " in no other kinematic differential equation; the numbers must be equal"});
+      return reading_.fail(
+          {"kinematics<simple> finds ", base::counted(coordinates.size()).view(),
+           coordinates.size() == 1 ? " coordinate and " : " coordinates and ",
+           base::counted(speeds.size()).view(), speeds.size() == 1 ? " speed" : " speeds",
+           " that appear in no other kinematic differential equation; the numbers must be equal"});
     if (coordinates.size() == 0)
       return reading_.fail(
           {"kinematics<simple> has no coordinate left; all coordinates have other equations"});

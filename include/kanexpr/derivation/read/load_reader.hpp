@@ -138,8 +138,8 @@ private:
     return {first, r.other_frame != nullptr ? entities_.frame(r.other_frame, whom) : none};
   }
 
-  /// Returns the vector of a force or torque. Sentences about the vector of a load on one entity name the
-  /// entity.
+  /// Returns the vector of a force or torque. If the load acts on a single entity, sentences about the vector
+  /// name that entity.
   constexpr mechanics::vector effort_of(const load_record& r, std::string_view whom, std::string_view place) {
     if (r.other_point != nullptr || r.other_frame != nullptr)
       return phrases_.vector_of(r.value, {"", whom}, whom);

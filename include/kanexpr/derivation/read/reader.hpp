@@ -49,7 +49,7 @@ public:
   constexpr const sentence& mistake() const { return reading_.mistake; }
   /// Whether the mistake concerns a type about which the compiler has already reported an error.
   constexpr bool follows_from_unparsed() const { return reading_.follows_from_unparsed; }
-  /// Discards the mistake of a requested expression; everything that was read before remains valid.
+  /// Discards the mistake in a requested expression; everything that was read before remains valid.
   constexpr void forget_mistake() { reading_.mistake = {}, reading_.follows_from_unparsed = false; }
   /// Counts the known symbols, so that `forget_mistake` can also discard those that an expression added.
   constexpr symbol_reader::count symbols_known() const { return symbols_.symbols_known(); }

@@ -49,7 +49,7 @@ template <class Joint>
 constexpr base_conflict find_base_conflict_of_joint() {
   constexpr Joint* j = nullptr;
   if constexpr (__is_base_of(joint_words, Joint) && !requires { static_cast<joint_words*>(j); })
-    return private_or<joint_words>("@ is two joints; give each its own name", j);
+    return private_or<joint_words>("@ is declared as two joints; give each its own name", j);
   if constexpr (!requires { static_cast<orientation_words*>(j); }) return two_orientations;
   if constexpr (!requires { static_cast<place_words*>(j); }) return two_places;
   if (__is_base_of(body_words, Joint)) return frame_and_body;
@@ -87,7 +87,7 @@ constexpr base_conflict find_base_conflict() {
   if constexpr (is_body && !requires { static_cast<body_words*>(e); })
     return private_or<body_words>("body @ is described twice", e);
   if constexpr (is_load && !requires { static_cast<load_words*>(e); })
-    return private_or<load_words>("@ is two loads; give each its own name", e);
+    return private_or<load_words>("@ is declared as two loads; give each its own name", e);
   if constexpr (turns && !requires { static_cast<angular_velocity_words*>(e); })
     return private_or<angular_velocity_words>("frame @ has two angular velocities", e);
   if constexpr (moves && !requires { static_cast<velocity_words*>(e); })

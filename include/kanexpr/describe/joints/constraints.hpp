@@ -4,7 +4,7 @@
 #include <kanexpr/describe/joints/joint.hpp>
 #include <kanexpr/describe/motion.hpp>
 
-/// Common constraints of machines, for `configuration_constraints<…>` or `velocity_constraints<…>`.
+/// Constraints that are common in machines, for `configuration_constraints<…>` or `velocity_constraints<…>`.
 namespace kanexpr {
 
 namespace describe {

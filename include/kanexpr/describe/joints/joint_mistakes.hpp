@@ -56,10 +56,12 @@ constexpr std::string_view mistake_of_place() {
         (given::count == 2 && is_no_vector<std::remove_cv_t<decltype(given::in_child)>>()))
       return "has a position that is not a vector; write at<vector in the parent, vector in own axes>";
     if (holds_own(given::in_parent))
-      return "has a position in the parent in own axes; write at<vector in axes of the parent, vector in own "
+      return "has a position in the parent given in own axes; write at<vector in axes of the parent, vector "
+             "in own "
              "axes>";
     if (holds_other_axes(given::in_child))
-      return "has a position in the child in axes of a different frame; write at<vector in the parent, "
+      return "has a position in the child given in the axes of a different frame; write at<vector in the "
+             "parent, "
              "vector in own axes>";
   }
   return {};
@@ -72,7 +74,7 @@ constexpr std::string_view mistake_of_home() {
     if (Joint::template times<joint_word::home> > 1) return "has two homes";
     if constexpr (requires { given::is_in_own_axes; })
       if (given::is_in_own_axes)
-        return "has a home in own axes, which turn with it; write home<angle, axis of the parent>";
+        return "has a home given in own axes, which turn with it; write home<angle, axis of the parent>";
     if (!given::fits)
       return "has a home that is neither an angle and an axis, nor nine direction cosines, nor three angles";
   }
@@ -89,7 +91,8 @@ constexpr std::string_view mistake_of_body() {
     if (is_no_vector<std::remove_cv_t<decltype(given::center_given)>>())
       return "has a mass center that is not a vector; write body<mass, vector in own axes, inertia>";
     if (holds_other_axes(given::center_given))
-      return "has a mass center in axes of a different frame; write body<mass, vector in own axes, inertia>";
+      return "has a mass center given in the axes of a different frame; write body<mass, vector in own axes, "
+             "inertia>";
   }
   return {};
 }
@@ -135,7 +138,8 @@ constexpr std::string_view mistake_of_kind() {
         is_no_vector<std::remove_cv_t<decltype(given::second)>>())
       return "has an axis that is not a vector";
     if constexpr (requires { kind::is_second_axis_of_child; })
-      if (holds_other_axes(given::second)) return "has its second axis in axes of a frame other than its own";
+      if (holds_other_axes(given::second))
+        return "has a second axis given in the axes of a frame other than its own";
   }
   return {};
 }

@@ -75,7 +75,7 @@ private:
   std::string first_{};
 };
 
-/// Returns the type of UTF-8 texts of a given size in bytes.
+/// Returns the type of a UTF-8 string of the given size in bytes.
 inline hdf5_handle text_type(std::size_t size = H5T_VARIABLE) {
   hdf5_handle type(H5Tcopy(H5T_C_S1), &H5Tclose);
   H5Tset_size(type.id(), size);

@@ -14,7 +14,8 @@ struct hdf5_options {
 };
 
 /// A file of all results that a study keeps, for h5py, pandas or MATLAB: `.files = {hdf5_file("study.h5")}`.
-/// Other programs may read the file while it is written, as SWMR readers (single writer, multiple readers).
+/// Other programs may read the file while it is being written, as SWMR readers (single writer, multiple
+/// readers).
 ///
 /// The file has datasets with named columns: `runs`, with a row per run; `failures`, with state and cause;
 /// `samples` of all trajectories; `events`. Their units are attributes.

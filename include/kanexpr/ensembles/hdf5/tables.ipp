@@ -164,7 +164,7 @@ private:
     while (std::ranges::find(others, name, &column_label::name) != others.end()) name += '_';
     return name;
   }
-  /// Returns the part of a sentence that fits, cut between UTF-8 characters.
+  /// Returns as much of a sentence as fits, cut between UTF-8 characters.
   static std::string shortened(const std::string& text) {
     constexpr std::string_view dots = "\xE2\x80\xA6";
     if (text.size() <= cause_bytes) return text;

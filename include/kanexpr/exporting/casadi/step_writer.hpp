@@ -23,10 +23,10 @@ inline constexpr std::string_view step_template = template_text(
 #include <kanexpr/exporting/casadi/step.c.in>
 );
 
-/// The bodies of the functions of a step. `moved` computes the points, slopes and derivatives of all stages;
-/// `after` holds those of the step, and `rest` is scratch space. `moved_along` computes the derivatives
-/// `total` of a directional derivative: those of a stage's rates follow from the second derivatives of the
-/// rates along the stage's direction, and from the derivatives of that direction.
+/// The function bodies of a step. `moved` computes the points, slopes and derivatives of all stages; `after`
+/// holds those of the step, and `rest` is scratch space. `moved_along` computes the derivatives `total` of a
+/// directional derivative: the derivatives of a stage's rates follow from the second derivatives of the rates
+/// along the stage's direction, and from the derivatives of that direction.
 inline constexpr std::string_view step_functions_template = template_text(
 #include <kanexpr/exporting/casadi/step_functions.c.in>
 );

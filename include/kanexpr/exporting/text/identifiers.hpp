@@ -45,8 +45,8 @@ inline std::string printable(std::string_view text) {
 /// Maps names to unique identifiers in C and C++.
 class identifiers {
 public:
-  /// Returns the name or a similar one: other characters become `u` followed by their code point, and an
-  /// underscore is appended to a name that is taken.
+  /// Returns the name, altered if necessary: characters that identifiers cannot contain become `u` followed
+  /// by their code point, and an underscore is appended if the name is already taken.
   std::string unique(std::string_view name) {
     std::string plain = spelled(name);
     while (!used_.insert(plain).second) plain += '_';

@@ -27,7 +27,8 @@ struct system_with_c_names {
   std::vector<std::pair<std::string, std::string>> changed{}; ///< model names and their replacements
 };
 
-/// Maps all names to C. Symbols and functions share one set of names, because all have the prefix `NAME_`.
+/// Maps all names to C identifiers. Symbols and functions share one set of names, because all have the prefix
+/// `NAME_`.
 inline system_with_c_names names_in_c(exported_system s) {
   identifiers taken;
   taken.reserve("states coordinates speeds parameters inputs bits FUNCTION INLINE SINES_OF_THE_LIBRARY "

@@ -21,7 +21,7 @@
 
 #include <string_view>
 
-/// Checks of a system, run before the equations of motion are derived.
+/// Checks a system before its equations of motion are derived.
 namespace kanexpr::mechanics {
 
 namespace detail {
@@ -104,7 +104,8 @@ private:
     check_velocity_of(f.angular_velocity, "the angular velocity of frame ", f.called);
     // follows the chain of reference frames
     int steps =
-        m_.frames.size(); // the bound ends loops that do not contain f; these are reported for another frame
+        m_.frames
+            .size(); // the bound ends loops that do not contain f; these are reported for a different frame
     for (int on = f.reference; on != none && steps > 0; --steps) {
       const frame& above = m_.frames[on];
       if (on == place)
@@ -153,8 +154,8 @@ private:
 
 } // namespace detail
 
-/// Returns the first mistake of a system, or an empty sentence. Constraints are checked later, once the
-/// velocities have been derived.
+/// Returns a sentence that describes the first mistake in a system; empty if there is none. Constraints are
+/// checked later, once the velocities have been derived.
 constexpr sentence check_system(const multibody_system& of) { return detail::system_checker(of).run(); }
 
 /// Checks frames and points that were added to a system after it had been derived.

@@ -14,7 +14,7 @@
 
 #include <string_view>
 
-/// Checks of constraints: of their contents, of their number, and for singularity in every configuration.
+/// Checks the contents and the number of constraints, and whether they are singular in every configuration.
 namespace kanexpr::mechanics {
 
 /// Reports configuration constraints that vanish identically, as happens for planar loops modeled in space.

@@ -55,8 +55,8 @@ constexpr sequence<numbers> at_any_angles(const mechanism& m, const sequence<exp
   return at_generic_states(a, &m);
 }
 
-/// Checks the length of a quaternion of numbers and functions of angles. If the entries are coordinates, the
-/// state is normalized instead.
+/// Checks the length of a quaternion whose entries are numbers or functions of angles. If the entries are
+/// coordinates, the state is normalized instead.
 constexpr bool has_unit_length(const mechanism& m, const sequence<expression>& quaternion) {
   for (const numbers& e : at_any_angles(m, quaternion, 1)) {
     double square = 0;

@@ -16,8 +16,8 @@
 
 #include <string_view>
 
-/// Checks of inertias that are given along the axes of several frames, or that contain symbols. They are
-/// evaluated at generic states.
+/// Checks inertias that are given along the axes of several frames, or that contain symbols, by evaluating
+/// them at generic states.
 namespace kanexpr::mechanics {
 
 namespace detail {
@@ -189,7 +189,7 @@ private:
 };
 
 /// Finds physically impossible inertias that are sums over the axes of several frames, or that contain
-/// symbols. An inertia that is equal at two states is treated as numeric.
+/// symbols. An inertia that has the same value at two states is treated as numeric.
 class dyadics_checker : public inertias_at_states {
 public:
   constexpr dyadics_checker(const mechanism& m, const contents& held) : inertias_at_states(m, held) {

@@ -75,8 +75,8 @@ private:
     if (const sentence rate = symbol_in(m_, held_, l, {kind::speed_rate}))
       return fail({"the Lagrangian contains the ", rate.view()});
     if (loads_.has_gravity)
-      return fail({"gravity acts on bodies, which a Lagrangian replaces; add their potential energy to the "
-                   "Lagrangian"});
+      return fail({"gravity acts on bodies, but a system given by a Lagrangian has none; add the potential "
+                   "energy of gravity to the Lagrangian"});
     for (const expression& p : gradient_of(m_, l).momenta)
       if (!found_)
         found_ = check_prescribed(m_, contents(*m_.g), p, 1,
@@ -166,7 +166,8 @@ private:
 
 } // namespace detail
 
-/// Returns the first mistake of a mechanism that matters only for Lagrange's method, or an empty sentence.
+/// Returns a sentence that describes the first mistake that matters only for Lagrange's method; empty if
+/// there is none.
 constexpr sentence check_lagrange(motion& k, const loads& acting) {
   return detail::lagrange_checker(k, acting, detail::by_lagrange).run();
 }

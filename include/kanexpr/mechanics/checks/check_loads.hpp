@@ -14,7 +14,7 @@
 
 #include <string_view>
 
-/// Checks of the loads of a system.
+/// Checks the loads of a system.
 namespace kanexpr::mechanics {
 
 namespace detail {
@@ -79,7 +79,7 @@ private:
 
 } // namespace detail
 
-/// Returns the first mistake in the loads, or an empty sentence.
+/// Returns a sentence that describes the first mistake in the loads; empty if there is none.
 constexpr sentence check_loads(const mechanism& m, const loads& acting, const contents& held) {
   load_check by(m, held);
   acting.each([&](const auto& load, int place) {

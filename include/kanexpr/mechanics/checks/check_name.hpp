@@ -7,8 +7,8 @@
 
 namespace kanexpr::mechanics {
 
-/// Returns why a text is not a valid name, or an empty sentence. `kinds` denotes the named entities, such as
-/// "parameters".
+/// Returns a sentence that explains why a text is not a valid name; empty if it is valid. `kinds` denotes the
+/// named entities, such as "parameters".
 constexpr base::sentence check_name(std::string_view called, std::string_view kinds) {
   if (symbolic::is_name(called)) return {};
   if (called.empty()) return base::sentence({"one of the ", kinds, " has no name"});

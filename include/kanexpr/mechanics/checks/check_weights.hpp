@@ -74,8 +74,9 @@ private:
     sequence<triple> summands;
     for (const summand& s : summands_of(load.value, b, motion)) add(summands, s.value.rate, {1, 0, 0});
     if (is_sum_of_some(summands, {-dot(weight_of(motion, b), velocity), 0, 0}))
-      by_.fail({"potential energy ", base::counted(place + 1).view(), " contains that of the weight of ",
-                b.called.view(), ", which gravity already applies"});
+      by_.fail({"potential energy ", base::counted(place + 1).view(),
+                " includes the energy of the weight of ", b.called.view(),
+                ", which gravity already applies"});
   }
   constexpr void check_load(const generic_motion& motion, const body& b, const force& f, int) const {
     sequence<triple> summands;

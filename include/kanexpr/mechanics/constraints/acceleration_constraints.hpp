@@ -88,8 +88,8 @@ constexpr sentence check_acceleration_constraints(const skeleton& s, const const
   const int i = first_that_never_vanishes(states, c.on_accelerations);
   if (i == none) return {};
   return sentence({"acceleration constraint ", base::counted(i + 1).view(),
-                   " is not the rate of the constraints on the velocities: its part without rates of speeds "
-                   "differs from theirs"});
+                   " is not the time derivative of the constraints on the velocities: the terms without "
+                   "rates of speeds differ"});
 }
 
 } // namespace kanexpr::mechanics

@@ -11,7 +11,7 @@
 
 namespace kanexpr::mechanics {
 
-/// Random states, with rates of the speeds, that satisfy the constraints. They serve to test numerically
+/// Random states, with rates of the speeds, that satisfy the constraints. They are used to test numerically
 /// whether an expression vanishes wherever the constraints hold.
 class consistent_states {
 public:

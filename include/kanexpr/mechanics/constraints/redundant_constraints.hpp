@@ -57,7 +57,7 @@ constexpr sentence check_redundant(const given_constraints& all) {
 
 /// The rate of a redundant constraint vanishes wherever the other constraints hold, for all speeds that they
 /// admit, even though elsewhere its gradient need not be a linear combination of theirs. If the rate of a
-/// constraint vanishes at none of many such states, the constraint restricts a remaining motion and is
+/// constraint does not vanish at any of many such states, the constraint restricts a remaining motion and is
 /// reported.
 constexpr sentence check_redundant_rates(const skeleton& s, const constraints& c,
                                          const symbolic::matrix& configuration,

@@ -58,7 +58,7 @@ public:
     return solved_for_dependent(dependent().on_independent, independent, dependent().at_rest);
   }
 
-  /// For each dependent speed, the determinant of the block in which it is solved. The determinant is 0 where
+  /// For each dependent speed, the determinant of the block that is solved for it. The determinant is 0 where
   /// the block is singular and changes sign there.
   constexpr sequence<expression> constraint_pivots() {
     sequence<expression> pivots(speeds_.dependent.size(), m_.one());
@@ -181,7 +181,7 @@ public:
     return mechanics::inertia_forces(s_, on_accelerated_ground);
   }
 
-  /// The generalized forces of all speeds that `inertia_in` does not include.
+  /// For all speeds, the generalized forces that `inertia_in` does not include.
   constexpr sequence<expression> forces_of_loads() {
     if (by_lagrange()) return lagrange_.forces_of_loads();
     return mechanics::forces_of_loads(s_, loads_);

@@ -30,7 +30,7 @@ constexpr bool is_positive_definite(sequence<double> a, int order) {
 /// that all parts are at rest if the kinetic energy is zero. A frame that rotates in a frame at rest is
 /// itself at rest if its axes are numeric and the inertias that rotate with it resist all of its rotations. A
 /// point that slides relative to a point at rest is itself at rest if its directions are numeric and it has
-/// mass. All masses and inertias must be numbers for which no energy is negative.
+/// mass. All masses and inertias must be numeric, and no kinetic energy may be negative.
 class positive_energy_proof {
 public:
   constexpr explicit positive_energy_proof(const skeleton& s)
@@ -114,7 +114,7 @@ private:
     if (!w.known || w.speeds.empty()) return w.known;
     triad energy;
     for (const link& l :
-         s_.links)      // about the station if it rests; otherwise about the mass center, where the
+         s_.links)      // about the station if it is at rest; otherwise about the mass center, where the
       if (l.frame == f) // omitted part is nonnegative
         energy = energy + inertia(l, station_is_at_rest_[l.station] == 0);
     return prove(w, energy);

@@ -24,9 +24,10 @@ struct required_inputs {
 constexpr required_inputs inputs_for(const mechanism& m, const sequence<expression>& forces) {
   const int speeds = forces.size(), inputs = m.inputs.size();
   if (speeds != inputs)
-    return {sentence({"required inputs are defined only for as many inputs as independent speeds; there ",
-                      inputs == 1 ? "is " : "are ", base::counted(inputs).view(),
-                      inputs == 1 ? " input" : " inputs", " for ", base::counted(speeds).view()})};
+    return {sentence(
+        {"required inputs are defined only if there are as many inputs as independent speeds; there ",
+         inputs == 1 ? "is " : "are ", base::counted(inputs).view(), inputs == 1 ? " input" : " inputs",
+         " for ", base::counted(speeds).view()})};
   const symbolic::matrix on_inputs = symbolic::jacobian(*m.g, forces, m.inputs);
   symbolic::matrix others(*m.g, speeds, 1);
   symbolic::substitution without_inputs(*m.g);

@@ -66,7 +66,7 @@ constexpr sequence<singularity_check> checks_of_speeds(const mechanism& m, const
   });
 }
 
-/// Checks of the pivots of a mass matrix, each pivot once.
+/// Checks for the pivots of a mass matrix, one for each pivot.
 constexpr sequence<singularity_check> checks_of_mass(const mechanism& m, const partition& speeds,
                                                      const sequence<symbolic::pivot>& pivots) {
   sequence<singularity_check> checks;

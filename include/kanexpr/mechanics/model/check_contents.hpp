@@ -11,8 +11,8 @@
 
 #include <string_view>
 
-/// Checks of the symbols that an expression contains. `of` and `whose` name the expression in error
-/// sentences, such as "the angle of frame " and "B".
+/// Checks the symbols that an expression contains. `of` and `whose` name the expression in error sentences,
+/// such as "the angle of frame " and "B".
 namespace kanexpr::mechanics {
 
 /// Returns, for example, "speed u1" or "rate of coordinate q1".

@@ -35,7 +35,7 @@ std::string contradiction(const derivation::survey& known, const Eigen::VectorXd
   return {};
 }
 
-/// The same for the initial state of a motion, with a hint about the remedy.
+/// The same for the initial state of a motion, with a suggested remedy.
 template <class IsGiven>
 std::string contradiction_at_start(const derivation::survey& known, const Eigen::VectorXd& given,
                                    const Eigen::VectorXd& found, const IsGiven& is_given) {

@@ -15,8 +15,8 @@ struct fraction {
   std::map<std::size_t, std::int64_t> denominator{}; ///< positive exponents
 };
 
-/// Arithmetic of fractions. Denominators stay factored, and each factor is canceled as often as it divides
-/// the numerator.
+/// Arithmetic of fractions. Denominators stay factored, and each factor is canceled as many times as it
+/// divides the numerator.
 template <class Coefficient>
 class fraction_arithmetic {
 public:

@@ -40,8 +40,8 @@ inline std::string decimal(const number& n) {
 
 /// The traversal shared by all printed forms. A form provides the text of the `product` of a side, the
 /// `quotient` of two sides, a `function`, a symbol (`name_of`), a number (`number_of`), the `exponent` of a
-/// node, the `power` of two texts, a condition with two branches (`conditional_of`), a node with an exponent
-/// (`raised`), and a text `in_parentheses`.
+/// node, the `power` of two strings, a condition with two branches (`conditional_of`), a node with an
+/// exponent (`raised`), and a text `in_parentheses`.
 template <class Form>
 class writer {
 public:

@@ -20,8 +20,9 @@ namespace kanexpr::symbolic {
 ///
 /// Coordinates that are not angles may vanish where an equation vanishes. Each contributes the mean square of
 /// all such coordinates of the same unit in the equations, some of which are usually nonzero: (x² + y²)/2 for
-/// x as well as for y, as if the axes could be rotated. Equal units are inferred from sums: those in the
-/// equations and the `sums` from which the equations come.
+/// x as well as for y, as if the axes could be rotated. Units are inferred from the fact that all terms of a
+/// sum have the same unit: both the sums in the equations and the `sums` from which the equations were formed
+/// are used.
 class mean_square {
 public:
   constexpr mean_square(graph& g, const sequence<int>& equations, const sequence<int>& expressions,
