@@ -123,7 +123,7 @@ inline std::string check_number(const animation::shape& s, double size) {
   return "every dimension of the " + s.name + " must be positive and finite";
 }
 
-/// Returns a sentence that names the first value in an animation that is not finite or out of range; empty if
+/// Returns a message that names the first value in an animation that is not finite or out of range; empty if
 /// there is none.
 inline std::string check_numbers(const animation& a) {
   if (!numeric::all_finite(a.up) || !(a.up.norm() > 0.5))

@@ -5,7 +5,7 @@
 
 namespace kanexpr::base {
 
-/// Formats a number for a sentence; a zero is written without a sign.
+/// Formats a number for a message; a zero is written without a sign.
 inline std::string digits(double number, int significant) {
   char text[32];
   std::snprintf(text, sizeof text, "%.*g", significant, number + 0.0);

@@ -16,7 +16,7 @@ struct sentence {
   int length = 0;
 
   constexpr sentence() = default;
-  /// Names that are too long for a sentence are shortened in the middle, so that the end of the sentence is
+  /// Names that are too long for a message are shortened in the middle, so that the end of the sentence is
   /// kept and names stay distinct.
   constexpr explicit sentence(std::initializer_list<std::string_view> pieces);
 
@@ -77,7 +77,7 @@ constexpr void sentence::append(std::string_view text) {
   }
 }
 
-/// Formats an integer for a sentence.
+/// Formats an integer for a message.
 constexpr base::name counted(int n) {
   name text;
   text.append(n);

@@ -12,7 +12,7 @@ namespace kanexpr {
 class status {
 public:
   constexpr status() = default;
-  /// The first failure, as a sentence that outlives the status.
+  /// The first failure, as a message that outlives the status.
   constexpr explicit status(std::string_view cause) : cause_(cause) {}
 
   /// True if the results can be used.

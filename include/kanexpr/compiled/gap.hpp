@@ -90,7 +90,7 @@ constexpr base::sentence describe_gap(gap found, const derivation::survey& known
   return {};
 }
 
-/// Returns a sentence that names the first entry of a vector of values that is not finite; empty if all are
+/// Returns a message that names the first entry of a vector of values that is not finite; empty if all are
 /// finite.
 template <class Vector>
 base::sentence first_gap(const Vector& values, const derivation::survey& known, const symbol_range& range,

@@ -11,7 +11,7 @@
 /// Finds the parameter, the input or the entry of the state that makes a result not finite.
 namespace kanexpr::compiled {
 
-/// Returns a sentence that names the first entry of the parameters or inputs that is not finite; empty if all
+/// Returns a message that names the first entry of the parameters or inputs that is not finite; empty if all
 /// are finite.
 template <class System, symbols_of which, class Vector>
 base::sentence gap_among(const Vector& values) {
@@ -26,7 +26,7 @@ base::sentence gap_among(const Parameters& p, const Inputs& r) {
   return found ? found : gap_among<System, symbols_of::inputs>(r);
 }
 
-/// Returns a sentence such as "m has no finite value" for every symbol of a system.
+/// Returns a message such as "m has no finite value" for every symbol of a system.
 template <class System>
 constexpr auto causes_of_gaps() {
   constexpr const derivation::survey& known = survey_of<System>;
@@ -37,7 +37,7 @@ constexpr auto causes_of_gaps() {
   return all;
 }
 
-/// Stores these causes permanently, because statuses do not own their sentences.
+/// Stores these causes permanently, because statuses do not own their messages.
 template <class System>
 struct not_finite {
   static constexpr auto causes =

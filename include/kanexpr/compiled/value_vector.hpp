@@ -76,7 +76,7 @@ public:
     return (*this)(place_in<System, which, Symbol>::place);
   }
 
-  /// Returns a sentence that names the first entry without a finite value; empty if there is none.
+  /// Returns a message that names the first entry without a finite value; empty if there is none.
   base::sentence mistake() const { return first_gap(*this, survey_of<System>, range, type_name<System>()); }
 
 private:

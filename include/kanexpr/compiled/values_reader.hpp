@@ -13,12 +13,12 @@
 
 namespace kanexpr::compiled {
 
-/// Checks the parameters of a system for negative masses and impossible inertias. Returns a sentence that
+/// Checks the parameters of a system for negative masses and impossible inertias. Returns a message that
 /// names the first one; empty if there is none. Parameters that are NaN are treated as unknown.
 base::sentence check_masses(const derivation::survey& known, const double* parameters);
 
 /// Stores values specified by name at their indices and keeps the first mistake. A model derived at run time
-/// does not have a name, so its sentences read "the model has no parameter ll".
+/// does not have a name, so its messages read "the model has no parameter ll".
 class values_reader {
 public:
   values_reader(const derivation::survey& known, const describe::system_record& told, std::string_view system,

@@ -45,7 +45,7 @@ public:
   constexpr int size() const { return contents_.size(); }
   constexpr std::uint64_t operator[](int i) const { return contents_[i]; }
 
-  /// Returns a sentence that names the first entity that the intended file describes differently; empty if
+  /// Returns a message that names the first entity that the intended file describes differently; empty if
   /// there is none.
   constexpr sentence first_difference(std::span<const std::uint64_t> meant) const {
     for (int i = 0; i < size() && static_cast<std::size_t>(i) < meant.size(); ++i)

@@ -68,7 +68,7 @@ inline constexpr int longest_piece = 30;
 inline constexpr int longest_piece = base::sentence::capacity;
 #endif
 
-/// Returns the end of the piece of a sentence that starts at `begin`: at a space if possible, otherwise
+/// Returns the end of the piece of a message that starts at `begin`: at a space if possible, otherwise
 /// within a word.
 constexpr int piece_end(const base::sentence& p, int begin) {
   const int most = begin + longest_piece;

@@ -22,7 +22,7 @@ class expression; // the expressions of builders, which models do not need
 
 namespace describe {
 
-/// The last part of a sentence about a user function.
+/// The last part of a message about a user function.
 struct external_mistake {
   std::string_view whose = "", what = "", numbers = "";
 };

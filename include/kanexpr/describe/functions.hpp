@@ -64,7 +64,7 @@ constexpr auto pow(const Left& x, const Right& y) {
     return describe::function_of(symbolic::operation::power, x, y);
 }
 
-// Functions that C++ provides but models do not support; they are declared so that an error sentence can
+// Functions that C++ provides but models do not support; they are declared so that an error message can
 // report their use.
 
 #define KANEXPR_UNSUPPORTED_FUNCTION(name)                                                                   \

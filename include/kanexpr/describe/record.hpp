@@ -15,7 +15,7 @@
 /// expressions.
 namespace kanexpr::describe {
 
-/// The result of checking the number of arguments of a word, and the form that an error sentence suggests.
+/// The result of checking the number of arguments of a word, and the form that an error message suggests.
 struct arguments {
   int missing = 0;       ///< -1: too many
   std::string_view form; ///< how to write the word: "offset<Self, From, vector>"
@@ -206,7 +206,7 @@ enum class load_word : unsigned char;
 struct load_record {
   load_word what{};
   std::string_view
-      word{}; ///< its name in sentences, such as "the force"; the point or frame on which it acts follows
+      word{}; ///< its name in messages, such as "the force"; the point or frame on which it acts follows
   arguments fits{};
   const point_record* point = nullptr;
   const point_record* other_point = nullptr; ///< null if it does not act between two points
@@ -232,7 +232,7 @@ struct joint_record : entity_record {
   const frame_record* home = nullptr; ///< the child's frame when all coordinates are zero
   const frame_record* parent_frame = nullptr;
   const point_record* parent_point = nullptr;
-  listing<phrase> axes{}; ///< axes that need a check
+  listing<phrase> axes{}; ///< axes that must be checked
   phrase place{};         ///< its location in the parent, if it is given along axes other than the parent's
   listing<phrase> coordinates{}, speeds{}, kinematics{};
   const body_record* body = nullptr; ///< null if it has no mass

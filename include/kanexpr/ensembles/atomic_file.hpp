@@ -20,7 +20,7 @@ inline outcome file_failure(const std::string& path, const char* what) {
 }
 
 /// Waits until the operating system has stored a file, so that it survives a power failure. `called` is the
-/// name of the file in error sentences.
+/// name of the file in error messages.
 inline outcome store(const std::string& file, const std::string& called) {
   const int opened = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
   const bool is_stored = opened >= 0 && (::fsync(opened) == 0 || errno == EINVAL);

@@ -69,7 +69,7 @@ public:
     mistake_ = find_mistake();
   }
 
-  /// Returns a sentence that describes a mistake in the study; empty if there is none.
+  /// Returns a message that describes a mistake in the study; empty if there is none.
   const std::string& mistake() const { return mistake_; }
 
   const study_layout& layout() const override { return context_.layout; }

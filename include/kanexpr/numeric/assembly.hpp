@@ -43,7 +43,7 @@ using assembly_options = numeric::newton_options;
 
 namespace numeric {
 
-/// Returns a sentence that ends in a number.
+/// Returns a message that ends in a number.
 inline base::sentence with_number(std::string_view before, double number, int precision = 3) {
   char digits[32];
   const int length = std::snprintf(digits, sizeof digits, "%.*g", precision, number + 0.0);
@@ -87,7 +87,7 @@ bool is_within_rounding(const Vector& left, const Vector& terms) {
   return true;
 }
 
-/// Returns a sentence that names the first constraint violated relative to its terms, with its residual.
+/// Returns a message that names the first constraint violated relative to its terms, with its residual.
 template <class Vector, class Terms, class State>
 base::sentence first_violated(const Vector& left, const Terms& terms_at, const State& x, int coordinates,
                               double tolerance, std::string_view which) {
@@ -104,7 +104,7 @@ base::sentence first_violated(const Vector& left, const Terms& terms_at, const S
   return {};
 }
 
-/// Returns a sentence that names the first redundant constraint that is violated.
+/// Returns a message that names the first redundant constraint that is violated.
 template <class Constraints, class State>
 base::sentence violated_redundant(Constraints& c, const State& x, double tolerance) {
   return first_violated(
@@ -112,7 +112,7 @@ base::sentence violated_redundant(Constraints& c, const State& x, double toleran
       tolerance, "redundant constraint ");
 }
 
-/// Returns a sentence that names the first redundant constraint whose rate does not vanish. The rate vanishes
+/// Returns a message that names the first redundant constraint whose rate does not vanish. The rate vanishes
 /// if the other constraints hold exactly; the closer these are to being linearly dependent, the more their
 /// residuals are amplified.
 template <class Constraints, class State>

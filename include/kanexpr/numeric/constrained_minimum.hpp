@@ -10,8 +10,8 @@ namespace kanexpr::numeric {
 
 /// Minimizes ½ xᵀ M x − gᵀ x subject to J x = b for a J of any rank; if rows are linearly dependent, the
 /// combinations of rows with the smallest singular values are discarded. M is symmetric, and positive
-/// definite on the null space of J. With g = M x₀, the solution is the x nearest to x₀ in the metric M;
-/// Gauss's principle gives accelerations in this form.
+/// definite on the null space of J. With g = M x₀, the solution is the x nearest to x₀ in the metric M; this
+/// is the form in which Gauss's principle determines accelerations.
 template <class Mass, class Jacobian>
 class constrained_minimum {
   using number = typename Mass::Scalar;

@@ -18,7 +18,7 @@ struct independence {
   base::sentence failure{};
 
   explicit operator bool() const { return !failure; }
-  /// Returns a sentence that names the dependent constraint; empty if there is none.
+  /// Returns a message that names the dependent constraint; empty if there is none.
   std::string cause() const { return std::string(failure.view()); }
 };
 

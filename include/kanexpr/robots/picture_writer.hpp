@@ -90,7 +90,7 @@ public:
            "\n";
   }
 
-  /// A sentence that names the meshes that are not drawn; empty if all are drawn.
+  /// A message that names the meshes that are not drawn; empty if all are drawn.
   std::string note() const {
     if (omitted_meshes_.empty()) return {};
     const bool is_single = omitted_meshes_.size() == 1;

@@ -13,7 +13,7 @@
 /// A robot as a plain value: links and the joints between them, as files describe them, in SI units.
 namespace kanexpr::robots {
 
-/// Returns text from a file for use in a sentence: truncated and without control characters.
+/// Returns text from a file for use in a message: truncated and without control characters.
 inline std::string printable(std::string_view text, std::size_t most = 60) {
   std::string plain;
   for (char c : text.substr(0, most)) plain += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;

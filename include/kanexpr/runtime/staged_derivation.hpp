@@ -23,7 +23,8 @@ class staged_derivation {
 public:
   explicit staged_derivation(std::function<model()> derive) : derive_(std::move(derive)) {}
 
-  /// A model from which the results of a stage can be formed. It has the mistake of the system, if any.
+  /// A model from which the results of a stage can be formed. If the system has a mistake, the model reports
+  /// it.
   model resume(mechanics::stage at = mechanics::stage::constrained);
 
 private:

@@ -19,7 +19,7 @@ namespace runtime {
 
 using compiled::symbols_of;
 
-/// The name of a model in sentences about values; empty, because the type `model` does not identify the
+/// The name of a model in messages about values; empty, because the type `model` does not identify the
 /// system.
 inline constexpr std::string_view name_of_models = {};
 
@@ -66,7 +66,7 @@ public:
 
   bool holds(std::string_view name) const { return find(name) >= 0; }
 
-  /// Returns a sentence about the last unknown name that was looked up; empty if there was none.
+  /// Returns a message about the last unknown name that was looked up; empty if there was none.
   base::sentence mistake() const {
     if (unknown_.empty()) return {};
     return base::sentence({"the model has no ", range().symbol, " ", unknown_});

@@ -116,8 +116,8 @@ public:
     }
   }
 
-  /// If the constraints are not finite, returns a sentence that names the parameter, input or state entry
-  /// that is not set; otherwise, returns an empty sentence.
+  /// If the constraints are not finite, returns a message that names the parameter, input or state entry
+  /// that is not set; otherwise, returns an empty message.
   base::sentence gap_before(const state& x) const {
     if (numeric::all_finite(configuration_residual(x)) && numeric::all_finite(velocity_residual(x)))
       return {};

@@ -138,7 +138,7 @@ private:
     return {first, r.other_frame != nullptr ? entities_.frame(r.other_frame, whom) : none};
   }
 
-  /// Returns the vector of a force or torque. If the load acts on a single entity, sentences about the vector
+  /// Returns the vector of a force or torque. If the load acts on a single entity, messages about the vector
   /// name that entity.
   constexpr mechanics::vector effort_of(const load_record& r, std::string_view whom, std::string_view place) {
     if (r.other_point != nullptr || r.other_frame != nullptr)

@@ -6,7 +6,7 @@
 
 #include <string_view>
 
-/// Names for the parts of a model, for use in sentences.
+/// Names for the parts of a model, for use in messages.
 namespace kanexpr::derivation {
 
 using describe::frame_record;
@@ -44,7 +44,7 @@ constexpr std::string_view name_in(const phrase& p) {
   return "";
 }
 
-/// The name of a type; arguments that are too long for a sentence are omitted: `particle<...>`.
+/// The name of a type; arguments that are too long for a message are omitted: `particle<...>`.
 constexpr base::sentence short_name(std::string_view called) {
   constexpr std::size_t longest = 40;
   if (called.size() <= longest) return base::sentence({called});
@@ -97,7 +97,7 @@ constexpr bool is_whole(const phrase& p) {
   return depth == 1;
 }
 
-/// Returns the subject of sentences about a load: "the force at P", "the spring between P and Q", "the
+/// Returns the subject of messages about a load: "the force at P", "the spring between P and Q", "the
 /// potential energy with q1".
 constexpr base::sentence name_of(const load_record& r) {
   if (r.other_point != nullptr)

@@ -8,7 +8,7 @@ namespace kanexpr::describe {
 
 inline constexpr std::string_view joint_out_of_place = "a joint; list it in joints<...>";
 
-/// Describes a type for a sentence about a misplaced type; empty if the type is not a word of a model.
+/// Describes a type for a message about a misplaced type; empty if the type is not a word of a model.
 template <class Type>
 constexpr std::string_view describe_kind() {
   if constexpr (requires { Type::joint_description(); })
@@ -32,9 +32,9 @@ struct anything {
   operator Type() const;
 };
 
-/// Whether a class is empty, without bases, and not a word of the library. No model contains such a class on
-/// purpose, but after an error in a base clause, compilers continue with such a class. The user should read
-/// that error; a sentence about its consequences would be misleading.
+/// Whether a class is empty, has no bases, and is not a word of the library. No model contains such a class
+/// on purpose, but after an error in a base clause, compilers continue with such a class. The user should
+/// read that error; a message about its consequences would be misleading.
 template <class Type>
 constexpr bool is_unparsed() {
   if constexpr (requires { sizeof(Type); })

@@ -13,7 +13,7 @@
 ///     symbols                joint_symbols<names<"q">, names<"u">>
 ///     least_axes, most_axes  the least and the greatest number of its axes
 ///     is_second_axis_of_child   if the second axis is not fixed in the parent
-///     form                   the form that error sentences suggest
+///     form                   the form that error messages suggest
 ///     special                the type of its special word, if it takes one
 ///     without_special        the mistake if a required special word is missing
 ///     moves                  whether its two points can move apart

@@ -154,7 +154,7 @@ private:
 
 } // namespace detail
 
-/// Returns a sentence that describes the first mistake in a system; empty if there is none. Constraints are
+/// Returns a message that describes the first mistake in a system; empty if there is none. Constraints are
 /// checked later, once the velocities have been derived.
 constexpr sentence check_system(const multibody_system& of) { return detail::system_checker(of).run(); }
 

@@ -60,7 +60,7 @@ constexpr sequence<expression> quadratic_part(const mechanism& m, const sequence
   return quadratic;
 }
 
-/// Returns a sentence that explains why the equations of motion may differ from Lagrange's, whose C is formed
+/// Returns a message that explains why the equations of motion may differ from Lagrange's, whose C is formed
 /// from Christoffel symbols; empty if they cannot.
 constexpr sentence mismatch_with_lagrange(motion& k, const loads& acting) {
   const skeleton& s = k.skeleton_used();
@@ -76,7 +76,7 @@ constexpr sentence mismatch_with_lagrange(motion& k, const loads& acting) {
 
 } // namespace detail
 
-/// Returns a sentence that explains why the matrix `c` of Christoffel symbols is not a Coriolis matrix; empty
+/// Returns a message that explains why the matrix `c` of Christoffel symbols is not a Coriolis matrix; empty
 /// if it is one. Either M depends on more than the coordinates, or C u differs from the part of −F_r* at
 /// u̇ = 0 that is quadratic in the speeds. `bias_of` forms that part and is called only in doubtful cases.
 template <class Form>

@@ -33,7 +33,7 @@ constexpr bool vanish(const mechanism& m, const sequence<expression>& all) {
   return true;
 }
 
-/// The endings of the error sentences.
+/// The endings of the error messages.
 struct wording_of_rates {
   std::string_view of_velocity, of_mass;
 };
@@ -166,7 +166,7 @@ private:
 
 } // namespace detail
 
-/// Returns a sentence that describes the first mistake that matters only for Lagrange's method; empty if
+/// Returns a message that describes the first mistake that matters only for Lagrange's method; empty if
 /// there is none.
 constexpr sentence check_lagrange(motion& k, const loads& acting) {
   return detail::lagrange_checker(k, acting, detail::by_lagrange).run();

@@ -79,7 +79,7 @@ private:
 
 } // namespace detail
 
-/// Returns a sentence that describes the first mistake in the loads; empty if there is none.
+/// Returns a message that describes the first mistake in the loads; empty if there is none.
 constexpr sentence check_loads(const mechanism& m, const loads& acting, const contents& held) {
   load_check by(m, held);
   acting.each([&](const auto& load, int place) {

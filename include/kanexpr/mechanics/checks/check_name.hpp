@@ -7,7 +7,7 @@
 
 namespace kanexpr::mechanics {
 
-/// Returns a sentence that explains why a text is not a valid name; empty if it is valid. `kinds` denotes the
+/// Returns a message that explains why a text is not a valid name; empty if it is valid. `kinds` denotes the
 /// named entities, such as "parameters".
 constexpr base::sentence check_name(std::string_view called, std::string_view kinds) {
   if (symbolic::is_name(called)) return {};

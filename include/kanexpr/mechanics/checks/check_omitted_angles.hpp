@@ -51,7 +51,7 @@ public:
   }
 
 private:
-  /// A vector that may depend on an omitted angle, with its name in sentences, such as "a force on " and "P".
+  /// A vector that may depend on an omitted angle, with its name in messages, such as "a force on " and "P".
   struct candidate {
     const omitted_angle* angle = nullptr;
     int axes = none; ///< the frame along whose axes the vector is given

@@ -12,7 +12,7 @@
 
 namespace kanexpr::mechanics {
 
-/// For each speed, the coordinate whose rate it is; an error sentence if some speed is not a coordinate rate.
+/// For each speed, the coordinate whose rate it is; an error message if some speed is not a coordinate rate.
 struct speeds_as_rates {
   sentence mistake{};
   sequence<int> coordinate{};

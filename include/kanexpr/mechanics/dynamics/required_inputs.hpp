@@ -13,7 +13,7 @@
 
 namespace kanexpr::mechanics {
 
-/// The inputs for which given forces vanish, or an error sentence if there are no such inputs. The forces
+/// The inputs for which given forces vanish, or an error message if there are no such inputs. The forces
 /// must be linear in the inputs.
 struct required_inputs {
   sentence mistake{};

@@ -11,7 +11,7 @@
 
 #include <string_view>
 
-/// Checks the symbols that an expression contains. `of` and `whose` name the expression in error sentences,
+/// Checks the symbols that an expression contains. `of` and `whose` name the expression in error messages,
 /// such as "the angle of frame " and "B".
 namespace kanexpr::mechanics {
 
@@ -27,7 +27,7 @@ constexpr sentence symbol_called(const mechanism& m, contents::kind kind, std::s
 }
 
 /// Returns the name of a symbol of one of the given kinds that the expression contains, such as "speed u1";
-/// an empty sentence if there is none.
+/// an empty message if there is none.
 constexpr sentence symbol_in(const mechanism& m, const contents& held, expression e,
                              std::initializer_list<contents::kind> kinds) {
   for (const contents::kind kind : kinds)

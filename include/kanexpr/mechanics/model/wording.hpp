@@ -7,7 +7,7 @@
 
 #include <string_view>
 
-/// Phrases for the error sentences about a mechanism.
+/// Phrases for the error messages about a mechanism.
 namespace kanexpr::mechanics {
 
 using base::sentence;

@@ -15,7 +15,7 @@
 /// The kinematic differential equations of a frame whose angular velocity is declared.
 namespace kanexpr::mechanics {
 
-/// Returns a sentence that explains why a frame's orientation and declared angular velocity do not yield
+/// Returns a message that explains why a frame's orientation and declared angular velocity do not yield
 /// equations; empty if they do.
 constexpr base::sentence check_orientation_kinematics(const mechanism& m, int place, int reference) {
   const std::string_view called = m.frames[place].called.view(), in = m.frames[reference].called.view();

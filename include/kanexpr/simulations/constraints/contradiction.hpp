@@ -12,7 +12,7 @@
 
 namespace kanexpr::simulations {
 
-/// Returns a sentence about the first dependent coordinate or speed whose given value contradicts the
+/// Returns a message about the first dependent coordinate or speed whose given value contradicts the
 /// constraints: "speed u2, which is dependent, was given as 30, but the constraints require 0". A value may
 /// be rounded to four digits; a value of 0 is compared with the largest of its kind.
 template <class IsGiven>

@@ -23,7 +23,7 @@ public:
   virtual assembly assemble(double t, vector& x, const vector& r) = 0;
   /// Returns the residuals of the configuration constraints.
   virtual vector configuration_residual(double t, const vector& x, const vector& r) = 0;
-  /// Returns a sentence about a redundant constraint whose residual, relative to its terms, exceeds a
+  /// Returns a message about a redundant constraint whose residual, relative to its terms, exceeds a
   /// tolerance; empty if all hold.
   virtual base::sentence redundant_violation(double t, const vector& x, const vector& r,
                                              double tolerance) = 0;

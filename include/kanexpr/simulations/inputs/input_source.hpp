@@ -56,7 +56,7 @@ public:
     if (constants_) constants_->read(known);
   }
 
-  /// Returns a sentence that describes a mistake in the constants.
+  /// Returns a message that describes a mistake in the constants.
   const base::sentence& mistake() const {
     static constexpr base::sentence none{};
     return constants_ ? constants_->mistake : none;

@@ -53,7 +53,7 @@ inline std::vector<rate_pair> prescribed_rates(const derivation::survey& known) 
   return all;
 }
 
-/// Returns a sentence about a nonzero rate among constant inputs.
+/// Returns a message about a nonzero rate among constant inputs.
 inline std::string contradiction_in_constants(const derivation::survey& known, const double* r) {
   if (!has_prescribed_rates(known)) return {};
   for (const rate_pair& each : prescribed_rates(known))

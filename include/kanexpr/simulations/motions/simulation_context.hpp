@@ -124,7 +124,7 @@ public:
     return answer::recoverable;
   }
   answer fail(const status& s) { return fail(s.cause()); }
-  /// Fails with a sentence if an entry is not finite.
+  /// Fails with a message if an entry is not finite.
   template <class Entries>
   answer check_finite(const Entries& entries, const char* not_finite) {
     return numeric::all_finite(entries) ? answer::success : fail(not_finite);

@@ -245,7 +245,7 @@ private:
     return watch(t, y, values, of);
   }
 
-  /// Returns the end of an error sentence about the least step; empty if only rounding limits the step size.
+  /// Returns the end of an error message about the least step; empty if only rounding limits the step size.
   std::string step_limit_text() const {
     if (options_.least_step <= 4 * std::numeric_limits<double>::epsilon() * options_.end) return {};
     return "; the least step is " + base::digits(options_.least_step);

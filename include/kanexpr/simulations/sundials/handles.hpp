@@ -37,7 +37,7 @@ inline vector_handle new_vector(sunindextype size, SUNContext context) {
 
 inline double* numbers_of(N_Vector v) { return N_VGetArrayPointer(v); }
 
-/// The last error message of SUNDIALS, for the sentence of a failure.
+/// The last error message of SUNDIALS, for use in the message of a failure.
 struct last_error {
   std::string message{};
 

@@ -27,7 +27,7 @@ namespace kanexpr {
 /// After a failure, such as a full disk, nothing more is written.
 class csv_writer {
 public:
-  /// `called` is the name of the stream in error sentences.
+  /// `called` is the name of the stream in error messages.
   csv_writer(std::ostream& out, std::span<const std::string> names, std::string called = "the stream");
   csv_writer(std::ostream& out, std::initializer_list<std::string> names, std::string called = "the stream")
       : csv_writer(out, std::span(names.begin(), names.size()), std::move(called)) {}
@@ -60,13 +60,13 @@ private:
   outcome done_{};
 };
 
-/// Writes a whole table; `called` is the name of the stream in error sentences.
+/// Writes a whole table; `called` is the name of the stream in error messages.
 KANEXPR_SIMULATIONS outcome write_csv(const table& all, std::ostream& out,
                                       const std::string& called = "the stream");
 KANEXPR_SIMULATIONS outcome write_csv(const table& all, const file_path& path);
 
 /// Reads a table written by `write_csv` or by another program; on failure the table holds the cause. `called`
-/// is the name of the text in error sentences.
+/// is the name of the text in error messages.
 KANEXPR_SIMULATIONS table read_csv(std::istream& in, const std::string& called = {});
 KANEXPR_SIMULATIONS table read_csv(const file_path& path);
 

@@ -19,7 +19,7 @@ namespace kanexpr {
 
 namespace simulations {
 
-/// Reads a number from its text. Returns the end of an error sentence; empty on success.
+/// Reads a number from its text. Returns the end of an error message; empty on success.
 inline std::string_view read_number(std::string_view text, double& number) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -47,7 +47,7 @@ inline std::string csv_field(const std::string& name) {
 /// Reads a table from a text. A record is one line, or several if a quoted field contains line breaks.
 class csv_reader {
 public:
-  /// `called` is the name of the text in error sentences; it may be empty.
+  /// `called` is the name of the text in error messages; it may be empty.
   csv_reader(std::istream& in, std::string called) : in_(in), called_(std::move(called)) {}
 
   table read() {

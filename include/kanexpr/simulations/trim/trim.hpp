@@ -26,7 +26,7 @@ struct requirements {
 
 /// The functions of a system that the search for an operating point needs. They evaluate [constraints; ẋ] at
 /// time t and [x; p; r]. They are given either as tables or as a compiled function in a library; the function
-/// returns a sentence that names the singular linear system, or an empty string if there is none.
+/// returns a message that names the singular linear system, or an empty string if there is none.
 struct system_functions {
   using library = std::string_view (*)(double t, const std::complex<double>* at, std::complex<double>* all);
 

@@ -47,7 +47,7 @@ public:
   int states() const { return states_; }
   int residuals() const { return residuals_; }
 
-  /// Returns a sentence that describes a mistake in the names.
+  /// Returns a message that describes a mistake in the names.
   const base::sentence& mistake() const { return mistake_; }
 
   /// Returns the name of an equation: "configuration constraint 1", "the rate of speed u1".

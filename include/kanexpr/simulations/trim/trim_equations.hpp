@@ -102,7 +102,7 @@ public:
     return of;
   }
 
-  /// Returns a sentence that names the linear system that was singular when the residual was last evaluated;
+  /// Returns a message that names the linear system that was singular when the residual was last evaluated;
   /// empty if there was none.
   std::string_view unsolved() const { return unsolved_; }
   /// Returns [x; p; r] with the unknowns inserted.
@@ -117,7 +117,7 @@ private:
     for (const int unknown : asked_.unknowns()) at_(unknown) = z(i++);
   }
 
-  /// Evaluates [norms of quaternions; constraints; ẋ]. Returns a sentence that names a
+  /// Evaluates [norms of quaternions; constraints; ẋ]. Returns a message that names a
   /// singular linear system; empty if there is none.
   std::string_view evaluate() {
     number* all = all_.data();

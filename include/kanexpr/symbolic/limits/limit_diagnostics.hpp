@@ -11,7 +11,7 @@
 
 namespace kanexpr::symbolic::limits {
 
-/// Describes why an expression has no limit, in a sentence that names the part that fails.
+/// Describes why an expression has no limit, in a message that names the part that fails.
 class limit_diagnostics {
 public:
   limit_diagnostics(const graph& g, const point_evaluation& point) : g_(g), point_(point) {}
