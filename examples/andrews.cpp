@@ -1,4 +1,4 @@
-// Andrews' squeezing mechanism at the start of its motion, as it is published.
+// Andrews' squeezing mechanism at the start of its motion, with the published data.
 #include "print.hpp"
 
 #include <models/andrews.hpp>

@@ -1,4 +1,4 @@
-// An arm of three links in space, everything about it a parameter.
+// A spatial arm with three links; all quantities are parameters.
 #include "print.hpp"
 
 #include <models/arm3.hpp>

@@ -1,5 +1,5 @@
-// A bicycle that leans and is steered: its pitch and three of its speeds follow from wheels that touch the
-// ground and roll.
+// A bicycle that leans and is steered. Its pitch and three of its speeds follow from the constraints that the
+// wheels touch the ground and roll without slipping.
 #include "print.hpp"
 
 #include <kanexpr/steps/assemble.hpp>

@@ -13,10 +13,11 @@
 #include <functional>
 #include <tuple>
 
-/// How the bicycle moves near upright and straight ahead, by the eigenvalues of its linearized equations.
+/// The motion of the bicycle near upright straight riding, described by the eigenvalues of its linearized
+/// equations.
 namespace bicycle {
 
-/// Upright and straight ahead at v m/s; the pitch and the front wheel's spin follow from the constraints.
+/// Upright, straight ahead at v m/s; the pitch and the spin of the front wheel follow from the constraints.
 inline kanexpr::state<BoundSystem> straight_ahead(double v) {
   constexpr double rear_radius = 0.3;
   kanexpr::state<BoundSystem> x;
@@ -25,22 +26,23 @@ inline kanexpr::state<BoundSystem> straight_ahead(double v) {
   return x;
 }
 
-/// A in ẋ = A x near that motion, of lean, steer and their rates. Nothing depends on the yaw, and the wheels
-/// keep their spin.
+/// A in ẋ = A x near that motion, for lean, steer and their rates. Nothing depends on the yaw, and the spins
+/// of the wheels are constant.
 inline Eigen::Matrix4d lean_and_steer(double v) {
   const auto [A, B] = kanexpr::linearization<BoundSystem>::explicit_form(straight_ahead(v));
   const std::array places{1, 2, 3, 5}; // among q1, q2, q5, u2, u3, u5
   return A(places, places);
 }
 
-/// The eigenvalues, in 1/s. In the weave the bicycle swings from side to side; below 0.7 m/s it only falls,
-/// in two ways. The capsize is a slow fall to one side, and castering turns the front wheel into its track.
+/// The eigenvalues, in 1/s. In the weave mode the bicycle swings from side to side; below 0.7 m/s the mode
+/// splits into two real ones, and the bicycle simply falls. In the capsize mode it slowly falls to one side,
+/// and in the castering mode the front wheel turns into its track.
 struct modes {
   std::complex<double> weave[2];
   double capsize, castering;
 };
 
-/// What oscillates comes first, then what grows faster.
+/// Oscillating modes come first, then those that grow faster.
 inline modes modes_at(double v) {
   const Eigen::Vector4cd found = lean_and_steer(v).eigenvalues();
   std::array s{found(0), found(1), found(2), found(3)};
@@ -51,7 +53,7 @@ inline modes modes_at(double v) {
   return {{s[0], s[1]}, s[2].real(), s[3].real()};
 }
 
-/// The speed up to 10 m/s at which a mode neither grows nor decays.
+/// The speed, up to 10 m/s, at which a mode neither grows nor decays.
 template <class Growth>
 double critical_speed(const Growth& growth) {
   using namespace boost::math::tools;

@@ -1,5 +1,5 @@
-// A bicycle that nobody steers falls over at some speeds and stays up by itself at others. The compiler
-// derives its nonlinear equations by Kane's method and linearizes them; the program looks at the eigenvalues.
+// A bicycle without a steering torque falls over at some speeds and is self-stable at others. The compiler
+// derives its nonlinear equations by Kane's method and linearizes them; the program computes the eigenvalues.
 #include "bicycle_modes.hpp"
 #include "print.hpp"
 
@@ -9,7 +9,7 @@ namespace {
 
 using bicycle::modes_at;
 
-// A row for each speed: both of the weave with their real and imaginary parts, capsize, castering.
+// One row for each speed: the two weave eigenvalues with their real and imaginary parts, capsize, castering.
 void tabulate(std::FILE* out, int rows) {
   std::fprintf(out, "#  m/s            weave 1            weave 2    capsize  castering\n");
   for (int i = 0; i <= rows; ++i) {
@@ -22,7 +22,7 @@ void tabulate(std::FILE* out, int rows) {
 
 } // namespace
 
-// Writes what bicycle_stability.gp draws to a file, if one is named.
+// Writes the data for bicycle_stability.gp to a file, if one is specified.
 int main(int count, char** names) {
   tabulate(stdout, 10);
   const double weave_speed = bicycle::weave_speed(), capsize_speed = bicycle::capsize_speed();

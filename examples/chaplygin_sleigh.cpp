@@ -1,4 +1,4 @@
-// A sleigh whose blade does not slip sideways. The speeds obey an equation that leaves the position free.
+// A sleigh whose blade does not slip sideways. The constraint restricts the speeds but not the position.
 #include "print.hpp"
 
 #include <models/chaplygin_sleigh.hpp>
@@ -24,7 +24,7 @@ int main() {
   r[F] = 1.51593;
   r[T] = 1.154893;
 
-  // Two equations are left for three speeds; a multiplier is the force that keeps the blade on its track.
+  // Two of the three speeds are independent; the multiplier is the force that keeps the blade on its track.
   print("mass matrix of u1 and u3", eom::mass_matrix(x, p, r));
   print("forcing", eom::forcing(x, p, r));
   print("udot of u1, u3, u2", eom::udot(x, p, r));

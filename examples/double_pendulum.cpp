@@ -1,4 +1,4 @@
-// Two bars with friction and a motor in each joint.
+// Two bars with friction and a motor at each joint.
 #include "print.hpp"
 
 #include <models/double_pendulum.hpp>

@@ -1,4 +1,4 @@
-// A four-bar linkage: put together from a rough guess, then moved by its motor.
+// A four-bar linkage that is assembled from a rough guess and then driven by its motor.
 #include "print.hpp"
 
 #include <kanexpr/steps/assemble.hpp>
@@ -27,7 +27,7 @@ int main() {
   eom::inputs r;
   r[T] = 0.909558;
 
-  // The crank is where it is; the other angles need only be near.
+  // The angle of the crank is given; the other angles need only be approximate.
   eom::state x;
   x[q1] = -2.266942;
   x[q2] = 3;

@@ -1,4 +1,4 @@
-// The KUKA iiwa 14, with numbers for everything; the reference is RBDL.
+// The KUKA iiwa 14 with numeric values; the reference is RBDL.
 #include "print.hpp"
 
 #include <models/iiwa.hpp>
@@ -31,8 +31,8 @@ int main() {
   torque[T<6>] = -7.5263821324586715;
   torque[T<7>] = -3.3813444387841574;
 
-  // All of it in one call: the results share their work.
-  const eom::parameters none; // the numbers are in the type
+  // All results in one call, because they share subexpressions.
+  const eom::parameters none; // the numbers are part of the type
   const auto [M, f, udot] = eom::together(eom::mass_matrix, eom::forcing, eom::udot)(x, none, torque);
 
   print("mass matrix", M);

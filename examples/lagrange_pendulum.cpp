@@ -1,4 +1,5 @@
-// A pendulum by the coordinates of its bob, by Lagrange's method: the equations, and how its string pulls.
+// A pendulum described by the coordinates of its bob, by Lagrange's method: the equations, and the tension of
+// its string.
 #include "print.hpp"
 
 #include <kanexpr/assemble.hpp>
@@ -24,7 +25,7 @@ int main() {
   for (const double aside : {-0.45, 0.0, 0.3}) {
     eom::state x;
     x[q2] = aside;
-    x[q1] = 0.6; // about; the string is stretched by `assemble`
+    x[q1] = 0.6; // approximate; `assemble` makes the string taut
     x[dot(q2)] = 1.2;
     if (!kanexpr::assemble<LagrangeSystem>(x, p)) return 1;
     std::printf("the bob is at (%.4f, %.4f) and moves with (%.4f, %.4f)\n", x[q1], x[q2], x[dot(q1)],

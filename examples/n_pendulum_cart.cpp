@@ -1,4 +1,4 @@
-// Five pendulums in a chain on a cart: the model is a template over their number.
+// A chain of five pendulums on a cart; the number of pendulums is a template argument of the model.
 #include "print.hpp"
 
 #include <models/n_pendulum_cart.hpp>

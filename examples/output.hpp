@@ -5,13 +5,13 @@
 
 #include <string>
 
-// The files that a motion is left in, as the command line asks: --page ball.html --csv ball.csv.
+// The files to which a motion is written, as specified on the command line: --page ball.html --csv ball.csv.
 class output {
 public:
-  // Ends the program where the command line is wrong, or asks for help.
+  // Ends the program if the command line is invalid or requests help.
   output(const char* title, const char* about, int count, char** words);
 
-  // Whether all that was asked for could be written.
+  // Whether all requested files could be written.
   template <class Picture, class Trajectory>
   bool leave(const Trajectory& trajectory) const {
     return (csv_.empty() || write(trajectory.table())) &&

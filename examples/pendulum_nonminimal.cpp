@@ -1,4 +1,4 @@
-// A pendulum by the coordinates of its bob, with the pull of its string.
+// A pendulum described by the coordinates of its bob, with the tension of its string.
 #include "print.hpp"
 
 #include <models/pendulum_nonminimal.hpp>

@@ -1,4 +1,4 @@
-// A body on a spherical joint; kanexpr writes the kinematic equations of its quaternion.
+// A body on a spherical joint; kanexpr provides the kinematic equations of its quaternion.
 #include "print.hpp"
 
 #include <models/pivot_body.hpp>

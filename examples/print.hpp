@@ -1,4 +1,4 @@
-// Prints a result beside its name, a matrix by rows.
+// Prints a result after its name, and a matrix row by row.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// The Puma 560, with numbers for everything; the reference is RBDL.
+// The Puma 560 with numeric values; the reference is RBDL.
 #include "print.hpp"
 
 #include <models/puma.hpp>
@@ -28,8 +28,8 @@ int main() {
   torque[T<5>] = 2.4112315114570393;
   torque[T<6>] = -9.331034086428673;
 
-  // All of it in one call: the results share their work.
-  const eom::parameters none; // the numbers are in the type
+  // All results in one call, because they share subexpressions.
+  const eom::parameters none; // the numbers are part of the type
   const auto [M, f, udot] = eom::together(eom::mass_matrix, eom::forcing, eom::udot)(x, none, torque);
 
   print("mass matrix", M);

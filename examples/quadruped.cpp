@@ -1,4 +1,4 @@
-// A quadruped on a floating base; the reference is RBDL, which takes the base's velocity in ground axes.
+// A quadruped on a floating base; the reference is RBDL, which expresses the base's velocity in ground axes.
 #include "print.hpp"
 
 #include <models/quadruped.hpp>
@@ -32,7 +32,7 @@ int main() {
       1.862333913162331, 0.24761649080168802, -1.8847494843870443, -0.8754707419343639, 1.158165532931286,
       -1.1283790590761023, -1.4927414550439089, 0.7746321343040856;
 
-  // A force on the base in ground axes, a torque on it in its own, and the motors.
+  // A force on the base in ground axes, a torque on it in its own axes, and the motors.
   const Eigen::Vector3d force =
       R.transpose() * Eigen::Vector3d(-4.1536102078199875, -7.5263821324586715, -3.3813444387841574);
   const Eigen::Vector3d torque(0.0013042583539979447, 4.061801993969412, 3.387307415330214);

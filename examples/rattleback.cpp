@@ -1,11 +1,11 @@
-// A rattleback that is spun the wrong way: it begins to rattle, and turns round.
+// A rattleback that is spun in the wrong direction: it begins to rattle, and reverses its spin.
 #include <models/rattleback.hpp>
 
 #include <cstdio>
 
 using eom = kanexpr::equations_of_motion<rattleback::System>;
 
-// One step of the classical Runge-Kutta method.
+// One step of the classic Runge-Kutta method.
 eom::state after(const eom::state& x, const eom::parameters& p, double step) {
   const auto rate = [&](const eom::state& at) { return eom::state(eom::rhs(at, p)); };
   const eom::state k1 = rate(x);
@@ -29,7 +29,7 @@ int main() {
   p[Izz] = 0.0017;
   p[Ixy] = -0.00002;
   p[g] = 9.81;
-  p[sigma] = 0; // no friction: the energy stays
+  p[sigma] = 0; // no friction, so the energy is conserved
 
   eom::state x;
   x[q2] = 0.0087;

@@ -22,7 +22,7 @@ int main() {
 
   print("udot", eom::udot(x, p, r)(0));
 
-  // In free flight, with the thrust of gas that leaves with 3000 m/s, as in the rocket equation.
+  // In free flight, with the thrust of gas ejected at 3000 m/s, as in the rocket equation.
   p[cd] = 0;
   r[T] = (x[u] - 3000) * r[dot(m)];
   print("in free flight", eom::udot(x, p, r)(0));

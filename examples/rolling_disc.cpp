@@ -1,4 +1,5 @@
-// A disc that rolls without slipping: the speeds satisfy the constraint by themselves.
+// A disc that rolls without slipping: its generalized speeds are chosen such that they satisfy the constraint
+// automatically.
 #include "print.hpp"
 
 #include <models/rolling_disc.hpp>

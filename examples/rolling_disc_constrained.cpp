@@ -1,4 +1,5 @@
-// The rolling disc by equations of constraint: the same accelerations, and the friction that rolling takes.
+// The rolling disc with constraint equations: the same accelerations, and the friction force that rolling
+// requires.
 #include "print.hpp"
 
 #include <kanexpr/steps/assemble.hpp>
@@ -21,7 +22,7 @@ int main() {
   p[m] = 2.2;
   p[g] = 9.81;
 
-  // The speed of the centre follows from rolling.
+  // The velocity of the center follows from rolling.
   if (!kanexpr::assemble<System>(x, p)) return 1;
 
   const auto udot = eom::udot(x, p);

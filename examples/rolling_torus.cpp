@@ -1,4 +1,4 @@
-// A torus that rolls without slipping: its contact wanders over a round tube.
+// A torus that rolls without slipping; its contact point moves around the tube.
 #include "print.hpp"
 
 #include <models/rolling_torus.hpp>

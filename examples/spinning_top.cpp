@@ -1,4 +1,4 @@
-// A spinning top; its speeds are not rates of its angles.
+// A spinning top whose speeds are not the rates of its angles.
 #include "print.hpp"
 
 #include <models/spinning_top.hpp>

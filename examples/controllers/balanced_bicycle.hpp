@@ -3,8 +3,8 @@
 #include <kanexpr/control.hpp>
 #include <models/bicycle.hpp>
 
-/// A bicycle is kept upright by the torque at its fork at speeds at which it falls by itself, and at the
-/// speed that is wanted by a torque at its rear wheel. The gains at each speed are computed by the compiler.
+/// A torque at the fork keeps a bicycle upright at speeds at which it would fall on its own, and a torque at
+/// the rear wheel keeps it at the desired speed. The compiler computes the gains for each speed.
 namespace balanced_bicycle {
 
 using namespace bicycle;
@@ -14,9 +14,9 @@ struct Driven : extended<SteeredSystem, inputs<D>, loads<torque_between<WR, Fram
 
 constexpr double rear_radius = 0.3, front_radius = 0.35;  // m
 constexpr double period = 0.01, slowest = 2, fastest = 6; // s, m/s
-constexpr double drive = 60;                              // N m for each m/s that is missing
+constexpr double drive = 60;                              // N m for each m/s below the desired speed
 
-/// Of lean, steer and their rates, upright at the speed v.
+/// The gains for lean, steer and their rates, upright at the speed v.
 constexpr auto regulator_at(double v) {
   const auto both = linearization<Driven>::explicit_form.constant(
       constant_state<Driven>(
@@ -31,7 +31,7 @@ constexpr auto regulator_at(double v) {
 constexpr auto gains = gain_schedule<9>(slowest, fastest, regulator_at);
 static_assert(gains);
 
-/// The torques until the next call, a period later, at the state x.
+/// The torques until the next call, one period later, at the state x.
 template <class Number>
 input_values<Driven, Number> torques(const state<Driven, Number>& x, Number wanted_speed) {
   static constexpr auto K = in_numbers<Number>(gains);

@@ -5,8 +5,9 @@
 
 #include <numbers>
 
-/// A cart keeps a pendulum upright by what two noisy sensors say: the place of the cart and the angle of the
-/// pendulum. A Kalman filter finds the speeds, and a regulator that the compiler computed gives the force.
+/// A cart balances a pendulum, using two noisy sensors: the position of the cart and the angle of the
+/// pendulum. A Kalman filter estimates the speeds, and a regulator computed by the compiler determines the
+/// force.
 namespace balanced_cart {
 
 using namespace n_pendulum_cart;
@@ -22,7 +23,7 @@ parameter_values<cart, T> parameters_in() {
 constexpr double upright = std::numbers::pi / 2, period = 0.005;                  // rad, s
 constexpr double place_noise = 0.005, angle_noise = 0.01, disturbing_force = 0.5; // m, rad, N
 
-/// The cart about its equilibrium, over a period in which the force holds.
+/// The cart near its equilibrium, over a period during which the force is constant.
 constexpr auto linear =
     discretize(linearization<cart>::explicit_form.constant(
                    constant_state<cart>({{q<0>, 0}, {q<1>, upright}, {u<0>, 0}, {u<1>, 0}}), parameters,
@@ -32,11 +33,11 @@ constexpr auto linear =
 constexpr auto regulator = dlqr(linear.A, linear.B, {1, 1, 0.1, 0.1}, {0.1});
 static_assert(regulator);
 
-/// What the disturbing force does to the state within a period.
+/// The effect of the disturbing force on the state within a period.
 constexpr auto disturbance =
     (disturbing_force * disturbing_force) * (linear.B * numeric::transposed(linear.B));
 
-/// The controller, in numbers of type T.
+/// The controller, in the scalar type T.
 template <class T>
 class controller {
   using filter = basic_ekf<cart, T, q<0>, q<1>>;
@@ -48,7 +49,7 @@ public:
 
   controller(const state& guess, const covariance& uncertainty) : estimate(guess, uncertainty) {}
 
-  /// Sets the force until the next call, a period later, by what the sensors say now.
+  /// Sets the force until the next call, one period later, from the current sensor values.
   status operator()(const measurement& y) {
     const auto p = parameters_in<T>();
     if (const status s = estimate.update(y, p, force, numeric::as_eigen(R)); !s) return s;
@@ -58,7 +59,7 @@ public:
   }
 
   input_values<cart, T> force = input_values<cart, T>::Zero();
-  filter estimate; ///< between two calls: of the state at the next
+  filter estimate; ///< between two calls, the prediction for the next call
 
 private:
   static constexpr auto K = regulator.K.template cast<T>();

@@ -6,8 +6,8 @@
 
 #include <cmath>
 
-/// The joints of an iiwa follow a motion from one posture to another, wherever they are at first: the torques
-/// are those of the accelerations that let the error e die out by e'' + damping e' + stiffness e = 0.
+/// The joints of an iiwa follow a motion from one posture to another, from any initial state. The torques are
+/// those for the accelerations that make the error e decay according to e'' + damping e' + stiffness e = 0.
 namespace computed_torque {
 
 using namespace iiwa;
@@ -22,13 +22,13 @@ constexpr double duration = 2; // s
 constexpr numeric::fixed_matrix<double, 7, 1> begin{{0, -0.6, 0, 1.4, 0, -1.0, 0}},
     end{{1.5, 0.7, -0.8, -1.2, 1.0, 0.9, 1.5}}; // rad
 
-/// What the joints are to do at a time.
+/// The desired motion of the joints at a time.
 template <class T>
 struct motion {
   joints<T> angles, speeds, accelerations;
 };
 
-/// By the polynomial of least jerk: at rest before 0 and after the duration.
+/// The minimum-jerk polynomial: at rest before 0 and after the duration.
 template <class T>
 motion<T> motion_at(T t) {
   static constexpr auto from = begin.cast<T>(), way = (end - begin).template cast<T>();
@@ -40,7 +40,7 @@ motion<T> motion_at(T t) {
           acceleration * numeric::as_eigen(way)};
 }
 
-/// The torques until the next call, a period later, at the state x.
+/// The torques until the next call, one period later, at the state x.
 template <class T>
 input_values<System, T> torques(T t, const state<System, T>& x) {
   const motion<T> wanted = motion_at(t);

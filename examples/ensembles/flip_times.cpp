@@ -1,6 +1,6 @@
-// When does a double pendulum without friction flip over, let go at rest from each pair of angles? Neighbours
-// differ wildly: the picture is a fractal. Runs end at an event; some are compared with steps of a fixed
-// length.
+// When does a double pendulum without friction flip over if it is released from rest at a given pair of
+// angles? Neighboring pairs give very different times: the picture is a fractal. Runs end at an event; some
+// of them are compared with steps of a fixed length.
 #include <kanexpr/ensemble.hpp>
 #include <kanexpr/simulations/progress.hpp>
 #include <kanexpr/simulations/tables/csv.hpp>
@@ -23,14 +23,14 @@ constexpr double pi = std::numbers::pi;
 constexpr double l = 1, m = 1, gravity = 9.81, J = m * l * l / 12; // m, kg, m/s², kg m²; the bars are uniform
 const double longest = 100 * std::sqrt(l / gravity);               // s
 
-constexpr auto theta1 = q1 + pi / 2; // from hanging down
+constexpr auto theta1 = q1 + pi / 2; // zero when the bar hangs straight down
 constexpr auto theta2 = theta1 + q2;
 
 const std::vector<named_value> at_rest{{u1, 0}, {u2, 0}}, without_motors{{T1, 0}, {T2, 0}},
     bars{{m1, m}, {m2, m}, {d1, l / 2},  {d2, l / 2}, {l1, l},
          {I1, J}, {I2, J}, {g, gravity}, {c1, 0},     {c2, 0}};
 
-// With both angles of the other sign the motion is the same, reflected. So the first of them is positive.
+// If the signs of both angles are reversed, the motion is mirrored, so the first angle can be positive.
 runs pairs_of_angles(int rows) {
   const auto angle = [=](int place) { return pi * (2.0 * place + 1 - rows) / rows; };
   std::vector<double> first, second;
@@ -41,7 +41,7 @@ runs pairs_of_angles(int rows) {
   return runs_of(starts);
 }
 
-// A bar flips over where the cosine of half its angle passes zero.
+// A bar flips over when the cosine of half its angle crosses zero.
 study<System> first_flips(int rows) {
   return {
       .runs = pairs_of_angles(rows),
@@ -56,7 +56,8 @@ study<System> first_flips(int rows) {
       .units = {{q1, "rad"}, {q2, "rad"}}};
 }
 
-// The greatest difference between the first flips within some seconds and those of another method.
+// The greatest difference between the times of the first flips, up to some time, and those found by another
+// method.
 double apart(const table& found, double within) {
   std::vector<double> first, second, times;
   for (std::size_t i = 0; i < found.rows(); i += found.rows() / 200 + 1)
@@ -82,7 +83,7 @@ double apart(const table& found, double within) {
       return std::max(std::abs(a[at] + pi / 2), std::abs(a[at] + pi / 2 + b[at])) - pi;
     };
     while (k + 1 < path.rows() && beyond(k) < 0) ++k;
-    const double since = beyond(k) / (beyond(k) - beyond(k - 1)); // steps, if it goes on evenly
+    const double since = beyond(k) / (beyond(k) - beyond(k - 1)); // in steps, if the motion is uniform
     most = std::max(most, std::abs(path["t"][k] - since * step - times[i]));
   }
   std::printf("%zu flips within %g s, in steps: %.1g s apart at most\n", times.size(), within, most);
@@ -91,7 +92,7 @@ double apart(const table& found, double within) {
 
 } // namespace
 
-// flip_times [ROWS [FILE]]: of a picture of so many rows; its points go to a file.
+// flip_times [ROWS [FILE]]: computes a picture with this number of rows and writes its points to a file.
 int main(int count, char** words) {
   const ensemble<System, integrator::explicit_runge_kutta> pendulums(
       first_flips(count > 1 ? std::atoi(words[1]) : 60));
@@ -101,7 +102,7 @@ int main(int count, char** words) {
   std::printf("of %zu pendulums %zu flip over within %.1f s, %zu fail\n", found.done, std::size_t(flipped),
               longest, found.failed);
 
-  // The energy of a bar straight up: 3 cos(theta1) + cos(theta2) = 2.
+  // The energy of an upright bar: 3 cos(theta1) + cos(theta2) = 2.
   std::size_t without_energy = 0;
   for (std::size_t i = 0; i < found.done; ++i) {
     const double first = found.runs["q1"][i] + pi / 2, second = first + found.runs["q2"][i];

@@ -1,7 +1,7 @@
-// What friction does a pendulum have whose angle was measured while it swung down, with noise? The sum of
-// squares is made least by Levenberg's and Marquardt's method, with derivatives that are integrated beside
-// the motion. A thousand records tell how far the estimates spread, beside the bound of Cramér and Rao, below
-// which no unbiased estimate can spread.
+// Identifies the friction of a pendulum from noisy measurements of its angle while it swings down. The
+// Levenberg-Marquardt method minimizes the sum of squares, with derivatives that are integrated together with
+// the motion. A thousand records show how far the estimates spread, compared with the Cramér-Rao bound, which
+// limits the variance of every unbiased estimate.
 #include <kanexpr/ensemble.hpp>
 #include <kanexpr/simulations/progress.hpp>
 #include <kanexpr/simulations/tables/csv.hpp>
@@ -23,7 +23,7 @@ namespace {
 using namespace kanexpr;
 using namespace simple_pendulum;
 
-// Beside viscous friction a dry one: of Coulomb, but smooth where the pendulum turns round.
+// In addition to viscous friction, dry (Coulomb) friction, which is smoothed near zero speed.
 constexpr parameter<"k"> k;
 struct Rubbing
     : extended<simple_pendulum::System, parameters<k>, loads<torque<A, -k * tanh(u / 0.2) * N::z>>> {};
@@ -37,10 +37,10 @@ parameter_values<Rubbing> rubbing(double c_is, double k_is) {
 }
 
 using record = Eigen::Matrix<double, samples, 1>; // angles
-using slopes = Eigen::Matrix<double, samples, 2>; // of the angles by c and k
-using rates = Eigen::Matrix<double, 2, 3>;        // of the state, and its derivatives by c and k
+using slopes = Eigen::Matrix<double, samples, 2>; // derivatives of the angles by c and k
+using rates = Eigen::Matrix<double, 2, 3>;        // of the state, and their derivatives by c and k
 
-// S' = (dx'/dx) S + dx'/dp goes along with x'.
+// S' = (dx'/dx) S + dx'/dp is integrated together with x'.
 rates rates_at(const rates& at, const parameter_values<Rubbing>& p) {
   const state<Rubbing> x = at.col(0);
   const input_values<Rubbing> r(0);
@@ -74,7 +74,7 @@ swing swing_with(const Eigen::Vector2d& friction) {
   return found;
 }
 
-// The friction with which the pendulum swings most like the record; not numbers if none is found.
+// The friction for which the pendulum swings most like the record; NaN if none is found.
 Eigen::Vector2d friction_of(const record& measured) {
   Eigen::Vector2d friction(0.1, 0.01);
   swing now = swing_with(friction);
@@ -125,7 +125,7 @@ study<Rubbing> records(std::size_t count) {
           .keep = {result("c", estimated(0), "N m s"), result("k", estimated(1), "N m")}};
 }
 
-// Angles of the first of the records: measured, and of the friction that was found.
+// Angles in the first record: the measured ones, and those computed with the identified friction.
 table first_record(const ensemble_results& found) {
   const study<Rubbing> told = records(1);
   const auto run = simulate<Rubbing>(told.state, told.parameters, told.span,
@@ -144,8 +144,8 @@ table first_record(const ensemble_results& found) {
 
 } // namespace
 
-// identified_friction [RECORDS [FILE]]: estimates go to FILE, the bound to FILE.bound, a record to
-// FILE.record.
+// identified_friction [RECORDS [FILE]]: writes the estimates to FILE, the bound to FILE.bound, and one record
+// to FILE.record.
 int main(int count, char** words) {
   const std::size_t wanted = count > 1 ? std::strtoul(words[1], nullptr, 10) : 100;
   const auto found =

@@ -1,5 +1,5 @@
-// Which bicycles stay up that nobody steers, after a push to the side? A map over the forward speed and the
-// push, a rate of lean, by the nonlinear equations, with the critical speeds of the linear ones.
+// Which riderless bicycles stay upright after a push to the side? A map over the forward speed and the push,
+// a rate of lean, computed from the nonlinear equations, with the critical speeds of the linearized ones.
 #include <bicycle_modes.hpp>
 #include <kanexpr/ensemble.hpp>
 #include <kanexpr/simulations/progress.hpp>
@@ -18,7 +18,7 @@ using namespace bicycle;
 constexpr double rear_radius = 0.3, slowest = 2, fastest = 8, hardest = 1.2; // m, m/s, rad/s
 constexpr double fallen = 0.8, last = 60, late = 50;                         // rad, s
 
-// How far a bicycle that stays up leans in the last seconds.
+// The greatest lean, during the last seconds, of a bicycle that stays upright.
 double late_lean(const simulation<BoundSystem>& run) {
   double most = 0;
   for (const sample<BoundSystem>& each : run.trajectory)
@@ -41,8 +41,8 @@ study<BoundSystem> pushes(std::size_t speeds, std::size_t strengths) {
 
 } // namespace
 
-// pushed_bicycle [SPEEDS [FILE]]: a map of so many speeds; its points go to a file, the critical speeds to
-// FILE.speeds.
+// pushed_bicycle [SPEEDS [FILE]]: computes a map with this number of speeds and writes its points to FILE,
+// the critical speeds to FILE.speeds.
 int main(int count, char** words) {
   const std::size_t speeds = count > 1 ? std::strtoul(words[1], nullptr, 10) : 13;
   const auto found = ensemble<BoundSystem>(pushes(speeds, speeds * 2 / 3)).run({.progress = progress_bar()});
@@ -51,7 +51,7 @@ int main(int count, char** words) {
   const double weave = weave_speed(), capsize = capsize_speed();
   std::printf("linear: the weave grows below %.3f m/s, the capsize above %.3f m/s\n", weave, capsize);
   std::printf("%zu bicycles, of which %zu could not be followed to the end\n", found.done, found.failed);
-  // Of the weakest push
+  // For the weakest push
   const auto v = found.runs["u3"], push = found.runs["u2"], end = found.runs["end"];
   const auto leans = found.runs["late_lean"];
   double from = INFINITY, to = 0;

@@ -1,6 +1,6 @@
-// Does a controller whose gains were computed for one bicycle keep others upright, of which mass and inertia
-// of frame, rider and fork are up to a fifth more or less? Each is pushed to the side at some speed, and so
-// is the bicycle that the controller knows.
+// Does a controller whose gains were computed for one bicycle keep others upright, if the masses and inertias
+// of frame, rider and fork differ by up to a fifth? Each bicycle is pushed to the side at some speed, and so
+// is the nominal one.
 #include <controllers/balanced_bicycle.hpp>
 #include <kanexpr/ensemble.hpp>
 #include <kanexpr/simulations/progress.hpp>
@@ -16,7 +16,7 @@ namespace {
 
 using namespace balanced_bicycle;
 
-// The bicycle of the controller, with parameters for the mass and the inertia of frame and fork.
+// The nominal bicycle, with parameters for the masses and inertias of frame and fork.
 struct Unloaded : whipple<values<WFrad == front_radius, WRrad == rear_radius, htangle == 1.2566370614359172,
                                  forkoffset == 0.03207142672761931, forklength == 0.26764450844768867,
                                  framelength == 0.9534570696121847, forkcg1 == 0.10230731158060875,
@@ -27,9 +27,9 @@ struct Uncertain
     : extended<Unloaded, inputs<T, D>,
                loads<torque_between<Fork, Frame, T * Frame::x>, torque_between<WR, Frame, D * Frame::y>>> {};
 const factor frame_mass{"frame_mass"}, frame_inertia{"frame_inertia"}, fork_mass{"fork_mass"},
-    fork_inertia{"fork_inertia"}; // relative to the bicycle of the controller
+    fork_inertia{"fork_inertia"}; // relative to the nominal bicycle
 
-// Below the slowest speed of the controller's table it goes on with the gains of that.
+// Below the slowest speed in its table, the controller uses the gains for that speed.
 constexpr double crawl = 1, hardest = 4, fallen = 1, last = 10; // m/s, rad/s, rad, s
 runs uncertain(std::size_t count) {
   const distribution part = uniform(0.8, 1.2);
@@ -43,7 +43,7 @@ runs uncertain(std::size_t count) {
                          2007);
 }
 
-// The same speeds and pushes of the bicycle that the controller knows.
+// The same speeds and pushes, for the nominal bicycle.
 runs known(const table& of) {
   table all;
   for (const char* name : {"u3", "u2"})
@@ -55,7 +55,7 @@ runs known(const table& of) {
 }
 
 ensemble_results push(const runs& all) {
-  // The torques are those of each instant, not held for a period as on a board.
+  // The torques change continuously; they are not held for a period as on a microcontroller.
   const auto set_up = [](const run_values& run, simulation_setup<Uncertain>& one) {
     const double frame = run[frame_inertia], fork = run[fork_inertia];
     one.p[mframe] = 85 * run[frame_mass], one.p[mfork] = 4 * run[fork_mass];
@@ -81,7 +81,7 @@ ensemble_results push(const runs& all) {
 
 } // namespace
 
-// uncertain_bicycle [BICYCLES [FILE]]: shares of those that stay up, by speed and push, go to a file.
+// uncertain_bicycle [BICYCLES [FILE]]: writes the fractions that stay upright, by speed and push, to a file.
 int main(int count, char** words) {
   const auto others = push(uncertain(count > 1 ? std::strtoul(words[1], nullptr, 10) : 200));
   if (!others) return std::fprintf(stderr, "%s\n", others.cause().c_str()), 1;
@@ -110,7 +110,7 @@ int main(int count, char** words) {
               percent(both), percent(told_alone), percent(other_alone));
 
   if (count < 3) return 0;
-  std::vector<double> v, strength, share, border; // the border of the bicycle that the controller knows
+  std::vector<double> v, strength, share, border; // the stability limit of the nominal bicycle
   for (std::size_t i = 0; i < bins; ++i) {
     const auto from = static_cast<std::ptrdiff_t>(i * bins), to = from + static_cast<std::ptrdiff_t>(bins);
     const double here = std::accumulate(all.begin() + from, all.begin() + to, 0.0);

@@ -7,23 +7,23 @@
 
 namespace balanced_bicycle {
 
-/// The bicycle under its controller, both in the same numbers. The hands of the rider are not steady.
+/// The bicycle and its controller, both in the same scalar type. The rider's hands are not steady.
 template <class Number>
 class loop {
 public:
   using state = kanexpr::state<Driven, Number>;
 
-  /// Upright at the fastest speed, it is pushed to the side: a rate of lean, in rad/s.
+  /// Upright at the fastest speed, with a push to the side, which is a rate of lean in rad/s.
   explicit loop(Number push) {
     x[u2] = push;
     x[u3] = Number(fastest / rear_radius);
     x[u6] = Number(fastest / front_radius);
   }
 
-  /// It slows down to the slowest.
+  /// Slows down to the slowest speed.
   Number wanted_speed() const { return std::max(Number(slowest), Number(fastest) - Number(braking) * t); }
 
-  /// Goes on by a period.
+  /// Advances by one period.
   status go_on() {
     r = torques(x, wanted_speed());
     input_values<Driven, Number> acting = r;

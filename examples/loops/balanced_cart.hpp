@@ -5,7 +5,8 @@
 
 namespace balanced_cart {
 
-/// The cart under its controller, both in the same numbers. The cart is disturbed as the controller expects.
+/// The cart and its controller, both in the same scalar type. The disturbance is the one that the controller
+/// expects.
 template <class T>
 class loop {
 public:
@@ -13,7 +14,7 @@ public:
 
   loop(const state& start, const state& guess) : x(start), control(guess, uncertainty()) {}
 
-  /// Goes on by a period.
+  /// Advances by one period.
   status go_on() {
     const T place = x[q<0>] + T(place_noise) * random_.next<T>();
     const T angle = x[q<1>] + T(angle_noise) * random_.next<T>();
@@ -27,7 +28,7 @@ public:
   controller<T> control;
 
 private:
-  // Of the guess.
+  // The error of the initial guess.
   static typename controller<T>::covariance uncertainty() {
     return Eigen::Matrix<T, 4, 1>(T(0.01), T(0.01), T(0.04), T(0.04)).asDiagonal();
   }

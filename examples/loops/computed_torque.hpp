@@ -5,7 +5,7 @@
 
 namespace computed_torque {
 
-/// The arm under its controller, both in the same numbers.
+/// The arm and its controller, both in the same scalar type.
 template <class T>
 class loop {
 public:
@@ -13,13 +13,13 @@ public:
 
   explicit loop(const state& start) : x(start) {}
 
-  /// Goes on by a period.
+  /// Advances by one period.
   status go_on() {
     r = torques(t, x);
     return runge_kutta_4<System>{}(t, x, T(period), parameter_values<System, T>(), r);
   }
 
-  /// Of the angles, from those that are wanted.
+  /// The deviation of the angles from the desired ones.
   joints<T> error() const { return x.q() - motion_at(t).angles; }
 
   T t = 0;

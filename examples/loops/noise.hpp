@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
-/// Random numbers, the same on every machine: of the expected value 0 and the standard deviation 1, nearly
-/// normal, as sums of twelve that are uniform.
+/// Random numbers that are the same on every machine, with mean 0 and standard deviation 1: nearly normal, as
+/// sums of twelve uniform numbers.
 class noise {
 public:
   template <class T>

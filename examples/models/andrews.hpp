@@ -2,7 +2,7 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// Andrews' squeezing mechanism: seven plane bodies in three loops, which a motor and a spring drive.
+/// Andrews' squeezing mechanism: seven planar bodies in three loops, driven by a motor and a spring.
 /// Schiehlen (1990), Multibody Systems Handbook; Hairer & Wanner, Solving Ordinary Differential Equations II.
 namespace andrews {
 
@@ -23,7 +23,7 @@ constexpr speed<"u5"> u5;
 constexpr speed<"u6"> u6;
 constexpr speed<"u7"> u7;
 
-// Lengths in m, as the books name them.
+// Lengths in meters, with the names used in the books.
 constexpr double d = 0.028, da = 0.0115, e = 0.02, ea = 0.01421, rr = 0.007, ra = 0.00092, ss = 0.035,
                  sa = 0.01874, sb = 0.01043, sc = 0.018, sd = 0.02, ta = 0.02308, tb = 0.00916, u = 0.04,
                  ua = 0.01228, ub = 0.00449, zf = 0.02, zt = 0.04, fa = 0.01421;
@@ -39,12 +39,12 @@ struct K4 : rotated<K4, K5, ph, K5::z> {};
 struct K7 : rotated<K7, N, ep, N::z> {};
 struct K6 : rotated<K6, K7, om, K7::z> {};
 
-// Bearings in the ground.
+// Bearings on the ground.
 struct O : origin<O, N> {};
 struct A : offset<A, O, -0.06934 * N::x - 0.00227 * N::y> {};
 struct B : offset<B, O, -0.03635 * N::x + 0.03273 * N::y> {};
 
-// Three bodies meet the rod K2 in the joint E.
+// Three bodies are attached to the rod K2 at the joint E.
 struct F : offset<F, O, rr * K1::x> {};
 struct E : offset<E, F, -d * K2::x> {};
 struct E3 : offset<E3, B, -ss * K3::y> {};

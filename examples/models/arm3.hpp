@@ -2,7 +2,7 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// An arm of three links in space; all masses, centres of mass, inertias and lengths are parameters.
+/// A spatial arm with three links; all masses, mass centers, inertias and lengths are parameters.
 namespace arm3 {
 
 using namespace kanexpr;
@@ -17,7 +17,7 @@ constexpr input<"T", i> T;
 template <int i>
 constexpr parameter<"m", i> m;
 template <int i>
-constexpr parameter<"cx", i> cx; // from the joint to the mass centre
+constexpr parameter<"cx", i> cx; // from the joint to the mass center
 template <int i>
 constexpr parameter<"cy", i> cy;
 template <int i>
@@ -51,14 +51,14 @@ struct J1 : origin<J1, N> {};
 struct J2 : offset<J2, J1, lx<1> * B1::x + ly<1> * B1::y + lz<1> * B1::z> {};
 struct J3 : offset<J3, J2, lx<2> * B2::x + ly<2> * B2::y + lz<2> * B2::z> {};
 
-/// Link number i, which turns with `B` about the joint `J`.
+/// Link number i, which rotates with `B` about the joint `J`.
 template <int i, class J, class B>
 struct Center : offset<Center<i, J, B>, J, cx<i> * B::x + cy<i> * B::y + cz<i> * B::z> {};
 template <int i, class J, class B>
 struct Link : rigid_body<Link<i, J, B>, Center<i, J, B>, B, m<i>,
                          inertia<B, Ixx<i>, Iyy<i>, Izz<i>, Ixy<i>, Iyz<i>, Izx<i>>> {};
 
-// Each motor turns its link and pushes back on the one before.
+// Each motor acts on its link and, with the opposite torque, on the previous one.
 constexpr auto motor1 = T<1> * N::z;
 constexpr auto motor2 = T<2> * B1::y;
 constexpr auto motor3 = T<3> * B2::x;

@@ -4,8 +4,8 @@
 
 #include <utility>
 
-/// An arm of six links with every length and inertial parameter a symbol, 76 in all: the first link turns
-/// about the vertical, the others about axes of their own, with a wrist at the end.
+/// An arm with six links whose lengths and inertial parameters are all symbols, 76 in total. The first link
+/// rotates about the vertical, the others about the axes of their joints, with a wrist at the end.
 namespace arm6 {
 
 using namespace kanexpr;
@@ -21,7 +21,7 @@ constexpr parameter<"g"> g;
 template <int i>
 constexpr parameter<"m", i> m;
 template <int i>
-constexpr parameter<"x", i> x; // of the mass centre, in the link's own axes
+constexpr parameter<"x", i> x; // of the mass center, in the link's axes
 template <int i>
 constexpr parameter<"y", i> y;
 template <int i>
@@ -39,7 +39,7 @@ constexpr parameter<"Iyz", i> Iyz;
 template <int i>
 constexpr parameter<"Izx", i> Izx;
 template <int i>
-constexpr parameter<"a", i> a; // of the next joint, in the link's own axes
+constexpr parameter<"a", i> a; // of the next joint, in the link's axes
 template <int i>
 constexpr parameter<"b", i> b;
 template <int i>
@@ -63,7 +63,7 @@ struct Link<5> : rotated<Link<5>, Link<4>, q<5>, Link<4>::y> {};
 template <>
 struct Link<6> : rotated<Link<6>, Link<5>, q<6>, Link<5>::x> {};
 
-/// Joint i, on which link i turns.
+/// Joint i, about which link i rotates.
 template <int i>
 struct Joint : offset<Joint<i>, Joint<i - 1>,
                       a<i - 1> * Link<i - 1>::x + b<i - 1> * Link<i - 1>::y + d<i - 1> * Link<i - 1>::z> {};

@@ -21,7 +21,7 @@ constexpr speed<"u6"> u6; // spin of the front wheel
 
 constexpr parameter<"WFrad"> WFrad;
 constexpr parameter<"WRrad"> WRrad;
-constexpr parameter<"htangle"> htangle; // of the head tube, with the ground
+constexpr parameter<"htangle"> htangle; // angle between the head tube and the ground
 constexpr parameter<"forkoffset"> forkoffset;
 constexpr parameter<"forklength"> forklength;
 constexpr parameter<"framelength"> framelength;
@@ -55,11 +55,11 @@ struct Fork : rotated<Fork, Frame, q5, Frame::x> {};
 struct WR : rotated<WR, Frame, 0, Frame::y>, angular_velocity<Frame, u3 * Frame::y> {};
 struct WF : rotated<WF, Fork, 0, Fork::y>, angular_velocity<Fork, u6 * Fork::y> {};
 
-// Axes that are level in an upright bicycle, for the inertias.
+// Axes that are level when the bicycle is upright, for the inertias.
 struct LevelFrame : rotated<LevelFrame, Frame, -htangle, Frame::y> {};
 struct LevelFork : rotated<LevelFork, Fork, -htangle, Fork::y> {};
 
-// From the front wheel's centre to its lowest point.
+// From the center of the front wheel to its lowest point.
 constexpr auto down_front = normalized(dot(Fork::y, Y::z) * Fork::y - Y::z);
 
 struct WR_cont : origin<WR_cont, N> {}; // contact: no velocity in N
@@ -98,7 +98,7 @@ struct BoundSystem
                      Ifork31 == 0.00756, Iframe11 == 9.2, Iframe22 == 11, Iframe33 == 2.8, Iframe31 == -2.4,
                      mfork == 4, mframe == 85, mwf == 3, mwr == 2, g == 9.81>> {};
 
-/// The same with a torque between fork and frame, by which its rider steers.
+/// The same with a torque between fork and frame, with which the rider steers.
 constexpr input<"T"> T;
 struct SteeredSystem : extended<BoundSystem, inputs<T>, loads<torque_between<Fork, Frame, T * Frame::x>>> {};
 

@@ -2,8 +2,8 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// A sleigh on ice: its blade at P runs along A::x and does not slip sideways. A force pulls at the blade and
-/// a torque steers.
+/// A sleigh on ice: its blade at P runs along A::x and does not slip sideways. A force acts on the blade
+/// along its direction, and a torque steers.
 namespace chaplygin_sleigh {
 
 using namespace kanexpr;
@@ -16,7 +16,7 @@ constexpr speed<"u2"> u2;
 constexpr speed<"u3"> u3;
 constexpr parameter<"m"> m;
 constexpr parameter<"I"> I;
-constexpr parameter<"a"> a; // from the blade to the mass centre
+constexpr parameter<"a"> a; // from the blade to the mass center
 constexpr input<"F"> F;
 constexpr input<"T"> T;
 
@@ -36,7 +36,7 @@ struct System : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u3,
                             velocity_constraints<u2 == 0>, dependent<u2>, inputs<F, T>, bodies<Sleigh>,
                             loads<force<P, F * A::x>, torque<A, T * N::z>>> {};
 
-/// The same sleigh with the rates of the coordinates in place of speeds.
+/// The same sleigh, with the rates of the coordinates as speeds.
 namespace by_rates {
 
 struct P : offset<P, O, q1 * N::x + q2 * N::y> {};

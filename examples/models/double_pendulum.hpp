@@ -2,8 +2,8 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// Two bars in a vertical plane, with friction and a motor in each joint. The angle q2 is relative, the
-/// speeds are the absolute rates of turning of the bars.
+/// Two bars in a vertical plane, with friction and a motor at each joint. The angle q2 is relative; the
+/// speeds are the absolute angular speeds of the bars.
 namespace double_pendulum {
 
 using namespace kanexpr;
@@ -14,7 +14,7 @@ constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
 constexpr parameter<"m1"> m1;
 constexpr parameter<"m2"> m2;
-constexpr parameter<"d1"> d1; // from a bar's joint to its mass centre
+constexpr parameter<"d1"> d1; // from a bar's joint to its mass center
 constexpr parameter<"d2"> d2;
 constexpr parameter<"l1"> l1;
 constexpr parameter<"I1"> I1;
@@ -46,7 +46,7 @@ struct System
           parameters<m1, m2, d1, d2, l1, I1, I2, g, c1, c2>, inputs<T1, T2>, bodies<Bar1, Bar2>,
           loads<gravity<-g * N::y>, torque<A, at_shoulder>, torque<A, -at_elbow>, torque<B, at_elbow>>> {};
 
-/// The same bars with the rates of the angles in place of speeds.
+/// The same bars, with the rates of the angles as speeds.
 namespace by_rates {
 
 struct A : rotated<A, N, q1, N::z> {};

@@ -2,8 +2,8 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// A crank, a coupler and a rocker in a vertical plane; the fourth bar is the ground. A motor turns the
-/// crank. Each angle is measured from the bar before.
+/// A crank, a coupler and a rocker in a vertical plane; the fourth bar is the ground. A motor drives the
+/// crank. Each angle is measured from the previous bar.
 namespace four_bar {
 
 using namespace kanexpr;
@@ -18,7 +18,7 @@ constexpr parameter<"l0"> l0;
 constexpr parameter<"l1"> l1;
 constexpr parameter<"l2"> l2;
 constexpr parameter<"l3"> l3;
-constexpr parameter<"d1"> d1; // from a bar's joint to its mass centre
+constexpr parameter<"d1"> d1; // from a bar's joint to its mass center
 constexpr parameter<"d2"> d2;
 constexpr parameter<"d3"> d3;
 constexpr parameter<"m1"> m1;
@@ -39,7 +39,7 @@ struct O : origin<O, N> {};
 struct P1 : offset<P1, O, l1 * A::x> {};
 struct P2 : offset<P2, P1, l2 * B::x> {};
 struct P3 : offset<P3, P2, l3 * C::x> {};
-struct Bearing : offset<Bearing, O, l0 * N::x> {}; // of the rocker, in the ground
+struct Bearing : offset<Bearing, O, l0 * N::x> {}; // bearing of the rocker on the ground
 
 struct G1 : offset<G1, O, d1 * A::x> {};
 struct G2 : offset<G2, P1, d2 * B::x> {};

@@ -2,8 +2,8 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// The KUKA LBR iiwa 14: seven revolute joints, numbers bound in the type. The published inertia of its sixth
-/// link is that of no rigid body.
+/// The KUKA LBR iiwa 14: seven revolute joints, with numeric values bound in the type. The published inertia
+/// of its sixth link is not that of any rigid body.
 namespace iiwa {
 
 using namespace kanexpr;

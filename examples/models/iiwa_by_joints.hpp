@@ -3,14 +3,14 @@
 #include <kanexpr/joints.hpp>
 #include <kanexpr/kanexpr.hpp>
 
-/// The KUKA LBR iiwa 14 by its joints, with a motor in each: the numbers of `iiwa.hpp`, from which it differs
-/// in no bit of its mass matrix and forces.
+/// The KUKA LBR iiwa 14 described by its joints, with a motor at each. The numbers are those of `iiwa.hpp`,
+/// and the mass matrix and forces are identical to the last bit.
 namespace iiwa_by_joints {
 
 using namespace kanexpr;
 
-using over = home<-1, 0, 0, 0, 0, 1, 0, 1, 0>;  // the axis along y of the link before
-using under = home<1, 0, 0, 0, 0, -1, 0, 1, 0>; // and against it
+using over = home<-1, 0, 0, 0, 0, 1, 0, 1, 0>;  // the axis along y of the previous link
+using under = home<1, 0, 0, 0, 0, -1, 0, 1, 0>; // and in the opposite direction
 template <class Self, class Parent, auto place, class Home, auto m, auto x, auto y, auto z, auto... scalars>
 using link = pin<Self, Parent, axis<own::z>, at<place>, Home,
                  body<m, double(x) * own::x + double(y) * own::y + z * own::z, inertia<own, scalars...>>>;

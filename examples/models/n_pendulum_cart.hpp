@@ -4,14 +4,14 @@
 
 #include <utility>
 
-/// A chain of n massless rods with a bob at the end of each, hung on a cart that a force drives along a
-/// track. The angles are absolute; a rod stands upright at q = pi/2.
+/// A chain of n massless rods, each with a bob at its end, suspended from a cart that a force drives along a
+/// track. The angles are absolute; a rod is upright at q = pi/2.
 namespace n_pendulum_cart {
 
 using namespace kanexpr;
 
 template <int i>
-constexpr coordinate<"q", i> q; // q<0>: of the cart
+constexpr coordinate<"q", i> q; // q<0> is the position of the cart
 template <int i>
 constexpr speed<"u", i> u;
 template <int i>

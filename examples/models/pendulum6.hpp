@@ -3,7 +3,7 @@
 #include <kanexpr/kanexpr.hpp>
 
 /// Six uniform rods of 1 m and 1 kg, hinged end to end in a vertical plane; each angle is measured from the
-/// rod before.
+/// previous rod.
 namespace pendulum6 {
 
 using namespace kanexpr;

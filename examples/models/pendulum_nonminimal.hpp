@@ -2,7 +2,7 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// A pendulum by the two coordinates of its bob, which stays on a circle.
+/// A pendulum described by the two coordinates of its bob, which is constrained to a circle.
 namespace pendulum_nonminimal {
 
 using namespace kanexpr;

@@ -2,8 +2,8 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// A body of any shape on a spherical joint, with a torque on it. A unit quaternion tells how it stands, the
-/// speeds are the components of its angular velocity in its own axes.
+/// A body of any shape on a spherical joint, with a torque on it. A unit quaternion describes its
+/// orientation; the speeds are the components of its angular velocity in its own axes.
 namespace pivot_body {
 
 using namespace kanexpr;
@@ -21,7 +21,7 @@ constexpr parameter<"Iyy"> Iyy;
 constexpr parameter<"Izz"> Izz;
 constexpr parameter<"Ixy"> Ixy;
 constexpr parameter<"g"> g;
-constexpr parameter<"a"> a; // from the joint to the mass centre
+constexpr parameter<"a"> a; // from the joint to the mass center
 constexpr parameter<"b"> b;
 constexpr parameter<"c"> c;
 constexpr input<"T1"> T1;

@@ -2,8 +2,9 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// The Puma 560 with all ten inertial parameters of each link, numbers bound in the type. The inertias of two
-/// links are effective ones: with what motors and gears add, they are those of no rigid body.
+/// The Puma 560 with all ten inertial parameters of each link; numeric values are bound in the type. Two
+/// links have effective inertias: they include the contributions of motors and gears and are not those of any
+/// rigid body.
 namespace puma {
 
 using namespace kanexpr;

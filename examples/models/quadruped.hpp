@@ -2,8 +2,8 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// The ANYmal, four legs (left and right, fore and hind) of three joints each on a floating base, numbers
-/// bound in the type. The base's speeds are its velocity and angular velocity in its own axes.
+/// ANYmal: four legs (left and right, front and hind) with three joints each, on a floating base; numeric
+/// values are bound in the type. The base's speeds are its velocity and angular velocity in its own axes.
 namespace quadruped {
 
 using namespace kanexpr;

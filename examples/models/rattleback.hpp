@@ -2,8 +2,9 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// A rattleback: half an ellipsoid that rolls on a plane, with principal axes of inertia that are turned
-/// against those of its surface. Kane & Levinson (1982), Realistic mathematical modeling of the rattleback.
+/// A rattleback: half an ellipsoid that rolls on a plane, with principal axes of inertia that are rotated
+/// relative to the axes of its surface. Kane & Levinson (1982), Realistic mathematical modeling of the
+/// rattleback.
 namespace rattleback {
 
 using namespace kanexpr;
@@ -14,10 +15,10 @@ constexpr coordinate<"q3"> q3; // pitch
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
 constexpr speed<"u3"> u3;
-constexpr parameter<"a"> a; // half axes of the ellipsoid
+constexpr parameter<"a"> a; // semi-axes of the ellipsoid
 constexpr parameter<"b"> b;
 constexpr parameter<"c"> c;
-constexpr parameter<"h"> h; // from its centre down to the mass centre
+constexpr parameter<"h"> h; // from its center down to the mass center
 constexpr parameter<"m"> m;
 constexpr parameter<"Ixx"> Ixx;
 constexpr parameter<"Iyy"> Iyy;
@@ -30,7 +31,7 @@ struct N : inertial_frame<N> {}; // z points up
 struct B : body_fixed<B, N, "zxy", q1, q2, q3>,
            angular_velocity<N, u1 * own::x + u2 * own::y + u3 * own::z> {};
 
-// The lowest point of the ellipsoid, from its centre.
+// The lowest point of the ellipsoid, from its center.
 constexpr auto stretched =
     a * a * dot(N::z, B::x) * B::x + b * b * dot(N::z, B::y) * B::y + c * c * dot(N::z, B::z) * B::z;
 constexpr auto lowest = -stretched / sqrt(dot(stretched, N::z));

@@ -3,7 +3,7 @@
 #include <kanexpr/kanexpr.hpp>
 
 /// A rocket that climbs straight up while its mass burns away. Forces are rates of momentum, d(m v)/dt, so T
-/// counts what the gas takes along: the thrust and dot(m)*u.
+/// includes the momentum that the gas carries away: T is the thrust plus dot(m)*u.
 namespace rocket {
 
 using namespace kanexpr;
@@ -11,7 +11,7 @@ using namespace kanexpr;
 constexpr coordinate<"q"> q;
 constexpr speed<"u"> u;
 constexpr parameter<"g"> g;
-constexpr parameter<"cd"> cd; // drag over the square of the speed
+constexpr parameter<"cd"> cd; // drag divided by the square of the speed
 constexpr prescribed<"m"> m;  // mass, a known function of time
 constexpr input<"T"> T;
 

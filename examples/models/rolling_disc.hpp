@@ -25,7 +25,7 @@ struct R : rotated<R, L, q3, L::y>,    // spin, with the speeds chosen by hand
            angular_velocity<N, u1 * L::x + u2 * L::y + u3 * L::z> {};
 
 struct C : origin<C, N> {};            // contact: no velocity in N
-struct Dmc : offset<Dmc, C, r * L::z>, // mass centre, with the contact fixed in R
+struct Dmc : offset<Dmc, C, r * L::z>, // mass center, with the contact fixed in R
              fixed_in<R> {};
 
 struct Disc : rigid_body<Disc, Dmc, R, m, inertia<L, m * r * r / 4, m * r * r / 2, m * r * r / 4>> {};

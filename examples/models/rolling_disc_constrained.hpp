@@ -2,8 +2,8 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// The rolling disc once more, with the position of its centre among the coordinates and "the rim does not
-/// slip on the ground" as an equation.
+/// The rolling disc again, now with the position of its center among the coordinates and rolling without
+/// slipping as a constraint.
 namespace rolling_disc_constrained {
 
 using namespace kanexpr;
@@ -28,9 +28,10 @@ struct L : rotated<L, Y, q2, Y::x> {}; // lean
 struct R : rotated<R, L, q3, L::y>,    // spin
            angular_velocity<N, u1 * L::x + u2 * L::y + u3 * L::z> {};
 
-struct O : origin<O, N> {}; // in the ground
+struct O : origin<O, N> {}; // the position on the ground
 struct Dmc : offset<Dmc, O, q4 * N::x + q5 * N::y + r * cos(q2) * N::z> {};
-struct Contact : offset<Contact, Dmc, -r * L::z>, fixed_in<R> {}; // the point of the rim that touches
+struct Contact : offset<Contact, Dmc, -r * L::z>,
+                 fixed_in<R> {}; // the point of the rim that touches the ground
 
 struct Disc : rigid_body<Disc, Dmc, R, m, inertia<L, m * r * r / 4, m * r * r / 2, m * r * r / 4>> {};
 
@@ -39,7 +40,7 @@ struct System : kane_system<inertial<N>, coordinates<q1, q2, q3, q4, q5>, speeds
                             velocity_constraints<zero_along<velocity_of<Contact>, N::x, N::y>>,
                             dependent<u4, u5>, bodies<Disc>, loads<gravity<-g * N::z>>> {};
 
-/// The same disc with the rates of the coordinates in place of speeds.
+/// The same disc, with the rates of the coordinates as speeds.
 namespace by_rates {
 
 struct R : rotated<R, L, q3, L::y> {};

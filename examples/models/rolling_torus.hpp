@@ -14,7 +14,7 @@ constexpr coordinate<"q3"> q3;
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
 constexpr speed<"u3"> u3;
-constexpr parameter<"R"> R; // from the centre to the middle of the tube
+constexpr parameter<"R"> R; // from the center to the middle of the tube
 constexpr parameter<"a"> a; // radius of the tube
 constexpr parameter<"m"> m;
 constexpr parameter<"g"> g;
@@ -26,7 +26,7 @@ struct B : rotated<B, L, q3, L::y>,    // spin
            angular_velocity<N, u1 * L::x + u2 * L::y + u3 * L::z> {};
 
 struct C : origin<C, N> {};                                   // contact: no velocity in N
-struct G : offset<G, C, a * N::z + R * L::z>, fixed_in<B> {}; // mass centre
+struct G : offset<G, C, a * N::z + R * L::z>, fixed_in<B> {}; // mass center
 
 constexpr auto along_axis = m * (R * R + 3 * a * a / 4);
 constexpr auto across_axis = m * (R * R / 2 + 5 * a * a / 8);
@@ -37,7 +37,7 @@ struct System : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u2,
                             kinematics<dot(q1) == u3 / cos(q2), dot(q2) == u1, dot(q3) == u2 - u3 * tan(q2)>,
                             bodies<Torus>, loads<gravity<-g * N::z>>> {};
 
-/// The same torus with the place of its centre among the coordinates, and rolling as a constraint.
+/// The same torus, with the position of its center among the coordinates and rolling as a constraint.
 namespace by_rates {
 
 constexpr coordinate<"q4"> q4;
@@ -45,7 +45,7 @@ constexpr coordinate<"q5"> q5;
 
 struct B : rotated<B, L, q3, L::y> {};
 
-struct O : origin<O, N> {}; // in the ground
+struct O : origin<O, N> {}; // the position on the ground
 struct G : offset<G, O, q4 * N::x + q5 * N::y + (a + R * cos(q2)) * N::z> {};
 struct Contact : offset<Contact, G, -a * N::z - R * L::z>, fixed_in<B> {};
 

@@ -2,7 +2,7 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// A bead on a spring in a smooth tube that turns in a vertical plane by a prescribed angle.
+/// A bead on a spring in a smooth tube that rotates in a vertical plane by a prescribed angle.
 namespace rotating_tube {
 
 using namespace kanexpr;
@@ -11,7 +11,7 @@ constexpr coordinate<"q"> q; // along the tube
 constexpr speed<"u"> u;
 constexpr parameter<"m"> m;
 constexpr parameter<"k"> k;
-constexpr parameter<"q0"> q0; // where the spring is at rest
+constexpr parameter<"q0"> q0; // unstretched length of the spring
 constexpr parameter<"g"> g;
 constexpr parameter<"c"> c;
 constexpr prescribed<"theta"> theta; // angle of the tube, a known function of time

@@ -2,8 +2,8 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-/// A symmetric top whose tip stays where it is. The speeds are the components of its angular velocity in the
-/// frame that precesses and nutates with the top and does not spin.
+/// A symmetric top whose tip is fixed. The speeds are the components of its angular velocity in the frame
+/// that precesses and nutates with the top but does not spin.
 namespace spinning_top {
 
 using namespace kanexpr;
@@ -17,8 +17,8 @@ constexpr speed<"u3"> u3;
 constexpr parameter<"m"> m;
 constexpr parameter<"l"> l;
 constexpr parameter<"g"> g;
-constexpr parameter<"A"> A; // moment of inertia across the axis
-constexpr parameter<"C"> C; // and about it
+constexpr parameter<"A"> A; // moment of inertia about a transverse axis
+constexpr parameter<"C"> C; // and about the spin axis
 
 struct N : inertial_frame<N> {};
 struct F1 : rotated<F1, N, q1, N::z> {};   // precession
@@ -27,7 +27,7 @@ struct B : rotated<B, F2, q3, F2::z>,      // spin
            angular_velocity<N, u1 * F2::x + u2 * F2::y + u3 * F2::z> {};
 
 struct O : origin<O, N> {};                         // tip
-struct G : offset<G, O, l * F2::z>, fixed_in<B> {}; // mass centre
+struct G : offset<G, O, l * F2::z>, fixed_in<B> {}; // mass center
 
 struct Top : rigid_body<Top, G, B, m, inertia<F2, A, A, C>> {};
 
@@ -36,7 +36,7 @@ struct System
                   kinematics<u1 == dot(q2), u2 == dot(q1) * sin(q2), u3 == dot(q3) + dot(q1) * cos(q2)>,
                   parameters<m, l, g, A, C>, bodies<Top>, loads<gravity<-g * N::z>>> {};
 
-/// The same top with the rates of the angles in place of speeds.
+/// The same top, with the rates of the angles as speeds.
 namespace by_rates {
 
 struct B : rotated<B, F2, q3, F2::z> {};

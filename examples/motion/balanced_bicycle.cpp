@@ -1,6 +1,6 @@
-// A bicycle is pushed to the side and slows down to a speed at which it falls by itself. The torque at its
-// fork, by gains that the compiler computed for each speed, keeps it upright. The same controller runs on a
-// board.
+// A bicycle is pushed to the side and slows down to a speed at which it would fall on its own. The torque at
+// its fork, with gains that the compiler computed for each speed, keeps it upright. The same controller runs
+// on a microcontroller.
 #include "output.hpp"
 
 #include <kanexpr/fixed_step.hpp>
@@ -37,7 +37,7 @@ int main(int count, char** words) {
   state<Driven> free;
   free[u2] = 0.1, free[u3] = 3 / rear_radius, free[u6] = 3 / front_radius;
   double t = 0;
-  while (std::abs(free[q2]) < 0.7 && t < 20) // at 0.65 the handlebars stand across
+  while (std::abs(free[q2]) < 0.7 && t < 20) // at 0.65 the handlebars are at right angles
     if (const status s = passing<runge_kutta_4<Driven>>{}(t, free, period, parameter_values<Driven>(),
                                                           input_values<Driven>(0, 0));
         !s)

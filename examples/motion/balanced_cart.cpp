@@ -1,5 +1,6 @@
-// A cart keeps a pendulum upright, two hundred times a second: a Kalman filter finds its state from noisy
-// sensors, and a regulator that the compiler computed gives the force. The same controller runs on a board.
+// A cart balances a pendulum with a controller that runs two hundred times a second: a Kalman filter
+// estimates its state from noisy sensors, and a regulator computed by the compiler determines the force. The
+// same controller runs on a microcontroller.
 #include "output.hpp"
 #include "print.hpp"
 

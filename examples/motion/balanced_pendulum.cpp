@@ -1,5 +1,5 @@
 // A cart balances a pendulum: the equations are linearized about the upright equilibrium, a state feedback is
-// designed by its poles, and the nonlinear system moves under it.
+// designed by pole placement, and the nonlinear system moves under its control.
 #include "output.hpp"
 #include "print.hpp"
 
@@ -22,7 +22,7 @@ using square = Eigen::Matrix<double, order, order>;
 using column = Eigen::Vector<double, order>;
 using row = Eigen::RowVector<double, order>;
 
-// K in r = −K x so that A − B K has the poles: Ackermann's formula.
+// K in r = −K x such that A − B K has these poles: Ackermann's formula.
 row feedback(const square& A, const column& B, const column& poles) {
   square controllability, polynomial = square::Identity();
   column next = B;

@@ -1,5 +1,5 @@
-// A ball that is thrown over the ground bounces until it hardly leaves it: an event changes the state, and in
-// the end stops the simulation.
+// A ball that is thrown bounces until it hardly leaves the ground: an event changes the state and finally
+// stops the simulation.
 #include "output.hpp"
 
 #include <kanexpr/simulate.hpp>
@@ -12,7 +12,7 @@ namespace {
 using namespace kanexpr;
 
 constexpr coordinate<"x"> x;
-constexpr coordinate<"h"> h; // of its lowest point
+constexpr coordinate<"h"> h; // height of its lowest point
 constexpr speed<"vx"> vx;
 constexpr speed<"vh"> vh;
 constexpr parameter<"m"> m;

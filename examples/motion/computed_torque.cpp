@@ -1,5 +1,6 @@
-// An arm of seven joints follows a motion on which it does not begin, a thousand times a second by the
-// torques that the compiled equations give for the wanted accelerations. The same controller runs on a board.
+// A seven-joint arm follows a motion although it starts away from it. A thousand times a second, the torques
+// are computed by the compiled equations from the desired accelerations. The same controller runs on a
+// microcontroller.
 #include "output.hpp"
 
 #include <kanexpr/simulations/trajectory/trajectory.hpp>

@@ -5,9 +5,9 @@
 
 namespace four_bar {
 
-/// Three seconds of a linkage whose motor turns the crank with a constant torque.
+/// Three seconds of a linkage whose crank is driven by a constant torque.
 inline simulation<System> turned_by_motor(double torque) {
-  // The crank is where it is; the other angles need only be near.
+  // The angle of the crank is given; the other angles need only be approximate.
   return simulate<System>({{q1, 0.5}, {q2, 0.4}, {q3, -2}, {u1, 7}},
                           {{l0, 1.0},
                            {l1, 0.4},

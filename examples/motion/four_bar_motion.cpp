@@ -1,4 +1,4 @@
-// A motor turns a four-bar linkage, whose loop stays closed.
+// A motor drives a four-bar linkage, whose loop stays closed.
 #include "output.hpp"
 
 #include <motion/four_bar.hpp>
@@ -17,7 +17,7 @@ int main(int count, char** words) {
   if (!run) return std::fprintf(stderr, "%s\n", run.cause().c_str()), 1;
   const auto& path = run.trajectory;
 
-  // What the motor does goes into the energy.
+  // The work of the motor increases the energy.
   const double angle = run.state[q1] - path[0].x[q1];
   const auto energy = path.energies().total;
   std::printf("the crank turned %.2f times in %ld steps\n", angle / (2 * std::numbers::pi),

@@ -1,6 +1,6 @@
-// A controller of an arm of two bars, as it runs a thousand times a second: each time it asks the compiled
-// equations for the torques that give the wanted accelerations, and the motion goes on by a step that is as
-// long as the time between.
+// The control loop of a two-bar arm, which runs a thousand times a second. In each cycle, the compiled
+// equations give the torques for the desired accelerations, and a step of the same length advances the
+// motion.
 #include "output.hpp"
 
 #include <kanexpr/fixed_step.hpp>
@@ -17,10 +17,10 @@ namespace {
 using namespace double_pendulum;
 using eom = equations_of_motion<System>;
 
-constexpr double stiffness = 25, damping = 10; // of the error: twice the pole −5/s
+constexpr double stiffness = 25, damping = 10; // for the error: a double pole at −5/s
 constexpr double period = 0.001;
 
-// Where the arm shall be.
+// The desired motion of the arm.
 struct wanted {
   Eigen::Vector2d angles, rates, accelerations;
 };
@@ -30,8 +30,8 @@ wanted wanted_at(double t) {
   return {{-0.8 + 0.6 * s, 0.9 + 0.5 * c}, {1.2 * c, -1.0 * s}, {-2.4 * s, -2.0 * c}};
 }
 
-// The error e is to obey ë + damping ė + stiffness e = 0. The torques are T1 − T2 on the upper bar and T2 on
-// the lower one, by which M u̇ = f + [T1 − T2, T2]; the speeds are u1 = q1' and u2 = q1' + q2'.
+// The error e must satisfy ë + damping ė + stiffness e = 0. The torques are T1 − T2 on the upper bar and T2
+// on the lower one, so that M u̇ = f + [T1 − T2, T2]; the speeds are u1 = q1' and u2 = q1' + q2'.
 eom::inputs torques(double t, const eom::state& x, const eom::parameters& p) {
   const wanted w = wanted_at(t);
   const Eigen::Vector2d rates(x[u1], x[u2] - x[u1]);

@@ -1,5 +1,5 @@
-// A coin that leans rolls around in a circle. How fast it has to spin is found as an operating point; a whole
-// turn later everything is as it was.
+// A leaning coin rolls in a circle. The required spin is found as an operating point; after one full turn,
+// the state is the same as at the start.
 #include "output.hpp"
 
 #include <kanexpr/operating_point.hpp>

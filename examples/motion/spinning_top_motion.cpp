@@ -1,4 +1,4 @@
-// A fast top that is let go with its axis at rest: it falls a little, rises again, and goes around.
+// A fast top is released with its axis at rest: it falls a little, rises again, and precesses.
 #include "output.hpp"
 
 #include <kanexpr/simulate.hpp>
@@ -11,7 +11,7 @@ int main(int count, char** words) {
   using namespace spinning_top;
   const output files("A spinning top", "Its axis was at rest when it was let go.", count, words);
 
-  // The speed of nutation u1 falls through zero where the top leans most.
+  // The nutation speed u1 crosses zero, falling, when the top leans most.
   std::vector<double> most;
   const auto keep = [&](moment<System>& now) { most.push_back(now.x[q2]); };
   const auto run = simulate<System>({{q1, 0}, {q2, 0.5}, {q3, 0}, {u1, 0}, {u2, 0}, {u3, 180}},

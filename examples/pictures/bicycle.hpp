@@ -3,8 +3,8 @@
 #include <kanexpr/animate.hpp>
 #include <models/bicycle.hpp>
 
-/// What the bicycle looks like. The points are measured from the rear wheel's centre, with the frame's axes
-/// that are level when the bicycle stands upright.
+/// The appearance of the bicycle. Points are measured from the center of the rear wheel, in frame axes that
+/// are level when the bicycle is upright.
 namespace bicycle {
 
 namespace shapes {
@@ -15,7 +15,7 @@ template <class Self, auto forward, auto left, auto upward>
 using on_frame =
     offset<Self, WR_mc, double(forward) * Level::x + double(left) * Level::y + double(upward) * Level::z>;
 
-/// On the steering axis, `upward` from its middle, and beside it.
+/// A point relative to the steering axis: `upward` along it from its middle, and to the side.
 template <class Self, auto upward, auto left = 0.0, auto forward = 0.0>
 using on_fork = offset<Self, Steer, -upward * Fork::x + double(left) * Fork::y + forward * Fork::z>;
 
@@ -78,7 +78,7 @@ using bar = show<rod<From, To, radius>, Options...>;
 
 using namespace shapes;
 
-/// Of the bicycle itself and of those that extend it.
+/// Pictures of the bicycle and of systems that extend it.
 template <class System>
 using picture_of =
     kanexpr::picture<System, up<N::z>, ground<>, carried<WR_mc>, seen_from<N::x - 1.6 * N::y + 0.75 * N::z>,
@@ -99,7 +99,7 @@ using picture_of =
                      bar<LeftCrown, RightCrown, 0.018, steel>, bar<Crown, Stem, 0.017, steel>,
                      bar<Stem, Bar, 0.016, steel>, bar<LeftBend, RightBend, 0.013, steel>,
                      bar<LeftBend, LeftGrip, 0.02, rubber>, bar<RightBend, RightGrip, 0.02, rubber>,
-                     // the rider, who is one body with the frame
+                     // the rider, who is part of the frame
                      bar<Hips, Chest, 0.12, shirt>, bar<LeftHip, RightHip, 0.1, trousers>,
                      bar<LeftShoulder, RightShoulder, 0.075, shirt>, show<sphere<Head, 0.115>, skin>,
                      bar<Chest, Neck, 0.05, skin>, bar<LeftHip, LeftKnee, 0.07, trousers>,
