@@ -5,8 +5,8 @@
 
 #include <cstdio>
 
-// page DIRECTORY: writes a page with a shape of every kind, and where its shapes are at some times; and one
-// with files that hold no mesh.
+// page DIRECTORY: writes a page with a shape of every kind, and the positions of its shapes at some times;
+// and a page with files that contain no mesh.
 
 namespace {
 
@@ -55,7 +55,7 @@ nlohmann::json poses_at(const kanexpr::animation& a, std::size_t k) {
   return {{"t", a.times[k]}, {"q3", a.columns[2].values[k]}, {"poses", poses}};
 }
 
-/// A green wedge among meshes that are none.
+/// A green wedge among invalid meshes.
 kanexpr::outcome write_broken(kanexpr::animation a, const kanexpr::page_options& options,
                               const std::string& directory) {
   std::vector<kanexpr::animation::shape> shown(1 + std::size(wedge::broken), *a.find("DAE"));

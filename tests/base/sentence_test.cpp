@@ -26,7 +26,8 @@ TEST(sentence, is_nothing_or_says_something) {
   EXPECT_EQ(out.str(), told.view());
 }
 
-// Whatever went wrong, a function of the user takes the cause as one type, which outlives what has it.
+// A user's function can take the cause of any failure as one type, which outlives the object that reported
+// it.
 template <class... Told>
 constexpr bool have_causes_of_one_type =
     (std::is_same_v<decltype(std::declval<Told>().cause()), std::string> && ...);

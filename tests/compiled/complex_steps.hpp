@@ -1,4 +1,5 @@
-// Derivatives of compiled functions by complex steps: exact but for rounding, and a way of their own.
+// Derivatives of compiled functions by complex steps: exact up to rounding, and independent of the library's
+// derivatives.
 #pragma once
 
 #include "no_heap.hpp"
@@ -27,14 +28,14 @@ struct point {
   kanexpr::input_values<System> r = kanexpr::input_values<System>::Zero();
 };
 
-// Numbers up to `reach` from 0.
+// Numbers between −reach and reach.
 inline VectorXd random_numbers(std::mt19937_64& source, Eigen::Index count, double reach) {
   std::uniform_real_distribution<double> unit(-reach, reach);
   return VectorXd::NullaryExpr(count, [&] { return unit(source); });
 }
 
-// Coordinates up to `reach` and speeds up to 2 from `around`; inputs up to 2 from 1 more, parameters by a
-// third.
+// Coordinates that differ from `around` by up to `reach` and speeds by up to 2; inputs that differ from 1 by
+// up to 2, and parameters by up to a third.
 template <class System>
 point<System> random_point(std::mt19937_64& source, const point<System>& around, double reach) {
   constexpr int n = kanexpr::equations_of_motion<System>::coordinates;
@@ -47,7 +48,7 @@ point<System> random_point(std::mt19937_64& source, const point<System>& around,
   return at;
 }
 
-// As if every parameter were 1.
+// Treats every parameter as 1.
 template <class System>
 point<System> plain_point() {
   point<System> at;
@@ -75,7 +76,7 @@ MatrixXd derivatives(Function f, const point<System>& at) {
   return all;
 }
 
-// [∂ẋ/∂x ∂ẋ/∂r] as the library gives it.
+// [∂ẋ/∂x ∂ẋ/∂r] as computed by the library.
 template <class System>
 MatrixXd jacobian(const point<System>& at) {
   const auto [by_state, by_inputs] = [&] {
@@ -87,7 +88,7 @@ MatrixXd jacobian(const point<System>& at) {
   return all;
 }
 
-// At random states, which do not satisfy any constraints.
+// At random states, which need not satisfy any constraints.
 template <class System>
 void jacobian_is_that_of_rhs(const point<System>& around = plain_point<System>(), double reach = 1) {
   constexpr auto rhs = kanexpr::equations_of_motion<System>::rhs;
@@ -103,7 +104,8 @@ void jacobian_is_that_of_rhs(const point<System>& around = plain_point<System>()
   EXPECT_EQ(compared, 100);
 }
 
-// At states that satisfy the constraints: what is dependent follows a change of the rest and of the inputs.
+// At states that satisfy the constraints: the dependent entries follow changes of the independent ones and of
+// the inputs.
 template <class System>
 void reduces_to_explicit_form(const point<System>& around) {
   using eom = kanexpr::equations_of_motion<System>;

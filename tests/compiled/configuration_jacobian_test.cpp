@@ -1,4 +1,4 @@
-// The derivatives of the configuration constraints by all coordinates.
+// The derivatives of the configuration constraints with respect to all coordinates.
 #include "compiled/complex_steps.hpp"
 
 #include <models/bicycle.hpp>

@@ -1,4 +1,4 @@
-// Results and linearizations in constant expressions: compiling is most of the test.
+// Results and linearizations in constant expressions: most of the test takes place during compilation.
 #include <kanexpr/compiled/constant_values.hpp>
 #include <kanexpr/numeric/as_eigen.hpp>
 
@@ -28,7 +28,7 @@ constexpr auto both = eom::together(eom::mass_matrix, eom::kinetic_energy, eom::
 static_assert(std::get<0>(both) == 18 && std::get<1>(both) == 144 && std::get<2>(both)(0) == 4);
 static_assert(eom::inertia_forces.constant_at(x, p, r, {2})(0) == -36);
 
-// About the lowest point the torque of gravity is −m g l q.
+// About the lowest position, the torque of gravity is −m g l q.
 constexpr auto hanging = lin::explicit_form.constant({0, 0}, p, r);
 static_assert(std::get<0>(hanging)(0, 0) == 0 && std::get<0>(hanging)(0, 1) == 1);
 static_assert(std::get<0>(hanging)(1, 1) == 0 && std::get<1>(hanging)(0, 0) == 0);
@@ -67,8 +67,8 @@ TEST(constant, values_by_name_leave_no_gap) {
 
 } // namespace pendulum
 
-// The benchmark of Meijaard, Papadopoulos, Ruina & Schwab (2007), M q̈ + v C1 q̇ + (g K0 + v² K2) q = f with q
-// = (lean, steer), out of the nonlinear equations, by the compiler.
+// The benchmark of Meijaard, Papadopoulos, Ruina & Schwab (2007), M q̈ + v C1 q̇ + (g K0 + v² K2) q = f with
+// q = (lean, steer), computed by the compiler from the nonlinear equations.
 namespace benchmark {
 
 using namespace bicycle;
@@ -109,10 +109,11 @@ constexpr auto parameters(double gravity) {
                                       {bicycle::g, gravity}});
 }
 
-// Of u2 and u5; the spin of the wheels stands alone.
+// For u2 and u5; the spin of the wheels is decoupled.
 constexpr matrix M = eom::mass_matrix.constant(straight_ahead(5), parameters(9.81)).at({0, 2}, {0, 2});
 
-// What the rates of u2 and u5 take from lean and steer, or from their rates, among q1, q2, q5, u2, u3, u5.
+// The dependence of the rates of u2 and u5 on lean and steer, or on their rates, among q1, q2, q5, u2, u3,
+// u5.
 constexpr matrix by(double v, double gravity, const int (&columns)[2]) {
   const auto both = lin::explicit_form.constant(straight_ahead(v), parameters(gravity));
   return -1.0 * (M * std::get<0>(both).at({3, 5}, columns));

@@ -1,12 +1,12 @@
-// The Coriolis matrix of a ball on a turning rod, by hand.
+// The Coriolis matrix of a ball on a rotating rod, computed by hand.
 #include <kanexpr/kanexpr.hpp>
 
 #include <gtest/gtest.h>
 
 namespace {
 
-/// Speeds in another order than their coordinates, a velocity that is declared as it is, and a Lagrangian
-/// with a part that is linear in the rates.
+/// Speeds in a different order from their coordinates, a declared velocity, and a Lagrangian with a part that
+/// is linear in the rates.
 namespace slider {
 using namespace kanexpr;
 constexpr coordinate<"q"> q;

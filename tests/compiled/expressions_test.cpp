@@ -1,4 +1,4 @@
-// Expressions of a model as compiled functions, against numerical differentiation of positions along the
+// Expressions of a model as compiled functions, compared with numerical derivatives of positions along the
 // motion.
 #include "models/arm3.hpp"
 #include "models/rolling_disc.hpp"
@@ -87,7 +87,7 @@ TEST(expressions, jacobian_times_rates_is_the_velocity) {
   constexpr auto wanted = jacobian(position_of<tip, arm3::J1>, arm3::q<1>, arm3::q<2>, arm3::q<3>);
   const Eigen::Matrix3d j = function<arm, wanted>{}(s.x, s.p);
   const Eigen::Vector3d v = function<arm, velocity_of<tip>>{}(s.x, s.p);
-  EXPECT_TRUE((j * s.x.u()).isApprox(v, 1e-12)); // in the arm, speeds are rates
+  EXPECT_TRUE((j * s.x.u()).isApprox(v, 1e-12)); // in the arm, the speeds are coordinate rates
 }
 
 TEST(expressions, partial_velocities_add_up) {
@@ -115,7 +115,7 @@ TEST(expressions, scalars_and_chosen_axes) {
   EXPECT_NEAR(speed, v.norm(), 1e-15);
   const double height = function<disc, dot(position_of<Dmc, C>, N::z)>{}(s.x, s.p);
   EXPECT_NEAR(height, s.p[r] * std::cos(s.x[q2]), 1e-15);
-  // the seen rate of a vector that is fixed in the disc is zero there, and ω × r in N
+  // the derivative in the disc of a vector fixed in the disc is zero; in N it is ω × r
   const Eigen::Vector3d still = function<disc, derivative_in<R>(r * R::x)>{}(s.x, s.p);
   EXPECT_EQ(still.norm(), 0);
   const Eigen::Vector3d turning = function<disc, derivative_in<N>(r * R::x)>{}(s.x, s.p);

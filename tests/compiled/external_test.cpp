@@ -1,4 +1,5 @@
-// A tyre whose force the program computes, beside the same force in the words of a model.
+// A tire whose force is computed by a user's function, compared with the same force as an expression of the
+// model.
 
 #include <kanexpr/batch.hpp>
 #include <kanexpr/lower/complex_math.hpp>
@@ -17,7 +18,7 @@ namespace {
 
 using namespace simple_pendulum;
 
-/// Of a slip and a load.
+/// A function of slip and load.
 struct brush {
   template <class S>
   constexpr S operator()(const S& slip, const S& load) const {
@@ -117,7 +118,7 @@ TEST(external, is_one_operation) {
   static_assert(functions_of<tyre(u, q) * tyre(u, q) + tyre(u, q)>() == 1);
 }
 
-/// What the compiler cannot evaluate, and what has a pole.
+/// Functions that the compiler cannot evaluate, and functions with a pole.
 struct steep {
   double operator()(double x) const { return std::tanh(x) / (x - 1); }
 };
@@ -142,12 +143,12 @@ TEST(external, need_not_be_constant_nor_finite) {
   const auto at_pole = on_a_hill::udot(on_a_hill::state{{q, 1}, {u, 0}}, p, on_a_hill::inputs{{T, 0.2}});
   EXPECT_FALSE(at_pole.status);
   EXPECT_EQ(kanexpr::status_of(at_pole).cause(), at_pole.status.cause());
-  EXPECT_TRUE(kanexpr::status_of(at_pole.size())); // what cannot fail has none
+  EXPECT_TRUE(kanexpr::status_of(at_pole.size())); // a result that cannot fail has no status
   EXPECT_TRUE(at_pole.status.cause().starts_with("the results are not finite at this state"))
       << at_pole.status.cause();
 }
 
-/// The energy of a spring, with as many derivatives as a linearization takes of it.
+/// The energy of a spring, with as many derivatives as a linearization needs.
 struct quartic {
   constexpr double operator()(double x) const { return x * x * x * x + x * x; }
 };
@@ -173,7 +174,7 @@ TEST(external, is_a_potential_energy) {
   const auto [A, B] = linearization<stored<V(q)>>::explicit_form(x, p);
   EXPECT_NEAR(A(1, 0), -quartic_curvature()(0.6)[0] / inertia, 1e-12);
   kanexpr::state<stored<V(q)>, std::complex<double>> stepped = x.cast<std::complex<double>>();
-  stepped[q] += std::complex<double>(0, 1e-30); // which the functions themselves do not take
+  stepped[q] += std::complex<double>(0, 1e-30); // not accepted by the functions themselves
   EXPECT_NEAR(sprung::udot(stepped, p.cast<std::complex<double>>())(0).imag() / 1e-30, A(1, 0), 1e-12);
 }
 

@@ -1,4 +1,4 @@
-// ∂T/∂u of all speeds: against derivatives of the kinetic energy, and against the momenta of simple bodies.
+// ∂T/∂u of all speeds, compared with derivatives of the kinetic energy and with the momenta of simple bodies.
 #include "compiled/complex_steps.hpp"
 
 #include <kanexpr/symbolic.hpp>
@@ -32,7 +32,7 @@ struct P : offset<P, O, x * N::x + y * N::y + z * N::z> {};
 struct C : offset<C, P, d * A::x> {};
 struct Body : rigid_body<Body, C, A, m, inertia<A, I, 2 * I, 3 * I>> {};
 
-/// It moves with P and turns about the vertical; its mass centre is beside P.
+/// It moves with P and rotates about the vertical; its mass center is to the side of P.
 struct System : lagrange_system<inertial<N>, coordinates<x, y, z, q>, parameters<m, d, I>, bodies<Body>> {};
 
 /// A charged particle in a magnetic field along N::z.
@@ -69,7 +69,7 @@ void expect_derivatives_of_the_energy() {
 TEST(generalized_momenta, are_derivatives_of_the_kinetic_energy) {
   expect_derivatives_of_the_energy<double_pendulum::System>();
   expect_derivatives_of_the_energy<n_pendulum_cart::System<3>>();
-  expect_derivatives_of_the_energy<pivot_body::System>();    // speeds are no rates
+  expect_derivatives_of_the_energy<pivot_body::System>();    // speeds that are not coordinate rates
   expect_derivatives_of_the_energy<rotating_tube::System>(); // a prescribed motion
   expect_derivatives_of_the_energy<spinning_top::LagrangeSystem>();
 }
@@ -88,7 +88,7 @@ TEST(generalized_momenta, of_speeds_that_are_rates_are_those_of_the_body) {
   const eom::parameters p{{m, 2}, {d, 0.4}, {I, 0.1}};
   const Eigen::Vector4d momenta = eom::generalized_momenta(at, p);
   EXPECT_LT((momenta.head<3>() - eom::linear_momentum(at, p)).norm(), 1e-14);
-  // about P: the angular momentum about the origin less that of the linear momentum at P
+  // about P: the angular momentum about the origin minus that of the linear momentum at P
   const Eigen::Vector3d place(at[x], at[y], at[z]);
   const Eigen::Vector3d about_point = eom::angular_momentum(at, p) - place.cross(momenta.head<3>());
   EXPECT_NEAR(momenta(3), about_point.z(), 1e-14);

@@ -1,5 +1,5 @@
 // builds: g++
-// Inverse dynamics, gravity and the Coriolis matrix against M, f, F_r* and energies.
+// Inverse dynamics, gravity and the Coriolis matrix, compared with M, f, F_r* and energies.
 #include "compiled/complex_steps.hpp"
 
 #include <models/double_pendulum.hpp>
@@ -33,7 +33,7 @@ struct Bow : offset<Bow, P, d * A::x> {};
 struct Stern : offset<Stern, P, -d * A::x> {};
 struct Hull : rigid_body<Hull, P, A, m, inertia<A, 0, 0, I>> {};
 
-/// Thrusters across the hull, and one that pushes to the north: at q = 0 they do not push it to the east.
+/// Thrusters across the hull, and one that pushes north: at q = 0, none of them pushes east.
 struct System
     : kane_system<inertial<N>, coordinates<x, y, q>, speeds<vx, vy, w>,
                   kinematics<dot(x) == vx, dot(y) == vy, dot(q) == w>, parameters<m, d, I>,
@@ -54,7 +54,7 @@ void at_random_points(Check check) {
     check(step_checks::random_point(source, step_checks::plain_point<System>(), 2), source);
 }
 
-// What the inputs do not have to do, the rest of the model does.
+// The remaining forces are provided by the rest of the model.
 template <class System>
 void forces_are_those_that_M_and_f_leave() {
   using eom = kanexpr::equations_of_motion<System>;

@@ -1,6 +1,6 @@
 // builds: g++
-// The derivatives of the whole right side of a bicycle by its whole state, where its front wheel is off the
-// ground and slips.
+// The derivatives of a bicycle's complete right-hand side with respect to its whole state, at states in which
+// its front wheel is off the ground and slips.
 #include "compiled/complex_steps.hpp"
 
 #include <models/bicycle.hpp>

@@ -1,4 +1,4 @@
-// The derivatives of the whole right side by the whole state where constraints bind it.
+// The derivatives of the complete right-hand side of constrained systems with respect to the whole state.
 #include "compiled/complex_steps.hpp"
 
 #include <models/pendulum_nonminimal.hpp>

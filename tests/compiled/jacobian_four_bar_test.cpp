@@ -1,5 +1,5 @@
 // builds: g++
-// The derivatives of the whole right side of a linkage by its whole state.
+// The derivatives of a linkage's complete right-hand side with respect to its whole state.
 #include "compiled/complex_steps.hpp"
 
 #include <models/four_bar.hpp>
@@ -19,7 +19,7 @@ point<System> linkage() {
 TEST(jacobian_of_linkage, is_that_of_rhs) { step_checks::jacobian_is_that_of_rhs(linkage()); }
 TEST(jacobian_of_linkage, reduces_to_the_linearization) { step_checks::reduces_to_explicit_form(linkage()); }
 
-// A crank that is turned up to where coupler and rocker are in line.
+// A crank rotated to the position in which coupler and rocker are in line.
 TEST(jacobian_of_linkage, tells_where_there_is_none) {
   point<System> at = step_checks::plain_point<System>();
   at.x[q1] = 0.3;

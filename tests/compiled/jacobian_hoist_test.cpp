@@ -1,6 +1,6 @@
 // builds: g++
-// The derivatives of the whole right side by the whole state where time, inputs and acceleration constraints
-// are in what binds it.
+// The derivatives of the complete right-hand side with respect to the whole state, for constraints that
+// contain time, inputs and acceleration constraints.
 #include "compiled/complex_steps.hpp"
 
 namespace hoist {
@@ -32,7 +32,7 @@ struct on_rope : kane_system<inertial<N>, coordinates<x, y>, speeds<vx, vy>,
 
 constexpr auto apart = x * x + y * y - rope * rope;
 
-/// A load on a rope whose length is told, and the same drawn back to that length.
+/// A load on a rope of prescribed length, and the same load, pulled back to that length.
 struct System : on_rope<configuration_constraints<apart == 0>, dependent<y, vy>> {};
 
 constexpr auto rate = 2 * x * vx + 2 * y * (vy - sin(t) * x) - 2 * rope * dot(rope);

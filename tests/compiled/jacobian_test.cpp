@@ -1,5 +1,5 @@
-// The derivatives of the whole right side by the whole state, of systems without constraints and by
-// Lagrange's method.
+// The derivatives of the complete right-hand side with respect to the whole state, for systems without
+// constraints and for Lagrange's method.
 #include "compiled/complex_steps.hpp"
 
 #include <models/double_pendulum.hpp>
@@ -17,7 +17,7 @@ TEST(jacobian, rotating_tube) { jacobian_is_that_of_rhs<rotating_tube::System>()
 TEST(jacobian, rotating_tube_by_lagrange) { jacobian_is_that_of_rhs<rotating_tube::LagrangeSystem>(); }
 TEST(jacobian, four_bar_by_lagrange) { jacobian_is_that_of_rhs<four_bar::LagrangeSystem>(); }
 
-// Nothing follows anything, so it is the linearization, and costs what that costs.
+// Nothing is dependent, so the result equals the linearization and has the same cost.
 using lin = kanexpr::linearization<double_pendulum::System>;
 static_assert(lin::cost(lin::jacobian) == lin::cost(lin::explicit_form));
 

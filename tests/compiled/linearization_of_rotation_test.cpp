@@ -1,5 +1,4 @@
-// A linearization whose kinematic equations are more than the rates of coordinates, and feel more than they
-// are.
+// A linearization whose kinematic equations contain more than coordinate rates.
 #include "compiled/complex_steps.hpp"
 #include "steps/quaternions.hpp"
 

@@ -1,4 +1,4 @@
-// What a compiled linearization offers beside its matrices.
+// Further results of compiled linearizations in addition to the matrices.
 #include "models/four_bar.hpp"
 #include "models/pendulum_nonminimal.hpp"
 #include "no_heap.hpp"
@@ -19,8 +19,8 @@ auto without_heap(Function function, const Arguments&... arguments) {
   return function(arguments...);
 }
 
-// Sensors: a coordinate that depends on another, a velocity and an acceleration, against differences of what
-// they measure, where the state moves as the constraints allow.
+// Sensors: a dependent coordinate, a velocity and an acceleration, compared with finite differences of the
+// measurements as the state moves along the constraints.
 TEST(linearization, outputs_follow_the_state) {
   using eom = kanexpr::equations_of_motion<System>;
   constexpr kanexpr::function<System, q3, velocity_of<P3>, acceleration_of<P2>> measured{};
@@ -69,7 +69,7 @@ TEST(linearization, says_where_its_states_stand) {
   EXPECT_EQ(lin::permutation() * order, (Eigen::Matrix<double, 6, 1>{0, 1, 2, 3, 4, 5}));
 }
 
-// A crank that is turned up to where coupler and rocker are in line.
+// A crank rotated to the position in which coupler and rocker are in line.
 TEST(linearization, tells_where_there_is_none) {
   lin::state x;
   lin::parameters p;
@@ -98,7 +98,7 @@ TEST(linearization, names_what_was_never_set) {
   EXPECT_FALSE(std::get<0>(lin::explicit_form(0.0, x, p, r)).status);
 }
 
-// M is given and not solved with; what stands beside it rests on u̇ and the multipliers.
+// M is returned but not solved with; the other matrices depend on u̇ and the multipliers.
 TEST(linearization, with_multipliers_tells_where_the_mass_matrix_is_singular) {
   namespace circle = pendulum_nonminimal;
   using on_circle = kanexpr::linearization<circle::LagrangeSystem>;

@@ -1,5 +1,5 @@
 // builds: clang++ sanitize no-exceptions
-// Values that are given by name: where they go, and what is wrong with them.
+// Values given by name: where they are stored, and mistakes in them.
 #include "models/bicycle.hpp"
 #include "models/four_bar.hpp"
 
@@ -23,7 +23,7 @@ using given_inputs = kanexpr::given_inputs<four_bar::System>;
 using bicycle_state = kanexpr::given_state<bicycle::BoundSystem>;
 using bicycle_parameters = kanexpr::given_parameters<bicycle::BoundSystem>;
 
-// as a parameter of a function, where the braces stand in a call
+// as a function argument, given in braces
 kanexpr::state<four_bar::System> taken(const given_state& x) {
   EXPECT_EQ(x.mistake.view(), "");
   return x.values;
@@ -94,7 +94,7 @@ TEST(named_values, were_never_set) {
   EXPECT_EQ(mistake_of_parameters(p), "");
   EXPECT_EQ(given_inputs(kanexpr::input_values<System>()).mistake.view(), "input T has no value");
   EXPECT_EQ(mistake_of(kanexpr::state<System>{{q1, 0.1}}), "speed u1 has no value");
-  EXPECT_EQ(mistake_of(kanexpr::state<System>{{q1, 0.1}, {u1, 1}}), ""); // the others depend
+  EXPECT_EQ(mistake_of(kanexpr::state<System>{{q1, 0.1}, {u1, 1}}), ""); // the others are dependent
   EXPECT_EQ(mistake_of(kanexpr::state<System>{{q1, 0.1}, {u1, 1}, {q1, 0.1}}),
             "coordinate q1 has two values");
   EXPECT_EQ(kanexpr::guessed_inputs<System>().values[T], 0);
@@ -233,7 +233,7 @@ TEST(named_values, give_no_body_an_inertia_of_none) {
                               "this is intended, wrap it in effective_inertia<...>";
   EXPECT_EQ(mistake(1, 1, 1.2, 0.1), "");
   EXPECT_EQ(mistake(1, 1, 2, 0), ""); // a plate
-  EXPECT_EQ(mistake(0, 0, 2, 0), ""); // of a planar motion
+  EXPECT_EQ(mistake(0, 0, 2, 0), ""); // for planar motion
   EXPECT_EQ(mistake(-1, 1, 1, 0), "parameter Ix, a moment of inertia, is negative");
   EXPECT_EQ(mistake(1, 1, 1, 5),
             "the inertia of Block is indefinite: its moment about some axis is negative");
@@ -241,7 +241,7 @@ TEST(named_values, give_no_body_an_inertia_of_none) {
   EXPECT_EQ(mistake(1.2, 1.2, 2, 0), std::string("the inertia of Hung") + of_none);
   EXPECT_EQ(mistake(1, 1, 1, 0, 3, -0.6),
             "the inertia of Hung about O is smaller than the parallel-axis term of its mass");
-  EXPECT_EQ(mistake(1, 1, 1, 0, 9, 0.1), ""); // an effective one is what it is
+  EXPECT_EQ(mistake(1, 1, 1, 0, 9, 0.1), ""); // an effective inertia is accepted as given
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Functions out of line give the same bits as those that are expanded where they are called.
+// Out-of-line functions give the same bits as functions that are expanded at the call.
 #include <kanexpr/compiled/out_of_line.hpp>
 #include <kanexpr/kanexpr.hpp>
 

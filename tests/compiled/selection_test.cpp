@@ -1,5 +1,5 @@
-// A motor with a limit, a stop on one side and a suction that has a root for one sign only, in every way in
-// which a function of a model is evaluated.
+// A motor with a limit, a one-sided stop and a suction force that contains a root for one sign only,
+// evaluated by every method of evaluating functions of a model.
 
 #include <kanexpr/batch.hpp>
 #include <kanexpr/runtime/builder.hpp>
@@ -102,7 +102,7 @@ TEST(selection, is_a_constant_where_all_is) {
   EXPECT_NEAR(udot(0), acceleration(1.2, -2.0, 3.0), 1e-13);
 }
 
-/// Of the root nothing counts at negative speeds, nor its slope at none.
+/// At negative speeds, neither the root nor its slope affects the result.
 TEST(selection, has_the_status_of_what_it_chooses) {
   const eom::inputs r{{T, 1}}, no_number{{T, std::nan("")}};
   for (const double speed : {-3.0, -0.0, 0.0, 0.7}) {
@@ -139,7 +139,7 @@ TEST(selection, is_interpreted_as_it_is_compiled) {
               compiled(at.q, at.u, at.T));
 }
 
-/// A rope: an energy where it is stretched alone, of which Lagrange's method takes the gradient backwards.
+/// A rope: an energy only when it is taut, differentiated by Lagrange's method in reverse mode.
 struct Roped
     : lagrange_system<inertial<N>, coordinates<q>, parameters<m, l, k>,
                       lagrangian<m * l * l * dot(q) * dot(q) / 2 - k * if_positive(q, pow(q, 1.5), 0)>> {};

@@ -1,4 +1,4 @@
-// Friction that is c tanh(u / v), in every way in which a function of a model is evaluated.
+// The friction c tanh(u / v), evaluated by every method of evaluating functions of a model.
 #include <kanexpr/batch.hpp>
 #include <kanexpr/symbolic.hpp>
 
@@ -74,7 +74,7 @@ TEST(smooth_friction, is_linearized_and_printed) {
   EXPECT_EQ(print(derive<Rubbed>().forcing()), "[-c*tanh(u/v) - g*l*m*sin(q)]");
 }
 
-/// Functions that <complex> lacks, in every way in which a function of a model is evaluated.
+/// Functions that <complex> lacks, evaluated by every method of evaluating functions of a model.
 template <class T>
 T acceleration_of_the_curved(T q, T u, T input) {
   const T pi = std::numbers::pi_v<T>, r = std::remainder(3 * q - input, 2 * pi);

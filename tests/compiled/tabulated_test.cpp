@@ -1,4 +1,4 @@
-// A motor whose torque is tabulated over its speed, and a spring whose forces are parameters.
+// A motor whose torque is tabulated over its speed, and a spring whose tabulated forces are parameters.
 
 #include <kanexpr/batch.hpp>
 #include <kanexpr/runtime/builder.hpp>
@@ -40,7 +40,7 @@ auto compiled(const S& angle, const S& speed) {
   return eom::udot(x, p);
 }
 
-/// At points of both tables: −½ is halfway.
+/// At points of both tables, and halfway between points at −½.
 TEST(tabulated, is_that_of_every_scalar_type) {
   const auto udot = compiled(0.5, -2.0);
   EXPECT_TRUE(udot.status);
@@ -89,7 +89,7 @@ struct Sprung
     : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<m, l, x1>,
                   bodies<Bob>, loads<torque<A, tabulated<0, 0, x1, 1, 2, 2>(q) * N::z>>> {};
 
-/// Of the angle itself, with a whole turn as its period.
+/// A function of the angle with a period of one turn.
 struct Cogging
     : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<m, l>,
                   bodies<Bob>, loads<torque<A, periodic<-pi, 0, -1, 2, 0.5, -1, pi, 0>(q) * N::z>>> {};
@@ -109,7 +109,7 @@ TEST(tabulated, begins_anew) {
   EXPECT_EQ(cost.trigonometric, 2);
 }
 
-/// Points that coincide have no slope between them.
+/// There is no slope between points that coincide.
 TEST(tabulated, with_parameters_has_a_status) {
   using sprung = equations_of_motion<Sprung>;
   const sprung::state x{{q, 1.5}, {u, 0}};

@@ -1,4 +1,5 @@
-// A system that depends on time explicitly: a bead on a rod that turns at a given rate, pushed along it.
+// A system that depends explicitly on time: a bead on a rod that rotates at a given rate, pushed along the
+// rod.
 #include <kanexpr/kanexpr.hpp>
 
 #include <gtest/gtest.h>
@@ -37,5 +38,5 @@ TEST(time, bead_on_a_turning_rod) {
   const Eigen::Vector3d a =
       kanexpr::function<bead::System, kanexpr::in_axes_of<bead::Rod>(kanexpr::acceleration_of<bead::P>)>{}(
           t, x, p, r);
-  EXPECT_NEAR(a(1), s * 2 * w + 2 * v * turning, 1e-14); // Euler's and Coriolis's parts
+  EXPECT_NEAR(a(1), s * 2 * w + 2 * v * turning, 1e-14); // the Euler and Coriolis terms
 }

@@ -1,4 +1,4 @@
-// F_r + F_r* of all speeds against the multipliers, and against the forces of the independent speeds.
+// F_r + F_r* of all speeds, compared with the multipliers and with the forces of the independent speeds.
 #pragma once
 
 #include "compiled/complex_steps.hpp"
@@ -7,8 +7,8 @@ namespace forces {
 
 using Eigen::VectorXd;
 
-// At random states, whether they satisfy the constraints or not: F_r + F_r* + Jᵀ λ = 0 in motion, and
-// F_i + Aᵀ F_d = F̃_r + F̃_r* at any rates.
+// At random states, which need not satisfy the constraints: F_r + F_r* + Jᵀ λ = 0 in motion, and F_i + Aᵀ F_d
+// = F̃_r + F̃_r* at arbitrary rates.
 template <class System>
 void balance_and_reduce(double reach = 1) {
   using eom = kanexpr::equations_of_motion<System>;

@@ -28,7 +28,7 @@ struct Pivot : offset<Pivot, O, 0.0 * N::x>, velocity<N, ux * N::x + uy * N::y> 
 struct P : offset<P, Pivot, l * A::x> {};
 struct Bob : particle<Bob, P, m> {};
 
-/// A pendulum and the force of its bearing.
+/// A pendulum and the force in its bearing.
 struct System
     : kane_system<inertial<N>, coordinates<q>, speeds<u>, auxiliary<ux, uy>, kinematics<dot(q) == u>,
                   bodies<Bob>, loads<gravity<g * N::x>>, parameters<m, l, g>> {};
@@ -44,7 +44,7 @@ using step_checks::random_point;
 TEST(unreduced_forces, four_bar) { forces::balance_and_reduce<four_bar::System>(); }
 TEST(unreduced_forces, pendulum_nonminimal) { forces::balance_and_reduce<pendulum_nonminimal::System>(); }
 
-// f − M u̇ where nothing binds the speeds.
+// f − M u̇ for unconstrained speeds.
 TEST(unreduced_forces, without_constraints) {
   using eom = equations_of_motion<double_pendulum::System>;
   std::mt19937_64 source(2);
@@ -58,7 +58,7 @@ TEST(unreduced_forces, without_constraints) {
   }
 }
 
-// One equation alone, of the pendulum itself.
+// A single equation: that of the pendulum itself.
 TEST(unreduced_forces, have_no_auxiliary_speeds) {
   using eom = equations_of_motion<bearing::System>;
   const double q = 0.3, u = -2, m = 2, l = 0.5, g = 9.81, a = 1.7;
@@ -68,7 +68,7 @@ TEST(unreduced_forces, have_no_auxiliary_speeds) {
   EXPECT_NEAR(force(0), -m * g * l * std::sin(q) - m * l * l * a, 1e-14);
 }
 
-// Inverse dynamics: every further link takes as many operations as the one before.
+// Inverse dynamics: every additional link takes the same number of operations.
 template <int links>
 int operations() {
   const kanexpr::symbolic::cost c = kanexpr::derivation::cost_of<n_pendulum_cart::System<links>>(

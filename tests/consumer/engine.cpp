@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-// Something of all that works while a program runs, compiled here or linked.
+// Uses every part that works at run time, compiled here or linked.
 int main() {
   using namespace pendulum;
   auto model = kanexpr::derive<System>();

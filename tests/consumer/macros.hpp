@@ -1,7 +1,7 @@
 #pragma once
 
-// As in Windows.h, complex.h, termios.h, sys/sysmacros.h, Xlib.h, QObject, macOS's AssertMacros.h and
-// Arduino.h. Not here is Arduino's abs, which is a word of models.
+// Macros as in Windows.h, complex.h, termios.h, sys/sysmacros.h, Xlib.h, QObject, macOS's AssertMacros.h and
+// Arduino.h. Arduino's abs is not included, because it is a word of models.
 
 #define min(a, b) harm
 #define max(a, b) harm

@@ -1,4 +1,5 @@
-// A robot of a file, at rest below its shoulder: nothing moves it, and its mass matrix is that by hand.
+// A robot from a file, at rest below its shoulder: it does not move, and its mass matrix equals the one
+// computed by hand.
 #include <two_links.hpp>
 
 #include <cmath>
@@ -9,7 +10,7 @@ int main() {
   const eom::inputs r = eom::inputs::Zero();
   const eom::parameters p = two_links::values();
   const Eigen::Matrix2d mass = eom::mass_matrix(x, p, r);
-  // The elbow turns the other way round: its axes are turned by a half.
+  // The elbow rotates in the opposite direction: its axes are rotated by a half turn.
   const double elbow = 0.05 + 0.5 * 0.16, across = -(0.05 + 0.5 * 1.4 * 0.4);
   const double shoulder = 0.1 + 0.25 + 0.05 + 0.5 * 1.96;
   const Eigen::Matrix2d by_hand{{shoulder, across}, {across, elbow}};

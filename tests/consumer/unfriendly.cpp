@@ -10,7 +10,7 @@
 
 #include "pendulum.hpp"
 
-// Something of everything, so that the warnings reach what is inside templates. It is compiled, and never
+// Uses a part of everything, so that the warnings cover the contents of templates. It is compiled but never
 // run.
 int main() {
   using namespace pendulum;

@@ -1,4 +1,4 @@
-// The models must not become dearer than they are known to be.
+// The cost of the models must not increase.
 #include <kanexpr/derivation/cost.hpp>
 #include <models/iiwa.hpp>
 #include <models/pendulum6.hpp>

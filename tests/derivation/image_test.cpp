@@ -1,4 +1,4 @@
-// A derivation that is stored and resumed is the one that went on.
+// A derivation that is stored and resumed equals one that was not interrupted.
 #include <kanexpr/derivation/digest.hpp>
 #include <kanexpr/derivation/extract_code.hpp>
 #include <kanexpr/lower/tape.hpp>
@@ -51,7 +51,7 @@ void expect_same(const image& a, const image& b) {
   EXPECT_TRUE(std::equal(a.point, a.point + a.points, b.point));
 }
 
-/// The steps of the code for a result, which are all that its values come from.
+/// The steps of the code for a result, which determine its values completely.
 kanexpr::lower::tape tape_for(derived_system& system, quantity wanted) {
   const request all[]{{.what = request::kind::result, .wanted = wanted}};
   const auto found = kanexpr::derivation::nodes_for(system, all);
@@ -117,15 +117,15 @@ void expect_the_image_of_the_compiler() {
   EXPECT_EQ(digest_of(*store(system)), of_compiler);
 }
 
-// Of operands that have no order g++ evaluates the last one first in a program, and the first one in a
-// constant expression, as clang++ does in both.
+// The order in which operands are evaluated is unspecified: g++ evaluates the last one first at run time and
+// the first one first in a constant expression; clang++ evaluates the first one first in both cases.
 TEST(image, of_the_compiler_is_that_of_the_program) {
   expect_the_image_of_the_compiler<four_bar::System>();
   expect_the_image_of_the_compiler<rattleback::System>();
   expect_the_image_of_the_compiler<pendulum_nonminimal::System>();
 }
 
-// The sign of two numbers at once is what a sum of words would lose.
+// The signs of two numbers, which a sum of words would lose.
 TEST(image, has_a_digest_that_sees_every_entry) {
   derived_system system(simple_pendulum::System::record);
   advance(system, stage::constrained);

@@ -1,5 +1,5 @@
-// Frames and points that only an expression speaks of are taken up by a derivation that is there already, and
-// change no result of it.
+// Frames and points that occur only in an expression can be added to an existing derivation without changing
+// its results.
 #include <kanexpr/derivation/extract_code.hpp>
 #include <kanexpr/symbolic.hpp>
 #include <models/bicycle.hpp>
@@ -23,7 +23,7 @@ namespace camera {
 
 using namespace bicycle;
 
-// turns with the steering twice, nods with the lean, and slides on the handlebar
+// rotates twice as far as the steering, pitches with the lean, and slides on the handlebar
 struct Pan : rotated<Pan, Fork, 2 * q5, Fork::x> {};
 struct Tilt : rotated<Tilt, Pan, 0.3 + q2, Pan::y> {};
 struct Mount : offset<Mount, Steer, forkoffset * Fork::x + 0.1 * q5 * Fork::y> {};
@@ -127,7 +127,7 @@ TEST(late_entities, are_checked_like_those_of_the_system) {
   EXPECT_EQ(derived.get<velocity_of<Growing>>().entries.size(), 0);
   EXPECT_EQ(derived.mistake(),
             "the offset of point Growing contains the speed u5; it may contain only coordinates");
-  EXPECT_EQ(derived.get<velocity_of<Steer>>().entries.size(), 3); // the system itself is sound
+  EXPECT_EQ(derived.get<velocity_of<Steer>>().entries.size(), 3); // the system itself is valid
   EXPECT_EQ(derived.mistake(), "");
   EXPECT_EQ(derived.get<angular_velocity_of<Bent>>().entries.size(), 0);
   EXPECT_TRUE(derived.mistake().starts_with("the direction cosines of frame Bent are not orthonormal"));

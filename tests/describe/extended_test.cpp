@@ -1,4 +1,4 @@
-// A system that is extended is the one that is written whole.
+// An extended system equals one that is written as a whole.
 #include <kanexpr/kanexpr.hpp>
 #include <models/double_pendulum.hpp>
 #include <models/four_bar.hpp>
@@ -32,7 +32,7 @@ struct Pendulum
     : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<l, m>,
                   inputs<T>, bodies<Bob>, loads<gravity<-9.81 * N::y>, torque<A, T * N::z>>> {};
 
-/// More loads and inputs, and a second degree of freedom.
+/// Additional loads and inputs, and a second degree of freedom.
 struct Pushed : extended<Pendulum, inputs<F>, loads<force<P, F * N::x>>> {};
 struct WithBlock : extended<Pendulum, coordinates<s>, speeds<v>, kinematics<dot(s) == v>, bodies<Block>,
                             loads<spring<S, P, 3, 1>>, loads<damper<S, P, 0.5>>> {};
@@ -76,7 +76,7 @@ TEST(extended, can_be_extended_again) {
               1e-14);
 }
 
-/// A system that mentions its inputs and lists none: F and what nothing mentions come behind T.
+/// A system that mentions its inputs but does not list them: F, and inputs that nothing mentions, follow T.
 namespace arm {
 
 constexpr input<"G"> G;
@@ -106,7 +106,7 @@ TEST(extended, adds_inputs_to_those_that_a_system_mentions) {
   static_assert(equations_of_motion<PushedAgain>::inputs::RowsAtCompileTime == 5);
 }
 
-/// What only an expression holds stands behind all that a system without lists mentions.
+/// Symbols that occur only in an expression follow all those that a system without lists mentions.
 namespace arm {
 
 constexpr parameter<"k"> k;
@@ -145,7 +145,7 @@ TEST(extended, keeps_the_method_and_the_constraints) {
       eom::active_forces(x, p, r) -
       before::active_forces(before::state(x), before::parameters(p), before::inputs(r));
   const auto A = before::dependency(before::state(x), before::parameters(p));
-  const Eigen::Vector3d torque(-2, -2, -2); // C turns with all three rates
+  const Eigen::Vector3d torque(-2, -2, -2); // C rotates with all three rates
   const double expected = torque(0) + A(0, 0) * torque(1) + A(1, 0) * torque(2);
   ASSERT_EQ(change.size(), 1);
   EXPECT_NEAR(change(0), expected, 1e-13 * std::abs(expected));

@@ -1,5 +1,5 @@
-// Loads in different words, and loads that speak of motion, against the same written out. Derived at run
-// time: what is compared is the reading.
+// Loads in different words, and loads that depend on motion, compared with the same loads written out. The
+// systems are derived at run time, because only the reading is compared.
 #include <kanexpr/symbolic.hpp>
 
 #include "models/four_bar.hpp"
@@ -35,14 +35,14 @@ struct Q : offset<Q, P, q3 * B::y + 0.2 * B::z> {};
 struct Elbow : rigid_body<Elbow, P, A, m, inertia<A, 0.2, 0.3, 0.4>> {};
 struct Slider : rigid_body<Slider, Q, B, 2 * m, inertia<B, 0.1, 0.2, 0.3>> {};
 
-/// An elbow and a slider on it under some loads.
+/// An elbow with a slider on it, under some loads.
 template <class... Loads>
 struct arm : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u2, u3>,
                          kinematics<dot(q1) == u1, dot(q2) == u2, dot(q3) == u3 - u1>, parameters<m, l, k, c>,
                          inputs<F>, used_elsewhere<k, c, F>, bodies<Elbow, Slider>,
                          loads<gravity<-9.81 * N::z>, Loads...>> {};
 
-/// Results at some states, beneath each other.
+/// Results at some states, one below the other.
 template <class System, class... Quantities>
 Eigen::MatrixXd numbers(Eigen::Index parameters, double least, Quantities... wanted) {
   auto derived = derive<System>();
@@ -110,7 +110,7 @@ TEST(loads, drag_is_against_the_velocity_and_with_its_square) {
                          force<Q, -k * sqrt(dot(rate, rate)) * rate>>>();
 }
 
-// A body that falls from rest comes to v = √(m g / c) tanh t √(c g / m).
+// A body that falls from rest reaches v = √(m g / c) tanh t √(c g / m).
 TEST(loads, drag_of_a_falling_body) {
   using eom = equations_of_motion<Falling>;
   const eom::parameters p{{m, 2}, {c, 0.3}};
@@ -158,8 +158,8 @@ TEST(loads, of_motion) {
                      arm<force<Q, dot(line, A::x) * A::x + 2 * k * q1 * A::y>>>();
 }
 
-// Parameters and inputs that are not listed stand in the order in which the model mentions them, loads of
-// motion among the others.
+// Unlisted parameters and inputs are in the order in which the model mentions them, including those in loads
+// that depend on motion.
 TEST(loads, of_motion_keep_the_order_of_mention) {
   struct Late : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u2, u3>,
                             kinematics<dot(q1) == u1, dot(q2) == u2, dot(q3) == u3>, bodies<Elbow>,
@@ -212,7 +212,7 @@ TEST(loads, of_motion_that_is_prescribed_or_auxiliary) {
 
 namespace {
 
-/// A system with more loads.
+/// A system with additional loads.
 template <class System, class... More>
 struct loaded;
 template <class... Words, class... More>

@@ -1,4 +1,5 @@
-// Frames by modified Rodrigues parameters: against unit quaternions, and against the matrix of the book.
+// Frames described by modified Rodrigues parameters, compared with unit quaternions and with the matrix in
+// the book.
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/symbolic.hpp>
 
@@ -57,7 +58,7 @@ Matrix3d cross_product(const Vector3d& s) {
   return m;
 }
 
-/// The same state twice.
+/// The same state, in both descriptions.
 struct sample {
   explicit sample(unsigned seed) {
     std::mt19937_64 source(seed);
@@ -124,7 +125,7 @@ TEST(modified_rodrigues, have_kinematic_equations_that_are_always_regular) {
   EXPECT_EQ(of_parameters::cost(of_parameters::qdot).divisions, 0);
 }
 
-// ω of the orientation is the one that was declared.
+// The ω that follows from the orientation equals the declared one.
 TEST(modified_rodrigues, have_the_angular_velocity_of_their_rates) {
   using eom = equations_of_motion<turned::ByLagrange>;
   constexpr function<turned::ByLagrange, in_axes_of<turned::Free>(angular_velocity_of<turned::Free>)>

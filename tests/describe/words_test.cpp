@@ -1,6 +1,6 @@
 // builds: clang++ sanitize
-// Different words for the same thing give the same equations. Derived at run time: what is compared is the
-// reading.
+// Different words for the same model give the same equations. The systems are derived at run time, because
+// only the reading is compared.
 #include <kanexpr/symbolic.hpp>
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ constexpr parameter<"I"> I;
 struct N : inertial_frame<N> {};
 struct O : origin<O, N> {};
 
-/// A body in frame B that hangs at O by a pendulum arm, with the words that are to be compared.
+/// A body in frame B, suspended at O by a pendulum arm, with the words to be compared.
 template <class B, class Center, class Inertia, class... More>
 struct hanging {
   struct Body : rigid_body<Body, Center, B, m, Inertia> {};
@@ -82,7 +82,7 @@ struct declared : rotated<declared, A2, q3, A2::x>,
 
 } // namespace
 
-// Beyond the largest number with a sign.
+// Beyond the largest signed integer.
 static_assert(describe::constant(18446744073709551615u).tokens[0].number.value() > 1.8e19);
 
 TEST(words, orientations) {
@@ -118,7 +118,7 @@ using dyads = inertia_dyadic<I * outer(A3::x, A3::x) + 2 * I * outer(A3::y, A3::
                              3 * I * outer(A3::z, A3::z) + 0.1 * (outer(A3::x, A3::y) + outer(A3::y, A3::x)) +
                              0.2 * (outer(A3::y, A3::z) + outer(A3::z, A3::y)) +
                              0.3 * (outer(A3::z, A3::x) + outer(A3::x, A3::z))>;
-// I about O is I about the centre and m (r·r E − r r) with r = l x + 0.3 y
+// I about O is I about the center plus m (r·r E − r r) with r = l x + 0.3 y
 using about_pivot = inertia_about<
     O, inertia<A3, I + 0.09 * m, 2 * I + m * l * l, 3 * I + m*(l* l + 0.09), 0.1 - 0.3 * m * l, 0.2, 0.3>>;
 // A2.x is A3.x: a sum over two frames
@@ -194,7 +194,7 @@ constexpr coordinate<"e1"> e1;
 constexpr coordinate<"e2"> e2;
 constexpr coordinate<"e3"> e3;
 
-/// A body whose angular velocity has the generalized speeds as its components in its own axes.
+/// A body with the components of its angular velocity in its own axes as generalized speeds.
 template <class B, class Coordinates, auto... equations>
 struct turning {
   struct Center : offset<Center, O, l * B::x + 0.3 * B::y> {};
@@ -249,7 +249,7 @@ struct Ball : particle<Ball, Tip, m> {};
 using own_words = kane_system<inertial<N>, coordinates<q1, q2>, speeds<u1, u2>, auxiliary<ua>,
                               kinematics<dot(q1) == u1, dot(q2) == u2>, bodies<Ball>>;
 
-/// The same system with more words.
+/// The same system with additional words.
 template <class Words, class... More>
 struct with;
 template <class... Words, class... More>
@@ -333,7 +333,7 @@ struct a_body_whose_name_is_longer_than_a_piece_of_a_sentence
 
 } // namespace
 
-// What is a mistake elsewhere, where a model says that it is meant.
+// Mistakes in other models, declared as intentional here.
 TEST(words, on_purpose) {
   using rotor = hanging<A3, G<A3>, usual<A2>>::System;
   EXPECT_EQ(derive<rotor>().mistake(),
@@ -347,7 +347,7 @@ TEST(words, on_purpose) {
   EXPECT_EQ(derive<turning_apart>().mistake(), "");
 }
 
-// clang shows some thirty letters at a time.
+// clang shows about thirty characters in one piece.
 TEST(words, are_shown_in_pieces_that_lose_no_letter) {
   using named = kane_system<inertial<N>, coordinates<q1>, speeds<u1>, kinematics<dot(q1) == u1>,
                             bodies<a_body_whose_name_is_longer_than_a_piece_of_a_sentence>>;

@@ -1,4 +1,4 @@
-// More results together than the library holds.
+// Combines more results in a call than the library provides.
 #include <linked_models.hpp>
 
 int main() {

@@ -1,4 +1,4 @@
-// Parameters in the place of the state.
+// Passes parameters in place of the state.
 #include <linked_models.hpp>
 
 int main() {

@@ -16,11 +16,11 @@ int main() {
   using namespace models;
   results::print_all<Turning>({{q, 0.3}, {u, -1.2}}, {{T, 0.4}});
   print_sliding();
-#ifdef LINKED // an argument that is left out is not a number
+#ifdef LINKED // an omitted argument is NaN
   using eom = kanexpr::equations_of_motion<Turning>;
   const auto energy = eom::kinetic_energy(eom::state{{q, 0.3}, {u, -1.2}});
   if (energy.status || !energy.status.cause().starts_with("the result is not finite")) return 1;
-  // and neither is what a system does not have
+  // and so are results that the system does not have
   using given = kanexpr::equations_of_motion<Given>;
   const given::state at{{q, 0.3}, {dot(q), -1.2}};
   const given::parameters values{{l, 0.7}, {m, 2}};

@@ -2,7 +2,8 @@
 
 #include <kanexpr/joints.hpp>
 
-/// A pendulum by its joint, and one by the place of its bob, which a constraint holds on a circle.
+/// A pendulum described by its joint, and one described by the position of its bob, which is constrained to a
+/// circle.
 namespace models {
 
 using namespace kanexpr;
@@ -30,12 +31,12 @@ struct Sliding
                   configuration_constraints<x * x + y * y == l * l>, dependent<x, vx>, bodies<Bead>,
                   loads<gravity<9.81 * N::x>>> {};
 
-/// The first of them by its Lagrangian.
+/// The first pendulum, by its Lagrangian.
 constexpr parameter<"m"> m;
 struct Given : lagrange_system<inertial<N>, coordinates<q>, parameters<l, m>,
                                lagrangian<m * l * l * dot(q) * dot(q) / 2 + m * 9.81 * l * cos(q)>> {};
 
-/// With a mass that is an expression.
+/// A pendulum whose mass is an expression.
 struct Lump : pin<Lump, frame_and_point<N, O>, axis<N::z>, by<q, u>, body<m - 1, l * own::x>> {};
 struct Heavy : kane_system<inertial<N>, joints<Lump>, parameters<l, m>, loads<gravity<9.81 * N::x>>> {};
 

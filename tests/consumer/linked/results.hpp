@@ -3,7 +3,7 @@
 #include <cinttypes>
 #include <cstdio>
 
-/// The same digits, whoever compiled the functions.
+/// The same digits, regardless of how the functions were compiled.
 namespace results {
 
 template <class Matrix>
@@ -31,7 +31,7 @@ void print_all(const kanexpr::state<System>& at, const kanexpr::input_values<Sys
   std::printf("known by: %016" PRIx64 "\n", kanexpr::out_of_line<rates>::digest());
 }
 
-/// What cannot be solved has its cause.
+/// An equation that cannot be solved has its cause.
 template <class System>
 void print_failure() {
   using eom = kanexpr::equations_of_motion<System>;

@@ -1,4 +1,4 @@
-// Results together that the library does not hold so.
+// Combines results that the library does not provide in this combination.
 #include <linked_models.hpp>
 
 int main() {

@@ -1,4 +1,4 @@
-// A file that derives nothing and asks for a result which the library does not hold.
+// A file that does not derive anything and requests a result that the library does not contain.
 #include <linked_models.hpp>
 
 int main() {

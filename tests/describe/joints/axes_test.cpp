@@ -1,4 +1,4 @@
-// Axes of any length: only where they point matters.
+// Axes of any length: only their directions matter.
 #include "describe/joints/by_hand.hpp"
 
 namespace {
@@ -9,7 +9,7 @@ constexpr parameter<"long"> length;
 
 using ball = body<2, 0.3 * own::x + 0.1 * own::y, inertia<own, 1, 2, 2.5>>;
 
-/// The unit vectors themselves, numbers of times them, and a length that comes with each call.
+/// The unit vectors themselves, multiples of them, and a length that is passed to each call.
 enum class scale { one, number, symbol };
 template <scale by, class Direction>
 constexpr auto scaled(const Direction& unit) {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-/// A body that hangs on the ground by a joint, and what joints are compared with: the same written by hand.
+/// A body attached to the ground by a joint, and the equivalent system written by hand.
 namespace by_hand {
 
 using namespace kanexpr;
@@ -15,7 +15,7 @@ using seat = at<0.3 * Ground::x - 0.2 * Ground::y + 0.1 * Ground::z, 0.4 * own::
 using load =
     body<2.5, 0.05 * own::x + 0.2 * own::y - 0.1 * own::z, inertia<own, 0.4, 0.5, 0.6, 0.01, -0.02, 0.03>>;
 
-/// The same seat and load by hand, around a frame `Child` and a point `Joint` of it.
+/// The same location and load written by hand, with a frame `Child` and a point `Joint` in it.
 template <class Child>
 constexpr auto from_joint = -(0.4 * Child::x - 0.1 * Child::y);
 template <class Child>
@@ -26,7 +26,7 @@ using load_of = rigid_body<Self, Center, Child, 2.5, inertia<Child, 0.4, 0.5, 0.
 
 using weight = gravity<1.2 * Ground::x + 0.7 * Ground::y - 9.81 * Ground::z>;
 
-/// Whether two systems with states of the same order have the same rates, to rounding.
+/// Whether two systems with states in the same order have the same rates up to rounding.
 template <class System, class Hand>
 void expect_same_motion() {
   using eom = equations_of_motion<System>;

@@ -2,12 +2,12 @@
 
 #include <Eigen/Geometry>
 
-// Constraints of machines against what they leave.
+// Constraints of machines, compared with the motions that they permit.
 namespace {
 
 using namespace by_hand;
 
-// Two flywheels by gears, with a rack, and a belt to a third.
+// Two flywheels coupled by gears, with a rack and a belt to a third flywheel.
 template <int i>
 struct Wheel : pin<Wheel<i>, Ground, axis<own::z>, body<1, 0.0 * own::x, inertia<own, 1, 1, 0.1 * i>>> {};
 struct Rack : prismatic<Rack, Ground, axis<own::x>, body<3, 0.0 * own::x>> {};
@@ -23,7 +23,8 @@ TEST(constraints, couple_joints) {
   state<Geared> x;
   x[u_of<Wheel<2>>] = 1;
   const auto a = equations_of_motion<Geared>::udot(x, parameter_values<Geared>(), input_values<Geared>(2.0));
-  // everything reflected to the second wheel: −2 turns of the first, 3/2 of the third, half a metre a radian
+  // everything reflected to the second wheel: −2 turns of the first, 3/2 of the third, half a meter per
+  // radian
   const double inertia = 0.2 + 4 * 0.1 + 2.25 * 0.3 + 0.25 * 3;
   EXPECT_NEAR(a[1], 2 / inertia, 1e-14);
   EXPECT_NEAR(a[0], -2 * a[1], 1e-14);
@@ -31,7 +32,7 @@ TEST(constraints, couple_joints) {
   EXPECT_NEAR(a[3], 0.5 * a[1], 1e-14);
 }
 
-// A ring of radius r and tube s that rolls upright and straight on under a torque: T / (I + m (r + s)²).
+// A ring of radius r with tube radius s that rolls upright and straight under a torque: T / (I + m (r + s)²).
 struct Ring : floating<Ring, Ground, body<2, 0.0 * own::x, inertia<own, 0.3, 0.5, 0.3>>> {};
 struct Rolling : kane_system<inertial<Ground>, joints<Ring>,
                              configuration_constraints<touches<Ring, Ground, Ring::y, 0.4, 0.05>>,
@@ -44,7 +45,7 @@ TEST(constraints, let_a_wheel_roll) {
   state<Rolling> x;
   x[q_of<Ring, 3>] = 0.45;
   x[q_of<Ring, 7>] = 1;
-  x[u_of<Ring, 5>] = 2; // about y, so that it goes along x
+  x[u_of<Ring, 5>] = 2; // about y, so that it moves along x
   x[u_of<Ring, 1>] = 0.9;
   EXPECT_LT(eom::constraint_residual(x).norm(), 1e-14);
   const auto a = eom::udot(x);
@@ -57,7 +58,7 @@ TEST(constraints, let_a_wheel_roll) {
   EXPECT_NEAR(eom::configuration_residual(x)[0], 0.05, 1e-14);
 }
 
-// On a table that slides and turns, a wheel that does not spin relative to it rests on it.
+// On a table that slides and rotates, a wheel that does not spin relative to the table is at rest on it.
 struct Slide : prismatic<Slide, Ground, axis<Ground::x>> {};
 struct Table
     : pin<Table, Slide, axis<own::z>, at<0.1 * Ground::y>, body<3, 0.0 * own::x, inertia<own, 1, 1, 1>>> {};
@@ -82,7 +83,7 @@ TEST(constraints, let_a_wheel_roll_on_what_moves) {
   EXPECT_LT(equations_of_motion<On_table>::velocity_residual(x).norm(), 1e-14);
 }
 
-// A pendulum on a rod of length l: the angle of a bar is the same from a bob in a plane.
+// A pendulum on a rod of length l: the angle of a bar equals that of a bob in a plane.
 struct Bob : planar<Bob, Ground, axis<Ground::x, Ground::y>, body<2, 0.0 * own::x, inertia<own, 1, 1, 1>>> {};
 struct Hung
     : kane_system<inertial<Ground>, joints<Bob>, configuration_constraints<rod_of_length<Bob, Ground, 0.8>>,
@@ -113,7 +114,7 @@ TEST(constraints, hang_a_bob_on_a_rod) {
   EXPECT_LT((equations_of_motion<Closed>::udot(y).head<2>() - expected).norm(), 1e-13);
 }
 
-// What the pivot of the bar carries in the loop, also where the rate of the constraint is said by velocities.
+// The reaction in the bar's pivot in the loop, also if velocities specify the rate of the constraint.
 struct Said_twice
     : extended<Closed,
                velocity_constraints<zero_along<velocity_of<Bob> - velocity_of<Loop>, Ground::x, Ground::y>>> {
@@ -130,7 +131,7 @@ void expect_bar_carries_tension() {
   ASSERT_LT(equations_of_motion<System>::constraint_residual(y).norm(), 1e-14);
   const auto carried = reactions_of<System, Loop>(y);
   const double tension = 2 * (9.81 * std::cos(angle) + 0.8 * rate * rate);
-  EXPECT_NEAR(carried.force.x(), -tension, 1e-12); // the bar has no mass and points away from the pivot
+  EXPECT_NEAR(carried.force.x(), -tension, 1e-12); // the bar is massless and points away from the pivot
   EXPECT_NEAR(carried.force.y(), 0, 1e-12);
   EXPECT_LT(carried.torque.norm(), 1e-12);
 }

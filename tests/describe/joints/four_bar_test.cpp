@@ -1,5 +1,5 @@
-// A four-bar linkage by its joints: what they carry, against Newton's and Euler's equations of its bars,
-// which are solved with the accelerations of the closed loop.
+// A four-bar linkage described by its joints: the reactions, compared with the Newton-Euler equations of its
+// bars, which are solved with the accelerations of the closed loop.
 #include <kanexpr/reactions.hpp>
 
 #include <Eigen/LU>
@@ -33,7 +33,7 @@ Vector2d along(double angle) { return {std::cos(angle), std::sin(angle)}; }
 Vector2d across(double angle) { return {-std::sin(angle), std::cos(angle)}; }
 double turning(const Vector2d& a, const Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// The angles and rates of the bars from the ground, where the crank stands at an angle.
+/// The absolute angles and rates of the bars for a given angle of the crank.
 struct placed {
   double angle[3], rate[3];
   placed(double crank, double crank_rate) {
@@ -51,15 +51,15 @@ struct placed {
   }
 };
 
-/// Angular accelerations of the bars from the ground, and the forces on each bar where it begins, and on the
-/// last one where it ends.
+/// Absolute angular accelerations of the bars, the force at the start of each bar, and the force at the end
+/// of the last one.
 Eigen::Matrix<double, 11, 1> newton_and_euler(const placed& at, double torque) {
   Eigen::Matrix<double, 11, 11> A = Eigen::Matrix<double, 11, 11>::Zero();
   Eigen::Matrix<double, 11, 1> b = Eigen::Matrix<double, 11, 1>::Zero();
   for (int i = 0; i < 3; ++i) {
-    // m a = F_begin + F_end + weight, with the acceleration of all bars before
+    // m a = F_begin + F_end + weight, with the accelerations of all preceding bars
     const int begin = 3 + 2 * i, end = begin + 2;
-    const double sign = i < 2 ? -1 : 1; // what ends a bar begins the next
+    const double sign = i < 2 ? -1 : 1; // the end of a bar is the start of the next
     b.segment<2>(3 * i) = -mass[i] * weight * Vector2d::UnitY();
     for (int j = 0; j <= i; ++j) {
       const double arm = j < i ? length[j] : to_center[j];

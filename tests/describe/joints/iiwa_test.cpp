@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
-// The arm of the examples, joint by joint, and as it was written before there were joints.
+// The arm of the examples, described by joints and by frames and points.
 namespace {
 
 using namespace kanexpr;
 
-// The links of the example with each motor as one torque between two links.
+// The links of the example, with each motor as one torque between two links.
 struct By_hand
     : kane_system<
           inertial<iiwa::N>,

@@ -1,4 +1,4 @@
-// Loops that are closed by a pin or a weld, against the same mechanism without a loop.
+// Loops that are closed by a pin or a weld, compared with the same mechanism without a loop.
 #include "describe/joints/by_hand.hpp"
 
 namespace {
@@ -8,7 +8,8 @@ using namespace by_hand;
 struct Arm : pin<Arm, Ground, axis<own::x>, seat, load> {};
 struct Place : offset<Place, Arm, 0.3 * Arm::x + 0.2 * Arm::z> {};
 
-// A plate that floats, whose z axis and a point are held on the arm, and one that hangs there.
+// A floating plate whose z axis and one of whose points are constrained to the arm, and a plate attached by a
+// joint.
 struct Held : floating<Held, Ground, angles<"xyz">, load> {};
 struct Held_at : offset<Held_at, Held, 0.1 * Held::y> {};
 struct Hung : pin<Hung, Arm, axis<own::z>, at<0.3 * Arm::x + 0.2 * Arm::z, 0.1 * own::y>, load> {};
@@ -24,7 +25,7 @@ struct Pinned : kane_system<inertial<Ground>, joints<Arm, Hung>, loads<weight, m
 };
 struct Welded : kane_system<inertial<Ground>, joints<Arm, Fixed>, loads<weight, motor<Arm>>> {};
 
-/// Where the plate floats as it hangs.
+/// The position in which the floating plate coincides with the attached one.
 template <class Closed, class Open, class Plate>
 state<Closed> closed_at(const state<Open>& x) {
   const auto [at, axis_x, axis_y, axis_z, v, w] =
@@ -50,7 +51,7 @@ void expect_same_motion_of_arm(const state<Closed>& y, const state<Open>& x) {
   EXPECT_NEAR(a[0], expected[0], 1e-12 * (1 + expected.norm()));
 }
 
-// And the bearing of the arm carries the same, though the plate hangs on it by constraints alone.
+// The bearing of the arm carries the same load even though the plate is attached only by constraints.
 TEST(loops, are_closed_by_a_pin) {
   state<Pinned> x;
   x << 0.4, -0.7, 1.3, -0.9;

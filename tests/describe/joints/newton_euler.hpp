@@ -1,4 +1,4 @@
-// What joints carry, by Newton's and Euler's equations of the bodies that hang on them.
+// Joint reactions from the Newton-Euler equations of the bodies that the joints carry.
 #pragma once
 
 #include "describe/joints/by_hand.hpp"
@@ -16,15 +16,14 @@ using Eigen::Matrix3d, Eigen::Vector3d;
 template <class Link>
 struct Center : offset<Center<Link>, Link, center_of<Link>> {};
 
-/// Vectors of a model, interpreted.
+/// Vectors of a model, evaluated by the interpreter.
 template <class System, auto... vectors, class... Arguments>
 std::array<Vector3d, sizeof...(vectors)> seen(const Arguments&... at) {
   static auto model = derive<System>();
   return {[&] { return Vector3d(model.function(model.template get<vectors>())(at...)); }()...};
 }
 
-/// The force and the torque that keep a link moving as it does, its weight taken off, about the inertial
-/// origin.
+/// The force and the torque, about the inertial origin, that produce a link's motion, minus its weight.
 struct wrench {
   Vector3d force = Vector3d::Zero(), torque = Vector3d::Zero();
 };
@@ -43,7 +42,8 @@ wrench needed_by(const Arguments&... at) {
   return all;
 }
 
-/// What reaches a link at its seat, in the axes of the link: all that keeps it and what hangs on it moving.
+/// The load on a link at its joint, in the axes of the link: it produces the motion of the link and of
+/// everything attached to it.
 template <class System, class Link, class Seat, class... Outward, class... Arguments>
 wrench needed_at(const Arguments&... at) {
   wrench all;

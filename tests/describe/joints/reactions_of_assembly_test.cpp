@@ -1,6 +1,6 @@
 // builds: g++
-// What the joints carry that a chain of pins and balls has not, against Newton's and Euler's equations: what
-// moves in a plane, slides, is welded, and turns about a cross.
+// Reactions of joints that do not occur in a chain of pins and balls, compared with the Newton-Euler
+// equations: planar, sliding, welded and universal joints.
 #include "describe/joints/newton_euler.hpp"
 
 namespace {

@@ -1,6 +1,6 @@
 // builds: clang++ sanitize
-// What joints carry whose coordinates and speeds are bound by gears, belts, racks and equations, moved by
-// springs, and shared with other bodies, against Newton's and Euler's equations.
+// Reactions of joints whose coordinates and speeds are constrained by gears, belts, racks and equations,
+// driven by springs, and shared with other bodies, compared with the Newton-Euler equations.
 #include "describe/joints/newton_euler.hpp"
 
 #include <random>
@@ -9,7 +9,7 @@ namespace {
 
 using namespace by_hand;
 
-/// What reaches a joint, and of that what it carries.
+/// The load at a joint, and the part of it that the joint carries.
 struct shares {
   wrench all, carried;
   Vector3d force_beside() const { return all.force - carried.force; }
@@ -18,7 +18,7 @@ struct shares {
 
 constexpr double rounding = 1e-11;
 
-/// The joints of a system, freed all at once, at random states.
+/// The joints of a system, all released in one call, at random states.
 template <class System>
 class in_motion : public testing::Test {
 protected:
@@ -56,7 +56,7 @@ void expect_across(const Vector3d& axis, const Vector3d& given) {
   EXPECT_LT(std::abs(given.dot(axis)), rounding * axis.norm());
 }
 
-// A train on an arm: a wheel in mesh with the ground, a rack along the arm and a pulley beside it.
+// A gear train on an arm: a wheel in mesh with the ground, a rack along the arm and a pulley next to it.
 struct Arm : pin<Arm, Ground, axis<own::z>, seat, load> {};
 struct Wheel
     : pin<Wheel, Arm, axis<own::x + 0.5 * own::z>, home<0.4, Arm::y>, at<0.3 * Arm::y, 0.2 * own::z>, load> {
@@ -117,7 +117,7 @@ TEST_F(gears, leave_to_a_joint_alone_what_it_carries_beside_others) {
   EXPECT_LT((all.segment<3>(9) - alone.torque).norm(), rounding);
 }
 
-// Joints of all other kinds, bound by equations.
+// Joints of all other kinds, constrained by equations.
 struct Post : cylindrical<Post, Ground, axis<own::z>, seat, load> {};
 struct Hook
     : universal<Hook, Post, axis<own::x + 0.3 * own::z, own::z>, at<0.1 * Post::z, 0.2 * own::x>, load> {};
@@ -189,7 +189,8 @@ TEST_F(equations, exert_along_the_free_ways_of_the_joints_what_these_do_not_carr
   }
 }
 
-// A drum that turns against an arm and a bob on a rope that it lets down, told by the angle of the arm.
+// A drum that rotates relative to an arm, and a bob on a rope that it unwinds, as a function of the angle of
+// the arm.
 struct Drum : rotated<Drum, Ground, -3 * q_of<Arm>, Ground::y> {};
 struct Drum_body : rigid_body<Drum_body, Ground, Drum, 2.0, inertia<Drum, 0.2, 0.3, 0.2>> {};
 struct Bob_at : offset<Bob_at, Ground, 0.5 * q_of<Arm> * Ground::z> {};

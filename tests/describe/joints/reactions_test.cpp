@@ -1,12 +1,12 @@
 // builds: clang++ sanitize
-// What joints of a chain carry, against Newton's and Euler's equations.
+// Reactions of the joints of a chain, compared with the Newton-Euler equations.
 #include "describe/joints/newton_euler.hpp"
 
 namespace {
 
 using namespace by_hand;
 
-// A chain of three: a pin with a motor and friction, a cylindrical joint and a ball.
+// A chain of three joints: a pin with a motor and friction, a cylindrical joint and a ball.
 struct Turret : pin<Turret, Ground, axis<own::z>, seat, load> {};
 struct Sleeve : cylindrical<Sleeve, Turret, axis<Turret::x>, at<0.3 * Turret::y, 0.2 * own::z>, load> {};
 struct Ball : spherical<Ball, Sleeve, at<0.2 * Sleeve::x, -0.5 * own::y>, home<0.4, Sleeve::z>, load> {};

@@ -24,7 +24,7 @@ struct Hand : kane_system<inertial<Ground>, coordinates<q>, speeds<u>, kinematic
 
 TEST(screw, turns_as_it_goes) { expect_same_motion<nut::System, nut::Hand>(); }
 
-// A nut that runs down a vertical spindle: (I + m h²) q̈ = m g h, and the thread carries a force F along the
+// A nut that moves down a vertical spindle: (I + m h²) q̈ = m g h; the thread carries a force F along the
 // axis and a torque −h F about it.
 namespace spindle {
 constexpr parameter<"h"> h;

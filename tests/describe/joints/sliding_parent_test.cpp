@@ -1,12 +1,12 @@
 // builds: clang++ sanitize
-// What hangs on something that slides without turning moves with it.
+// A body attached to a parent that slides without rotating moves with the parent.
 #include "describe/joints/newton_euler.hpp"
 
 namespace {
 
 using namespace by_hand;
 
-/// The velocity of a point less the rate of its position.
+/// The velocity of a point minus the rate of its position.
 template <class System, class Point>
 Vector3d left_over(const state<System>& x) {
   return function<System, velocity_of<Point> - derivative_in<Ground>(position_of<Point, Ground>)>{}(
@@ -21,7 +21,7 @@ state<System> moving() {
   return x;
 }
 
-// Two slides in a row, one with a home, and a plate welded on.
+// Two sliders in a row, one with a home, and a plate welded to the second.
 struct Rail : prismatic<Rail, Ground, axis<Ground::x>, load> {};
 struct Cart : prismatic<Cart, Rail, axis<own::y>, home<0.7, Rail::z>, seat, load> {};
 struct Plate : weld<Plate, Cart, at<0.2 * Cart::x>, load> {};
@@ -48,7 +48,7 @@ TEST(sliding_parent, carries_a_point_with_a_declared_velocity) {
   EXPECT_LT((left_over<declared::System, declared::Skid>(moving<declared::System>())).norm(), 1e-14);
 }
 
-// A frame and point of which only the point moves.
+// A frame and a point, only the second of which moves.
 namespace on_a_point {
 constexpr coordinate<"s"> s;
 constexpr speed<"v"> v;
@@ -87,7 +87,7 @@ TEST(reactions, change_no_motion) {
   EXPECT_LT((plain - freed).norm(), 1e-13 * plain.norm());
 }
 
-// What sits on a cart in axes of the ground, which stand still in it, is fixed in the cart.
+// A joint placed on a cart in ground axes, which do not rotate relative to the cart, is fixed in the cart.
 namespace told_from_the_ground {
 struct Box : weld<Box, Cart, at<0.7 * Ground::x + 0.1 * Cart::y, 0.2 * own::x>, load> {};
 struct Drawer : prismatic<Drawer, Cart, axis<Ground::x - Ground::y>, at<0.2 * Ground::z>, load> {};
@@ -106,7 +106,7 @@ TEST(sliding_parent, carries_what_is_told_in_axes_of_the_ground) {
   expect_newton_and_euler<System, Cart, Cart_seat, Box, Drawer, Lid>(Vector3d::Zero(), x, p);
 }
 
-// A seat that moves on an arm: it goes in a circle there, and keeps its direction in the ground.
+// A joint that moves on an arm: its location moves in a circle and keeps its direction in the ground.
 namespace seat_moves {
 struct Arm : pin<Arm, Ground, axis<own::z>, seat, load> {};
 constexpr auto in_a_circle = 0.3 * cos(q_of<Arm>) * Arm::x + (0.1 - 0.3 * sin(q_of<Arm>)) * Arm::y;

@@ -1,7 +1,7 @@
 // builds: clang++ sanitize
 #include "describe/joints/by_hand.hpp"
 
-// Joints whose two points come apart, with their seats off both points.
+// Joints whose two points move apart, with locations away from both points.
 namespace {
 
 using namespace by_hand;
@@ -73,7 +73,7 @@ struct Hand : kane_system<inertial<Ground>, coordinates<q1, q2, q3>, speeds<u1, 
 
 TEST(planar, goes_in_a_plane_and_turns_about_its_normal) { expect_same_motion<puck::System, puck::Hand>(); }
 
-// A base that moves freely, with a second one that moves freely relative to it: in a frame that turns.
+// A floating base with a second floating base that moves relative to it, in a rotating frame.
 namespace flying {
 struct Carrier : floating<Carrier, Ground, load> {};
 struct Passenger : floating<Passenger, Carrier, angles<"zyx">, at<0.2 * Carrier::x>, load> {};

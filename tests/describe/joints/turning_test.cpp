@@ -1,7 +1,7 @@
 // builds: clang++ sanitize no-exceptions
 #include "describe/joints/by_hand.hpp"
 
-// Joints that turn about axes, with their seats off both points.
+// Joints that rotate about axes, with locations away from both points.
 namespace {
 
 using namespace by_hand;
@@ -67,7 +67,7 @@ struct Hand : kane_system<inertial<Ground>, coordinates<a, b, c>, speeds<w1, w2,
 
 TEST(spherical, turns_by_three_angles) { expect_same_motion<ball_by_angles::System, ball_by_angles::Hand>(); }
 
-// By Lagrange's method the rates of its coordinates are the speeds of a joint.
+// By Lagrange's method, the speeds of a joint are the rates of its coordinates.
 struct By_lagrange : lagrange_system<inertial<Ground>, joints<hinge::Link>, loads<weight>> {};
 
 TEST(joints, serve_both_methods) {
@@ -76,7 +76,7 @@ TEST(joints, serve_both_methods) {
   EXPECT_NEAR(by_kane[0], by_lagrange[0], 1e-13);
 }
 
-// The names that joints choose, and those that they are given.
+// Names chosen by joints, and names chosen by the user.
 constexpr coordinate<"alpha"> alpha;
 constexpr speed<"omega"> omega;
 struct Upper : pin<Upper, Ground, axis<Ground::y>, load, by<alpha, omega>> {};
@@ -93,7 +93,7 @@ static_assert(same<decltype(effort_of<Lower<3>>), input<"T_Lower_3">>);
 static_assert(same<decltype(q_of<ball::Link, 4>), coordinate<"e0_Link">>);
 static_assert(same<decltype(u_of<ball::Link, 2>), speed<"w2_Link">>);
 
-// What is welded moves as one body.
+// Welded parts move as one body.
 struct Arm : pin<Arm, Ground, axis<Ground::y>, load> {};
 struct Tool : weld<Tool, Arm, at<0.2 * Arm::y>, home<0.3, Arm::x>, load> {};
 struct Tooled : kane_system<inertial<Ground>, joints<Arm, Tool>, loads<weight, motor<Arm>>> {};

@@ -29,9 +29,9 @@ struct Hand : kane_system<inertial<Ground>, coordinates<q, s>, speeds<u, v>, kin
 
 TEST(universal, turns_about_two_axes) { expect_same_motion<pendulum::System, pendulum::Hand>(); }
 
-// Two shafts at an angle β, joined by a cross (Uicker, Pennock & Shigley, Theory of Machines and Mechanisms,
-// the universal joint): ω₂/ω₁ = cos β / (1 − sin² β cos² θ), where θ is the angle of the first arm of the
-// cross from the plane of the shafts.
+// Two shafts at an angle β, connected by a cross (Uicker, Pennock & Shigley, Theory of Machines and
+// Mechanisms, the universal joint): ω₂/ω₁ = cos β / (1 − sin² β cos² θ), where θ is the angle of the first
+// arm of the cross from the plane of the shafts.
 namespace shafts {
 constexpr parameter<"beta"> beta;
 constexpr input<"T"> T;
@@ -47,9 +47,9 @@ struct System
           dependent<q_of<Second, 1>, q_of<Second, 2>, u_of<Second, 1>, u_of<Second, 2>>,
           loads<motor<First, T>>> {};
 
-/// The state at which the first arm has turned by θ from the plane of the shafts, with ω₁.
+/// The state in which the first arm is at the angle θ from the plane of the shafts, with ω₁.
 state<System> at(double angle, double theta, double rate) {
-  // Second::x is along: in axes of First it is (cos β, sin β cos θ, −sin β sin θ)
+  // Second::x is along the shaft: in the axes of First it is (cos β, sin β cos θ, −sin β sin θ)
   const double c = std::cos(angle), s = std::sin(angle);
   const Vector3d x(c, s * std::cos(theta), -s * std::sin(theta));
   state<System> found;
@@ -77,7 +77,7 @@ TEST(universal, couples_shafts_as_the_textbooks_say) {
     EXPECT_NEAR(w.dot(out), 3 * ratio, 1e-13);
     EXPECT_LT((w - 3 * ratio * out).norm(), 1e-13);
 
-    // The cross carries a torque along its normal alone, which both shafts feel.
+    // The cross transmits a torque only along its normal, which acts on both shafts.
     const auto carried = reactions_of<System, Second>(x, p, r);
     const Vector3d first_arm = function<System, First::y>{}(x, p),
                    second_arm = function<System, Second::z>{}(x, p);
