@@ -3,7 +3,7 @@
 
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 
-/// Those of the entries, by rows.
+/// The squares of the entries, row by row.
 constexpr auto entry_squares(const kanexpr::symbolic::matrix& a) {
   kanexpr::base::sequence<kanexpr::symbolic::expression> squares;
   for (const kanexpr::symbolic::expression& e : a.entries) squares.push(e * e);

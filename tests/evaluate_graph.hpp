@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-/// Walks a graph with numbers of any type, to check what the library makes of it.
+/// Evaluates a graph with numbers of any type, as a check of the library's own evaluation.
 namespace graph_evaluation {
 
 namespace base = kanexpr::base;
@@ -66,7 +66,7 @@ T arithmetic(operation op, const T& a, const T& b) {
   return std::nan("");
 }
 
-/// x in A x = b, by elimination with row exchanges; `a` by rows.
+/// x in A x = b, by elimination with row exchanges; `a` is stored row by row.
 template <class T>
 std::vector<T> solved(std::vector<std::vector<T>> a, std::vector<T> b) {
   const std::size_t n = b.size();
@@ -87,7 +87,7 @@ std::vector<T> solved(std::vector<std::vector<T>> a, std::vector<T> b) {
   return b;
 }
 
-/// The solution of a node, from the values of its operands.
+/// The solution for a node, from the values of its operands.
 template <class T, class At>
 std::vector<T> solution(const symbolic::graph& g, const symbolic::node& n, const At& at) {
   const auto order = static_cast<std::size_t>(symbolic::order_of(g, n.a));
@@ -102,7 +102,8 @@ std::vector<T> solution(const symbolic::graph& g, const symbolic::node& n, const
   return solved(a, b);
 }
 
-/// The product of the pivots of small systems, of others the least beside what they are the sums of.
+/// The product of the pivots of small systems; for larger ones, the smallest pivot relative to the terms of
+/// which it is the sum.
 template <class T, class At>
 T singularity_measure(const symbolic::graph& g, const symbolic::node& n, const At& at) {
   if constexpr (is_complex<T>) {

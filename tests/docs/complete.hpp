@@ -2,7 +2,7 @@
 
 namespace docs {
 
-/// Whether all words of a list that the documentation shows without its system are complete types.
+/// Whether all words of a list that the documentation shows without a system are complete types.
 template <class... Words>
 constexpr bool complete = ((sizeof(Words) > 0) && ...);
 

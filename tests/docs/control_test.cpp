@@ -19,7 +19,7 @@ TEST(control, regulates_and_estimates) {
   ASSERT_TRUE(made);
   ASSERT_TRUE(continuous);
   ASSERT_TRUE(discrete);
-  // More than the weight, m g l, turns it over.
+  // A moment greater than that of the weight, m g l, turns it over.
   EXPECT_GT(continuous.K(0), 9.81 * 0.5);
   EXPECT_GT(continuous.K(1), 0);
   EXPECT_LT((discrete.K - continuous.K).norm(), 0.1 * continuous.K.norm());

@@ -1,4 +1,4 @@
-// On a board: docs/embedding.md, but for the program, which `on_board` runs.
+// docs/embedding.md, except for the program, which `on_board` runs.
 #include "models/simple_pendulum.hpp"
 
 #include <gtest/gtest.h>

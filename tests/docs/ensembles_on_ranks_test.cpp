@@ -1,8 +1,8 @@
 // builds: g++
-// The program of docs/guide/ensembles.md that mpirun starts, here as its only rank.
+// The program in docs/guide/ensembles.md that mpirun starts, run here with a single rank.
 #include <models/simple_pendulum.hpp>
 
-#define main study_on_ranks // there can be one of that name
+#define main study_on_ranks // a program has only one main
 #include <docs/guide/ensembles/ranks.cpp>
 #undef main
 

@@ -28,7 +28,7 @@ struct Ground : inertial_ground<Ground> {};
 
 #include <docs/guide/joints/four_bar.cpp>
 
-// The four-bar of the examples, whose words are frames and points.
+// The four-bar linkage of the examples, described by frames and points.
 TEST(joints, close_a_loop) {
   using eom = equations_of_motion<Linkage>;
   using example = equations_of_motion<four_bar::System>;

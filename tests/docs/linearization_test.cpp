@@ -1,4 +1,4 @@
-// Linearization: docs/guide/linearization.md, but for the bicycle.
+// Linearization: docs/guide/linearization.md, except for the bicycle.
 #include "docs/printed.hpp"
 #include "docs/text.hpp"
 #include "models/four_bar.hpp"

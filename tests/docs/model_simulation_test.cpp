@@ -1,5 +1,4 @@
-// Simulations of models that are derived while the program runs: docs/guide/builder.md and
-// docs/simulation.md.
+// Simulations of models derived at run time: docs/guide/builder.md and docs/simulation.md.
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/simulations/model.hpp>
 #include <kanexpr/simulations/tables/csv.hpp>
@@ -13,7 +12,7 @@ namespace {
 
 using namespace kanexpr;
 
-/// Of the page about builders, with a motor that an input may drive.
+/// The model on the page about builders, with a motor that an input may drive.
 struct pendulum : runtime::builder {
   symbolic::expression q = coordinate("q"), u = speed("u"), m = parameter("m"), l = parameter("l"),
                        g = parameter("g");

@@ -6,7 +6,7 @@
 
 namespace docs {
 
-/// A system that the documentation shows is sound.
+/// Checks that a system in the documentation has no mistakes.
 template <class System>
 void expect_no_mistake() {
   EXPECT_EQ(kanexpr::derive<System>().mistake(), "");

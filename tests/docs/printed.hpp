@@ -6,7 +6,7 @@
 
 namespace docs {
 
-/// What is printed while it lives.
+/// Captures the output that is printed during its lifetime.
 class printed {
 public:
   printed() = default;

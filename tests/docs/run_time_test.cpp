@@ -1,4 +1,4 @@
-// Derivation while the program runs: docs/guide/run-time.md and docs/guide/builder.md.
+// Derivation at run time: docs/guide/run-time.md and docs/guide/builder.md.
 #include "docs/printed.hpp"
 #include "models/rolling_disc_constrained.hpp"
 #include "models/simple_pendulum.hpp"

@@ -1,4 +1,4 @@
-// Simulation: docs/simulation.md, but for the bicycle.
+// Simulation: docs/simulation.md, except for the bicycle.
 #include "docs/printed.hpp"
 #include "docs/text.hpp"
 #include "models/pendulum_nonminimal.hpp"
@@ -93,7 +93,7 @@ TEST(fixed_steps, are_made) { EXPECT_EQ(steps(), 0); }
 TEST(fixed_steps, pass_singular_positions) {
 #include <docs/simulation/passing.cpp>
   EXPECT_TRUE(s) << s.cause();
-  EXPECT_NEAR(x[q1], 3e-3 + 9.81e-6 / 2, 1e-8); // it falls from beside its pivot
+  EXPECT_NEAR(x[q1], 3e-3 + 9.81e-6 / 2, 1e-8); // it falls from a position next to its pivot
 }
 
 TEST(fixed_steps, have_derivatives) {

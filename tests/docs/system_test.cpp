@@ -9,7 +9,7 @@ using namespace kanexpr;
 
 using docs::expect_no_mistake;
 
-// What the snippets take for given.
+// Declarations that the snippets use.
 namespace given {
 
 constexpr coordinate<"q1"> q1;

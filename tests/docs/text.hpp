@@ -7,7 +7,7 @@
 
 namespace docs {
 
-/// What a block of text in the documentation holds.
+/// The contents of a text block in the documentation.
 inline std::string text(const std::string& name) {
   const std::ifstream file(KANEXPR_SNIPPETS "/" + name);
   if (!file) throw std::runtime_error("no block " + name);

@@ -1,4 +1,4 @@
-// NaN is recognized with -ffast-math, too.
+// NaN is recognized even with -ffast-math.
 #include <kanexpr/ensembles/reduction.hpp>
 
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 
 namespace {
 
-// Kept outside the tests: a compiler may leave out memory whose content nobody sees.
+// Global, because a compiler may omit memory whose contents are never read.
 std::vector<double> kept;
 Eigen::VectorXd kept_by_eigen;
 Eigen::Matrix3d fixed = Eigen::Matrix3d::Identity();

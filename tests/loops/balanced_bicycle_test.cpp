@@ -1,5 +1,5 @@
 // builds: g++
-// The bicycle under its gains by speed, beside the linear equations of the benchmark in NumPy and SciPy.
+// The bicycle with its gain schedule, compared with the linear equations of the benchmark in NumPy and SciPy.
 #include "control/matrices.hpp"
 #include "loops/references.hpp"
 #include "no_heap.hpp"
@@ -31,8 +31,8 @@ lin::state upright_at(double v) {
   return x;
 }
 
-// Over a period, between the speeds of the table too. Without the torque it falls below 4.3 m/s, the weave
-// speed, and hardly above 6.
+// Over one period, also between the speeds of the table. Without the torque, the bicycle falls below the
+// weave speed of 4.3 m/s, and capsizes slowly above 6 m/s.
 TEST(balanced_bicycle, is_stable_at_every_speed) {
   for (int i = 0; i < 33; ++i) {
     const double v = known::speeds[i];
@@ -53,7 +53,7 @@ TEST(balanced_bicycle, is_stable_at_every_speed) {
   }
 }
 
-// The motion is so small that the linear equations hold.
+// The motion is so small that the linear equations are accurate.
 TEST(balanced_bicycle, moves_as_in_scipy_where_it_hardly_leans) {
   constexpr int finer = 10;
   lin::state x = upright_at(known::small_speed);
@@ -82,7 +82,7 @@ TEST(balanced_bicycle, stays_upright_while_it_slows_down) {
   EXPECT_NEAR(rear_radius * moving.x[u3], slowest, 0.01);
 }
 
-// At 3 m/s, with the hands at the handlebars or off them: how far it leans after some seconds at most.
+// At 3 m/s, with the hands on or off the handlebars: the greatest lean after some seconds.
 template <class Inputs>
 double lean_at_3(const Inputs& inputs) {
   lin::state x = upright_at(3);

@@ -1,4 +1,4 @@
-// The cart under its filter and regulator, beside the same loop in NumPy and SciPy with the same noise.
+// The cart with its filter and regulator, compared with the same loop in NumPy and SciPy with the same noise.
 #include "control/matrices.hpp"
 #include "loops/references.hpp"
 #include "no_heap.hpp"

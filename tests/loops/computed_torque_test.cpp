@@ -1,5 +1,5 @@
-// The arm under computed torque, beside the same loop by recursive Newton-Euler equations in NumPy, and
-// beside the error that the gains are to bring about.
+// The arm with computed torques, compared with the same loop with recursive Newton-Euler equations in NumPy,
+// and with the error that the gains are designed to produce.
 #include "control/matrices.hpp"
 #include "loops/references.hpp"
 #include "no_heap.hpp"
@@ -34,7 +34,7 @@ joints<double> error_by_the_gains(double t) {
   return (e + t * (rate + 10 * e)) * std::exp(-10 * t);
 }
 
-// Torques that follow the state at once, not once in a period.
+// Torques that follow the state continuously, not once in each period.
 TEST(computed_torque, lets_the_error_die_out_by_its_gains) {
   eom::state x = start;
   double t = 0;
@@ -47,7 +47,7 @@ TEST(computed_torque, lets_the_error_die_out_by_its_gains) {
   }
 }
 
-// How far the error is from that at most, with torques that hold for so long.
+// The greatest deviation from that error if torques are held for this period.
 double lag_with(double h) {
   eom::state x = start;
   double most = 0;

@@ -1,4 +1,4 @@
-// Results in constant expressions: compiling is most of the test.
+// Results in constant expressions: most of the test takes place during compilation.
 #include "models/rolling_disc.hpp"
 #include "models/simple_pendulum.hpp"
 

@@ -1,4 +1,4 @@
-// What is not finite is told with -ffast-math too.
+// Values that are not finite are reported even with -ffast-math.
 #include <kanexpr/lower/complex_math.hpp>
 
 #include <gtest/gtest.h>

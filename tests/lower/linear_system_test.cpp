@@ -24,7 +24,8 @@ namespace {
 using namespace kanexpr;
 using symbolic::expression;
 
-/// x in A x = b, y in Aᵀ y = b, z in A z = y, and how regular A is; the arguments are A by rows and b.
+/// x in A x = b, y in Aᵀ y = b, z in A z = y, and the singularity measure of A; the arguments are A, row by
+/// row, and b.
 constexpr lower::tape three_solutions(int n) {
   symbolic::graph g;
   int position = 0;
@@ -79,7 +80,7 @@ std::array<T, results<n>> evaluated(const std::array<T, n * n + n>& at) {
   return evaluated<T, n>(at, std::make_integer_sequence<int, results<n>>{});
 }
 
-/// A regular matrix with zeros on the diagonal, and a right side.
+/// A regular matrix with zeros on the diagonal, and a right-hand side.
 template <int n>
 constexpr std::array<double, n * n + n> sample(unsigned seed) {
   std::array<double, n * n + n> at{};
@@ -163,7 +164,7 @@ TYPED_TEST(linear_system, costs_what_elimination_costs) {
     EXPECT_EQ(cost.divisions, 1); // the reciprocal of the determinant
   } else {
     const int updates = (n - 1) * n * (2 * n - 1) / 6, comparisons = n * (n - 1) / 2;
-    const int of_squares = updates + comparisons + 2 * n; // of the multipliers, and pivots beside them
+    const int of_squares = updates + comparisons + 2 * n; // of the multipliers, followed by the pivots
     EXPECT_EQ(cost.multiplications, updates + comparisons + 3 * n * n + n * n + of_squares);
     EXPECT_EQ(cost.additions, updates + comparisons + 3 * n * (n - 1) + updates + n - 1);
     EXPECT_EQ(cost.divisions, n + 1);
@@ -236,7 +237,7 @@ TEST(a_linear_system, of_other_scalars) {
 
 TYPED_TEST(linear_system, is_zero_regular_where_it_is_singular) {
   constexpr int n = TestFixture::size;
-  // integers, so that elimination is exact: the last row is the sum of the others, or nothing
+  // integers, so that elimination is exact: the last row is the sum of the others, or zero
   for (const bool empty : {false, true}) {
     std::array<double, n * n + n> at{};
     for (std::size_t i = 0; i + 1 < n; ++i)

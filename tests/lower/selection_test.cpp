@@ -1,6 +1,6 @@
 // builds: sanitize
 
-// Selections of every type of scalars.
+// Selections with scalars of every type.
 #include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/lower/pack.hpp>
 

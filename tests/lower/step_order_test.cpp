@@ -1,4 +1,5 @@
-// The order of the steps of straight-line code: few values at once, and nothing before what it needs.
+// The order of the steps of straight-line code: few values are live simultaneously, and each value is
+// computed before it is used.
 #include <kanexpr/lower/step_order.hpp>
 #include <kanexpr/symbolic.hpp>
 #include <models/bicycle.hpp>
@@ -26,7 +27,7 @@ sequence<int> in_order(const graph& g, const sequence<int>& results) {
   return kanexpr::lower::step_order(g, live, slots, results).run();
 }
 
-/// The most values that are held at once, of code that runs in an order.
+/// The largest number of values that are live simultaneously when code runs in a given order.
 int most_at_once(const graph& g, const sequence<int>& order) {
   std::vector<int> last_use(static_cast<std::size_t>(g.size()), -1);
   const auto operands = [&](int id) {
@@ -54,7 +55,7 @@ int symbol(graph& g, std::string_view called, int position) {
   return g.variable({kanexpr::symbolic::symbol_kind::coordinate, kanexpr::base::name(called), position});
 }
 
-/// A graph of sums, products and functions, at random.
+/// A random graph of sums, products and functions.
 struct random_code {
   graph g{};
   sequence<int> results{};

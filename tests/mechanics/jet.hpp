@@ -40,7 +40,7 @@ inline jet chain(const jet& x, double f, double slope, double curvature) {
 inline jet sin(const jet& x) { return chain(x, std::sin(x.c0), std::cos(x.c0), -std::sin(x.c0)); }
 inline jet cos(const jet& x) { return chain(x, std::cos(x.c0), -std::sin(x.c0), -std::cos(x.c0)); }
 
-// Vectors and matrices of jets: few enough operations to write them down.
+// Vectors and matrices of jets, written out because few operations are needed.
 struct jet3 {
   std::array<jet, 3> at;
 

@@ -1,4 +1,4 @@
-// A chain of four-bar loops, built while the program runs: each stands on the rocker of the one before.
+// A chain of four-bar loops, built at run time: each is attached to the rocker of the previous one.
 #pragma once
 
 #include <kanexpr/runtime/builder.hpp>
@@ -26,7 +26,8 @@ public:
       const point_id joint = bar("a" + k, at, a, la);
       bar("b" + k, joint, b, lb);
       bar("c" + k, bearing, c, lc);
-      // the end of the coupler is that of the rocker, in the axes of what the loop stands on
+      // the end of the coupler coincides with that of the rocker, in the axes of the body that carries the
+      // loop
       configuration_constraint(la * cos(crank) + lb * cos(crank + coupler) - ground - lc * cos(rocker));
       configuration_constraint(la * sin(crank) + lb * sin(crank + coupler) - lc * sin(rocker));
       base = c;
@@ -46,7 +47,7 @@ private:
   frame_id turned(const std::string& called, frame_id parent, expression by) {
     return rotated(called, parent, by, along(parent, 0, 0, 1));
   }
-  // A bar with its mass centre somewhere; gives its other end.
+  // A bar with a given mass center; returns its other end.
   point_id bar(const std::string& called, point_id from, frame_id frame, expression reach) {
     const point_id center =
         offset("G" + called, from, along(frame, parameter("x" + called), parameter("y" + called), zero()));

@@ -1,4 +1,4 @@
-// How much the equations of a chain of loops grow with its length. Counted, not timed.
+// The growth of the equations of a chain of loops with its length. Operations are counted, not timed.
 #include "loop_chain.hpp"
 
 #include <gtest/gtest.h>

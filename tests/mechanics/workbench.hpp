@@ -1,4 +1,4 @@
-// Three angles and what can be built on them, with numbers for everything.
+// Three angles and systems that can be built from them, with numeric values.
 #pragma once
 
 #include <Eigen/Core>
@@ -26,10 +26,10 @@ using kanexpr::runtime::vector;
 using kanexpr::symbolic::expression;
 using mechanics::quantity;
 
-// Three angles with their rates as speeds, a particle that has all three, and numbers for them.
+// Three angles with their rates as speeds, a particle that depends on all three, and numeric values for them.
 struct bench : builder {
   expression q[3], u[3];
-  // the first three are those above; a test that has more of them says so
+  // the first three are those above; a test with more of them specifies their number
   double q_now[5]{0.3, -0.8, 1.1, 0.2, -0.1}, u_now[5]{0.7, -1.3, 0.4}, udot_now[5]{0.2, 0.9, -0.5};
   double t_now = 0.6;
   std::vector<double> r_now; // the inputs

@@ -1,5 +1,5 @@
-// A study whose model is in a shared library, which may be another one by then: `study CHECKPOINT RUNS` ends
-// after so many runs, 0: when all are done.
+// A study whose model is in a shared library, which may be replaced by a different one: `study CHECKPOINT
+// RUNS` ends after this many runs; 0: when all are done.
 #include "model.hpp"
 
 #include <kanexpr/ensemble.hpp>

@@ -1,6 +1,6 @@
-// What a model declares against what follows from the rest of it: angular velocities against orientations,
-// points that are fixed in frames against where they are placed, inertias against the bodies that have them,
-// gravity against the fields that it can be.
+// Declarations of a model, compared with what follows from the rest of the model: angular velocities with
+// orientations, points fixed in frames with their positions, inertias with the bodies that have them, gravity
+// with possible gravity fields.
 #include "mechanics/workbench.hpp"
 
 namespace {
@@ -19,7 +19,7 @@ std::string elsewhere(const std::string& body, const std::string& axes, const st
          frame + ", the body frame; if this is intended, write changing_inertia<...>";
 }
 
-// Yaw, lean and spin with speeds along the axes that lean; a test puts one of the speeds wrong.
+// Yaw, lean and spin with speeds along the leaning axes; a test assigns one of the speeds wrongly.
 struct disc : bench {
   frame_id yaw = rotated("Y", n, q[0], along(n, 0, 0, 1)),
            lean = rotated("L", yaw, q[1], along(yaw, 1, 0, 0)),
@@ -40,8 +40,8 @@ TEST(angular_velocity, is_that_of_the_orientation) {
   EXPECT_EQ(told(wrong), apart("R"));
 }
 
-// Of three angles at once and of a quaternion: the kinematic equations are those of one frame, and another
-// stands in the same way.
+// Three angles and a quaternion: the kinematic equations are those of one frame, and another frame has the
+// same orientation.
 TEST(angular_velocity, is_that_of_angles_and_quaternions) {
   for (const bool angles : {true, false})
     for (const double factor : {1.0, 1.5}) {
@@ -63,7 +63,7 @@ TEST(angular_velocity, is_that_of_angles_and_quaternions) {
     }
 }
 
-// By the time.
+// A function of time.
 TEST(angular_velocity, is_that_of_an_angle_of_time) {
   for (const double rate : {1.0, 1.5}) {
     bench b;
@@ -73,7 +73,7 @@ TEST(angular_velocity, is_that_of_an_angle_of_time) {
   }
 }
 
-// Two links in a plane; the speeds are absolute, and the kinematic equations are written for relative ones.
+// Two links in a plane; the speeds are absolute, but the kinematic equations are written for relative ones.
 TEST(angular_velocity, has_the_speeds_of_the_kinematic_equations) {
   for (const bool right : {true, false}) {
     bench b(false);
@@ -88,8 +88,8 @@ TEST(angular_velocity, has_the_speeds_of_the_kinematic_equations) {
   }
 }
 
-// A wheel without its angle: with a speed of its own, or rolling, so that a coordinate says how it spins, or
-// as the planet of a gear that turns about the axis of its arm.
+// A wheel without an angle: with its own speed, or rolling, so that a coordinate determines its spin, or as
+// the planet of a gear that rotates about the axis of its arm.
 TEST(angular_velocity, may_be_a_spin_whose_angle_is_left_out) {
   bench b;
   const frame_id yaw = b.rotated("Y", b.n, b.q[0], b.along(b.n, 0, 0, 1)),
@@ -118,8 +118,8 @@ std::string left_out(const std::string& what, const std::string& axes, const std
          "; give " + frame + " this angle, or write angular_velocity_apart_from_orientation<...>";
 }
 
-// A disc of which only yaw and lean are coordinates, and its speeds lie along the axes that lean. These are
-// not axes of a frame that spins with the disc.
+// A disc with only yaw and lean as coordinates, whose speeds are along the leaning axes. These are not the
+// axes of a frame that spins with the disc.
 TEST(angular_velocity, may_mix_the_spin_that_is_left_out_with_the_rest) {
   for (const bool own : {false, true})
     for (const double factor : {1.0, 2.0}) {
@@ -138,7 +138,7 @@ TEST(angular_velocity, may_mix_the_spin_that_is_left_out_with_the_rest) {
     }
 }
 
-// A wheel on an arm, whose angle is left out, and what can be put on it.
+// A wheel on an arm, whose angle is omitted, and parts that can be attached to it.
 struct wheel : bench {
   frame_id arm = rotated("A", n, q[0], along(n, 0, 0, 1)),
            hub = rotated("W", arm, number(0.0), along(arm, 1, 0, 0));
@@ -171,7 +171,7 @@ TEST(angle_that_is_left_out, matters_to_what_lies_off_its_axis) {
               b.force(b.offset("P", at, b.along(b.arm, 1, 0, 0)), b.along(b.n, 1, 0, 0));
             }),
             left_out("the offset of point Rim", "R", "W"));
-  // about the same axis, and about another
+  // about the same axis, and about a different one
   for (const bool same : {true, false})
     EXPECT_EQ(
         with([&](wheel& b) {
@@ -200,14 +200,14 @@ TEST(angle_that_is_left_out, matters_to_loads_and_constraints_along_axes_that_tu
               b.velocity_constraint(b.along(b.n, b.u[0], b.u[1], b.u[2]), across);
             }),
             left_out("a direction of velocity constraint 1", "W", "W"));
-  // a velocity is the same in whatever axes it is written
+  // a velocity does not depend on the axes in which it is written
   EXPECT_EQ(with([](wheel& b, const vector&, const vector&) {
               b.force(b.end, b.along(b.hub, b.number(0.0), -b.u[0], b.u[1]));
             }),
             "");
 }
 
-// A pendulum whose angle was forgotten, and one with a spin that it does not have.
+// A pendulum whose angle is missing, and one with a declared spin that it does not have.
 TEST(angle_that_is_left_out, is_not_that_of_a_pendulum) {
   for (const bool forgotten : {true, false}) {
     bench b;
@@ -220,7 +220,7 @@ TEST(angle_that_is_left_out, is_not_that_of_a_pendulum) {
   }
 }
 
-// By two speeds of its own, one after another, nothing but a ball at its centre turns.
+// With two separate speeds, only a ball about its center can rotate.
 TEST(angle_that_is_left_out, is_not_a_single_one_of_two_speeds) {
   for (const double offset : {0.0, 1.0}) {
     bench b;
@@ -234,7 +234,7 @@ TEST(angle_that_is_left_out, is_not_a_single_one_of_two_speeds) {
   }
 }
 
-// A ball, of whose angles none matters, in the axes of what it lies on.
+// A ball, none of whose angles matters, in the axes of the surface on which it rolls.
 TEST(angular_velocity, may_be_that_of_a_ball) {
   for (const double across : {2.0, 3.0}) {
     bench b;
@@ -262,7 +262,7 @@ std::string moves_in(const std::string& frame, const std::string& point, const s
          " changes in that frame; if this is intended, write velocity_apart_from_position";
 }
 
-// Two rods hang on a cart, by relative angles.
+// Two rods suspended from a cart, with relative angles.
 struct hanging_rods : bench {
   point_id cart = offset("C", o, along(n, q[0], 0, 0));
   frame_id a = rotated("A", n, q[1], along(n, 0, 0, 1)), b = rotated("B", a, q[2], along(a, 0, 0, 1));
@@ -316,8 +316,8 @@ TEST(fixed_point, is_placed_along_any_axes) {
   EXPECT_EQ(told(b), "");
 }
 
-// On an origin it may be the hub of a wheel, whose place is left out: but not if it is placed by an angle
-// that no wheel has.
+// An origin may be the hub of a wheel whose position is omitted, but not if it is placed using an angle that
+// the wheel does not have.
 TEST(fixed_point, on_the_ground_is_placed_by_the_orientation_of_a_wheel) {
   for (const bool is_wheel : {true, false}) {
     bench b;
@@ -331,8 +331,8 @@ TEST(fixed_point, on_the_ground_is_placed_by_the_orientation_of_a_wheel) {
   }
 }
 
-// A gear rolls on another that a cart carries; the arm between them turns as their teeth say, by kinematic
-// equations or by a constraint. Where they touch is fixed in either.
+// A gear rolls on a second one, which is carried by a cart; the arm between them rotates as the teeth
+// require, by kinematic equations or by a constraint. The contact point is fixed in either gear.
 TEST(fixed_point, may_be_where_two_bodies_touch) {
   for (const bool is_arm_free : {true, false}) {
     bench b(false);
@@ -372,10 +372,10 @@ TEST(inertia, stays_as_the_body_sees_it) {
   EXPECT_EQ(told(b), elsewhere("Rotor", "A", "C"));
   b.changing_inertia("Rotor");
   EXPECT_EQ(told(b), "");
-  // what it changes with stands in it
+  // it contains the quantity with which it changes
   b.rigid_body("Driven", b.o, c, b.number(1), b.inertia(a, b.number(1), b.number(2) + b.time(), b.number(3)));
   EXPECT_EQ(told(b), "");
-  // turned by the time
+  // rotated as a function of time
   const frame_id driven = b.rotated("T", c, b.time(), b.along(c, 0, 0, 1));
   with("Clock", driven, 1, 2.5, 3);
   EXPECT_EQ(told(b), elsewhere("Clock", "T", "C"));
@@ -419,7 +419,7 @@ TEST(gravity, is_the_same_in_every_configuration) {
             "gravity contains the rate of coordinate q1" + only);
   EXPECT_EQ(with([](bench& b, frame_id a) { return b.along(a, 0, 0, -9.81); }),
             "gravity is given along the axes of A, which turn with coordinate q0" + only);
-  // along axes that turn with the time, or that do not turn with what is along them
+  // along axes that rotate with time, or that do not rotate with what is given along them
   EXPECT_EQ(with([](bench& b, frame_id) {
               return b.along(b.rotated("T", b.n, b.time(), b.along(b.n, 1, 0, 0)), 0, 0, -9.81);
             }),

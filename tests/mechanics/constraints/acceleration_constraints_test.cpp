@@ -1,11 +1,11 @@
-// Constraints that are said twice, or in place of what the library would derive.
+// Constraints that are given in addition to, or in place of, those that the library would derive.
 #include "mechanics/workbench.hpp"
 
 namespace {
 
 using namespace workbench;
 
-// Three beads on wires; the first and the second are bound by a lever whose ratio changes, and by a motor.
+// Three beads on wires; the first two are coupled by a lever whose ratio changes, and by a motor.
 struct beads : bench {
   expression ratio, drift;
   beads() {
@@ -51,7 +51,7 @@ TEST(acceleration_constraints, take_the_place_of_what_is_derived) {
   beads b;
   b.bind();
   const expression slip = b.u[1] - b.ratio * b.u[0] - b.drift;
-  b.acceleration_constraint(b.rate() + 5 * slip); // as Baumgarte would, so that a slip dies away
+  b.acceleration_constraint(b.rate() + 5 * slip); // as in Baumgarte's method, so that a slip decays
   const VectorXd udot = found(b, quantity::udot);
   const double q0 = b.q_now[0], q2 = b.q_now[2], u0 = b.u_now[0], u1 = b.u_now[1], u2 = b.u_now[2];
   const double ratio = 2 + std::sin(q0) * q2, left = u1 - ratio * u0 - std::sin(b.t_now);
@@ -61,7 +61,7 @@ TEST(acceleration_constraints, take_the_place_of_what_is_derived) {
   EXPECT_NEAR(rate, -5 * left, 1e-13);
 }
 
-// Two at once, given in another order and mixed.
+// Two constraints, given in a different order and mixed.
 TEST(acceleration_constraints, may_be_mixed) {
   beads derived, given;
   for (beads* b : {&derived, &given}) {
@@ -76,7 +76,7 @@ TEST(acceleration_constraints, may_be_mixed) {
     expect_equal(found(given, q), found(derived, q));
 }
 
-// Many people write a configuration constraint and its rate.
+// Many users write both a configuration constraint and its rate.
 TEST(configuration_constraints, may_have_their_rates_among_the_velocity_constraints) {
   for (const bool twice : {false, true}) {
     SCOPED_TRACE(twice);
@@ -102,7 +102,7 @@ std::string told(bench& b) {
   return std::string(e.mistake().view());
 }
 
-// What is left of an acceleration constraint may be anything that vanishes where the constraints hold.
+// The remainder of an acceleration constraint may be anything that vanishes wherever the constraints hold.
 TEST(acceleration_constraints, are_the_rates_of_the_constraints_where_these_hold) {
   const auto with = [](auto say) {
     beads b;
@@ -125,14 +125,14 @@ TEST(acceleration_constraints, are_the_rates_of_the_constraints_where_these_hold
             }),
             "acceleration constraint 2" + differs);
   EXPECT_EQ(with([&](beads& b, expression, expression, expression second) {
-              b.acceleration_constraint(b.rate() + cos(b.time())); // half of it forgotten
+              b.acceleration_constraint(b.rate() + cos(b.time())); // half of it is missing
               b.acceleration_constraint(second + bias(b));
             }),
             "acceleration constraint 1" + differs);
 }
 
-// A velocity constraint that binds the same speeds as the rate of a configuration constraint says the rest
-// of it as well, at least where the configuration is that of the constraints.
+// A velocity constraint that restricts the same speeds as the rate of a configuration constraint also
+// determines the remaining terms, at least in configurations that satisfy the constraint.
 TEST(velocity_constraints, do_not_contradict_the_rates_of_configurations) {
   const auto with = [](auto rest_of_rate) {
     bench b;
@@ -151,7 +151,7 @@ TEST(velocity_constraints, do_not_contradict_the_rates_of_configurations) {
   EXPECT_EQ(with([](bench& b, expression w) { return w + b.q[0]; }), contradicts);
 }
 
-// The norm of a quaternion holds there too, whether it is a constraint or not.
+// The norm of a quaternion also holds there, whether or not it is a constraint.
 TEST(velocity_constraints, may_repeat_rates_that_hold_at_unit_quaternions) {
   for (const bool is_bound : {false, true})
     for (const double factor : {1.0, 0.0}) {
@@ -205,7 +205,7 @@ TEST(constraints, that_contradict_those_before_them_do_not_follow_from_them) {
             "velocity constraint 2" + contradicts);
 }
 
-// Numbers that are too small to keep their digits bind nothing.
+// Numbers that are too small to keep their digits do not constrain anything.
 TEST(constraints, are_not_lost_where_they_are_nearly_zero) {
   for (const double scale : {1e-300, 1e-310}) {
     bench b;
@@ -215,7 +215,7 @@ TEST(constraints, are_not_lost_where_they_are_nearly_zero) {
   }
 }
 
-// The library's own dependent speeds are those that can be solved for.
+// The library chooses dependent speeds for which the constraints can be solved.
 TEST(dependent_speeds, are_chosen_where_no_state_makes_them_singular) {
   bench b;
   b.velocity_constraint(sin(b.q[0]) * b.u[0] + 3 * b.u[1] + b.number(0.01) * b.u[2]);

@@ -1,5 +1,5 @@
-// Random mechanisms under random constraints against Newton's and Euler's equations with Lagrange's
-// multipliers, [M −Jᵀ; J 0] [u̇; λ] = [f; −γ], with numbers alone.
+// Random mechanisms with random constraints, compared with the Newton-Euler equations with Lagrange
+// multipliers, [M −Jᵀ; J 0] [u̇; λ] = [f; −γ], in plain numbers.
 #include "mechanics/random/bound_mechanism.hpp"
 #include "mechanics/random/constrained_recipe.hpp"
 
@@ -21,7 +21,7 @@ using recipe::speeds_of;
 
 constexpr double tolerance = 1e-11;
 
-// Of elimination without exchanges: positive for a positive definite matrix.
+// The pivots of elimination without exchanges: positive for a positive definite matrix.
 double least_pivot(MatrixXd a) {
   double least = a(0, 0);
   for (Index k = 0; k < a.rows(); ++k) {
@@ -36,7 +36,7 @@ double least_pivot(MatrixXd a) {
 
 struct comparison : recipe::bound_mechanism {
   recipe::constrained& expected;
-  double conditioning = 1; // how large the dependent speeds are beside the independent ones
+  double conditioning = 1; // the size of the dependent speeds relative to the independent ones
 
   explicit comparison(recipe::constrained& of) : bound_mechanism(of.m, of.bounds), expected(of) {}
 
@@ -50,7 +50,7 @@ struct comparison : recipe::bound_mechanism {
   }
 
 private:
-  // Relative to the largest entry, or to what the entries are sums of.
+  // Relative to the largest entry, or to the terms of which the entries are sums.
   void expect_equal(const MatrixXd& value, const MatrixXd& wanted, double scale, const std::string& what) {
     ASSERT_EQ(value.rows(), wanted.rows()) << what;
     ASSERT_EQ(value.cols(), wanted.cols()) << what;
@@ -95,7 +95,7 @@ private:
     compare_speeds();
   }
 
-  // By what is left over of all equations, which no condition number enlarges, and by themselves.
+  // Compares the residuals of all equations, which no condition number amplifies, and the results themselves.
   void compare_motion() {
     const MatrixXd &j = expected.linear.jacobian, &mass = expected.free.mass_matrix;
     const VectorXd udot = found(quantity::udot), lambda = found(quantity::multipliers);
@@ -108,8 +108,7 @@ private:
                  "equations of motion");
     expect_equal(udot, expected.udot, accelerations, "udot");
     expect_equal(lambda, expected.multipliers, force, "multipliers");
-    // what all other forces do, with those of inertia, the constraints take or give where they move by
-    // themselves
+    // the constraints balance the work of all other forces, including inertia, if they move themselves
     const VectorXd left = expected.free.forcing - product(mass, udot), u = speeds_of(m);
     const double power = left.cwiseProduct(u).sum(),
                  given = lambda.cwiseProduct(expected.linear.remainder).sum();
@@ -128,7 +127,7 @@ private:
                  "full equations");
   }
 
-  // The dependent speeds from the others alone.
+  // The dependent speeds, computed from the others only.
   void compare_speeds() {
     const auto& d = derived.speeds().dependent;
     const VectorXd u = speeds_of(m);
@@ -144,7 +143,7 @@ private:
   }
 };
 
-// Columns by dice for which the constraints can be solved well.
+// Random columns for which the constraints are well conditioned.
 std::vector<int> any_dependent(const MatrixXd& j, unsigned seed) {
   dice d(seed);
   std::vector<int> columns;

@@ -1,4 +1,5 @@
-// Forces that do no work, brought out by auxiliary speeds, against Newton's and Euler's laws by hand.
+// Forces that do no work, brought into evidence by auxiliary speeds, compared with Newton's and Euler's laws
+// written by hand.
 #include "mechanics/workbench.hpp"
 
 #include <Eigen/Geometry>
@@ -9,7 +10,7 @@ using namespace workbench;
 
 VectorXd found(bench& b, mechanics::equations& e, quantity q) { return b.numbers(e.get(q)); }
 
-// A rod of some inertia on a pin, with a force at its end.
+// A rod with some inertia on a pin, with a force at its end.
 TEST(auxiliary_speeds, give_the_force_of_a_pin) {
   bench b(false);
   b.kinematic_equation(b.dot(b.q[0]) - b.u[0]);
@@ -36,12 +37,12 @@ TEST(auxiliary_speeds, give_the_force_of_a_pin) {
   const Vector3d pin_force = mass * acceleration - weight - pull;
   expect_equal(found(b, e, quantity::udot).head(1), VectorXd::Constant(1, alpha));
   expect_equal(found(b, e, quantity::noncontributing_forces), pin_force.head(2));
-  // nothing else knows of them
+  // nothing else depends on them
   expect_equal(b.in_ground(mechanics::velocity_of_point(e.moving(), place(center))),
                to_center * omega * z.cross(x));
 }
 
-// What acts at a velocity of which they are a part acts as if they were not there.
+// Loads that act at a velocity that contains auxiliary speeds act as if these were absent.
 TEST(auxiliary_speeds, are_zero_in_loads) {
   MatrixXd udot[2], force[2];
   for (const bool held : {false, true}) {
@@ -63,7 +64,7 @@ TEST(auxiliary_speeds, are_zero_in_loads) {
   expect_equal(force[0], VectorXd::Constant(1, -3));
 }
 
-// A rotor of any inertia that spins in a frame which a torque turns: the bearings hold it in two directions.
+// A rotor with any inertia that spins in a frame rotated by a torque: the bearings hold it in two directions.
 TEST(auxiliary_speeds, give_the_torque_of_bearings) {
   bench b(false);
   for (int i = 0; i < 3; ++i) b.kinematic_equation(b.dot(b.q[i]) - b.u[i]);
@@ -87,7 +88,8 @@ TEST(auxiliary_speeds, give_the_torque_of_bearings) {
   const Matrix3d inertia = turn * principal.asDiagonal() * turn.transpose();
   const Vector3d omega = b.u_now[1] * x + b.u_now[0] * z;
   const Vector3d rest = inertia * (b.u_now[0] * b.u_now[1] * z.cross(x)) + omega.cross(inertia * omega);
-  // nothing turns the rotor about x, and about z the rotor asks the carrier for what the torque does not need
+  // no torque acts on the rotor about x; about z the rotor takes from the carrier what the torque does not
+  // provide
   Eigen::Matrix2d m;
   m << inertia(2, 2) + carrier, inertia(2, 0), inertia(0, 2), inertia(0, 0);
   const Eigen::Vector2d udot = m.inverse() * Eigen::Vector2d(torque - rest(2), -rest(0));
@@ -153,7 +155,8 @@ TEST(auxiliary_speeds, give_the_contact_force_of_a_rolling_disc) {
 }
 
 // Rolling as constraints: the multipliers are forces along the directions in which the rim does not slip, and
-// an auxiliary speed lifts the disc. The directions need not be level: then both have a part in the other.
+// an auxiliary speed lifts the disc. The directions need not be level; if they are not, each force
+// contributes to the other equation.
 TEST(auxiliary_speeds, share_the_contact_force_with_constraints) {
   for (const double slope : {0.0, 0.3}) {
     SCOPED_TRACE(slope);

@@ -1,5 +1,5 @@
-// Models whose positions are written by components with sines and cosines in them: M, f and u̇ are as short as
-// by hand, by Kane's method and by Lagrange's, in the compiler and in the program.
+// Models whose positions are written by components with sines and cosines: M, f and u̇ are as short as by
+// hand, with Kane's and with Lagrange's method, at compile time and at run time.
 #include <kanexpr/derivation/cost.hpp>
 #include <kanexpr/kanexpr.hpp>
 #include <kanexpr/runtime/builder.hpp>
@@ -28,7 +28,7 @@ struct variant {
 const std::vector<variant> variants{
     {method::kane, false}, {method::kane, true}, {method::lagrange, false}, {method::lagrange, true}};
 
-/// A builder whose coordinates have their rates for speeds, by either method.
+/// A builder whose speeds are the rates of its coordinates, for either method.
 struct bench : kanexpr::runtime::builder {
   std::vector<expression> q, rate;
   kanexpr::runtime::frame_id n = inertial_frame();
@@ -57,14 +57,14 @@ struct bench : kanexpr::runtime::builder {
   }
 };
 
-/// Operations of some expressions, signs left out.
+/// The number of operations of some expressions, without signs.
 int operations(const kanexpr::symbolic::matrix& m) {
   const kanexpr::symbolic::cost c =
       kanexpr::symbolic::cost_of(m.entries[0].owner(), kanexpr::symbolic::nodes_of(m.entries));
   return c.multiplications + c.additions + c.divisions + c.trigonometric + c.other;
 }
 
-/// In the trough of radius R: a particle, or a body of radius r that rolls and has the moment of inertia J.
+/// In a trough of radius R: a particle, or a rolling body of radius r with the moment of inertia J.
 struct trough : bench {
   expression m = parameter("m"), g = parameter("g"), R = parameter("R"), r = parameter("r");
 
@@ -230,7 +230,7 @@ TEST(gathered, pendulums_on_a_cart_are_those_of_frames) {
 
 } // namespace
 
-/// The same in the words of a model, so in the compiler.
+/// The same in the words of a model, and therefore at compile time.
 namespace in_words {
 
 using namespace kanexpr;

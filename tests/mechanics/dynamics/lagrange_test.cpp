@@ -1,4 +1,5 @@
-// Lagrange's equations against Kane's of the same mechanism, by dice, and Lagrangians that no bodies have.
+// Lagrange's equations of random mechanisms, compared with Kane's, and Lagrangians that do not belong to any
+// bodies.
 #include "mechanics/random/dice.hpp"
 #include "mechanics/workbench.hpp"
 
@@ -6,7 +7,7 @@ namespace {
 
 using namespace workbench;
 
-// Coordinates whose rates are the speeds, by either method, and numbers for them.
+// Coordinates whose rates are the speeds, for either method, with numeric values.
 struct system_of_rates : builder {
   std::vector<expression> q, u;
   std::vector<double> q_now, u_now, r_now{0.3, -0.8, 0.5};
@@ -59,8 +60,8 @@ struct system_of_rates : builder {
   }
 };
 
-// Turning and sliding joints, which the time and a prescribed motion disturb, with masses that change in time
-// and every kind of load.
+// Rotating and sliding joints that depend on time and on a prescribed motion, with masses that change with
+// time and every kind of load.
 struct chain : system_of_rates {
   static constexpr std::size_t links = 3;
   dice d;
@@ -116,7 +117,7 @@ TEST(lagrange, agrees_with_kane) {
   }
 }
 
-// A particle in a plane with a Lagrangian that no bodies have.
+// A particle in a plane with a Lagrangian that does not belong to a body.
 struct particle_in_plane : system_of_rates {
   expression x, y, vx, vy;
   particle_in_plane() : system_of_rates(2, true), x(q[0]), y(q[1]), vx(u[0]), vy(u[1]) {
@@ -125,7 +126,7 @@ struct particle_in_plane : system_of_rates {
   }
 };
 
-// −m c² √(1 − v²/c²): the momentum is γ m v, so that M holds the rates.
+// −m c² √(1 − v²/c²): the momentum is γ m v, so M contains the rates.
 TEST(lagrangian, of_special_relativity) {
   particle_in_plane p;
   const double m = 1.7, force = 0.8;
@@ -136,7 +137,8 @@ TEST(lagrangian, of_special_relativity) {
                Eigen::Vector2d(force * (1 - vx * vx), -force * vx * vy) / (gamma * m));
 }
 
-// A charge in a magnetic field across the plane: no energy, but a force across the velocity.
+// A charge in a magnetic field perpendicular to the plane: no energy, but a force perpendicular to the
+// velocity.
 TEST(lagrangian, with_a_potential_of_velocities) {
   particle_in_plane p;
   const double m = 1.7, field = 0.9;
@@ -145,7 +147,7 @@ TEST(lagrangian, with_a_potential_of_velocities) {
   expect_equal(p.results(quantity::udot), field / m * Eigen::Vector2d(p.u_now[1], -p.u_now[0]));
 }
 
-// Time stands in L: with e^(ct) before it, L gives a damped oscillator (Caldirola 1941, Kanai 1948).
+// Time occurs in L: with the factor e^(ct), L gives a damped oscillator (Caldirola 1941, Kanai 1948).
 TEST(lagrangian, may_hold_time) {
   particle_in_plane p;
   const double m = 1.7, k = 3, c = 0.4;
@@ -155,7 +157,7 @@ TEST(lagrangian, may_hold_time) {
   expect_equal(p.results(quantity::udot), -c * v - k / m * at);
 }
 
-// A force by its potential needs no rate; a momentum needs one, which the input must have.
+// A force given by a potential needs no rate; a momentum needs one, which the input must have.
 TEST(lagrangian, may_hold_inputs) {
   particle_in_plane p;
   const expression f = p.input("F"), w = p.prescribed("w");
@@ -179,16 +181,17 @@ TEST(lagrange, names_what_it_cannot_take) {
                p.number(2) + p.x);
     EXPECT_EQ(
         p.mistake_of_derivation(),
-        "the mass of Chain changes with coordinate q0; with Lagrange's method it may change with time only");
+        "the mass of Chain changes with coordinate q0; with Lagrange's method it may depend only on time");
   }
-  { // a carrier's axes, of which the wheel is not the same from all sides
+  { // axes of a carrier, about which the wheel is not axisymmetric
     particle_in_plane p;
     const frame_id wheel = p.rotated("Wheel", p.inertial_frame(), p.y, p.along(p.inertial_frame(), 0, 0, 1));
     const point_id at = p.offset("P", p.origin("O"), p.along(p.inertial_frame(), p.x, p.x, p.y));
     p.rigid_body("Block", at, wheel, p.number(1),
                  p.inertia(p.inertial_frame(), p.number(1), p.number(2), p.number(3)));
-    EXPECT_EQ(p.mistake_of_derivation(), "the inertia of Block changes with coordinate q1; with Lagrange's "
-                                         "method it may change with time only");
+    EXPECT_EQ(
+        p.mistake_of_derivation(),
+        "the inertia of Block changes with coordinate q1; with Lagrange's method it may depend only on time");
   }
   { // rolling that is built into a velocity
     particle_in_plane p;
@@ -206,7 +209,7 @@ TEST(lagrange, names_what_it_cannot_take) {
     EXPECT_EQ(p.mistake_of_derivation(), "the declared angular velocity of frame A does not match its "
                                          "orientation, as Lagrange's method requires");
   }
-  for (const double factor : {2.0, 1.0}) { // 2 ē ∘ ė is the angular velocity of a unit quaternion
+  for (const double factor : {2.0, 1.0}) { // 2 ē ∘ ė is the angular velocity for a unit quaternion
     system_of_rates p(4, true);
     const auto& [e0, e1, e2, e3] = std::tie(p.q[0], p.q[1], p.q[2], p.q[3]);
     const auto& [v0, v1, v2, v3] = std::tie(p.u[0], p.u[1], p.u[2], p.u[3]);

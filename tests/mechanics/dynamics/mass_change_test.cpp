@@ -1,5 +1,5 @@
-// Masses and inertias that change, F = d(mv)/dt and M = dH/dt, against momenta along the motion as Taylor
-// series, and motion that is prescribed, against closed forms.
+// Masses and inertias that change, F = d(mv)/dt and M = dH/dt, compared with momenta along the motion as
+// Taylor series, and prescribed motion, compared with closed forms.
 #include "mechanics/jet.hpp"
 #include "mechanics/workbench.hpp"
 
@@ -14,7 +14,7 @@ using limits::jet3x3;
 
 VectorXd found(bench& b, mechanics::equations& e, quantity q) { return b.numbers(e.get(q)); }
 
-// The coordinates of a bench whose speeds are their rates, along its motion, and the time.
+// The coordinates of a workbench whose speeds are their rates, along its motion, and the time.
 struct course {
   jet q[3], t;
   course(const bench& b, const VectorXd& udot) : t(b.t_now, 1, 0) {
@@ -31,13 +31,13 @@ TEST(mass, may_be_a_function_of_time) {
   b.force(p, b.along(b.n, force, 0, 0));
   ASSERT_EQ(b.check().view(), "");
   mechanics::equations e(b.system());
-  const double now = full + burning * b.t_now; // beside the ballast
+  const double now = full + burning * b.t_now; // next to the ballast
   expect_equal(found(b, e, quantity::udot), Vector3d((force - burning * b.u_now[0]) / (now + 1), 0, 0));
   expect_equal(found(b, e, quantity::linear_momentum),
                (now + 1) * Vector3d(b.u_now[0], 0, 0) + Vector3d(0, b.u_now[1], b.u_now[2]));
 }
 
-// A chain that is pulled off a heap: only what hangs moves.
+// A chain that is pulled off a heap: only the hanging part moves.
 TEST(mass, may_be_a_function_of_coordinates) {
   bench b;
   const double density = 1.4;
@@ -82,8 +82,8 @@ TEST(mass, obeys_the_law_of_momentum_in_space) {
   }
 }
 
-// A top that grows, with its inertia about a point that is not its mass centre: what turns it is dH/dt about
-// the fixed point.
+// A top that grows, with its inertia about a point other than its mass center: the torque is dH/dt about the
+// fixed point.
 TEST(inertia, obeys_the_law_of_angular_momentum) {
   for (const bool about_pivot : {false, true}) {
     SCOPED_TRACE(about_pivot);
@@ -129,7 +129,7 @@ TEST(inertia, obeys_the_law_of_angular_momentum) {
   }
 }
 
-// What the caller prescribes has a rate as well.
+// A prescribed quantity also has a rate.
 TEST(mass, may_be_prescribed) {
   bench b;
   const expression mass = b.prescribed("m");
@@ -141,8 +141,8 @@ TEST(mass, may_be_prescribed) {
   expect_equal(found(b, e, quantity::udot), Vector3d(-0.8 * b.u_now[0] / (3 + 1), 0, 0));
 }
 
-// A wheel that does not look the same from all sides, described in axes that do not spin with it: its
-// inertia stays in those.
+// A wheel that is not axisymmetric, described in axes that do not spin with it: its inertia is constant in
+// these axes.
 TEST(inertia, changes_where_its_axes_turn_in_the_body) {
   bench b;
   const frame_id yaw = b.rotated("Y", b.n, b.q[0], b.along(b.n, 0, 0, 1));
@@ -171,7 +171,7 @@ TEST(inertia, changes_where_its_axes_turn_in_the_body) {
 
 // ---- motion that is prescribed
 
-// A pendulum whose pivot goes as it is told, up and aside.
+// A pendulum whose pivot moves as prescribed, up and sideways.
 TEST(prescribed, moves_the_pivot_of_a_pendulum) {
   bench b(false);
   for (int i = 0; i < 3; ++i) b.kinematic_equation(b.dot(b.q[i]) - b.u[i]);
@@ -193,8 +193,8 @@ TEST(prescribed, moves_the_pivot_of_a_pendulum) {
                Vector3d(b.r_now[1] + length * w * c, b.r_now[4] + length * w * s, 0));
 }
 
-// A bead in a tube that turns as it is told; an auxiliary speed across the tube brings out what holds the
-// bead in it, m (q θ̈ + 2 q̇ θ̇ + g cos θ).
+// A bead in a tube that rotates as prescribed; an auxiliary speed across the tube brings into evidence the
+// force that holds the bead in it, m (q θ̈ + 2 q̇ θ̇ + g cos θ).
 TEST(prescribed, turns_a_tube) {
   bench b(false);
   for (int i = 0; i < 3; ++i) b.kinematic_equation(b.dot(b.q[i]) - b.u[i]);

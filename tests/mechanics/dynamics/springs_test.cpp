@@ -1,4 +1,4 @@
-// What springs, dampers and potential energies do to motion, energy and forces of constraints.
+// The effects of springs, dampers and potential energies on motion, energy and constraint forces.
 #include "mechanics/workbench.hpp"
 
 #include <kanexpr/mechanics/skeleton/time_derivative.hpp>
@@ -11,7 +11,7 @@ using namespace workbench;
 
 VectorXd found(bench& b, mechanics::equations& e, quantity q) { return b.numbers(e.get(q)); }
 
-// Two bars in space on turning joints, with a bob that slides.
+// Two bars in space on rotating joints, with a sliding bob.
 struct arm : bench {
   frame_id first, second;
   point_id elbow, tip, wall, bob;
@@ -61,7 +61,7 @@ TEST(springs, pull_as_force_vectors_do) {
   }
 }
 
-// Ė of a motion is the power of the dampers.
+// Ė along a motion is the power of the dampers.
 TEST(springs, keep_what_dampers_do_not_take) {
   std::mt19937 random(12);
   for (const bool damped : {false, true}) {
@@ -72,7 +72,7 @@ TEST(springs, keep_what_dampers_do_not_take) {
     a.potential_energy(sin(a.q[0]) * a.q[2] + exp(a.q[1] * a.q[2]));
     const double along_line = 0.8, beside = 0.4, joint = 0.6, outer = 0.2;
     if (damped) {
-      a.damper(a.wall, a.tip, a.number(along_line)); // beside the spring
+      a.damper(a.wall, a.tip, a.number(along_line)); // next to the spring
       a.damper(a.bob, a.tip, a.number(beside));
       a.torsional_damper(a.second, a.first, a.number(joint));
       a.torsional_damper(a.second, a.n, a.number(outer));
@@ -108,7 +108,7 @@ TEST(springs, keep_what_dampers_do_not_take) {
   }
 }
 
-// −Σ ∂V/∂q W for speeds that are no rates of coordinates.
+// −Σ ∂V/∂q W for speeds that are not coordinate rates.
 TEST(springs, act_on_quasi_speeds_by_the_kinematic_equations) {
   bench b(false);
   Matrix3d w;
@@ -130,7 +130,8 @@ TEST(springs, act_on_quasi_speeds_by_the_kinematic_equations) {
                VectorXd::Constant(1, x * x * y + t * std::cos(z) + 3 * y / z));
 }
 
-// An auxiliary speed feels a spring and a damper as it feels any force, though no coordinate goes with it.
+// A spring and a damper contribute to an auxiliary speed like any other force, although no coordinate belongs
+// to it.
 TEST(springs, act_on_auxiliary_speeds) {
   MatrixXd force[2];
   for (const bool by_vectors : {false, true}) {
@@ -156,7 +157,7 @@ TEST(springs, act_on_auxiliary_speeds) {
   expect_equal(force[0], force[1]);
 }
 
-// A load may speak of velocities that the equations knew before they were asked for a result.
+// A load may contain velocities that were formed before a result is requested.
 TEST(loads, of_motion_are_built_when_velocities_are_known) {
   arm dragged, pulled;
   mechanics::known_motion known(dragged.mechanism());

@@ -1,5 +1,6 @@
-// Mechanisms by dice at states that satisfy no constraint: the derivatives of all rates by the whole state
-// and the inputs against complex steps, and the forces of all speeds against the multipliers.
+// Random mechanisms at states that violate all constraints: the derivatives of all rates with respect to the
+// whole state and the inputs, compared with complex steps, and the forces of all speeds, compared with the
+// multipliers.
 #include "mechanics/random/bound_mechanism.hpp"
 #include "mechanics/random/random_mechanism.hpp"
 #include "mechanics/random/random_springs.hpp"
@@ -64,8 +65,8 @@ MatrixXd jacobian(recipe::bound_mechanism& one) {
   return all;
 }
 
-// The derivatives along the unit quaternions. Off these no axes are turned, and what the rates are there is
-// no mechanics.
+// The derivatives along the unit quaternions. For other norms, no rotation is defined, and the rates have no
+// mechanical meaning.
 MatrixXd along_rotations(const recipe::mechanism& m, MatrixXd derivatives) {
   for (const recipe::frame& f : m.frames) {
     if (f.how != recipe::turn::quaternion) continue;
@@ -76,7 +77,7 @@ MatrixXd along_rotations(const recipe::mechanism& m, MatrixXd derivatives) {
   return derivatives;
 }
 
-// What F_r + F_r* + Jᵀ λ leaves in motion, beside its largest part.
+// The remainder of F_r + F_r* + Jᵀ λ along a motion, relative to its largest term.
 double imbalance(recipe::bound_mechanism& one) {
   const VectorXd udot = one.found(quantity::udot);
   const VectorXd force = number(one.b, one.m, one.derived.get(quantity::unreduced_forces),

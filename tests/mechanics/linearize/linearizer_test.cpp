@@ -1,5 +1,5 @@
-// The linearization in the states alone against the one of all equations, solved in numbers; and general
-// forms that are written by hand.
+// The linearization in the states only, compared with that of all equations, solved numerically; and general
+// forms written by hand.
 #include "mechanics/random/bound_mechanism.hpp"
 #include "mechanics/random/elimination.hpp"
 #include "mechanics/random/random_mechanism.hpp"
@@ -28,7 +28,7 @@ MatrixXd beside(const MatrixXd& a, const MatrixXd& b) {
   return both;
 }
 
-// How far the two are apart at the mechanism's state; nothing where that is nearly singular.
+// The difference between the two at the mechanism's state; zero if that is nearly singular.
 std::optional<double> disagreement(recipe::bound_mechanism& one) {
   one.derived.constrain();
   if (one.derived.mistake()) return std::nullopt;
@@ -92,7 +92,7 @@ struct pendulum_by_hand {
     f.f_4 = {-(2 * x * lambda), -(2 * y * lambda)};
     return f;
   }
-  // Hanging with L = 2, m = 3, g = 5: still, or falling off the circle.
+  // Hanging with L = 2, m = 3, g = 5: at rest, or off the circle and falling.
   MatrixXd numbers(const kanexpr::symbolic::matrix& a, double falling = 0) {
     const double square = falling * falling;
     const auto value_of = [&](int id) -> double {
@@ -128,14 +128,14 @@ TEST(linearizer, takes_a_general_form_that_is_written_by_hand) {
   B << 0, 1.0 / 3;
   EXPECT_LE((p.numbers(l.explicit_form().state) - A).norm(), 1e-15);
   EXPECT_LE((p.numbers(l.explicit_form().input) - B).norm(), 1e-15);
-  // how hard the string pulls does not change to first order, and a sensor of ẍ sees nothing
+  // the tension of the string does not change to first order, and a sensor of ẍ detects no change
   const mechanics::explicit_linearization seen = l.outputs({p.udot, p.vdot, p.y + p.xdot});
   MatrixXd C(3, 2);
   C << 0, 0, -5.0 / 2, 0, 1, 0;
   EXPECT_LE((p.numbers(seen.state) - C).norm(), 1e-15);
 }
 
-// u̇ = g − x s, v̇ = F/m − y s with s = (x g + y F/m + u² + v²)/(x² + y²), wherever the bob is.
+// u̇ = g − x s, v̇ = F/m − y s with s = (x g + y F/m + u² + v²)/(x² + y²), for any position of the bob.
 TEST(linearizer, takes_a_general_form_off_its_constraints) {
   pendulum_by_hand p;
   mechanics::linearizer l(p.g, p.form(), mechanics::directions::free);

@@ -1,4 +1,4 @@
-// What a person can say of frames, points and inertias, against plain numbers.
+// All ways to describe frames, points and inertias, compared with plain numbers.
 #include "mechanics/workbench.hpp"
 
 #include <Eigen/Geometry>
@@ -7,7 +7,7 @@ namespace {
 
 using namespace workbench;
 
-// A frame's turn in numbers: matrix and angular velocity in the ground.
+// The rotation of a frame in numbers: matrix and angular velocity in the ground.
 struct turning {
   Matrix3d r = Matrix3d::Identity();
   Vector3d omega = Vector3d::Zero();
@@ -27,7 +27,8 @@ TEST(sequences, are_products_of_turns) {
       for (int i = 0; i < 3; ++i) {
         const Vector3d axis = Vector3d::Unit(letters[i] - 'x');
         const Matrix3d one = Eigen::AngleAxisd(b.q_now[i], axis).toRotationMatrix();
-        if (space) { // each turn is about an axis of the ground and carries along what was turned before
+        if (space) { // each rotation is about an axis of the ground and carries along everything that was
+                     // rotated before
           expected.omega = one * expected.omega + b.u_now[i] * axis;
           expected.r = one * expected.r;
         } else {
@@ -42,7 +43,7 @@ TEST(sequences, are_products_of_turns) {
     }
 }
 
-// A declared motion says what the derivation finds; from there on everything is the same.
+// A declared motion states what the derivation finds; from there on, all results are the same.
 TEST(declared_angular_velocity, stands_for_the_derived_one_in_any_reference) {
   const auto build = [](bench& b, int reference) {
     const frame_id a = b.rotated("A", b.n, b.q[0], b.along(b.n, 0, 0, 1));
@@ -74,13 +75,14 @@ TEST(declared_angular_velocity, stands_for_the_derived_one_in_any_reference) {
   }
 }
 
-// v = v_O + ω×r + what is said, a = a_O + α×r + ω×(ω×r) + 2ω×v' + v'', with P sliding in a turning frame.
+// v = v_O + ω×r + the declared velocity, a = a_O + α×r + ω×(ω×r) + 2ω×v' + v'', with P sliding in a rotating
+// frame.
 TEST(one_point_theorem, adds_the_velocity_in_a_turning_frame) {
   bench b;
   const frame_id a = b.rotated("A", b.n, b.q[0], b.along(b.n, 0, 0, 1));
   const frame_id c = b.rotated("C", a, b.q[1], b.along(a, 1, 0, 0));
   const expression zero = b.number(0.0);
-  // along C's y axis by q2; seen from A that is a slide and a turn about A's x axis
+  // along C's y axis by q2; as seen from A, a translation and a rotation about A's x axis
   const auto at = [&](const char* name) {
     return b.offset(name, b.o, b.along(c, zero, b.q[2], b.number(0.2)));
   };
@@ -108,8 +110,8 @@ TEST(one_point_theorem, adds_the_velocity_in_a_turning_frame) {
   }
 }
 
-// Kane's rolling disc: the contact point, the mass centre fixed in the disc with the offset in axes that do
-// not spin. So moves a velocity of zero in the disc that is apart from the position.
+// Kane's rolling disc: the contact point, and the mass center fixed in the disc, with the offset in axes that
+// do not spin. A zero velocity in the disc is then intentionally inconsistent with the position.
 TEST(two_point_theorem, takes_an_offset_in_the_axes_of_another_frame) {
   for (const bool is_apart : {false, true}) {
     SCOPED_TRACE(is_apart);
@@ -133,7 +135,7 @@ TEST(two_point_theorem, takes_an_offset_in_the_axes_of_another_frame) {
     ASSERT_EQ(b.check().view(), "");
     mechanics::equations e(b.system());
 
-    // in L's axes: ω = u, v = ω×r z, and every rate of a vector is that in L plus ω_L×
+    // in L's axes: ω = u, v = ω×r z, and every rate of a vector is its rate in L plus ω_L×
     const Vector3d u = Vector3d::Map(b.u_now), udot = Vector3d::Map(b.udot_now),
                    arm = radius * Vector3d::UnitZ();
     const Vector3d omega_l(u(0), u(2) * std::tan(b.q_now[1]), u(2));

@@ -1,5 +1,5 @@
 // builds: sanitize
-// Which quaternions the kinematic differential equations keep at norm 1.
+// The quaternions whose norm 1 the kinematic differential equations preserve.
 #include <kanexpr/mechanics/motion/generic_states.hpp>
 #include <kanexpr/mechanics/motion/unit_quaternions.hpp>
 #include <kanexpr/runtime/builder.hpp>
@@ -26,7 +26,7 @@ struct turning_body : builder {
   }
   void declare() { angular_velocity(body, n, along(body, u[0], u[1], u[2])); }
 
-  // By their coordinates' numbers
+  // By the numbers of their coordinates
   std::vector<std::vector<int>> kept() const {
     std::vector<std::vector<int>> all;
     for (const auto& places : kanexpr::mechanics::unit_quaternions(mechanism()))
@@ -100,7 +100,7 @@ TEST(unit_quaternions, are_coordinates_and_each_in_one_place) {
   EXPECT_EQ(b.kept(), all_four);
 }
 
-// A part of length one alone would be 1 or -1, where other parts have vanished.
+// A single entry of magnitude one would be 1 or -1 if the other entries vanished.
 TEST(unit_quaternions, have_all_parts_at_generic_states) {
   turning_body b;
   for (const double sign : {1.0, -1.0}) {

@@ -1,4 +1,4 @@
-// A mechanism by dice with constraints by dice, derived while the program runs.
+// A random mechanism with random constraints, derived at run time.
 #pragma once
 
 #include "build_recipe.hpp"

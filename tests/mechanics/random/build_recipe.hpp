@@ -1,4 +1,4 @@
-// A recipe as a mechanism of the library, built while the program runs, and numbers from its equations.
+// Builds a recipe as a mechanism of the library at run time, and evaluates its equations.
 #pragma once
 
 #include "recipe.hpp"
@@ -19,7 +19,7 @@ using kanexpr::symbolic::expression;
 
 inline std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
-// Builds as a person would, through the interface that people have.
+// Builds as a user would, through the public interface.
 class building {
 public:
   building(const mechanism& from, builder& into) : from_(from), b_(into) {
@@ -139,7 +139,7 @@ private:
     else
       b_.rigid_body(called, center, frames[at(b.frame)], now_(b.mass), total, points[at(b.about)]);
     if (b.inertia_changes) b_.changing_inertia(called);
-    b_.effective_inertia(called); // drawn at random, as no distribution of mass would have it
+    b_.effective_inertia(called); // random, and not the inertia of any mass distribution
   }
 
   void add_force(const load& f) {
@@ -171,7 +171,7 @@ private:
       break;
     case law::body_rates: {
       const frame& f = from_.frames[at(k.frame)];
-      components left(b_.graph()); // Σ axis_i q̇_i in the frame's own axes, turn by turn
+      components left(b_.graph()); // Σ axis_i q̇_i in the frame's axes, rotation by rotation
       for (std::size_t i = 0; i < 3; ++i) {
         left = transpose(basis_rotation(f.letters[i], q(i))) * left;
         left[f.letters[i] - 'x'] += dot(i);
@@ -209,7 +209,7 @@ private:
   values<expression> now_;
 };
 
-// The value of each entry of a matrix of expressions, at the recipe's own state.
+// The value of each entry of a matrix of expressions, at the recipe's state.
 inline Eigen::MatrixXd number(builder& b, const mechanism& m, const kanexpr::symbolic::matrix& wanted,
                               const std::vector<double>& udot = {}) {
   kanexpr::base::sequence<int> outputs;
@@ -232,8 +232,7 @@ inline Eigen::MatrixXd number(builder& b, const mechanism& m, const kanexpr::sym
         case symbol_kind::weight:
         case symbol_kind::direction: break;
         }
-        return std::numeric_limits<double>::quiet_NaN(); // nothing may be left in terms of q̇, or of auxiliary
-                                                         // speeds
+        return std::numeric_limits<double>::quiet_NaN(); // q̇ and auxiliary speeds must not remain
       },
       result.data());
   return result;

@@ -1,5 +1,5 @@
-// A random mechanism under random constraints at a state that satisfies them, and its motion by Newton's and
-// Euler's equations with Lagrange's multipliers, [M −Jᵀ; J 0] [u̇; λ] = [f; −γ].
+// A random mechanism with random constraints at a state that satisfies them, and its motion by the
+// Newton-Euler equations with Lagrange multipliers, [M −Jᵀ; J 0] [u̇; λ] = [f; −γ].
 #pragma once
 
 #include "elimination.hpp"
@@ -32,7 +32,7 @@ struct constrained {
   VectorXd udot, multipliers;
   bool regular = false;
 
-  // `in_any_units`: no sine of a length.
+  // `in_any_units`: no sines of lengths.
   explicit constrained(unsigned seed, bool in_any_units = false) : m(generator(seed, false).run()) {
     if (m.u.size() < 2) return;
     if (in_any_units) without_sines_of_lengths(m);
@@ -42,7 +42,7 @@ struct constrained {
       bounds = random_constraints(m, 1000 * seed + attempt).run();
       if (in_any_units)
         for (constraint& c : bounds) without_sines_of_lengths(m, c);
-      // configuration constraints are taken up after the others
+      // configuration constraints follow the others
       std::stable_partition(bounds.begin(), bounds.end(),
                             [](const constraint& c) { return c.what != bound::configuration; });
       linear = linearized(m, bounds);
@@ -52,7 +52,7 @@ struct constrained {
     const MatrixXd& j = linear.jacobian;
     const MatrixXd slip = elimination::product(j, speeds_of(m)) + linear.remainder;
     const MatrixXd nearest = elimination::solve(elimination::product(j, elimination::transposed(j)), slip)
-                                 .x; // least change of the speeds
+                                 .x; // the least change of the speeds
     for (std::size_t i = 0; i < m.u.size(); ++i)
       for (Index r = 0; r < j.rows(); ++r) m.u[i] -= j(r, static_cast<Index>(i)) * nearest(r, 0);
     linear = linearized(m, bounds);
@@ -61,7 +61,7 @@ struct constrained {
   }
 
 private:
-  // All directions of the constraints are told apart well.
+  // Whether the directions of all constraints are clearly distinct.
   static bool is_regular(const MatrixXd& j) {
     return elimination::solve(j, MatrixXd::Zero(j.rows(), 1)).least_pivot > 0.02 * elimination::largest(j);
   }

@@ -1,4 +1,4 @@
-// Products and linear systems in plain loops, which compile in no time.
+// Products and linear systems in plain loops, which compile quickly.
 #pragma once
 
 #include <Eigen/Core>
@@ -31,8 +31,8 @@ inline double largest(const MatrixXd& a) {
   return most;
 }
 
-// X in A X = B by Gauss and Jordan with full pivoting; A has at least as many columns as rows, and unknowns
-// that are left over are zero.
+// X in A X = B by Gauss-Jordan elimination with full pivoting; A has at least as many columns as rows, and
+// surplus unknowns are zero.
 struct solved {
   MatrixXd x;
   double least_pivot = 0;

@@ -1,4 +1,4 @@
-// The same mechanism in other units of length, mass and time.
+// The same mechanism in different units of length, mass and time.
 #pragma once
 
 #include "random_constraints.hpp"
@@ -9,7 +9,7 @@
 
 namespace recipe {
 
-// How many new units are in an old one.
+// The number of new units in an old one.
 struct units {
   double length = 1, mass = 1, time = 1;
 
@@ -76,7 +76,7 @@ inline void without_sines(formula& f, const std::vector<char>& lengths) {
 
 } // namespace detail
 
-// A sine of a length has no meaning in units: the length itself takes its place.
+// The sine of a length has no meaning in arbitrary units: it is replaced by the length itself.
 inline void without_sines_of_lengths(mechanism& m) {
   const std::vector<char> lengths = lengths_among(m);
   const std::vector<double> plain(m.q.size() + m.u.size(), 1);
@@ -92,8 +92,8 @@ inline void without_sines_of_lengths(const mechanism& m, constraint& c) {
   detail::without_sines(c.rest, lengths);
 }
 
-// How the constants of a mechanism stand in its other units: what has some lengths as numbers of 1e-9 and
-// others as symbols gives no hint of how long the others are.
+// How the constants of a mechanism are given in its new units: if some lengths are numbers such as 1e-9 and
+// others are symbols, nothing indicates the magnitude of the symbols.
 enum class constants {
   numbers,
   symbols, // those that have a unit
@@ -118,8 +118,7 @@ public:
     for_each_formula(to_, in_, u_, qdot_, [&](formula& f, double unit) { convert(f, unit); });
     for (frame& f : to_.frames) {
       for (constant& c : f.direction) convert(c, 1);
-      f.turns_apart =
-          how == constants::symbols; // numbers agree with kinematic equations, their symbols need not
+      f.turns_apart = how == constants::symbols; // numbers match kinematic equations, symbols need not
     }
     for (body& b : to_.bodies) {
       convert(b.mass, in_.mass);
@@ -141,7 +140,7 @@ public:
 
   const mechanism& result() const { return to_; }
 
-  // Of a constraint, whose row may be multiplied by anything where it is written out.
+  // The unit of a constraint, whose row may be multiplied by anything if it is written out.
   constraint converted(constraint c, double row) {
     for (part& p : c.direction)
       for (formula& f : p.value) convert(f, 1);
@@ -152,7 +151,7 @@ public:
     convert(c.rest, row);
     return c;
   }
-  // The unit of a velocity constraint that was written so.
+  // The unit of a velocity constraint that is written in this way.
   double of_row(const constraint& c, double row) const {
     switch (c.what) {
     case bound::point:
@@ -167,7 +166,7 @@ public:
   const std::vector<double>& coordinates() const { return q_; }
   const std::vector<double>& rates_of_coordinates() const { return qdot_; }
   const std::vector<double>& speeds() const { return u_; }
-  const std::vector<double>& parameters() const { return given_; } // 0: it stands nowhere
+  const std::vector<double>& parameters() const { return given_; } // 0: it does not occur
 
 private:
   void convert(formula& f, double unit) {
@@ -187,7 +186,8 @@ private:
     }
     return in_.time;
   }
-  // One for equal numbers of one unit: what agrees with an orientation, or is round, remains so.
+  // One unit for equal numbers with the same unit: numbers that match an orientation, or a symmetry, still
+  // match.
   int symbol_for(const constant& c, double unit) {
     const auto equal = [](double x, double y) { return std::abs(x / y - 1) < 1e-12; };
     for (const symbol& s : symbols_)
@@ -197,7 +197,7 @@ private:
     return symbols_.back().parameter;
   }
 
-  // A parameter that stands in several places has one unit in all of them.
+  // A parameter that occurs in several places has the same unit in all of them.
   void convert(constant& c, double unit) {
     c.value *= unit;
     if (how_ == constants::numbers) c.parameter = -1;
@@ -218,7 +218,7 @@ private:
     double value, unit;
     int parameter;
   };
-  std::vector<symbol> symbols_; // that stand for numbers
+  std::vector<symbol> symbols_; // that represent numbers
   std::vector<double> given_;   // units of parameters
   mechanism to_;
 };

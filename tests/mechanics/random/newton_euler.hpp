@@ -1,6 +1,6 @@
-// The dynamics of a recipe by Newton's and Euler's equations, with numbers alone and nothing of the library:
-// positions and rotation matrices along a motion as Taylor series, partial velocities by giving each speed
-// the value one.
+// The dynamics of a recipe by the Newton-Euler equations, with plain numbers and without the library:
+// positions and rotation matrices along a motion as Taylor series, and partial velocities by setting one
+// speed after another to one.
 #pragma once
 
 #include "mechanics/jet.hpp"
@@ -52,7 +52,7 @@ inline jet3x3 rotation(const recipe::frame& f, const jets& now) {
   return {};
 }
 
-// Where everything is, in the ground's axes.
+// The positions and orientations, in the ground's axes.
 struct placement {
   std::vector<jet3x3> frames;
   std::vector<jet3> points, velocities;
@@ -93,7 +93,7 @@ inline placement place(const recipe::mechanism& m, const jets& now) {
   return here;
 }
 
-// Gaussian elimination; the recipes' matrices need no pivots.
+// Gaussian elimination; the matrices of recipes need no pivoting.
 inline std::vector<jet> solve(std::vector<std::vector<jet>> a, std::vector<jet> b) {
   const std::size_t n = b.size();
   for (std::size_t k = 0; k < n; ++k)
@@ -127,7 +127,8 @@ inline std::vector<jet> coordinate_rates(const recipe::mechanism& m, const jets&
       found = solve(a, u);
       break;
     }
-    case law::body_rates: { // Σ axis_i q̇_i = ω, axis_i: that of turn i, in the frame's parent's axes
+    case law::body_rates: { // Σ axis_i q̇_i = ω, where axis_i is the axis of rotation i, in the axes of the
+                            // frame's parent
       const recipe::frame& f = m.frames[at(k.frame)];
       jet3x3 axes, done;
       for (int i = 0; i < 3; ++i) {

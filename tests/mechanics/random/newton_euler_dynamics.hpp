@@ -1,4 +1,4 @@
-// Kane's equations of a recipe, projected from Newton's and Euler's.
+// Kane's equations of a recipe, projected from the Newton-Euler equations.
 #pragma once
 
 #include "newton_euler.hpp"
@@ -11,7 +11,7 @@ struct dynamics {
   double kinetic_energy = 0, potential_energy = 0;
   Vector3d linear_momentum = Vector3d::Zero(), angular_momentum = Vector3d::Zero(),
            center_of_mass = Vector3d::Zero();
-  double force_scale = 0; // of the terms that the forcing is the sum of
+  double force_scale = 0; // of the terms whose sum is the forcing
 };
 
 // Partial velocities of points and frames: velocities are affine in the speeds.
@@ -29,7 +29,7 @@ public:
   columns velocity(std::size_t point) const { return difference(&motion::v, point); }
   columns angular(std::size_t frame) const { return difference(&motion::omega, frame); }
 
-  // ∂V̇/∂u of a function of coordinates and time, by its rate with one speed after another.
+  // ∂V̇/∂u of a function of coordinates and time, from its rate for one speed after another.
   std::vector<double> rates(const std::function<jet(const jets&)>& energy) const {
     std::vector<double> all;
     for (const motion& k : one_) all.push_back(energy(k.now).c1 - energy(still_.now).c1);
@@ -47,21 +47,21 @@ private:
   std::vector<motion> one_;
 };
 
-// What the rates of the speeds add to an acceleration.
+// The contribution of the rates of the speeds to an acceleration.
 inline Vector3d sum(const partial_motions::columns& j, const std::vector<double>& rates) {
   Vector3d total = Vector3d::Zero();
   for (std::size_t r = 0; r < j.size(); ++r) total += rates[r] * j[r];
   return total;
 }
 
-// M v, by rows.
+// M v, row by row.
 inline VectorXd times(const MatrixXd& m, const VectorXd& v) {
   VectorXd product(m.rows());
   for (Eigen::Index i = 0; i < m.rows(); ++i) product(i) = m.row(i).transpose().cwiseProduct(v).sum();
   return product;
 }
 
-// Inertia about the mass centre, in the ground's axes.
+// The inertia about the mass center, in the ground's axes.
 inline Matrix3d central_inertia(const recipe::body& b, const motion& k) {
   Matrix3d total = Matrix3d::Zero();
   for (const recipe::inertia& part : b.dyadic) {
@@ -79,8 +79,8 @@ inline Matrix3d central_inertia(const recipe::body& b, const motion& k) {
   return total;
 }
 
-// The rate of I·ω for an angular velocity that stays: ω×(I·ω), and more where the inertia is not fixed in the
-// body.
+// The rate of I·ω for a constant angular velocity: ω×(I·ω), plus further terms if the inertia is not fixed in
+// the body.
 inline Vector3d change_of_inertia(const recipe::body& b, const motion& k, const Vector3d& omega) {
   const jet3 w(omega);
   jet3 total;

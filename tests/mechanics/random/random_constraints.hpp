@@ -1,4 +1,4 @@
-// Constraints by dice on a random mechanism, and what they say in plain numbers.
+// Random constraints on a random mechanism, and their values in plain numbers.
 #pragma once
 
 #include "newton_euler.hpp"
@@ -8,10 +8,10 @@ namespace recipe {
 
 enum class bound {
   point,         // the velocity of a point along a direction
-  points,        // that of a point less that of another
-  turning,       // the angular velocity of a frame less that of another along a direction
+  points,        // that of a point minus that of another
+  turning,       // the angular velocity of a frame minus that of another along a direction
   speeds,        // Σ a u + Σ b q̇ + c
-  configuration, // the product of two formulas, and a third
+  configuration, // the product of two formulas, plus a third
 };
 
 struct constraint {
@@ -68,7 +68,7 @@ private:
   dice d_;
 };
 
-// What has to vanish, along a motion: its value, and its rate for speeds that do not change.
+// The quantity that must vanish, along a motion: its value, and its rate for constant speeds.
 inline limits::jet vanishing(const constraint& c, const newton_euler::motion& k) {
   using limits::jet;
   using newton_euler::at;

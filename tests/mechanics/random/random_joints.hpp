@@ -1,4 +1,4 @@
-// Joints by dice.
+// Random joints.
 #pragma once
 
 #include "random_parts.hpp"
@@ -83,7 +83,7 @@ protected:
     return own;
   }
 
-  // A free base: its velocity in its own axes as speeds.
+  // A floating base: its velocity in its own axes as speeds.
   int base(int frame) {
     std::vector<int> x{coordinate(-1, 1), coordinate(-1, 1), coordinate(-1, 1)};
     point p{0, {{0, {}}}, -1, -1, {}};
@@ -105,7 +105,7 @@ protected:
     f.angular_velocity = {own_speeds(frame, k)};
   }
 
-  // ω of a frame in any other one, as the sum of what all the frames on the way turn by.
+  // ω of a frame relative to any other one, as the sum of the contributions of all frames between them.
   void declare(int frame, int reference) {
     if (frame == reference) return;
     sum omega;

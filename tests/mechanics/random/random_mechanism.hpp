@@ -1,4 +1,4 @@
-// Mechanisms by dice: trees of bodies on all kinds of joints, and points chained through frames of other
+// Random mechanisms: trees of bodies with all kinds of joints, and points connected through frames of other
 // trees.
 #pragma once
 
@@ -8,7 +8,7 @@ namespace recipe {
 
 class generator : random_joints {
 public:
-  // Links without mass may leave the mass matrix singular, where axes coincide.
+  // Links without mass may make the mass matrix singular if axes coincide.
   generator(unsigned seed, bool massless_links) : random_joints(seed), massless_links_(massless_links) {}
 
   mechanism run() {
@@ -25,7 +25,7 @@ public:
   }
 
 private:
-  // its frame, the point that its joint is at, and the point where its mass is
+  // its frame, the point of its joint, and its mass center
   struct link {
     int frame = 0, joint = 0, center = 0;
     bool loaded = false;
@@ -81,7 +81,7 @@ private:
   void rigid(int center, int frame) {
     body b{center, frame, number(d_.between(0.3, 2)), {inertia_in(frame)}, -1, false};
     const recipe::frame& f = m_.frames[at(frame)];
-    if (f.how == turn::about_basis && d_.chance(0.3)) { // as round as a wheel: the axes below serve as well
+    if (f.how == turn::about_basis && d_.chance(0.3)) { // axisymmetric, so the axes below also fit
       const double across = d_.between(0.3, 1), along = d_.between(0.3, 1);
       inertia i{d_.chance(0.7) ? f.parent : frame, {}};
       const constant c = number(across);
@@ -91,7 +91,7 @@ private:
       b.dyadic.push_back(inertia_in(d_.chance(0.5) ? welded(frame) : frame));
       b.inertia_changes = b.dyadic.back().axes != frame && !m_.frames.back().angle[0].terms.empty(); // driven
     } else if (d_.chance(0.05)) {
-      b.dyadic = {inertia_in(any_frame())}; // no physics, but the equations have to hold
+      b.dyadic = {inertia_in(any_frame())}; // not physical, but the equations must hold
       b.inertia_changes = true;
     }
     if (d_.chance(0.1)) b.about = center;
@@ -112,7 +112,7 @@ private:
     b.dyadic.push_back(shift);
   }
 
-  // positive definite by its diagonal
+  // positive definite because of its diagonal
   inertia inertia_in(int axes) {
     inertia i{axes, {}};
     for (int k = 0; k < 3; ++k) i.scalars[at(k)] = number(d_.between(0.5, 1.5));
@@ -152,7 +152,7 @@ private:
 
   // ---- speeds
 
-  // What is left of the coordinates gets speeds in groups: u = A q̇ + b.
+  // Assigns speeds to the remaining coordinates in groups: u = A q̇ + b.
   void rest_of_kinematics() {
     std::vector<int> left = free_;
     if (left.empty() && speeds_ == 0) left.push_back(coordinate(-1, 1)), free_moving_particle(left[0]);

@@ -16,7 +16,7 @@ using recipe::builder;
 
 constexpr double tolerance = 1e-11;
 
-// Relative to the largest entry, or to what the entries are sums of.
+// Relative to the largest entry, or to the terms of which the entries are sums.
 void expect_equal(const MatrixXd& found, const MatrixXd& expected, double scale, const std::string& what) {
   ASSERT_EQ(found.rows(), expected.rows()) << what;
   ASSERT_EQ(found.cols(), expected.cols()) << what;
@@ -31,7 +31,8 @@ void expect_equal(const MatrixXd& found, const MatrixXd& expected, double scale,
   EXPECT_TRUE(numbers && error <= tolerance * size) << what << ": off by " << error << " of " << size;
 }
 
-// Solvable for u̇: where a declared velocity takes all mass from a speed, no mechanism is.
+// Whether the equations can be solved for u̇: if a declared velocity removes all mass from a speed, there is
+// no mechanism.
 bool solvable(const MatrixXd& mass_matrix) {
   MatrixXd left = mass_matrix;
   double least = 1e300, most = 0;
@@ -83,7 +84,7 @@ struct comparison {
     expect_equal(found(quantity::angular_momentum), expected.angular_momentum, 1, "angular momentum");
     expect_equal(found(quantity::center_of_mass), expected.center_of_mass, 1, "center of mass");
     if (!regular) return;
-    const VectorXd udot = found(quantity::udot); // by what is left over, which no condition number enlarges
+    const VectorXd udot = found(quantity::udot); // by the residual, which no condition number amplifies
     expect_equal(newton_euler::times(expected.mass_matrix, udot), expected.forcing,
                  force + expected.mass_matrix.diagonal().maxCoeff() * udot.norm(), "udot");
     EXPECT_EQ(derived.mistake().view(), "");

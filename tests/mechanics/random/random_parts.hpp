@@ -1,4 +1,4 @@
-// Numbers, formulas and points by dice.
+// Random numbers, formulas and points.
 #pragma once
 
 #include "dice.hpp"
@@ -32,7 +32,7 @@ protected:
   }
   triple constant_vector() {
     triple v;
-    const int only = d_.chance(0.4) ? d_.whole(0, 2) : -1; // as on a machine, along one axis
+    const int only = d_.chance(0.4) ? d_.whole(0, 2) : -1; // along a single axis, as in a machine
     for (int i = 0; i < 3; ++i)
       if (only < 0 || i == only) v[at(i)] = plain(some());
     return v;
@@ -43,7 +43,7 @@ protected:
     free_.push_back(static_cast<int>(m_.q.size()) - 1);
     return free_.back();
   }
-  // three speeds with a law of their own for coordinates that are taken off the common heap
+  // three speeds with separate equations for coordinates that are not assigned otherwise
   rates law_for(law how, std::vector<int> coordinates, int frame) {
     for (int c : coordinates) std::erase(free_, c);
     rates k{how, std::move(coordinates), {}, {}, {}, frame};
@@ -68,7 +68,7 @@ protected:
   int any_speed() { return d_.whole(0, static_cast<int>(speeds_) - 1); }
   int any_coordinate() { return d_.whole(0, static_cast<int>(m_.q.size()) - 1); }
 
-  // A velocity in the ground is one in all; in a frame that turns it is on top of the frame's.
+  // A velocity in the ground is the full velocity; in a rotating frame, it is added to that of the frame.
   bool turns(int frame) const {
     for (int i = frame; i != 0; i = m_.frames[at(i)].parent) {
       if (m_.frames[at(i)].how == turn::quaternion) return true;
@@ -87,7 +87,7 @@ protected:
                     {any_frame(), {rolling(), rolling(), rolling()}}};
     } else if (d_.chance(0.2))
       p.fixed_in = in;
-    else if (const int on = any_frame(); on > 0 && d_.chance(0.05)) // as if fixed there, and its offset moves
+    else if (const int on = any_frame(); on > 0 && d_.chance(0.05)) // as if fixed there, but its offset moves
       p = {from, {{any_frame(), constant_vector()}, {any_frame(), constant_vector()}}, -1, on, {}, true};
     else if (turns(in) && d_.chance(0.1))
       p.reference = in;
@@ -130,12 +130,12 @@ protected:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
 
   dice d_;
-  double symbolic_; // the share of numbers that are symbolic parameters
+  double symbolic_; // the fraction of numbers that are symbolic parameters
   bool parallel_;   // all axes
   style style_ = style::tree;
   mechanism m_;
-  std::vector<int> sliding_; // points that need a mass of their own
-  std::vector<int> free_;    // coordinates whose rates are not said yet
+  std::vector<int> sliding_; // points that require a mass
+  std::vector<int> free_;    // coordinates whose rates are not yet specified
   std::size_t speeds_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// A mechanism as plain numbers, from which both the library and an independent evaluation are fed.
+// A mechanism as plain numbers, from which both the library's model and an independent evaluation are built.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@
 
 namespace recipe {
 
-// A number, or a symbolic parameter of that value.
+// A number, or a symbolic parameter with that value.
 struct constant {
   double value = 0;
   int parameter = -1;
@@ -48,11 +48,11 @@ struct frame {
   bool backwards = false;            // about the negative basis vector
   std::array<constant, 3> direction; // of any length
   std::string letters;
-  std::array<formula, 3> angle; // the cosines are those of a body-fixed sequence
+  std::array<formula, 3> angle; // the direction cosines of a body-fixed sequence
   int quaternion = 0;           // its first coordinate
   int reference = -1;           // of a declared angular velocity
   sum angular_velocity;
-  bool turns_apart = false; // from the orientation, as far as symbols say
+  bool turns_apart = false; // the angular velocity need not match the orientation
 };
 
 struct point {
@@ -61,7 +61,7 @@ struct point {
   int fixed_in = -1;
   int reference = -1; // of a declared velocity
   sum velocity;
-  bool moves_apart = false; // from the position
+  bool moves_apart = false; // the velocity need not match the position
 };
 
 struct inertia {
@@ -75,13 +75,13 @@ struct body {
   constant mass;
   std::vector<inertia> dyadic;
   int about = -1;
-  bool inertia_changes = false; // as the body sees it
+  bool inertia_changes = false; // as seen from the body
 };
 
 struct load {
   int on = 0; // a point or a frame
   sum value;
-  int against = -1; // that feels the opposite
+  int against = -1; // the one on which the opposite load acts
 };
 
 struct spring {
@@ -99,13 +99,13 @@ struct twist { // of a torsional spring
   constant stiffness, rest;
 };
 
-// How q̇ follows from u.
+// The relation between q̇ and u.
 enum class law {
   linear,              // A q̇ + b = u
-  body_rates,          // u: the angular velocity of a body-fixed sequence in the frame's own axes
+  body_rates,          // u: the angular velocity of a body-fixed sequence in the frame's axes
   quaternion,          // ė = ½ E u
   implicit_quaternion, // u = 2 Eᵀ ė, e·ė = 0
-  base_velocity,       // q̇ = R u, R that of a frame
+  base_velocity,       // q̇ = R u, where R is the matrix of a frame
 };
 
 struct rates {
@@ -126,11 +126,11 @@ struct mechanism {
   bool has_gravity = false;
   std::array<constant, 3> gravity; // ground axes
   std::vector<rates> kinematics;
-  std::vector<double> q, u, r, parameters; // a state to look at
+  std::vector<double> q, u, r, parameters; // the state to examine
   double t = 0;
 };
 
-// The values that formulas speak of, in some scalar type.
+// The values on which formulas depend, in some scalar type.
 template <class T>
 struct values {
   std::vector<T> q, qdot, u, r, parameters;

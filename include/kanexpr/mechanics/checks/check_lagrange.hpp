@@ -38,7 +38,7 @@ struct wording_of_rates {
   std::string_view of_velocity, of_mass;
 };
 inline constexpr wording_of_rates by_lagrange{", as Lagrange's method requires",
-                                              "; with Lagrange's method it may change with time only"};
+                                              "; with Lagrange's method it may depend only on time"};
 
 /// Checks a mechanism for Lagrange's method. Kane's method uses velocities as declared; here they must be the
 /// rates of positions and orientations, with respect to which the kinetic energy is differentiated.
