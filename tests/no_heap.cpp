@@ -57,7 +57,7 @@ int __wrap_posix_memalign(void** memory, std::size_t alignment, std::size_t size
 }
 }
 
-// The array and nothrow forms of the standard library end in these four.
+// The array and nothrow forms in the standard library call these four.
 void* operator new(std::size_t size) {
   void* memory = std::malloc(size != 0 ? size : 1);
   if (memory == nullptr) std::abort();

@@ -1,14 +1,15 @@
-// A trap for the heap: operator new and malloc count their calls on this thread, and abort under a guard.
+// Detects heap allocation: operator new and malloc count their calls on this thread, and abort while a guard
+// exists.
 #pragma once
 
 #include <cstddef>
 
 namespace no_heap {
 
-// How often this thread has asked for memory so far.
+// The number of allocations on this thread so far.
 std::size_t allocations() noexcept;
 
-// While one lives, asking for memory on this thread aborts the program there and then.
+// While an object of this type exists, an allocation on this thread aborts the program.
 class guard {
 public:
   guard() noexcept;
@@ -17,7 +18,7 @@ public:
   guard& operator=(const guard&) = delete;
 };
 
-// How often f() asks for memory.
+// The number of allocations that f() makes.
 template <class F>
 std::size_t allocations_in(F&& f) {
   const std::size_t before = allocations();

@@ -1,4 +1,4 @@
-// Reference results of whole systems, computed outside this project; oracles/README.md says how.
+// Reference results for whole systems, computed outside this project; see oracles/README.md.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,10 +21,10 @@ struct state {
   MatrixXd mass_matrix;
   VectorXd forcing, qdot, udot;
   std::optional<double> kinetic_energy, potential_energy, power_nonconservative;
-  VectorXd configuration_residual, velocity_residual; // empty where there is no constraint
+  VectorXd configuration_residual, velocity_residual; // empty if there are no constraints
 };
 
-// x' = A x + B r about an operating point; x names the independent coordinates, then speeds.
+// x' = A x + B r about an operating point; x names the independent coordinates, followed by the speeds.
 struct linearization {
   std::string label;
   VectorXd q, u, r, qdot, udot;
@@ -33,7 +33,7 @@ struct linearization {
   std::vector<std::complex<double>> eigenvalues;
 };
 
-// Names as a model writes them: q1, T, and theta'' for the second derivative of a prescribed theta.
+// Names as in a model: q1, T, and theta'' for the second derivative of a prescribed theta.
 struct system {
   std::vector<std::string> q, u, r, q_dependent, u_dependent;
   std::map<std::string, double> parameters;
@@ -44,10 +44,11 @@ struct system {
 struct body {
   double mass = 0;
   Eigen::Vector3d com;
-  Eigen::Matrix<double, 6, 1> inertia; // ixx, iyy, izz, ixy, iyz, izx about the mass centre
+  Eigen::Matrix<double, 6, 1> inertia; // ixx, iyy, izz, ixy, iyz, izx about the mass center
 };
 
-// Stands in its parent's frame at `position`, turned by `rotation` (columns: own axes in the parent's frame).
+// At `position` in its parent's frame, rotated by `rotation` (columns: the axes of the body in the parent's
+// frame).
 struct link : body {
   std::string name;
   int parent = -1; // -1: the ground, or the floating base
@@ -69,7 +70,7 @@ struct robot {
   std::vector<robot_state> states;
 };
 
-// M q'' + v C1 q' + (g K0 + v^2 K2) q = f; A and eigenvalues by the speed v in m/s.
+// M q'' + v C1 q' + (g K0 + v^2 K2) q = f; A and eigenvalues, keyed by the speed v in m/s.
 struct bicycle {
   std::map<std::string, double> parameters;
   Eigen::Matrix2d M, C1, K0, K2;
@@ -78,12 +79,13 @@ struct bicycle {
   double weave_speed = 0, capsize_speed = 0;
 };
 
-// By file name without extension; a file that is missing or of another kind ends the test program.
+// By file name without the extension; a missing file, or one of a different kind, ends the test program.
 system load(const std::string& name);
 robot load_robot(const std::string& name);
 bicycle load_bicycle(const std::string& name = "bicycle_canonical");
 
-// Largest difference over the largest element of b; infinite for other sizes and for elements not finite.
+// The largest difference relative to the largest element of b; infinite if the sizes differ or elements are
+// not finite.
 double relative_error(const Eigen::Ref<const MatrixXd>& a, const Eigen::Ref<const MatrixXd>& b);
 
 // EXPECT_TRUE(oracle::close(mass_matrix, state.mass_matrix, 1e-12))

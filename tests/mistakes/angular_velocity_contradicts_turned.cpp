@@ -6,7 +6,7 @@ constexpr coordinate<"lean"> lean;
 constexpr coordinate<"spin"> spin;
 constexpr speed<"w"> w;
 
-// The speeds are meant along the axes of the frame that leans, and the rate of q for another.
+// The speeds are intended along the axes of the leaning frame, and the rate of q along a different axis.
 struct L : rotated<L, A, lean, A::x> {};
 struct D : rotated<D, L, spin, L::y>, angular_velocity<N, u * L::x + v * L::y + w * L::z> {};
 struct Disc : rigid_body<Disc, P, D, m, inertia<D, 1, 2, 1>> {};

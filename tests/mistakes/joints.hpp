@@ -3,7 +3,7 @@
 #include <kanexpr/joints.hpp>
 #include <kanexpr/kanexpr.hpp>
 
-// What the programs about joints have in common.
+// The common part of the programs about joints.
 
 using namespace kanexpr;
 
@@ -19,7 +19,7 @@ struct Ground : inertial_ground<Ground> {};
 using mass = body<2, 0.3 * own::x, inertia<own, 1, 1, 1>>;
 using up = axis<own::z>;
 
-struct Arm : pin<Arm, Ground, up, mass> {}; // which is sound
+struct Arm : pin<Arm, Ground, up, mass> {}; // a valid joint
 
 template <class... Words>
 using jointed = kane_system<inertial<Ground>, Words...>;

@@ -1,4 +1,4 @@
-// Joints and constraints from which an argument is left out, or that have one of another kind.
+// Joints and constraints in which an argument is missing, or of the wrong kind.
 #include "joints.hpp"
 
 struct Fore : pin<Fore, Arm, up, mass> {};

@@ -1,4 +1,4 @@
-// Motors, constraints, reactions and kinematic equations of joints that make no sense.
+// Motors, constraints, reactions and kinematic equations of joints that are meaningless.
 #include "joints.hpp"
 
 // expect: which is for a joint that turns about one axis or slides along one

@@ -1,4 +1,4 @@
-// Joints whose parts are given along axes that do not turn with what they are fixed in.
+// Joints with arguments given along axes that do not rotate with the parts in which they are fixed.
 #include "joints.hpp"
 
 // expect: joint Link is placed along axes that are not fixed in Arm

@@ -1,4 +1,4 @@
-// Joints that are given what they do not take, or stand where they do not belong.
+// Joints with arguments that they do not take, or in places where joints do not belong.
 #include "joints.hpp"
 
 // expect: joint Link lacks an axis; write pin<Self, Parent, axis<vector>, by<coordinate, speed>>
@@ -426,7 +426,7 @@ void f() { use<System>(); }
 
 // expect: speed u_Link moves no mass
 namespace n59 {
-struct Link : pin<Link, Arm, up> {}; // and nothing hangs on it
+struct Link : pin<Link, Arm, up> {}; // and nothing is attached to it
 struct System : jointed<joints<Arm, Link>> {};
 void f() { use<System>(); }
 } // namespace n59

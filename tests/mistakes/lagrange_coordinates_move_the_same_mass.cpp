@@ -2,7 +2,7 @@
 // expect: singular
 #include "pendulum.hpp"
 
-struct B : rotated<B, A, s, A::z> {}; // what turns about its own axis is one angle
+struct B : rotated<B, A, s, A::z> {}; // two rotations about the same axis are one angle
 struct End : offset<End, O, l * B::x> {};
 struct Ball : particle<Ball, End, m> {};
 

@@ -1,4 +1,4 @@
-// Forces that act twice, and weights for accelerations.
+// Forces that act twice, and weights in place of accelerations.
 #include "shapes.hpp"
 
 // expect: gravity contains m, the mass of Bob; it must be the free-fall acceleration, not a weight

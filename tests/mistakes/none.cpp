@@ -1,4 +1,4 @@
-// The control: nothing is wrong here, so this must compile.
+// The control program: it contains no mistake, so it must compile.
 #include "pendulum.hpp"
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
@@ -6,7 +6,8 @@ struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<d
 
 int main() { use<System>(); }
 
-// What has no value at the states where loads and declarations are compared in numbers is not a mistake.
+// An expression without a value at the states at which loads and declarations are compared numerically is not
+// a mistake.
 namespace undefined {
 constexpr parameter<"k"> k;
 struct B : rotated<B, A, acos(q - 5), A::z>, angular_velocity<A, u / sqrt(1 - (q - 5) * (q - 5)) * A::z> {};
@@ -19,7 +20,7 @@ struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<d
 void f() { use<System>(); }
 } // namespace undefined
 
-// Nor is what takes a weight away, or acts on several bodies.
+// Nor is a load that cancels a weight or acts on several bodies.
 namespace sound {
 struct System
     : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,

@@ -2,7 +2,7 @@
 // expect: used_elsewhere<d>
 #include "pendulum.hpp"
 
-constexpr parameter<"d"> d; // a damper that the loads forget
+constexpr parameter<"d"> d; // a damper that is missing from the loads
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
                             loads<weight>, parameters<m, l, g, d>> {};

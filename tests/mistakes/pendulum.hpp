@@ -2,7 +2,7 @@
 
 #include <kanexpr/kanexpr.hpp>
 
-// A sound pendulum, of which the programs here borrow what they need, and what a person does with a system.
+// A valid pendulum, parts of which the programs here reuse, and the typical uses of a system.
 
 using namespace kanexpr;
 
@@ -29,7 +29,7 @@ template <class... Bodies>
 using pendulum_with =
     kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bodies...>>;
 
-// With a block on the ground, and what binds the two.
+// With a block on the ground, and the constraint between the two.
 struct S : offset<S, O, s * N::x> {};
 struct Block : particle<Block, S, m> {};
 
@@ -37,7 +37,7 @@ template <class... Words>
 using bound_pendulum = kane_system<inertial<N>, coordinates<q, s>, speeds<u, v>,
                                    kinematics<dot(q) == u, dot(s) == v>, bodies<Bob, Block>, Words...>;
 
-// Both by Lagrange's method.
+// Both with Lagrange's method.
 template <class... Words>
 using rates_of_pendulum = lagrange_system<inertial<N>, coordinates<q>, Words...>;
 template <class... Words>

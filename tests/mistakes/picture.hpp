@@ -4,7 +4,7 @@
 
 #include <kanexpr/animate/animated.hpp>
 
-// The pendulum and a trajectory of it, for pictures.
+// The pendulum with one of its trajectories, for pictures.
 
 struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
                             loads<weight, torque<A, T * N::z>>> {};

@@ -2,7 +2,7 @@
 
 #include "pendulum.hpp"
 
-// Systems for files that hold many mistakes, each in its namespace.
+// Systems for files with many mistakes, each of which has a separate namespace.
 
 template <class... Words>
 using told =

@@ -1,4 +1,4 @@
-// Expressions where a vector of values is asked for the value of a symbol.
+// Expressions in place of symbols when a vector of values is accessed.
 #include "shapes.hpp"
 
 struct System : loaded<weight, torque<A, T * N::z>> {};

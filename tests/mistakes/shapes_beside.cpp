@@ -1,4 +1,4 @@
-// Words of the library that stand as bases of what they do not belong to.
+// Words of the library as base classes of entities to which they do not belong.
 #include "shapes.hpp"
 
 // expect: a load is a separate base class of System; list it in the system's loads<...>

@@ -1,4 +1,4 @@
-// Points and bodies with too few, too many or other arguments.
+// Points and bodies with too few, too many or wrong arguments.
 #include "shapes.hpp"
 
 // expect: point G lacks an argument; write offset<Self, From, vector>

@@ -1,4 +1,4 @@
-// Frames with too few, too many or other arguments.
+// Frames with too few, too many or wrong arguments.
 #include "shapes.hpp"
 
 // expect: frame B lacks an argument; write rotated<Self, Parent, angle, axis>

@@ -1,4 +1,4 @@
-// Functions of what they do not take.
+// Functions of arguments that they do not take.
 #include "shapes.hpp"
 
 // expect: the torque on A takes the cross product of a scalar and a scalar

@@ -1,4 +1,4 @@
-// Inertias and orientations that are none.
+// Invalid inertias and orientations.
 #include "shapes.hpp"
 
 constexpr parameter<"a"> a;
@@ -69,7 +69,8 @@ struct System : loaded<torque<B, T * N::z>> {};
 void f() { use<System>(); }
 } // namespace n9
 
-// Sound: a product and its reverse, a rod by its own axis, and cosines that are as long as their factor.
+// Valid: a product and its reverse, a rod with zero inertia about its axis, and cosines that are normalized
+// by their factor.
 namespace n10 {
 struct Rod
     : rigid_body<Rod, P, A, m,

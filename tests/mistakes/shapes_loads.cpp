@@ -1,4 +1,4 @@
-// Loads with too few, too many or other arguments.
+// Loads with too few, too many or wrong arguments.
 #include "shapes.hpp"
 
 // expect: the force at P lacks an argument; write force<Point, vector>

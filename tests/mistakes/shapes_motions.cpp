@@ -1,4 +1,4 @@
-// Motions and derivatives that are asked for in other ways.
+// Motions and derivatives that are requested in unsupported forms.
 #include "shapes.hpp"
 #include <kanexpr/ensembles/run_output.hpp>
 #include <kanexpr/simulations/events/event.hpp>

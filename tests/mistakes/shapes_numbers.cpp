@@ -1,4 +1,4 @@
-// Numbers that are others than they seem.
+// Numbers that differ from what they appear to be.
 #include "shapes.hpp"
 
 // expect: the potential energy with k contains the factor 0, which is also the value of 1/2 in C++; write q/2
@@ -109,7 +109,7 @@ struct System : pendulum_with<Bead> {};
 void f() { use<System>(); }
 } // namespace n13
 
-// Whose other side is a parameter as well as any.
+// Cases in which the other side is a parameter.
 namespace n14 {
 struct System : told<loads<weight>, values<2 == m, 9.81 - 0.01 == g>> {};
 using eom = equations_of_motion<System>;

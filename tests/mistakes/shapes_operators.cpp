@@ -1,4 +1,4 @@
-// Operators that C++ has and models do not.
+// Operators that C++ provides but models do not support.
 #include "shapes.hpp"
 
 // expect: a kinematic differential equation with q uses =; write equations with ==

@@ -1,4 +1,4 @@
-// Words of a system that are none, or hold other things.
+// Invalid words of a system, or words with the wrong contents.
 #include "shapes.hpp"
 
 // expect: speed<...> is among the words of System, but is a symbol; the word is speeds<...>

@@ -63,7 +63,7 @@ private:
     for (int i = 0; i < steps; ++i) x = rate * x * (1 - x), sum += std::sin(x);
     done.time = x;
     done.values = {place, run % 7 == 3 ? 2.0 : 0.0, x, rate, sum};
-    done.samples.assign(run % 50 == 0 ? 3000 : 1, x); // some too long for MPI to send at once
+    done.samples.assign(run % 50 == 0 ? 3000 : 1, x); // some are too long for MPI to send in one message
     if (run % 7 != 3) return done;
     done.end = run_end::failed;
     done.failure = "every seventh run fails";

@@ -1,5 +1,5 @@
 // builds: clang++ sanitize
-// Least solutions of least squares, of matrices of any shape and rank, against the singular value
+// Minimum-norm least-squares solutions for matrices of any shape and rank, compared with the singular value
 // decomposition.
 #include <kanexpr/numeric/complete_orthogonal.hpp>
 

@@ -28,7 +28,7 @@ constexpr bool is_nan(double x) { return (bits(x) << 1) > (bits(infinity) << 1);
 // The sign of zero counts; NaN equals NaN.
 constexpr bool same(double x, double y) { return is_nan(x) ? is_nan(y) : bits(x) == bits(y); }
 
-// Position on the line of doubles, on which neighbours differ by one.
+// The position on the line of doubles, on which neighbors differ by one.
 std::int64_t position(double x) {
   const auto magnitude = static_cast<std::int64_t>(bits(x) & ~(std::uint64_t{1} << 63));
   return std::signbit(x) ? -magnitude : magnitude;
@@ -44,8 +44,8 @@ bool close(double x, double y) {
   return ulps_between(x, y) <= 1 && (is_nan(x) || std::signbit(x) == std::signbit(y));
 }
 
-// Of every magnitude, subnormal numbers and infinities included. The only NaN is the quiet one, since
-// the pow(nan, 0) of libm is 1 for that one only.
+// Values of every magnitude, including subnormal numbers and infinities. The only NaN is a quiet one, because
+// libm's pow(nan, 0) is 1 only for quiet NaNs.
 double any_double(std::mt19937_64& engine) {
   const double x = std::bit_cast<double>(engine());
   return is_nan(x) ? nan : x;
@@ -76,7 +76,8 @@ TEST(elementary, sqrt_is_the_correctly_rounded_one_of_the_hardware) {
     const double x = any_double(engine);
     ASSERT_TRUE(same(elementary::sqrt(x), std::sqrt(x))) << "x = " << x;
   }
-  // The roots closest to the midpoint of two doubles are those next to powers of two and to squares.
+  // The roots closest to the midpoint of two doubles are those of numbers next to powers of two and to
+  // squares.
   for (double n = 1; n < 20000; ++n) {
     ASSERT_EQ(elementary::sqrt(n * n), n);
     for (const double x : {std::nextafter(n * n, 0.0), std::nextafter(n * n, infinity)}) {
@@ -103,7 +104,7 @@ TEST(elementary, trigonometric_functions_next_to_multiples_of_a_right_angle) {
     EXPECT_TRUE(close(elementary::tan(x), std::tan(x))) << x;
   }
   // The double closest to such a multiple (Muller, "Elementary Functions", on the worst cases of range
-  // reduction). The reference is from mpmath; the cosine of glibc 2.36 is 8 ulp off.
+  // reduction). The reference was computed with mpmath; the cosine in glibc 2.36 has an error of 8 ulp.
   EXPECT_EQ(elementary::cos(0x1.6ac5b262ca1ffp+849), -4.687165924254627611122583e-19);
   EXPECT_EQ(elementary::sin(0x1.6ac5b262ca1ffp+849), 1);
 }
@@ -138,7 +139,8 @@ TEST(elementary, exponential_and_logarithm) {
   expect_close_to_libm_on_all_doubles(elementary::log, std::log);
 }
 
-// Against the long double of the C library, since its double is 2 ulp off at times.
+// Compared with the long double functions of the C library, because its double functions have errors of up to
+// 2 ulp.
 TEST(elementary, hyperbolic_tangent) {
   const unary precise = [](double x) { return static_cast<double>(std::tanh(static_cast<long double>(x))); };
   for (const double range : {1e-8, 0.1, 0.51, 2.0, 25.0})
@@ -303,7 +305,7 @@ constexpr std::array<double, 42> arguments = {
 constexpr std::size_t results_per_argument = 22;
 using results = std::array<std::uint64_t, results_per_argument * arguments.size()>;
 
-// Neighbours in the table make the pairs for functions of two arguments.
+// Neighbors in the table form the argument pairs for functions of two arguments.
 constexpr results evaluate(const std::array<double, arguments.size()>& inputs) {
   results result{};
   std::size_t next = 0;

@@ -1,4 +1,4 @@
-// Matrices for constant expressions: compiling is half of the test.
+// Matrices for constant expressions: half of the test takes place during compilation.
 // builds: sanitize
 #include <kanexpr/numeric/as_eigen.hpp>
 
@@ -39,7 +39,7 @@ constexpr bool tells_what_is_finite() {
 }
 static_assert(tells_what_is_finite<float>() && tells_what_is_finite<double>());
 
-// With a zero where elimination begins.
+// With a zero as the first pivot.
 constexpr auto regular = by_rows({{0.0, 2.0, 1.0}, {1.0, 1.0, 0.0}, {3.0, 0.0, 1.0}});
 constexpr eliminated<double, 3> factors(regular);
 static_assert(!factors.is_singular());
@@ -59,7 +59,7 @@ static_assert(!positive_factors<double, 2>(by_rows({{1.0, 2.0}, {2.0, 1.0}})));
 static_assert(!positive_factors<double, 2>(by_rows({{0.0, 0.0}, {0.0, 1.0}})));
 static_assert(!positive_factors<double, 1>(by_rows({{-1.0}})));
 
-// In units in which its entries differ by 24 powers of ten.
+// In units in which its entries span 24 powers of ten.
 TEST(fixed_matrix, solves_with_positive_definite_matrices_in_any_units) {
   const Eigen::Vector3d units(1e-6, 1, 1e6);
   const Eigen::Matrix3d scaled = units.asDiagonal() * as_eigen(definite) * units.asDiagonal();

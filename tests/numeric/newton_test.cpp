@@ -47,7 +47,7 @@ TEST(newton, solves_to_rounding) {
   EXPECT_LE((x - meeting).norm(), 1e-15);
 }
 
-// Each error is of the order of the square of the one before.
+// Each error is of the order of the square of the previous one.
 TEST(newton, converges_quadratically) {
   std::vector<double> errors;
   for (int steps = 0; steps < 5; ++steps) {
@@ -66,7 +66,7 @@ TEST(newton, shortens_steps_that_lead_away) {
   const auto slope = [](double v) { return 1 / (1 + v * v); };
   double plain = 3;
   for (int i = 0; i < 4; ++i) plain -= std::atan(plain) / slope(plain);
-  EXPECT_GT(std::abs(plain), 1e3); // full steps run off
+  EXPECT_GT(std::abs(plain), 1e3); // full steps diverge
   double x = 3;
   const newton_report report = solve(x, [](double v) { return std::atan(v); }, slope);
   EXPECT_TRUE(report.converged);

@@ -32,7 +32,7 @@ auto bits(T x) {
   return std::bit_cast<std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>>(x);
 }
 
-/// Of every size up to 2e5, and beside multiples of pi/4, where most digits cancel.
+/// Angles of every size up to 2e5, and angles near multiples of pi/4, where most digits cancel.
 template <class T>
 T any_angle(std::mt19937& engine) {
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -53,8 +53,8 @@ class sine_and_cosine_of : public testing::Test {};
 using numbers = testing::Types<float, double>;
 TYPED_TEST_SUITE(sine_and_cosine_of, numbers);
 
-// The reference is within 0.51 ulp, and has a reduction and series of its own; `./dev soak` takes one of 113
-// bits.
+// The reference is accurate to 0.51 ulp and uses a separate reduction and separate series; `./dev soak` uses
+// one with 113 bits.
 TYPED_TEST(sine_and_cosine_of, are_as_exact_as_they_say) {
   std::mt19937 engine(7);
   const auto ulps = [](TypeParam found, double exact) {
@@ -148,7 +148,7 @@ TYPED_TEST(sine_and_cosine_of, lanes_of_vectors_have_the_bits_of_each_alone) {
   expect_lanes_alone<TypeParam, 8>();
 }
 
-// Products with several uses are fused here and not there, so a constant may differ in its last bit.
+// Products with several uses may or may not be fused, so a constant may differ in its last bit.
 TYPED_TEST(sine_and_cosine_of, constant_expressions_have_them) {
   static constexpr std::array angles{TypeParam(0),   TypeParam(0.5),   TypeParam(-2), TypeParam(3.1415927),
                                      TypeParam(100), TypeParam(-1e5F), TypeParam(1e7)};

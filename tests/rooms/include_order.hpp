@@ -1,4 +1,4 @@
-// Reads which header includes which, and finds what the order of the rooms does not allow.
+// Reads the includes of all headers and finds those that violate the order of the rooms.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace rooms {
 
-/// The text of every header, by its path as it is included: "kanexpr/base/status.hpp".
+/// The text of every header, keyed by its include path: "kanexpr/base/status.hpp".
 using headers = std::map<std::string, std::string>;
 
 inline std::string text_of(const std::filesystem::path& file) {
@@ -28,7 +28,7 @@ inline headers headers_in(const std::filesystem::path& include) {
   headers found;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(include)) {
     const std::filesystem::path extension = entry.path().extension();
-    if (extension == ".hpp" || extension == ".ipp" || extension == ".in") // .in: a template of text
+    if (extension == ".hpp" || extension == ".ipp" || extension == ".in") // .in: a text template
       found.emplace(entry.path().lexically_relative(include).generic_string(), text_of(entry.path()));
   }
   return found;
@@ -41,8 +41,8 @@ inline std::vector<std::string> matches(const std::string& text, const std::stri
   return found;
 }
 
-/// What a text includes of kanexpr and in quotation marks. Not at its end what defines what it declares,
-/// where no library does.
+/// The includes of kanexpr in quotation marks in a text, except an include at the end for definitions that no
+/// library provides.
 inline std::vector<std::string> includes_of(std::string text) {
   std::vector<std::string> found;
   constexpr std::string_view unless_compiled = "\n#ifndef KANEXPR_COMPILED_", behind = "\n#endif";
@@ -53,10 +53,10 @@ inline std::vector<std::string> includes_of(std::string text) {
   return found;
 }
 
-/// The rooms of kanexpr, from the lowest, with the folders and files that stand below the rest of a room.
+/// The rooms of kanexpr, from the lowest, with the folders and files that are below the rest of a room.
 class order {
 public:
-  /// From the rows of a table: | `room/` | `folder`, `file.hpp`, … | page |
+  /// Read from the rows of a table: | `room/` | `folder`, `file.hpp`, … | page |
   explicit order(const std::string& markdown) {
     const std::regex row("\\| `([a-z/]+)/` \\|([^\\n]*)\\|");
     for (std::sregex_iterator i(markdown.begin(), markdown.end(), row), end; i != end; ++i) {
@@ -71,11 +71,11 @@ public:
 
   bool empty() const { return places_.empty(); }
 
-  /// How high a header stands; nothing if no row has its folder. What is in no room is above all of them.
+  /// The level of a header; nothing if no row has its folder. Headers outside of all rooms are above them.
   std::optional<std::size_t> height(const std::string& header) const {
     const std::string folder = header.substr(0, header.rfind('/'));
     if (folder == "kanexpr") return places_.size();
-    const bool defines = header.ends_with(".ipp"); // what the headers of its folder declare
+    const bool defines = header.ends_with(".ipp"); // declared by the headers of its folder
     for (const std::string& place : {header, defines ? folder + compiled : folder})
       if (const auto found = std::ranges::find(places_, place); found != places_.end())
         return static_cast<std::size_t>(found - places_.begin());
@@ -93,7 +93,7 @@ private:
   std::vector<std::string> places_, rooms_;
 };
 
-/// Headers of folders of which the order knows nothing.
+/// Headers in folders that the order does not contain.
 inline std::vector<std::string> homeless(const headers& all, const order& rooms) {
   std::vector<std::string> found;
   for (const auto& [header, text] : all)
@@ -119,7 +119,7 @@ inline std::vector<std::string> upward(const headers& all, const order& rooms) {
   return found;
 }
 
-/// Of each circle the two files at which it closes.
+/// For each cycle, the two files at which it closes.
 inline std::vector<std::string> circles(const headers& all) {
   std::vector<std::string> found;
   std::set<std::string> done, open;

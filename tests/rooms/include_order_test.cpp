@@ -46,7 +46,7 @@ bool is_header(const std::string& named) {
          std::filesystem::exists(project / named);
 }
 
-/// Whether the table of rooms names a file within a folder of a room.
+/// Whether the table of rooms names a file in a folder of a room.
 bool is_in_a_room(const std::string& named) {
   return std::ranges::any_of(order_of_rooms().rooms(),
                              [&](const std::string& room) { return is_header(room + "/" + named); });

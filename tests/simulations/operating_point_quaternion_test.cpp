@@ -22,7 +22,7 @@ TEST(operating_point, has_a_quaternion_of_norm_one) {
   EXPECT_NEAR(still.x.q().norm(), 1, 1e-15);
   EXPECT_LT(still.x.u().norm(), 1e-14);
   EXPECT_EQ(still.freedom, 1); // about the vertical
-  // The mass centre, (0.1, 0.2, −0.3) in the body, hangs straight down.
+  // The mass center, (0.1, 0.2, −0.3) in the body, is straight below the pivot.
   const Eigen::Vector3d at = function<System, position_of<G, O>>{}(still.x, still.p, still.r);
   EXPECT_NEAR(at.z(), -std::sqrt(0.14), 1e-14);
   EXPECT_EQ(still.residuals()[0].name, "the norm of quaternion 1");

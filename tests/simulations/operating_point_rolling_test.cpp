@@ -77,7 +77,7 @@ TEST(operating_point, is_a_disc_that_rolls_in_a_circle) {
       // the center moves on a circle at the yaw rate: its acceleration is perpendicular to its velocity
       EXPECT_NEAR(rates(8), -yaw_rate * circle.x[u5], 1e-10);
       EXPECT_NEAR(rates(9), yaw_rate * circle.x[u4], 1e-10);
-      EXPECT_EQ(circle.freedom, 3); // spin angle and place of the centre
+      EXPECT_EQ(circle.freedom, 3); // spin angle and position of the center
     }
 }
 

@@ -51,7 +51,7 @@ void keeps_its_norm(double energy_lost) {
   EXPECT_LT(most_off_one(run), 1e-12);
   EXPECT_LT(std::abs(run.state.template head<4>().norm() - 1), 1e-12);
   const std::vector<double> energy = run.trajectory.energies().total;
-  for (const double e : energy) EXPECT_NEAR(e, energy[0], energy_lost * 8); // beside that of the motion
+  for (const double e : energy) EXPECT_NEAR(e, energy[0], energy_lost * 8); // plus that of the motion
 }
 
 } // namespace body
@@ -95,7 +95,7 @@ TEST(quaternions, that_a_handler_changes_are_normalized) {
   EXPECT_LT(most_off_one(run), 1e-12);
 }
 
-// The kinematic equations of the second body have to be solved.
+// The kinematic equations of the second body must be solved.
 TEST(quaternions, of_two_bodies) {
   using namespace quaternions;
   state<Two> x;

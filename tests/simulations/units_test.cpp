@@ -40,7 +40,7 @@ TEST(units, do_not_matter_to_a_simulation_at_the_defaults) {
   }
 }
 
-// The multipliers are forces, so they have a unit too.
+// The multipliers are forces, so they also have a unit.
 TEST(units, do_not_matter_to_a_differential_algebraic_system) {
   const auto plain = swing<integrator::differential_algebraic>(1, 1, 1);
   ASSERT_TRUE(plain) << plain.cause();
@@ -195,7 +195,7 @@ TEST(units, do_not_matter_to_an_operating_point) {
       EXPECT_EQ(found.iterations, plain.iterations) << length << ' ' << other;
       EXPECT_EQ(found.x[q2] / length, plain.x[q2]);
     }
-  for (const double length : scales) { // at its place from the start, with gravity as it is
+  for (const double length : scales) { // at its position from the start, with unchanged gravity
     const operating_point<System> hangs({{q1, length}, {q2, 0}, {u1, 0}, {u2, 0}},
                                         {{m, 1}, {L, length}, {g, 9.81}});
     EXPECT_TRUE(hangs) << hangs.cause();

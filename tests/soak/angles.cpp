@@ -1,5 +1,5 @@
-// The error of sine and cosine over as many angles as are asked for, against libquadmath's of 113 bits, and
-// of all numbers of type `float` up to the farthest angle.
+// The error of sine and cosine for a given number of angles, compared with libquadmath's functions with 113
+// bits, and for all numbers of type `float` up to the farthest angle.
 #include <kanexpr/numeric/sine_and_cosine.hpp>
 
 #include <CLI/CLI.hpp>
@@ -14,7 +14,7 @@
 
 namespace {
 
-/// The largest error and where it is.
+/// The largest error and the angle at which it occurs.
 struct worst {
   double ulps = 0, angle = 0;
 
@@ -55,7 +55,7 @@ struct errors {
   bool are_small() const { return sine.ulps <= 1.5 && cosine.ulps <= 1.5; }
 };
 
-/// Those next to multiples of pi/4: there the offset is smallest, or largest.
+/// Angles next to multiples of pi/4, where the offset is smallest or largest.
 void look_beside_multiples(errors& all) {
   for (int k = 1; k * 0.7853981633974483 < kanexpr::numeric::farthest_angle; ++k) {
     const double angle = k * 0.7853981633974483, above = std::nextafter(angle, 1e9),

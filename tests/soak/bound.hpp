@@ -1,5 +1,5 @@
-// A random mechanism under random constraints in random units, against the equations with multipliers in
-// plain ones.
+// A random mechanism with random constraints in random units, compared with the equations with multipliers in
+// the original units.
 #pragma once
 
 #include "hostile.hpp"
@@ -65,14 +65,14 @@ private:
 
     const elimination::solved square =
         elimination::solve(columns_of(j, d), MatrixXd::Identity(d.size(), d.size()));
-    if (square.least_pivot == 0) return; // the choice is one for any values of the symbols
+    if (square.least_pivot == 0) return; // the same choice for any values of the symbols
     const MatrixXd& inverse_of_square = square.x;
     const MatrixXd a = -product(inverse_of_square, columns_of(j, i));
     const VectorXd rest = -product(inverse_of_square, expected_.linear.bias);
     const double conditioning = 1 + inverse_of_square.norm() * j.norm();
     if (!(conditioning < most_conditioning)) return;
     found.expect(static_cast<bool>(told), "refused a regular state: " + told.cause());
-    if (!told) return; // numbers mean nothing
+    if (!told) return; // the numbers are meaningless
     found.compare("dependency", in_old_units(built.found(quantity::dependency), dependent, forces), a,
                   conditioning);
     found.compare("acceleration bias",

@@ -1,4 +1,4 @@
-// What was compared, and the worst error of each kind.
+// The number of comparisons, and the worst error of each kind.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,7 +22,7 @@ public:
 
   void begin(unsigned seed) { seed_ = seed, reason_.clear(); }
 
-  // Numbers against what they should be, relative to `scale` and to the largest of these.
+  // Compares numbers with their expected values, relative to `scale` and to the largest of these.
   void compare(const std::string& what, const Eigen::MatrixXd& found, const Eigen::MatrixXd& wanted,
                double scale) {
     if (found.rows() != wanted.rows() || found.cols() != wanted.cols())
@@ -31,7 +31,7 @@ public:
     for (Eigen::Index i = 0; i < wanted.size(); ++i) size = std::max(size, std::abs(wanted.data()[i]));
     for (Eigen::Index i = 0; i < wanted.size(); ++i) {
       const double off = std::abs(found.data()[i] - wanted.data()[i]) / size;
-      if (!(off <= error)) error = off; // or is not a number
+      if (!(off <= error)) error = off; // or is NaN
     }
     if (error != error) error = std::numeric_limits<double>::infinity();
     worst& so_far = by_what_[what];
@@ -43,7 +43,7 @@ public:
     if (!holds) fail(otherwise);
   }
 
-  // Why the mechanism of this seed failed; empty: it did not.
+  // The reason why the mechanism with this seed failed; empty if it did not.
   const std::string& reason() const { return reason_; }
   const std::map<std::string, worst>& by_what() const { return by_what_; }
 

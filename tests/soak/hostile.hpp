@@ -1,4 +1,4 @@
-// States that nobody would choose: what is evaluated there is finite, or its status says why not.
+// Extreme states: every result is finite there, or its status reports why not.
 #pragma once
 
 #include "errors.hpp"
@@ -12,7 +12,7 @@
 
 namespace soak {
 
-// A result of a mechanism, as often as is asked.
+// A result of a mechanism, evaluated repeatedly.
 class result_of {
 public:
   result_of(recipe::builder& b, kanexpr::mechanics::equations& derived,
@@ -57,7 +57,7 @@ public:
       results.emplace_back(b, derived, quantity::potential_energy);
     if (derived.constraints_used().size() > 0) results.emplace_back(b, derived, quantity::multipliers);
 
-    constexpr double largest = 1e20; // of which the fourth power is far from overflow
+    constexpr double largest = 1e20; // whose fourth power is far from overflow
     for (const bool of_state : {true, false}) {
       const auto visit_with = [&](const std::string& what, auto value) {
         look_at(results, found, what, of_state ? state_by(value) : parameters_by(value));
@@ -68,7 +68,7 @@ public:
       visit_with("huge values", [&](double) { return d_.pick({-1.0, 1.0, 0.1}) * largest; });
       visit_with("a mixture", [&](double x) { return d_.pick({0.0, x, 1e-30, largest, -x, 1.0}); });
     }
-    // of what is not a number nothing is asked but to come back
+    // with NaN, the only requirement is that the evaluation returns
     for (const double none :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
       recipe::mechanism at = m_;
@@ -99,7 +99,7 @@ private:
     recipe::mechanism at = m_;
     for (std::size_t i = 0; i < at.q.size(); ++i) {
       const double unit = in_.coordinates()[i], x = value(at.q[i] / unit);
-      at.q[i] = unit * (is_of_quaternion(i) ? std::clamp(x, -10.0, 10.0) : x); // of many the powers multiply
+      at.q[i] = unit * (is_of_quaternion(i) ? std::clamp(x, -10.0, 10.0) : x); // many powers are multiplied
     }
     for (std::size_t i = 0; i < at.u.size(); ++i)
       at.u[i] = in_.speeds()[i] * value(at.u[i] / in_.speeds()[i]);

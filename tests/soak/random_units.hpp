@@ -1,4 +1,4 @@
-// Units by dice.
+// Random units.
 #pragma once
 
 #include "mechanics/random/dice.hpp"
@@ -6,9 +6,9 @@
 
 namespace soak {
 
-// What a mechanism is put through.
+// The conversion that is applied to a mechanism.
 struct wanted {
-  double decades = 9; // of units, to either side
+  double decades = 9; // the range of units, in both directions
   bool hostile_states = true;
 };
 
@@ -22,7 +22,7 @@ inline recipe::constants any_constants(dice& d) {
   return d.chance(0.5) ? recipe::constants::numbers : recipe::constants::symbols;
 }
 
-// Results in the old units: every row and column divided by the unit that it has.
+// Results in the original units: each row and column is divided by its unit.
 inline Eigen::MatrixXd in_old_units(Eigen::MatrixXd found, const std::vector<double>& rows,
                                     const std::vector<double>& columns = {}, double whole = 1) {
   for (Eigen::Index i = 0; i < found.rows(); ++i)

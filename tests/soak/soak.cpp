@@ -1,4 +1,4 @@
-// Random mechanisms in random units, as many as are asked for, against an independent evaluation.
+// A given number of random mechanisms in random units, compared with an independent evaluation.
 #include "bound.hpp"
 #include "tree.hpp"
 
@@ -23,7 +23,7 @@ struct tally {
   long compared = 0, left_out = 0, hostile = 0, refused = 0, failed = 0;
 };
 
-// Mechanisms of one kind from a seed on, until so many were compared.
+// Mechanisms of one kind, from a seed on, until the given number has been compared.
 template <class Mechanism>
 tally go_through(const asked& a, long wanted, const char* kind) {
   tally t;

@@ -1,5 +1,5 @@
-// A random mechanism without constraints in random units, against Newton's and Euler's equations in plain
-// ones.
+// A random mechanism without constraints in random units, compared with the Newton-Euler equations in the
+// original units.
 #pragma once
 
 #include "hostile.hpp"
@@ -15,7 +15,7 @@ public:
   explicit tree(unsigned seed)
       : d_(seed + 77), base_(mechanism_of(seed)), expected_(newton_euler::evaluate(base_)) {}
 
-  // Where a declared velocity takes all mass from a speed, no mechanism is.
+  // If a declared velocity removes all mass from a speed, there is no mechanism.
   static bool is_solvable(const Eigen::MatrixXd& mass_matrix) {
     Eigen::MatrixXd left = mass_matrix;
     double least = 1e300, most = 0;

@@ -41,7 +41,7 @@ TEST_F(cost_of_code, leaves_signs_free) {
 TEST_F(cost_of_code, takes_sine_and_cosine_of_an_angle_as_one) {
   EXPECT_EQ(of_all({sin(q1), cos(q1)}), (cost{0, 0, 0, 1, 0, 2}));
   EXPECT_EQ(of_all({sin(q1), cos(q2)}), (cost{0, 0, 0, 2, 0, 2}));
-  EXPECT_EQ(of_all({cos(q1)}).trigonometric, 1); // a sine that no output needs changes nothing
+  EXPECT_EQ(of_all({cos(q1)}).trigonometric, 1); // a sine that no output needs has no effect
 }
 
 TEST_F(cost_of_code, counts_what_is_shared_once_and_what_is_dead_never) {

@@ -18,7 +18,7 @@ public:
   struct formula {
     expression e;
     std::array<real, points> value{};
-    std::array<real, points> error{}; ///< bound on the error of rounding in double
+    std::array<real, points> error{}; ///< bound on the rounding error in double
     int operations = 0;               ///< as written, without signs
   };
 
@@ -35,7 +35,7 @@ public:
   formula make(int depth) {
     if (depth == 0 || pick(8) == 0) return leaf();
     if (!recent_.empty() && pick(4) == 0)
-      return recent_[engine_() % recent_.size()]; // rules look for equal parts
+      return recent_[engine_() % recent_.size()]; // rules search for equal parts
     for (;;) {
       const formula left = make(depth - 1);
       constexpr operation binary[] = {operation::add,      operation::subtract, operation::multiply,

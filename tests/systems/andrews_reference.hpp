@@ -1,4 +1,4 @@
-// Andrews' squeezing mechanism as it is published: M q'' = f - G^T lambda, g(q) = 0. Hairer & Wanner, Solving
+// Andrews' squeezing mechanism as published: M q'' = f - G^T lambda, g(q) = 0. Hairer & Wanner, Solving
 // Ordinary Differential Equations II, section VII.7; Lioen & de Swart, Test Set for Initial Value Problem
 // Solvers.
 #pragma once
@@ -106,7 +106,7 @@ inline Eigen::Matrix<double, 6, 7> jacobian(const vector7& q) {
   return G;
 }
 
-// What the second derivatives of the loops are without accelerations.
+// The second derivatives of the loop constraints at zero accelerations.
 inline vector6 curvature(const vector7& q, const vector7& v) {
   std::array<hand_written::jet, 7> along;
   for (int i = 0; i < 7; ++i) along[static_cast<std::size_t>(i)] = {q(i), v(i), 0};
@@ -124,7 +124,7 @@ struct solution {
 inline solution solve(const vector7& q, const vector7& v) {
   using matrix = Eigen::Matrix<double, 13, 13>;
   using vector = Eigen::Matrix<double, 13, 1>;
-  // Multipliers in N and accelerations in rad/s^2 are so much larger than inertias in kg m^2.
+  // Multipliers in N and accelerations in rad/s^2 are larger than inertias in kg m^2 by this factor.
   const double scale = 1e-4;
   matrix all = matrix::Zero();
   all.topLeftCorner<7, 7>() = mass_matrix(q) / scale;
@@ -138,7 +138,7 @@ inline solution solve(const vector7& q, const vector7& v) {
   return {found.head<7>() / scale, found.tail<6>()};
 }
 
-// Moves q onto the configurations that are possible.
+// Moves q to a configuration that satisfies the constraints.
 inline bool close(vector7& q) {
   for (int step = 0; step < 30; ++step) {
     const Eigen::Matrix<double, 6, 7> G = jacobian(q);
@@ -149,7 +149,7 @@ inline bool close(vector7& q) {
   return gap(q).norm() < 1e-16;
 }
 
-// The part of these rates that the loops allow.
+// The part of these rates that the loops permit.
 inline vector7 allowed(const vector7& q, vector7 rates) {
   const Eigen::Matrix<double, 6, 7> G = jacobian(q);
   for (int step = 0; step < 3; ++step)

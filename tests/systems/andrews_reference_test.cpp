@@ -1,5 +1,5 @@
 // builds: clang++ sanitize
-// The published formulas against the published numbers.
+// The published formulas, compared with the published numbers.
 #include "oracles.hpp"
 #include "systems/andrews_reference.hpp"
 

@@ -18,7 +18,7 @@ TEST(andrews, starts_as_published) {
   EXPECT_LE(check::without_heap(eom::configuration_residual, x).norm(), 1e-16);
 }
 
-// A publication counts the forces on the other side of the equations.
+// The publication writes the forces on the other side of the equations.
 TEST(andrews, is_held_together_as_published) {
   const auto x = check::stacked<system>(andrews_reference::start, vector7::Zero());
   const auto forces = check::without_heap(eom::multipliers, x);

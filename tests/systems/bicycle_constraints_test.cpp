@@ -11,7 +11,7 @@ using eom = kanexpr::equations_of_motion<BoundSystem>;
 
 TEST(bicycle, satisfies_its_constraints) { check::residuals_vanish<BoundSystem>("bicycle_whipple"); }
 
-// From an upright position, and no speeds but the independent ones.
+// From an upright position, with nonzero values only for the independent speeds.
 TEST(bicycle, is_assembled) {
   const oracle::system reference = oracle::load("bicycle_whipple");
   for (const oracle::state& s : reference.states) {

@@ -1,6 +1,6 @@
-// The benchmark of Meijaard, Papadopoulos, Ruina & Schwab (2007), out of the nonlinear equations of the
-// bicycle: the matrices of M q'' + v C1 q' + (g K0 + v² K2) q = f with q = (lean, steer), eigenvalues, and
-// the speeds between which it stays up by itself.
+// The benchmark of Meijaard, Papadopoulos, Ruina & Schwab (2007), computed from the nonlinear equations of
+// the bicycle: the matrices of M q'' + v C1 q' + (g K0 + v² K2) q = f with q = (lean, steer), eigenvalues,
+// and the range of speeds in which it is self-stable.
 #include "oracles.hpp"
 
 #include <kanexpr/symbolic.hpp>
@@ -49,7 +49,7 @@ private:
   std::map<std::string, double> values_ = oracle::load("bicycle_whipple").parameters;
 };
 
-// Of lean, steer and their rates.
+// For lean, steer and their rates.
 class lean_and_steer {
 public:
   Matrix4d operator()(double v, double gravity = 9.81) {
@@ -72,7 +72,7 @@ TEST_F(bicycle_stability, linearized_equations) {
   for (const auto& [v, expected] : benchmark.A) EXPECT_TRUE(oracle::close(A(v), expected, 1e-12)) << v;
 }
 
-// Of the benchmark's own matrices, at any speed and gravity, backwards too.
+// From the benchmark's matrices, at any speed, also backwards, and any gravity.
 TEST_F(bicycle_stability, depends_on_speed_and_gravity_as_in_the_benchmark) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> speed(-15, 15), gravity(-20, 20);
@@ -86,9 +86,9 @@ TEST_F(bicycle_stability, depends_on_speed_and_gravity_as_in_the_benchmark) {
   }
 }
 
-// A torque on the frame about the axis of lean, and one between frame and fork, stand alone in the equation
-// of u2 and of u5: the mass matrix is that of lean and steer as it is, and the wheels' spin has no part in
-// it.
+// A torque on the frame about the lean axis appears only in the equation of u2, and one between frame and
+// fork only in that of u5. Therefore, the mass matrix is that of lean and steer, and the spin of the wheels
+// does not contribute.
 TEST_F(bicycle_stability, matrices_of_the_benchmark) {
   const Eigen::Matrix3d mass = straight_ahead(quantity::mass_matrix)(5, 9.81);
   const std::array spinless{0, 2}; // of u2, u3, u5
@@ -105,7 +105,7 @@ TEST_F(bicycle_stability, matrices_of_the_benchmark) {
   EXPECT_LE(A(0, 0).bottomRows<2>().norm(), 1e-12);
 }
 
-// a in det(s - A) = s⁴ + a₁ s³ + a₂ s² + a₃ s + a₄, by Faddeev and LeVerrier.
+// a in det(s - A) = s⁴ + a₁ s³ + a₂ s² + a₃ s + a₄, by the Faddeev-LeVerrier algorithm.
 Vector4d characteristic_polynomial(const Matrix4d& A) {
   Vector4d a;
   Matrix4d power = A;
@@ -116,19 +116,20 @@ Vector4d characteristic_polynomial(const Matrix4d& A) {
   return a;
 }
 
-// The same by the zeros.
+// The same from the roots.
 Vector4d polynomial_with(const std::vector<std::complex<double>>& zeros) {
   Eigen::Vector<std::complex<double>, 5> a{{1, 0, 0, 0, 0}};
   for (const std::complex<double> zero : zeros) a.tail<4>() -= (zero * a.head<4>()).eval();
   return a.tail<4>().real();
 }
 
-// As coefficients, which say the same and are not sensitive where two eigenvalues are near each other.
+// Compares coefficients, which contain the same information and are not sensitive if two eigenvalues are
+// close.
 TEST_F(bicycle_stability, eigenvalues) {
   ASSERT_EQ(benchmark.eigenvalues.size(), 11u);
   for (const auto& [v, expected] : benchmark.eigenvalues) {
     const Vector4d a = characteristic_polynomial(A(v)), reference = polynomial_with(expected);
-    EXPECT_TRUE(oracle::close(a, reference, 1e-12)) << v; // beside the largest: the last cancels near capsize
+    EXPECT_TRUE(oracle::close(a, reference, 1e-12)) << v; // relative to the largest: the last may cancel
   }
 }
 
@@ -138,7 +139,7 @@ double zero_of(const std::function<double(double)>& f) {
   return boost::math::tools::toms748_solve(f, 1.0, 10.0, closest, most_steps).first;
 }
 
-// Routh and Hurwitz: a pair of eigenvalues is imaginary, or one is zero.
+// Routh-Hurwitz criterion: a pair of eigenvalues is imaginary, or one is zero.
 TEST_F(bicycle_stability, critical_speeds) {
   const double weave = zero_of([&](double v) {
     const Vector4d a = characteristic_polynomial(A(v));

@@ -9,7 +9,7 @@ using system = bicycle::BoundSystem;
 
 TEST(bicycle, agrees_with_the_oracle) { check::constrained_against_oracle<system>("bicycle_whipple"); }
 
-// Leaning and steered by up to a radian, with both wheels on the ground.
+// Leaning and steered by up to one radian, with both wheels on the ground.
 TEST(bicycle, agrees_with_newton_and_euler_far_from_upright) {
   const auto hand = hand_written::bicycle(oracle::load("bicycle_whipple").parameters);
   std::mt19937 random(1);

@@ -1,4 +1,4 @@
-// Systems with symbols: everything against the reference results, and power against energy.
+// Compares all results of systems with symbols with reference results, and power with energy.
 #pragma once
 
 #include "systems/checked_system.hpp"
@@ -55,7 +55,7 @@ void against_oracle(const std::string& name) {
   }
 }
 
-// All forces change the kinetic energy, all but gravity the whole.
+// The power of all forces is the rate of kinetic energy; without gravity, it is that of the total energy.
 template <class System>
 void energy_rate_is_power(const std::string& name) {
   using eom = kanexpr::equations_of_motion<System>;

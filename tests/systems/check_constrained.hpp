@@ -1,5 +1,5 @@
-// Systems with constraints or prescribed motion: what has no convention, by the names of symbols, against
-// reference results and against systems that are written by hand.
+// Systems with constraints or prescribed motion: compares results that depend on no convention, by the names
+// of symbols, with reference results and with systems written by hand.
 #pragma once
 
 #include "systems/checked_system.hpp"
@@ -17,7 +17,7 @@ inline bool holds(const std::vector<std::string>& all, const std::string& name) 
   return std::find(all.begin(), all.end(), name) != all.end();
 }
 
-// Parameters that a system has bound are in no vector.
+// Bound parameters are not in any vector.
 template <class System>
 kanexpr::parameter_values<System> parameters_by_name(const numbers& values) {
   kanexpr::parameter_values<System> p;
@@ -38,7 +38,7 @@ kanexpr::state<System> state_by_name(const std::vector<std::string>& q_names, co
                          pick(names<System>(symbol_kind::speed), u_names, u));
 }
 
-// Of a result that could have met something singular on the way.
+// The value of a result that may have encountered a singularity.
 template <class Result>
 bool solved(const Result& result) {
   if constexpr (requires { result.status; })
@@ -47,8 +47,8 @@ bool solved(const Result& result) {
     return true;
 }
 
-// Accelerations and rates at one state against reference values of the same name; the reference may have
-// more of them.
+// Compares accelerations and rates at one state with reference values of the same names; the reference may
+// have more of them.
 template <class System, class Parameters, class Inputs>
 void check_rates(const kanexpr::state<System>& x, const Parameters& p, const Inputs& r,
                  const std::vector<std::string>& q_names, const VectorXd& qdot,
@@ -106,7 +106,7 @@ void constrained_against_oracle(const std::string& name) {
   }
 }
 
-// The reference's states satisfy the constraints but for rounding.
+// The reference's states satisfy the constraints up to rounding.
 template <class System>
 void residuals_vanish(const std::string& name) {
   using eom = kanexpr::equations_of_motion<System>;
@@ -126,7 +126,8 @@ void residuals_vanish(const std::string& name) {
   }
 }
 
-// A state that a system written by hand allows, with coordinates up to `reach` and rates up to `pace`.
+// A state that is admissible for a system written by hand, with coordinates up to `reach` and rates up to
+// `pace`.
 struct feasible {
   VectorXd q, qdot;
 };
@@ -142,7 +143,7 @@ inline feasible any_feasible(const hand_written::system& hand, const VectorXd& r
   }
 }
 
-// Accelerations of the system against those of the hand-written one.
+// Compares the accelerations of the system with those of the handwritten one.
 template <class System>
 void against_hand_written(const hand_written::system& hand, const feasible& at,
                           const kanexpr::parameter_values<System>& p, const kanexpr::input_values<System>& r,
@@ -155,7 +156,7 @@ void against_hand_written(const hand_written::system& hand, const feasible& at,
               1e-13 * (1 + expected.kinetic_energy));
 }
 
-// The forces of the constraints, where both write the same ones in the same order.
+// The constraint forces, if both systems have the same constraints in the same order.
 template <class System>
 void same_multipliers(const hand_written::system& hand, const feasible& at,
                       const kanexpr::parameter_values<System>& p, const kanexpr::input_values<System>& r,
@@ -168,7 +169,7 @@ void same_multipliers(const hand_written::system& hand, const feasible& at,
   EXPECT_TRUE(oracle::close(forces, expected.multipliers, tolerance));
 }
 
-// The rate of the kinetic energy against the power of all forces.
+// Compares the rate of the kinetic energy with the power of all forces.
 template <class System>
 void energy_rate_is_power_of(const hand_written::system& hand, const feasible& at,
                              const kanexpr::parameter_values<System>& p,

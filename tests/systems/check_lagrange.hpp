@@ -1,4 +1,4 @@
-// Lagrange's equations of a system against Kane's, and against reference results.
+// Lagrange's equations of a system, compared with Kane's and with reference results.
 #pragma once
 
 #include "systems/check_constrained.hpp"
@@ -10,7 +10,7 @@ namespace check {
 template <class System>
 constexpr bool is_constrained = kanexpr::compiled::survey_of<System>.constraints > 0;
 
-// Coordinates up to `reach`, speeds up to 2, and the constraints satisfied.
+// Coordinates up to `reach`, speeds up to 2, in states that satisfy the constraints.
 template <class System>
 kanexpr::state<System> any_state(const kanexpr::parameter_values<System>& p,
                                  const kanexpr::input_values<System>& r, double reach, std::mt19937& random) {
@@ -38,7 +38,7 @@ VectorXd second_derivatives(const kanexpr::state<System>& x, const kanexpr::stat
   return VectorXd::NullaryExpr(qdot.size(), [&](Eigen::Index i) { return qdot(i).derivatives()(0); });
 }
 
-// The same motion; coordinates that only Lagrange's system has are of no account, and constraints give their
+// The same motion; coordinates that only Lagrange's system has do not matter, and constraints determine their
 // rates.
 template <class Lagrange, class Kane>
 kanexpr::state<Lagrange> same_motion(const kanexpr::state<Kane>& x, const kanexpr::parameter_values<Kane>& p,
@@ -76,14 +76,14 @@ constexpr auto motion_of = [] {
     return free;
 }();
 
-// What rests on the choice of speeds.
+// Results that depend on the choice of speeds.
 template <class System>
 constexpr auto equations_of = [] {
   using eom = kanexpr::equations_of_motion<System>;
   return eom::together(eom::mass_matrix, eom::forcing, eom::active_forces, eom::inertia_forces);
 }();
 
-// q̈, energies and multipliers at random states, and the equations where Kane's speeds are the rates.
+// q̈, energies and multipliers at random states, and the equations if Kane's speeds are the coordinate rates.
 template <class Kane, class Lagrange, bool same_speeds>
 void lagrange_against_kane(const numbers& values, double reach, double tolerance = 1e-12) {
   const auto p = parameters_by_name<Kane>(values);
@@ -123,7 +123,7 @@ void lagrange_against_kane(const numbers& values, double reach, double tolerance
   }
 }
 
-// Where the oracle's speeds are the rates of its coordinates, in the same order.
+// For an oracle whose speeds are the rates of its coordinates, in the same order.
 template <class Lagrange>
 void lagrange_against_oracle(const std::string& name) {
   using eom = kanexpr::equations_of_motion<Lagrange>;
@@ -143,7 +143,7 @@ void lagrange_against_oracle(const std::string& name) {
   }
 }
 
-// Without forces that do work beside gravity.
+// For systems in which only gravity does work.
 template <class Lagrange>
 void keeps_its_energy(const numbers& values, double reach) {
   using eom = kanexpr::equations_of_motion<Lagrange>;

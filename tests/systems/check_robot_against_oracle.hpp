@@ -1,4 +1,5 @@
-// Robots with numbers and a motor in each joint: against another library's results, and power against energy.
+// Robots with numeric values and a motor in each joint: comparison with the results of another library, and
+// of power with energy.
 #pragma once
 
 #include "systems/checked_system.hpp"
@@ -6,7 +7,7 @@
 
 namespace check {
 
-// One function for all that is asked of a robot: what compiles long is compiled once.
+// One function for all results of a robot, because it takes long to compile.
 template <class System>
 constexpr auto robot_function() {
   using eom = kanexpr::equations_of_motion<System>;
@@ -40,7 +41,7 @@ void robot_against_oracle(const std::string& name, seen_by_reference seen_by = o
   }
 }
 
-// The motors alone bring energy in.
+// Only the motors supply energy.
 template <class System>
 void motors_bring_the_energy(const std::string& name) {
   using inputs = kanexpr::input_values<System>;

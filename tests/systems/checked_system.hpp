@@ -1,4 +1,4 @@
-// What the checks of whole systems share.
+// The common parts of the checks of whole systems.
 #pragma once
 
 #include "no_heap.hpp"
@@ -15,7 +15,7 @@ namespace check {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// A call that must not touch the heap: the program ends where it does.
+// A call that must not use the heap: the program aborts if it does.
 template <class Function, class... Arguments>
 auto without_heap(Function function, const Arguments&... arguments) {
   no_heap::guard guard;
@@ -45,7 +45,7 @@ constexpr bool has_gravity() {
   return false;
 }
 
-// A state near another one with new speeds: the states of an oracle keep away from singular positions.
+// A state near a given one with new speeds; the states of an oracle are not close to singular positions.
 template <class System>
 kanexpr::state<System> disturbed(kanexpr::state<System> x, std::mt19937& random) {
   std::uniform_real_distribution<double> little(-0.1, 0.1), much(-2, 2);
@@ -58,7 +58,7 @@ struct energy_rates {
   double kinetic, potential;
 };
 
-// Both energies as numbers that carry derivatives; row i of `seeds` are those of x(i).
+// Both energies as numbers that carry derivatives; row i of `seeds` contains those of x(i).
 template <class System, int derivatives>
 auto energies_with(const Eigen::Matrix<double, kanexpr::state<System>::RowsAtCompileTime, derivatives>& seeds,
                    const kanexpr::state<System>& x, const kanexpr::parameter_values<System>& p) {
@@ -69,7 +69,7 @@ auto energies_with(const Eigen::Matrix<double, kanexpr::state<System>::RowsAtCom
   return without_heap(eom::together(eom::kinetic_energy, eom::potential_energy), seeded, p);
 }
 
-// The rates of both energies for given rates of the state, by their gradients.
+// The rates of both energies for given rates of the state, from their gradients.
 template <class System>
 energy_rates energy_rates_at(const kanexpr::state<System>& x, const kanexpr::parameter_values<System>& p,
                              const kanexpr::state<System>& rates) {
@@ -79,7 +79,7 @@ energy_rates energy_rates_at(const kanexpr::state<System>& x, const kanexpr::par
   return {kinetic.derivatives().dot(rates), potential.derivatives().dot(rates)};
 }
 
-// The same by one derivative in time, where a gradient would compile too long.
+// The same from one derivative with respect to time, because a gradient would take too long to compile.
 template <class System>
 energy_rates energy_rates_along(const kanexpr::state<System>& x, const kanexpr::state<System>& rates) {
   const auto [kinetic, potential] = energies_with<System, 1>(rates, x, {});

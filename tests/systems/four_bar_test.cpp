@@ -10,7 +10,8 @@ using eom = kanexpr::equations_of_motion<System>;
 TEST(four_bar, agrees_with_the_oracle) { check::constrained_against_oracle<System>("four_bar"); }
 TEST(four_bar, satisfies_its_constraints) { check::residuals_vanish<System>("four_bar"); }
 
-// Away from where coupler and rocker are in line: there the crank does not tell what the others do.
+// Away from positions in which coupler and rocker are in line: there the crank does not determine the other
+// angles.
 bool is_well_placed(const check::VectorXd& q) { return std::abs(std::sin(q(2))) > 0.2; }
 
 TEST(four_bar, agrees_with_newton_and_euler_everywhere) {
@@ -31,7 +32,7 @@ TEST(four_bar, agrees_with_newton_and_euler_everywhere) {
   }
 }
 
-// With coupler and rocker in line nothing tells which way they buckle.
+// With coupler and rocker in line, the direction in which they buckle is undetermined.
 TEST(four_bar, tells_where_it_cannot_be_solved) {
   const auto p = check::parameters_by_name<System>(oracle::load("four_bar").parameters);
   eom::state x;

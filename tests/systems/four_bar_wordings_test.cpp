@@ -1,5 +1,5 @@
-// The same linkage in other words: other constraints that say the same, and other choices of what is
-// dependent.
+// The same linkage in other words: with equivalent constraints, and with other choices of dependent
+// coordinates and speeds.
 #include "systems/check_constrained.hpp"
 
 #include <models/four_bar.hpp>

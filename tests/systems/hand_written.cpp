@@ -11,7 +11,7 @@ body plane_body(double mass, double inertia, const vector& center, const matrix&
   return {mass, diagonal(0, 0, inertia), center, turn, Vector3d::Zero(), Vector3d::Zero()};
 }
 
-// The point of a body that is now at `from_center` from its centre.
+// The point of a body that is currently at `from_center` from its center.
 vector velocity_of_point(const body& b, const vector& from_center) {
   return rate_of(b.center) + cross(angular_velocity(b.turn), from_center);
 }
@@ -61,13 +61,13 @@ system pendulum_nonminimal(const numbers& p) {
           }};
 }
 
-// With a = 0 and the inertia of a disc, a disc.
+// With a = 0 and the inertia of a disc, this is a disc.
 namespace {
 
 system rolling(double R, double a, double m, double g, double along, double across) {
   return {{"q1", "q2", "q3", "q4", "q5"}, {"u1", "u2", "u3", "u4", "u5"}, [=](const jets& q) {
             const matrix L = turn_z(q[0]) * turn_x(q[1]);
-            const vector down = -R * L.col(2) - fixed(0, 0, a); // from the centre to the contact
+            const vector down = -R * L.col(2) - fixed(0, 0, a); // from the center to the contact
             const body torus{m,
                              diagonal(across, along, across),
                              vector(q[3], q[4], -down(2)),
@@ -96,7 +96,7 @@ system rolling_torus(const numbers& p) {
   return rolling(R, a, m, p.at("g"), m * (R * R + 0.75 * a * a), m * (R * R / 2 + 0.625 * a * a));
 }
 
-// x, y: of the centre of the rear wheel; q3, q6: angles of the wheels.
+// x, y: the position of the center of the rear wheel; q3, q6: the angles of the wheels.
 system bicycle(const numbers& p) {
   const auto in_level_axes = [p](const std::string& part) {
     Matrix3d inertia = diagonal(p.at("I" + part + "11"), p.at("I" + part + "22"), p.at("I" + part + "33"));
@@ -126,7 +126,7 @@ system bicycle(const numbers& p) {
             {p.at("mwf"), diagonal(p.at("Iwf11"), p.at("Iwf22"), p.at("Iwf11")), front, fork * turn_y(q[7])}};
         for (body& b : bodies) b.force(2) = -b.mass * p.at("g");
 
-        // The lowest point of a wheel is the projection of "down" on its plane.
+        // The lowest point of a wheel lies along the projection of "down" onto its plane.
         const vector axle = fork.col(1);
         const vector projected = axle(2) * axle - fixed(0, 0, 1);
         const vector front_down = p.at("WFrad") / sqrt(dot(projected, projected)) * projected;
@@ -140,13 +140,13 @@ system bicycle(const numbers& p) {
       }};
 }
 
-// x, y: of the mass centre.
+// x, y: the position of the mass center.
 system rattleback(const numbers& p) {
   Matrix3d inertia = diagonal(p.at("Ixx"), p.at("Iyy"), p.at("Izz"));
   inertia(0, 1) = inertia(1, 0) = p.at("Ixy");
   return {{"q1", "q2", "q3", "x", "y"}, {"u1", "u2", "u3"}, [p, inertia](const jets& q) {
             const matrix turn = turn_z(q[0]) * turn_x(q[1]) * turn_y(q[2]);
-            // Where the gradient of x^2/a^2 + y^2/b^2 + z^2/c^2 points down.
+            // The point at which the gradient of x^2/a^2 + y^2/b^2 + z^2/c^2 points down.
             const vector up(turn(2, 0), turn(2, 1), turn(2, 2));
             const double a = p.at("a"), b = p.at("b"), c = p.at("c");
             const vector stretched(a * a * up(0), b * b * up(1), c * c * up(2));

@@ -1,6 +1,6 @@
-// A reference that shares nothing with kanexpr: positions and orientations of bodies, written by hand as
-// functions of coordinates in numbers that carry their first two derivatives in time, and Newton's and
-// Euler's equations with multipliers, M q'' = f + J^T lambda and J q'' = c, solved together.
+// A reference that shares no code with kanexpr: positions and orientations of bodies, written by hand as
+// functions of the coordinates in numbers that carry their first two time derivatives, and the Newton-Euler
+// equations with multipliers, M q'' = f + J^T lambda and J q'' = c, solved together.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +16,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using numbers = std::map<std::string, double>;
 
-// A quantity with its rate and the rate of that.
+// A quantity with its first and second time derivative.
 struct jet {
   double value = 0, rate = 0, second = 0;
   constexpr jet() = default;
@@ -25,10 +25,10 @@ struct jet {
 };
 
 using jets = std::vector<jet>;
-struct motion; // what a system says of its coordinates and their rates
+struct motion; // equations of a system for its coordinates and their rates
 
-// Coordinates and speeds have the names of the models in examples/models; what a model leaves out, such as
-// the angle of a wheel, is here a coordinate as well.
+// Coordinates and speeds have the names used in examples/models; quantities that a model omits, such as the
+// angle of a wheel, are also coordinates here.
 struct system {
   std::vector<std::string> q, u;
   std::function<motion(const jets&)> move;
@@ -45,24 +45,24 @@ system rattleback(const numbers& parameters);
 struct solution {
   VectorXd acceleration; // of the coordinates
   VectorXd multipliers;
-  VectorXd speeds, udot; // as the model under test chooses them
+  VectorXd speeds, udot; // as chosen by the model under test
   double kinetic_energy;
   double power; // of all forces and torques
 };
 
 solution solve(const system& s, const VectorXd& q, const VectorXd& qdot);
 
-// Moves q onto the configurations that are possible, by steps that are as short as can be.
+// Moves q to a configuration that satisfies the constraints, by steps of minimum norm.
 bool close(const system& s, VectorXd& q);
 
-// The part of these rates that the constraints allow.
+// The part of these rates that the constraints permit.
 VectorXd allowed(const system& s, const VectorXd& q, const VectorXd& rates);
 
-// The rates of the coordinates that give these speeds; names of speeds that are not given may be missing.
+// The rates of the coordinates for the given speeds; names of speeds that are not given may be omitted.
 VectorXd rates_for(const system& s, const VectorXd& q, const std::vector<std::string>& names,
                    const VectorXd& speeds);
 
-// The values of `wanted`, zero where `names` does not have one.
+// The values of `wanted`, zero for those that are not in `names`.
 VectorXd pick(const std::vector<std::string>& wanted, const std::vector<std::string>& names,
               const VectorXd& values);
 

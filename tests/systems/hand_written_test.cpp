@@ -1,4 +1,5 @@
-// The hand-written systems against the reference results: they judge models at other states.
+// The handwritten systems, compared with the reference results; they serve as a reference for models at other
+// states.
 #include "oracles.hpp"
 #include "systems/hand_written.hpp"
 
@@ -7,7 +8,7 @@ namespace {
 using Eigen::VectorXd;
 using hand_written::pick;
 
-// Of those speeds that the oracle has.
+// The values of the speeds that the oracle has.
 void agrees(const hand_written::system& system, const oracle::system& reference, const oracle::state& s) {
   const VectorXd q = pick(system.q, reference.q, s.q);
   const VectorXd qdot = hand_written::rates_for(system, q, reference.u, s.u);

@@ -23,7 +23,7 @@ VectorXd joined(const VectorXd& a, const VectorXd& b) {
   return both;
 }
 
-// What the reference has beside the speeds is of no account.
+// Quantities that the reference has in addition to the speeds do not matter.
 VectorXd independent(const VectorXd& speeds, const std::vector<std::string>& names,
                      const std::vector<std::string>& dependent) {
   std::vector<std::string> free;

@@ -1,4 +1,4 @@
-// Every system with a reference, derived while the program runs.
+// Every system with a reference, derived at run time.
 #include "systems/interpreted.hpp"
 
 #include <models/arm3.hpp>

@@ -1,4 +1,4 @@
-// What hand_written.cpp and newton_euler.cpp share: arithmetic, vectors and bodies.
+// The common part of hand_written.cpp and newton_euler.cpp: arithmetic, vectors and bodies.
 #pragma once
 
 #include "systems/hand_written.hpp"
@@ -26,7 +26,7 @@ inline jet& operator+=(jet& a, const jet& b) { return a = a + b; }
 inline jet& operator-=(jet& a, const jet& b) { return a = a - b; }
 inline jet& operator*=(jet& a, const jet& b) { return a = a * b; }
 
-// f(a), by f and its first two derivatives there.
+// f(a), from f and its first two derivatives there.
 inline jet chain(const jet& a, double f, double df, double ddf) {
   return {f, df * a.rate, df * a.second + ddf * a.rate * a.rate};
 }
@@ -85,7 +85,7 @@ inline vector cross(const vector& a, const vector& b) {
   return {a(1) * b(2) - a(2) * b(1), a(2) * b(0) - a(0) * b(2), a(0) * b(1) - a(1) * b(0)};
 }
 
-// Elementary rotations; the columns are the turned axes in the axes before.
+// Elementary rotations; the columns are the rotated axes in the original axes.
 inline matrix turn_x(const jet& q) {
   matrix m;
   m << 1, 0, 0, 0, cos(q), -sin(q), 0, sin(q), cos(q);
@@ -102,7 +102,7 @@ inline matrix turn_z(const jet& q) {
   return m;
 }
 
-// Of axes whose columns are `turn`: R' R^T is its cross product.
+// The angular velocity of axes whose columns are `turn`: R' R^T is its cross-product matrix.
 inline vector angular_velocity(const matrix& turn) {
   matrix turning;
   for (int i = 0; i < 9; ++i) turning(i) = rate_of(turn(i));
@@ -114,16 +114,16 @@ inline vector angular_velocity(const matrix& turn) {
 
 struct body {
   double mass;
-  Matrix3d inertia; // about the mass centre, in its own axes
+  Matrix3d inertia; // about the mass center, in the body's axes
   vector center;
   matrix turn;
-  Vector3d force = Vector3d::Zero(), torque = Vector3d::Zero(); // on the mass centre and the body
+  Vector3d force = Vector3d::Zero(), torque = Vector3d::Zero(); // on the mass center and the body
 };
 
-// What a model says of its coordinates and their time derivatives.
+// The equations of a model for its coordinates and their time derivatives.
 struct motion {
   std::vector<body> bodies;
-  jets closed;    // zero on the configurations that are possible
+  jets closed;    // zero in configurations that satisfy the constraints
   jets no_motion; // linear in the rates of the coordinates, and zero
   jets speeds;    // the generalized speeds
 };

@@ -6,7 +6,7 @@
 
 namespace {
 
-// What a prescribed motion does to the momenta.
+// The contribution of a prescribed motion to the momenta.
 TEST(lagrange, rotating_tube) {
   using namespace rotating_tube;
   check::lagrange_against_kane<System, LagrangeSystem, true>(oracle::load("rotating_tube").parameters, 2);

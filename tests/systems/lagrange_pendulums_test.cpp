@@ -45,7 +45,7 @@ TEST(lagrange, state_holds_rates) {
   static_assert(eom::is_dependent(q1) && !eom::is_dependent(q2));
 }
 
-// Level, where the rate of q1 does not follow from that of q2.
+// At a level position, the rate of q1 does not follow from that of q2.
 TEST(lagrange, names_the_rate_that_cannot_be_solved_for) {
   using namespace pendulum_nonminimal;
   using eom = equations_of_motion<LagrangeSystem>;
@@ -73,7 +73,7 @@ struct System : lagrange_system<inertial<N>, coordinates<q2, q1>, configuration_
 
 } // namespace off_the_circle
 
-// Second derivatives stand in acceleration constraints, and the motion obeys them.
+// Acceleration constraints contain second derivatives, and the motion satisfies them.
 TEST(lagrange, takes_acceleration_constraints) {
   using namespace off_the_circle;
   using eom = equations_of_motion<System>;
@@ -88,7 +88,7 @@ TEST(lagrange, takes_acceleration_constraints) {
   EXPECT_EQ(same.value, udot(1));
 }
 
-// Rates stand wherever speeds do.
+// Rates may occur wherever speeds may.
 TEST(lagrange, differentiates_by_rates) {
   using namespace simple_pendulum;
   using eom = equations_of_motion<LagrangeSystem>;

@@ -13,7 +13,7 @@ TEST(lagrange, rolling_disc) {
   check::keeps_its_energy<LagrangeSystem>(values, 1.3);
 }
 
-// Kane's system knows that the contact does not move, Lagrange's is told so.
+// In Kane's system the contact point is declared at rest; Lagrange's system has a constraint for this.
 TEST(lagrange, rolling_torus) {
   using namespace rolling_torus;
   const check::numbers values = oracle::load("rolling_torus").parameters;

@@ -1,4 +1,4 @@
-// Lagrangians that were written by hand, with forces beside them, against those that come from bodies.
+// Lagrangians written by hand, with additional forces, compared with those derived from bodies.
 #include "systems/check_constrained.hpp"
 
 #include <models/double_pendulum.hpp>
@@ -37,7 +37,7 @@ struct ByHand
           loads<torque<by_rates::A, by_rates::at_shoulder>, torque<by_rates::A, -by_rates::at_elbow>,
                 torque<by_rates::B, by_rates::at_elbow>>> {};
 
-// The energies of bodies, as expressions of velocities.
+// The energies of bodies, as expressions in velocities.
 constexpr auto v1 = velocity_of<by_rates::G1>;
 constexpr auto v2 = velocity_of<by_rates::G2>;
 constexpr auto by_velocities = (m1 * dot(v1, v1) + m2 * dot(v2, v2) + I1 * w1 * w1 + I2 * w2 * w2) / 2;

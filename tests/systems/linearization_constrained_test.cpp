@@ -1,5 +1,5 @@
-// Linearizations of systems with constraints: against the oracles, and against complex steps at random
-// operating points that satisfy them.
+// Linearizations of systems with constraints, compared with the oracles and with complex steps at random
+// operating points that satisfy the constraints.
 #include "systems/linearized.hpp"
 
 #include <models/bicycle.hpp>

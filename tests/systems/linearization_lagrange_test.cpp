@@ -1,5 +1,5 @@
-// Linearizations of Lagrange's equations: against complex steps at random operating points that satisfy the
-// constraints, and against Kane's method where its speeds are the rates of the same coordinates.
+// Linearizations of Lagrange's equations, compared with complex steps at random operating points that satisfy
+// the constraints, and with Kane's method if its speeds are the rates of the same coordinates.
 #include "systems/linearized.hpp"
 
 #include <models/chaplygin_sleigh.hpp>
@@ -57,7 +57,7 @@ TEST(linearization_by_lagrange, has_rows_for_multipliers) {
   EXPECT_EQ(model.get(check::quantity::implicit_state_matrix).columns, 2);
 }
 
-// Where the loop cannot be closed by the dependent coordinates, the form of all equations tells it as well.
+// If the loop cannot be closed by the dependent coordinates, the form with all equations also reports this.
 TEST(linearization_by_lagrange, is_checked_in_full) {
   auto model = kanexpr::derive<four_bar::LagrangeSystem>();
   const auto state = model.get(check::quantity::implicit_state_matrix);

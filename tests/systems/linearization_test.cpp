@@ -1,5 +1,5 @@
-// Linearizations of systems without constraints: against the oracles, and against complex steps at random
-// operating points, most of them no equilibrium.
+// Linearizations of systems without constraints, compared with the oracles and with complex steps at random
+// operating points, most of which are not equilibria.
 #include "systems/linearized.hpp"
 
 #include <models/arm3.hpp>
@@ -58,7 +58,7 @@ TEST(linearization, disc_at_its_critical_spin) {
     return Eigen::VectorXcd(disc.at(0, x, p, VectorXd()).A.eigenvalues());
   };
   const double critical = 1 / std::sqrt(3.0);
-  // a double root: rounding of 1e-16 may move it by the square root of that
+  // a double root: a rounding error of 1e-16 may move it by the square root of that
   EXPECT_LE(eigenvalues(critical).cwiseAbs().maxCoeff(), 1e-7);
   EXPECT_GT(eigenvalues(0.9 * critical).real().maxCoeff(), 0.3);
   EXPECT_LE(eigenvalues(1.1 * critical).real().maxCoeff(), 1e-7);

@@ -34,7 +34,7 @@ std::vector<Eigen::Index> places(const kanexpr::base::sequence<int>& list, int f
   return found;
 }
 
-// A matrix in the rows and columns of some states from one in others, by their names.
+// Reorders the rows and columns of a matrix from one list of states to another, by their names.
 MatrixXd reordered(const MatrixXd& m, const std::vector<std::string>& from,
                    const std::vector<std::string>& to, bool columns) {
   std::vector<Eigen::Index> place;

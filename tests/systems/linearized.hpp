@@ -1,5 +1,5 @@
-// Linearizations against reference results, and against complex steps through the nonlinear equations: the
-// dependent coordinates and speeds follow a step by Newton's method.
+// Linearizations, compared with reference results and with complex steps through the nonlinear equations, in
+// which the dependent coordinates and speeds follow a step by Newton's method.
 #pragma once
 
 #include "oracles.hpp"
@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 using kanexpr::mechanics::quantity;
 using complex = std::complex<double>;
 
-// The functions of a system that was derived while the program runs.
+// The functions of a system derived at run time.
 struct derived_functions {
   using real_function = kanexpr::runtime::interpreted<double>;
   using complex_function = kanexpr::runtime::interpreted<complex>;
@@ -47,15 +47,16 @@ public:
   explicit_form at(double t, const VectorXd& x, const VectorXd& p, const VectorXd& r);
   explicit_form by_complex_steps(double t, const VectorXd& x, const VectorXd& p, const VectorXd& r);
 
-  // Gives a state the dependent coordinates and speeds that its constraints ask for, if there are some near.
+  // Sets the dependent coordinates and speeds of a state such that the constraints hold, if there are such
+  // values nearby.
   bool assemble(double t, VectorXd& x, const VectorXd& p, const VectorXd& r);
 
-  // Parameters in the order of the system; those that it has bound are in no vector.
+  // Parameters in the order of the system; bound ones are not in any vector.
   VectorXd parameters(const std::map<std::string, double>& values) const;
 
   void against_oracle(const std::string& name);
-  // At 1000 random operating points that satisfy the constraints, with rates up to 2 and coordinates up to
-  // `reach` away from `around`; the parameters vary by a fifth about those of an oracle.
+  // At 1000 random operating points that satisfy the constraints, with rates up to 2 and coordinates that
+  // differ from `around` by up to `reach`; the parameters differ from those of an oracle by up to a fifth.
   void against_complex_steps(const std::string& name, const VectorXd& around, double reach);
 
 private:
@@ -72,7 +73,7 @@ linearized linearize() {
   return linearized(derived_functions(model.equations()));
 }
 
-// Both of the above.
+// Runs both of the above.
 template <class System>
 void linearization_agrees(const std::string& oracle, const VectorXd& around, double reach) {
   linearized system = linearize<System>();

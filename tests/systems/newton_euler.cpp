@@ -23,21 +23,21 @@ VectorXd rates(const jets& all) {
   return v;
 }
 
-// The nearest one, with a step of refinement.
+// The nearest solution, with one refinement step.
 VectorXd solution_of(const MatrixXd& all, const VectorXd& right) {
   const Eigen::ColPivHouseholderQR<MatrixXd> factors(all);
   const VectorXd found = factors.solve(right);
   return found + factors.solve(right - all * found);
 }
 
-// The shortest one; the rows are independent.
+// The minimum-norm solution; the rows are independent.
 VectorXd shortest_solution_of(const MatrixXd& all, const VectorXd& right) {
   const MatrixXd back = all.transpose();
   const VectorXd found = back * solution_of(all * back, right);
   return found + back * solution_of(all * back, right - all * found);
 }
 
-// Rows of `no_motion` by columns of coordinates.
+// Rows of `no_motion`, with a column for each coordinate.
 MatrixXd constraint_matrix(const system& s, const VectorXd& q) {
   const VectorXd zero = VectorXd::Zero(q.size());
   MatrixXd all(static_cast<Eigen::Index>(s.move(along(q, zero, zero)).no_motion.size()), q.size());
@@ -92,7 +92,7 @@ solution solve(const system& s, const VectorXd& q, const VectorXd& qdot) {
   return result;
 }
 
-// Moves q onto the configurations that are possible, by steps that are as short as can be.
+// Moves q to a configuration that satisfies the constraints, by steps of minimum norm.
 bool close(const system& s, VectorXd& q) {
   const VectorXd zero = VectorXd::Zero(q.size());
   const auto gap = [&](const VectorXd& at) { return values(s.move(along(at, zero, zero)).closed); };
@@ -110,7 +110,7 @@ bool close(const system& s, VectorXd& q) {
   return gap(q).norm() <= 1e-13;
 }
 
-// The part of these rates that the constraints allow.
+// The part of these rates that the constraints permit.
 VectorXd allowed(const system& s, const VectorXd& q, const VectorXd& rates) {
   const MatrixXd J = constraint_matrix(s, q);
   const VectorXd result = rates - shortest_solution_of(J, J * rates);

@@ -16,7 +16,7 @@ TEST(pendulum_nonminimal, satisfies_its_constraints) {
   check::residuals_vanish<System>("pendulum_nonminimal");
 }
 
-// Where it is off the circle.
+// At a position off the circle.
 TEST(pendulum_nonminimal, tells_how_far_it_is_from_its_constraints) {
   eom::state x;
   x[q1] = 0.3;
@@ -45,7 +45,7 @@ TEST(pendulum_nonminimal, agrees_with_newton_and_euler_everywhere) {
   }
 }
 
-// Level: q2 is as far as it goes, so its speed is zero and does not give the other one.
+// At a level position, q2 has its largest value, so its speed is zero and does not determine the other one.
 TEST(pendulum_nonminimal, tells_where_it_cannot_be_solved) {
   const auto p = check::parameters_by_name<System>(oracle::load("pendulum_nonminimal").parameters);
   eom::state x;

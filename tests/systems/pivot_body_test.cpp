@@ -8,7 +8,7 @@ using system = pivot_body::System;
 
 TEST(pivot_body, agrees_with_the_oracle) { check::against_oracle<system>("quaternion_pivot_body"); }
 
-// At the oracle's positions, whose quaternions are of unit length.
+// At the oracle's positions, whose quaternions have norm 1.
 TEST(pivot_body, energy_rate_is_power) {
   using eom = kanexpr::equations_of_motion<system>;
   const oracle::system reference = oracle::load("quaternion_pivot_body");

@@ -9,7 +9,7 @@ namespace {
 using system = quadruped::System;
 using eom = kanexpr::equations_of_motion<system>;
 
-// With the reference's accelerations: the compiled ones would double the time this file compiles.
+// Uses the reference's accelerations: the compiled ones would double the compile time of this file.
 TEST(quadruped, torques_bring_the_energy) {
   for (const oracle::robot_state& s : oracle::load_robot("quadruped_anymal").states) {
     const check::convention seen = check::floating_base(s.q, s.u);

@@ -8,13 +8,13 @@ namespace {
 using system = rattleback::System;
 using eom = kanexpr::equations_of_motion<system>;
 
-// Kane & Levinson's stone, with some friction or none; in SI units.
+// Kane & Levinson's stone, with or without friction, in SI units.
 check::numbers stone(double sigma) {
   return {{"a", 0.2},      {"b", 0.03},     {"c", 0.02},     {"h", 0.01},      {"m", 1.0}, {"Ixx", 0.0002},
           {"Iyy", 0.0016}, {"Izz", 0.0017}, {"Ixy", -2e-05}, {"sigma", sigma}, {"g", 9.81}};
 }
 
-// Yaw at will, roll and pitch far from where the angles are singular.
+// Arbitrary yaw, and roll and pitch away from the singularities of the angles.
 check::feasible any_motion(const hand_written::system& hand, std::mt19937& random) {
   return check::any_feasible(hand, check::VectorXd{{3, 1.2, 1.2, 0, 0}}, 5, random);
 }
@@ -35,7 +35,7 @@ TEST(rattleback, friction_takes_its_energy) {
     check::energy_rate_is_power_of<system>(hand, any_motion(hand, random), p, {});
 }
 
-// One step of the classical Runge-Kutta method.
+// One step of the classic Runge-Kutta method.
 eom::state after(const eom::state& x, const eom::parameters& p, double step) {
   const auto rate = [&](const eom::state& at) { return eom::state(eom::rhs(at, p)); };
   const eom::state k1 = rate(x), k2 = rate(eom::state(x + step / 2 * k1)),

@@ -1,4 +1,4 @@
-// What a robot's test compares, and how the reference sees it.
+// The results that the tests of robots compare, and their relation to the reference.
 #pragma once
 
 #include "oracles.hpp"
@@ -15,13 +15,13 @@ struct convention {
   VectorXd extra;
 };
 
-// By the coordinates and speeds of the reference.
+// In terms of the coordinates and speeds of the reference.
 using seen_by_reference = convention (*)(const VectorXd& q, const VectorXd& u);
 
-// Joints alone, which are the same to everyone.
+// Joints only, for which model and reference agree.
 convention on_the_ground(const VectorXd& q, const VectorXd& u);
 
-// The reference takes the base's velocity in ground axes, the model in the base's own: a = R (v̇ + ω×v).
+// The reference expresses the base's velocity in ground axes, the model in the base's axes: a = R (v̇ + ω×v).
 convention floating_base(const VectorXd& q, const VectorXd& u);
 
 struct robot_results {
@@ -29,7 +29,7 @@ struct robot_results {
   VectorXd forcing_without_motors, forcing, udot;
 };
 
-// The model's motors give the last torques; those before them act on the base.
+// The model's motors provide the last torques; the preceding ones act on the base.
 void expect_reference(const robot_results& model, const oracle::robot_state& reference,
                       const convention& seen, Eigen::Index motors);
 

@@ -6,7 +6,7 @@ namespace {
 
 using system = rolling_disc_constrained::System;
 
-// The oracle does not know where the disc is on the plane.
+// The oracle does not include the position of the disc on the plane.
 TEST(rolling_disc_constrained, agrees_with_the_oracle) {
   const oracle::system reference = oracle::load("rolling_disc");
   const auto p = check::parameters_by_name<system>(reference.parameters);

@@ -9,8 +9,8 @@ using eom = kanexpr::equations_of_motion<System>;
 
 TEST(rotating_tube, agrees_with_the_oracle) { check::constrained_against_oracle<System>("rotating_tube"); }
 
-// Its acceleration holds all that the tube is told to do: (u' - q theta'^2) along, q theta'' + 2 u theta'
-// across.
+// Its acceleration contains all derivatives of the prescribed angle: (u' - q theta'^2) along the tube, q
+// theta'' + 2 u theta' across it.
 TEST(rotating_tube, acceleration_holds_the_prescribed_motion) {
   const oracle::system reference = oracle::load("rotating_tube");
   const auto p = check::parameters_by_name<System>(reference.parameters);

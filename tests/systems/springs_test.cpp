@@ -1,4 +1,5 @@
-// Compiled systems of masses on springs and dampers, against M ü + C u̇ + K x = 0 and against Newton's law.
+// Compiled systems of masses on springs and dampers, compared with M ü + C u̇ + K x = 0 and with Newton's
+// law.
 #include "no_heap.hpp"
 
 #include <kanexpr/kanexpr.hpp>
@@ -77,9 +78,9 @@ TEST(springs, of_a_chain_of_masses) {
 
 namespace pendulum {
 
-constexpr coordinate<"r"> r; // length of the first spring, and where it points
+constexpr coordinate<"r"> r; // the length of the first spring, and its direction
 constexpr coordinate<"q"> q;
-constexpr coordinate<"x"> x; // of the second bob from the first
+constexpr coordinate<"x"> x; // of the second bob relative to the first
 constexpr coordinate<"y"> y;
 constexpr speed<"v"> v;
 constexpr speed<"w"> w;
@@ -122,7 +123,7 @@ TEST(springs, of_a_double_pendulum) {
     const no_heap::guard guard;
     const Eigen::Vector4d udot = eom::udot(now);
     EXPECT_LT((udot - expected).norm(), 1e-12 * expected.norm());
-    // what is lost goes to the air
+    // the energy lost goes to the air
     const double energy = k1 * std::pow(length - l1, 2) / 2 + k2 * std::pow(between.norm() - l2, 2) / 2 -
                           9.81 * (m1 * length * cos + m2 * (length * cos + now(2)));
     EXPECT_NEAR(eom::potential_energy(now), energy, 1e-12 * (10 + std::abs(energy)));

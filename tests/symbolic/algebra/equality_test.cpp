@@ -49,7 +49,7 @@ TEST_F(comparison, of_other_functions) {
   EXPECT_EQ(compare(exp(x + y), exp(x) * exp(y)), equality::undecided);
   EXPECT_EQ(compare(sin(atan2(y, x)), y / sqrt(x * x + y * y)), equality::undecided);
   EXPECT_EQ(compare(sin(asin(a / 2) + q1 - asin(a / 2)), sin(q1)), equality::equal);
-  // false for x < 0 only
+  // false only for x < 0
   EXPECT_EQ(compare(abs(x), x), equality::undecided);
   EXPECT_FALSE(are_equal(abs(x), x));
   // visible numerically
@@ -109,8 +109,8 @@ TEST(scrambled_pair, is_decided) {
   EXPECT_GT(different, 350);
 }
 
-/// Three point masses on three massless rods in a plane: the mass matrix by the speeds, from the positions of
-/// the masses, in which the angles are sums of relative ones.
+/// Three point masses on three massless rods in a plane: the mass matrix for the speeds, from the positions
+/// of the masses, in which the angles are sums of relative ones.
 TEST_F(comparison, of_two_formulations_of_a_pendulum) {
   const expression q[] = {q1, q2, q3}, u[] = {u1, u2, u3}, theta[] = {theta1, theta2, theta3};
   const expression length[] = {l1, l2, l3}, mass[] = {m1, m2, m3};
@@ -135,7 +135,7 @@ TEST_F(comparison, of_two_formulations_of_a_pendulum) {
   };
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
-      expression transformed = number(0); // Tᵀ M T; the angle k turns with the speeds up to k
+      expression transformed = number(0); // Tᵀ M T; the angle k changes with the speeds up to k
       for (int k = i; k < 3; ++k)
         for (int l = j; l < 3; ++l) transformed += relative.in(absolute(k, l));
       const expression entry = differentiate(differentiate(kinetic, u[i]), u[j]);

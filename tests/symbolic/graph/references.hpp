@@ -3,7 +3,8 @@
 
 namespace references {
 
-/// x and the other arguments, the function there, and its first and second derivative by x.
+/// x and the other arguments, the value of the function, and its first and second derivatives with respect to
+/// x.
 struct row {
   double x, first, second, value, slope, curvature;
 };
@@ -82,7 +83,7 @@ inline constexpr row smooth_step[] = {
     {40.0, 2.5, -1.0, 0.0, 0.0, 0.0},
 };
 
-/// x, and the curve and its first and second derivative there.
+/// x, and the value of the curve with its first and second derivatives there.
 struct on_curve {
   double x, value, slope, curvature;
 };

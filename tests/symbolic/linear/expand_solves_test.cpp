@@ -17,7 +17,7 @@ protected:
   graph g;
 
   expression number(int value) { return constant(g, exactly(value)); }
-  /// A matrix with a symbol for each letter of the pattern; equal letters are equal entries.
+  /// A matrix with a symbol for each letter of the pattern; equal letters denote equal entries.
   expression factors_of(const char* pattern, int order) {
     matrix filled(g, order, order);
     for (int i = 0; i < order * order; ++i)
@@ -73,16 +73,16 @@ TEST_F(expand, a_system_of_two) {
 TEST_F(expand, a_system_of_three_by_columns_for_one_right_side) {
   const expression factors = factors_of("abcdefghi", 3);
   sequence<expression> x = solve(factors, right_side('x', 3));
-  // three minors of A and three with the right side; the determinant, three numerators, one with a sign, and
-  // three products
+  // three minors of A and three with the right-hand side; the determinant, three numerators, one with a sign,
+  // and three products
   EXPECT_EQ(of(x), (cost{6 + 6 + 3 + 9 + 3, 6 + 2 + 6, 1, 0, 0, 43}));
   EXPECT_EQ(of({x[1]}).divisions, 1);
   append(x, solve(factors, right_side('y', 3)));
   append(x, solve(factors, right_side('z', 3)));
-  // nine minors once, then nine products and three for each right side
+  // nine minors once, then nine products and three for each right-hand side
   EXPECT_EQ(of(x).multiplications, 18 + 3 + 3 * 12);
   for (const char called : {'t', 'u', 'v'}) append(x, solve(factors, right_side(called, 3)));
-  // from four on it pays to divide the cofactors instead
+  // for four or more, it is cheaper to divide the cofactors
   EXPECT_EQ(of(x).multiplications, 18 + 3 + 9 + 6 * 9);
   EXPECT_EQ(of(x).divisions, 1);
 }

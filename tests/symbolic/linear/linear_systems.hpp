@@ -7,7 +7,7 @@
 
 #include <random>
 
-/// A linear system whose entries and right sides are functions of a few symbols.
+/// A linear system whose entries and right-hand sides are functions of a few symbols.
 class moving_system {
 public:
   using expression = kanexpr::symbolic::expression;
@@ -25,7 +25,7 @@ public:
     }
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < n; ++j)
-        if (i != j && uniform() > -0.6) a(i, j) = entry(); // nothing on the diagonal
+        if (i != j && uniform() > -0.6) a(i, j) = entry(); // zeros on the diagonal
     for (int i = 0; i < n; ++i) a(i, (i + 1) % n) = a(i, (i + 1) % n) + 2;
     for (int i = 0; i < n; ++i) b.push(i == 1 ? constant(g, exactly(0)) : entry());
   }

@@ -88,7 +88,7 @@ TEST(solve_symmetric, costs_no_more_than_the_structure_asks_for) {
   }
   EXPECT_EQ(cost_for(diagonal).divisions, n);
   EXPECT_EQ(cost_for(diagonal).additions, 0);
-  // each of n-1 eliminations: one entry of M and one of f, and one of x on the way back
+  // in each of n-1 eliminations: one entry of M and one of f, and one of x during back substitution
   EXPECT_EQ(cost_for(arrow).additions, 3 * (n - 1));
   EXPECT_EQ(cost_for(chain).additions, 3 * (n - 1));
   EXPECT_EQ(cost_for(arrow).divisions, n);
