@@ -48,28 +48,28 @@ struct System : pendulum_with<Bead> {};
 void f() { use<System>(); }
 } // namespace n7
 
-// expect: B is described as a frame and as a point; give each its own name
+// expect: B is described both as a frame and as a point; give each its own name
 namespace n8 {
 struct B : rotated<B, N, q, N::z>, offset<B, O, l * A::x> {};
 struct System : loaded<force<B, F * N::x>> {};
 void f() { use<System>(); }
 } // namespace n8
 
-// expect: B is described as a frame and as a body; give each its own name
+// expect: B is described both as a frame and as a body; give each its own name
 namespace n9 {
 struct B : rotated<B, N, q, N::z>, rigid_body<B, P, A, m, inertia<A, m, m, m>> {};
 struct System : pendulum_with<B> {};
 void f() { use<System>(); }
 } // namespace n9
 
-// expect: Bead is described as a point and as a body; give each its own name
+// expect: Bead is described both as a point and as a body; give each its own name
 namespace n10 {
 struct Bead : offset<Bead, O, l * A::x>, particle<Bead, P, m> {};
 struct System : pendulum_with<Bead> {};
 void f() { use<System>(); }
 } // namespace n10
 
-// expect: Start is described as a point and as a body; give each its own name
+// expect: Start is described both as a point and as a body; give each its own name
 namespace n11 {
 struct Start : particle<Start, P, m>, origin<Start, N> {};
 struct Tip : offset<Tip, Start, l * A::x> {};
@@ -105,19 +105,19 @@ struct System : told<Loads> {};
 void f() { use<System>(); }
 } // namespace n15
 
-// expect: System is described as a system and as part of a system; give each its own name
+// expect: System is described both as a system and as part of a system; give each its own name
 namespace n16 {
 struct System : pendulum_with<Bob>, offset<System, O, l * A::x> {};
 void f() { use<System>(); }
 } // namespace n16
 
-// expect: System is derived from two systems; give each its own name
+// expect: System is derived from two systems; define a separate struct for each
 namespace n17 {
 struct System : pendulum_with<Bob>, rates_of_pendulum<bodies<Bob>> {};
 void f() { use<System>(); }
 } // namespace n17
 
-// expect: Tip is described as part of a system and as a whole system; give each its own name
+// expect: Tip is described both as part of a system and as a whole system; give each its own name
 namespace n18 {
 struct Tip : offset<Tip, P, l * A::x>, pendulum_with<Bob> {};
 struct System : loaded<force<Tip, F * N::x>> {};

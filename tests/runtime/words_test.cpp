@@ -63,7 +63,8 @@ TEST(words, are_looked_through_while_a_program_runs) {
   EXPECT_EQ(mistake<NoWord>(), "int is not a word of a system, but NoWord lists it");
   EXPECT_EQ(mistake<NoSystem>(),
             "NoSystem is not a system; derive it from kane_system<...> or lagrange_system<...>");
-  EXPECT_EQ(mistake<TwoSystems>(), "TwoSystems is derived from two systems; give each its own name");
+  EXPECT_EQ(mistake<TwoSystems>(),
+            "TwoSystems is derived from two systems; define a separate struct for each");
 }
 
 struct LagrangianForKane : pendulum<lagrangian<m * q * q>> {};

@@ -1,5 +1,5 @@
 // No include guard: every header with one-letter member names, as in ẋ = A x + B r, includes this file to
-// suspend macros of the same names. letters_back.hpp, included at the end of that header, restores them.
+// suspend macros with the same names. letters_back.hpp, included at the end of that header, restores them.
 #pragma push_macro("A")
 #undef A
 #pragma push_macro("B")

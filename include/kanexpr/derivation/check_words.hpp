@@ -33,8 +33,8 @@ constexpr sentence check_base_classes() {
     return sentence(
         {"a load is a separate base class of ", type_name<Type>(), "; list it in the system's loads<...>"});
   } else if constexpr (describe::has_misplaced_word<Type>()) {
-    return sentence(
-        {type_name<Type>(), " is described as a system and as part of a system; give each its own name"});
+    return sentence({type_name<Type>(),
+                     " is described both as a system and as part of a system; give each its own name"});
   } else if constexpr (is_system && __is_base_of(describe::system_words, Type)) {
     std::string_view word = "a word";
     if constexpr (requires { Type::word; }) word = Type::word;
@@ -139,7 +139,7 @@ constexpr sentence check_words() {
     else if (describe::inherits_privately<describe::whole_systems>(static_cast<System*>(nullptr)))
       return sentence({called, " inherits privately; declare it as a struct"});
     else
-      return sentence({called, " is derived from two systems; give each its own name"});
+      return sentence({called, " is derived from two systems; define a separate struct for each"});
   } else {
     if (const sentence conflict = check_base_classes<System>()) return conflict;
     const sentence foreign = check_each_word(called, static_cast<const System*>(nullptr));

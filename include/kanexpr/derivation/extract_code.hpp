@@ -15,8 +15,8 @@
 namespace kanexpr::derivation {
 
 /// The straight-line code for a set of results. The measures and scales of potential singularities follow all
-/// other results of the tape, one pair per cause. The arrays have room for any model, so programs must not
-/// store such an object.
+/// other results of the tape, one pair per cause. The arrays are large enough for any model, so programs must
+/// not store such an object.
 struct extracted_code {
   sentence mistake{};
   large_cause_list causes{};

@@ -30,7 +30,7 @@ constexpr void advance(derived_system& system, stage to) {
   system.derive();
 }
 
-/// The result of a stage: a mistake, or the stored derivation. The arrays have room for any model, so
+/// The result of a stage: a mistake, or the stored derivation. The arrays are large enough for any model, so
 /// programs must not store such an object.
 struct staged {
   sentence mistake{};

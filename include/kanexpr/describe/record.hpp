@@ -67,9 +67,9 @@ inline constexpr bool is_of_one_file = [] {
   return false;
 }();
 
-/// Two source files may each have entities of the same name in an unnamed namespace. g++ does not distinguish
-/// template arguments by the objects to which they point, so the linker could confuse the expressions of the
-/// two files. A type that is local to the file distinguishes them.
+/// Two source files may each have entities with the same name in an unnamed namespace. g++ does not
+/// distinguish template arguments by the objects to which they point, so the linker could confuse the
+/// expressions of the two files. A type that is local to the file distinguishes them.
 template <bool is_of_one_file>
 struct known_in {
   using type = void;

@@ -29,8 +29,8 @@ struct [[nodiscard]] ensemble_results {
   table runs{};
   std::vector<failed_run> failures{}; ///< at most the first thousand
   std::vector<reduction> reductions{};
-  std::vector<table> trajectories{};             ///< of each run, if the study keeps them
-  std::vector<std::vector<occurrence>> events{}; ///< of each run, if the study keeps them
+  std::vector<table> trajectories{};             ///< trajectories of the runs, if the study keeps them
+  std::vector<std::vector<occurrence>> events{}; ///< events of the runs, if the study keeps them
 
   std::size_t planned = 0; ///< the number of runs of the study
   std::size_t done = 0;    ///< the number of runs performed, including failed ones

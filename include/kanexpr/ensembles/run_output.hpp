@@ -31,7 +31,7 @@ struct ended_run {
   const run_values& varied;
   const simulation<System>& run; ///< with the requested samples
   const parameter_values<System>& p;
-  const input_values<System>& r;             ///< at the end
+  const input_values<System>& r;             ///< the inputs at the end of the run
   const kanexpr::trajectory<System>& motion; ///< every step
   const input_source<System>& inputs;
 
@@ -49,7 +49,7 @@ struct run_output {
   column_label what;
   std::function<double(const ended_run<System>&)> of;
   std::string symbol{};        ///< the symbol whose unit is the default; empty: none
-  std::string identity{};      ///< distinguishes outputs of the same name
+  std::string identity{};      ///< distinguishes outputs with the same name
   std::string event{};         ///< the event that it requires
   bool needs_motion = false;   ///< every step, with interpolation
   bool needs_samples = false;  ///< the samples that the options request

@@ -81,7 +81,7 @@ struct study_of {
   std::vector<named_value> parameters = {}; ///< the constant values of parameters
   std::vector<named_value> inputs = {};     ///< the constant values of inputs
   typename Kind::span span = {};
-  typename Kind::options simulation = {}; ///< of all runs; several threads call its functions
+  typename Kind::options simulation = {}; ///< options of all runs; several threads call their functions
 
   /// Changes the setup of a run that depends on the varied values in another way: for a push, a controller,
   /// or parameters that vary together. Each run uses its own copy of the function.

@@ -32,10 +32,10 @@ struct study_layout {
   std::size_t runs = 0;                      ///< their number
   std::size_t varied = 0;                    ///< the number of columns with varied values
   std::vector<constant_of_runs> constants{}; ///< states, parameters and inputs that do not vary
-  std::vector<column_label> columns{};       ///< of the table of runs, which has a row per run
-  std::vector<column_label> state{};         ///< of a failed run, at its end
-  std::vector<column_label> samples{};       ///< of the trajectories, time first; empty: none are kept
-  std::vector<std::string> events{};         ///< the events whose times are kept
+  std::vector<column_label> columns{};       ///< columns of the table of runs, which has a row per run
+  std::vector<column_label> state{};         ///< state at the end of a failed run
+  std::vector<column_label> samples{}; ///< columns of the trajectories, time first; empty: none are kept
+  std::vector<std::string> events{};   ///< the events whose times are kept
 };
 
 /// How a run ended.
@@ -45,10 +45,10 @@ enum class run_end : std::uint8_t { reached_end, stopped_by_event, failed };
 struct finished_run {
   std::size_t run = 0; ///< its number, from 0
   run_end end = run_end::reached_end;
-  double time = 0;                                        ///< at the end
+  double time = 0;                                        ///< time at which the run ended
   std::vector<double> values{};                           ///< its row in the table of runs
-  std::vector<double> state{};                            ///< at the end, if the run failed
-  std::vector<double> samples{};                          ///< of its trajectory, row by row
+  std::vector<double> state{};                            ///< state at the end, if the run failed
+  std::vector<double> samples{};                          ///< samples of the trajectory, row by row
   std::vector<std::pair<std::uint32_t, double>> events{}; ///< index and time, in chronological order
   std::string failure{};                                  ///< why the run failed, as a sentence
 

@@ -12,7 +12,7 @@ namespace kanexpr::figures {
 
 namespace detail {
 
-/// A unit vector perpendicular to another one.
+/// A unit vector perpendicular to a given one.
 inline Eigen::Vector3d across(const Eigen::Vector3d& v) {
   int least = 0;
   v.cwiseAbs().minCoeff(&least);

@@ -33,7 +33,7 @@ public:
   mpi_ranks& operator=(const mpi_ranks&) = delete;
   KANEXPR_MPI ~mpi_ranks();
 
-  KANEXPR_MPI int rank() const;  ///< of this process, from 0
+  KANEXPR_MPI int rank() const;  ///< the number of this process, from 0
   KANEXPR_MPI int count() const; ///< the number of ranks
   bool is_first() const { return rank() == 0; }
 

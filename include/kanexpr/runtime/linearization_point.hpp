@@ -67,7 +67,7 @@ public:
   }
 
   const std::vector<entry>& entries() const { return entries_; }
-  /// The symbols that a list names twice by mistake.
+  /// The symbols that a list names twice, which is a mistake.
   const std::vector<symbol_name>& duplicates() const { return duplicates_; }
 
 private:

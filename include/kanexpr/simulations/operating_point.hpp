@@ -33,7 +33,7 @@ struct operating_point_options {
   std::vector<symbol_name> changing = {}; ///< coordinates or speeds with arbitrary rates
   std::vector<named_value> rates = {};    ///< `{dot(q1), 0.3}`: nonzero rates
   double t = 0;
-  double tolerance = 1e-10; ///< of every equation, relative to its magnitude
+  double tolerance = 1e-10; ///< permitted residual of each equation, relative to its magnitude
   int most_iterations = 200;
 };
 

@@ -135,7 +135,7 @@ private:
   simulation_context& context_;
   manifold* manifold_;
   std::optional<recorded> last_{};
-  bool is_refused_ = false; ///< by the function each_sample
+  bool is_refused_ = false; ///< whether the function each_sample rejected a sample
   std::vector<double> whole_{};
 };
 

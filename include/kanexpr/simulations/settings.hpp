@@ -48,7 +48,7 @@ struct simulation_end {
   std::vector<occurrence> events{}; ///< in chronological order
   integration_statistics statistics{};
   double time = 0;               ///< the time at which it ended
-  bool stopped_by_event = false; ///< as the handler of the last event requested
+  bool stopped_by_event = false; ///< requested by the handler of the last event
   std::string failure{};         ///< the cause of a failure, as a sentence; empty on success
 
   explicit operator bool() const { return failure.empty(); }

@@ -19,7 +19,7 @@ struct simulation_options {
   /// value that contradicts the constraints ends the simulation.
   bool guesses_dependent = false;
 
-  double relative_tolerance = 1e-8; ///< of the error of each step, in each coordinate and speed
+  double relative_tolerance = 1e-8; ///< permitted relative error of each step, in each coordinate and speed
   /// Added to the relative tolerance, in the unit of each entry. The default is a hundredth of the relative
   /// tolerance times the magnitude of the entry, estimated from the beginning of the motion.
   std::optional<double> absolute_tolerance = {};

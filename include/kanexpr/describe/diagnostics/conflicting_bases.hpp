@@ -24,10 +24,10 @@ using base_conflict = const char*;
 inline constexpr base_conflict
     two_orientations = "frame @ has two orientations",
     two_places = "point @ has two positions",
-    frame_and_body = "@ is described as a frame and as a body; give each its own name",
+    frame_and_body = "@ is described both as a frame and as a body; give each its own name",
     load_as_base = "a load is a base class of @; list it in the system's loads<...>",
     inertia_as_base = "an inertia is a base class of @; it belongs in rigid_body<...>",
-    system_as_base = "@ is described as part of a system and as a whole system; give each its own name",
+    system_as_base = "@ is described both as part of a system and as a whole system; give each its own name",
     word_as_base = "a word of the system is a base class of @; list it among the words of the system";
 
 /// Whether a base class that appears once is private, as the bases of a class are by default.
@@ -75,9 +75,9 @@ constexpr base_conflict find_base_conflict() {
                  moves = __is_base_of(velocity_words, Entity), is_fixed = __is_base_of(fixing_words, Entity);
   if constexpr (__is_base_of(joint_words, Entity) || __is_base_of(ground_words, Entity))
     return find_base_conflict_of_joint<Entity>();
-  if (is_frame && is_point) return "@ is described as a frame and as a point; give each its own name";
+  if (is_frame && is_point) return "@ is described both as a frame and as a point; give each its own name";
   if (is_frame && is_body) return frame_and_body;
-  if (is_point && is_body) return "@ is described as a point and as a body; give each its own name";
+  if (is_point && is_body) return "@ is described both as a point and as a body; give each its own name";
   if (is_load && (is_frame || is_point || is_body)) return load_as_base;
   constexpr Entity* e = nullptr;
   if constexpr (is_frame && !requires { static_cast<orientation_words*>(e); })

@@ -129,7 +129,7 @@ public:
 
   explicit operator bool() const { return static_cast<bool>(type_); }
   hid_t id() const { return type_.id(); }
-  std::size_t size() const { return size_; } ///< of a row, in bytes
+  std::size_t size() const { return size_; } ///< the size of a row in bytes
   const std::vector<std::string>& units() const { return units_; }
 
 private:

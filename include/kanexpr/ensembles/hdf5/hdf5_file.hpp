@@ -9,7 +9,7 @@
 namespace kanexpr {
 
 struct hdf5_options {
-  int compression = 0;    ///< from 1, fastest, to 9, smallest; 0: none
+  int compression = 0;    ///< level from 1 (fastest) to 9 (smallest); 0: none
   double flush_every = 5; ///< seconds between updates that other programs see
 };
 

@@ -120,7 +120,7 @@ private:
   const std::vector<casadi_argument>& by_all_;
 };
 
-/// Gives sparse results of the same name in two functions the same sparsity by adding explicit zeros: two
+/// Gives sparse results with the same name in two functions the same sparsity by adding explicit zeros: two
 /// derivations of a derivative may find different entries to be zero.
 class common_shapes {
 public:

@@ -61,7 +61,7 @@ private:
     bool is_angular_velocity = false;
   };
 
-  /// Whether a frame turns with another one because it is oriented relative to it.
+  /// Whether a frame turns with another frame because it is oriented relative to that frame.
   constexpr bool turns_with(int f, int other) const {
     while (f != other && f != mechanism::inertial && !m_.frames[f].has_declared_angular_velocity())
       f = m_.frames[f].parent;

@@ -14,7 +14,7 @@ namespace kanexpr::mechanics {
 struct elementary_rotation {
   bool about_basis = true;
   int axis = 0;
-  expression angle{}; ///< of the old axes relative to the new ones
+  expression angle{}; ///< angle of the old axes relative to the new ones
   matrix3 to_new{};
 };
 

@@ -8,7 +8,7 @@
 /// The relative motion of frames and points, formed only from the path between them.
 namespace kanexpr::mechanics {
 
-/// The angular velocity of a frame minus that of another one.
+/// The angular velocity of one frame minus that of another.
 constexpr vector angular_velocity_between(const skeleton& s, int frame, int other) {
   const auto depth = [&](int f) {
     int steps = 0;
@@ -44,7 +44,7 @@ constexpr vector relative_velocity_of(motion& k, int n) {
 
 } // namespace detail
 
-/// The velocity of a station minus that of another one.
+/// The velocity of one station minus that of another.
 constexpr vector velocity_between(motion& k, int station, int other) {
   const skeleton& s = k.skeleton_used();
   const auto below = [&](int n) { return s.stations[n].absolute ? none : s.stations[n].parent; };

@@ -31,8 +31,8 @@ public:
   /// Sets the magnitudes of the entries of a state; the constraints are examined around the given state.
   virtual void set_sizes(double t, const vector& x, const vector& r, const vector& sizes) = 0;
   /// Determines whether a state is near a position in which velocity constraints follow from others, or
-  /// whether some always do. Later calls use this result. `least` is the distinctness below which a
-  /// position counts as such.
+  /// whether some always do. Later calls use this result. `least` is the distinctness below which a position
+  /// counts as singular.
   virtual void update_singularity(double t, const vector& x, const vector& r, double least) = 0;
   virtual bool is_near_singular() const = 0;
   /// Evaluates ẋ at the nearest state on the manifold, from the equations of all speeds, for any choice of

@@ -32,7 +32,7 @@ constexpr bool has_prescribed_rates(const derivation::survey& known) {
 /// The indices of a prescribed quantity and of its rate among the inputs.
 struct rate_pair {
   int value, rate;
-  std::string name; ///< of the value: "theta", or "dot(theta)"
+  std::string name; ///< name of the value: "theta", or "dot(theta)"
 };
 
 inline std::vector<rate_pair> prescribed_rates(const derivation::survey& known) {

@@ -20,7 +20,7 @@ struct requirements {
   const std::vector<symbol_name>&held, &freed, &changing;
   const std::vector<named_value>& rates;
   double t = 0;
-  double tolerance = 0; ///< of every equation, relative to its magnitude
+  double tolerance = 0; ///< permitted residual of each equation, relative to its magnitude
   int most_iterations = 0;
 };
 
@@ -49,7 +49,7 @@ struct search_result {
   int iterations = 0;
   int freedom = 0;
   std::string failure{};
-  std::vector<residual> residuals{}; ///< of all equations
+  std::vector<residual> residuals{}; ///< residuals of all equations
 };
 
 /// Searches for an operating point from a guess of [x; p; r].

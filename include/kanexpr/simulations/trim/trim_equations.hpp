@@ -163,9 +163,9 @@ private:
   double t_;
   Eigen::VectorXcd at_, all_;
   std::string_view unsolved_{};
-  std::vector<bool> angles_{}; ///< by coordinate
+  std::vector<bool> angles_{}; ///< whether each coordinate is an angle
   double usual_length_ = 0;
-  Eigen::VectorXd sizes_{}; ///< of the unknowns
+  Eigen::VectorXd sizes_{}; ///< magnitudes of the unknowns
 };
 
 } // namespace kanexpr::simulations

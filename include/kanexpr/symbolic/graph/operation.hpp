@@ -22,7 +22,7 @@ enum class operation : unsigned char {
   asin,
   acos,
   atan,
-  atan2, ///< of two arguments
+  atan2, ///< has two arguments
   exp,
   log,
   sinh,
