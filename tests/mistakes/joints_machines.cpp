@@ -77,7 +77,7 @@ struct System : jointed<coordinates<s>, speeds<v, u>, kinematics<simple>, bodies
 void f() { use<System>(); }
 } // namespace n11
 
-// expect: kinematics<simple> has no coordinate left; all coordinates have other equations
+// expect: kinematics<simple> has no coordinate left; all coordinates already have equations
 namespace n12 {
 struct System : jointed<joints<Arm>, kinematics<simple>> {};
 void f() { use<System>(); }

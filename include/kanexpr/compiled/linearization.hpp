@@ -32,8 +32,8 @@ struct linearization {
   static constexpr finite_function<System, quantity::state_matrix, quantity::input_matrix> explicit_form{};
 
   /// M, A and B in M δ[q̇; u̇; λ] = A δx_i + B δr. The rows are the kinematic differential equations, the
-  /// rates of the constraints, and the dynamics: with Kane's method those of the independent speeds, with
-  /// Lagrange's method those of all speeds with the multipliers λ.
+  /// rates of the constraints, and the dynamics: with Kane's method those for the independent speeds, with
+  /// Lagrange's method those for all speeds with the multipliers λ.
   static constexpr finite_function<System, quantity::implicit_mass_matrix, quantity::implicit_state_matrix,
                                    quantity::implicit_input_matrix>
       implicit_form{};

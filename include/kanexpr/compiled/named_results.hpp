@@ -45,21 +45,22 @@ struct named_results {
   static constexpr of<quantity::active_forces> active_forces{};
   /// The generalized inertia forces F_r*, at given rates of the speeds: f(x, p, r, a).
   static constexpr of<quantity::inertia_forces> inertia_forces{};
-  /// F_r + F_r* of all speeds, before constraints reduce them (Kane's holonomic generalized forces), at given
-  /// rates of the speeds: f(x, p, r, a). Along a motion they equal −Jᵀ λ, or zero without constraints.
+  /// F_r + F_r* for all speeds, before constraints reduce them (Kane's holonomic generalized forces), at
+  /// given rates of the speeds: f(x, p, r, a). Along a motion they equal −Jᵀ λ, or zero without constraints.
   static constexpr of<quantity::unreduced_forces> unreduced_forces{};
   /// M and f for all speeds in M u̇ = f + Jᵀ λ, before constraints reduce them.
   static constexpr of<quantity::unreduced_mass_matrix> unreduced_mass_matrix{};
   static constexpr of<quantity::unreduced_forcing> unreduced_forcing{};
   /// γ in J u̇ + γ = 0, the rates of the velocity constraints.
   static constexpr of<quantity::constraint_bias> constraint_bias{};
-  /// The generalized forces of the independent speeds that must act in addition to the loads of the model to
+  /// The generalized forces for the independent speeds that must act in addition to the loads of the model to
   /// produce given rates of the speeds: M u̇ − f, by f(x, p, r, a).
   static constexpr of<quantity::inverse_dynamics> inverse_dynamics{};
   /// The inputs that produce given rates of the speeds: f(x, p, r, a), independent of r. Requires as many
   /// inputs as independent speeds, and forces that are linear in the inputs.
   static constexpr of<quantity::required_inputs> required_inputs{};
-  /// The generalized forces of the independent speeds that balance gravity at any state, −F_r of the weights.
+  /// The generalized forces for the independent speeds that balance gravity at any state, −F_r of the
+  /// weights.
   static constexpr of<quantity::gravity_compensation> gravity_compensation{};
   /// C, where C u is the part of M u̇ − f that is quadratic in the speeds and Ṁ − 2C is skew-symmetric; only
   /// for systems without constraints whose speeds are the rates of coordinates.

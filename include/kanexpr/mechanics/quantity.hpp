@@ -8,23 +8,23 @@ namespace kanexpr::mechanics {
 /// number of speeds, m the number of constraints on the speeds, and l the number of configuration
 /// constraints.
 enum class quantity : unsigned char {
-  mass_matrix,           ///< M of the independent speeds, (p−m)×(p−m)
+  mass_matrix,           ///< M for the independent speeds, (p−m)×(p−m)
   forcing,               ///< f in M u̇ = f, p−m
   mass_matrix_full,      ///< M_full of [q̇; u̇], (n+p)×(n+p): E, M and the differentiated constraints
   forcing_full,          ///< [q̇; f; …], n+p, with M_full [q̇; u̇] = f_full
   qdot,                  ///< q̇, n
   udot,                  ///< u̇ of all speeds, p
   rhs,                   ///< [q̇; u̇], n+p
-  active_forces,         ///< F_r of the independent speeds, p−m
-  inertia_forces,        ///< F_r* of the independent speeds, p−m, with the symbols u̇
-  unreduced_forces,      ///< F_r + F_r* of all speeds before constraints reduce them, p, with the symbols u̇
-  unreduced_mass_matrix, ///< M of all speeds before constraints reduce it, p×p
-  unreduced_forcing,     ///< f of all speeds before constraints reduce it, p
+  active_forces,         ///< F_r for the independent speeds, p−m
+  inertia_forces,        ///< F_r* for the independent speeds, p−m, with the symbols u̇
+  unreduced_forces,      ///< F_r + F_r* for all speeds before constraints reduce them, p, with the symbols u̇
+  unreduced_mass_matrix, ///< M for all speeds before constraints reduce it, p×p
+  unreduced_forcing,     ///< f for all speeds before constraints reduce it, p
   constraint_bias,       ///< γ in J u̇ + γ = 0, m
   inverse_dynamics,      ///< generalized forces required in addition to the loads, p−m, with the symbols u̇
   required_inputs,       ///< the inputs that produce u̇, s = p−m, with the symbols u̇
-  gravity_compensation,  ///< generalized forces of the independent speeds that balance gravity, p−m
-  load_compensation,     ///< generalized forces of the independent speeds that balance all other loads, p−m
+  gravity_compensation,  ///< generalized forces for the independent speeds that balance gravity, p−m
+  load_compensation,     ///< generalized forces for the independent speeds that balance all other loads, p−m
   regressor,             ///< Y in the inverse dynamics τ = Y π + τ_0 for b inertial parameters, (p−m)×b
   inertial_parameters,   ///< π with the values given in the model, b
   coriolis,              ///< C with Ṁ − 2C skew-symmetric, if the speeds are coordinate rates, p×p

@@ -10,8 +10,8 @@
 
 namespace kanexpr::numeric {
 
-/// The motion of a constrained system from the equations of all speeds, M u̇ = f + Jᵀ λ with J u̇ + γ = 0, at
-/// the nearest state that satisfies the constraints. The speeds need not be divided into independent and
+/// The motion of a constrained system from the equations for all speeds, M u̇ = f + Jᵀ λ with J u̇ + γ = 0,
+/// at the nearest state that satisfies the constraints. The speeds need not be divided into independent and
 /// dependent ones, and the rows of J may be linearly dependent.
 ///
 /// At a position where rows of J become dependent, the constraints do not determine how the mechanism

@@ -110,7 +110,7 @@ private:
     has_tightened_tolerances_ = was_near && options_.relative_tolerance < least_tolerance_near_singular;
   }
 
-  /// Continues with the equations of all speeds if a step fails near a singular position.
+  /// Continues with the equations for all speeds if a step fails near a singular position.
   bool continue_near_singular() {
     if (context_.is_near_singular() || context_.has_thrown()) return false;
     context_.update_singularity(result_.time, state_, not_far);

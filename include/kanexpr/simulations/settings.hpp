@@ -30,7 +30,7 @@ enum class integrator {
   explicit_runge_kutta,
   /// Kvaerno's implicit pair of order 5 with exact derivatives (ARKODE), for stiff systems with many events.
   implicit_runge_kutta,
-  /// The equations of all speeds with their multipliers, as a differential-algebraic system (IDA). No choice
+  /// The equations for all speeds with their multipliers, as a differential-algebraic system (IDA). No choice
   /// of dependent coordinates and speeds is involved, so a motion may pass through positions where that
   /// choice is singular. The constraints are satisfied within the tolerances. Near positions where they
   /// become dependent, `bdf` replaces this method.

@@ -36,11 +36,11 @@ enum class results : unsigned char {
                  ///< for their rates
   velocities,    ///< the residuals of the velocity constraints; their derivatives with respect to the speeds
   dependent_speeds, ///< the dependent speeds
-  unreduced,        ///< q̇, and the terms of the equations of all speeds, M u̇ = f + Jᵀ λ with J u̇ + γ = 0
+  unreduced,        ///< q̇, and the terms of the equations for all speeds, M u̇ = f + Jᵀ λ with J u̇ + γ = 0
   jacobian,         ///< ∂ẋ/∂x and ∂ẋ/∂r, for methods that use Newton's iteration
   multipliers,      ///< λ; these and the next two are for the method with multipliers
   coordinate_rates, ///< q̇
-  forces,           ///< F_r + F_r* of all speeds, for the given u̇
+  forces,           ///< F_r + F_r* for all speeds, for the given u̇
 };
 
 using mechanics::quantity;

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <type_traits>
 
-/// Steps near positions in which constraints are linearly dependent, with the equations of all speeds.
+/// Steps near positions in which constraints are linearly dependent, with the equations for all speeds.
 namespace kanexpr::steps {
 
 using compiled::omitted;
@@ -30,7 +30,7 @@ Vector own_vector(const Given& given) {
     return compiled::forwarded<Vector>(given);
 }
 
-/// The equations of all speeds, evaluated at the nearest state that satisfies the constraints, in the form
+/// The equations for all speeds, evaluated at the nearest state that satisfies the constraints, in the form
 /// that the integration methods require.
 template <class System, class Number, class Inputs>
 class passing_equations {
@@ -138,7 +138,7 @@ struct passing_step {
   }
 
 private:
-  /// Takes the step with the equations of all speeds; if this also fails, the result of the regular step is
+  /// Takes the step with the equations for all speeds; if this also fails, the result of the regular step is
   /// kept.
   template <class Time, class Number, class Parameters, class Inputs>
   [[gnu::cold, gnu::noinline]] static status
@@ -163,7 +163,7 @@ namespace kanexpr {
 
 /// A fixed-length step that can pass through positions in which the constraints of a system are linearly
 /// dependent, such as those of a linkage whose bars are in line: `passing<runge_kutta_4<System>> step;`. Near
-/// such positions it uses the equations of all speeds at states projected onto the constraints, at about
+/// such positions it uses the equations for all speeds at states projected onto the constraints, at about
 /// thirty times the cost; elsewhere it is identical to `Step`. It neither allocates nor throws.
 template <class Step>
 struct passing : steps::passing_step<typename Step::method, typename Step::system, Step::corrections> {};

@@ -35,7 +35,7 @@ constexpr base::sentence far_from_norm_1(const derivation::survey& known, int k)
   return base::sentence({"the norm of ", quaternion_called(known, k).view(), " is far from 1"});
 }
 
-/// The indices in the state of the dependent coordinates, followed by those of the dependent speeds.
+/// The indices in the state of the dependent coordinates, followed by those for the dependent speeds.
 template <class System>
 inline constexpr auto dependent_places = [] {
   constexpr const derivation::survey& known = compiled::survey_of<System>;

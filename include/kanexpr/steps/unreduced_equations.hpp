@@ -16,7 +16,8 @@ namespace kanexpr::steps {
 /// and the velocity constraints, or all velocity constraints, the redundant ones last.
 enum class unreduced_rows { configuration_and_velocities, all_velocities };
 
-/// The equations of all speeds that `constrained_motion` evaluates, at a given time and with constant inputs.
+/// The equations for all speeds that `constrained_motion` evaluates, at a given time and with constant
+/// inputs.
 template <class System, class Number, class Parameters, class Inputs, unreduced_rows rows>
 class unreduced_equations {
   static constexpr const derivation::survey& known = compiled::survey_of<System>;

@@ -51,7 +51,7 @@ public:
            " that appear in no other kinematic differential equation; the numbers must be equal"});
     if (coordinates.size() == 0)
       return reading_.fail(
-          {"kinematics<simple> has no coordinate left; all coordinates have other equations"});
+          {"kinematics<simple> has no coordinate left; all coordinates already have equations"});
     for (int i = 0; i < coordinates.size(); ++i)
       m_.kinematics.push(m_.coordinate_rates[coordinates[i]] - m_.speeds[speeds[i]]);
   }

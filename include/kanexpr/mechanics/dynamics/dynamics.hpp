@@ -84,7 +84,7 @@ public:
     return coupling_;
   }
 
-  /// M of the independent speeds.
+  /// M for the independent speeds.
   constexpr const symbolic::matrix& mass() {
     if (mass_.rows != 0) return mass_;
     const symbolic::matrix &free = free_mass(), &on_independent = dependent().on_independent;
@@ -93,7 +93,7 @@ public:
     return mass_;
   }
 
-  /// f in M u̇ = f of the independent speeds.
+  /// f in M u̇ = f for the independent speeds.
   constexpr const sequence<expression>& force() {
     if (force_.empty() && has_sines_in_components(m_, loads_)) mass();
     if (force_.empty()) force_ = formed_force();
@@ -133,13 +133,13 @@ public:
     return reduced(forces, speeds_, dependent().on_independent);
   }
 
-  /// F_r of the independent speeds.
+  /// F_r for the independent speeds.
   constexpr sequence<expression> active_forces() {
     if (by_lagrange()) return reduce(lagrange_.active_forces());
     return reduce(mechanics::active_forces(s_, loads_));
   }
 
-  /// F_r* of all speeds at u̇ = 0; with Kane's method, followed by F_r* of the auxiliary speeds.
+  /// F_r* for all speeds at u̇ = 0; with Kane's method, followed by F_r* of the auxiliary speeds.
   constexpr sequence<expression> inertia_bias() const {
     if (by_lagrange()) return lagrange_.inertia_bias();
     return mechanics::inertia_bias(s_);
@@ -153,7 +153,7 @@ public:
     return reduce(force);
   }
 
-  /// F_r + F_r* of all speeds, with the symbols u̇, before constraints reduce them.
+  /// F_r + F_r* for all speeds, with the symbols u̇, before constraints reduce them.
   constexpr sequence<expression> unreduced_forces() {
     sequence<expression> force;
     if (by_lagrange())
@@ -174,8 +174,8 @@ public:
     return force;
   }
 
-  /// The generalized inertia forces of all speeds in a motion with the symbols u̇, including gravity: F_r* on
-  /// accelerated ground for Kane's method, ∂L/∂q − d/dt ∂L/∂q̇ for Lagrange's.
+  /// The generalized inertia forces for all speeds in a motion with the symbols u̇, including gravity: F_r*
+  /// on accelerated ground for Kane's method, ∂L/∂q − d/dt ∂L/∂q̇ for Lagrange's.
   constexpr sequence<expression> inertia_in(motion& on_accelerated_ground) {
     if (by_lagrange()) return lagrange_.inertia_forces(m_.speed_rates);
     return mechanics::inertia_forces(s_, on_accelerated_ground);

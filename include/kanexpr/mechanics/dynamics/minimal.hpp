@@ -6,9 +6,9 @@
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 
-/// Kane's equations of the independent speeds.
+/// Kane's equations for the independent speeds.
 ///
-/// With u̇_d = A u̇_i + b̄ and T = [E; A], the equations of all speeds, M u̇ = f, become Tᵀ M T u̇_i = f_i +
+/// With u̇_d = A u̇_i + b̄ and T = [E; A], the equations for all speeds, M u̇ = f, become Tᵀ M T u̇_i = f_i +
 /// Aᵀ f_d − Bᵀ b̄. B = M_di + M_dd A appears on both sides.
 namespace kanexpr::mechanics {
 

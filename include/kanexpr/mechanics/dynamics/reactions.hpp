@@ -22,7 +22,7 @@ constexpr sequence<expression> residual_forces(const symbolic::matrix& mass,
 }
 
 /// Lagrange multipliers: λ_j is the force on the system along the direction in which constraint j sets a
-/// velocity to zero. They follow from the equations of the dependent speeds, J_dᵀ λ = −(F_d + F_d*).
+/// velocity to zero. They follow from the equations for the dependent speeds, J_dᵀ λ = −(F_d + F_d*).
 constexpr symbolic::linear_solution multipliers(graph& g, const constraints& c, const partition& speeds,
                                                 const sequence<expression>& residual_of_dependent) {
   symbolic::matrix right(g, c.size(), 1);

@@ -65,7 +65,7 @@ constexpr sentence check_regressor(const skeleton& s, motion& k) {
   return {};
 }
 
-/// The generalized forces of all speeds per unit of each inertial parameter in a motion on accelerated
+/// The generalized forces for all speeds per unit of each inertial parameter in a motion on accelerated
 /// ground, with a column for each parameter: Σ v_r·R + ω_r·T with the partial velocities of the bodies, which
 /// all parameters of a body share.
 constexpr symbolic::matrix regressor_of_all(const skeleton& s, motion& k) {

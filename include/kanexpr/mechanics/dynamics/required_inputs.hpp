@@ -20,7 +20,7 @@ struct required_inputs {
   symbolic::linear_solution solved{};
 };
 
-/// The inputs for which F_r + F_r* of the independent speeds, with the symbols u̇, vanishes.
+/// The inputs for which F_r + F_r* for the independent speeds, with the symbols u̇, vanishes.
 constexpr required_inputs inputs_for(const mechanism& m, const sequence<expression>& forces) {
   const int speeds = forces.size(), inputs = m.inputs.size();
   if (speeds != inputs)

@@ -28,13 +28,13 @@ public:
     visit(self.reduced_);
   }
 
-  /// The equations of the independent speeds.
+  /// The equations for the independent speeds.
   constexpr linearizer& reduced() {
     if (!reduced_.has_value()) reduced_.emplace(*m_.g, system_form(of_).reduced());
     return *reduced_;
   }
 
-  /// The same equations for Kane's method; for Lagrange's method, the equations of all speeds with the
+  /// The same equations for Kane's method; for Lagrange's method, the equations for all speeds with the
   /// multipliers.
   constexpr linearizer& in_full() {
     if (m_.derived_by == method::kane || of_.constraints.size() == 0) return reduced();

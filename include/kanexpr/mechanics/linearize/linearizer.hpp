@@ -130,7 +130,7 @@ private:
     return true;
   }
 
-  /// Whether the dynamics are those of the independent speeds, with a known symmetric mass matrix.
+  /// Whether the dynamics are those for the independent speeds, with a known symmetric mass matrix.
   constexpr bool is_reduced() const { return form_.lambda.empty() && form_.known.mass.rows != 0; }
 
   /// For each expression in `of`, adds a weighted sum of `more` and passes the derivatives along all

@@ -160,8 +160,8 @@ private:
     return slopes_;
   }
 
-  /// The adjoint of weights of u̇: the part for the equations of the independent speeds, followed by the part
-  /// for f_a with the opposite sign.
+  /// The adjoint of weights of u̇: the part for the equations for the independent speeds, followed by the
+  /// part for f_a with the opposite sign.
   constexpr sequence<expression> adjoint_of(const sequence<expression>& of) {
     const sequence<int>&free = form_.speeds.independent, &bound = form_.speeds.dependent;
     sequence<expression> adjoint = solved(reduced(of));

@@ -32,7 +32,7 @@ public:
       : of_(of), m_(*of.skeleton.model),
         motion_(motion_on_accelerated_ground(of.skeleton, of.loads, m_.speed_rates)) {}
 
-  /// The form of the independent speeds, without multipliers.
+  /// The form for the independent speeds, without multipliers.
   constexpr general_form reduced() {
     general_form form = common();
     form.f_2 = negative(of_.dynamics.reduce(of_.dynamics.inertia_in(motion_)));
@@ -44,7 +44,7 @@ public:
     return form;
   }
 
-  /// The form of all speeds, with multipliers.
+  /// The form for all speeds, with multipliers.
   constexpr general_form with_multipliers() {
     general_form form = common();
     form.f_2 = negative(of_.dynamics.inertia_in(motion_));

@@ -35,7 +35,7 @@ constexpr sequence<expression> potential_rates(const skeleton& s, const sequence
 }
 
 /// Accumulates the effects of loads: forces at the nodes of a skeleton, moments on its frames, and
-/// generalized forces of individual speeds.
+/// generalized forces for individual speeds.
 class force_system {
 public:
   constexpr explicit force_system(const skeleton& s)

@@ -221,7 +221,7 @@ private:
   };
   using unreduced_motion = numeric::constrained_motion<all_speeds>;
 
-  /// Returns the motion from the equations of all speeds, at a time with its inputs.
+  /// Returns the motion from the equations for all speeds, at a time with its inputs.
   unreduced_motion& motion_at(double t, const vector& x, const vector& r) {
     equations_.t = t, equations_.r = r;
     if (!unreduced_) unreduced_.emplace(equations_, sizes_, x);

@@ -35,7 +35,7 @@ public:
   /// counts as singular.
   virtual void update_singularity(double t, const vector& x, const vector& r, double least) = 0;
   virtual bool is_near_singular() const = 0;
-  /// Evaluates ẋ at the nearest state on the manifold, from the equations of all speeds, for any choice of
+  /// Evaluates ẋ at the nearest state on the manifold, from the equations for all speeds, for any choice of
   /// dependent speeds.
   virtual status rates(double t, const vector& x, const vector& r, double* xdot) = 0;
 

@@ -157,7 +157,7 @@ private:
   double relative_to_sizes(const vector& rates) const { return rates.cwiseQuotient(context_.sizes()).norm(); }
 };
 
-/// The equations of all speeds with the multipliers λ of the constraints, as F(t, y, ẏ) = 0 in y = [q; u; λ;
+/// The equations for all speeds with the multipliers λ of the constraints, as F(t, y, ẏ) = 0 in y = [q; u; λ;
 /// μ]:
 ///
 ///     q̇ − q̇(q, u) − Φ_qᵀ μ = 0,  F_r + F_r* + Jᵀ λ = 0,  J u + c = 0,  Φ = 0.

@@ -30,7 +30,7 @@ class moving_system {
   static constexpr bool has_multipliers = by == integrator::differential_algebraic;
 
 public:
-  /// The distinctness of the constraints below which the equations of all speeds are used. Multipliers lose
+  /// The distinctness of the constraints below which the equations for all speeds are used. Multipliers lose
   /// accuracy sooner.
   static constexpr double least_distinctness = has_multipliers ? 0.2 : 0.05;
 

@@ -72,7 +72,7 @@ public:
 
   /// Returns the manifold of the constraints; null if there are none.
   manifold* constraints() { return constraints_.get(); }
-  /// Reports the end of a step. `least` is the distinctness of the constraints below which the equations of
+  /// Reports the end of a step. `least` is the distinctness of the constraints below which the equations for
   /// all speeds are used.
   void update_singularity(double t, const vector& x, double least) {
     if (binds_speeds() && set_state(t, x) == answer::success)

@@ -44,7 +44,7 @@ inline std::string csv_field(const std::string& name) {
   return field + '"';
 }
 
-/// Reads a table from a text. A record is one line, or several if a quoted field contains line breaks.
+/// Reads a table from text. A record is one line, or several if a quoted field contains line breaks.
 class csv_reader {
 public:
   /// `called` is the name of the text in error messages; it may be empty.
