@@ -1,4 +1,4 @@
-// expect: the mass of Sponge changes with coordinate s; the Coriolis matrix requires constant masses and
+// expect: the mass of Sponge depends on coordinate s; the Coriolis matrix requires constant masses and
 // expect: inertias
 #include "pendulum.hpp"
 

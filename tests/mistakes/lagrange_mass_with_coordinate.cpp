@@ -1,4 +1,4 @@
-// expect: the mass of Drop changes with coordinate q; with Lagrange's method it may depend only on time
+// expect: the mass of Drop depends on coordinate q; with Lagrange's method it may depend only on time
 #include "pendulum.hpp"
 
 struct Drop : particle<Drop, P, m * q> {};

@@ -8,7 +8,7 @@
 
 namespace kanexpr::base {
 
-/// A sentence in the terms of mechanics that names the entity concerned, or a part of such a sentence. It
+/// A sentence in the language of mechanics that names the entity concerned, or a part of such a sentence. It
 /// describes a mistake or the cause of a status or of a failure. Empty if there is nothing to report.
 struct sentence {
   static constexpr int capacity = 255;

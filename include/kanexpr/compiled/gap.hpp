@@ -13,8 +13,9 @@
 
 namespace kanexpr::compiled {
 
-/// The reason why an entry of a vector of values is not finite. An entry that was never set, or set by a
-/// wrong name, is a NaN that stores the reason in its highest bits; conversions to float preserve them.
+/// The reason why an entry of a vector of values is not finite. An entry that was never set, or was set by a
+/// name that does not exist, is a NaN that stores the reason in its highest bits; conversions to float
+/// preserve them.
 enum class gap : unsigned char { none, not_a_number, infinite, never_set, set_twice, unknown_name_in_list };
 
 constexpr double number_for(gap why) {

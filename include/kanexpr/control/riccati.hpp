@@ -195,7 +195,7 @@ constexpr status solve_balanced(const riccati_equation<Number, states>& e,
     if (nearby.result == doubling::does_not_decay || nearby.result == doubling::halves)
       return not_stabilizable;
     // If the inputs reach a motion only through rounding, its cost exceeds any cost that widely spread rates
-    // can explain.
+    // could cause.
     const Number size = numeric::largest_entry(weighted.a),
                  large = (1 + size * size) / (1024 * std::numeric_limits<Number>::epsilon());
     const bool is_large = !numeric::is_finite(nearby.x) || numeric::largest_entry(nearby.x) > large;

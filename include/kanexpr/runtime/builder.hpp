@@ -229,7 +229,7 @@ public:
   /// A straight spring that pulls two points together with the force stiffness·(distance − natural length).
   void spring(point_id at, point_id other, expression stiffness, expression natural_length);
   void spring(point_id at, point_id other, expression stiffness) { spring(at, other, stiffness, m_.zero()); }
-  /// A damper that pulls two points together with the force damping·(rate of their distance).
+  /// A damper that pulls two points together with the force damping·(rate of change of their distance).
   void damper(point_id at, point_id other, expression damping);
   /// A torsional spring that returns an angle to its rest position with the torque stiffness·(angle − rest).
   void torsional_spring(expression angle, expression stiffness, expression rest);

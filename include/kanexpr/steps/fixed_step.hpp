@@ -92,7 +92,8 @@ constexpr symbolic::cost cost_of_sides() {
     return added({}, function<System, mechanics::quantity::constraint_pivots>::cost(), 2);
 }
 
-/// Takes a step of a method. On failure, t and x are unchanged, and the status may name an invalid argument.
+/// Takes a step with a given method. On failure, t and x are unchanged, and the status may name an invalid
+/// argument.
 template <class Method, class System, int corrections, class Time, class Number, class Parameters,
           class Inputs>
 [[gnu::always_inline]] inline status advanced(Time& t, state<System, Number>& x, const Time& h,

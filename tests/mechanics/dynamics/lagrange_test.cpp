@@ -181,7 +181,7 @@ TEST(lagrange, names_what_it_cannot_take) {
                p.number(2) + p.x);
     EXPECT_EQ(
         p.mistake_of_derivation(),
-        "the mass of Chain changes with coordinate q0; with Lagrange's method it may depend only on time");
+        "the mass of Chain depends on coordinate q0; with Lagrange's method it may depend only on time");
   }
   { // axes of a carrier, about which the wheel is not axisymmetric
     particle_in_plane p;
@@ -191,7 +191,7 @@ TEST(lagrange, names_what_it_cannot_take) {
                  p.inertia(p.inertial_frame(), p.number(1), p.number(2), p.number(3)));
     EXPECT_EQ(
         p.mistake_of_derivation(),
-        "the inertia of Block changes with coordinate q1; with Lagrange's method it may depend only on time");
+        "the inertia of Block depends on coordinate q1; with Lagrange's method it may depend only on time");
   }
   { // rolling that is built into a velocity
     particle_in_plane p;

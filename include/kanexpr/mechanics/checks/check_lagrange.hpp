@@ -134,7 +134,7 @@ private:
   /// mass varies with time, forces are rates of momentum.
   constexpr void check_mass(const body& b) {
     if (held_.holds(b.mass, kind::coordinate))
-      return fail({"the mass of ", b.called.view(), " changes with coordinate ",
+      return fail({"the mass of ", b.called.view(), " depends on coordinate ",
                    held_.name_of(b.mass, kind::coordinate), wording_.of_mass});
     if (b.frame == none || has_plain_inertia(b)) return;
     const symmetric inertia = central_inertia(m_, b, b.frame);
@@ -143,8 +143,8 @@ private:
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j <= i; ++j) changes.push(symbolic::differentiate(inertia(i, j), q));
       if (!vanish(m_, changes))
-        return fail({"the inertia of ", b.called.view(), " changes with coordinate ", called(m_, q),
-                     wording_.of_mass});
+        return fail(
+            {"the inertia of ", b.called.view(), " depends on coordinate ", called(m_, q), wording_.of_mass});
     }
   }
 

@@ -25,8 +25,8 @@ struct moment {
   const input_values<System>& r;
 };
 
-/// The action when an event occurs: a function of the moment, which may change the state and return whether
-/// the simulation stops; or just `after_event::stop`.
+/// The action to take when an event occurs: a function of the moment, which may change the state and return
+/// whether the simulation stops; or just `after_event::stop`.
 template <class System>
 class event_handler {
 public:
