@@ -1,4 +1,4 @@
-// expect: acceleration constraint 1 is not the rate of the constraints on the velocities
+// expect: acceleration constraint 1 is not the time derivative of the constraints on the velocities
 #include "pendulum.hpp"
 
 struct System
