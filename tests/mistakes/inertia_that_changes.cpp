@@ -1,4 +1,4 @@
-// expect: the inertia of Rod changes with the rate of coordinate q
+// expect: the inertia of Rod depends on the rate of coordinate q
 #include "pendulum.hpp"
 
 struct Rod : rigid_body<Rod, P, A, m, inertia<A, 0, m * l * dot(q), m * l * dot(q)>> {};

@@ -1,4 +1,4 @@
-// expect: the mass of Ball changes with the speed u
+// expect: the mass of Ball depends on the speed u
 #include "pendulum.hpp"
 
 struct Ball : particle<Ball, P, m * u> {};

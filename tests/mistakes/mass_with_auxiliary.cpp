@@ -1,4 +1,4 @@
-// expect: the mass of Ball changes with the auxiliary speed v
+// expect: the mass of Ball depends on the auxiliary speed v
 #include "pendulum.hpp"
 
 struct Ball : particle<Ball, P, m * v> {};

@@ -603,7 +603,7 @@ TEST(builder_mistakes, finds_those_of_the_finished_mechanism) {
   EXPECT_EQ(told([](auto& b) { b.coordinate("y"); }),
             "the rate of coordinate y appears in no kinematic differential equation");
   EXPECT_EQ(told([](auto& b) { b.particle("A", b.bob, b.m * b.omega); }),
-            "the mass of A changes with the speed omega");
+            "the mass of A depends on the speed omega");
 }
 
 // In C++, 1/2 is the integer 0.

@@ -142,7 +142,7 @@ private:
   constexpr void check_mass_of(expression e, std::string_view of, std::string_view whose) {
     if (const sentence with = symbol_in(
             m_, held_, e, {kind::speed, kind::auxiliary_speed, kind::speed_rate, kind::coordinate_rate}))
-      return fail({of, whose, " changes with the ", with.view()});
+      return fail({of, whose, " depends on the ", with.view()});
     if (!found_) found_ = check_prescribed(m_, held_, e, 1, of, whose);
   }
 
