@@ -20,7 +20,7 @@ struct element_record {
   std::string_view file{};  ///< mesh file, or the folder for files_in
   look looks{};
   placement_kind placed_by = placement_kind::place;
-  bool has_axis = false; ///< if true, its axis precedes those of the frame
+  bool has_axis = false; ///< if true, the shape's axis precedes the frame's axes
   int first_varying = 0; ///< index of its first number among all numbers
   int first_constant = 0;
   int constant = 0;

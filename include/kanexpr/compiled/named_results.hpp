@@ -70,7 +70,7 @@ struct named_results {
   static constexpr of<quantity::linear_momentum> linear_momentum{};
   static constexpr of<quantity::angular_momentum> angular_momentum{};
   static constexpr of<quantity::center_of_mass> center_of_mass{};
-  /// ∂T/∂u_r of all speeds as if they were unconstrained, M u plus the terms that prescribed motions add;
+  /// ∂T/∂u_r for all speeds as if they were unconstrained, M u plus the terms that prescribed motions add;
   /// with Lagrange's method, ∂L/∂q̇_r.
   static constexpr of<quantity::generalized_momenta> generalized_momenta{};
 

@@ -36,7 +36,7 @@ struct cause_list {
   }
 };
 
-/// For constant evaluation only: `trimmed` makes the list that programs use.
+/// For constant evaluation only; programs use the list that `trimmed` returns.
 inline constexpr cause_sizes room_of_causes{1 << 12, 1 << 18};
 using large_cause_list = cause_list<room_of_causes>;
 

@@ -69,7 +69,7 @@ KANEXPR_ENSEMBLES distribution log_uniform(double from, double to) {
 }
 
 KANEXPR_ENSEMBLES distribution normal(double mean, double deviation) {
-  // Draws are within 8.3 deviations of the mean.
+  // Draws are within 8.3 standard deviations of the mean.
   const bool can_be = deviation > 0 && numeric::is_finite(std::fabs(mean) + 9 * deviation);
   return ensembles::distribution_of(
       "normal", {mean, deviation},

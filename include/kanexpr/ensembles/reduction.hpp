@@ -63,8 +63,8 @@ private:
   double greatest_ = -numeric::infinity<double>;
 };
 
-/// Approximate quantiles of a stream of numbers, in little memory: exact up to `room` numbers, then within a
-/// reported error of the rank.
+/// Approximate quantiles of a stream of numbers, using little memory: exact up to `room` numbers, then within
+/// a reported error of the rank.
 ///
 /// When a level of numbers is full, it is sorted, and every other number moves to the next level, where it
 /// counts twice (Manku, Rajagopalan & Lindsay, SIGMOD 1998). This changes the rank of a number by at most the

@@ -115,7 +115,7 @@ private:
 
 namespace ensembles {
 
-/// Returns a mistake if a function of the study requests a value that does not vary. Other exceptions concern
+/// Returns a message if a function of the study requests a value that does not vary. Other exceptions concern
 /// a single run and are ignored here.
 template <class Function>
 std::string mistake_in_call(const Function& of) {

@@ -125,7 +125,7 @@ private:
     return start;
   }
 
-  /// Reduces a simulation that has every step to the requested samples.
+  /// Reduces a simulation with all of its steps to the requested samples.
   static simulation<System> sampled(const simulation<System>& of, const parameter_values<System>& p,
                                     const input_source<System>& inputs,
                                     simulations::output_schedule requested,

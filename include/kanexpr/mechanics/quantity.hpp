@@ -33,7 +33,7 @@ enum class quantity : unsigned char {
   linear_momentum,        ///< 3, inertial axes
   angular_momentum,       ///< 3, inertial axes, about the origin
   center_of_mass,         ///< 3, inertial axes, from the origin
-  generalized_momenta,    ///< ∂T/∂u, or ∂L/∂q̇, of all speeds before constraints reduce them, p
+  generalized_momenta,    ///< ∂T/∂u, or ∂L/∂q̇, for all speeds before constraints reduce them, p
   configuration_residual, ///< values of the configuration constraints, l
   configuration_terms,    ///< magnitude of the terms of this residual, l
   redundant_residual,     ///< residual of the redundant constraints

@@ -44,7 +44,7 @@ constexpr auto operator*(const Operand& x) {
 }
 
 // g++'s -Weffc++ warns about the mere existence of these operators, but without them there would be no error
-// sentence.
+// message.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Weffc++"
 KANEXPR_UNSUPPORTED_OPERATOR(&&, equation, logical_operator)

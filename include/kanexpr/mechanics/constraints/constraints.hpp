@@ -35,7 +35,8 @@ struct constraints {
   sequence<int> repeats{};          ///< the configuration constraints of these rates
 
   constexpr int size() const { return on_velocities.size(); }
-  /// The number in the model of the configuration constraint whose rate constraint `i` is, or none.
+  /// The number, in the model, of the configuration constraint of which constraint `i` is the rate; none if
+  /// there is no such constraint.
   constexpr int number_of_rate(int i) const {
     return of_configuration[i] == none ? none : numbers[of_configuration[i]];
   }

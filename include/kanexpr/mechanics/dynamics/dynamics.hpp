@@ -145,7 +145,7 @@ public:
     return mechanics::inertia_bias(s_);
   }
 
-  /// F_r* = −M u̇ + (F_r* at u̇ = 0) of the independent speeds, with the symbols u̇.
+  /// F_r* = −M u̇ + (F_r* at u̇ = 0) for the independent speeds, with the symbols u̇.
   constexpr sequence<expression> inertia_forces() {
     sequence<expression> force = inertia_bias();
     for (int i = 0; i < m_.speeds.size(); ++i)

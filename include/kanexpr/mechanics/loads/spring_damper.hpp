@@ -17,7 +17,7 @@
 namespace kanexpr::mechanics {
 
 /// A straight massless spring and a parallel damper. They pull two points toward each other with the force
-/// stiffness·(distance − length) + damping·(rate of the distance).
+/// stiffness·(distance − length) + damping·(rate of change of the distance).
 struct spring_damper {
   int point = none;
   int against = none;

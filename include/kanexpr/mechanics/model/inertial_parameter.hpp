@@ -5,9 +5,9 @@
 
 #include <string_view>
 
-/// The full inertial parameters of bodies; inertia forces and gravity are linear in them. A rigid body has
-/// its mass, its first moments m·x, m·y and m·z, and its moments and products of inertia with the sign of I =
-/// Σ m (r·r E − r r), all about one point of the body and in the axes of its frame; a particle has its mass.
+/// The full inertial parameters of bodies; inertia forces and gravity are linear in them. A rigid body has a
+/// mass, the first moments m·x, m·y and m·z, and moments and products of inertia with the sign of I = Σ m
+/// (r·r E − r r), all about one point of the body and in the axes of its frame; a particle has only a mass.
 /// Khalil & Dombre, Modeling, Identification and Control of Robots (2002), section 9.2.
 namespace kanexpr::mechanics {
 

@@ -223,8 +223,8 @@ constexpr sequence<numbers> equilibrated(sequence<numbers> states) {
   return states;
 }
 
-/// Factors on typical magnitudes that are tried before a model is rejected, because the model may specify too
-/// little about the magnitudes of its symbols.
+/// Factors for typical magnitudes that are tried before a model is rejected, because the model may specify
+/// too little about the magnitudes of its symbols.
 inline constexpr double trial_sizes[]{detail::unit_sizes, 1e-3, 1e3, 1e-6, 1e6, 1e-9, 1e9, 1e-12};
 inline constexpr double clearly = 1e-5; ///< tolerance for these trials, relative to the whole
 

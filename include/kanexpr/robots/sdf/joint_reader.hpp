@@ -178,8 +178,8 @@ private:
     return read_mimic(axis, scope);
   }
 
-  /// Reads the mimic of a joint. Mimics were introduced in SDF 1.11; older versions of libsdformat keep the
-  /// element but do not interpret it.
+  /// Reads the mimic element of a joint. Such elements were introduced in SDF 1.11; older versions of
+  /// libsdformat keep the element but do not interpret it.
   bool read_mimic(const ::sdf::JointAxis& axis, const std::string& scope) {
     const ::sdf::ElementPtr mimic = axis.Element() ? axis.Element()->FindElement("mimic") : nullptr;
     if (!mimic) return true;

@@ -119,9 +119,9 @@ private:
     return spread.lazyProduct(b);
   }
 
-  /// The constraints at a fixed time with its inputs, in the form that `numeric::assemble` requires. If a
-  /// constraint is solved for a coordinate of a quaternion, all constraints are evaluated with unit
-  /// quaternions.
+  /// The constraints at a fixed time, with the inputs at that time, in the form that `numeric::assemble`
+  /// requires. If a constraint is solved for a coordinate of a quaternion, all constraints are evaluated with
+  /// unit quaternions.
   class constraints {
   public:
     using coordinate_vector = vector;
@@ -194,7 +194,8 @@ private:
     matrix by_all_;
   };
 
-  /// The system in the form that `constrained_motion` requires, at a fixed time with its inputs.
+  /// The system in the form that `constrained_motion` requires, at a fixed time and with the inputs at that
+  /// time.
   struct all_speeds {
     using number = double;
     static constexpr int fixed_coordinates = -1, fixed_speeds = -1, fixed_rows_of_coordinates = -1,
@@ -221,7 +222,7 @@ private:
   };
   using unreduced_motion = numeric::constrained_motion<all_speeds>;
 
-  /// Returns the motion from the equations for all speeds, at a time with its inputs.
+  /// Returns the motion from the equations for all speeds, at a given time and with the inputs at that time.
   unreduced_motion& motion_at(double t, const vector& x, const vector& r) {
     equations_.t = t, equations_.r = r;
     if (!unreduced_) unreduced_.emplace(equations_, sizes_, x);

@@ -201,8 +201,8 @@ private:
 
 /// Solves A X = B for a square A, which may be sparse, block by block in block triangular form; an equation
 /// with one remaining unknown is a division. `equations` has one row per equation with all coefficients,
-/// including those of variables that are not unknowns here; `sums` are the sums from which the equations
-/// come; all terms of a sum have the same unit. Unknowns that a structurally singular matrix leaves
+/// including those of variables that are not unknowns here; `sums` are the sums from which the equations were
+/// formed; all terms of a sum have the same unit. Unknowns that a structurally singular matrix leaves
 /// undetermined remain zero.
 constexpr linear_solution solve_linear(graph& g, const matrix& a, const matrix& b, const matrix& equations,
                                        const sequence<int>& sums = {}) {

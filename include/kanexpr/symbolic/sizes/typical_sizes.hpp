@@ -38,7 +38,8 @@ private:
   static constexpr int none = -1, mixed = -2;
   static constexpr int most_passes = 4;
 
-  /// Whether a number is usual for machines in meters and kilograms, so that no estimate is needed.
+  /// Whether a number is typical of machines described in meters and kilograms, so that no estimate is
+  /// needed.
   static constexpr bool is_usual(double size) { return size > 1e-4 && size < 1e4; }
   constexpr bool holds_unusual_number() const {
     for (const number& n : g_.numbers()) {
