@@ -1,4 +1,4 @@
-# Draws the motions that the demo leaves in a folder: gnuplot -c bicycle_push.gp folder figure.svg
+# Draws the motions that the demo writes to a folder: gnuplot -c bicycle_push.gp folder figure.svg
 folder = ARG1
 
 set terminal svg size 880,720 name "bicycle_push" font "sans-serif,15" background "white"

@@ -39,7 +39,7 @@ set label "weave" at 7.1, 6.7 textcolor rgb blue
 set label "capsize" at 8, 0.8 center textcolor rgb red
 set label "castering" at 1.45, -7.2 textcolor rgb green
 
-# Above 0.7 m/s the weave oscillates, and one line is both real parts.
+# Above 0.7 m/s the weave oscillates, and one line shows both real parts.
 plot data index 0 using 1:2 with lines linewidth 2 linecolor rgb blue notitle, \
   "" index 0 using 1:($1 > 0.7 ? NaN : $4) with lines linewidth 2 linecolor rgb blue notitle, \
   "" index 0 using 1:3 with lines linewidth 2 dashtype (10, 6) linecolor rgb blue notitle, \

@@ -1,4 +1,4 @@
-# Draws the points that flip_times leaves: gnuplot -c flip_times.gp points.csv figure.png
+# Draws the points that flip_times writes: gnuplot -c flip_times.gp points.csv figure.png
 points = ARG1
 
 set terminal pngcairo size 1080,900 font "sans-serif,14" background "white"
@@ -12,7 +12,7 @@ grey = "#555555"
 degree = pi / 180
 first(row) = column("q1") / degree + 90
 second(row) = first(row) + column("q2") / degree
-# Seconds of those that flip, in powers of ten
+# Time of the flip in seconds, on a logarithmic scale
 flip(row) = column("end") > 0 ? log10(column("t_end")) : NaN
 
 # Two pixels of the figure for each of 400 points
@@ -38,7 +38,7 @@ set parametric
 set trange [-acos(1. / 3):acos(1. / 3)]
 edge(t) = acos((2 - 3 * cos(t)) < -1 ? -1 : 2 - 3 * cos(t)) / degree
 
-# Those with the first bar to the left are the others, reflected.
+# Points with the first bar to the left are mirror images of the others.
 plot points using (first(0)):(second(0)):(flip(0)) with image, \
   "" using (-first(0)):(-second(0)):(flip(0)) with image, \
   t / degree, edge(t) with lines linewidth 1.5 linecolor rgb "#2e7d4f", \

@@ -1,4 +1,4 @@
-# Draws what identified_friction leaves: gnuplot -c identified_friction.gp estimates.csv figure.svg
+# Draws the results that identified_friction writes: gnuplot -c identified_friction.gp estimates.csv figure.svg
 estimates = ARG1
 set datafile separator comma
 bound = estimates . ".bound"
@@ -30,7 +30,7 @@ plot estimates . ".record" using "t":"measured" with points pointtype 7 pointsiz
        title "measured", \
      "" using "t":"fitted" with lines linewidth 1.5 linecolor rgb red title "with the friction found"
 
-# Where the estimates of so many parts of all records should lie: L (cos t, sin t) with L L' the bound.
+# The ellipses that should contain given fractions of all estimates: L (cos t, sin t), where L L' is the bound.
 a = sqrt(cc_min)
 b = ck_min / a
 d = sqrt(kk_min - b * b)

@@ -1,4 +1,4 @@
-# Draws the map that pushed_bicycle leaves: gnuplot -c pushed_bicycle.gp points.csv figure.png
+# Draws the map that pushed_bicycle writes: gnuplot -c pushed_bicycle.gp points.csv figure.png
 points = ARG1
 set datafile separator comma
 stats points . ".speeds" using 1 every ::1 name "weave" nooutput
@@ -22,7 +22,7 @@ unset key
 unset colorbox
 set tmargin 3
 
-# 1: upright again; 2: stays up, but swings or leans; 3 to 4: falls, the sooner the darker
+# 1: upright again; 2: stays upright, but swings or leans; 3 to 4: falls, darker if sooner
 settles(row) = column("late_lean") < 0.01 ? 1 : 2
 kind(row) = column("end") < 1 ? settles(0) : 3 + 1 / (1 + column("t_end") / 5)
 set cbrange [1:4]

@@ -1,4 +1,4 @@
-# Draws the shares that uncertain_bicycle leaves: gnuplot -c uncertain_bicycle.gp shares.csv figure.svg
+# Draws the fractions that uncertain_bicycle writes: gnuplot -c uncertain_bicycle.gp shares.csv figure.svg
 shares = ARG1
 set datafile separator comma
 set datafile columnheaders

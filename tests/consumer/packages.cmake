@@ -1,8 +1,8 @@
-# Configures the library as a packager would, with nothing that it needs only for more, and as a consumer of what
-# that leaves; and looks at what they are told.
+# Configures the library as a packager would, without optional dependencies, and as a consumer of the result would;
+# checks the messages that they receive.
 file(REMOVE_RECURSE ${BINARY})
 
-# The recipes of packages have the version of the library.
+# The package recipes have the version of the library.
 include(${SOURCE}/cmake/version.cmake)
 foreach(line IN ITEMS "package.xml:<version>${kanexpr_version}</version>"
     "cmake/packages/vcpkg/kanexpr/vcpkg.json:\"version\": \"${kanexpr_version}\"" "CITATION.cff:version: ${kanexpr_version}")
@@ -29,7 +29,7 @@ function(run expected pattern)
   endif()
 endfunction()
 
-# build(<name> <what it says> <option>...): configures and builds, and without the engine that compiles nothing.
+# build(<name> <expected message> <option>...): configures and builds; without the engine, this compiles nothing.
 function(build name pattern)
   run(passes "${pattern}" ${CMAKE_COMMAND} -S ${SOURCE} -B ${BINARY}/${name} -G ${GENERATOR}
     -DKANEXPR_BUILD_ENGINE=OFF ${ARGN})
@@ -41,7 +41,7 @@ function(build name pattern)
   endif()
 endfunction()
 
-# find(<how it ends> <what it says> <prefix> <argument of find_package>...)
+# find(<expected result> <expected message> <prefix> <argument of find_package>...)
 function(find expected pattern prefix)
   list(JOIN ARGN " " arguments)
   file(WRITE ${BINARY}/consumer/CMakeLists.txt "cmake_minimum_required(VERSION 3.25)
@@ -71,7 +71,7 @@ foreach(part engine simulate fmi robots robots_sdf)
   find(fails "kanexpr::${part} is disabled: kanexpr was installed without it" little REQUIRED COMPONENTS ${part})
 endforeach()
 
-# All that can be, but for the page, and then with it
+# All optional parts except the page, and then also the page
 build(rich "kanexpr::robots_sdf is disabled: libsdformat 12 was not found; on Debian, install libsdformat-dev" ${without_sdformat})
 run(passes "only if its page was built" ${CMAKE_COMMAND} ${BINARY}/rich)
 run(passes "kanexpr::animate is disabled: its page was not built" ${CMAKE_COMMAND} --install ${BINARY}/rich

@@ -1,4 +1,5 @@
-# All headers and a model with every warning, where the headers are no system's, and behind macros of other libraries.
+# All headers and a model with all warnings, included as ordinary headers rather than system headers, after macros of
+# other libraries.
 set(folder ${CMAKE_CURRENT_BINARY_DIR}/unfriendly)
 file(GLOB headers RELATIVE ${KANEXPR_SOURCE}/include ${KANEXPR_SOURCE}/include/kanexpr/*.hpp)
 list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>\n")
@@ -6,7 +7,7 @@ list(APPEND headers "#include <kanexpr/robots/read_sdf.hpp>\n")
 list(JOIN headers "" headers)
 file(WRITE ${folder}/every_header.hpp "${headers}")
 
-# The headers stand behind a macro of each letter, which the model behind them has for its own names again.
+# A macro for each letter precedes the headers; the model that follows them uses these letters as names again.
 set(letters)
 set(no_letters)
 foreach(letter IN ITEMS A B C D E F G H I J K L M N O P Q R S T U V W X Y Z)
@@ -16,7 +17,7 @@ endforeach()
 file(WRITE ${folder}/letters.hpp "${letters}")
 file(WRITE ${folder}/no_letters.hpp "${no_letters}")
 
-# The macros are the others' business only behind their headers.
+# After the headers, the macros have their original meaning.
 file(GLOB_RECURSE files ${KANEXPR_SOURCE}/include/kanexpr/*.hpp)
 set(others)
 foreach(file IN LISTS files)

@@ -1,4 +1,4 @@
-# Builds and runs this folder as a project of its own, once for each way of using the library.
+# Builds and runs this folder as a separate project, once for each way of using the library.
 set(prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix)
 
 add_test(NAME consumer_install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${prefix})
@@ -28,7 +28,7 @@ set_tests_properties(consumer_find_package consumer_engine consumer_without_engi
   consumer_robot
   PROPERTIES FIXTURES_REQUIRED installed)
 
-# Packages, and all headers in one: the same for every compiler
+# Packages, and the single header: the same for every compiler
 set(folder ${CMAKE_CURRENT_BINARY_DIR})
 find_program(KANEXPR_PKG_CONFIG NAMES pkg-config)
 if(KANEXPR_PKG_CONFIG AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
@@ -47,7 +47,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     ${folder}/single_header ${CMAKE_CXX_COMPILER} -std=c++20 -isystem ${EIGEN3_INCLUDE_DIR} ${options_of_gcc})
 endif()
 
-# What a packager gets, and what a consumer is told. No compiler compiles anything there: one build is enough.
+# The files that a packager receives, and the messages that a consumer receives. Nothing is compiled there, so one build
+# suffices.
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   add_test(NAME consumer_packages COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR}
     -DBINARY=${CMAKE_CURRENT_BINARY_DIR}/packages -DGENERATOR=${CMAKE_GENERATOR} -P ${CMAKE_CURRENT_SOURCE_DIR}/packages.cmake)

@@ -246,24 +246,24 @@ struct riccati {
             scaled = in_units(a, b, q, r, states, inputs)
             x = solve_continuous_are(a, b, q, r) if continuous else solve_discrete_are(a, b, q, r)
             riccati(name, *scaled, continuous, np.diag(states) @ x @ np.diag(states))
-        # An input that hardly reaches a growing motion.
+        # An input that barely affects a growing motion.
         grows = [[0.5, 0.3], [0.0, 0.25]] if continuous else [[1.5, 0.3], [0.0, 1.25]]
         riccati("nearly_unstabilizable", grows, [[1], [1e-4]], np.eye(2), [[1]], continuous)
-        # Weights that leave out a growing and a decaying motion.
+        # Weights that omit a growing and a decaying motion.
         riccati("unweighted", np.diag([0.7, -0.4, 0.2]) if continuous else np.diag([1.7, 0.4, -1.2]),
                 [[1], [2], [1]], np.zeros((3, 3)), [[2]], continuous,
                 start=solve_continuous_are(np.diag([0.7, -0.4, 0.2]), [[1], [2], [1]], 1e-8 * np.eye(3), [[2]])
                 if continuous else
                 solve_discrete_are(np.diag([1.7, 0.4, -1.2]), [[1], [2], [1]], 1e-8 * np.eye(3), [[2]]))
-        # Motions that hardly decay, with hardly a weight: the closed loop is close to the axis, or the circle.
+        # Motions that barely decay, with small weights: the closed loop is close to the axis, or to the circle.
         turn = np.array([[0, 1], [-1, 0]]) if continuous else np.array([[np.cos(1), np.sin(1)], [-np.sin(1), np.cos(1)]])
         for digits in (3, 5):
             small = 10.0**-digits
             riccati(f"close_to_the_axis_{digits}", turn, [[0], [1]], small**2 * np.eye(2), [[1]], continuous)
-        # Fast and slow beside each other.
+        # Fast and slow motions together.
         fast = np.diag([-1e5, -1.0, 1e-3]) if continuous else np.diag([1e-5, 0.5, 1.001])
         riccati("stiff", fast + np.array([[0, 1, 0], [0, 0, 1], [0, 0, 0]]), [[0], [0], [1]], np.eye(3), [[1]], continuous)
-        # A chain of integrators, which no number is in.
+        # A chain of integrators, without any numbers.
         chain = np.eye(5, k=1) + shift * np.eye(5)
         riccati("integrators", chain, np.eye(5)[:, 4:], np.eye(5), [[0.1]], continuous)
         print(f"\n}} // namespace {kind}\n")

@@ -1,4 +1,4 @@
-"""What the guide reads and plots: read_hdf5.py SNIPPETS FILE, a file that hdf5_test.cpp has written."""
+"""Runs the guide's code for reading and plotting: read_hdf5.py SNIPPETS FILE, with a file written by hdf5_test.cpp."""
 
 import os
 import pathlib

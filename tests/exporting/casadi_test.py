@@ -1,4 +1,4 @@
-"""The libraries that are written for CasADi, called as it calls them: casadi_test.py FOLDER, without CasADi."""
+"""Calls the libraries written for CasADi as CasADi calls them, but without it: casadi_test.py FOLDER."""
 
 import ctypes
 import math
@@ -37,7 +37,7 @@ class Function:
 
     @staticmethod
     def shape(numbers):
-        """Rows, columns, and the places of entries."""
+        """Rows, columns, and the positions of the entries."""
         rows, columns = numbers[0], numbers[1]
         if numbers[2] == 1:
             return rows, columns, [(i, j) for j in range(columns) for i in range(rows)]
@@ -49,7 +49,7 @@ class Function:
         return rows, columns, places
 
     def raw(self, given, wanted=None):
-        """The status, and the entries of results; None is a null pointer."""
+        """The status, and the entries of the results; None is a null pointer."""
         beyond = 1e99  # behind each array, to stay there
         arrays = [None if g is None else (ctypes.c_double * (len(g) + 1))(*g, beyond) for g in given]
         results = [(ctypes.c_double * (len(places) + 1))(*[math.nan] * len(places), beyond)
@@ -77,7 +77,7 @@ def flat(matrix):
 
 
 def slope(f, at, k, j):
-    """The derivatives of f by entry j of argument k, by Richardson's extrapolation of central differences."""
+    """The derivatives of f with respect to entry j of argument k, by Richardson extrapolation of central differences."""
     def difference(h):
         ends = []
         for step in (h, -h):
@@ -101,7 +101,7 @@ def functions(library, name):
 
 
 def check(library, name, arguments, result):
-    """A function with its derivatives: these against differences of those of lower order."""
+    """Compares the derivatives of a function with differences of those of lower order."""
     f, jacobian, forward, of_forward, adjoint, of_adjoint = functions(library, name)
     assert f.names[0] == arguments and f.names[1] == [result]
     n = len(arguments)
@@ -138,7 +138,7 @@ def check(library, name, arguments, result):
                  slope(lambda a: flat(forward.dense([*a, rate, *direction])[0]), at, k, j))
         assert changes[n + 1 + k] == first[k]
 
-    # Null arguments are zero, and null results are not wanted.
+    # Null arguments are zero, and null results are not requested.
     states = {0: [0.0] * len(at[0])}
     assert str(f.raw([None, *at[1:]])) == str(f.raw([states[0], *at[1:]]))
     for each, given in ((jacobian, [*at, None]), (adjoint, [*at, None, weights]),
@@ -154,7 +154,7 @@ def check(library, name, arguments, result):
 
 
 def check_implicit(f, residual):
-    """It is linear in the rates, and zero at those of the motion."""
+    """It is linear in the rates, and zero at the rates of the motion."""
     at = [[random.uniform(0.5, 1.5) for _ in range(rows)] for rows, _, _ in residual.shapes[0]]
     rate = flat(f.dense([at[0], *at[2:]])[0])
     found = flat(residual.dense(at)[0])
@@ -181,7 +181,7 @@ def ralston(rates, x, h, t):
 
 
 def semi_implicit_euler(rates, x, h, t):
-    """Half of the state are speeds here."""
+    """Half of the entries of the state are speeds here."""
     n = len(x) // 2
     x = [*x[:n], *(a + h * b for a, b in zip(x[n:], rates(x, t)[n:]))]
     return [*(a + h * b for a, b in zip(x[:n], rates(x, t))), *x[n:]]

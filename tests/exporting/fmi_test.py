@@ -1,4 +1,4 @@
-"""FMUs by the functions of FMI 3.0, as a tool calls them: fmi_test.py FOLDER, with modules of the same models in fmus/modules."""
+"""Uses FMUs through the functions of FMI 3.0, as a tool does: fmi_test.py FOLDER, with modules of the same models in fmus/modules."""
 
 import ctypes
 import math
@@ -118,7 +118,7 @@ class Instance:
         return list(found) if status == OK else status
 
     def events(self):
-        """Whether there was anything to change, and whether the motion ends."""
+        """Whether anything had to change, and whether the motion ends."""
         again, ends, nominals, changed, has_time = [flag() for _ in range(5)]
         self.UpdateDiscreteStates(*map(ctypes.byref, (again, ends, nominals, changed, has_time)), ctypes.byref(double()))
         assert not again and not nominals and not has_time
@@ -153,7 +153,7 @@ def exchange(fmu, **values):
 
 
 def stepped(fmu, x, count, **values):
-    """A co-simulation by its internal step."""
+    """A co-simulation with its internal step."""
     made, motion = Instance(fmu, "CoSimulation").initialize(**x, **values), []
     for k in range(count):
         status, reached = made.step(k / 8, 1 / 8)
@@ -163,7 +163,7 @@ def stepped(fmu, x, count, **values):
     return motion
 
 
-# Rates, outputs and derivatives of a pendulum against closed forms; start values; tunable parameters.
+# Rates, outputs and derivatives of a pendulum, compared with closed forms; start values; tunable parameters.
 pendulum = Fmu("pendulum")
 assert pendulum.start == {"q": 0.3, "u": 0, "m": 2, "l": 0.5, "g": 9.81, "c": 0.1, "T": 0}
 assert all(pendulum.attributes[p]["variability"] == "tunable" for p in "mlgc")
@@ -262,8 +262,8 @@ for k in range(80):
     near(one.get("h", "v"), bounced(0.05 * (k + 1)), 1e-10)
 one.free()
 
-# On the ground at the start: it meets it at once where it goes down, and later where it goes up. A ball at rest there meets it
-# again and again, and does not fall through.
+# On the ground at the start: a ball that moves down touches it immediately, and one that moves up touches it later. A
+# ball at rest there touches it repeatedly and does not fall through.
 for v, rebound in ((-1.0, 0.8), (1.0, 1.0)):
     one = Instance(ball, "CoSimulation").initialize(h=0, v=v)
     assert one.step(0, 0.05)[0] == OK
@@ -283,8 +283,8 @@ for x in ({"h": 0, "v": 0}, {"h": 1e-7, "v": -1e-5}):
     assert abs(one.get("h")[0]) < 1e-7
     one.free()
 
-# A jump set by an event is no crossing, however large it is; later crossings are events. Internal steps are as long as steps at
-# most, and those without an end are refused.
+# A jump set by an event is not a crossing, however large it is; later crossings are events. Internal steps may be as
+# long as the communication steps, and endless steps are rejected.
 lift = Fmu("lift")
 one = Instance(lift, "CoSimulation").initialize()
 assert one.step(0, 1.5)[0] == OK
@@ -319,7 +319,7 @@ assert one.status("SetTime", double(5)) == one.status("SetContinuousStates", (do
 assert one.get("g", "h", "time") == [g, height, 0]
 one.free()
 
-# A solver may end a step where an indicator is zero to the last bit: it has passed zero there, whatever its direction.
+# A solver may end a step at which an indicator is exactly zero: it has then crossed zero, whatever its direction.
 one = exchange(lift, h=3.5, v=1)
 for t, x, passes in ((1, [3.75, 1], False), (2, [4, 1], True), (3, [4.5, 7], False), (4, [4, 7], False), (5, [4.5, 7], False),
                      (6, [3.5, 7], False), (7, [4, 6], True)):
@@ -331,7 +331,7 @@ for t, x, passes in ((1, [3.75, 1], False), (2, [4, 1], True), (3, [4.5, 7], Fal
         one.EnterContinuousTimeMode()
 one.free()
 
-# The same, integrated by a tool, whose steps are exact here
+# The same, integrated by a tool whose steps are exact here
 one = exchange(ball)
 x, t, bounces = one.state(), 0.0, 0
 assert x == [height, 0.0]
@@ -422,8 +422,8 @@ one.ExitInitializationMode()
 near(one.state(), start, 1e-14)
 one.free()
 
-# A linkage: no derivatives before dependent coordinates are found; other lengths between steps, at which it closes again or says
-# that it cannot.
+# A linkage: no derivatives before the dependent coordinates are found; different lengths between steps, at which it
+# closes again or reports that it cannot.
 linkage = Fmu("four_bar")
 
 
@@ -470,7 +470,7 @@ assert one.told[-1] == (DISCARD, "the step passes through or comes close to a po
 one.free()
 
 
-# Threads with an instance each, five times
+# Five threads, each with its own instance
 def motions(k):
     return [stepped(slider, {"u1": 0.1 * k}, 9) for _ in range(5)]
 

@@ -1,4 +1,4 @@
-"""The modules that write_c writes: python_test.py FOLDER, which has libfour_bar.so beside four_bar.py."""
+"""Tests the modules written by write_c: python_test.py FOLDER, which contains libfour_bar.so next to four_bar.py."""
 
 import math
 import sys
@@ -37,7 +37,7 @@ assert refused(ValueError, lambda: four_bar.udot([0.0], p, [0.0])) == "expected 
 
 state, torques = [0.1 * i for i in range(14)], [1.0] * 7
 rates = iiwa.udot(state, r=torques)
-# What must act beside the torques for the rates that these bring about is nothing.
+# Inverse dynamics at the rates caused by the torques requires no additional forces.
 left = iiwa.inverse_dynamics(state, r=torques, a=rates)
 assert max(map(abs, left)) < 1e-11 * max(map(abs, iiwa.inverse_dynamics(state, r=torques, a=[0.0] * 7)))
 

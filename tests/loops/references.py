@@ -1,4 +1,4 @@
-"""Writes references.hpp: what the closed loops of examples/loops are compared with.
+"""Writes references.hpp, the reference values for the closed loops of examples/loops.
 
     python3 references.py > references.hpp
 
@@ -29,7 +29,7 @@ def constant(name, m):
 
 
 def held(a, b, h):
-    """A and B over a step in which the inputs hold."""
+    """A and B over a step in which the inputs are constant."""
     n, m = b.shape
     e = expm(h * np.block([[a, b], [np.zeros((m, n + m))]]))
     return e[:n, :n], e[:n, n:]
@@ -68,7 +68,7 @@ def cart_rates(x, force):
 
 
 class Noise:
-    """That of examples/loops/noise.hpp."""
+    """The generator in examples/loops/noise.hpp."""
 
     state = 0
 
@@ -157,7 +157,7 @@ def bicycle():
     constant("small_motion", kept)
 
 
-# The arm: each link in its parent's frame, turning about its own z.
+# The arm: each link in its parent's frame, rotating about its own z axis.
 
 with open(ORACLES / "arm_iiwa.json") as file:
     links = json.load(file)["links"]

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The scripts of bench/peers without the peers: peers_test.py COMPILER FOLDER."""
+"""Tests the scripts of bench/peers without the peers: peers_test.py COMPILER FOLDER."""
 
 import math
 import random

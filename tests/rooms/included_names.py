@@ -21,13 +21,13 @@ def rows(table):
 
 
 def code_of(text):
-    """Without comments, texts and forward declarations; names of namespaces are blank, so that a name is found by any path."""
+    """Without comments, texts and forward declarations; names of namespaces are blank, so that a name is found however it is qualified."""
     text = FORWARD.sub("", COMMENT_OR_LITERAL.sub(" ", INCLUDE.sub("", text)))
     return re.sub(r"\b(?:kanexpr|symbolic|mechanics|compiled|lower|deriving|derive|graphs)::", "", text)
 
 
 def reaches(headers, start, goal):
-    """Whether one header includes another, by way of others or itself."""
+    """Whether one header includes another, directly or indirectly."""
     seen, stack = set(), [start]
     while stack:
         here = stack.pop()
@@ -71,7 +71,7 @@ def headers_in(project):
 
 
 def test():
-    """What has to be found, and what has not."""
+    """Cases that must be found, and cases that must not."""
     table = list(rows("sequence<\tkanexpr/base/sequence.hpp\nstd::array\tarray\nEigen::\\w+\tEigen/"))
     headers = {
         "kanexpr/base/sequence.hpp": "#pragma once\n#include <kanexpr/base/below.hpp>\n",

@@ -1,4 +1,4 @@
-"""Finds namespaces that have no folder's name, and headers of one module that share a basename.
+"""Finds namespaces that do not have the name of a folder, and headers of one module that share a basename.
 
     namespaces.py PROJECT
 
@@ -55,7 +55,7 @@ def misnamed(files):
 
 
 def repeated(files):
-    """Files of one module with one basename, except an x.ipp or x.cpp beside its x.hpp."""
+    """Files of one module with the same basename, except an x.ipp or x.cpp next to its x.hpp."""
     seen = collections.defaultdict(set)
     for file in files:
         folder, _, name = file.rpartition("/")
@@ -71,7 +71,7 @@ def files_in(project):
 
 
 def test():
-    """What has to be found, and what has not."""
+    """Cases that must be found, and cases that must not."""
     files = {
         "a/x.hpp": 'namespace kanexpr::a {\nnamespace detail {\nint f() { return 0; }\n}\nclass "}" y;\n}\nnamespace kanexpr {\nnamespace b {\nclass z;\n}\nint g(b::z);\n}\n',
         "a/x.ipp": "namespace kanexpr::b {\nint h();\n}\nnamespace Eigen {\nstruct traits {};\n}\n",

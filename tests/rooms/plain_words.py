@@ -60,7 +60,7 @@ def check(project):
 
 
 def test():
-    """What has to be found, and what has not."""
+    """Cases that must be found, and cases that must not."""
     table = phrases("told\treport\nlooks at\tchecks\n")
     source = '#include "told.hpp"\nint told(int); // a rank that is\n// told\nf("it looks " "at it");\n/// `told` is code\n'
     found = [each.split(":")[1] for each in found_in("a.hpp", prose_of_source(source), table)]

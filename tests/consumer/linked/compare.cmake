@@ -1,4 +1,4 @@
-# compare.cmake -DDIRECTORY=<of the programs>: both must print the same.
+# compare.cmake -DDIRECTORY=<of the programs>: both programs must print the same text.
 foreach(program linked whole)
   execute_process(COMMAND ${DIRECTORY}/${program} OUTPUT_VARIABLE ${program} COMMAND_ERROR_IS_FATAL ANY)
 endforeach()

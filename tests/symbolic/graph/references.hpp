@@ -3,8 +3,7 @@
 
 namespace references {
 
-/// x and the other arguments, the value of the function, and its first and second derivatives with respect to
-/// x.
+/// x and the other arguments, the value of the function, and its first two derivatives with respect to x.
 struct row {
   double x, first, second, value, slope, curvature;
 };

@@ -1,4 +1,4 @@
-"""Writes references.hpp: what the functions that are written with others are compared with.
+"""Writes references.hpp, the reference values for functions that are defined in terms of other functions.
 
     python3 references.py > references.hpp
 
@@ -46,7 +46,7 @@ steps = [(x, a, b) for a, b in ((0.0, 1.0), (2.5, -1.0)) for x in (-7.0, -0.9, 0
 
 print(f"// Written by references.py, with NumPy {np.__version__}, SciPy {scipy.__version__} and mpmath {mpmath.__version__}.")
 print("#pragma once\n\nnamespace references {\n")
-print("/// x and the other arguments, the function there, and its first and second derivative by x.")
+print("/// x and the other arguments, the value of the function, and its first two derivatives with respect to x.")
 print("struct row {\n  double x, first, second, value, slope, curvature;\n};")
 table("smooth_abs", "x tanh(x/width)", smooth_abs, widths)
 table("softplus", "width ln(1 + exp(x/width))", softplus, widths)
@@ -59,7 +59,7 @@ curves = {
     "zigzag": ([0, 1, 2.5, 3, 7], [1, -1, 4, 3.5, 3.5]),
     "bend": ([1000, 1000.5, 1001], [0, 1, 20]),
 }
-print("\n/// x, and the curve and its first and second derivative there.")
+print("\n/// x, and the value of the curve with its first and second derivatives there.")
 print("struct on_curve {\n  double x, value, slope, curvature;\n};")
 for name, (x, y) in curves.items():
     curve = PchipInterpolator(x, y) if len(x) > 2 else np.poly1d(np.polyfit(x, y, 1))
