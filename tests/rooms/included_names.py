@@ -21,7 +21,7 @@ def rows(table):
 
 
 def code_of(text):
-    """Without comments, texts and forward declarations; names of namespaces are blank, so that a name is found however it is qualified."""
+    """Without comments, texts and forward declarations; names of namespaces are blank, to find qualified names too."""
     text = FORWARD.sub("", COMMENT_OR_LITERAL.sub(" ", INCLUDE.sub("", text)))
     return re.sub(r"\b(?:kanexpr|symbolic|mechanics|compiled|lower|deriving|derive|graphs)::", "", text)
 
