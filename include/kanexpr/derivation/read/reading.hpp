@@ -61,8 +61,8 @@ struct reading {
     return false;
   }
 
-  /// Reports an entity that passes a different entity's name where its own belongs: `struct B : rotated<A,
-  /// ...>` would define A a second time.
+  /// Reports an entity that passes a different entity's name where its own belongs, and would define that
+  /// entity a second time: `struct B : rotated<A, ...>`.
   constexpr void fail_by_self(std::string_view kind, std::string_view called, std::string_view other) {
     fail({kind, " ", called, " names itself ", other, "; the first template argument of its base must be ",
           called});
