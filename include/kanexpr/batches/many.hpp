@@ -58,8 +58,8 @@ public:
   using row = Eigen::Map<Eigen::Array<number, 1, Eigen::Dynamic>>;
   using const_row = Eigen::Map<const Eigen::Array<number, 1, Eigen::Dynamic>>;
 
-  /// Constructs `count` equal systems: states are zero, parameters and inputs are NaN until they are set. A
-  /// negative count is treated as 0.
+  /// Constructs `count` identical systems: states are zero, parameters and inputs are NaN until they are set.
+  /// A negative count is treated as 0.
   explicit many(Eigen::Index count) : many(count, at_first()) {}
   many(Eigen::Index count, const Vector& each)
       : size_((std::max)(count, Eigen::Index{0})), lines_in_row_(lines_for(size_)),

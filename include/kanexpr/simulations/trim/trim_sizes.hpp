@@ -12,10 +12,10 @@
 namespace kanexpr::simulations {
 
 /// The magnitudes of the symbols and functions of a system, in their units, estimated from one point and the
-/// derivatives there. A length has its own magnitude or, near zero, that of the greatest length; a speed has
-/// the magnitude that its acceleration would give it over the distance of its coordinate; an unknown input or
-/// parameter has the magnitude that changes a function by the magnitude of that function. The magnitude of a
-/// function follows from those of its symbols.
+/// derivatives there. A length is assigned its own magnitude or, if it is near zero, that of the greatest
+/// length; a speed has the magnitude that its acceleration would give it over the distance of its coordinate;
+/// an unknown input or parameter has the magnitude that changes a function by the magnitude of that function.
+/// The magnitude of a function follows from those of its symbols.
 class sizes {
 public:
   /// The arguments specify which coordinates are angles or belong to quaternions, the values of the
