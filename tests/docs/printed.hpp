@@ -1,22 +1,27 @@
 #pragma once
 
+#include <ios>
 #include <iostream>
 #include <sstream>
 #include <string>
 
 namespace docs {
 
-/// What is printed while it lives.
+/// What is printed while it lives. Formats that the printing program sets end with it.
 class printed {
 public:
-  printed() = default;
+  printed() { format_.copyfmt(std::cout); }
   printed(const printed&) = delete;
   printed& operator=(const printed&) = delete;
-  ~printed() { std::cout.rdbuf(kept_); }
+  ~printed() {
+    std::cout.rdbuf(kept_);
+    std::cout.copyfmt(format_);
+  }
 
   std::string text() const { return out_.str(); }
 
 private:
+  std::ios format_{nullptr};
   std::ostringstream out_;
   std::streambuf* kept_ = std::cout.rdbuf(out_.rdbuf());
 };
