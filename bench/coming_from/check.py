@@ -2,8 +2,8 @@
 """check.py PAGES FOLDER [PAGE...]: runs the programs of docs/coming-from in other programs and compares them with kanexpr.
 
 PAGES holds the blocks of the pages (tests/docs/snippets), FOLDER a program for each page that evaluates kanexpr's
-system at states (evaluate.cpp). The text that the block prints must be that of the page, and the accelerations at random
-states must agree to TOLERANCE, relative to the largest of them.
+system at states (evaluate.cpp). The text that the block prints must be that of the page, the accelerations at random
+states must agree to TOLERANCE, relative to the largest of them, and the program must have the words of the page's table.
 """
 
 import contextlib
@@ -14,6 +14,9 @@ import sys
 from pathlib import Path
 from typing import Callable, NamedTuple
 
+import words
+
+DOCS = Path(__file__).resolve().parents[2] / "docs/coming-from"
 TOLERANCE = 1e-12
 STATES = 20
 
@@ -156,6 +159,8 @@ def main(pages, folder, *names):
     wrong = 0
     for name in names or PAGES:
         apart, sentence = check(name, Path(pages) / name, Path(folder).resolve() / name)
+        if missing := words.unknown(name, (DOCS / f"{name}.md").read_text()):
+            sentence = f"the program has no {', '.join(missing)}"
         print(f"{name:14} {sentence or f'{STATES} states, largest relative difference {apart:.1e}'}", flush=True)
         wrong |= bool(sentence)
     return wrong
