@@ -1,0 +1,47 @@
+"""Checks that the words of other programs in the tables of docs/coming-from exist in their Python packages."""
+
+import importlib
+import inspect
+import re
+
+MODULES = {
+    "casadi": ["casadi"],
+    "drake": ["pydrake.all"],
+    "mujoco": ["mujoco"],
+    "pinocchio": ["pinocchio", "pinocchio.casadi"],
+    "pydy": ["sympy", "sympy.physics.mechanics", "numpy", "scipy.integrate", "pydy.system", "pydy.models", "pydy.viz",
+             "pydy.viz.shapes", "pydy.codegen.c_code", "pydy.codegen.octave_code", "pydy.codegen.ode_function_generators"],
+    "sympy": ["sympy", "sympy.physics.mechanics"],
+}
+# names of values in a row, keywords, and what is built into some packages only
+OTHERS = {"A_and_B", "CppADCodeGen", "buildModelFromSdf", "lambda", "op_point", "position", "rate", "spatial_inertia", "tool"}
+
+
+def words_of(page):
+    """What the left column calls `name`: names of at least four letters, outside of strings."""
+    table = page.split("\n## Words\n")[1].split("\n## ")[0]
+    for row in [line for line in table.splitlines() if line.startswith("| ")][1:]:
+        for code in re.findall(r"`([^`]+)`", row[2:].split(" | ")[0]):
+            yield from re.findall(r"[A-Za-z_]\w{3,}", re.sub(r'"[^"]*"', "", code))
+
+
+def names_in(module):
+    """The names of a module, of the members of its classes, and of the arguments that make them."""
+    for name, value in inspect.getmembers(module):
+        yield name
+        if inspect.isclass(value):
+            yield from dir(value)
+            yield from re.findall(r"\w+", value.__init__.__doc__ or "")
+            if inspect.isfunction(value.__init__):
+                yield from inspect.signature(value.__init__).parameters
+    if module.__name__ == "mujoco":  # the elements and attributes of its files
+        yield from re.findall(r"\w+", module.mj_printSchema(True, False))
+    yield from module.__name__.split(".")
+
+
+def unknown(name, page):
+    """The words of a page that its program does not have."""
+    if name not in MODULES:
+        return []
+    known = {word for module in MODULES[name] for word in names_in(importlib.import_module(module))}
+    return sorted({word for word in words_of(page) if word not in known | OTHERS})
