@@ -85,6 +85,7 @@ KANEXPR_UNSUPPORTED_FUNCTION(round)
 KANEXPR_UNSUPPORTED_FUNCTION(fabs)
 #undef KANEXPR_UNSUPPORTED_FUNCTION
 
+/// @internal Not available in models; declared so that an error sentence can report its use.
 template <class Left, class Right>
   requires describe::operands_of_a_model<Left, Right>
 constexpr auto fmod(const Left& x, const Right& y) {
