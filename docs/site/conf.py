@@ -1,6 +1,8 @@
 """The site: pages of docs/ and what they link to, staged by stage.py, with the reference that reference.py writes."""
 
+from docutils import nodes
 from pygments.lexers.c_cpp import CppLexer
+from pygments.token import Error, Text
 
 project = "kanexpr"
 author = "the kanexpr authors"
@@ -9,7 +11,7 @@ source_suffix = {".md": "markdown"}
 root_doc = "docs/index"
 exclude_patterns = ["docs/site"]
 
-myst_enable_extensions = ["deflist"]
+myst_enable_extensions = ["colon_fence", "deflist"]
 myst_heading_anchors = 4
 suppress_warnings = ["toc.not_included"]  # pages of the source tree, which others link to
 
@@ -17,7 +19,7 @@ html_theme = "furo"
 html_title = "kanexpr"
 html_extra_path = ["extra"]
 html_static_path = ["static"]
-html_css_files = ["side_by_side.css"]
+html_css_files = ["reference.css", "side_by_side.css"]
 html_copy_source = False
 html_show_sphinx = False
 highlight_language = "none"
@@ -31,6 +33,35 @@ def leave_room(app, pagename, templatename, context, doctree):
         context["furo_hide_toc"] = True
 
 
+class Cpp(CppLexer):
+    """C++ that may contain letters of formulas, and … for what is left out."""
+
+    def get_tokens_unprocessed(self, text, stack=("root",)):
+        for place, kind, value in super().get_tokens_unprocessed(text, stack):
+            yield place, Text if kind is Error and not value.isascii() else kind, value
+
+
+def signature(name, rawtext, text, lineno, inliner, options=None, content=None):
+    """The role of declarations that are shown in line."""
+    return [nodes.literal(text, text, classes=["signature", "code"], language="cpp")], []
+
+
+def link_names(app, doctree, page):
+    """Links code that is a public name, in the pages of the guide, to its entry in the reference."""
+    labels = app.env.get_domain("std").anonlabels
+    for literal in list(doctree.findall(nodes.literal)):
+        name = "api-" + literal.astext().removesuffix("<…>").replace("::", "-").replace("_", "-")
+        if name not in labels or isinstance(literal.parent, (nodes.reference, nodes.title)):
+            continue
+        target, anchor, *_ = labels[name]
+        link = nodes.reference("", "", internal=True, refuri=f"{app.builder.get_relative_uri(page, target)}#{anchor}")
+        literal.replace_self(link)
+        link += literal
+
+
 def setup(app):
-    app.add_lexer("hpp", CppLexer)
+    app.add_lexer("cpp", Cpp)
+    app.add_lexer("hpp", Cpp)
+    app.add_role("signature", signature)
+    app.connect("doctree-resolved", link_names)
     app.connect("html-page-context", leave_room, priority=900)  # after the theme

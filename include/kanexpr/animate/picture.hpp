@@ -8,11 +8,6 @@
 
 namespace kanexpr {
 
-/// Describes the appearance of a moving system: simple shapes on its frames and points, the paths of points,
-/// and the ground.
-///
-///     using picture = kanexpr::picture<System, up<N::z>, ground<>, trace<P>,
-///                                      show<rod<O, P, 0.02>>, show<sphere<P, 0.1>, colour<"#c0392b">>>;
 template <class System, class... Elements>
 struct picture;
 
@@ -27,6 +22,11 @@ struct valid_picture {
 
 } // namespace animate
 
+/// Describes the appearance of a moving system: simple shapes on its frames and points, the paths of points,
+/// and the ground.
+///
+///     using picture = kanexpr::picture<System, up<N::z>, ground<>, trace<P>,
+///                                      show<rod<O, P, 0.02>>, show<sphere<P, 0.1>, colour<"#c0392b">>>;
 template <class System_, class... Elements>
 struct picture {
   using System = System_;

@@ -43,6 +43,7 @@ struct ellipsoid : animate::attached<Frame, Point> {
   static constexpr auto sizes = animate::phrases_of<along_x, along_y, along_z>;
 };
 
+/// A sphere centered at `Point`.
 template <class Point, auto radius>
 struct sphere : animate::at<Point> {
   static constexpr std::string_view shape = "sphere";

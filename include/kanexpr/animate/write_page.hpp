@@ -13,6 +13,7 @@
 
 namespace kanexpr {
 
+/// Options of `write_page`.
 struct page_options {
   std::string title{};                  ///< default: the name of the system
   std::string text{};                   ///< text below the title

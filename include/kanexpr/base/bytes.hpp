@@ -10,7 +10,7 @@
 
 namespace kanexpr {
 
-/// Serializes values to bytes in the representation of this machine, for a file or another process.
+/// @internal Serializes values to bytes in the representation of this machine, for a file or another process.
 class bytes_writer {
 public:
   template <class Value>
@@ -35,15 +35,15 @@ private:
   std::string bytes_{};
 };
 
-/// 64-bit content hash: FNV-1a (Fowler, Noll & Vo).
+/// @internal 64-bit content hash: FNV-1a (Fowler, Noll & Vo).
 constexpr std::uint64_t content_hash(std::string_view content) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const char each : content) hash = (hash ^ static_cast<unsigned char>(each)) * 0x100000001b3;
   return hash;
 }
 
-/// Reads the values back in the same order. If the bytes end too early, the current and all following values
-/// are zero or empty.
+/// @internal Reads the values back in the same order. If the bytes end too early, the current and all
+/// following values are zero or empty.
 class bytes_reader {
 public:
   explicit bytes_reader(std::string_view bytes) : left_(bytes) {}

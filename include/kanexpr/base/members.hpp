@@ -23,7 +23,8 @@ consteval int member_count() {
 
 } // namespace detail
 
-/// Calls `visit` with each member of an aggregate, in declaration order. At most 14 members are supported.
+/// @internal Calls `visit` with each member of an aggregate, in declaration order. At most 14 members are
+/// supported.
 template <class Whole, class Visit>
 constexpr void for_each_member(Whole& whole, Visit&& visit) {
   constexpr int count = detail::member_count<std::remove_const_t<Whole>>();

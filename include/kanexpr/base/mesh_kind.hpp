@@ -4,8 +4,8 @@
 
 namespace kanexpr {
 
-/// The kind of a mesh file, given by its extension: "stl" for "Base.STL". Supports STL, COLLADA (dae) and
-/// Wavefront OBJ; empty for all other files.
+/// @internal The kind of a mesh file, given by its extension: "stl" for "Base.STL". Supports STL, COLLADA
+/// (dae) and Wavefront OBJ; empty for all other files.
 constexpr std::string_view mesh_kind_of(std::string_view file) {
   const auto ends_with = [file](std::string_view kind) {
     const std::size_t from = file.size() - kind.size();

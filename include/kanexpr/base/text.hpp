@@ -16,7 +16,7 @@ concept letter = std::same_as<Value, char> || std::same_as<Value, wchar_t> || st
 
 } // namespace base
 
-/// A string literal as a template argument: the "q1" of `coordinate<"q1">`.
+/// @internal A string literal as a template argument: the "q1" of `coordinate<"q1">`.
 template <std::size_t size>
 struct text {
   char letters[size]{};
@@ -38,12 +38,13 @@ template <class Type>
   requires(!std::is_convertible_v<const Type&, std::string_view>)
 text(const Type&) -> text<1>;
 
-/// The name of a type with its namespaces, and the position at which the unqualified name begins.
+/// @internal The name of a type with its namespaces, and the position at which the unqualified name begins.
 struct whole_name {
   std::string_view whole;
   std::size_t own = 0;
 };
 
+/// @internal Returns the name of a type as the compiler prints it.
 template <class Type>
 constexpr whole_name whole_name_of() {
   std::string_view whole = __PRETTY_FUNCTION__;
@@ -59,20 +60,20 @@ constexpr whole_name whole_name_of() {
   return {whole.substr(0, end), start};
 }
 
-/// True if the name of a type denotes the same type in every source file: the type is neither in an unnamed
-/// namespace, which compilers print in brackets, nor in a function.
+/// @internal True if the name of a type denotes the same type in every source file: the type is neither in an
+/// unnamed namespace, which compilers print in brackets, nor in a function.
 template <class Type>
 inline constexpr bool is_known_to_all_files =
     whole_name_of<Type>().whole.find_first_of("({") == std::string_view::npos;
 
-/// The unqualified name of a type, as written in the model: `Link<3>`.
+/// @internal The unqualified name of a type, as written in the model: `Link<3>`.
 template <class Type>
 constexpr std::string_view type_name() {
   const whole_name name = whole_name_of<Type>();
   return name.whole.substr(name.own);
 }
 
-/// The same, with its namespaces if the other type has the same unqualified name.
+/// @internal The same, with its namespaces if the other type has the same unqualified name.
 template <class Type, class Other>
 constexpr std::string_view type_name_beside() {
   const bool is_alike = !std::is_same_v<Type, Other> && type_name<Type>() == type_name<Other>();

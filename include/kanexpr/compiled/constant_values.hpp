@@ -45,11 +45,15 @@ constexpr auto
 constant_state(std::initializer_list<compiled::entry<System, compiled::symbols_of::state, double>> named) {
   return compiled::constant_values<System, compiled::symbols_of::state>(named);
 }
+/// Returns the parameters of a system from values given by name, for constant expressions:
+/// `constant_parameters<System>({{m, 2}})`.
 template <class System>
 constexpr auto constant_parameters(
     std::initializer_list<compiled::entry<System, compiled::symbols_of::parameters, double>> named) {
   return compiled::constant_values<System, compiled::symbols_of::parameters>(named);
 }
+/// Returns the inputs of a system from values given by name, for constant expressions:
+/// `constant_inputs<System>({{T, 0.5}})`.
 template <class System>
 constexpr auto
 constant_inputs(std::initializer_list<compiled::entry<System, compiled::symbols_of::inputs, double>> named) {

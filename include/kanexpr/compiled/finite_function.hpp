@@ -12,8 +12,8 @@
 
 namespace kanexpr {
 
-/// A function with several results, each with a status, even if no equations had to be solved. If a result is
-/// not finite, its status reports this and names the argument that was not finite.
+/// @internal A function with several results, each with a status, even if no equations had to be solved. If a
+/// result is not finite, its status reports this and names the argument that was not finite.
 template <class System, auto... wanted>
 struct finite_function : function<System, wanted...>, compiled::callable<finite_function<System, wanted...>> {
   using compiled::callable<finite_function>::operator();

@@ -129,6 +129,7 @@ struct guessed_state
     : compiled::given_values<System, compiled::symbols_of::state, kanexpr::state<System>, true> {
   using guessed_state::given_values::given_values;
 };
+/// The initial guess for inputs that a search determines; omitted entries start at zero.
 template <class System>
 struct guessed_inputs
     : compiled::given_values<System, compiled::symbols_of::inputs, input_values<System>, true> {

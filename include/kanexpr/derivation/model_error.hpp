@@ -32,7 +32,7 @@ constexpr auto text_of() {
 
 #if __cpp_static_assert >= 202306L && __cplusplus > 202302L // C++26: the message may be computed
 
-/// Reports the sentence as the message of the assertion.
+/// @internal Reports the sentence as the message of the assertion.
 template <text sentence>
 struct model_error {
   static_assert(sentence.view().empty(), sentence.view());

@@ -53,18 +53,24 @@ private:
     return describe::form(symbolic::composition::name, x...);                                                \
   }
 
-KANEXPR_COMPOSED_FUNCTION(hypot, composed) ///< √(x² + y²)
+/// `hypot(x, y)`: √(x² + y²). The squares overflow beyond 1e154, or 1e19 in float.
+KANEXPR_COMPOSED_FUNCTION(hypot, composed)
 /// `if_positive(condition, a, b)`: a if the condition is positive, otherwise b.
 KANEXPR_COMPOSED_FUNCTION(if_positive, composed_with_zeros)
+/// `min(a, b)`: the smaller of two scalars, `if_positive(b - a, a, b)`; NaN if either is NaN.
 KANEXPR_COMPOSED_FUNCTION(min, composed_with_zeros)
+/// `max(a, b)`: the larger of two scalars, `if_positive(a - b, a, b)`; NaN if either is NaN.
 KANEXPR_COMPOSED_FUNCTION(max, composed_with_zeros)
-KANEXPR_COMPOSED_FUNCTION(smooth_abs, composed) ///< `smooth_abs(x, width)`: x tanh(x/width)
-KANEXPR_COMPOSED_FUNCTION(softplus, composed)   ///< `softplus(x, width)`: width ln(1 + e^(x/width))
-/// `smooth_step(x, from, to)`: rises from 0 to 1 with continuous second derivatives
+/// `smooth_abs(x, width)`: |x| rounded within about `width` of 0, x tanh(x/width).
+KANEXPR_COMPOSED_FUNCTION(smooth_abs, composed)
+/// `softplus(x, width)`: max(x, 0) rounded within about `width` of 0, width ln(1 + e^(x/width)).
+KANEXPR_COMPOSED_FUNCTION(softplus, composed)
+/// `smooth_step(x, from, to)`: rises from 0 at x = `from` to 1 at x = `to`, with continuous second
+/// derivatives.
 KANEXPR_COMPOSED_FUNCTION(smooth_step, composed_with_zeros)
 #undef KANEXPR_COMPOSED_FUNCTION
 
-/// `clamp(x, least, most)`
+/// `clamp(x, least, most)`: x limited to [least, most]; `most` if `least` exceeds it.
 template <class... Operands>
   requires describe::any_of_a_model<Operands...>
 constexpr auto clamp(const Operands&... x) {

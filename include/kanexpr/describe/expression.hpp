@@ -19,8 +19,8 @@ constexpr auto misused(misuse what, const Operands&... x);
 
 } // namespace describe
 
-/// An expression of a model as tokens in postfix order. It is declared in the namespace `kanexpr` itself, so
-/// that its operators and functions are found from every namespace.
+/// @internal An expression of a model as tokens in postfix order. It is declared in the namespace `kanexpr`
+/// itself, so that its operators and functions are found from every namespace.
 template <describe::shape is, int size>
 struct postfix_expression {
   static constexpr describe::shape kind = is;

@@ -85,6 +85,8 @@ template <class Frame, class... In>
 inline constexpr auto angular_velocity_of = describe::in_the_inertial_frame<In...>(describe::motion_of(
     describe::token_kind::angular_velocity, &describe::frame_of<Frame>, !is_known_to_all_files<Frame>));
 
+/// The angular acceleration of a frame in the inertial frame, the time derivative of its angular
+/// velocity; it contains the rates of the speeds.
 template <class Frame, class... In>
 inline constexpr auto angular_acceleration_of = describe::in_the_inertial_frame<In...>(describe::motion_of(
     describe::token_kind::angular_acceleration, &describe::frame_of<Frame>, !is_known_to_all_files<Frame>));
@@ -147,6 +149,9 @@ struct jacobian_matrix {
   describe::token by[static_cast<std::size_t>(columns)];
 };
 
+/// The matrix of the partial derivatives of a scalar or a vector with respect to symbols, one column per
+/// symbol: `jacobian(position_of<P, O>, q1, q2)`. A vector has three rows, its components in inertial
+/// axes.
 template <describe::expression_of_a_model Operand, class... Symbols>
 constexpr auto jacobian(const Operand& x, const Symbols&... symbols) {
   constexpr describe::shape kind = describe::shape_of_operand<Operand>;

@@ -102,6 +102,7 @@ constexpr auto dot(const Left& x, const Right& y) {
   return describe::as_written<gives_vector ? shape::vector : shape::scalar>(
       describe::with(describe::token_kind::dot), x, y);
 }
+/// The vector product v × w of two vectors.
 template <describe::written Left, describe::written Right>
 constexpr auto cross(const Left& x, const Right& y) {
   return describe::as_written<describe::shape::vector>(describe::with(describe::token_kind::cross), x, y);
@@ -111,6 +112,7 @@ template <describe::written Left, describe::written Right>
 constexpr auto outer(const Left& x, const Right& y) {
   return describe::as_written<describe::shape::dyadic>(describe::with(describe::token_kind::outer), x, y);
 }
+/// The magnitude |v| of a vector; its derivative is undefined where the vector vanishes.
 template <describe::written Operand>
 constexpr auto magnitude(const Operand& x) {
   return describe::as_written<describe::shape::scalar>(describe::with(describe::token_kind::magnitude), x);

@@ -6,7 +6,7 @@
 
 namespace kanexpr {
 
-/// Denotes "no index" in `coordinate<"q">`.
+/// @internal Denotes "no index" in `coordinate<"q">`.
 inline constexpr int unnumbered = -1;
 
 namespace describe {

@@ -39,12 +39,16 @@ private:
   std::string mistake_{};
 };
 
+/// A uniform distribution over [from, to].
 KANEXPR_ENSEMBLES distribution uniform(double from, double to);
 /// A distribution whose logarithm is uniform, for quantities of which only the order of magnitude is known.
 KANEXPR_ENSEMBLES distribution log_uniform(double from, double to);
+/// A normal distribution with a given mean and standard deviation.
 KANEXPR_ENSEMBLES distribution normal(double mean, double deviation);
 /// A normal distribution restricted to [from, to], for example for masses, which are positive.
 KANEXPR_ENSEMBLES distribution truncated_normal(double mean, double deviation, double from, double to);
+/// A distribution whose density rises linearly from zero at `from` to its peak at `mode` and falls
+/// linearly to zero at `to`.
 KANEXPR_ENSEMBLES distribution triangular(double from, double mode, double to);
 
 } // namespace kanexpr

@@ -228,7 +228,9 @@ struct reduction {
   }
 };
 
+/// The mean, variance and extremes of a column: `statistics_of("height")`.
 inline reduction statistics_of(std::string column) { return {std::move(column), statistics()}; }
+/// Quantiles of a column, such as its median: `quantiles_of("height")`.
 inline reduction quantiles_of(std::string column) { return {std::move(column), quantile_sketch()}; }
 /// Bins of equal width between two bounds, the second of which is excluded.
 inline reduction histogram_of(std::string column, double from, double to, std::size_t bins) {

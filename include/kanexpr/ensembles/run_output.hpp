@@ -209,6 +209,8 @@ greatest(std::string name = ensembles::output_expression<expression>::name("_gre
          std::string unit = {}) {
   return {{std::move(name), std::move(unit)}};
 }
+/// The minimum of an expression over each run, including between the steps of the integrator. The default
+/// name for a symbol q1 is q1_least.
 template <auto expression>
 ensembles::expression_output<expression, ensembles::aggregate::least>
 least(std::string name = ensembles::output_expression<expression>::name("_least"), std::string unit = {}) {
@@ -220,6 +222,7 @@ inline ensembles::event_output<ensembles::of_event::first_time>
 first_time_of(std::string event, std::string name, std::string unit = "s") {
   return {std::move(event), {std::move(name), std::move(unit)}};
 }
+/// The time at which an event last occurs, by default in s; NaN in runs in which it does not.
 inline ensembles::event_output<ensembles::of_event::last_time>
 last_time_of(std::string event, std::string name, std::string unit = "s") {
   return {std::move(event), {std::move(name), std::move(unit)}};

@@ -36,6 +36,7 @@ struct step_span {
   double start = 0; ///< the initial time
 };
 
+/// Options of the runs of a study in steps.
 struct step_options {
   /// Treats the values of dependent coordinates and speeds as guesses. By default a run fails if the
   /// constraints contradict them.

@@ -39,6 +39,8 @@ struct consistency {
   std::string cause() const { return failure.cause(); }
 };
 
+/// Options of the search for a state that satisfies the constraints: the maximum number of Newton steps, and
+/// the tolerance, the largest permitted relative change in the Jacobian over the last step.
 using assembly_options = numeric::newton_options;
 
 namespace numeric {

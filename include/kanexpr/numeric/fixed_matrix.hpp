@@ -90,6 +90,7 @@ constexpr fixed_matrix<Number, order, order> identity() {
   return one;
 }
 
+/// Returns the transpose of a matrix, in constant expressions.
 template <class Number, int rows, int columns>
 constexpr fixed_matrix<Number, columns, rows> transposed(const fixed_matrix<Number, rows, columns>& m) {
   fixed_matrix<Number, columns, rows> t;

@@ -16,6 +16,7 @@ struct reading_options {
   bool mimic = true;
 };
 
+/// How the root of a robot is connected to the ground.
 enum class base_kind : unsigned char {
   fixed,    ///< the root is fixed to the ground
   floating, ///< the root moves freely, described by its position and a unit quaternion

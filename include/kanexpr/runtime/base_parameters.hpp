@@ -36,6 +36,7 @@ struct base_parameters {
   }
 };
 
+/// Options of the search for base parameters.
 struct base_parameter_options {
   /// The tolerance, relative to the length of a column; shorter remainders count as zero.
   double tolerance = 1e-9;

@@ -8,6 +8,7 @@
 
 namespace kanexpr {
 
+/// Options of `hdf5_file`.
 struct hdf5_options {
   int compression = 0;    ///< level from 1 (fastest) to 9 (smallest); 0: none
   double flush_every = 5; ///< seconds between updates that other programs see

@@ -17,6 +17,7 @@ namespace kanexpr {
 
 namespace exporting {
 
+/// Options of `write_c`: the functions to write, and their scalar type.
 struct c_options {
   std::vector<requested_function> functions = default_results();
   std::vector<bound_parameter> bound{}; ///< parameters that are exported as numbers

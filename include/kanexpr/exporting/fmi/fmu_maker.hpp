@@ -26,6 +26,7 @@ struct assignment_at_event {
   requested_result to{};
 };
 
+/// The new value of a coordinate or a speed when an event occurs: `exporting::set<-0.8 * u>(u)`.
 template <auto value, class Where = describe::file_of<value>>
 assignment_at_event set(const symbol_name& what) {
   return {what, {what.name(), derivation::requested<value>::value}};

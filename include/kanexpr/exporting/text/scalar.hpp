@@ -5,6 +5,7 @@
 
 namespace kanexpr::exporting {
 
+/// The scalar type of exported code: double or float.
 enum class precision : unsigned char { double_precision, single_precision };
 
 /// A scalar type in C.
