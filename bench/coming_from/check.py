@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""check.py PAGES FOLDER [PAGE...]: runs the programs of docs/coming-from in other programs and compares them with kanexpr.
+"""check.py PAGES FOLDER [PAGE...]: runs the blocks of docs/coming-from in other programs and compares them with kanexpr.
 
 PAGES holds the blocks of the pages (tests/docs/snippets), FOLDER a program for each page that evaluates kanexpr's
 system at states (evaluate.cpp). The text that the block prints must be that of the page, the accelerations at random
@@ -66,15 +66,15 @@ def by_mujoco(defined):
 
 
 def double_pendulum(defined):
-    """What stands for MotionGenesis: the same pendulum in SymPy, by Lagrange's method."""
+    """In place of MotionGenesis: the same pendulum in SymPy, by Lagrange's method."""
     from numpy.linalg import solve
-    from sympy import cos, lambdify, sin
+    from sympy import cos, lambdify
     from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
     a, b = dynamicsymbols("a b")
     u, v = dynamicsymbols("a b", 1)
     torque = dynamicsymbols("T")
     la, lb, ma, mb, g = 0.5, 0.4, 2, 1, 9.81
-    kinetic = (ma * la**2 / 3 + mb * la**2) * u**2 / 2 + mb * lb**2 / 3 * v**2 / 2 + mb * la * lb / 2 * u * v * cos(a - b)
+    kinetic = (ma / 3 + mb) * la**2 * u**2 / 2 + mb / 3 * lb**2 * v**2 / 2 + mb * la * lb / 2 * u * v * cos(a - b)
     potential = -g * ((ma / 2 + mb) * la * cos(a) + mb * lb / 2 * cos(b))
     method = LagrangesMethod(kinetic - potential, [a, b])
     method.form_lagranges_equations()

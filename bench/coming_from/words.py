@@ -8,13 +8,14 @@ MODULES = {
     "casadi": ["casadi"],
     "drake": ["pydrake.all"],
     "mujoco": ["mujoco"],
-    "pinocchio": ["pinocchio", "pinocchio.casadi"],
+    "pinocchio": ["pinocchio"],
     "pydy": ["sympy", "sympy.physics.mechanics", "numpy", "scipy.integrate", "pydy.system", "pydy.models", "pydy.viz",
              "pydy.viz.shapes", "pydy.codegen.c_code", "pydy.codegen.octave_code", "pydy.codegen.ode_function_generators"],
     "sympy": ["sympy", "sympy.physics.mechanics"],
 }
 # names of values in a row, keywords, and what is built into some packages only
-OTHERS = {"A_and_B", "CppADCodeGen", "buildModelFromSdf", "lambda", "op_point", "position", "rate", "spatial_inertia", "tool"}
+OTHERS = {"A_and_B", "CppADCodeGen", "buildModelFromSdf", "casadi", "lambda", "op_point", "position", "rate",
+          "spatial_inertia", "tool"}
 
 
 def words_of(page):
