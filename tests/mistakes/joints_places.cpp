@@ -39,7 +39,7 @@ void f() { use<System>(); }
 } // namespace p5
 
 // expect: joint Link has a position in the child given in the axes of a different frame; write at<vector in
-// expect: the parent, vector in own axes>
+// expect: the parent, vector in its own axes>
 namespace p6 {
 struct P : offset<P, Arm, l * Ground::x> {};
 struct Link : cylindrical<Link, Arm, up, at<l * Arm::x, position_of<P, Ground>>, mass> {};

@@ -31,7 +31,7 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n4
 
-// expect: joint Link has two positions; write at<vector in the parent, vector in own axes>
+// expect: joint Link has two positions; write at<vector in the parent, vector in its own axes>
 namespace n5 {
 struct Link : pin<Link, Ground, up, at<l * Ground::x>, at<l * own::x>, mass> {};
 struct System : jointed<joints<Link>> {};
@@ -135,14 +135,16 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n18
 
-// expect: joint Link has a position that is not a vector; write at<vector in the parent, vector in own axes>
+// expect: joint Link has a position that is not a vector; write at<vector in the parent, vector in its
+// expect: own axes>
 namespace n19 {
 struct Link : pin<Link, Ground, up, at<l>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n19
 
-// expect: joint Link has a mass center that is not a vector; write body<mass, vector in own axes, inertia>
+// expect: joint Link has a mass center that is not a vector; write body<mass, vector in its own axes,
+// expect: inertia>
 namespace n20 {
 struct Link : pin<Link, Ground, up, body<2, l>> {};
 struct System : jointed<joints<Link>> {};
@@ -327,7 +329,7 @@ void f() { use<System>(); }
 } // namespace n45
 
 // expect: joint Link has a position in the parent given in own axes; write at<vector in axes of the parent,
-// expect: vector in own axes>
+// expect: vector in its own axes>
 namespace n46 {
 struct Link : pin<Link, Ground, up, at<l * own::x>, mass> {};
 struct System : jointed<joints<Link>> {};
@@ -342,7 +344,7 @@ void f() { use<System>(); }
 } // namespace n47
 
 // expect: joint Link has a position in the child given in the axes of a different frame; write at<vector in
-// expect: the parent, vector in own axes>
+// expect: the parent, vector in its own axes>
 namespace n48 {
 struct Link : pin<Link, Ground, up, at<l * Ground::x, l * Ground::y>, mass> {};
 struct System : jointed<joints<Link>> {};

@@ -3,7 +3,7 @@
 #include <kanexpr/describe/operand.hpp>
 #include <kanexpr/symbolic/graph/composition.hpp>
 
-/// Functions of several expressions that are defined in terms of other functions. The reader of the model
+/// Functions of several expressions that are defined in terms of other functions. The model reader
 /// checks the number of arguments and that they are scalars.
 namespace kanexpr {
 

@@ -5,7 +5,7 @@
 #include <kanexpr/describe/operand.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 
-/// Functions of expressions. The reader of the model rejects arguments that are not scalars.
+/// Functions of expressions. The model reader rejects arguments that are not scalars.
 namespace kanexpr {
 
 namespace describe {

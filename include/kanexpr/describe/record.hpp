@@ -161,7 +161,7 @@ struct frame_record : entity_record {
   char sequence[4]{}; ///< "zxz" or "313"
   const frame_record* reference = nullptr;
   phrase angular_velocity{};
-  bool turns_apart = false;   ///< declared not to match its orientation
+  bool turns_apart = false;   ///< the angular velocity is declared separately from the orientation
   std::string_view its_own{}; ///< the frame of that entity, if it has one
   bool is_of_joint = false;
 

@@ -20,7 +20,7 @@ public:
   ensemble_results run(const ensemble_options& options = {}) const {
     return unless_mistaken([&] { return ensembles::run_on_threads(*runs_, options); });
   }
-  /// Runs the study on the ranks of <kanexpr/mpi.hpp>.
+  /// Runs the study on MPI ranks (<kanexpr/mpi.hpp>).
   template <class Ranks>
   ensemble_results run(const ensemble_options& options, Ranks& ranks) const {
     return unless_mistaken([&] { return ranks.run(*runs_, options); });

@@ -149,7 +149,7 @@ private:
   std::vector<step> open_{};
 };
 
-/// Merges links connected by fixed joints, by the parallel-axis theorem.
+/// Merges links connected by fixed joints, using the parallel-axis theorem.
 inline articulation articulation_of(const robot& r) { return body_merger(r).merge(); }
 
 /// Sets gravity to zero if it acts on no link that can move. Links fixed to a link named "world" cannot move.

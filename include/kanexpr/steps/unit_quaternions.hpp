@@ -64,7 +64,7 @@ public:
 
   static constexpr base::sentence called(int k) { return quaternion_called(known, k); }
 
-  /// Normalizes all quaternions; the status names one whose norm is outside the range.
+  /// Normalizes all quaternions; the status reports one whose norm is outside the range.
   template <class State>
   [[gnu::always_inline]] static kanexpr::status normalize(State& x, const lower::norm_range& from) {
     return for_each(x, from, std::make_integer_sequence<int, count>{});

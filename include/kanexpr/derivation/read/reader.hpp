@@ -93,7 +93,7 @@ public:
   /// Reads the entities that a phrase mentions; `add_late_entities` adds them to a derived system.
   constexpr void visit(const describe::token* tokens, int size) { entities_.visit(tokens, size); }
   constexpr void add_late_entities() { entities_.add_late_entities(); }
-  /// Returns the value of a phrase of `whom`.
+  /// Evaluates a phrase in the description of the entity `whom`.
   constexpr value evaluate(const phrase& p, std::string_view whom) { return phrases_.evaluate(p, whom); }
   constexpr expression symbol(const symbol_record& r, std::string_view whom) {
     return symbols_.symbol(r, whom);

@@ -3,7 +3,7 @@
 #include <kanexpr/describe/operand.hpp>
 
 /// Operators that C++ provides but models do not support, such as `q^2`. The operands are kept, followed by
-/// the mistake, so that the reader of the model can report it with its location.
+/// the mistake, so that the model reader can report it with its location.
 namespace kanexpr {
 
 #define KANEXPR_UNSUPPORTED_OPERATOR(symbol, kind, mistake)                                                  \

@@ -48,13 +48,13 @@ constexpr std::string_view mistake_of_place() {
   if constexpr (Joint::template has<joint_word::at>) {
     using given = typename Joint::template word<joint_word::at>;
     if (Joint::template times<joint_word::at> > 1)
-      return "has two positions; write at<vector in the parent, vector in own axes>";
+      return "has two positions; write at<vector in the parent, vector in its own axes>";
     if (given::count == 0 || given::count > 2)
       return "has at<...> with no vector or more than two; write at<vector in the parent, vector in own "
              "axes>";
     if (is_no_vector<std::remove_cv_t<decltype(given::in_parent)>>() ||
         (given::count == 2 && is_no_vector<std::remove_cv_t<decltype(given::in_child)>>()))
-      return "has a position that is not a vector; write at<vector in the parent, vector in own axes>";
+      return "has a position that is not a vector; write at<vector in the parent, vector in its own axes>";
     if (holds_own(given::in_parent))
       return "has a position in the parent given in own axes; write at<vector in axes of the parent, vector "
              "in own "
@@ -62,7 +62,7 @@ constexpr std::string_view mistake_of_place() {
     if (holds_other_axes(given::in_child))
       return "has a position in the child given in the axes of a different frame; write at<vector in the "
              "parent, "
-             "vector in own axes>";
+             "vector in its own axes>";
   }
   return {};
 }
@@ -89,9 +89,10 @@ constexpr std::string_view mistake_of_body() {
       return "has two bodies; attach the second one with weld<...>";
     if (!given::fits) return "has a body with two inertias";
     if (is_no_vector<std::remove_cv_t<decltype(given::center_given)>>())
-      return "has a mass center that is not a vector; write body<mass, vector in own axes, inertia>";
+      return "has a mass center that is not a vector; write body<mass, vector in its own axes, inertia>";
     if (holds_other_axes(given::center_given))
-      return "has a mass center given in the axes of a different frame; write body<mass, vector in own axes, "
+      return "has a mass center given in the axes of a different frame; write body<mass, vector in its own "
+             "axes, "
              "inertia>";
   }
   return {};

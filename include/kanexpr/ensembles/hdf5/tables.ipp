@@ -16,7 +16,7 @@ namespace kanexpr::ensembles {
 
 /// A dataset to which rows are appended. Its functions return false on HDF5 errors.
 class growing_table {
-  static constexpr std::size_t chunk_bytes = 131072; // several chunks fit into HDF5's cache of a dataset
+  static constexpr std::size_t chunk_bytes = 131072; // HDF5's chunk cache holds several of these
 
 public:
   growing_table(std::string name, row_type columns)

@@ -149,7 +149,7 @@ private:
     case form::power: return called("pow", first + ", " + second);
     case form::function: return called(s.op, first);
     case form::binary_function: return called(s.op, first + ", " + second);
-    case form::leaf: // has no line of code
+    case form::leaf: // needs no line of code
     case form::selection:
     case form::list_operation: break; // written out by the caller; a call cannot be exported
     }

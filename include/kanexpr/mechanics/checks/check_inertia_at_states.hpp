@@ -118,8 +118,8 @@ private:
       if (is_apart(p.left) || is_apart(p.right) || !held_.is_fixed(p.value)) return false;
     return !b.is_off_center() || held_.is_fixed(b.mass);
   }
-  /// Whether this frame, or one relative to which it is oriented, is declared to turn apart from its
-  /// orientation.
+  /// Whether this frame, or one relative to which it is oriented, has an angular velocity that is declared
+  /// separately from its orientation.
   constexpr bool is_apart(int f) const {
     for (; f != mechanism::inertial; f = m_.frames[f].parent)
       if (m_.frames[f].turns_apart) return true;

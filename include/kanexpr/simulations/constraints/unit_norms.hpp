@@ -27,7 +27,7 @@ public:
   /// Whether a constraint is solved for a coordinate of a quaternion.
   bool are_bound() const { return are_bound_; }
 
-  /// Normalizes each quaternion; the status names one whose norm is out of range.
+  /// Normalizes each quaternion; the status reports one whose norm is out of range.
   status normalize(Eigen::VectorXd& x, const lower::norm_range& from) const {
     for (std::size_t k = 0; k < places_.size(); ++k)
       if (!lower::normalize(x, places_[k], from)) return status(far_from_one_[k].view());

@@ -33,8 +33,8 @@ private:
     return n.op == operation::divide ? first / abs(b) : first + of(b);
   }
 
-  /// The size of a product to first order, so that residues of sums that nearly vanish do not grow from
-  /// product to product.
+  /// The size of a product to first order, which keeps the residues of nearly vanishing sums from growing
+  /// from one product to the next.
   constexpr expression product(const expression& a, const expression& b) {
     const expression left = abs(a), right = abs(b);
     if (of(a).node() == left.node()) return left * of(b);
