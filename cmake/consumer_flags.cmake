@@ -1,5 +1,5 @@
 # Writes the compiler flags of a consumer of the library to a response file, for the checks
-# that call the compiler themselves (mistakes, compile cost).
+# that call the compiler directly (mistakes, compile cost).
 function(kanexpr_consumer_flags file)
   file(GENERATE OUTPUT ${file} CONTENT
 "-std=c++20

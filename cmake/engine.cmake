@@ -3,22 +3,22 @@
 
 # kanexpr_add_engine(<name>): the engine compiled with the flags of the directory.
 #
-# The sources are kept and installed with the headers that they compile, for builds without CMake.
+# The sources are stored and installed with the headers that they compile, for builds without CMake.
 function(kanexpr_add_engine name)
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/kanexpr/engine/*.cpp)
   add_library(${name} STATIC ${sources})
   target_link_libraries(${name} PUBLIC kanexpr)
   target_compile_definitions(${name} PUBLIC KANEXPR_COMPILED_ENGINE)
-  # Eigen's functions differ if a program is compiled with different vector instructions. Therefore the engine has a copy
+  # Eigen's functions differ between files compiled with different vector instructions. Therefore, the engine uses a copy
   # of Eigen under a different name, and its declarations do not mention Eigen.
   target_compile_definitions(${name} PRIVATE Eigen=kanexpr_engine_eigen KANEXPR_WITHIN_A_LIBRARY)
-  # Its results are bitwise identical on all compilers.
+  # The results of the engine are bitwise identical with all compilers.
   target_compile_options(${name} PRIVATE -ffp-contract=off)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
 endfunction()
 
-# kanexpr_add_engine_of(<part> <what> [<folder>]): the engine of a part with further dependencies, kanexpr::<part>_engine. Its
-# sources are in the folder of that name, or in <folder>.
+# kanexpr_add_engine_of(<part> <what> [<folder>]): the engine of a part with additional dependencies, kanexpr::<part>_engine. Its
+# sources are in the folder named after the part, or in <folder>.
 function(kanexpr_add_engine_of part what)
   set(name kanexpr_${part}_engine)
   set(folder ${ARGN} ${part})

@@ -12,7 +12,7 @@ set(kanexpr_page ${CMAKE_INSTALL_DATADIR}/kanexpr/kanexpr.html)
 set(kanexpr_installed_robot_command ${CMAKE_INSTALL_BINDIR}/kanexpr-robot)
 configure_package_config_file(cmake/kanexpr-config.cmake.in ${PROJECT_BINARY_DIR}/kanexpr-config.cmake
   INSTALL_DESTINATION ${kanexpr_package_dir} PATH_VARS kanexpr_page kanexpr_installed_robot_command)
-# With headers only, one package serves 32 and 64 bits.
+# A package that contains only headers can be used for both 32 and 64 bits.
 set(kanexpr_serves)
 if(NOT KANEXPR_BUILD_ENGINE)
   set(kanexpr_serves ARCH_INDEPENDENT)

@@ -1,12 +1,12 @@
 # kanexpr_add_model(<target> HEADER <model.hpp> SYSTEMS <system>...): a static library with the compiled functions of
 # the systems that the header defines; the names of the systems must be fully qualified, as in
 # pendulum::System. Programs that link it include <target>.hpp, which contains the types and names of the model and the
-# sizes of its vectors, and derive nothing:
+# sizes of its vectors; they do not derive the model:
 #
 #     kanexpr_add_model(pendulum HEADER models/pendulum.hpp SYSTEMS pendulum::System)
 #     target_link_libraries(program PRIVATE pendulum)           # #include <pendulum.hpp>
 #
-# The sizes are determined by running a program that is compiled with the model. When cross-compiling,
+# A small program that is compiled with the model determines the sizes. When cross-compiling,
 # CMAKE_CROSSCOMPILING_EMULATOR runs it.
 function(kanexpr_add_model target)
   cmake_parse_arguments(PARSE_ARGV 1 model "" "HEADER" "SYSTEMS")

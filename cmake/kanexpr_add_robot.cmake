@@ -1,13 +1,13 @@
 # kanexpr_add_robot(<target> URDF <file.urdf>|SDF <file.sdf> [BASE fixed|floating] [BIND numbers|parameters]
-# [OPTIONS <option>...]): a header library: <target>.hpp contains the namespace <target> with the model System of the robot, and
-# <target>_picture.hpp its picture for pages of kanexpr::animate:
+# [OPTIONS <option>...]): a header-only library. <target>.hpp contains the namespace <target> with System, the model of the robot;
+# <target>_picture.hpp contains its picture for the pages of kanexpr::animate:
 #
 #     kanexpr_add_robot(panda URDF panda.urdf)
 #     target_link_libraries(program PRIVATE panda)               # #include <panda.hpp>
 #
-# The command kanexpr-robot writes the headers; OPTIONS are passed to it. The command installed with kanexpr is used, or it is
-# compiled here, with tinyxml2 and CLI11. When cross-compiling, CMAKE_CROSSCOMPILING_EMULATOR runs it, or
-# kanexpr_ROBOT_COMMAND specifies one that runs on the host.
+# The command kanexpr-robot writes the headers; OPTIONS are passed to it. If kanexpr is installed, its command is used; otherwise, the
+# command is compiled here, with tinyxml2 and CLI11. When cross-compiling, either CMAKE_CROSSCOMPILING_EMULATOR runs it, or
+# kanexpr_ROBOT_COMMAND specifies a command that runs on the host.
 function(kanexpr_add_robot target)
   cmake_parse_arguments(PARSE_ARGV 1 robot "" "URDF;SDF;BASE;BIND" "OPTIONS")
   set(file ${robot_URDF}${robot_SDF})
@@ -43,8 +43,8 @@ function(kanexpr_add_robot target)
   target_link_libraries(${target} INTERFACE kanexpr::kanexpr)
 endfunction()
 
-# Sets the command that writes models: the specified one, the installed one, or one compiled once for all robots of the
-# project.
+# Sets the command that writes models: the specified one, the installed one, or one that is compiled once for all robots in
+# the project.
 function(kanexpr_find_robot_command command)
   set(${command} kanexpr-robot PARENT_SCOPE)
   if(kanexpr_ROBOT_COMMAND)

@@ -8,7 +8,7 @@ add_library(kanexpr_mpi INTERFACE)
 add_library(kanexpr::mpi ALIAS kanexpr_mpi)
 set_target_properties(kanexpr_mpi PROPERTIES EXPORT_NAME mpi)
 target_link_libraries(kanexpr_mpi INTERFACE kanexpr_ensemble MPI::MPI_CXX)
-# Without this, its headers would include C++ classes that MPI removed in 2012.
+# Without this definition, the MPI headers would include C++ classes that were removed from the standard in 2012.
 target_compile_definitions(kanexpr_mpi INTERFACE OMPI_SKIP_MPICXX MPICH_SKIP_MPICXX)
 install(TARGETS kanexpr_mpi EXPORT kanexpr-mpi-targets)
 install(EXPORT kanexpr-mpi-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})

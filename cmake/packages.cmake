@@ -1,4 +1,4 @@
-# cpack -G DEB: the Debian package libkanexpr-dev, with the headers, the libraries that were built, and the commands.
+# cpack -G DEB builds the Debian package libkanexpr-dev, which contains the headers, the libraries that were built, and the commands.
 set(CPACK_PACKAGE_NAME libkanexpr-dev)
 set(CPACK_PACKAGE_CONTACT "The kanexpr developers")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

@@ -2,7 +2,7 @@
 find_program(KANEXPR_NPM npm DOC "npm, which builds the animation page")
 
 # kanexpr_npm_install(<variable> <source directory> <directory> <file>...): copies the files and installs the packages
-# pinned in the package-lock.json next to them. The variable is set to the file to depend on.
+# that are pinned in the package-lock.json next to them. Sets the variable to the file that other rules must depend on.
 function(kanexpr_npm_install result from to)
   set(files package.json package-lock.json .npmrc ${ARGN})
   list(TRANSFORM files PREPEND ${from}/ OUTPUT_VARIABLE sources)
@@ -56,7 +56,7 @@ kanexpr_pkgconfig(animate "Animated pages of kanexpr's models; page_options::emp
   REQUIRES kanexpr nlohmann_json)
 kanexpr_add_engine_of(animate PAGES)
 
-# The package omits the target if the page is missing.
+# The installed package omits the target if the page is missing.
 cmake_path(GET kanexpr_page PARENT_PATH kanexpr_page_dir)
 install(FILES ${KANEXPR_PAGE} DESTINATION ${kanexpr_page_dir} OPTIONAL)
 set(reason "its page was not built; build it with npm by the target kanexpr_page or the option KANEXPR_BUILD_PAGE")

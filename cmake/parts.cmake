@@ -1,11 +1,11 @@
-# The missing requirements of the compiler and of the parts of kanexpr, for its build and for its package:
+# Checks the requirements of kanexpr and its parts, for the build and for the installed package:
 # kanexpr_<part>_lacks is empty if nothing is missing, and a sentence otherwise.
 set(kanexpr_compiler_lacks "")
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 12)
   set(kanexpr_compiler_lacks "kanexpr requires g++ 12 or later, or clang; found g++ ${CMAKE_CXX_COMPILER_VERSION}")
 endif()
 
-# Boost.Hana: from Boost, or alone where the system has it apart from Boost
+# Boost.Hana comes with Boost, or as a separate package
 set(kanexpr_hana_lacks "")
 find_package(Boost 1.74 QUIET)
 if(NOT TARGET Boost::headers)
@@ -43,7 +43,7 @@ if(NOT kanexpr_mpi_lacks AND NOT TARGET MPI::MPI_CXX)
   set(kanexpr_mpi_lacks "MPI was not found; on Debian, install libopenmpi-dev and openmpi-bin")
 endif()
 
-# CMake's own module requires the language C. Debian also has the library for MPI, with different headers.
+# CMake's own module requires the language C. Debian also provides HDF5 for MPI, with different headers.
 find_path(kanexpr_hdf5_include hdf5.h PATH_SUFFIXES hdf5/serial)
 find_library(kanexpr_hdf5_library NAMES hdf5_serial hdf5 PATH_SUFFIXES hdf5/serial)
 mark_as_advanced(kanexpr_hdf5_include kanexpr_hdf5_library)
@@ -80,7 +80,7 @@ if(NOT TARGET tinyxml2::tinyxml2)
   set(kanexpr_robots_lacks "tinyxml2 was not found")
 endif()
 
-# The file for CMake that Debian installs with libzip requires programs of other packages.
+# The CMake file that Debian installs with libzip requires programs from other packages.
 find_path(kanexpr_zip_include zip.h)
 find_library(kanexpr_zip_library zip)
 mark_as_advanced(kanexpr_zip_include kanexpr_zip_library)
@@ -94,7 +94,7 @@ if(NOT kanexpr_fmi_lacks AND NOT TARGET kanexpr_zip)
     INTERFACE_INCLUDE_DIRECTORIES ${kanexpr_zip_include})
 endif()
 
-# It prints messages about its search even if it is called with QUIET.
+# libsdformat's CMake file prints messages even if it is called with QUIET.
 set(kanexpr_log_level "${CMAKE_MESSAGE_LOG_LEVEL}")
 set(CMAKE_MESSAGE_LOG_LEVEL WARNING)
 find_package(sdformat12 QUIET)

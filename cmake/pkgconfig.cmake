@@ -19,8 +19,8 @@ function(kanexpr_pkgconfig part description)
   install(FILES ${PROJECT_BINARY_DIR}/${kanexpr_pc_name}.pc DESTINATION ${folder})
 endfunction()
 
-# The options of the compiler that configures this build; a project with a different compiler takes those of the
-# variable options_of_gcc or options_of_clang.
+# The options of the compiler with which this build is configured; a project with a different compiler uses the variable
+# options_of_gcc or options_of_clang instead.
 set(options ${kanexpr_options_of_gcc})
 if(NOT CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   set(options ${kanexpr_options_of_clang})

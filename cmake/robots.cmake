@@ -25,7 +25,7 @@ else()
   install(EXPORT kanexpr-robots_sdf-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 endif()
 
-# The commands are installed for interactive use, and kanexpr-robot also for kanexpr_add_robot.cmake in projects.
+# The commands are installed for interactive use; kanexpr_add_robot.cmake also calls kanexpr-robot in projects.
 find_package(CLI11 QUIET)
 if(PROJECT_IS_TOP_LEVEL AND KANEXPR_BUILD_ENGINE AND CLI11_FOUND)
   add_executable(kanexpr-robot ${PROJECT_SOURCE_DIR}/include/kanexpr/robots/kanexpr_robot.cpp)
@@ -34,7 +34,7 @@ if(PROJECT_IS_TOP_LEVEL AND KANEXPR_BUILD_ENGINE AND CLI11_FOUND)
   add_executable(kanexpr-export ${PROJECT_SOURCE_DIR}/include/kanexpr/exporting/kanexpr_export.cpp)
   target_link_libraries(kanexpr-export PRIVATE kanexpr_engine kanexpr_robots $<TARGET_NAME_IF_EXISTS:kanexpr_robots_sdf>
     $<TARGET_NAME_IF_EXISTS:kanexpr_fmi> kanexpr_strict CLI11::CLI11)
-  # It passes these to the compiler of a model.
+  # kanexpr-export passes these options to the compiler of a model.
   target_compile_definitions(kanexpr-export PRIVATE KANEXPR_EIGEN="$<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>")
   if(TARGET kanexpr_fmi)
     string(CONCAT options_for_fmi "-idirafter '${kanexpr_zip_include}' -idirafter '$<TARGET_PROPERTY:tinyxml2::tinyxml2,INTERFACE_INCLUDE_DIRECTORIES>' "

@@ -1,13 +1,13 @@
-# kanexpr_add_harness(<name> <engine>): the library that all tests link. `engine` is kanexpr if every test compiles it.
+# kanexpr_add_harness(<name> <engine>): the library that all tests link. `engine` is kanexpr if every test compiles the engine.
 #
-# The implementation of a header that not every test includes is a separate library, built if a test includes it.
+# If only some tests include a header, its implementation is a separate library, which is built if a test includes the header.
 function(kanexpr_add_harness name engine)
   add_library(${name} STATIC EXCLUDE_FROM_ALL no_heap.cpp)
   target_include_directories(${name} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/examples)
-  # Results of two compilers are compared to the last bit: neither may fuse a product and a sum.
+  # The results of two compilers are compared to the last bit, so neither may fuse a product and a sum.
   target_compile_options(${name} PUBLIC -ffp-contract=off)
   target_link_libraries(${name} PUBLIC ${engine} kanexpr_strict GTest::gmock GTest::gtest_main)
-  # Eigen calls malloc directly: replacing operator new would not detect it.
+  # Eigen calls malloc directly, so replacing operator new would not detect its allocations.
   target_link_options(${name} INTERFACE
     LINKER:--wrap=malloc,--wrap=calloc,--wrap=realloc,--wrap=aligned_alloc,--wrap=posix_memalign
     LINKER:--undefined=__wrap_malloc) # from the harness, before a library needs it
@@ -67,7 +67,7 @@ function(kanexpr_precompile harness)
   endforeach()
 endfunction()
 
-# Rooms are the folders of the tests: the target room_<folder> builds the programs of the tests named <folder>_...
+# A room is a folder of the tests: the target room_<folder> builds the programs of the tests named <folder>_...
 function(kanexpr_of_room room)
   if(NOT TARGET room_${room})
     add_custom_target(room_${room})
@@ -96,8 +96,8 @@ function(kanexpr_test name)
   kanexpr_of_room(${room} ${name})
 endfunction()
 
-# The text of a test specifies the special builds that it takes part in, `// builds: sanitize no-exceptions`, whether
-# only one compiler builds it, `// builds: g++`, and whether only `./dev test all` runs it, `// builds: all`.
+# A comment in a test specifies in which special builds it is included (`// builds: sanitize no-exceptions`), whether
+# only one compiler builds it (`// builds: g++`), and whether only `./dev test all` runs it (`// builds: all`).
 function(kanexpr_test_builds file result)
   file(STRINGS ${file} builds REGEX "^// builds: " LIMIT_COUNT 1)
   string(REPLACE "// builds: " "" builds "${builds}")
@@ -107,8 +107,8 @@ endfunction()
 
 # kanexpr_headers_alone(<name> [ONLY <regex>] [EXCEPT <regex>]): compiles every public header as the first one of a file.
 #
-# There are fewer files than headers: a header may follow one that it includes itself, since the declarations it finds
-# there are the same. Therefore headers form chains, each below the one that includes it.
+# There are fewer files than headers: a header may follow another one that it includes anyway, because it then finds the
+# same declarations. Therefore, headers form chains, in which each header comes before the one that includes it.
 function(kanexpr_headers_alone name)
   cmake_parse_arguments(PARSE_ARGV 1 headers "" "ONLY;EXCEPT" "")
   file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}/include
@@ -125,7 +125,7 @@ function(kanexpr_headers_alone name)
   set(by_choice)
   foreach(header IN LISTS headers)
     file(READ ${PROJECT_SOURCE_DIR}/include/${header} text)
-    # Includes below its declarations are not needed by a header.
+    # Includes below the declarations of a header are not needed by them.
     if(NOT text MATCHES "^(//[^\n]*\n|\n)*#pragma once\n(//[^\n]*\n|#include [^\n]*\n|\n)*")
       message(FATAL_ERROR "${header} must begin with #pragma once")
     endif()
@@ -140,11 +140,11 @@ function(kanexpr_headers_alone name)
     set("included_by ${header}" ${included})
     list(APPEND all_included ${included})
     list(LENGTH included count)
-    math(EXPR count "${count} + 100") # of as many digits as the others
+    math(EXPR count "${count} + 100") # so that all numbers have three digits
     list(APPEND by_choice "${count} ${header}")
   endforeach()
 
-  # Who has little choice chooses first, and takes what few others could take.
+  # Headers with few candidates choose first, and each chooses the candidate that the fewest others could choose.
   list(SORT by_choice)
   set(below_others)
   foreach(header IN LISTS by_choice)

@@ -16,7 +16,7 @@ PIECE = re.compile(r'R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])+\
 
 
 def without_comments(text):
-    """The code with its literals, without comments and the lines that only they occupied."""
+    """The code with its literals, without comments and without lines that contain only comments."""
     text = PIECE.sub(lambda m: "" if m.group(0).startswith(("//", "/*")) else m.group(0), text)
     return re.sub(r"\n(?:[ \t]*\n)+", "\n", re.sub(r"[ \t]+\n", "\n", text))
 

@@ -1,4 +1,4 @@
-"""The site: pages of docs/ and what they link to, staged by stage.py, with the reference that reference.py writes."""
+"""Configuration of the site: the pages of docs/ and the files that they link to, staged by stage.py, and the reference written by reference.py."""
 
 from docutils import nodes
 from pygments.lexers.c_cpp import CppLexer
@@ -28,13 +28,13 @@ pygments_dark_style = "monokai"
 
 
 def leave_room(app, pagename, templatename, context, doctree):
-    """Pages with two programs next to each other have no table of contents at their right."""
+    """Pages with two programs next to each other have no table of contents on the right."""
     if pagename.startswith("docs/coming-from/") and not pagename.endswith("README"):
         context["furo_hide_toc"] = True
 
 
 class Cpp(CppLexer):
-    """C++ that may contain letters of formulas, and … for what is left out."""
+    """C++ that may contain the letters of formulas, and … for omitted parts."""
 
     def get_tokens_unprocessed(self, text, stack=("root",)):
         for place, kind, value in super().get_tokens_unprocessed(text, stack):
@@ -42,12 +42,12 @@ class Cpp(CppLexer):
 
 
 def signature(name, rawtext, text, lineno, inliner, options=None, content=None):
-    """The role of declarations that are shown in line."""
+    """The role for declarations that are shown inline."""
     return [nodes.literal(text, text, classes=["signature", "code"], language="cpp")], []
 
 
 def link_names(app, doctree, page):
-    """Links code that is a public name, in the pages of the guide, to its entry in the reference."""
+    """Links public names in the code of the guide's pages to their entries in the reference."""
     labels = app.env.get_domain("std").anonlabels
     for literal in list(doctree.findall(nodes.literal)):
         name = "api-" + literal.astext().removesuffix("<…>").replace("::", "-").replace("_", "-")

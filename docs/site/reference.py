@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""reference.py ROOT XML FOLDER: writes the pages of the reference to FOLDER, from the XML that Doxygen made of the headers.
+"""reference.py ROOT XML FOLDER: writes the pages of the reference to FOLDER, from the XML that Doxygen generated from the headers.
 
 tests/rooms/public_names.py decides which names are public and finds their examples. PAGES assigns headers to pages in
 the order of a textbook; a header without a page is an error.
@@ -16,9 +16,9 @@ import xml.etree.ElementTree as ElementTree
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "tests/rooms"))
 import public_names  # noqa: E402
 
-# file, title, what it is about, headers in the order in which their names appear
+# file, title, description, headers in the order in which their names appear
 PAGES = [
-    ("symbols", "Symbols", "The letters of a model: coordinates, speeds, parameters, inputs and time.", "describe/symbol.hpp describe/symbol_name.hpp"),
+    ("symbols", "Symbols", "The symbols of a model: coordinates, speeds, parameters, inputs and time.", "describe/symbol.hpp describe/symbol_name.hpp"),
     ("functions", "Functions", "Functions of scalar expressions. All arguments and results are scalars; angles are in rad.",
      "describe/functions.hpp describe/composed.hpp describe/external.hpp"),
     ("vectors", "Vectors", "Vectors, dyadics, their products, and derivatives in a frame.",
@@ -49,11 +49,11 @@ PAGES = [
      "ensembles/ensemble.hpp ensembles/study.hpp ensembles/runs.hpp ensembles/distribution.hpp ensembles/run_output.hpp "
      "ensembles/reduction.hpp ensembles/*.hpp ensembles/hdf5/*.hpp mpi/*.hpp"),
     ("batches", "Batches", "Many systems side by side, in SIMD vectors and on several threads.", "batches/*.hpp"),
-    ("figures", "Figures", "Figures as in a textbook, drawn from the model.", "figures/*.hpp"),
-    ("animation", "Animation", "Moving pictures on a page that a browser opens.",
+    ("figures", "Figures", "Textbook figures drawn from the model.", "figures/*.hpp"),
+    ("animation", "Animation", "Animated pictures on a page that a browser can open.",
      "animate/write_page.hpp animate/animated.hpp animate/*.hpp"),
     ("robots", "Robots", "Robots from URDF and SDF files.", "robots/*.hpp robots/*/*.hpp"),
-    ("run-time", "At run time", "Models derived at run time, to print and to evaluate, and models without types.",
+    ("run-time", "At run time", "Models derived at run time, which can be printed and evaluated, and models without types.",
      "runtime/model.hpp runtime/builder.hpp runtime/*.hpp symbolic/printing/*.hpp symbolic/*.hpp symbolic/*/*.hpp mechanics/*/*.hpp"),
     ("export", "Export", "Models as C, CasADi functions and FMUs.", "exporting/*.hpp exporting/*/*.hpp"),
 ]
@@ -62,7 +62,7 @@ WIDTH = 92
 
 
 def place_of(header):
-    """The page of a header, and its rank on the page; the first pattern without a star wins, then the first with one."""
+    """The page of a header and its rank on the page, by the first matching pattern without a star, or else the first with one."""
     for exactly in (True, False):
         for page, *_, patterns in PAGES:
             for rank, pattern in enumerate(patterns.split()):
@@ -73,13 +73,13 @@ def place_of(header):
 
 
 class Comments:
-    """Documentation comments as MyST; code that is a public name links to its entry."""
+    """Documentation comments as MyST; public names in code are linked to their entries."""
 
     def __init__(self, root, names):
         self.root, self.names, self.lines = root, names, {}
 
     def of(self, entity):
-        """The comment of an entity of Doxygen's: lines of /// above its declaration, or what stands after it."""
+        """The comment of a Doxygen entity: the /// lines above its declaration, or the ///< comment after it."""
         place = entity.find("location")
         file, at = place.get("file"), int(place.get("line")) - 1
         if file not in self.lines:
@@ -99,7 +99,7 @@ class Comments:
         return self.markdown(found)
 
     def markdown(self, lines):
-        """Paragraphs; lines that are indented further are code."""
+        """Paragraphs; indented lines are code."""
         parts = []
         for line in textwrap.dedent("\n".join(lines)).splitlines():
             is_code = line.startswith("    ")
@@ -119,7 +119,7 @@ class Comments:
 
 
 def continues(line):
-    """Whether a declaration continues behind a line."""
+    """Whether a declaration continues after a line."""
     return bool(line.strip()) and not line.strip().startswith(("//", "#")) and not line.rstrip().endswith((";", "{", "}", ":"))
 
 
@@ -142,7 +142,7 @@ def text_of(element):
 
 
 def tidy(code):
-    """Code as the sources write it."""
+    """Code as it is formatted in the sources."""
     code = re.sub(r"\bKANEXPR_\w+\b|\binline\b", "", code)
     code = code.replace("< ", "<").replace(" >", ">").replace(" &", "&").replace(" *", "*").replace("auto()", "auto")
     code = re.sub(r"\bkanexpr::(?=\w)", "", code)
@@ -169,7 +169,7 @@ def template_of(entity):
 
 
 def wrapped(start, parameters, end):
-    """A call that fits WIDTH, with as many parameters in a line as fit."""
+    """A call wrapped at WIDTH, with as many parameters in each line as fit."""
     line = f"{start}({', '.join(parameters)}){end}"
     if len(line) <= WIDTH:
         return line
@@ -227,7 +227,7 @@ class Reference:
         return ElementTree.parse(self.xml / f"{refid}.xml").getroot().find("compounddef")
 
     def reach_of_umbrellas(self):
-        """The headers of include/kanexpr/, smallest first but kanexpr.hpp before all, with the headers that they reach."""
+        """The headers of include/kanexpr/ with the headers that they include, directly or indirectly: kanexpr.hpp, then smallest first."""
         found = {}
         for path in (self.root / "include/kanexpr").glob("*.hpp"):
             header = f"kanexpr/{path.name}"
@@ -238,7 +238,7 @@ class Reference:
         return next((umbrella for umbrella, reach in self.umbrellas.items() if header in reach), header)
 
     def shown_members(self, compound, is_word, seen):
-        """The public members of a class, its own first, and those of its bases that are not public names themselves."""
+        """The public members of a class, followed by those of its bases that are not public names themselves."""
         bare = compound.find("compoundname").text.split("::")[-1]
         for member in compound.iter("memberdef"):
             name, kind, comment = member.find("name").text, member.get("kind"), self.comments.of(member)
@@ -269,7 +269,7 @@ class Reference:
             yield from self.rows((signature(member, member.find("name").text), comment) for member, comment in members)
 
     def rows(self, members):
-        """Members with comments as definitions; those without, that follow each other, as one block of code."""
+        """Members with comments as definitions, and consecutive members without comments as one block of code."""
         bare = []
         for code, comment in [*members, ("", "end")]:
             if not comment:
@@ -288,7 +288,7 @@ class Reference:
             yield self.comments.of(member)
 
     def source(self, enumeration):
-        """An enumeration as the header writes it, with the comments of its values."""
+        """An enumeration as it is written in the header, with the comments of its values."""
         place = enumeration.find("location")
         lines = (self.root / "include" / place.get("file")).read_text().splitlines()
         return "\n".join(lines[int(place.get("bodystart")) - 1 : int(place.get("bodyend"))])
@@ -318,7 +318,7 @@ class Reference:
         return first_sentence(self.comments.markdown(comment.splitlines()))
 
     def write(self, folder):
-        """Writes the pages, and lists them in index.md in place of a comment."""
+        """Writes the pages, and replaces a comment in index.md by the list of pages."""
         for example in self.examples.values():
             if not example.name:
                 copy = folder.parents[1] / example.page

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """stage.py ROOT FOLDER: copies the pages of the project, and the files that they link to, to FOLDER in the same layout.
 
-Links between the pages work in the repository and on the site alike. A folder that a page links to gets a page that
-lists its files.
+Links between the pages work both in the repository and on the site. For each folder that a page links to, a page that
+lists its files is added.
 """
 
 import pathlib
