@@ -82,6 +82,8 @@ using namespace shapes;
 template <class System>
 using picture_of =
     kanexpr::picture<System, up<N::z>, ground<>, carried<WR_mc>, seen_from<N::x - 1.6 * N::y + 0.75 * N::z>,
+                     show_forces<"N">, show_velocities<"m/s">, show_frames, plot_energies<"J">,
+                     in_unit<"rad", q1, q2, q4, q5>, in_unit<"rad/s", u1, u2, u3, u4, u5, u6>,
                      trace<WR_cont, colour<"#2f5d8a">>, trace<WF_cont, colour<"#d98a2b">>,
                      show<wheel<WR, WR_mc, WR::y, WRrad, 0.035>, spinning<u3>, steel, named<"rear wheel">>,
                      show<wheel<WF, WF_mc, WF::y, WFrad, 0.035>, spinning<u6>, steel, named<"front wheel">>,

@@ -15,18 +15,21 @@ using namespace rolling_disc;
 struct Above : offset<Above, Dmc, 0.5 * N::z> {};
 struct Beside : offset<Beside, Dmc, 0.4 * L::y> {};
 
-using shapes =
-    kanexpr::picture<System, up<N::z>, ground<>, carried<Dmc>, seen_from<N::x - N::y + N::z / 2>,
-                     trace<C, colour<"#2f5d8a">>, show<wheel<R, Dmc, R::y, r, r / 10>>,
-                     show<cylinder<R, Dmc, R::y, r / 3, r / 3>>, show<ring<R, Beside, R::x, r / 4, r / 15>>,
-                     show<cone<R, Above, -N::z, r / 6, r / 2>>, show<box<R, Beside, r / 5, r / 6, r / 7>>,
-                     show<ellipsoid<R, Above, r / 4, r / 6, r / 8>, opacity<0.6>>, show<sphere<Dmc, r / 5>>,
-                     show<axes<R, Dmc, r>>, show<rod<Dmc, Beside, r / 20>>, show<coil<Dmc, Above, r / 8, 7>>,
-                     show<mesh<R, Beside, "binary.STL", r / 10>, named<"binary STL">>,
-                     show<mesh<L, Beside, "text.stl", 0.03, 0.05, -0.04>, named<"mirrored STL">>,
-                     show<mesh<R, Above, "wedge.obj", 0.04>, named<"OBJ">, colour<"#ffffff">>,
-                     show<mesh<R, Dmc, "wedge.dae", 0.04>, named<"DAE">, opacity<0.5>>,
-                     show<mesh<L, Dmc, "wedge.dae", 0.05>, named<"the same DAE">>>;
+using shapes = kanexpr::picture<
+    System, up<N::z>, ground<>, carried<Dmc>, seen_from<N::x - N::y + N::z / 2>, trace<C, colour<"#2f5d8a">>,
+    show_forces<"N">, show_velocities<"m/s">, show_frames, plot_energies<"J">, in_unit<"rad", q1, q2, q3>,
+    plot<"height of Dmc", dot(position_of<Dmc, C>, N::z), "m">,
+    show<arrow<Dmc, angular_velocity_of<R>>, named<"angular velocity">, unit<"rad/s">,
+         layer<"Angular velocities">>,
+    show<wheel<R, Dmc, R::y, r, r / 10>>, show<cylinder<R, Dmc, R::y, r / 3, r / 3>>,
+    show<ring<R, Beside, R::x, r / 4, r / 15>>, show<cone<R, Above, -N::z, r / 6, r / 2>>,
+    show<box<R, Beside, r / 5, r / 6, r / 7>>, show<ellipsoid<R, Above, r / 4, r / 6, r / 8>, opacity<0.6>>,
+    show<sphere<Dmc, r / 5>>, show<axes<R, Dmc, r>>, show<rod<Dmc, Beside, r / 20>>,
+    show<coil<Dmc, Above, r / 8, 7>>, show<mesh<R, Beside, "binary.STL", r / 10>, named<"binary STL">>,
+    show<mesh<L, Beside, "text.stl", 0.03, 0.05, -0.04>, named<"mirrored STL">>,
+    show<mesh<R, Above, "wedge.obj", 0.04>, named<"OBJ">, colour<"#ffffff">>,
+    show<mesh<R, Dmc, "wedge.dae", 0.04>, named<"DAE">, opacity<0.5>>,
+    show<mesh<L, Dmc, "wedge.dae", 0.05>, named<"the same DAE">>>;
 
 /// The corners of a mesh, in inertial axes.
 nlohmann::json corners_of(const kanexpr::animation::shape& s, std::size_t k) {
@@ -50,9 +53,12 @@ nlohmann::json poses_at(const kanexpr::animation& a, std::size_t k) {
     if (s.placed_by == kanexpr::animate::placement_kind::pose)
       one["axes"] = {{r(0, 0), r(1, 0), r(2, 0)}, {r(0, 1), r(1, 1), r(2, 1)}, {r(0, 2), r(1, 2), r(2, 2)}};
     if (s.kind == "mesh") one["corners"] = corners_of(s, k);
+    if (const Eigen::Vector3d& v = s.placements[k].end; s.kind == "arrow") one["vector"] = {v(0), v(1), v(2)};
     poses.push_back(one);
   }
-  return {{"t", a.times[k]}, {"q3", a.columns[2].values[k]}, {"poses", poses}};
+  nlohmann::json columns;
+  for (const auto& c : a.columns) columns[c.name] = c.values[k];
+  return {{"t", a.times[k]}, {"columns", columns}, {"poses", poses}};
 }
 
 /// A green wedge among invalid meshes.
@@ -81,7 +87,15 @@ int main(int, char** arguments) {
                                                    .folder = directory});
   if (!report) return std::fprintf(stderr, "%s\n", report.cause().c_str()), 1;
 
+  const tests::disc_on_a_circle other{.lean = -0.2, .turning = -0.5, .spin = 3};
+  const tests::known_motion<System, tests::disc_on_a_circle> second(other.parameters(), other, 200, 0.02);
   const kanexpr::animation a = kanexpr::animated<shapes>(run);
+  const auto both = kanexpr::write_page(
+      directory + "/runs.html",
+      {{"leans to the left", a}, {"leans to the right", kanexpr::animated<shapes>(second)}},
+      {.title = "Two discs", .folder = directory});
+  if (!both) return std::fprintf(stderr, "%s\n", both.cause().c_str()), 1;
+
   const auto broken = write_broken(a, {.title = "Broken files", .folder = directory}, directory);
   if (!broken) return std::fprintf(stderr, "%s\n", broken.cause().c_str()), 1;
   std::ofstream(directory + "/disc.json")

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -107,13 +108,14 @@ TEST(animation, wants_samples_in_the_order_of_time) {
 
 TEST(page_text, holds_everything_to_seven_digits) {
   const kanexpr::animation a = pendulum_along(swing({0.3, -1.2}));
-  const auto text = nlohmann::json::parse(kanexpr::animate::page_text(a, "A pendulum", "It swings."));
+  const auto text = nlohmann::json::parse(kanexpr::animate::page_text({{"", a}}, "A pendulum", "It swings."));
   EXPECT_EQ(text["title"], "A pendulum");
   EXPECT_EQ(text["ground"], -1.4);
   ASSERT_EQ(text["runs"].size(), 1u);
   const auto& run = text["runs"][0];
   EXPECT_EQ(run["times"], nlohmann::json({0.0, 0.1}));
-  EXPECT_EQ(run["columns"][0], nlohmann::json({{"name", "q"}, {"values", {0.3, -1.2}}}));
+  EXPECT_EQ(run["columns"][0],
+            nlohmann::json({{"name", "q"}, {"group", "Coordinates"}, {"unit", ""}, {"values", {0.3, -1.2}}}));
   ASSERT_EQ(run["shapes"].size(), 4u);
   const auto &rod = run["shapes"][1], &sphere = run["shapes"][2], &axes = run["shapes"][3];
   EXPECT_EQ(sphere["sizes"], nlohmann::json::array({0.07}));
@@ -197,8 +199,8 @@ TEST(tracks, separate_what_moves_by_more_than_the_digits_of_a_page) {
 TEST(page_text, names_the_time_beside_what_the_model_names) {
   const auto name_beside = [](std::initializer_list<const char*> names) {
     kanexpr::animation a;
-    for (const char* name : names) a.columns.push_back({name, {}});
-    return nlohmann::json::parse(kanexpr::animate::page_text(a, "", ""))["nameOfTime"];
+    for (const char* name : names) a.columns.push_back({.name = name});
+    return nlohmann::json::parse(kanexpr::animate::page_text({{"", a}}, "", ""))["nameOfTime"];
   };
   EXPECT_EQ(name_beside({"q"}), "t");
   EXPECT_EQ(name_beside({"t", "q"}), "time");
@@ -207,7 +209,7 @@ TEST(page_text, names_the_time_beside_what_the_model_names) {
 
 TEST(page_text, cannot_end_the_element_it_stands_in) {
   const kanexpr::animation a = pendulum_along(swing({0.3}));
-  const std::string text = kanexpr::animate::page_text(a, "</script><b>", "<!--");
+  const std::string text = kanexpr::animate::page_text({{"", a}}, "</script><b>", "<!--");
   EXPECT_THAT(text, Not(HasSubstr("<")));
   EXPECT_EQ(nlohmann::json::parse(text)["title"], "</script><b>");
 }
@@ -258,6 +260,35 @@ TEST_F(page, tells_why_it_is_not_written) {
   EXPECT_EQ(
       write_page<pendulum>(path("page.html"), run, {.title = "A", .empty_page = path("none.html")}).cause(),
       "the empty page cannot be read, " + path("none.html") + "; the target kanexpr_page builds it with npm");
+}
+
+TEST_F(page, shows_several_runs) {
+  const kanexpr::animation slow = pendulum_along(swing({0.1, 0.2})), fast = pendulum_along(swing({0.3}));
+  const auto report = write_page(path("page.html"), {{"slow", slow}, {"fast", fast}}, options("Runs"));
+  ASSERT_TRUE(report) << report.cause();
+  const std::string all = read("page.html");
+  const std::size_t from = all.find("{"), to = all.rfind("}") + 1;
+  const auto text = nlohmann::json::parse(all.substr(from, to - from));
+  ASSERT_EQ(text["runs"].size(), 2u);
+  EXPECT_EQ(text["runs"][0]["name"], "slow");
+  EXPECT_EQ(text["runs"][0]["times"], nlohmann::json({0.0, 0.1}));
+  EXPECT_EQ(text["runs"][1]["name"], "fast");
+  EXPECT_EQ(text["runs"][1]["columns"][0]["values"], nlohmann::json::array({0.3}));
+
+  ASSERT_TRUE(write_page(path("page.html"), {{"slow", slow}}, options("")));
+  EXPECT_THAT(read("page.html"), HasSubstr("<title>System</title>"));
+}
+
+TEST_F(page, tells_which_run_it_cannot_show) {
+  const kanexpr::animation good = pendulum_along(swing({0.1})), none = pendulum_along(swing({}));
+  const auto cause = [&](const std::vector<kanexpr::named_animation>& runs) {
+    return write_page(path("page.html"), runs, options("Runs")).cause();
+  };
+  EXPECT_EQ(cause({}), "a page needs at least one run");
+  EXPECT_EQ(cause({{"slow", good}, {"fast", none}}), "run fast: the trajectory has no samples");
+  EXPECT_EQ(cause({{"slow", good}, {"", good}}), "one of several runs has no name");
+  EXPECT_EQ(cause({{"slow", good}, {"slow", good}}), "two runs are named slow");
+  EXPECT_FALSE(std::filesystem::exists(path("page.html")));
 }
 
 /// Two meshes from one file, and the other shapes of the pendulum.

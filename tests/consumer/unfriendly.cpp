@@ -15,7 +15,9 @@
 int main() {
   using namespace pendulum;
   using eom = kanexpr::equations_of_motion<System>;
-  using picture = kanexpr::picture<System, up<-1 * N::x>, show<rod<O, P, 0.02>>, show<sphere<P, 0.07>>>;
+  using picture = kanexpr::picture<System, up<-1 * N::x>, show<rod<O, P, 0.02>>, show<sphere<P, 0.07>>,
+                                   show_forces<"N">, show_velocities<>, show_frames, plot_energies<"J">,
+                                   plot<"speed", magnitude(velocity_of<P>), "m/s">>;
 
   eom::state x;
   x[q] = 0.5, x[u] = 0;

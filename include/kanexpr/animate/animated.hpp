@@ -10,6 +10,7 @@
 #ifndef KANEXPR_COMPILED_PAGES
 #include <kanexpr/animate/camera.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
 #endif
 
 namespace kanexpr {
@@ -21,10 +22,11 @@ template <class Picture, class Trajectory>
 class compiled_scene final : public scene {
   using numbers_in = numbers_of<Picture>;
   using System = typename Picture::System;
+  static constexpr int energies = numbers_in::has_energies ? 2 : 0;
 
 public:
   explicit compiled_scene(const Trajectory& trajectory)
-      : scene(compiled::survey_of<System>, records_of<Picture>::list, code(), numbers_in::count,
+      : scene(compiled::survey_of<System>, records_of<Picture>::list, code(), numbers_in::count + energies,
               numbers_in::first_rate, numbers_in::rate_count),
         trajectory_(trajectory) {}
 
@@ -57,8 +59,13 @@ private:
   static const compiled::code_table& code() {
     using sample = std::remove_cvref_t<decltype(*std::declval<const Trajectory&>().begin())>;
     using parameters = std::remove_cvref_t<decltype(std::declval<const Trajectory&>().parameters())>;
-    return compiled::table_for<System, double, decltype(sample::x), parameters, decltype(sample::r),
-                               numbers_in{}>();
+    if constexpr (numbers_in::has_energies)
+      return compiled::table_for<System, double, decltype(sample::x), parameters, decltype(sample::r),
+                                 numbers_of<Picture>{}, mechanics::quantity::kinetic_energy,
+                                 mechanics::quantity::potential_energy>();
+    else
+      return compiled::table_for<System, double, decltype(sample::x), parameters, decltype(sample::r),
+                                 numbers_of<Picture>{}>();
   }
 
   const Trajectory& trajectory_;
@@ -70,10 +77,13 @@ private:
 /// a state `x` and inputs `r` that also provides the `parameters()` of the system.
 template <class Picture, class Trajectory>
 animation animated(const Trajectory& trajectory) {
-  if constexpr (animate::valid_picture<Picture>::value)
-    return animate::film(animate::compiled_scene<Picture, Trajectory>(trajectory));
-  else
+  if constexpr (animate::valid_picture<Picture>::value) {
+    animation made = animate::film(animate::compiled_scene<Picture, Trajectory>(trajectory));
+    made.system = type_name<typename Picture::System>();
+    return made;
+  } else {
     return {};
+  }
 }
 
 } // namespace kanexpr

@@ -12,7 +12,8 @@ namespace kanexpr::animate {
 /// The placement of a shape at one time, in inertial axes.
 struct placement {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
-  Eigen::Vector3d end = Eigen::Vector3d::Zero();             ///< second point of a shape between two points
+  Eigen::Vector3d end = Eigen::Vector3d::Zero(); ///< second point of a shape between two points; the vector
+                                                 ///< of an arrow
   Eigen::Matrix3d orientation = Eigen::Matrix3d::Identity(); ///< its columns are the shape's axes
 };
 
@@ -33,17 +34,22 @@ struct animation {
     std::string name{}, kind{}; ///< the name and the kind of shape or element, such as "sphere" or "trace"
     std::string colour{};       ///< "#rrggbb"; if empty, the page chooses a colour
     std::string file{};         ///< the mesh file, as specified in the picture
+    std::string layer{};        ///< the switch of the page that shows it; if empty, it is always shown
+    std::string unit{};         ///< the unit of the vector of an arrow
     double opacity = 1;
     std::vector<double> sizes{};
     animate::placement_kind placed_by = animate::placement_kind::place;
     std::vector<animate::placement> placements{}; ///< one for each time
   };
-  /// The values of a coordinate or speed at each time.
+  /// The values of a coordinate, a speed, an input or another scalar at each time.
   struct column {
-    std::string name;
-    std::vector<double> values;
+    std::string name{};
+    std::vector<double> values{};
+    std::string group{}; ///< such as "Coordinates"
+    std::string unit{};  ///< as given by the picture; empty if it gives none
   };
 
+  std::string system{}; ///< the name of the system, which is the default title of a page
   std::vector<double> times{};
   std::vector<shape> shapes{};
   std::vector<column> columns{};
@@ -63,6 +69,12 @@ struct animation {
       if (s.name == name) return &s;
     return nullptr;
   }
+};
+
+/// One of several runs that a page shows together: `{"pushed", animated<swing>(run.trajectory)}`.
+struct named_animation {
+  std::string name{};
+  animation motion{};
 };
 
 } // namespace kanexpr

@@ -8,12 +8,15 @@
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/table_interpreter.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <span>
 #include <string>
 #include <utility>
@@ -69,6 +72,8 @@ inline animation::shape shape_of(const element_record& r, const recorded_numbers
   s.kind = r.shape;
   s.colour = r.looks.colour;
   s.file = r.file;
+  s.layer = r.looks.layer;
+  s.unit = r.looks.unit;
   s.opacity = r.looks.opacity;
   s.placed_by = r.placed_by;
   for (int i = 0; i < r.constant; ++i) s.sizes.push_back(recorded.numbers(r.first_constant + i, 0));
@@ -92,7 +97,7 @@ inline void move_with_origin(animation& a, const element_record& r, const record
     const Eigen::Vector3d level = way - way.dot(a.up) * a.up;
     for (animation::shape& s : a.shapes) {
       s.placements[static_cast<std::size_t>(k)].position += level;
-      s.placements[static_cast<std::size_t>(k)].end += level;
+      if (s.kind != "arrow") s.placements[static_cast<std::size_t>(k)].end += level;
     }
   }
 }
@@ -115,6 +120,48 @@ inline std::string at_time(double t) {
   return " at t = " + std::string(digits, std::to_chars(digits, digits + sizeof digits, t).ptr);
 }
 
+inline std::vector<double> row_of(const Eigen::MatrixXd& m, int row) {
+  return {m.row(row).begin(), m.row(row).end()};
+}
+
+/// Removes the columns of inputs that have no value at some time, which a picture need not depend on.
+inline void drop_unset_inputs(animation& a) {
+  std::erase_if(a.columns, [](const animation::column& c) {
+    return c.group == "Inputs" &&
+           !std::ranges::all_of(c.values, [](double v) { return numeric::is_finite(v); });
+  });
+}
+
+/// Adds the columns of the elements `plot` and `plot_energies`.
+inline void add_plots(animation& a, std::span<const element_record> elements,
+                      const recorded_numbers& recorded, int first_energy) {
+  for (const element_record& r : elements) {
+    const std::string unit(r.unit);
+    if (r.word == "plot")
+      a.columns.push_back(
+          {std::string(r.looks.name), row_of(recorded.numbers, r.first_varying), "Quantities", unit});
+    if (r.word != "plot_energies") continue;
+    const std::vector<double> kinetic = row_of(recorded.numbers, first_energy);
+    const std::vector<double> potential = row_of(recorded.numbers, first_energy + 1);
+    std::vector<double> total(kinetic.size());
+    std::ranges::transform(kinetic, potential, total.begin(), std::plus<>());
+    a.columns.push_back({"kinetic energy", kinetic, "Energies", unit});
+    a.columns.push_back({"potential energy", potential, "Energies", unit});
+    a.columns.push_back({"total energy", total, "Energies", unit});
+  }
+}
+
+/// Gives the columns of symbols the units of the elements `in_unit`.
+inline void give_units(animation& a, std::span<const element_record> elements) {
+  for (const element_record& r : elements)
+    for (const phrase& p : r.symbols) {
+      std::string name(p.tokens[0].symbol->called.view());
+      if (p.tokens[0].symbol->kind == symbolic::symbol_kind::coordinate_rate) name += '\'';
+      for (animation::column& c : a.columns)
+        if (c.name == name && c.unit.empty() && c.group != "Quantities") c.unit = r.unit;
+    }
+}
+
 /// Checks a size or a scale. A scale may be negative, which mirrors the mesh.
 inline std::string check_number(const animation::shape& s, double size) {
   const bool is_scale = s.kind == "mesh";
@@ -131,11 +178,16 @@ inline std::string check_numbers(const animation& a) {
   if (a.seen_from && (!numeric::all_finite(*a.seen_from) || !(a.seen_from->norm() > 0.5)))
     return "the direction of seen_from must be a nonzero vector";
   if (a.ground && !numeric::is_finite(*a.ground)) return "the height of the ground must be finite";
+  for (const animation::column& c : a.columns)
+    for (std::size_t k = 0; k < c.values.size(); ++k)
+      if (!numeric::is_finite(c.values[k])) return c.name + " is not finite" + at_time(a.times[k]);
   for (const animation::shape& s : a.shapes) {
     for (double size : s.sizes)
       if (std::string cause = check_number(s, size); !cause.empty()) return cause;
     for (std::size_t k = 0; k < s.placements.size(); ++k) {
       const placement& here = s.placements[k];
+      if (s.kind == "arrow" && !numeric::all_finite(here.end))
+        return "the vector of the " + s.name + " is not finite" + at_time(a.times[k]);
       if (!numeric::all_finite(here.position) || !numeric::all_finite(here.end))
         return "the position of the " + s.name + " is not finite" + at_time(a.times[k]);
       if (!numeric::all_finite(here.orientation))
@@ -162,8 +214,11 @@ public:
     recorded_.numbers.resize(scene_.numbers, static_cast<Eigen::Index>(scene_.samples()));
     for (std::size_t i = 0; i < scene_.samples() && made_; ++i) take(i);
     if (!made_) return std::move(made_);
+    drop_unset_inputs(made_);
     integrate();
     make_shapes(made_, scene_.elements, recorded_);
+    add_plots(made_, scene_.elements, recorded_, scene_.first_rate + scene_.rates);
+    give_units(made_, scene_.elements);
     made_.failure = check_numbers(made_);
     return std::move(made_);
   }
@@ -175,8 +230,11 @@ private:
       std::string name(known.names[i].view());
       if (known.takes_rates_as_speeds && i >= known.coordinates)
         name = std::string(known.names[i - known.coordinates].view()) + '\'';
-      made_.columns.push_back({name, {}});
+      made_.columns.push_back({name, {}, i < known.coordinates ? "Coordinates" : "Speeds", {}});
     }
+    const int first = known.first_of(symbolic::symbol_kind::input);
+    for (int i = 0; i < known.inputs; ++i)
+      made_.columns.push_back({std::string(known.names[first + i].view()), {}, "Inputs", {}});
   }
 
   void take(std::size_t sample) {
@@ -190,7 +248,8 @@ private:
     if (!made_.times.empty() && t < made_.times.back())
       made_.failure = "the times of the samples decrease" + at_time(t);
     made_.times.push_back(t);
-    for (std::size_t i = 0; i < made_.columns.size(); ++i) made_.columns[i].values.push_back(x_[i]);
+    for (std::size_t i = 0; i < made_.columns.size(); ++i)
+      made_.columns[i].values.push_back(i < x_.size() ? x_[i] : r_[i - x_.size()]);
   }
 
   status evaluate(double t, double* all) {

@@ -2,11 +2,33 @@
 
 #include <kanexpr/animate/check_shape.hpp>
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <string_view>
 
 /// Checks for mistakes in a picture.
 namespace kanexpr::animate {
+
+/// Checks that a unit is given for coordinates, speeds and inputs.
+template <std::size_t size>
+constexpr sentence check_symbols(const phrases<size>& symbols, std::string_view unit) {
+  using symbolic::symbol_kind;
+  constexpr std::string_view hint = "; it may be given only for coordinates, speeds and inputs";
+  for (const phrase& p : symbols) {
+    const describe::symbol_record* symbol = p.size == 1 ? p.tokens[0].symbol : nullptr;
+    if (symbol == nullptr) return sentence({"the unit ", unit, " is given for an expression", hint});
+    if (symbol->kind == symbol_kind::parameter || symbol->kind == symbol_kind::time)
+      return sentence({"the unit ", unit, " is given for the ", derivation::kind_of(*symbol),
+                       symbol->called.view(), hint});
+  }
+  return {};
+}
+
+constexpr sentence check_plot(const phrase& given, std::string_view name) {
+  if (name.empty()) return sentence({"a plot has no name"});
+  if (given.kind == shape::scalar) return {};
+  return sentence({"the plot of ", name, derivation::is_a(given.kind), "it must be a scalar"});
+}
 
 template <class Element>
 struct check_element {
@@ -21,6 +43,8 @@ struct check_element {
         return check_sizes(Element::constant, Element::size_names, Element::word);
       if constexpr (requires { Element::vector_name; })
         return check_vector(Element::constant[0], "the direction of ", Element::word);
+      if constexpr (requires { Element::symbols; }) return check_symbols(Element::symbols, Element::unit);
+      if constexpr (Element::word == "plot") return check_plot(Element::varying[0], Element::name);
       return {};
     }
   }
@@ -37,7 +61,10 @@ struct check_element<show<Shape, Options...>> {
       sentence found;
       if constexpr (requires { Shape::file; })
         found = check_mesh(Shape::file, Shape::scale_count, whom.view());
-      if (!found) found = check_sizes(Shape::sizes, Shape::size_names, whom.view());
+      if constexpr (requires { Shape::size_names; })
+        if (!found) found = check_sizes(Shape::sizes, Shape::size_names, whom.view());
+      if constexpr (requires { Shape::vector; })
+        if (!found) found = check_vector(Shape::vector, "the vector of the ", whom.view());
       if constexpr (requires { Shape::axis; })
         if (!found) found = check_vector(Shape::axis, "the axis of the ", whom.view());
       if (!found) found = check_options<Shape, Options...>(whom.view());
@@ -103,7 +130,8 @@ constexpr sentence check_elements() {
   const auto times = [](std::string_view word) { return ((has_keyword<Elements>(word) ? 1 : 0) + ... + 0); };
   if (times("show") + times("trace") == 0) return sentence({"the picture shows nothing"});
   if (times("up") == 0) return sentence({"the picture does not specify the up direction; add up<vector>"});
-  for (std::string_view word : {"up", "seen_from", "ground", "carried", "files_in"})
+  for (std::string_view word : {"up", "seen_from", "ground", "carried", "files_in", "show_forces",
+                                "show_velocities", "show_frames", "plot_energies"})
     if (times(word) > 1) return sentence({"the picture lists ", word, "<...> twice"});
   origin_check origins;
   (origins.check_origins<Elements>(), ...);

@@ -13,6 +13,8 @@ namespace animate {
 struct look {
   std::string_view colour{}; ///< "#rrggbb"; if empty, the page chooses a colour
   std::string_view name{};   ///< if empty, formed from the kind and the place of the shape
+  std::string_view layer{};  ///< the switch of the page that shows it; if empty, it is always shown
+  std::string_view unit{};   ///< the unit of the length of an arrow
   double opacity = 1;
 };
 
@@ -25,10 +27,20 @@ constexpr void apply_option(look& l) {
 }
 
 template <class... Options>
-constexpr look look_of() {
+constexpr look look_of(std::string_view layer = {}) {
   look l;
+  l.layer = layer;
   (apply_option<Options>(l), ...);
   return l;
+}
+
+/// The layer of a shape without the option `layer`.
+template <class Shape>
+constexpr std::string_view layer_of() {
+  if constexpr (requires { Shape::layer; })
+    return Shape::layer;
+  else
+    return {};
 }
 
 template <class Option, std::size_t size>
@@ -71,6 +83,18 @@ struct named {
   static constexpr void apply_to(animate::look& l) { l.name = words.view(); }
 };
 
+/// Adds the shape to a layer, which the page shows on demand: `show<axes<A, P, 0.2>, layer<"Frames">>`.
+template <text words>
+struct layer {
+  static constexpr void apply_to(animate::look& l) { l.layer = words.view(); }
+};
+
+/// The unit of the vector of an arrow.
+template <text words>
+struct unit {
+  static constexpr void apply_to(animate::look& l) { l.unit = words.view(); }
+};
+
 /// Makes the shape rotate about its axis relative to its frame, at the rate `speed`, which is integrated
 /// along the trajectory. Intended for wheels whose angle does not affect the motion and is therefore not a
 /// coordinate of the model: `show<wheel<R, C, R::y, r, 0.04>, spinning<u3>>`.
@@ -88,7 +112,7 @@ template <class Shape, class... Options>
   requires requires { Shape::shape; }
 struct show<Shape, Options...> {
   static constexpr std::string_view word = "show";
-  static constexpr animate::look look = animate::look_of<Options...>();
+  static constexpr animate::look look = animate::look_of<Options...>(animate::layer_of<Shape>());
   using attachment = Shape;
   static constexpr auto varying = Shape::varying;
   static constexpr auto constant = Shape::sizes;
@@ -142,6 +166,51 @@ struct carried : animate::element {
   static constexpr const describe::point_record* points[]{&describe::point_of<Point>};
   static constexpr animate::phrases<1> varying{animate::place<Point>};
   static constexpr auto rates = animate::phrases_of<velocity_of<Point>>;
+};
+
+/// A scalar of the model that the page plots next to the coordinates, speeds and inputs:
+/// `plot<"height of P", dot(position_of<P, O>, N::z), "m">`.
+template <text called, auto scalar, text of_unit = "">
+struct plot : animate::element {
+  static constexpr std::string_view word = "plot";
+  static constexpr std::string_view name = called.view(), unit = of_unit.view();
+  static constexpr auto varying = animate::phrases_of<scalar>;
+};
+
+/// Plots the kinetic energy, the potential energy and their sum: `plot_energies<"J">`.
+template <text of_unit = "">
+struct plot_energies : animate::element {
+  static constexpr std::string_view word = "plot_energies";
+  static constexpr std::string_view unit = of_unit.view();
+};
+
+/// The unit of coordinates, speeds or inputs, which the page writes next to their names:
+/// `in_unit<"rad", q1, q2>`.
+template <text of_unit, auto... listed>
+struct in_unit : animate::element {
+  static constexpr std::string_view word = "in_unit";
+  static constexpr std::string_view unit = of_unit.view();
+  static constexpr auto symbols = animate::phrases_of<listed...>;
+};
+
+/// The forces among the loads of the model and the weights of its bodies, as arrows that the page shows on
+/// demand: `show_forces<"N">`.
+template <text of_unit = "">
+struct show_forces : animate::element {
+  static constexpr std::string_view word = "show_forces";
+  static constexpr std::string_view unit = of_unit.view();
+};
+
+/// The velocities of the mass centers, as arrows that the page shows on demand: `show_velocities<"m/s">`.
+template <text of_unit = "">
+struct show_velocities : animate::element {
+  static constexpr std::string_view word = "show_velocities";
+  static constexpr std::string_view unit = of_unit.view();
+};
+
+/// The axes of the rigid bodies at their mass centers, which the page shows on demand.
+struct show_frames : animate::element {
+  static constexpr std::string_view word = "show_frames";
 };
 
 /// The folder for relative names of mesh files; `page_options::folder` overrides it for a single page.

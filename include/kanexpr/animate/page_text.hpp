@@ -53,6 +53,13 @@ struct mesh_files : outcome {
   std::vector<mesh_file> all{};
 };
 
+/// The content of a mesh file, or the reason why it cannot be read.
+struct mesh_file_read : outcome {
+  using outcome::outcome;
+
+  std::string bytes{};
+};
+
 /// Browsers reject much longer strings.
 inline constexpr std::uintmax_t most_bytes_of_meshes = 256'000'000;
 
@@ -62,28 +69,39 @@ bool is_among(const std::vector<Named>& all, const std::string& name) {
   return std::ranges::find(all, name, &Named::name) != all.end();
 }
 
-inline mesh_files read_meshes(const animation& a, const std::string& folder) {
+/// Reads the file of a mesh, of which at most `room` bytes fit into the page.
+inline mesh_file_read read_mesh(const animation::shape& s, const std::string& folder, std::uintmax_t room) {
+  const std::filesystem::path path = std::filesystem::path(folder) / s.file;
+  const std::string whose = "the file of the " + s.name + ", " + path.string() + ",";
+  if (mesh_kind_of(s.file).empty()) return mesh_file_read(whose + " is not of the type .stl, .dae or .obj");
+  std::error_code failed;
+  if (!std::filesystem::exists(path, failed)) return mesh_file_read(whose + " does not exist");
+  if (!std::filesystem::is_regular_file(path, failed)) return mesh_file_read(whose + " is not a file");
+  const std::uintmax_t size = std::filesystem::file_size(path, failed);
+  if (failed) return mesh_file_read(whose + " cannot be read");
+  if (size == 0) return mesh_file_read(whose + " is empty");
+  if (size > room) return mesh_file_read(whose + " is too large; a page can hold at most 256 MB of meshes");
+  std::ifstream file(path, std::ios::binary);
+  mesh_file_read read;
+  read.bytes.assign(std::istreambuf_iterator<char>(file), {});
+  if (!file.is_open() || file.bad() || read.bytes.size() != size)
+    return mesh_file_read(whose + " cannot be read");
+  return read;
+}
+
+/// Reads the files of all runs. A relative name is resolved in `folder`, or in the folder of the picture if
+/// it is empty.
+inline mesh_files read_meshes(const std::vector<named_animation>& runs, const std::string& folder) {
   mesh_files read;
-  std::uintmax_t bytes = 0;
-  for (const animation::shape& s : a.shapes) {
-    if (s.kind != "mesh" || is_among(read.all, s.file)) continue;
-    const std::filesystem::path path = std::filesystem::path(folder) / s.file;
-    const std::string whose = "the file of the " + s.name + ", " + path.string() + ",";
-    if (mesh_kind_of(s.file).empty()) return mesh_files(whose + " is not of the type .stl, .dae or .obj");
-    std::error_code failed;
-    if (!std::filesystem::exists(path, failed)) return mesh_files(whose + " does not exist");
-    if (!std::filesystem::is_regular_file(path, failed)) return mesh_files(whose + " is not a file");
-    const std::uintmax_t size = std::filesystem::file_size(path, failed);
-    if (failed) return mesh_files(whose + " cannot be read");
-    if (size == 0) return mesh_files(whose + " is empty");
-    if (size > most_bytes_of_meshes - bytes)
-      return mesh_files(whose + " is too large; a page can hold at most 256 MB of meshes");
-    bytes += size;
-    std::ifstream file(path, std::ios::binary);
-    const std::string text{std::istreambuf_iterator<char>(file), {}};
-    if (!file.is_open() || file.bad() || text.size() != size) return mesh_files(whose + " cannot be read");
-    read.all.push_back({s.file, base64(text)});
-  }
+  std::uintmax_t room = most_bytes_of_meshes;
+  for (const named_animation& run : runs)
+    for (const animation::shape& s : run.motion.shapes) {
+      if (s.kind != "mesh" || is_among(read.all, s.file)) continue;
+      const mesh_file_read one = read_mesh(s, folder.empty() ? run.motion.folder : folder, room);
+      if (!one) return mesh_files(one.cause());
+      room -= one.bytes.size();
+      read.all.push_back({s.file, base64(one.bytes)});
+    }
   return read;
 }
 
@@ -120,7 +138,7 @@ public:
 
   double rounded(double value) const {
     const double whole =
-        exponent_ < 0 ? std::round(value / power_) * power_ : std::round(value * power_) / power_;
+        exponent_ < 0 ? (std::round)(value / power_) * power_ : (std::round)(value * power_) / power_;
     return base::equal(whole, 0.0) ? 0 : whole; // no −0
   }
 
@@ -167,12 +185,15 @@ inline nlohmann::json shape_text(const animation::shape& s, const std::vector<an
     one["anchors"].push_back(anchor_text(a, s.placed_by == placement_kind::pose));
   if (!s.colour.empty()) one["colour"] = s.colour;
   if (!s.file.empty()) one["file"] = s.file;
+  if (!s.layer.empty()) one["layer"] = s.layer;
+  if (!s.unit.empty()) one["unit"] = s.unit;
   return one;
 }
 
 /// Returns the motion of one run: its times, tracks, shapes and columns.
-inline nlohmann::json run_text(const animation& a) {
-  nlohmann::json run{{"times", list_of(a.times)},
+inline nlohmann::json run_text(const std::string& name, const animation& a) {
+  nlohmann::json run{{"name", name},
+                     {"times", list_of(a.times)},
                      {"tracks", nlohmann::json::array()},
                      {"shapes", nlohmann::json::array()},
                      {"columns", nlohmann::json::array()}};
@@ -181,7 +202,8 @@ inline nlohmann::json run_text(const animation& a) {
   for (std::size_t i = 0; i < a.shapes.size(); ++i)
     run["shapes"].push_back(shape_text(a.shapes[i], found.of_shape[i]));
   for (const animation::column& c : a.columns)
-    run["columns"].push_back({{"name", c.name}, {"values", list_of(c.values)}});
+    run["columns"].push_back(
+        {{"name", c.name}, {"group", c.group}, {"unit", c.unit}, {"values", list_of(c.values)}});
   return run;
 }
 
@@ -200,19 +222,25 @@ inline nlohmann::json file_text(const mesh_file& f) {
 
 inline bool is_control(char c) { return (c >= 0 && c < ' ') || c == '\x7f'; }
 
-/// Returns an animation as JSON. It contains no `<`, so it can be inserted into a page without escaping.
-inline std::string page_text(const animation& a, const std::string& title, const std::string& text,
-                             const std::vector<mesh_file>& files = {}) {
-  nlohmann::json all{
-      {"title", title},
-      {"text", text},
-      {"nameOfTime", base::name_of_time([&](const std::string& name) { return is_among(a.columns, name); })},
-      {"up", list_of(a.up)},
-      {"carried", a.carried},
-      {"runs", nlohmann::json::array({run_text(a)})},
-      {"files", nlohmann::json::array()}};
-  if (a.seen_from) all["seenFrom"] = list_of(*a.seen_from);
-  if (a.ground) all["ground"] = rounded(*a.ground);
+/// Returns runs as JSON; the first one determines the view. The text contains no `<`, so it can be inserted
+/// into a page without escaping.
+inline std::string page_text(const std::vector<named_animation>& runs, const std::string& title,
+                             const std::string& text, const std::vector<mesh_file>& files = {}) {
+  const animation& first = runs.front().motion;
+  const auto is_taken = [&](const std::string& name) {
+    return std::ranges::any_of(
+        runs, [&](const named_animation& run) { return is_among(run.motion.columns, name); });
+  };
+  nlohmann::json all{{"title", title},
+                     {"text", text},
+                     {"nameOfTime", base::name_of_time(is_taken)},
+                     {"up", list_of(first.up)},
+                     {"carried", first.carried},
+                     {"runs", nlohmann::json::array()},
+                     {"files", nlohmann::json::array()}};
+  if (first.seen_from) all["seenFrom"] = list_of(*first.seen_from);
+  if (first.ground) all["ground"] = rounded(*first.ground);
+  for (const named_animation& run : runs) all["runs"].push_back(run_text(run.name, run.motion));
   for (const mesh_file& f : files) all["files"].push_back(file_text(f));
   std::string page = written(all);
   for (std::size_t at = page.find('<'); at != std::string::npos; at = page.find('<', at))

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/check_picture.hpp>
+#include <kanexpr/animate/elements_of.hpp>
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/function.hpp>
 
@@ -60,8 +61,14 @@ struct layout {
 template <class Picture>
 struct numbers_of;
 
+template <class Elements>
+struct numbers_in_list;
+
 template <class System, class... Elements>
-struct numbers_of<picture<System, Elements...>> {
+struct numbers_of<picture<System, Elements...>> : numbers_in_list<elements_of<System, Elements...>> {};
+
+template <class... Elements>
+struct numbers_in_list<element_list<Elements...>> {
   static constexpr layout varying{Elements::varying...};
   static constexpr layout constant{Elements::constant...};
   static constexpr layout rates{Elements::rates...};
@@ -70,6 +77,7 @@ struct numbers_of<picture<System, Elements...>> {
   static constexpr int first_rate = all.begin[2];
   static constexpr int count = all.numbers();
   static constexpr int rate_count = rates.numbers();
+  static constexpr bool has_energies = (has_keyword<Elements>("plot_energies") || ...);
 };
 
 } // namespace animate

@@ -24,7 +24,9 @@ struct element_record {
   int first_varying = 0; ///< index of its first number among all numbers
   int first_constant = 0;
   int constant = 0;
-  int first_rate = 0; ///< index among the rates
+  std::string_view unit{};           ///< the unit of what it plots
+  std::span<const phrase> symbols{}; ///< the symbols to which it gives the unit
+  int first_rate = 0;                ///< index among the rates
   int rates = 0;
 };
 
@@ -44,16 +46,24 @@ constexpr element_record record_of_element() {
     if constexpr (requires { attachment::file; }) r.file = attachment::file;
   }
   if constexpr (requires { Element::folder; }) r.file = Element::folder;
+  if constexpr (requires { Element::unit; }) r.unit = Element::unit;
+  if constexpr (requires { Element::symbols; }) r.symbols = Element::symbols;
+  if constexpr (requires { Element::name; }) r.looks.name = Element::name;
   return r;
 }
 
+template <class Elements>
+struct records_in;
 template <class Picture>
 struct records_of;
 
 template <class System, class... Elements>
-struct records_of<picture<System, Elements...>> {
+struct records_of<picture<System, Elements...>> : records_in<elements_of<System, Elements...>> {};
+
+template <class... Elements>
+struct records_in<element_list<Elements...>> {
   static constexpr std::array<element_record, sizeof...(Elements)> list = [] {
-    using numbers = numbers_of<picture<System, Elements...>>;
+    using numbers = numbers_in_list<element_list<Elements...>>;
     std::array<element_record, sizeof...(Elements)> made{record_of_element<Elements>()...};
     for (std::size_t i = 0; i < made.size(); ++i) {
       made[i].first_varying = numbers::varying.begin[i];
@@ -72,7 +82,8 @@ public:
   const derivation::survey& known;
   std::span<const element_record> elements;
   const compiled::code_table& table; ///< evaluates all numbers of the picture
-  int numbers, first_rate, rates;    ///< their count, and the range of those that are integrated
+  int numbers, first_rate, rates; ///< their count, and the range of those that are integrated; the energies
+                                  ///< follow these if the picture plots them
 
   virtual std::size_t samples() const = 0;
   virtual void parameters(double* p) const = 0;

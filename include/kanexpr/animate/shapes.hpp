@@ -100,6 +100,18 @@ struct coil : animate::between<From, To> {
   static constexpr auto sizes = animate::phrases_of<radius, turns>;
 };
 
+/// An arrow from `Point` along a vector of the model, such as a force or a velocity. The page shows it on
+/// demand, and scales all arrows of a layer alike.
+template <class Point, auto vector_of_model>
+struct arrow : animate::at<Point> {
+  static constexpr std::string_view shape = "arrow";
+  static constexpr std::string_view layer = "Vectors";
+  static constexpr animate::phrase vector = describe::phrase_of<vector_of_model>;
+  static constexpr animate::phrases<2> varying{animate::place<Point>, vector};
+  static constexpr animate::placement_kind placed_by = animate::placement_kind::ends;
+  static constexpr animate::phrases<0> sizes{};
+};
+
 /// The axes of `Frame` as arrows from `Point`: x red, y green, z blue.
 template <class Frame, class Point, auto length>
 struct axes : animate::attached<Frame, Point> {

@@ -6,6 +6,7 @@
 #include <kanexpr/base/outcome.hpp>
 
 #include <string>
+#include <vector>
 
 #ifndef KANEXPR_PAGE // path of the empty page, set by the target kanexpr::animate
 #define KANEXPR_PAGE ""
@@ -21,6 +22,14 @@ struct page_options {
   std::string folder{}; ///< folder for relative file names; if empty, the folder that the picture specifies
 };
 
+/// Writes a page that shows several runs together, of the same picture or of different ones:
+///
+///     write_page("runs.html", {{"pushed", animated<swing>(first)}, {"free", animated<swing>(second)}});
+///
+/// The first run determines the view. Reports the reason if the page cannot be written.
+KANEXPR_PAGES outcome write_page(const std::string& path, const std::vector<named_animation>& runs,
+                                 const page_options& options = {});
+
 namespace animate {
 
 /// Writes an animation to a page.
@@ -31,8 +40,7 @@ KANEXPR_PAGES outcome write_page(const std::string& path, const animation& a, co
 /// Writes an animated page of a system that moves along a trajectory; a browser opens the page without
 /// network access. Reports the reason if the page cannot be written.
 template <class Picture, class Trajectory>
-outcome write_page(const std::string& path, const Trajectory& trajectory, page_options options = {}) {
-  if (options.title.empty()) options.title = type_name<typename Picture::System>();
+outcome write_page(const std::string& path, const Trajectory& trajectory, const page_options& options = {}) {
   return animate::write_page(path, animated<Picture>(trajectory), options);
 }
 

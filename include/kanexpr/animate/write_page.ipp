@@ -8,6 +8,7 @@
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace kanexpr::animate {
 
@@ -38,18 +39,42 @@ inline outcome fill(std::string& page, const std::string& title, const std::stri
   return {};
 }
 
+/// Checks that there are runs, that all have a motion, and that their names distinguish them.
+inline std::string check_runs(const std::vector<named_animation>& runs) {
+  if (runs.empty()) return "a page needs at least one run";
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!runs[i].motion)
+      return runs.size() == 1 ? runs[i].motion.cause()
+                              : "run " + runs[i].name + ": " + runs[i].motion.cause();
+    if (runs[i].name.empty() && runs.size() > 1) return "one of several runs has no name";
+    for (std::size_t k = 0; k < i; ++k)
+      if (runs[i].name == runs[k].name) return "two runs are named " + runs[i].name;
+  }
+  return {};
+}
+
 KANEXPR_PAGES outcome write_page(const std::string& path, const animation& a, const page_options& options) {
-  if (!a) return outcome(a.cause());
+  return kanexpr::write_page(path, {{"", a}}, options);
+}
+
+} // namespace kanexpr::animate
+
+namespace kanexpr {
+
+KANEXPR_PAGES outcome write_page(const std::string& path, const std::vector<named_animation>& runs,
+                                 const page_options& options) {
+  if (const std::string mistake = animate::check_runs(runs); !mistake.empty()) return outcome(mistake);
   std::ifstream file(options.empty_page, std::ios::binary);
   std::string page{std::istreambuf_iterator<char>(file), {}};
   if (page.empty())
     return outcome("the empty page cannot be read" +
                    (options.empty_page.empty() ? std::string() : ", " + options.empty_page) +
                    "; the target kanexpr_page builds it with npm");
-  const mesh_files meshes = read_meshes(a, options.folder.empty() ? a.folder : options.folder);
+  const animate::mesh_files meshes = animate::read_meshes(runs, options.folder);
   if (!meshes) return outcome(meshes.cause());
-  const std::string motion = page_text(a, options.title, options.text, meshes.all);
-  outcome filled = fill(page, escaped_title(options.title), motion, options.empty_page);
+  const std::string title = options.title.empty() ? runs.front().motion.system : options.title;
+  const std::string motion = animate::page_text(runs, title, options.text, meshes.all);
+  outcome filled = animate::fill(page, animate::escaped_title(title), motion, options.empty_page);
   if (!filled) return filled;
   std::ofstream out(path, std::ios::binary);
   out << page;
@@ -58,4 +83,4 @@ KANEXPR_PAGES outcome write_page(const std::string& path, const animation& a, co
   return {};
 }
 
-} // namespace kanexpr::animate
+} // namespace kanexpr

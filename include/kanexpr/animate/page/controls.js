@@ -17,6 +17,7 @@ export function controls(player, camera) {
   element('play').addEventListener('click', () => player.toggle());
   range.addEventListener('input', () => player.seek(range.valueAsNumber));
   element('speed').addEventListener('change', (event) => (player.speed = Number(event.target.value)));
+  element('loop').addEventListener('click', () => loop(player));
   element('follow').checked = camera.follows;
   element('follow').addEventListener('change', (event) => (camera.follows = event.target.checked));
   element('home').addEventListener('click', () => camera.home());
@@ -32,18 +33,25 @@ export function controls(player, camera) {
   };
 }
 
+function loop(player) {
+  player.loops = !player.loops;
+  element('loop').setAttribute('aria-pressed', player.loops);
+}
+
 function press(event, player) {
   if (event.ctrlKey || event.metaKey || event.altKey || event.target.tagName === 'SELECT') return;
   const step = ((player.last - player.first) / 100) * (event.shiftKey ? 10 : 1);
-  const pressed = /^(BUTTON|SUMMARY)$/.test(event.target.tagName) || event.target.type === 'checkbox';
+  const pressed = event.target.tagName === 'BUTTON' || event.target.type === 'checkbox';
+  const slides = event.target.type === 'range' && event.target.id !== 'time';
   const acts = {
     ' ': () => player.toggle(),
+    l: () => loop(player),
     ArrowLeft: () => player.seek(player.time - step),
     ArrowRight: () => player.seek(player.time + step),
     Home: () => player.seek(player.first),
     End: () => player.seek(player.last),
   };
-  if (!(event.key in acts) || (event.key === ' ' && pressed)) return;
+  if (!(event.key in acts) || (event.key === ' ' && pressed) || (event.key.length > 1 && slides)) return;
   event.preventDefault();
   acts[event.key]();
 }

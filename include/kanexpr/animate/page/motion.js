@@ -38,6 +38,14 @@ export class Track {
     return this.#rows.length === this.#stride;
   }
 
+  /// The greatest length of the position, which is a vector.
+  longest() {
+    let most = 0;
+    for (let at = 0; at < this.#rows.length; at += this.#stride)
+      most = Math.max(most, Math.hypot(...this.#rows.slice(at, at + 3)));
+    return most;
+  }
+
   show({ index, part }) {
     const moves = !this.isFixed;
     const at = moves ? index * this.#stride : 0;

@@ -3,7 +3,9 @@ import { Box3, Group, Matrix4, Vector3 } from 'three';
 import { Camera } from './camera.js';
 import { extent } from './extent.js';
 import { ground } from './ground.js';
+import { layers } from './layers.js';
 import { Meshes, trianglesIn } from './meshes.js';
+import { names } from './names.js';
 import { Run } from './run.js';
 import { stage } from './stage.js';
 import { tell } from './trouble.js';
@@ -12,12 +14,12 @@ import { tell } from './trouble.js';
 export function picture(motion, draw, view, changed) {
   const model = new Group();
   const meshes = new Meshes(motion.files);
-  const runs = motion.runs.map((run) => new Run(run, meshes));
+  const runs = motion.runs.map((run, number) => new Run(run, meshes, number));
   const { objects } = runs[0];
   if (meshes.broken.length > 0)
     tell(`These files cannot be shown: ${meshes.broken.join(', ')}.`, true);
   model.quaternion.setFromUnitVectors(new Vector3(...motion.up), new Vector3(0, 1, 0));
-  model.add(...runs.flatMap((run) => run.objects));
+  model.add(...runs.map((run) => run.all));
   const { middle, size } = extent(model, runs, motion.carried);
   const scene = stage(size);
   const plane = motion.ground === undefined ? undefined : ground(motion.ground, size);
@@ -40,9 +42,16 @@ export function picture(motion, draw, view, changed) {
   resize();
   camera.home();
   new ResizeObserver(resize).observe(view);
+  layers(runs, size, changed);
+  const updateName = names(view, runs, camera);
 
   return {
     camera,
+    canvas: draw.domElement,
+    setVisible(run, isVisible) {
+      runs[run].all.visible = isVisible;
+      changed();
+    },
     pose(index) {
       const { position, quaternion } = objects[index];
       return { position: position.toArray(), quaternion: quaternion.toArray() };
@@ -69,6 +78,7 @@ export function picture(motion, draw, view, changed) {
       scene.light(target);
       plane?.follow(target);
       draw.render(scene, camera.lens);
+      updateName();
     },
   };
 }

@@ -4,6 +4,7 @@ export class Player {
     this.first = first;
     this.last = last;
     this.speed = 1;
+    this.loops = false;
     this.time = first;
     this.playing = false;
     this.changed = changed;
@@ -37,7 +38,10 @@ export class Player {
     if (!this.playing) return;
     const passed = (now - (this.before ?? now)) / 1000;
     this.before = now;
-    this.time = Math.min(this.last, this.time + passed * this.speed);
+    this.time += passed * this.speed;
+    if (this.time >= this.last && this.loops)
+      this.time = this.first + ((this.time - this.first) % (this.last - this.first));
+    this.time = Math.min(this.last, this.time);
     if (this.time >= this.last) this.playing = false;
     else requestAnimationFrame((later) => this.#step(later));
     this.changed();

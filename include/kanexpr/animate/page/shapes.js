@@ -1,9 +1,11 @@
 // The shapes of a picture as objects that can be shown at any time.
 import { Vector3 } from 'three';
 import * as links from './links.js';
+import { colourOfLayer } from './layers.js';
 import { colourOf } from './materials.js';
 import * as solids from './solids.js';
 import { trace } from './trace.js';
+import { arrow, frame } from './vectors.js';
 
 const upright = new Vector3(0, 0, 1);
 const end = new Vector3();
@@ -34,6 +36,8 @@ function link(shape, colour) {
 export function objectOf(shape, index, meshes) {
   const colour = colourOf(shape, index);
   if (shape.kind === 'trace') return trace(shape, colour);
+  if (shape.kind === 'arrow') return arrow(shape, shape.colour ?? colourOfLayer(shape.layer));
+  if (shape.kind === 'frame') return frame(shape);
   const object = shape.placed === 'ends' ? link(shape, colour) : solid(shape, colour, meshes);
   object.traverse((part) => {
     part.castShadow = shape.opacity > 0.5 && !part.userData.flat;

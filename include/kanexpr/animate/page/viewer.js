@@ -1,8 +1,12 @@
 // Reads the motion of a system from the page and shows it.
 import { controls } from './controls.js';
-import { moment } from './motion.js';
+import { openPanel, panels } from './panels.js';
 import { picture } from './picture.js';
 import { Player } from './player.js';
+import { plots } from './plots.js';
+import { quantitiesOf } from './quantities.js';
+import { Recorder } from './record.js';
+import { runSwitches } from './runs.js';
 import { renderer } from './stage.js';
 import { tell } from './trouble.js';
 import { values } from './values.js';
@@ -13,9 +17,10 @@ document.getElementById('text').textContent = motion.text;
 
 function withoutPicture(error) {
   tell('This browser does not support WebGL, which the picture requires; the values at each time are still shown.');
-  document.getElementById('panel').open = true;
+  openPanel('values-panel');
+  document.querySelector('[aria-controls="record-panel"]').disabled = true;
   console.warn(error.message);
-  return { camera: { follows: false, home() {} }, pose() {}, measure() {}, show() {} };
+  return { camera: { follows: false, home() {} }, pose() {}, measure() {}, setVisible() {}, show() {} };
 }
 
 let due = false;
@@ -39,22 +44,34 @@ function withPicture() {
   return picture(motion, draw, view, changed);
 }
 
-const [run] = motion.runs;
-const player = new Player(run.times[0], run.times.at(-1), changed);
+const { runs } = motion;
+for (const run of runs) run.visible = true;
+const quantities = quantitiesOf(runs);
+const player = new Player(
+  Math.min(...runs.map((run) => run.times[0])), Math.max(...runs.map((run) => run.times.at(-1))), changed);
+panels(changed);
 const seen = withPicture();
 const showControls = controls(player, seen.camera);
-const showValues = values(motion.nameOfTime, run.columns);
+const showValues = values(motion.nameOfTime, quantities, runs);
+const plotted = plots(quantities, runs, motion.nameOfTime, player);
+runSwitches(runs, (number) => {
+  seen.setVisible(number, runs[number].visible);
+  plotted.draw();
+});
+const recorder = seen.canvas && new Recorder(seen.canvas, player, show, motion.title);
 
 function show() {
-  const now = moment(run.times, player.time);
   seen.show(player.time);
+  recorder?.drawn();
   showControls();
-  showValues(player.time, now);
+  showValues(player.time);
+  plotted.show(player.time);
 }
 
-/// For scripts: the functions of the controls, and the pose and the extent of a shape in inertial axes.
+/// For scripts: the functions of the controls, and the pose and the extent of a shape of the first run, in
+/// inertial axes.
 window.kanexpr = {
-  shapes: run.shapes.map((shape) => shape.name),
+  shapes: runs[0].shapes.map((shape) => shape.name),
   seek(t) {
     player.seek(t);
     show();

@@ -1,0 +1,82 @@
+// Where things are on the page, on screens of all sizes, and its colours.
+import assert from 'node:assert/strict';
+
+const panels = ['Show', 'Values', 'Plots', 'Record'];
+
+/// Nothing covers the title, and everything is on the screen.
+async function checkScreen(page, what) {
+  const { title, others, controls, size, wide } = await page.evaluate(() => {
+    const box = (element) => {
+      const { left, right, top, bottom } = element.getBoundingClientRect();
+      return { id: element.id || element.textContent, left, right, top, bottom };
+    };
+    const isShown = (element) => element.offsetParent !== null;
+    const all = (selector) => [...document.querySelectorAll(selector)].filter(isShown).map(box);
+    return {
+      title: box(document.getElementById('title')),
+      others: all('.panel, #plots-panel, footer'),
+      controls: all('footer button, footer input, footer select, footer output'),
+      size: [innerWidth, innerHeight],
+      wide: document.documentElement.scrollWidth,
+    };
+  });
+  for (const other of others)
+    assert.ok(title.right <= other.left || other.right <= title.left || title.bottom <= other.top || other.bottom <= title.top,
+      `${what}: ${other.id} covers the title`);
+  for (const one of controls)
+    assert.ok(one.left >= 0 && one.top >= 0 && one.right <= size[0] + 0.5 && one.bottom <= size[1] + 0.5,
+      `${what}: ${one.id} is not on the screen`);
+  assert.ok(wide <= size[0], `${what}: the page is too wide`);
+}
+
+async function checkAllPanels(page, what) {
+  for (const name of panels) {
+    await page.getByRole('button', { name, exact: true }).click();
+    await checkScreen(page, `${what}, ${name}`);
+    await page.getByRole('button', { name, exact: true }).click();
+  }
+}
+
+export async function checkLayout(page) {
+  for (const [width, height] of [[1100, 700], [700, 500], [320, 568]]) {
+    await page.setViewportSize({ width, height });
+    await checkAllPanels(page, `${width}x${height}`);
+  }
+}
+
+/// On a phone the picture is below the title, one panel is open at a time, and a touch shows a name.
+export async function checkPhone(page) {
+  await checkAllPanels(page, 'a phone');
+  const boxes = await page.evaluate(() => ['title', 'view'].map((id) => document.getElementById(id).getBoundingClientRect()));
+  assert.ok(boxes[0].bottom <= boxes[1].top);
+  for (const name of panels) await page.getByRole('button', { name, exact: true }).tap();
+  const open = page.locator('[aria-expanded="true"]');
+  assert.deepEqual(await open.allTextContents(), ['Record']);
+  await open.tap();
+
+  await page.evaluate(() => window.kanexpr.seek(1.4));
+  const name = page.locator('#name');
+  const { left, top, width, height } = await page.evaluate(() => document.getElementById('view').getBoundingClientRect().toJSON());
+  for (let part = 0.3; part < 0.75 && !(await name.isVisible()); part += 0.05) {
+    await page.touchscreen.tap(left + 0.5 * width, top + part * height);
+    await page.waitForTimeout(100);
+  }
+  const names = await page.evaluate(() => window.kanexpr.shapes);
+  assert.ok(names.includes(await name.textContent()));
+}
+
+/// The colours follow those of the system.
+export async function checkColours(page, drawn) {
+  const lightness = () => page.evaluate(() => {
+    const [r, g, b] = getComputedStyle(document.querySelector('#loop')).backgroundColor.match(/[\d.]+/g).map(Number);
+    const [x, y, z] = getComputedStyle(document.documentElement).color.match(/[\d.]+/g).map(Number);
+    return [(r + g + b) / 765, (x + y + z) / 765];
+  });
+  const [paper, ink] = await lightness();
+  assert.ok(paper > 0.9 && ink < 0.3);
+  await page.emulateMedia({ colorScheme: 'dark' });
+  const [darkPaper, darkInk] = await lightness();
+  assert.ok(darkPaper < 0.3 && darkInk > 0.8);
+  assert.ok((await drawn(page, 1)).share > 0.01);
+  await page.emulateMedia({ colorScheme: 'light' });
+}
