@@ -162,7 +162,7 @@ def public_names(project):
 def use_of(name, found):
     """A pattern that finds the name where code uses it."""
     is_function, is_template = all(each.kind == "function" for each in found), all(each.is_template for each in found)
-    after = "(?=[(<])" if is_function else "(?=<)" if is_template else ""
+    after = "(?=[(<])" if is_function else r"(?=<| \w+[({ ])" if is_template else ""
     return re.compile(rf"(?<![\w.>:]){name}\b{after}|(?<=kanexpr::){name}\b{after}")
 
 
@@ -198,7 +198,49 @@ def complaints(project):
             yield f"{found[0].header}: {name} has no example in README.md, docs/ or examples/"
 
 
+def test():
+    """What has to be found, and what has not."""
+    header = """#include <kanexpr/b.hpp>
+namespace kanexpr {
+class forward;
+/// A word.
+template <class Self, bool is = requires { sizeof(Self); }>
+struct word : base<Self> {
+  /// A member.
+  int member() const { return '}'; }
+};
+template <class Number>
+  requires(std::is_class_v<Number> &&
+           is_number<Number>)
+struct word<Number> {};
+inline constexpr int count{2};
+constexpr std::array<int, 2> pair(int x,
+                                  int y) {
+  return {x, y};
+}
+/// @internal For C++.
+using hidden = int;
+bool operator==(word<int>, int) { return true; }
+KANEXPR_FUNCTION(sine)
+KANEXPR_UNSUPPORTED_FUNCTION(floor)
+namespace module {
+enum class kind { first };
+}
+} // namespace kanexpr
+"""
+    found = [(each.namespace, each.kind, each.name, each.comment) for each in declarations("kanexpr/a.hpp", header)]
+    assert found == [("kanexpr", "struct", "word", "A word."), ("kanexpr", "variable", "count", ""),
+                     ("kanexpr", "function", "pair", ""), ("kanexpr", "using", "hidden", "@internal For C++."),
+                     ("kanexpr", "function", "sine", ""), ("kanexpr::module", "enum class", "kind", "")], found
+    by_name = {each.name: [each] for each in declarations("kanexpr/a.hpp", header)}
+    for name, code, is_used in [("word", "struct W : word<W> {};", True), ("word", "word w = x;", True), ("word", "f(word);", False),
+                                ("word", "std::word<int> w;", False), ("pair", "f(kanexpr::pair(1, 2));", True),
+                                ("pair", "auto pair = x.pair(1);", False), ("count", "x.count + count", True)]:
+        assert bool(use_of(name, by_name[name]).search(blanked(code))) == is_used, (name, code)
+
+
 if __name__ == "__main__":
+    test()
     mistakes = list(complaints(pathlib.Path(sys.argv[1])))
     print(*mistakes, sep="\n")
     sys.exit(bool(mistakes))
