@@ -18,7 +18,8 @@ import public_names  # noqa: E402
 
 # file, title, what it is about, headers in the order in which their names appear
 PAGES = [
-    ("symbols", "Symbols", "The letters of a model: coordinates, speeds, parameters, inputs and time.", "describe/symbol.hpp describe/symbol_name.hpp"),
+    ("symbols", "Symbols", "The letters of a model: coordinates, speeds, parameters, inputs and time.",
+     "describe/symbol.hpp describe/symbol_name.hpp"),
     ("functions", "Functions", "Functions of scalar expressions. All arguments and results are scalars; angles are in rad.",
      "describe/functions.hpp describe/composed.hpp describe/external.hpp"),
     ("vectors", "Vectors", "Vectors, dyadics, their products, and derivatives in a frame.",
@@ -185,7 +186,7 @@ def signature(member, name):
     kind, lines = member.get("kind"), [template_of(member)]
     if requires := text_of(member.find("requiresclause")):
         lines.append(f"  requires {tidy(requires)}")
-    declared = tidy(text_of(member.find("type")))
+    declared = tidy(text_of(member.find("type"))).removesuffix("()")
     if kind == "function":
         words = ["explicit"] * (member.get("explicit") == "yes") + ["static"] * (member.get("static") == "yes" and "static" not in declared)
         qualifiers = re.search(r"\)([^()]*)$", text_of(member.find("argsstring")))
@@ -208,6 +209,7 @@ class Reference:
         self.root, self.xml = root, xml
         self.names = public_names.public_names(root)
         self.examples = public_names.examples_of(root, self.names)
+        self.included = {each for page in public_names.examples(root) for each in public_names.INCLUDE.findall(page.text)}
         self.comments = Comments(root, self.names)
         self.compounds, self.members, self.umbrellas = {}, {}, self.reach_of_umbrellas()
         for each in ElementTree.parse(xml / "index.xml").getroot():
@@ -227,15 +229,18 @@ class Reference:
         return ElementTree.parse(self.xml / f"{refid}.xml").getroot().find("compounddef")
 
     def reach_of_umbrellas(self):
-        """The headers of include/kanexpr/, smallest first but kanexpr.hpp before all, with the headers that they reach."""
-        found = {}
-        for path in (self.root / "include/kanexpr").glob("*.hpp"):
-            header = f"kanexpr/{path.name}"
-            found[header] = set(public_names.reached(self.root, [header]))
-        return dict(sorted(found.items(), key=lambda pair: (pair[0] != "kanexpr/kanexpr.hpp", len(pair[1]))))
+        """The headers of include/kanexpr/, smallest first, with the headers that they reach."""
+        headers = [f"kanexpr/{path.name}" for path in (self.root / "include/kanexpr").glob("*.hpp")]
+        found = {header: public_names.reached(self.root, [header]) for header in headers}
+        return dict(sorted(found.items(), key=lambda pair: len(pair[1])))
 
     def header_of(self, header):
-        return next((umbrella for umbrella, reach in self.umbrellas.items() if header in reach), header)
+        """The header to include: kanexpr.hpp or symbolic.hpp, or one that names the module, or the header itself."""
+        module = "/".join(header.split("/")[:2]) + "/"
+        reaching = [each for each, reach in self.umbrellas.items() if header in reach]
+        core = [each for each in ("kanexpr/kanexpr.hpp", "kanexpr/symbolic.hpp") if each in reaching]
+        own = [each for each in reaching if any(included.startswith(module) for included in public_names.INCLUDE.findall(self.umbrellas[each][each]))]
+        return next(iter([*core, *own, *([header] if header in self.included else []), *reaching, header]))
 
     def shown_members(self, compound, is_word, seen):
         """The public members of a class, its own first, and those of its bases that are not public names themselves."""
@@ -243,10 +248,10 @@ class Reference:
         for member in compound.iter("memberdef"):
             name, kind, comment = member.find("name").text, member.get("kind"), self.comments.of(member)
             arguments = text_of(member.find("argsstring"))
-            is_hidden = member.get("prot") != "public" or kind == "friend" or name.startswith("~") or arguments.endswith("=delete") or name.endswith("_")
-            declared = text_of(member.find("type")) + " " + text_of(member.find("definition"))
-            is_machinery = not comment and (is_word or HIDDEN_TYPES.search(declared.split(compound.find("compoundname").text)[0]))
-            is_plain = not comment and (name == bare or name.startswith("operator") or kind == "typedef" and is_word)
+            is_hidden = member.get("prot") != "public" or kind == "friend" or re.search(r"^~|_$", name) or arguments.endswith("=delete")
+            declared = text_of(member.find("type"))
+            is_machinery = "vector<" not in tidy(declared) if is_word else not comment and HIDDEN_TYPES.search(declared)
+            is_plain = not comment and (name == bare or name.startswith("operator"))
             if not (is_hidden or is_machinery or is_plain or (name, arguments) in seen):
                 seen.add((name, arguments))
                 yield member, comment
@@ -329,11 +334,11 @@ class Reference:
         for page, title, about, _ in PAGES:
             names = sorted((name for name in places if places[name][0] == page), key=lambda name: places[name])
             rows = [f"| [`{name}`](#{label(name)}) | {self.summary(name)} |" for name in names]
-            parts = [f"# {title}", about, "| | |\n|---|---|\n" + "\n".join(rows)]
+            parts = [f"# {title}: reference", about, "| | |\n|---|---|\n" + "\n".join(rows)]
             parts += [part for name in names for part in self.entry(name) if part]
             (folder / f"{page}.md").write_text("\n\n".join(parts) + "\n")
             listed.append(f"| [{title}]({page}.md) | {about} |")
-        tree = "```{toctree}\n:hidden:\n\n" + "\n".join(page for page, *_ in PAGES) + "\n```"
+        tree = "```{toctree}\n:hidden:\n\n" + "\n".join(f"{title} <{page}>" for page, title, *_ in PAGES) + "\n```"
         index = folder / "index.md"
         index.write_text(index.read_text().replace("<!-- pages -->", "| | |\n|---|---|\n" + "\n".join(listed) + "\n\n" + tree))
 

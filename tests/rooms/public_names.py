@@ -21,6 +21,8 @@ BLOCK = re.compile(r"^```cpp (\w+)\n(.*?)^```", re.M | re.S)
 ENDS = re.compile(r"[{;}]$|^[A-Z_]+\(.*\)$")  # a line with which a declaration ends, or its body begins
 INSIDE = {"docs/extending.md", "docs/how-it-works.md", "docs/releasing.md"}  # pages for those who change the library
 
+SINGLE_NAMES = "docs/reference/examples.md"
+
 
 @dataclasses.dataclass
 class Declaration:
@@ -40,10 +42,10 @@ class Example:
     text: str
 
 
-def blanked(text):
-    """A text whose literals, directives and comments are blank, except the documentation comments in the first column."""
+def blanked(text, keeps_documentation=False):
+    """A text whose literals, directives and comments are blank, or all but documentation comments in the first column."""
     def blank(match):
-        is_documentation = match.group(0).startswith("///") and text[match.start() - 1] == "\n"
+        is_documentation = keeps_documentation and match.group(0).startswith("///") and text[match.start() - 1] == "\n"
         return match.group(0) if is_documentation else re.sub(r"[^\n]", "", match.group(0))
 
     return re.sub(r"[ \t]+$", "", NOT_CODE.sub(blank, text), flags=re.M)
@@ -95,7 +97,7 @@ def is_whole(lines):
 
 def declarations(header, text):
     """What a formatted header declares in namespaces: a line in the first column begins a declaration."""
-    lines = blanked(text).splitlines()
+    lines = blanked(text, keeps_documentation=True).splitlines()
     scopes, comment, place = [], [], 0
     while place < len(lines):
         line = lines[place]
@@ -163,7 +165,7 @@ def use_of(name, found):
     """A pattern that finds the name where code uses it."""
     is_function, is_template = all(each.kind == "function" for each in found), all(each.is_template for each in found)
     after = "(?=[(<])" if is_function else r"(?=<| \w+[({ ])" if is_template else ""
-    return re.compile(rf"(?<![\w.>:]){name}\b{after}|(?<=kanexpr::){name}\b{after}")
+    return re.compile(rf"(?:(?<![\w.>:])(?<!auto )(?<!using )|(?<=kanexpr::)){name}\b{after}(?! =|\.|->)")
 
 
 def parts(example):
@@ -175,9 +177,9 @@ def parts(example):
 
 
 def examples_of(project, names):
-    """The shortest example of each name that has one, in a page if there is one."""
+    """The shortest example of each name that has one: in the guide, else among those of single names, else in a file."""
     all_parts = [part for each in examples(project) for part in parts(each)]
-    all_parts.sort(key=lambda each: (not each.name, len(each.text)))
+    all_parts.sort(key=lambda each: (not each.name, each.page == SINGLE_NAMES, len(each.text)))
     code = [blanked(each.text) for each in all_parts]
     found = {}
     for name, declared in names.items():
@@ -235,7 +237,7 @@ enum class kind { first };
     by_name = {each.name: [each] for each in declarations("kanexpr/a.hpp", header)}
     for name, code, is_used in [("word", "struct W : word<W> {};", True), ("word", "word w = x;", True), ("word", "f(word);", False),
                                 ("word", "std::word<int> w;", False), ("pair", "f(kanexpr::pair(1, 2));", True),
-                                ("pair", "auto pair = x.pair(1);", False), ("count", "x.count + count", True)]:
+                                ("pair", "auto pair = x.pair(1);", False), ("hidden", "using hidden = int;", False), ("count", "x.count + count", True)]:
         assert bool(use_of(name, by_name[name]).search(blanked(code))) == is_used, (name, code)
 
 
