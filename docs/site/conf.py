@@ -1,5 +1,7 @@
 """The site: pages of docs/ and what they link to, staged by stage.py, with the reference that reference.py writes."""
 
+import re
+
 from docutils import nodes
 from pygments.lexers.c_cpp import CppLexer
 from pygments.token import Error, Text
@@ -47,10 +49,10 @@ def signature(name, rawtext, text, lineno, inliner, options=None, content=None):
 
 
 def link_names(app, doctree, page):
-    """Links code that is a public name, in the pages of the guide, to its entry in the reference."""
+    """Links code that is or begins with a public name, as in lqr(A, B, Q, R), to its entry in the reference."""
     labels = app.env.get_domain("std").anonlabels
     for literal in list(doctree.findall(nodes.literal)):
-        name = "api-" + literal.astext().removesuffix("<…>").replace("::", "-").replace("_", "-")
+        name = "api-" + re.split(r"[<({]", literal.astext())[0].removeprefix("kanexpr::").replace("::", "-").replace("_", "-")
         if name not in labels or isinstance(literal.parent, (nodes.reference, nodes.title)):
             continue
         target, anchor, *_ = labels[name]

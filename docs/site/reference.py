@@ -209,6 +209,8 @@ class Reference:
         self.root, self.xml = root, xml
         self.names = public_names.public_names(root)
         self.examples = public_names.examples_of(root, self.names)
+        self.first = {name: min((each for each in found if "/diagnostics/" not in each.header),
+                                key=lambda each: (not each.comment, place_of(each.header)[1])) for name, found in self.names.items()}
         self.included = {each for page in public_names.examples(root) for each in public_names.INCLUDE.findall(page.text)}
         self.comments = Comments(root, self.names)
         self.compounds, self.members, self.umbrellas = {}, {}, self.reach_of_umbrellas()
@@ -239,7 +241,9 @@ class Reference:
         module = "/".join(header.split("/")[:2]) + "/"
         reaching = [each for each, reach in self.umbrellas.items() if header in reach]
         core = [each for each in ("kanexpr/kanexpr.hpp", "kanexpr/symbolic.hpp") if each in reaching]
-        own = [each for each in reaching if any(included.startswith(module) for included in public_names.INCLUDE.findall(self.umbrellas[each][each]))]
+        counts = {each: sum(included.startswith(module) for included in public_names.INCLUDE.findall(self.umbrellas[each][each]))
+                  for each in reaching}
+        own = sorted((each for each in reaching if counts[each]), key=lambda each: -counts[each])
         return next(iter([*core, *own, *([header] if header in self.included else []), *reaching, header]))
 
     def shown_members(self, compound, is_word, seen):
@@ -287,10 +291,17 @@ class Reference:
                 line = " ".join(code.split()).replace("( ", "(")
                 yield f"{{signature}}`{line}`\n: {textwrap.indent(comment, '  ').lstrip()}"
 
-    def member_entry(self, members):
-        for member in members:
+    def member_entry(self, members, header):
+        """Functions, variables and types; those of other headers than the first one state theirs."""
+        for member in sorted(members, key=lambda each: self.header_at(each) != header):
+            if self.header_at(member) != header:
+                header = self.header_at(member)
+                yield f"{{signature}}`#include <{header}>`"
             yield f"```cpp\n{self.source(member) if member.get('kind') == 'enum' else signature(member, member.find('name').text)}\n```"
             yield self.comments.of(member)
+
+    def header_at(self, member):
+        return self.header_of(member.find("location").get("file"))
 
     def source(self, enumeration):
         """An enumeration as the header writes it, with the comments of its values."""
@@ -308,19 +319,19 @@ class Reference:
 
     def entry(self, name):
         yield f"({label(name)})=\n## `{name}`"
-        yield f"{{signature}}`#include <{self.header_of(self.names[name][0].header)}>`"
+        header = self.header_of(self.first[name].header)
+        yield f"{{signature}}`#include <{header}>`"
         if name in self.compounds:
             yield from self.class_entry(name)
         elif name not in self.members:
             sys.exit(f"docs/site/reference.py: Doxygen does not know {name}")
         kinds, inside = ("function", "variable", "typedef", "enum"), "/diagnostics/"
-        yield from self.member_entry(member for member in self.members.get(name, [])
-                                     if member.get("kind") in kinds and inside not in member.find("location").get("file"))
+        yield from self.member_entry([member for member in self.members.get(name, []) if member.get("kind") in kinds
+                                      and inside not in member.find("location").get("file")], header)
         yield self.example(name)
 
     def summary(self, name):
-        comment = next((each.comment for each in self.names[name] if each.comment), "")
-        return first_sentence(self.comments.markdown(comment.splitlines()))
+        return first_sentence(self.comments.markdown(self.first[name].comment.splitlines()))
 
     def write(self, folder):
         """Writes the pages, and lists them in index.md in place of a comment."""
@@ -329,7 +340,7 @@ class Reference:
                 copy = folder.parents[1] / example.page
                 copy.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copyfile(self.root / example.page, copy)
-        places = {name: (*place_of(found[0].header), found[0].header, found[0].line) for name, found in self.names.items()}
+        places = {name: (*place_of(first.header), first.header, first.line) for name, first in self.first.items()}
         listed = []
         for page, title, about, _ in PAGES:
             names = sorted((name for name in places if places[name][0] == page), key=lambda name: places[name])
