@@ -58,6 +58,7 @@ PAGES = [
      "runtime/model.hpp runtime/builder.hpp runtime/*.hpp symbolic/printing/*.hpp symbolic/*.hpp symbolic/*/*.hpp mechanics/*/*.hpp"),
     ("export", "Export", "Models as C, CasADi functions and FMUs.", "exporting/*.hpp exporting/*/*.hpp"),
 ]
+WORDS = re.compile(r"kanexpr/(describe/(?!symbol_name)|animate/(elements|shapes|picture))")  # of whose members only axes are shown
 HIDDEN_TYPES = re.compile(r"\b(?:describe|derivation|mechanics|compiled|animate|lower|steps|symbolic::graph)::|_record\b|\bphrase\b")
 WIDTH = 92
 
@@ -252,10 +253,10 @@ class Reference:
         for member in compound.iter("memberdef"):
             name, kind, comment = member.find("name").text, member.get("kind"), self.comments.of(member)
             arguments = text_of(member.find("argsstring"))
-            is_hidden = member.get("prot") != "public" or kind == "friend" or re.search(r"^~|_$", name) or arguments.endswith("=delete")
+            is_hidden = member.get("prot") != "public" or kind == "friend" or re.search(r"^~|_$|^fields$|^each_member$", name) or arguments.endswith("=delete")
             declared = text_of(member.find("type"))
             is_machinery = "vector<" not in tidy(declared) if is_word else not comment and HIDDEN_TYPES.search(declared)
-            is_plain = not comment and (name == bare or name.startswith("operator"))
+            is_plain = not comment and (name == bare or kind == "function" and not declared or name.startswith("operator"))
             if not (is_hidden or is_machinery or is_plain or (name, arguments) in seen):
                 seen.add((name, arguments))
                 yield member, comment
@@ -270,8 +271,7 @@ class Reference:
         bare = name.split("::")[-1]
         yield f"```cpp\n{template + chr(10) if template else ''}{compound.get('kind')} {bare}\n```"
         yield self.comments.of(compound)
-        bases = " ".join(base.text for base in compound.findall("basecompoundref"))
-        is_word = bool(re.search(r"describe::|animate::|_words\b", bases)) or "Self" in template
+        is_word = WORDS.match(self.first[name].header) is not None
         members = list(self.shown_members(compound, is_word, set()))
         if members:
             yield ":::{rubric} Members\n:::"
