@@ -274,6 +274,8 @@ class Reference:
         is_word = WORDS.match(self.first[name].header) is not None
         members = list(self.shown_members(compound, is_word, set()))
         if members:
+            found = dict.fromkeys(member.find("name").text for member, _ in members if re.fullmatch(r"\w+", member.find("name").text))
+            yield f"```{{index}} {', '.join(found)}\n```" if found and not is_word else ""
             yield ":::{rubric} Members\n:::"
             yield from self.rows((signature(member, member.find("name").text), comment) for member, comment in members)
 

@@ -19,9 +19,11 @@ ENTITY = re.compile(r"(struct|class|union|enum class|enum|concept) (\w+)(.?)")
 QUALIFIED = re.compile(r"(?<![\w:.>])(?:kanexpr::)?(\w+)::(\w+)")
 BLOCK = re.compile(r"^```cpp (\w+)\n(.*?)^```", re.M | re.S)
 ENDS = re.compile(r"[{;}]$|^[A-Z_]+\(.*\)$")  # a line with which a declaration ends, or its body begins
+ENTRY = re.compile(r"(struct|using|constexpr) .*;(\s*//.*)?$")
+ITEM = re.compile(r"^\S.*,(\s*//.*)?$")
 INSIDE = {"docs/extending.md", "docs/how-it-works.md", "docs/releasing.md"}  # pages for those who change the library
 
-SINGLE_NAMES = "docs/reference/examples.md"
+APART = ("docs/reference/", "docs/coming-from/")  # pages whose examples are shown only for names that no other page uses
 
 
 @dataclasses.dataclass
@@ -169,17 +171,22 @@ def use_of(name, found):
 
 
 def parts(example):
-    """An example as it is shown: a block of a page, or what stands between blank lines of longer ones."""
-    short = example.text.count("\n") <= 16 and example.name
-    for part in [example.text] if short else re.split(r"\n\s*\n", example.text):
+    """An example as it is shown: a block of a page, an entry of a list, or what stands between blank lines of longer ones."""
+    lines = example.text.splitlines()
+    short = example.name and len(lines) <= 16
+    if example.name and (all(ENTRY.match(each) for each in lines) or all(ITEM.search(each) for each in lines[:-1])):
+        found = lines
+    else:
+        found = [example.text] if short else re.split(r"\n\s*\n", example.text)
+    for part in found:
         shown = re.sub(r"^(?:\} // )?namespace.*\n?", "", part, flags=re.M).strip("\n")
-        yield Example(example.page, example.name, shown)
+        yield Example(example.page, example.name, re.sub(r"(?<=\S) +(?= //|[:=] )", " ", shown) if found is lines else shown)
 
 
 def examples_of(project, names):
-    """The shortest example of each name that has one: in the guide, else among those of single names, else in a file."""
+    """The shortest example of each name that has one: in the guide, else in a page apart from it, else in a file."""
     all_parts = [part for each in examples(project) for part in parts(each)]
-    all_parts.sort(key=lambda each: (not each.name, each.page == SINGLE_NAMES, len(each.text)))
+    all_parts.sort(key=lambda each: (not each.name, each.page.startswith(APART), len(each.text)))
     code = [blanked(each.text) for each in all_parts]
     found = {}
     for name, declared in names.items():
