@@ -1,5 +1,7 @@
 """Configuration of the site: the pages of docs/ and the files that they link to, staged by stage.py, and the reference written by reference.py."""
 
+import re
+
 from docutils import nodes
 from pygments.lexers.c_cpp import CppLexer
 from pygments.token import Error, Text
@@ -47,10 +49,10 @@ def signature(name, rawtext, text, lineno, inliner, options=None, content=None):
 
 
 def link_names(app, doctree, page):
-    """Links public names in the code of the guide's pages to their entries in the reference."""
+    """Links code that is a public name, or begins with one as in lqr(A, B, Q, R), to its entry in the reference."""
     labels = app.env.get_domain("std").anonlabels
     for literal in list(doctree.findall(nodes.literal)):
-        name = "api-" + literal.astext().removesuffix("<…>").replace("::", "-").replace("_", "-")
+        name = "api-" + re.split(r"[<({]", literal.astext())[0].removeprefix("kanexpr::").replace("::", "-").replace("_", "-")
         if name not in labels or isinstance(literal.parent, (nodes.reference, nodes.title)):
             continue
         target, anchor, *_ = labels[name]

@@ -18,7 +18,8 @@ import public_names  # noqa: E402
 
 # file, title, description, headers in the order in which their names appear
 PAGES = [
-    ("symbols", "Symbols", "The symbols of a model: coordinates, speeds, parameters, inputs and time.", "describe/symbol.hpp describe/symbol_name.hpp"),
+    ("symbols", "Symbols", "The symbols of a model: coordinates, speeds, parameters, inputs and time.",
+     "describe/symbol.hpp describe/symbol_name.hpp"),
     ("functions", "Functions", "Functions of scalar expressions. All arguments and results are scalars; angles are in rad.",
      "describe/functions.hpp describe/composed.hpp describe/external.hpp"),
     ("vectors", "Vectors", "Vectors, dyadics, their products, and derivatives in a frame.",
@@ -57,6 +58,7 @@ PAGES = [
      "runtime/model.hpp runtime/builder.hpp runtime/*.hpp symbolic/printing/*.hpp symbolic/*.hpp symbolic/*/*.hpp mechanics/*/*.hpp"),
     ("export", "Export", "Models as C, CasADi functions and FMUs.", "exporting/*.hpp exporting/*/*.hpp"),
 ]
+WORDS = re.compile(r"kanexpr/(describe/(?!symbol_name)|animate/(elements|shapes|picture))")  # of whose members only axes are shown
 HIDDEN_TYPES = re.compile(r"\b(?:describe|derivation|mechanics|compiled|animate|lower|steps|symbolic::graph)::|_record\b|\bphrase\b")
 WIDTH = 92
 
@@ -185,7 +187,7 @@ def signature(member, name):
     kind, lines = member.get("kind"), [template_of(member)]
     if requires := text_of(member.find("requiresclause")):
         lines.append(f"  requires {tidy(requires)}")
-    declared = tidy(text_of(member.find("type")))
+    declared = tidy(text_of(member.find("type"))).removesuffix("()")
     if kind == "function":
         words = ["explicit"] * (member.get("explicit") == "yes") + ["static"] * (member.get("static") == "yes" and "static" not in declared)
         qualifiers = re.search(r"\)([^()]*)$", text_of(member.find("argsstring")))
@@ -208,6 +210,9 @@ class Reference:
         self.root, self.xml = root, xml
         self.names = public_names.public_names(root)
         self.examples = public_names.examples_of(root, self.names)
+        self.first = {name: min((each for each in found if "/diagnostics/" not in each.header),
+                                key=lambda each: (not each.comment, place_of(each.header)[1])) for name, found in self.names.items()}
+        self.included = {each for page in public_names.examples(root) for each in public_names.INCLUDE.findall(page.text)}
         self.comments = Comments(root, self.names)
         self.compounds, self.members, self.umbrellas = {}, {}, self.reach_of_umbrellas()
         for each in ElementTree.parse(xml / "index.xml").getroot():
@@ -227,15 +232,20 @@ class Reference:
         return ElementTree.parse(self.xml / f"{refid}.xml").getroot().find("compounddef")
 
     def reach_of_umbrellas(self):
-        """The headers of include/kanexpr/ with the headers that they include, directly or indirectly: kanexpr.hpp, then smallest first."""
-        found = {}
-        for path in (self.root / "include/kanexpr").glob("*.hpp"):
-            header = f"kanexpr/{path.name}"
-            found[header] = set(public_names.reached(self.root, [header]))
-        return dict(sorted(found.items(), key=lambda pair: (pair[0] != "kanexpr/kanexpr.hpp", len(pair[1]))))
+        """The headers of include/kanexpr/ with the headers that they include, directly or indirectly; smallest first."""
+        headers = [f"kanexpr/{path.name}" for path in (self.root / "include/kanexpr").glob("*.hpp")]
+        found = {header: public_names.reached(self.root, [header]) for header in headers}
+        return dict(sorted(found.items(), key=lambda pair: len(pair[1])))
 
     def header_of(self, header):
-        return next((umbrella for umbrella, reach in self.umbrellas.items() if header in reach), header)
+        """The header to include: kanexpr.hpp or symbolic.hpp, or one that names the module, or the header itself."""
+        module = "/".join(header.split("/")[:2]) + "/"
+        reaching = [each for each, reach in self.umbrellas.items() if header in reach]
+        core = [each for each in ("kanexpr/kanexpr.hpp", "kanexpr/symbolic.hpp") if each in reaching]
+        counts = {each: sum(included.startswith(module) for included in public_names.INCLUDE.findall(self.umbrellas[each][each]))
+                  for each in reaching}
+        own = sorted((each for each in reaching if counts[each]), key=lambda each: -counts[each])
+        return next(iter([*core, *own, *([header] if header in self.included else []), *reaching, header]))
 
     def shown_members(self, compound, is_word, seen):
         """The public members of a class, followed by those of its bases that are not public names themselves."""
@@ -243,10 +253,10 @@ class Reference:
         for member in compound.iter("memberdef"):
             name, kind, comment = member.find("name").text, member.get("kind"), self.comments.of(member)
             arguments = text_of(member.find("argsstring"))
-            is_hidden = member.get("prot") != "public" or kind == "friend" or name.startswith("~") or arguments.endswith("=delete") or name.endswith("_")
-            declared = text_of(member.find("type")) + " " + text_of(member.find("definition"))
-            is_machinery = not comment and (is_word or HIDDEN_TYPES.search(declared.split(compound.find("compoundname").text)[0]))
-            is_plain = not comment and (name == bare or name.startswith("operator") or kind == "typedef" and is_word)
+            is_hidden = member.get("prot") != "public" or kind == "friend" or re.search(r"^~|_$|^fields$|^each_member$", name) or arguments.endswith("=delete")
+            declared = text_of(member.find("type"))
+            is_machinery = "vector<" not in tidy(declared) if is_word else not comment and HIDDEN_TYPES.search(declared)
+            is_plain = not comment and (name == bare or kind == "function" and not declared or name.startswith("operator"))
             if not (is_hidden or is_machinery or is_plain or (name, arguments) in seen):
                 seen.add((name, arguments))
                 yield member, comment
@@ -261,10 +271,11 @@ class Reference:
         bare = name.split("::")[-1]
         yield f"```cpp\n{template + chr(10) if template else ''}{compound.get('kind')} {bare}\n```"
         yield self.comments.of(compound)
-        bases = " ".join(base.text for base in compound.findall("basecompoundref"))
-        is_word = bool(re.search(r"describe::|animate::|_words\b", bases)) or "Self" in template
+        is_word = WORDS.match(self.first[name].header) is not None
         members = list(self.shown_members(compound, is_word, set()))
         if members:
+            found = dict.fromkeys(member.find("name").text for member, _ in members if re.fullmatch(r"\w+", member.find("name").text))
+            yield f"```{{index}} {', '.join(found)}\n```" if found and not is_word else ""
             yield ":::{rubric} Members\n:::"
             yield from self.rows((signature(member, member.find("name").text), comment) for member, comment in members)
 
@@ -282,10 +293,17 @@ class Reference:
                 line = " ".join(code.split()).replace("( ", "(")
                 yield f"{{signature}}`{line}`\n: {textwrap.indent(comment, '  ').lstrip()}"
 
-    def member_entry(self, members):
-        for member in members:
+    def member_entry(self, members, header):
+        """Functions, variables and types; those of other headers than the first one state theirs."""
+        for member in sorted(members, key=lambda each: self.header_at(each) != header):
+            if self.header_at(member) != header:
+                header = self.header_at(member)
+                yield f"{{signature}}`#include <{header}>`"
             yield f"```cpp\n{self.source(member) if member.get('kind') == 'enum' else signature(member, member.find('name').text)}\n```"
             yield self.comments.of(member)
+
+    def header_at(self, member):
+        return self.header_of(member.find("location").get("file"))
 
     def source(self, enumeration):
         """An enumeration as it is written in the header, with the comments of its values."""
@@ -303,19 +321,19 @@ class Reference:
 
     def entry(self, name):
         yield f"({label(name)})=\n## `{name}`"
-        yield f"{{signature}}`#include <{self.header_of(self.names[name][0].header)}>`"
+        header = self.header_of(self.first[name].header)
+        yield f"{{signature}}`#include <{header}>`"
         if name in self.compounds:
             yield from self.class_entry(name)
         elif name not in self.members:
             sys.exit(f"docs/site/reference.py: Doxygen does not know {name}")
         kinds, inside = ("function", "variable", "typedef", "enum"), "/diagnostics/"
-        yield from self.member_entry(member for member in self.members.get(name, [])
-                                     if member.get("kind") in kinds and inside not in member.find("location").get("file"))
+        yield from self.member_entry([member for member in self.members.get(name, []) if member.get("kind") in kinds
+                                      and inside not in member.find("location").get("file")], header)
         yield self.example(name)
 
     def summary(self, name):
-        comment = next((each.comment for each in self.names[name] if each.comment), "")
-        return first_sentence(self.comments.markdown(comment.splitlines()))
+        return first_sentence(self.comments.markdown(self.first[name].comment.splitlines()))
 
     def write(self, folder):
         """Writes the pages, and replaces a comment in index.md by the list of pages."""
@@ -324,16 +342,16 @@ class Reference:
                 copy = folder.parents[1] / example.page
                 copy.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copyfile(self.root / example.page, copy)
-        places = {name: (*place_of(found[0].header), found[0].header, found[0].line) for name, found in self.names.items()}
+        places = {name: (*place_of(first.header), first.header, first.line) for name, first in self.first.items()}
         listed = []
         for page, title, about, _ in PAGES:
             names = sorted((name for name in places if places[name][0] == page), key=lambda name: places[name])
             rows = [f"| [`{name}`](#{label(name)}) | {self.summary(name)} |" for name in names]
-            parts = [f"# {title}", about, "| | |\n|---|---|\n" + "\n".join(rows)]
+            parts = [f"# {title}: reference", about, "| | |\n|---|---|\n" + "\n".join(rows)]
             parts += [part for name in names for part in self.entry(name) if part]
             (folder / f"{page}.md").write_text("\n\n".join(parts) + "\n")
             listed.append(f"| [{title}]({page}.md) | {about} |")
-        tree = "```{toctree}\n:hidden:\n\n" + "\n".join(page for page, *_ in PAGES) + "\n```"
+        tree = "```{toctree}\n:hidden:\n\n" + "\n".join(f"{title} <{page}>" for page, title, *_ in PAGES) + "\n```"
         index = folder / "index.md"
         index.write_text(index.read_text().replace("<!-- pages -->", "| | |\n|---|---|\n" + "\n".join(listed) + "\n\n" + tree))
 

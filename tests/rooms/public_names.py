@@ -19,7 +19,11 @@ ENTITY = re.compile(r"(struct|class|union|enum class|enum|concept) (\w+)(.?)")
 QUALIFIED = re.compile(r"(?<![\w:.>])(?:kanexpr::)?(\w+)::(\w+)")
 BLOCK = re.compile(r"^```cpp (\w+)\n(.*?)^```", re.M | re.S)
 ENDS = re.compile(r"[{;}]$|^[A-Z_]+\(.*\)$")  # a line with which a declaration ends, or its body begins
+ENTRY = re.compile(r"(struct|using|constexpr) .*;(\s*//.*)?$")
+ITEM = re.compile(r"^\S.*,(\s*//.*)?$")
 INSIDE = {"docs/extending.md", "docs/how-it-works.md", "docs/releasing.md"}  # pages for those who change the library
+
+APART = ("docs/reference/", "docs/coming-from/")  # pages whose examples are shown only for names that no other page uses
 
 
 @dataclasses.dataclass
@@ -40,10 +44,10 @@ class Example:
     text: str
 
 
-def blanked(text):
-    """A text whose literals, directives and comments are blank, except the documentation comments in the first column."""
+def blanked(text, keeps_documentation=False):
+    """A text whose literals, directives and comments are blank, or all but documentation comments in the first column."""
     def blank(match):
-        is_documentation = match.group(0).startswith("///") and text[match.start() - 1] == "\n"
+        is_documentation = keeps_documentation and match.group(0).startswith("///") and text[match.start() - 1] == "\n"
         return match.group(0) if is_documentation else re.sub(r"[^\n]", "", match.group(0))
 
     return re.sub(r"[ \t]+$", "", NOT_CODE.sub(blank, text), flags=re.M)
@@ -95,7 +99,7 @@ def is_whole(lines):
 
 def declarations(header, text):
     """What a formatted header declares in namespaces: a line in the first column begins a declaration."""
-    lines = blanked(text).splitlines()
+    lines = blanked(text, keeps_documentation=True).splitlines()
     scopes, comment, place = [], [], 0
     while place < len(lines):
         line = lines[place]
@@ -162,22 +166,27 @@ def public_names(project):
 def use_of(name, found):
     """A pattern that finds the name where code uses it."""
     is_function, is_template = all(each.kind == "function" for each in found), all(each.is_template for each in found)
-    after = "(?=[(<])" if is_function else "(?=<)" if is_template else ""
-    return re.compile(rf"(?<![\w.>:]){name}\b{after}|(?<=kanexpr::){name}\b{after}")
+    after = "(?=[(<])" if is_function else r"(?=<| \w+[({ ])" if is_template else ""
+    return re.compile(rf"(?:(?<![\w.>:])(?<!auto )(?<!using )|(?<=kanexpr::)){name}\b{after}(?! =|\.|->)")
 
 
 def parts(example):
-    """An example as it is shown: a block of a page, or what stands between blank lines of longer ones."""
-    short = example.text.count("\n") <= 16 and example.name
-    for part in [example.text] if short else re.split(r"\n\s*\n", example.text):
+    """An example as it is shown: a block of a page, an entry of a list, or what stands between blank lines of longer ones."""
+    lines = example.text.splitlines()
+    short = example.name and len(lines) <= 16
+    if example.name and (all(ENTRY.match(each) for each in lines) or all(ITEM.search(each) for each in lines[:-1])):
+        found = lines
+    else:
+        found = [example.text] if short else re.split(r"\n\s*\n", example.text)
+    for part in found:
         shown = re.sub(r"^(?:\} // )?namespace.*\n?", "", part, flags=re.M).strip("\n")
-        yield Example(example.page, example.name, shown)
+        yield Example(example.page, example.name, re.sub(r"(?<=\S) +(?= //|[:=] )", " ", shown) if found is lines else shown)
 
 
 def examples_of(project, names):
-    """The shortest example of each name that has one, in a page if there is one."""
+    """The shortest example of each name that has one: in the guide, else in a page apart from it, else in a file."""
     all_parts = [part for each in examples(project) for part in parts(each)]
-    all_parts.sort(key=lambda each: (not each.name, len(each.text)))
+    all_parts.sort(key=lambda each: (not each.name, each.page.startswith(APART), len(each.text)))
     code = [blanked(each.text) for each in all_parts]
     found = {}
     for name, declared in names.items():
@@ -198,7 +207,49 @@ def complaints(project):
             yield f"{found[0].header}: {name} has no example in README.md, docs/ or examples/"
 
 
+def test():
+    """What has to be found, and what has not."""
+    header = """#include <kanexpr/b.hpp>
+namespace kanexpr {
+class forward;
+/// A word.
+template <class Self, bool is = requires { sizeof(Self); }>
+struct word : base<Self> {
+  /// A member.
+  int member() const { return '}'; }
+};
+template <class Number>
+  requires(std::is_class_v<Number> &&
+           is_number<Number>)
+struct word<Number> {};
+inline constexpr int count{2};
+constexpr std::array<int, 2> pair(int x,
+                                  int y) {
+  return {x, y};
+}
+/// @internal For C++.
+using hidden = int;
+bool operator==(word<int>, int) { return true; }
+KANEXPR_FUNCTION(sine)
+KANEXPR_UNSUPPORTED_FUNCTION(floor)
+namespace module {
+enum class kind { first };
+}
+} // namespace kanexpr
+"""
+    found = [(each.namespace, each.kind, each.name, each.comment) for each in declarations("kanexpr/a.hpp", header)]
+    assert found == [("kanexpr", "struct", "word", "A word."), ("kanexpr", "variable", "count", ""),
+                     ("kanexpr", "function", "pair", ""), ("kanexpr", "using", "hidden", "@internal For C++."),
+                     ("kanexpr", "function", "sine", ""), ("kanexpr::module", "enum class", "kind", "")], found
+    by_name = {each.name: [each] for each in declarations("kanexpr/a.hpp", header)}
+    for name, code, is_used in [("word", "struct W : word<W> {};", True), ("word", "word w = x;", True), ("word", "f(word);", False),
+                                ("word", "std::word<int> w;", False), ("pair", "f(kanexpr::pair(1, 2));", True),
+                                ("pair", "auto pair = x.pair(1);", False), ("hidden", "using hidden = int;", False), ("count", "x.count + count", True)]:
+        assert bool(use_of(name, by_name[name]).search(blanked(code))) == is_used, (name, code)
+
+
 if __name__ == "__main__":
+    test()
     mistakes = list(complaints(pathlib.Path(sys.argv[1])))
     print(*mistakes, sep="\n")
     sys.exit(bool(mistakes))

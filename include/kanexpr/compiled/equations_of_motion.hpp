@@ -9,7 +9,9 @@
 namespace kanexpr {
 
 /// The equations of motion of a system as compiled functions: `equations_of_motion<System>::mass_matrix(x,
-/// p)`.
+/// p)`. The functions accept the state x, the parameters p, the inputs r and, if a result depends on them,
+/// rates of the speeds a; the time t precedes x if the system depends on it. `mechanics::quantity` lists the
+/// shapes of all results. Numbers carry no units; results have those of the model.
 template <class System>
 struct equations_of_motion : compiled::named_results<function, System> {
   using with_respect_to = derivation::with_respect_to;

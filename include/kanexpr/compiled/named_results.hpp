@@ -37,7 +37,9 @@ struct named_results {
   static constexpr of<quantity::mass_matrix_full> mass_matrix_full{};
   /// [q̇; f; b], with b in u̇_d = A u̇_i + b.
   static constexpr of<quantity::forcing_full> forcing_full{};
+  /// q̇, the rates of the coordinates.
   static constexpr of<quantity::qdot> qdot{};
+  /// u̇, the rates of all speeds, independent and dependent.
   static constexpr of<quantity::udot> udot{};
   /// ẋ = [q̇; u̇].
   static constexpr of<quantity::rhs> rhs{};
@@ -48,8 +50,9 @@ struct named_results {
   /// F_r + F_r* for all speeds, before constraints reduce them (Kane's holonomic generalized forces), at
   /// given rates of the speeds: f(x, p, r, a). Along a motion they equal −Jᵀ λ, or zero without constraints.
   static constexpr of<quantity::unreduced_forces> unreduced_forces{};
-  /// M and f for all speeds in M u̇ = f + Jᵀ λ, before constraints reduce them.
+  /// M for all speeds in M u̇ = f + Jᵀ λ, before constraints reduce them.
   static constexpr of<quantity::unreduced_mass_matrix> unreduced_mass_matrix{};
+  /// f for all speeds in M u̇ = f + Jᵀ λ, before constraints reduce them.
   static constexpr of<quantity::unreduced_forcing> unreduced_forcing{};
   /// γ in J u̇ + γ = 0, the rates of the velocity constraints.
   static constexpr of<quantity::constraint_bias> constraint_bias{};
@@ -65,10 +68,15 @@ struct named_results {
   /// C, where C u is the part of M u̇ − f that is quadratic in the speeds and Ṁ − 2C is skew-symmetric; only
   /// for systems without constraints whose speeds are the rates of coordinates.
   static constexpr of<quantity::coriolis> coriolis{};
+  /// The kinetic energy in the inertial frame, a scalar, in J if the model uses SI units.
   static constexpr of<quantity::kinetic_energy> kinetic_energy{};
+  /// The sum of the potential energies of gravity, springs and the loads `potential_energy`, a scalar.
   static constexpr of<quantity::potential_energy> potential_energy{};
+  /// The linear momentum of all bodies, a vector in inertial axes.
   static constexpr of<quantity::linear_momentum> linear_momentum{};
+  /// The angular momentum of all bodies about the origin, a vector in inertial axes.
   static constexpr of<quantity::angular_momentum> angular_momentum{};
+  /// The position of the mass center of all bodies from the origin, a vector in inertial axes.
   static constexpr of<quantity::center_of_mass> center_of_mass{};
   /// ∂T/∂u_r for all speeds as if they were unconstrained, M u plus the terms that prescribed motions add;
   /// with Lagrange's method, ∂L/∂q̇_r.
@@ -80,11 +88,15 @@ struct named_results {
   static constexpr of<quantity::configuration_terms> configuration_terms{};
   /// The residuals of the redundant configuration constraints.
   static constexpr of<quantity::redundant_residual> redundant_residual{};
+  /// The magnitudes of the terms that each of these residuals sums.
   static constexpr of<quantity::redundant_terms> redundant_terms{};
-  /// J and γ in J u̇ + γ = 0, the rates of the redundant constraints.
+  /// J in J u̇ + γ = 0, the rates of the redundant constraints.
   static constexpr of<quantity::redundant_jacobian> redundant_jacobian{};
+  /// γ in J u̇ + γ = 0, the rates of the redundant constraints.
   static constexpr of<quantity::redundant_bias> redundant_bias{};
+  /// The rates of the redundant configuration constraints, which vanish if the other constraints hold.
   static constexpr of<quantity::redundant_rate> redundant_rate{};
+  /// The magnitudes of the terms that each of these rates sums.
   static constexpr of<quantity::redundant_rate_terms> redundant_rate_terms{};
   /// The derivatives of the configuration residuals with respect to the dependent coordinates.
   static constexpr of<quantity::configuration_jacobian_by_dependent> configuration_jacobian_by_dependent{};
@@ -94,6 +106,7 @@ struct named_results {
   static constexpr of<quantity::configuration_step> configuration_step{};
   /// The residuals of the velocity constraints and of the rates of the configuration constraints.
   static constexpr of<quantity::velocity_residual> velocity_residual{};
+  /// The magnitudes of the terms that each of these residuals sums.
   static constexpr of<quantity::velocity_terms> velocity_terms{};
   /// The residuals of the configuration constraints, followed by `velocity_residual`.
   static constexpr of<quantity::constraint_residual> constraint_residual{};
