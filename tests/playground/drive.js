@@ -73,12 +73,16 @@ async function type(page, text) {
   await page.keyboard.press('Control+A');
   await page.keyboard.insertText(text);
 }
-const latexOf = (page, name) => page.locator(`#equations [data-latex^="${name} ="]`).getAttribute('data-latex');
-const energy = (page) => page.evaluate(() => {
-  const { kinetic, potential } = window.playground.engine.energy;
-  return kinetic + potential;
-});
-const state = (page) => page.evaluate(() => [...window.playground.engine.state(4)]);
+function latexOf(page, name) {
+  return page.locator(`#equations [data-latex^="${name} ="]`).getAttribute('data-latex');
+}
+function energy(page) {
+  return page.evaluate(() => {
+    const { kinetic, potential } = window.playground.engine.energy;
+    return kinetic + potential;
+  });
+}
+function state(page) { return page.evaluate(() => [...window.playground.engine.state(4)]); }
 
 async function checkExamples(page) {
   const titles = await page.locator('#example option').allTextContents();
@@ -162,7 +166,7 @@ async function checkTakingAway(page) {
   writeFileSync(join(folder, 'crane.txt'), crane);
   await page.getByRole('tab', { name: 'Take away' }).click();
   await page.locator('#name').fill('crane');
-  for (const [button, name] of [['C++ types', 'crane.hpp'], ['C, C++ and Python', 'crane_c.zip'], ['FMU with sources', 'crane.fmu']]) {
+  for (const [button, name] of [['C++ types', 'crane.hpp'], ['C', 'crane_c.zip'], ['FMU', 'crane.fmu']]) {
     const waiting = page.waitForEvent('download');
     await page.getByRole('button', { name: button, exact: true }).click();
     const taken = await waiting;

@@ -23,7 +23,7 @@ export class EnergyChart {
     const all = samples.flatMap(([, T, V]) => [T, V, T + V]);
     const least = Math.min(0, ...all), most = Math.max(0, ...all, least + 1e-9);
     const y = (value) => height - 3 - ((value - least) / (most - least)) * (height - 6);
-    const x = (i) => (i / (kept - 1)) * width;
+    const x = (i) => (i / (Math.max(samples.length, 60) - 1)) * width;
     const style = getComputedStyle(canvas);
     const curve = (value, color, thickness) => {
       paper.beginPath();

@@ -92,6 +92,12 @@ function showPlaying() {
 find('play').onclick = () => (playing ? pause() : play());
 find('reset').onclick = restart;
 
+addEventListener('keydown', (event) => {
+  if (event.key !== ' ' || event.target.closest('.cm-editor, input, select, button, dialog')) return;
+  event.preventDefault();
+  find('play').click();
+});
+
 /// The state has changed other than by the motion.
 function moved() {
   chart.restart();

@@ -28,21 +28,35 @@ export class Stage {
     this.#mark(figure);
   }
 
-  /// The view grows with the motion and never shrinks, so that the ground stands still.
+  /// The view grows with the motion and does not shrink, so that the ground stands still; a system that goes far
+  /// away is followed instead.
   #fit(figure, [x, y, width, height]) {
     const next = { left: x, top: y, right: x + width, bottom: y + height };
-    if (!this.box) {
-      const half = Math.max(-next.left, next.right); // as far to the left as to the right of the origin
-      this.box = next;
-      if (this.model.planar && height > 0.4 * width) Object.assign(this.box, { left: -half, right: half });
-    }
+    this.box ??= this.#first(next);
     const box = this.box;
-    for (const side of ['left', 'top']) box[side] = Math.min(box[side], next[side]);
-    for (const side of ['right', 'bottom']) box[side] = Math.max(box[side], next[side]);
+    for (const [low, high, most] of [['left', 'right', this.most.width], ['top', 'bottom', this.most.height]]) {
+      const goesHigher = next[high] > box[high], goesLower = next[low] < box[low];
+      box[low] = Math.min(box[low], next[low]);
+      box[high] = Math.max(box[high], next[high]);
+      if (goesHigher) box[low] = Math.max(box[low], box[high] - most);
+      if (goesLower) box[high] = Math.min(box[high], box[low] + most);
+    }
     const margin = 0.04 * Math.max(box.right - box.left, box.bottom - box.top);
     figure.setAttribute('viewBox', [box.left - margin, box.top - margin, box.right - box.left + 2 * margin,
       box.bottom - box.top + 2 * margin].join(' '));
     figure.removeAttribute('width'), figure.removeAttribute('height');
+  }
+
+  /// The first view: the figure with some room on the other side of the origin, where a pendulum will swing.
+  #first(box) {
+    const width = box.right - box.left, height = box.bottom - box.top, least = 160;
+    this.most = { width: 3 * Math.max(width, height), height: 3 * Math.max(width, height) };
+    if (!this.model.planar || height < 0.4 * width) {
+      const room = Math.max(0, least - height) / 2;
+      return { ...box, top: box.top - room, bottom: box.bottom + room };
+    }
+    const half = 0.55 * Math.max(-box.left, box.right);
+    return { ...box, left: Math.min(box.left, -half), right: Math.max(box.right, half) };
   }
 
   /// The path of the last point.

@@ -1,10 +1,12 @@
 // The values of inputs, state and parameters, which change the model while it moves.
+import katex from 'katex';
+
 /// A slider from none to twice the value, or around zero, and a field for any number.
 function row(symbol, value, set) {
   const line = document.createElement('div');
   line.className = 'value';
-  const name = document.createElement('label');
-  name.textContent = symbol.name;
+  const name = document.createElement('span');
+  katex.render(symbol.latex, name);
   const slider = document.createElement('input');
   const span = value === 0 ? 10 : 2 * Math.abs(value);
   Object.assign(slider, { type: 'range', min: value > 0 ? span / 1000 : -span, max: span, step: span / 1000, value });
