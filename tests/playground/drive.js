@@ -50,6 +50,7 @@ try {
   await checkMistakes(page);
   await checkForm(page);
   await checkPhone(page);
+  await checkLink(page);
   assert.deepEqual(troubles, []);
   console.log(`${(size / 1e6).toFixed(2)} MB; the engine started in ${started.toFixed(0)} ms and derived the first model in ${derived.toFixed(1)} ms`);
 } finally {
@@ -63,7 +64,7 @@ function listen(page) {
   page.on('console', (message) => troubles.push(message.text()));
   page.on('pageerror', (error) => troubles.push(error.message));
   page.on('request', (request) => {
-    if (request.url() !== address && !/^(data|blob):/.test(request.url())) troubles.push(request.url());
+    if (request.url().split('#')[0] !== address && request.url() !== 'about:blank' && !/^(data|blob):/.test(request.url())) troubles.push(request.url());
   });
   return troubles;
 }
@@ -214,4 +215,17 @@ async function checkPhone(page) {
     assert.ok(!(await page.locator('.cm-content').isVisible()));
     assert.ok(await page.locator('#equations .formula').first().isVisible());
   }
+}
+
+async function checkLink(page) {
+  await page.setViewportSize({ width: 1280, height: 800 });
+  await page.reload();
+  await page.waitForFunction(() => window.playground?.model);
+  assert.ok((await page.evaluate(() => window.playground.text)).startsWith(crane)); // of the last visit
+  const link = await page.evaluate((text) => window.playground.linkTo(text), crane.replace('0.7', '0.5'));
+  await page.evaluate(() => localStorage.clear());
+  await page.goto('about:blank');
+  await page.goto(link);
+  await page.waitForFunction(() => window.playground?.model);
+  assert.equal((await state(page))[1], 0.5);
 }

@@ -74,8 +74,8 @@ TEST(Playground, ReportsTheFirstMistakeAndItsLine) {
   const std::string pendulum = "pin A on N about N.z by q, u\norigin O\noffset P from O by A.x\n";
   const std::vector<std::pair<std::string, std::string>> mistakes{
       {"swing A", "1: unknown word swing"},
-      {"\npin A from N", "2: expected \"on\", got from; write pin <name> on <frame> about <vector> by <name> "
-                         "[= <number>] , <name> [= <number>]"},
+      {"\npin A from N", "2: expected \"on\", got from; write pin <name> on <frame> about <vector> by "
+                         "<coordinate> [= <number>], <speed> [= <number>]"},
       {"particle Bob at",
        "1: expected a point at the end of the line; write particle <name> at <point> mass <scalar>"},
       {"parameter m = 1 2", "1: unexpected 2; write parameter <name> [= <number>]"},
@@ -109,7 +109,8 @@ TEST(Playground, ReportsTheFirstMistakeAndItsLine) {
        "0: the constraints determine every speed, so nothing can move"},
       {"", "0: the system has no generalized speeds"},
       {pendulum + "particle Bob at O mass 1", "1: speed u moves no mass"},
-      {pendulum + "parameter m = -1\nparticle Bob at P mass m", "4: parameter m, the mass of a body, is negative"},
+      {pendulum + "parameter m = -1\nparticle Bob at P mass m",
+       "4: parameter m, the mass of a body, is negative"},
       {pendulum + "origin S\nslider T from S along N.x by x = 5, v\nparticle Bob at P mass 1\n"
                   "particle Rob at T mass 1\nconfiguration_constraint x^2 + 1 = 0\ndependent x, v",
        "0: no state near the initial values satisfies the constraints"},

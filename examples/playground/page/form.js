@@ -23,39 +23,53 @@ export function openForm(dialog, { words }, group, names, add) {
   dialog.showModal();
 }
 
-/// The parts of a pattern: words that stay and slots; optional parts keep their brackets.
-function parts(pattern) {
-  return pattern.match(/\{[^}]*\}|\[|\]|[^\s[\]{}]+/g).map((text) => (
-    text.startsWith('{') ? { slot: text.slice(1, -1) } : { text }));
+/// The frames and points that a text declares, for the fields of the form.
+export function namesIn(text) {
+  const names = { frame: /^\s*inertial\b/m.test(text) ? [] : ['N'], point: [] };
+  const kinds = { frame: ['inertial', 'pin', 'rotated', 'body_fixed', 'space_fixed'], point: ['origin', 'offset', 'slider'] };
+  for (const [, word, name] of text.matchAll(/^\s*(\w+)\s+(\w+)/gm))
+    for (const kind of Object.keys(kinds)) if (kinds[kind].includes(word)) names[kind].push(name);
+  return names;
 }
 
-function field(part, names) {
-  if (!part.slot) {
-    const fixed = document.createElement('span');
-    fixed.textContent = part.text;
-    if (part.text === '[' || part.text === ']') fixed.hidden = true;
-    return fixed;
-  }
-  const known = names[part.slot];
+/// The parts of a pattern: words that stay and slots. Parts in brackets are optional.
+function parts(pattern) {
+  let isOptional = false;
+  return pattern.match(/\{[^}]*\}|\[|\]|[^\s[\]{}]+/g).map((text) => {
+    if (text === '[' || text === ']') isOptional = text === '[';
+    return text.startsWith('{') ? { slot: text.slice(1, -1), isOptional } : { text };
+  });
+}
+
+function field({ text, slot, isOptional }, names) {
+  if (!slot) return Object.assign(document.createElement('span'), { textContent: text, hidden: text === '[' || text === ']' });
+  const known = names[slot];
   const input = document.createElement(known?.length ? 'select' : 'input');
-  input.dataset.slot = part.slot;
-  input.setAttribute('aria-label', part.slot);
-  if (known?.length) input.replaceChildren(...known.map((name) => new Option(name)));
-  else Object.assign(input, { placeholder: part.slot, value: suggestions[part.slot] ?? '', size: 8, autocapitalize: 'off' });
+  input.dataset.slot = slot;
+  input.required = !isOptional;
+  input.setAttribute('aria-label', slot);
+  if (known?.length) {
+    input.replaceChildren(...(isOptional ? [''] : []).concat(known).map((name) => new Option(name)));
+    if (!isOptional) input.value = known[known.length - 1];
+  } else {
+    Object.assign(input, { placeholder: slot, size: 8, autocapitalize: 'off', value: isOptional ? '' : suggestions[slot] ?? '' });
+  }
   return input;
 }
 
-/// The line; an optional part is left out if its first slot is empty.
+/// The line; an optional part is left out if one of its slots is empty.
 function written(word, fields) {
   const out = [word.word];
   let optional = null;
   for (const each of fields.children) {
-    const text = each.dataset.slot ? each.value.trim() : each.textContent;
-    if (text === '[' && !each.dataset.slot) optional = [];
-    else if (text === ']' && !each.dataset.slot) {
-      if (optional.every((part) => part !== '')) out.push(...optional);
+    const { slot } = each.dataset;
+    const text = slot ? each.value.trim() : each.textContent;
+    if (!slot && text === '[') optional = [];
+    else if (!slot && text === ']') {
+      if (!optional.includes('')) out.push(...optional);
       optional = null;
-    } else (optional ?? out).push(text);
+    } else if (optional) optional.push(text);
+    else out.push(text || `<${slot}>`);
   }
   return out.join(' ').replaceAll(' ,', ',').replaceAll(' :', ':');
 }

@@ -2,8 +2,9 @@
 const reach = 34; // pixels on the screen within which a point is grasped
 
 export class Stage {
-  constructor(element, engine, { onDrag, onRelease }) {
-    Object.assign(this, { element, engine, onDrag, onRelease, model: null, turned: [0, 0], trace: [] });
+  /// Calls `onDrag` when a point has moved, and `onTurn` when only the view or a mark has changed.
+  constructor(element, engine, { onDrag, onTurn }) {
+    Object.assign(this, { element, engine, onDrag, onTurn, model: null, turned: [0, 0], trace: [] });
     element.addEventListener('pointerdown', (event) => this.#press(event));
     element.addEventListener('pointermove', (event) => this.#move(event));
     for (const end of ['pointerup', 'pointercancel']) element.addEventListener(end, () => this.#release());
@@ -102,7 +103,7 @@ export class Stage {
     this.element.setPointerCapture(event.pointerId);
     this.held = this.#pointNear(event);
     this.from = this.held === undefined && !this.model.planar ? [event.clientX, event.clientY, ...this.turned] : null;
-    if (this.held !== undefined) this.onDrag();
+    if (this.held !== undefined) this.onTurn();
   }
   #move(event) {
     if (!this.model) return;
@@ -116,16 +117,16 @@ export class Stage {
         Math.max(-1.5, Math.min(1, elevation + (event.clientY - y) / 160))];
       this.engine.turn(...this.turned);
       this.trace = [];
-      this.onDrag(true);
+      this.onTurn();
     } else {
       const near = this.#pointNear(event);
       this.element.style.cursor = near !== undefined ? 'grab' : this.model.planar ? 'default' : 'move';
-      if (near !== this.near) this.near = near, this.onDrag(true);
+      if (near !== this.near) this.near = near, this.onTurn();
     }
   }
   #release() {
     const moved = this.held !== undefined;
     this.held = this.from = undefined;
-    if (moved) this.onRelease();
+    if (moved) this.onDrag();
   }
 }

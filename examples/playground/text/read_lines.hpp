@@ -6,6 +6,7 @@
 #include "playground/text/words.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -55,6 +56,7 @@ private:
   std::string remedy() const {
     std::string form = "; write " + std::string(of_.called) + ' ' + std::string(of_.pattern);
     std::ranges::replace(form, '{', '<'), std::ranges::replace(form, '}', '>');
+    for (std::size_t at; (at = form.find(" ,")) != form.npos;) form.erase(at, 1);
     return form;
   }
 

@@ -6,8 +6,8 @@
 namespace playground {
 
 /// A word that begins a line, and the rest of the line as a pattern. In a pattern, `{…}` is a slot, `[…]` an
-/// optional part, and everything else is written as it stands. Slots end in:
-/// - `name`: a new name; `frame`, `point`, `symbol`: a name that exists
+/// optional part, and everything else is written as it stands. The slots:
+/// - `name`, `coordinate`, `speed`: a new name; `frame`, `point`, `symbol`: a name that exists
 /// - `scalar`, `vector`: an expression; `scalars`, `vectors`, `symbols`: a list with commas
 /// - `number`: an expression of numbers; `letters`: axes of rotations, such as zxz
 struct word {
@@ -25,10 +25,10 @@ inline constexpr word words[]{
     {"coordinate", "{name} [= {number}]", "Symbol", "a generalized coordinate and its initial value", true},
     {"speed", "{name} [= {number}]", "Symbol", "a generalized speed and its initial value", true},
     {"kinematics", "{scalar} = {scalar}", "Symbol", "a kinematic differential equation, such as dot(q) = u"},
-    {"pin", "{name} on {frame} about {vector} by {name} [= {number}] , {name} [= {number}]", "Joint",
+    {"pin", "{name} on {frame} about {vector} by {coordinate} [= {number}] , {speed} [= {number}]", "Joint",
      "a frame that turns about an axis by a coordinate, whose rate is a speed"},
-    {"slider", "{name} from {point} along {vector} by {name} [= {number}] , {name} [= {number}]", "Joint",
-     "a point that slides along a unit vector by a coordinate, whose rate is a speed"},
+    {"slider", "{name} from {point} along {vector} by {coordinate} [= {number}] , {speed} [= {number}]",
+     "Joint", "a point that slides along a unit vector by a coordinate, whose rate is a speed"},
     {"rotated", "{name} from {frame} by {scalar} about {vector}", "Joint", "a frame turned by an angle"},
     {"body_fixed", "{name} from {frame} by {letters} : {scalars}", "Joint",
      "a frame turned by three angles about its own axes"},
