@@ -3,7 +3,6 @@
 #include <kanexpr/runtime/builder_checks.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
-#include <algorithm>
 #include <map>
 #include <string>
 #include <string_view>
@@ -36,106 +35,22 @@ public:
   bool contains(const std::string& name) const { return all_.contains(name); }
 
 private:
-  static bool is_reserved(std::string_view name) {
-    static constexpr std::string_view reserved[]{"and",
-                                                 "auto",
-                                                 "bool",
-                                                 "break",
-                                                 "case",
-                                                 "catch",
-                                                 "char",
-                                                 "class",
-                                                 "concept",
-                                                 "const",
-                                                 "continue",
-                                                 "default",
-                                                 "delete",
-                                                 "do",
-                                                 "double",
-                                                 "else",
-                                                 "enum",
-                                                 "explicit",
-                                                 "export",
-                                                 "extern",
-                                                 "false",
-                                                 "float",
-                                                 "for",
-                                                 "friend",
-                                                 "goto",
-                                                 "if",
-                                                 "inline",
-                                                 "int",
-                                                 "long",
-                                                 "mutable",
-                                                 "new",
-                                                 "not",
-                                                 "operator",
-                                                 "or",
-                                                 "private",
-                                                 "protected",
-                                                 "public",
-                                                 "register",
-                                                 "requires",
-                                                 "return",
-                                                 "short",
-                                                 "signed",
-                                                 "sizeof",
-                                                 "static",
-                                                 "struct",
-                                                 "switch",
-                                                 "template",
-                                                 "this",
-                                                 "throw",
-                                                 "true",
-                                                 "try",
-                                                 "typedef",
-                                                 "typeid",
-                                                 "typename",
-                                                 "union",
-                                                 "unsigned",
-                                                 "using",
-                                                 "virtual",
-                                                 "void",
-                                                 "volatile",
-                                                 "while",
-                                                 "xor",
-                                                 "System",
-                                                 "dot",
-                                                 "cross",
-                                                 "pi",
-                                                 "own",
-                                                 "kanexpr",
-                                                 "position_of",
-                                                 "velocity_of",
-                                                 "angular_velocity_of",
-                                                 "magnitude",
-                                                 "speeds",
-                                                 "coordinates",
-                                                 "parameters",
-                                                 "inputs",
-                                                 "bodies",
-                                                 "loads",
-                                                 "origin",
-                                                 "offset",
-                                                 "rotated",
-                                                 "particle",
-                                                 "rigid_body",
-                                                 "force",
-                                                 "torque",
-                                                 "gravity",
-                                                 "spring",
-                                                 "damper",
-                                                 "inertia",
-                                                 "speed",
-                                                 "coordinate",
-                                                 "parameter",
-                                                 "input",
-                                                 "inertial",
-                                                 "kinematics",
-                                                 "initial_state",
-                                                 "initial_parameters",
-                                                 "initial_inputs"};
-    return std::ranges::find(reserved, name) != std::end(reserved) || name.starts_with("_") ||
+  /// Words that would mean something else in a file of C++ types.
+  static bool is_reserved(const std::string& name) {
+    static constexpr std::string_view reserved =
+        " and auto bool break case catch char class concept const continue default delete do double else "
+        "enum explicit export extern false float for friend goto if inline int long mutable new not "
+        "operator or private protected public register requires return short signed sizeof static "
+        "struct switch template this throw true try typedef typeid typename union unsigned using "
+        "virtual void volatile while xor System dot cross pi own kanexpr position_of velocity_of "
+        "angular_velocity_of magnitude speeds coordinates parameters inputs bodies loads origin offset "
+        "rotated particle rigid_body force torque gravity spring damper inertia speed coordinate "
+        "parameter input inertial kinematics body_fixed space_fixed angular_velocity kinematics_of fixed_in "
+        "force_between torque_between torsional_spring torsional_damper potential_energy zero_along "
+        "configuration_constraints velocity_constraints dependent time_variable inertial_frame kane_system "
+        "equations_of_motion sqrt sin cos tan asin acos atan exp log sinh cosh tanh abs sign atan2 hypot pow "
+        "min max initial_state initial_parameters initial_inputs ";
+    return reserved.find(' ' + name + ' ') != reserved.npos || name.starts_with("_") ||
            name.find("__") != name.npos;
   }
 
