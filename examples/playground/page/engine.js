@@ -1,0 +1,93 @@
+// The engine of kanexpr in WebAssembly: texts and numbers instead of addresses.
+const encoder = new TextEncoder(), decoder = new TextDecoder();
+
+/// What the C library asks of an operating system; the engine neither reads nor writes files.
+function system(memory) {
+  const unsupported = 52;
+  const known = {
+    proc_exit(code) { throw new Error(`the engine ended with code ${code}`); },
+    clock_time_get(id, precision, at) {
+      new DataView(memory().buffer).setBigUint64(at, BigInt(Math.round(performance.now() * 1e6)), true);
+      return 0;
+    },
+    environ_sizes_get(count, size) {
+      const view = new DataView(memory().buffer);
+      view.setUint32(count, 0, true), view.setUint32(size, 0, true);
+      return 0;
+    },
+    environ_get: () => 0,
+  };
+  return new Proxy({}, { get: (_, name) => known[name] ?? (() => unsupported), has: () => true });
+}
+
+/// Opens the engine from its compressed bytes as base64.
+export async function openEngine(packed) {
+  const zipped = Uint8Array.fromBase64?.(packed) ?? Uint8Array.from(atob(packed), (each) => each.charCodeAt(0));
+  const bytes = await new Response(new Blob([zipped]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
+  let engine;
+  const { instance } = await WebAssembly.instantiate(bytes, {
+    wasi_snapshot_preview1: system(() => engine.memory),
+  });
+  engine = instance.exports;
+  engine._initialize?.();
+  return new Engine(engine);
+}
+
+class Engine {
+  #wasm;
+
+  constructor(wasm) { this.#wasm = wasm; }
+
+  /// The words of lines and the functions, for the editor.
+  vocabulary() { return JSON.parse(this.#text(this.#wasm.vocabulary())); }
+
+  /// Builds and derives a model. A model with a mistake leaves the last one in place.
+  read(text) { return JSON.parse(this.#call('read', text)); }
+  /// M and f, or A and B; `entries` are symbols, numbers, or symbolsHere: the state as numbers.
+  equations(areLinearized, entries) {
+    const shown = ['symbols', 'numbers', 'symbolsHere'].indexOf(entries);
+    return JSON.parse(this.#text(this.#wasm.equations(areLinearized ? 1 : 0, shown)));
+  }
+
+  get time() { return this.#wasm.time(); }
+  set time(t) { this.#wasm.set_time(t); }
+  get energy() { return { kinetic: this.#wasm.kinetic_energy(), potential: this.#wasm.potential_energy() }; }
+  /// `state(4)[0] = 1` sets the first coordinate; likewise parameters and inputs.
+  state(count) { return this.#numbers(this.#wasm.state(), count); }
+  parameters(count) { return this.#numbers(this.#wasm.parameters(), count); }
+  inputs(count) { return this.#numbers(this.#wasm.inputs(), count); }
+
+  satisfyConstraints() { return this.#wasm.satisfy_constraints() !== 0; }
+  /// Returns why the motion ends, or nothing.
+  advance(duration, step) { return this.#text(this.#wasm.advance(duration, step)); }
+
+  svg(hasLabels) { return this.#text(this.#wasm.svg(hasLabels ? 1 : 0)); }
+  points(count) {
+    const all = this.#numbers(this.#wasm.points(), 2 * count);
+    return Array.from({ length: count }, (_, i) => [all[2 * i], all[2 * i + 1]]);
+  }
+  drag(point, x, y) { this.#wasm.drag(point, x, y); }
+  turn(azimuth, elevation) { this.#wasm.turn(azimuth, elevation); }
+
+  /// The files of a model: kind is words, c or fmu. Throws the sentence that says why there are none.
+  take(kind, name) {
+    const { mistake, files } = JSON.parse(this.#call(`take_${kind}`, name));
+    if (mistake) throw new Error(mistake);
+    return files;
+  }
+
+  #numbers(at, count) { return new Float64Array(this.#wasm.memory.buffer, at, count); }
+  #text(at) {
+    const bytes = new Uint8Array(this.#wasm.memory.buffer, at);
+    return decoder.decode(bytes.subarray(0, bytes.indexOf(0)));
+  }
+  #call(name, text) {
+    const bytes = encoder.encode(text);
+    const at = this.#wasm.allocate(bytes.length + 1);
+    const there = new Uint8Array(this.#wasm.memory.buffer, at, bytes.length + 1);
+    there.set(bytes), there[bytes.length] = 0;
+    const answer = this.#text(this.#wasm[name](at));
+    this.#wasm.release(at);
+    return answer;
+  }
+}

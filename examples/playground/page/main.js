@@ -1,0 +1,103 @@
+// The page: the text, the model that it describes, its motion and its results.
+import 'katex/dist/katex.min.css';
+import { openEditor } from './editor.js';
+import { openEngine } from './engine.js';
+import { examples } from './examples.js';
+import { find } from './find.js';
+import { namesIn, openForm } from './form.js';
+import { keep, kept, linkTo } from './keep.js';
+import { Player } from './player.js';
+import { copy, Results } from './results.js';
+
+const pause = 180; // ms in which nobody types before the model is derived
+
+const began = performance.now();
+const engine = await openEngine(find('engine').textContent);
+const started = performance.now() - began;
+const vocabulary = engine.vocabulary();
+
+let model = null, text = '', derived = 0, waiting = 0;
+
+const editor = openEditor(find('text'), vocabulary, () => {
+  clearTimeout(waiting);
+  waiting = setTimeout(read, pause);
+});
+const results = new Results(engine, {
+  onValues: () => {
+    engine.satisfyConstraints();
+    player.change();
+  },
+});
+const player = new Player(engine, {
+  onFrame: (now) => results.follow(now, player.playing),
+  onTrouble: (sentence) => say(sentence, true),
+  onRestart: () => {
+    player.pause();
+    if (!model) return;
+    engine.read(text);
+    open();
+  },
+});
+
+function say(sentence, isWrong) {
+  find('mistake').classList.toggle('wrong', isWrong);
+  find('mistake').textContent = sentence;
+}
+
+function open() {
+  player.open(model);
+  results.open(model);
+}
+
+/// Derives the model that is written, or shows its mistake and keeps the last model.
+function read() {
+  clearTimeout(waiting);
+  const from = performance.now();
+  const answer = engine.read(editor.text);
+  derived = performance.now() - from;
+  const { mistake } = answer;
+  editor.show(mistake);
+  document.body.classList.toggle('stale', Boolean(mistake));
+  if (mistake) {
+    player.pause();
+    return say((mistake.line ? `Line ${mistake.line}: ` : '') + mistake.sentence, true);
+  }
+  say(`derived in ${derived.toFixed(derived < 1 ? 1 : 0)} ms`, false);
+  model = answer;
+  text = editor.text;
+  if (!examples.some((each) => each.model === text)) keep(text);
+  player.pause();
+  open();
+}
+
+function show({ title, model: lines }) {
+  results.name = title;
+  editor.text = lines;
+  read();
+}
+
+for (const { title } of examples) find('example').append(new Option(title));
+find('example').onchange = () => {
+  const chosen = examples.find((each) => each.title === find('example').value);
+  if (chosen) show(chosen);
+};
+find('link').onclick = (event) => copy(event.target, linkTo(editor.text));
+for (const each of document.querySelectorAll('[data-add]'))
+  each.onclick = () => openForm(find('add'), vocabulary, each.dataset.add, namesIn(editor.text), (line) => editor.add(line));
+find('cancel').onclick = () => find('add').close();
+
+const earlier = kept();
+if (earlier) find('example').prepend(new Option('Your model'));
+find('example').selectedIndex = 0;
+if (earlier) show({ title: 'model', model: earlier });
+if (!model) show(examples[0]);
+
+window.playground = {
+  engine, linkTo, started,
+  get derived() { return derived; },
+  get playing() { return player.playing; },
+  get model() { return model; },
+  get latex() { return results.latex; },
+  get text() { return editor.text; },
+  set text(lines) { editor.text = lines; read(); },
+};
