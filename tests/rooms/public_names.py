@@ -39,7 +39,7 @@ class Declaration:
 
 @dataclasses.dataclass
 class Example:
-    page: str  # "docs/guide/words.md" or "examples/bicycle.cpp"
+    page: str  # "docs/guide/forces.md" or "examples/bicycle.cpp"
     name: str  # of the block; empty for a file
     text: str
 
