@@ -10,6 +10,12 @@
 #include <docs/guide/masses/hammer.cpp>
 #include <docs/guide/points/slider.cpp>
 #include <docs/guide/vectors/kite.cpp>
+#include <docs/tutorials/controller-on-a-board/pendulum.hpp>
+#include <docs/tutorials/first-pendulum/pendulum.hpp>
+#include <docs/tutorials/optimal-control/crane.hpp>
+#include <docs/tutorials/ten-thousand-runs/ball.hpp>
+
+#include <kanexpr/robots.hpp>
 
 #include <gtest/gtest.h>
 
@@ -44,9 +50,9 @@ TEST(figures, are_those_of_the_guide) {
   expect_on_page("guide/vectors/kite.svg",
                  draw<kite::System>({{"x", 1.5}, {"y", 1.1}, {"u", 0}, {"v", 0}}, {{"m", 1}, {"theta", 0.4}},
                                     {{"D", 1}, {"L", 1}}));
-  expect_on_page(
-      "guide/frames/crane.svg",
-      draw<jib_crane::System>({{"psi", 0.8}, {"theta", 0.4}, {"u1", 0}, {"u2", 0}}, {{"h", 1}, {"l", 1.4}, {"m", 1}}));
+  expect_on_page("guide/frames/crane.svg",
+                 draw<jib_crane::System>({{"psi", 0.8}, {"theta", 0.4}, {"u1", 0}, {"u2", 0}},
+                                         {{"h", 1}, {"l", 1.4}, {"m", 1}}));
   expect_on_page("guide/points/slider.svg", draw<slider::System>({{"q", 0.5}, {"s", 1.2}, {"u", 0}, {"v", 0}},
                                                                  {{"a", 0.7}, {"m", 1}, {"J", 1}}));
   expect_on_page(
@@ -59,6 +65,26 @@ TEST(figures, are_those_of_the_guide) {
   expect_on_page("guide/kanes-equations/pendulums.svg",
                  draw<pendulums::System>({{"q1", 0.4}, {"q2", 0.9}, {"u1", 0}, {"u2", 0}},
                                          {{"m", 1}, {"l", 1}, {"g", 9.81}}));
+}
+
+TEST(figures, are_those_of_the_tutorials) {
+  expect_on_page(
+      "tutorials/first-pendulum/pendulum.svg",
+      draw<pendulum::System>({{"q", 0.6}, {"u", 0}}, {{"m", 1}, {"l", 0.5}, {"g", 9.81}, {"c", 0.05}}));
+  expect_on_page(
+      "tutorials/controller-on-a-board/pendulum.svg",
+      draw<inverted::System>({{"q", 0.3}, {"u", 0}}, {{"m", 0.5}, {"l", 0.4}, {"g", 9.81}}, {{"T", 1}}));
+  expect_on_page("tutorials/optimal-control/crane.svg",
+                 draw<overhead::System>({{"x", 2}, {"q", -0.4}, {"v", 0}, {"w", 0}}, {}, {{"F", 100}}));
+  expect_on_page("tutorials/ten-thousand-runs/ball.svg",
+                 draw<ball::System>({{"x", 2}, {"y", 1.6}, {"u", 4}, {"v", 1}}, {{"m", 0.62}, {"c", 0.013}}));
+  robots::robot_builder arm(
+      robots::read_urdf(KANEXPR_SNIPPETS "/docs/tutorials/robot-from-urdf/arm.urdf.xml").robot);
+  auto model = derive(arm);
+  auto x = arm.at_rest();
+  x["q_shoulder"] = 0.5, x["q_elbow"] = 1;
+  expect_on_page("tutorials/robot-from-urdf/arm.svg",
+                 draw(model, x, {}, {}, {.eye = Eigen::Vector3d(0, -1, 0), .names = false}));
 }
 
 TEST(figures, show_the_system_of_these_equations) {
