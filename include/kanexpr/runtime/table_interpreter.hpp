@@ -21,11 +21,11 @@ public:
   /// Writes the results consecutively, each row by row.
   status evaluate(const Number& t, const Number* x, const Number* p, const Number* r, Number* results) {
     code_.evaluate([&](const lower::load& each) { return value_of(each, t, x, p, r); }, found_.data());
-    const Number* const checked = found_.data() + found_.size() - 2 * static_cast<std::size_t>(table_.causes);
+    const Number* checked = found_.data() + found_.size() - 2 * static_cast<std::size_t>(table_.causes);
     std::copy(static_cast<const Number*>(found_.data()), checked, results);
-    for (int i = 0; i < table_.causes; ++i) {
+    for (int i = 0; i < table_.causes; ++i, checked += 2) {
       const bool of_finiteness = table_.checks_finiteness && i == table_.causes - 1;
-      if (!passes(of_finiteness, checked[2 * i], checked[2 * i + 1])) return status(table_.cause(i));
+      if (!passes(of_finiteness, checked[0], checked[1])) return status(table_.cause(i));
     }
     return {};
   }

@@ -194,9 +194,12 @@ private:
       const int place = f.entries() + 2 * static_cast<int>(i);
       const std::string measure = writer.value(f.code.results[place]),
                         scale = writer.value(f.code.results[place + 1]);
-      std::string asked = name() + (one.is_finiteness_check ? "_is_infinite(" + measure
-                                    : one.is_order_check    ? "_is_not_above(" + measure + ", " + scale
-                                                            : "_is_singular(" + measure + ", " + scale);
+      std::string asked = name();
+      asked += one.is_finiteness_check ? "_is_infinite("
+               : one.is_order_check    ? "_is_not_above("
+                                       : "_is_singular(";
+      asked += measure;
+      if (!one.is_finiteness_check) asked.append(", ").append(scale);
       asked += bit == 0 ? ")" : ") << " + std::to_string(bit);
       if (std::find(bits.begin(), bits.end(), asked) == bits.end()) bits.push_back(std::move(asked));
     }

@@ -128,6 +128,7 @@ private:
   /// The derivatives with respect to each argument, which are the results starting at `place`.
   std::vector<requested_output> first_derivatives(std::size_t place) const {
     std::vector<requested_output> all;
+    all.reserve(arguments_.size());
     for (std::size_t i = 0; i < arguments_.size(); ++i)
       all.push_back({place + i, family_.first[i].entries(), i < basic_});
     return all;
@@ -175,6 +176,7 @@ private:
     int direction = 0;
     f.body = take_direction(direction);
     std::vector<requested_output> second;
+    second.reserve(arguments_.size());
     for (std::size_t i = 0; i < arguments_.size(); ++i)
       second.push_back({i, family_.along[i].entries(), i < basic_});
     const std::vector<requested_output> first = first_derivatives(arguments_.size() + 1);
