@@ -39,8 +39,9 @@ namespace base {
 inline constexpr double vanishing_measure = 4096.0 * std::numeric_limits<double>::epsilon();
 
 /// The smallest measure that is not treated as singular. The relative error of a solution is at most the
-/// rounding error of its matrix divided by this bound: 1e-6 in double precision; in single precision, four
-/// digits remain. For a compiler vector type, returns the bound for its element type.
+/// rounding error of its matrix divided by this bound. The bound is 1e-6 in double precision; in single
+/// precision it leaves four correct digits. For a compiler vector type, returns the bound for its element
+/// type.
 template <class Scalar>
 constexpr double least_singularity_measure() {
   if constexpr (std::is_same_v<Scalar, float>)

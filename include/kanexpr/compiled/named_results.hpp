@@ -88,7 +88,7 @@ struct named_results {
   static constexpr of<quantity::configuration_terms> configuration_terms{};
   /// The residuals of the redundant configuration constraints.
   static constexpr of<quantity::redundant_residual> redundant_residual{};
-  /// The magnitudes of the terms that each of these residuals sums.
+  /// The magnitudes of the terms that are summed in each of these residuals.
   static constexpr of<quantity::redundant_terms> redundant_terms{};
   /// J in J u̇ + γ = 0, the rates of the redundant constraints.
   static constexpr of<quantity::redundant_jacobian> redundant_jacobian{};

@@ -70,7 +70,8 @@ constexpr riccati_solution<Number, states> doubled(riccati_equation<Number, stat
   int slow_steps = 0;
   Number size = numeric::largest_entry(e.a);
   if (!(size < most_at_first)) return {e.q, doubling::stops};
-  // Before the inputs take effect, a doubling at most squares the motion of one large step.
+  // Until the inputs take effect, each doubling at most squares the factor by which one large step multiplies
+  // the state.
   const Number large = most * (1 + size * size), growth = large < most_of_any ? large : most_of_any;
   for (int k = 0; k < most_steps; ++k) {
     if (!(size < growth)) return {e.q, doubling::does_not_decay};

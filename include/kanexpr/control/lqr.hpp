@@ -9,8 +9,8 @@
 
 namespace kanexpr {
 
-/// The linear feedback r = −K x, with the matrix P of the cost xᵀ P x of a motion that starts at x. If the
-/// status reports a failure, both are NaN.
+/// The linear feedback r = −K x, and the matrix P that gives the cost xᵀ P x of a motion starting at x. If
+/// the status reports a failure, both are NaN.
 template <class Gain, class Cost>
 struct linear_regulator {
   Gain K;

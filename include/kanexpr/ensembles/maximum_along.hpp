@@ -30,7 +30,7 @@ public:
     else if (value > best_)
       best_ = value;
   }
-  /// Searches between two times, the values at which were already passed to `take`.
+  /// Searches between two times whose values have already been passed to `take`.
   void search(double from, double at_from, double to, double at_to) {
     divide({from, at_from}, sample(inner(from, to)), {to, at_to}, 0);
   }

@@ -34,7 +34,7 @@ public:
   }
 
   std::uint64_t count() const { return count_; }
-  std::uint64_t missing() const { return missing_; } ///< the number of NaN
+  std::uint64_t missing() const { return missing_; } ///< the number of NaNs
   /// Returns NaN if there are no numbers, infinity if a number is infinite, and NaN if there are infinite
   /// numbers of both signs.
   double mean() const { return count_ == 0 ? none : are_finite() ? mean_ : least_ + greatest_; }
@@ -86,7 +86,7 @@ public:
   }
 
   std::uint64_t count() const { return count_; }
-  std::uint64_t missing() const { return missing_; } ///< the number of NaN
+  std::uint64_t missing() const { return missing_; } ///< the number of NaNs
   /// The maximum error of a quantile, as a number of places in the sorted numbers.
   std::uint64_t rank_error() const { return rank_error_; }
 
@@ -174,7 +174,7 @@ public:
   }
   std::uint64_t below() const { return below_; }
   std::uint64_t above() const { return above_; }
-  std::uint64_t missing() const { return missing_; } ///< the number of NaN
+  std::uint64_t missing() const { return missing_; } ///< the number of NaNs
 
   static void fields(auto& self, auto& archive) {
     archive(self.from_, self.to_, self.counts_, self.below_, self.above_, self.missing_);
@@ -206,7 +206,7 @@ public:
   }
   const std::map<double, std::uint64_t>& counts() const { return counts_; }
   std::uint64_t others() const { return others_; } ///< numbers that differ from the first `max_values` values
-  std::uint64_t missing() const { return missing_; } ///< the number of NaN
+  std::uint64_t missing() const { return missing_; } ///< the number of NaNs
 
   static void fields(auto& self, auto& archive) { archive(self.counts_, self.others_, self.missing_); }
 

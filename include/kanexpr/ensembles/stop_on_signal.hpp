@@ -43,9 +43,9 @@ inline void listen_to(int signal, bool begins) {
 ///     const stop_on_signal stop;
 ///     study.run({.checkpoint = "study.checkpoint", .stop = stop.token()});
 ///
-/// Runs that have started are completed. While the object exists, its signals do not end the program. Several
-/// objects may exist, on any threads, and may be destroyed in any order; a signal stops the studies of all
-/// objects that listen to it.
+/// Runs that have started are completed. While the object exists, the signals that it handles do not end the
+/// program. Several objects may exist, on any threads, and may be destroyed in any order; a signal stops the
+/// studies of all objects that listen to it.
 class stop_on_signal {
 public:
   explicit stop_on_signal(std::initializer_list<int> watched = {SIGINT, SIGTERM, SIGUSR1}) {

@@ -54,8 +54,8 @@ private:
   std::string svg_{}, cause_{};
 };
 
-/// Draws a model at a state as in a textbook: points, axes, bodies, lengths, angles and loads, with the names
-/// that the model gives them. All parameters need values; inputs do not.
+/// Draws a model at a given state in textbook style: points, axes, bodies, lengths, angles and loads, with
+/// the names that the model gives them. All parameters need values; inputs do not.
 inline figure draw(model& m, given_state<model> x = {}, given_parameters<model> p = {},
                    given_inputs<model> r = {}, const figure_options& how = {});
 

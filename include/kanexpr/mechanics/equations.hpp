@@ -130,8 +130,8 @@ public:
     return linearized_;
   }
 
-  /// The derivatives of the rates q̇ and u̇ with respect to the given parameters, with a column for each,
-  /// with the symbols u̇.
+  /// The derivatives of the rates q̇ and u̇ with respect to the given parameters, one column for each; u̇ are
+  /// symbols.
   constexpr symbolic::matrix sensitivity_to(const sequence<expression>& parameters) {
     if (!is_sound()) return {};
     return linearized_.to_second_order().rates_by(parameters);

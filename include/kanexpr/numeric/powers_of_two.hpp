@@ -43,7 +43,7 @@ constexpr bool is_nan(Number x) {
   return magnitude_bits(x) > magnitude_bits(infinity<Number>);
 }
 
-/// Returns the k of 2ᵏ ≤ |x| < 2ᵏ⁺¹ for a finite x.
+/// Returns the k for which 2ᵏ ≤ |x| < 2ᵏ⁺¹, for finite x.
 template <class Number>
 constexpr int exponent_of(Number x) {
   constexpr bool is_short = std::is_same_v<Number, float>;

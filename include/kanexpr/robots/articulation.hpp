@@ -33,7 +33,7 @@ struct placed_link {
 
 struct articulation {
   std::vector<moving_body> bodies{}; ///< each follows its parent; the first contains the root
-  std::vector<placed_link> links{};  ///< all links, in the order of the robot
+  std::vector<placed_link> links{};  ///< all links, in the order in which the robot lists them
   std::vector<int> joints{};         ///< joints that move independently, in the order of the robot
 };
 

@@ -199,7 +199,7 @@ public:
   void velocity(point_id point, frame_id reference, const vector& value);
   /// The same for a point whose position intentionally does not follow its velocity.
   void velocity_apart_from_position(point_id point, frame_id reference, const vector& value);
-  /// Like `velocity`, but the motion of the parent is added in any frame.
+  /// Like `velocity`, but always adds the motion of the parent, whatever the frame.
   void velocity_from_parent(point_id point, frame_id reference, const vector& value);
 
   // ---- bodies and loads

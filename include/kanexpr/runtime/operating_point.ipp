@@ -48,7 +48,7 @@ public:
     return found;
   }
 
-  /// The mistakes in the operating point, as sentences.
+  /// The mistakes in the operating point, as error messages.
   const std::vector<std::string>& failures() const { return failures_; }
 
 private:

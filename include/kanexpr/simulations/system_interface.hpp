@@ -72,7 +72,7 @@ constexpr bool has_newton(integrator by) {
   return by == integrator::bdf || by == integrator::implicit_runge_kutta;
 }
 
-/// Whether a method evaluates a result of a system in real numbers.
+/// Whether a method evaluates a result of a system in real arithmetic.
 constexpr bool is_needed(results wanted, const derivation::survey& known, integrator by) {
   const bool is_implicit = by == integrator::differential_algebraic;
   switch (wanted) {

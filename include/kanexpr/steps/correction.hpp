@@ -37,7 +37,7 @@ public:
   /// Returns the index in the state of a dependent coordinate or, after the coordinates, a dependent speed.
   static constexpr int place(int i) { return dependent_places<System>[static_cast<std::size_t>(i)]; }
 
-  /// Returns the number of operations of all evaluations and solves.
+  /// Returns the total number of operations in all evaluations and solves.
   static constexpr symbolic::cost cost() {
     symbolic::cost total;
     if constexpr (is_needed) total = added(total, quaternions::cost());

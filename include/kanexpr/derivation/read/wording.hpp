@@ -33,7 +33,7 @@ constexpr std::string_view kind_of(const symbol_record& s) {
   return "";
 }
 
-/// A symbol, point or frame in a phrase, to identify the phrase.
+/// A symbol, point or frame that identifies the phrase in which it appears.
 constexpr std::string_view name_in(const phrase& p) {
   for (const describe::token& t : p)
     if (t.symbol != nullptr) return t.symbol->called.view();

@@ -131,7 +131,7 @@ private:
   }
 
   /// Rejects a mass that depends on coordinates, which would add spurious terms to the derivatives of T. If a
-  /// mass varies with time, forces are rates of momentum.
+  /// mass varies with time, force is the rate of change of momentum.
   constexpr void check_mass(const body& b) {
     if (held_.holds(b.mass, kind::coordinate))
       return fail({"the mass of ", b.called.view(), " depends on coordinate ",

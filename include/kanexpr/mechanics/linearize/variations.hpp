@@ -38,7 +38,7 @@ public:
   }
 
   constexpr int size() const { return symbols_.size(); }
-  /// The number of directions of coordinates and speeds, which come first.
+  /// The number of directions that belong to coordinates and speeds; these come first.
   constexpr int states() const { return size() - form_.inputs(); }
 
   /// The variations of the dependent coordinates and speeds, a column for each direction.

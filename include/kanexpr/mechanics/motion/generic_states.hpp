@@ -150,7 +150,7 @@ constexpr sequence<numbers> at_generic_states(const symbolic::matrix& a, const m
     numbers found{a.rows, a.columns, {}};
     for (int id : outputs) found.entries.push(evaluate[id]);
     if (!found.finite()) continue;
-    if (values.empty()) { // an entry that is zero at one generic state is zero at all
+    if (values.empty()) { // an entry that is zero at one generic state is zero at all states
       const symbolic::magnitudes terms(g, evaluate);
       for (int i = 0; i < outputs.size(); ++i)
         is_nothing.push(terms.is_rounding_residue(outputs[i], found.entries[i]));

@@ -91,8 +91,7 @@ public:
   }
 
   /// Records the functions that have just crossed zero, after handlers that set the state to `x`: a function
-  /// that they reversed or brought to rest is expected to return; one that continues may not have reached
-  /// zero yet.
+  /// that they reversed or stopped will cross back; one that continues may not have reached zero yet.
   void record_passed(double t, const state& before, const state& x, const std::vector<int>& passed) {
     const std::vector<double> slopes_before = slopes_at(t, before), slopes = slopes_at(t, x);
     returning_.assign(count(), 0), completing_.assign(count(), 0);

@@ -65,7 +65,7 @@ private:
   std::optional<numeric::complete_orthogonal> first_{}, others_{};
 };
 
-/// Wraps the step as a linear solver of SUNDIALS. Its matrix is square; surplus rows and columns are zero. On
+/// Wraps the step as a SUNDIALS linear solver. Its matrix is square; surplus rows and columns are zero. On
 /// return, the right-hand side contains the change of the residual along the step, which the line search
 /// uses.
 inline linear_solver_handle linear_solver_by(least_squares_step& step, SUNContext context) {

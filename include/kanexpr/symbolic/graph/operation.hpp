@@ -38,7 +38,7 @@ enum class operation : unsigned char {
   if_positive,
   if_not_positive,
   // lists, linear systems and calls; a list is not a value, only an operand of these
-  pair,          ///< a list: its first element and the list of the rest, ended by the constant zero
+  pair, ///< a list: its first element and the list of the remaining elements, terminated by the constant zero
   factorization, ///< factorization of the matrix given as a list of rows, each of them a list; the constant b
                  ///< is its order
   solve,         ///< A x = b: a factorization and the list b

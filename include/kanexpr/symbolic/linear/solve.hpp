@@ -101,7 +101,7 @@ public:
   }
 
   /// Returns selected columns of the inverse. It is symmetric, so only one of two equal entries is computed.
-  /// Each column comes with its pivots, like a solution.
+  /// Each column is stored with its pivots, as a solution is.
   constexpr sequence<symmetric_solution> inverse_columns(const sequence<int>& columns) const {
     sequence<symmetric_solution> solved(columns.size());
     sequence<sequence<int>> right, x;

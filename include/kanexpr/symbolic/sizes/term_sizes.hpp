@@ -47,7 +47,7 @@ private:
   sequence<int> found_; ///< by node
 };
 
-/// The sizes of the terms of several sums.
+/// The magnitudes of the terms in several sums.
 constexpr sequence<expression> terms_of(graph& g, const sequence<expression>& sums) {
   term_sizes sizes(g);
   sequence<expression> terms;
