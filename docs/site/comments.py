@@ -18,10 +18,21 @@ class Comments:
     def of(self, entity):
         """The comment of an entity of Doxygen's: lines of /// above its declaration, or behind it."""
         place = entity.find("location")
-        file, at = place.get("file"), int(place.get("line")) - 1
+        lines, at = self.lines_of(place.get("file")), int(place.get("line")) - 1
+        return self.markdown(above(lines, at) or behind(lines, at))
+
+    def of_values(self, enumeration):
+        """The values of an enumeration, which Doxygen does not locate, with their comments."""
+        place = enumeration.find("location")
+        lines, first, last = self.lines_of(place.get("file")), int(place.get("bodystart")), int(place.get("bodyend"))
+        for name in (value.find("name").text for value in enumeration.findall("enumvalue")):
+            at = next((i for i in range(first, last) if re.match(rf" *{name}\b", lines[i])), None)
+            yield name, self.markdown(above(lines, at) or behind(lines, at)) if at else ""
+
+    def lines_of(self, file):
         if file not in self.lines:
             self.lines[file] = (self.root / "include" / file).read_text().splitlines()
-        return self.markdown(above(self.lines[file], at) or behind(self.lines[file], at))
+        return self.lines[file]
 
     def markdown(self, lines):
         """Paragraphs; lines that are indented further are code."""

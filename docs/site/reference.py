@@ -93,8 +93,9 @@ class Reference:
         is_word = WORDS.match(self.first[name].header) is not None
         members = list(self.shown_members(compound, is_word, set()))
         if members:
-            found = dict.fromkeys(name for name in (member.find("name").text for member, _ in members) if re.fullmatch(r"\w+", name))
-            yield f"```{{index}} {', '.join(found)}\n```" if found and not is_word else ""
+            found = dict.fromkeys(member.find("name").text for member, _ in members if member.get("kind") != "typedef")
+            found = [name for name in found if re.fullmatch(r"\w{3,}", name)]
+            yield f"```{{index}} {', '.join(f'!{name}' for name in found)}\n```" if found and not is_word else ""
             yield ":::{rubric} Members\n:::"
             yield from self.rows((signature(member, member.find("name").text), comment) for member, comment in members)
 
@@ -118,18 +119,12 @@ class Reference:
             if self.header_at(member) != header:
                 header = self.header_at(member)
                 yield f"{{signature}}`#include <{header}>`"
-            is_enumeration = member.get("kind") == "enum"
-            yield f"```cpp\n{self.source(member) if is_enumeration else signature(member, member.find('name').text)}\n```"
+            yield f"```cpp\n{signature(member, member.find('name').text)}\n```"
             yield self.comments.of(member)
+            yield from self.rows(self.comments.of_values(member) if member.get("kind") == "enum" else [])
 
     def header_at(self, member):
         return self.header_of(member.find("location").get("file"))
-
-    def source(self, enumeration):
-        """An enumeration as the header writes it, with the comments of its values."""
-        place = enumeration.find("location")
-        lines = (self.root / "include" / place.get("file")).read_text().splitlines()
-        return "\n".join(lines[int(place.get("bodystart")) - 1 : int(place.get("bodyend"))])
 
     def example(self, name):
         if (found := self.examples.get(name)) is None:
