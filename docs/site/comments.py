@@ -10,13 +10,13 @@ def label(name):
 
 
 class Comments:
-    """Documentation comments as MyST; code that is a public name links to its entry."""
+    """Documentation comments as MyST; public names in code are linked to their entries."""
 
     def __init__(self, root, names):
         self.root, self.names, self.lines = root, names, {}
 
     def of(self, entity):
-        """The comment of an entity of Doxygen's: lines of /// above its declaration, or behind it."""
+        """The comment of a Doxygen entity: the /// lines above its declaration, or the ///< comment after it."""
         place = entity.find("location")
         lines, at = self.lines_of(place.get("file")), int(place.get("line")) - 1
         return self.markdown(above(lines, at) or behind(lines, at))
@@ -35,7 +35,7 @@ class Comments:
         return self.lines[file]
 
     def markdown(self, lines):
-        """Paragraphs; lines that are indented further are code."""
+        """Paragraphs; indented lines are code."""
         parts = []
         for line in textwrap.dedent("\n".join(lines)).splitlines():
             is_code = line.startswith("    ")
@@ -55,7 +55,7 @@ class Comments:
 
 
 def continues(line):
-    """Whether a declaration continues behind a line."""
+    """Whether a declaration continues after a line."""
     return bool(line.strip()) and not line.strip().startswith(("//", "#")) and not line.rstrip().endswith((";", "{", "}", ":"))
 
 
@@ -71,7 +71,7 @@ def above(lines, at):
 
 
 def behind(lines, at):
-    """The comment behind the declaration that contains a line, after ///<."""
+    """The ///< comment after the declaration that contains a line."""
     while "///<" not in lines[at] and continues(lines[at]) and at + 1 < len(lines):
         at += 1
     found = [lines[at].split("///<")[1]] if "///<" in lines[at] else []

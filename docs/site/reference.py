@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""reference.py ROOT XML FOLDER: writes the pages of the reference to FOLDER, from the XML that Doxygen made of the headers.
+"""reference.py ROOT XML FOLDER: writes the pages of the reference to FOLDER, from the XML that Doxygen generated from the headers.
 
 tests/rooms/public_names.py decides which names are public and finds their examples.
 """
@@ -51,7 +51,7 @@ class Reference:
         return ElementTree.parse(self.xml / f"{refid}.xml").getroot().find("compounddef")
 
     def reach_of_umbrellas(self):
-        """The headers of include/kanexpr/, smallest first, with the headers that they reach."""
+        """The headers of include/kanexpr/ with the headers that they include, directly or indirectly; smallest first."""
         headers = [f"kanexpr/{path.name}" for path in (self.root / "include/kanexpr").glob("*.hpp")]
         found = {header: public_names.reached(self.root, [header]) for header in headers}
         return dict(sorted(found.items(), key=lambda pair: len(pair[1])))
@@ -67,7 +67,7 @@ class Reference:
         return next(iter([*core, *own, *([header] if header in self.included else []), *reaching, header]))
 
     def shown_members(self, compound, is_word, seen):
-        """The public members of a class, its own first, and those of its bases that are not public names themselves."""
+        """The public members of a class, followed by those of its bases that are not public names themselves."""
         bare = compound.find("compoundname").text.split("::")[-1]
         for member in compound.iter("memberdef"):
             name, kind, comment = member.find("name").text, member.get("kind"), self.comments.of(member)
@@ -94,13 +94,13 @@ class Reference:
         members = list(self.shown_members(compound, is_word, set()))
         if members:
             found = dict.fromkeys(member.find("name").text for member, _ in members if member.get("kind") != "typedef")
-            found = [name for name in found if re.fullmatch(r"\w{3,}", name)]
+            found = [each for each in found if re.fullmatch(r"\w{3,}", each) and each not in self.names]
             yield f"```{{index}} {', '.join(f'!{name}' for name in found)}\n```" if found and not is_word else ""
             yield ":::{rubric} Members\n:::"
             yield from self.rows((signature(member, member.find("name").text), comment) for member, comment in members)
 
     def rows(self, members):
-        """Members with comments as definitions; those without, that follow each other, as one block of code."""
+        """Members with comments as definitions, and consecutive members without comments as one block of code."""
         bare = []
         for code, comment in [*members, ("", "end")]:
             if not comment:
@@ -151,7 +151,7 @@ class Reference:
         return first_sentence(self.comments.markdown(self.first[name].comment.splitlines()))
 
     def write(self, folder):
-        """Writes the pages, and lists them in index.md in place of a comment."""
+        """Writes the pages, and replaces a comment in index.md by the list of pages."""
         for example in self.examples.values():
             if not example.name:
                 copy = folder.parents[1] / example.page

@@ -3,9 +3,9 @@
 import fnmatch
 import sys
 
-# file, title, what it is about, headers in the order in which their names appear
+# file, title, description, headers in the order in which their names appear
 PAGES = [
-    ("symbols", "Symbols", "The letters of a model: coordinates, speeds, parameters, inputs and time.",
+    ("symbols", "Symbols", "The symbols of a model: coordinates, speeds, parameters, inputs and time.",
      "describe/symbol.hpp describe/symbol_name.hpp"),
     ("functions", "Functions", "Functions of scalar expressions. All arguments and results are scalars; angles are in rad.",
      "describe/functions.hpp describe/composed.hpp describe/external.hpp"),
@@ -37,11 +37,11 @@ PAGES = [
      "ensembles/ensemble.hpp ensembles/study.hpp ensembles/runs.hpp ensembles/distribution.hpp ensembles/run_output.hpp "
      "ensembles/reduction.hpp ensembles/*.hpp ensembles/hdf5/*.hpp mpi/*.hpp"),
     ("batches", "Batches", "Many systems side by side, in SIMD vectors and on several threads.", "batches/*.hpp"),
-    ("figures", "Figures", "Figures as in a textbook, drawn from the model.", "figures/*.hpp"),
-    ("animation", "Animation", "Moving pictures on a page that a browser opens.",
+    ("figures", "Figures", "Textbook figures drawn from the model.", "figures/*.hpp"),
+    ("animation", "Animation", "Animated pictures on a page that a browser can open.",
      "animate/write_page.hpp animate/animated.hpp animate/*.hpp"),
     ("robots", "Robots", "Robots from URDF and SDF files.", "robots/*.hpp robots/*/*.hpp"),
-    ("run-time", "At run time", "Models derived at run time, to print and to evaluate, and models without types.",
+    ("run-time", "At run time", "Models derived at run time, which can be printed and evaluated, and models without types.",
      "runtime/model.hpp runtime/builder.hpp runtime/*.hpp symbolic/printing/*.hpp symbolic/*.hpp symbolic/*/*.hpp mechanics/*/*.hpp"),
     ("export", "Export", "Models as C, CasADi functions and FMUs.", "exporting/*.hpp exporting/*/*.hpp"),
 ]
@@ -53,7 +53,7 @@ def matches(path, pattern):
 
 
 def place_of(header):
-    """The page of a header, and its rank on the page; the first pattern without a star wins, then the first with one."""
+    """The page of a header and its rank on the page, by the first matching pattern without a star, or else the first with one."""
     for exactly in (True, False):
         for page, *_, patterns in PAGES:
             for rank, pattern in enumerate(patterns.split()):

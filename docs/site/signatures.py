@@ -10,7 +10,7 @@ def text_of(element):
 
 
 def tidy(code):
-    """Code as the sources write it."""
+    """Code as it is formatted in the sources."""
     code = re.sub(r"\bKANEXPR_\w+\b|\binline\b", "", code)
     code = code.replace("< ", "<").replace(" >", ">").replace(" &", "&").replace(" *", "*").replace("auto()", "auto")
     code = re.sub(r"\bkanexpr::(?=\w)", "", code)
@@ -37,7 +37,7 @@ def template_of(entity):
 
 
 def wrapped(start, parameters, end):
-    """A call that fits WIDTH, with as many parameters in a line as fit."""
+    """A call wrapped at WIDTH, with as many parameters in each line as fit."""
     line = f"{start}({', '.join(parameters)}){end}"
     if len(line) <= WIDTH:
         return line
