@@ -48,6 +48,11 @@ def signature(name, rawtext, text, lineno, inliner, options=None, content=None):
     return [nodes.literal(text, text, classes=["signature", "code"], language="cpp")], []
 
 
+def enclosing(node):
+    while node := node.parent:
+        yield node
+
+
 def link_names(app, doctree, page):
     """Links code that is a public name, or begins with one as in lqr(A, B, Q, R), to its entry in the reference."""
     labels = app.env.get_domain("std").anonlabels
@@ -56,6 +61,8 @@ def link_names(app, doctree, page):
         if name not in labels or isinstance(literal.parent, (nodes.reference, nodes.title)):
             continue
         target, anchor, *_ = labels[name]
+        if any(anchor in section.get("ids") for section in enclosing(literal)):
+            continue
         link = nodes.reference("", "", internal=True, refuri=f"{app.builder.get_relative_uri(page, target)}#{anchor}")
         literal.replace_self(link)
         link += literal

@@ -1,7 +1,6 @@
 // builds: g++
-// Examples of single names of batches, figures and pictures: docs/reference/examples.md.
+// Examples of single names of figures and pictures: docs/reference/examples.md.
 #include <kanexpr/animate.hpp>
-#include <kanexpr/batch.hpp>
 #include <kanexpr/figures.hpp>
 #include <models/simple_pendulum.hpp>
 
@@ -10,17 +9,12 @@
 namespace {
 
 using namespace simple_pendulum;
-using eom = equations_of_motion<System>;
 
 #include <docs/reference/examples/picture.cpp>
 
 static_assert(!shapes::mistake);
 
-TEST(reference, has_batches_and_figures) {
-  {
-#include <docs/reference/examples/batches.cpp>
-    EXPECT_EQ(rates.size(), 1000);
-  }
+TEST(reference, has_figures) {
 #include <docs/reference/examples/figure.cpp>
   EXPECT_TRUE(drawing) << drawing.cause();
 }

@@ -1,6 +1,7 @@
 // builds: g++
 // Examples of single names of values, and simulations: docs/reference/examples.md.
 #include <kanexpr/assemble.hpp>
+#include <kanexpr/batch.hpp>
 #include <kanexpr/control.hpp>
 #include <kanexpr/fixed_step.hpp>
 #include <kanexpr/operating_point.hpp>
@@ -74,6 +75,11 @@ TEST(reference, has_simulations) {
   EXPECT_TRUE(end.stopped_by_event);
   EXPECT_GT(work.steps, 0);
   EXPECT_GT(along.total.size(), 1u);
+}
+
+TEST(reference, has_batches) {
+#include <docs/reference/examples/batches.cpp>
+  EXPECT_EQ(rates.size(), 1000);
 }
 
 } // namespace

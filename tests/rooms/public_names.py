@@ -14,7 +14,8 @@ import re
 import sys
 
 INCLUDE = re.compile(r"^#include <(kanexpr/[^>]+\.hpp)>", re.M)
-NOT_CODE = re.compile(r'R"([^()\\ ]*)\(.*?\)\1"|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|(?<!\w)\'(?:\\.|[^\'\\\n])\'|^#(?:[^\n]*\\\n)*[^\n]*', re.S | re.M)
+NOT_CODE = re.compile(r'R"([^()\\ ]*)\(.*?\)\1"|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|(?<!\w)\'(?:\\.|[^\'\\\n])\''
+                      r'|^#(?:[^\n]*\\\n)*[^\n]*', re.S | re.M)
 ENTITY = re.compile(r"(struct|class|union|enum class|enum|concept) (\w+)(.?)")
 QUALIFIED = re.compile(r"(?<![\w:.>])(?:kanexpr::)?(\w+)::(\w+)")
 BLOCK = re.compile(r"^```cpp (\w+)\n(.*?)^```", re.M | re.S)
@@ -246,7 +247,8 @@ enum class kind { first };
     by_name = {each.name: [each] for each in declarations("kanexpr/a.hpp", header)}
     for name, code, is_used in [("word", "struct W : word<W> {};", True), ("word", "word w = x;", True), ("word", "f(word);", False),
                                 ("word", "std::word<int> w;", False), ("pair", "f(kanexpr::pair(1, 2));", True),
-                                ("pair", "auto pair = x.pair(1);", False), ("hidden", "using hidden = int;", False), ("count", "x.count + count", True)]:
+                                ("pair", "auto pair = x.pair(1);", False),
+                                ("hidden", "using hidden = int;", False), ("count", "x.count + count", True)]:
         assert bool(use_of(name, by_name[name]).search(blanked(code))) == is_used, (name, code)
 
 
