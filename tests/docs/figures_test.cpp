@@ -1,5 +1,6 @@
 // Figures: docs/figures.md and the pages with figures. Each figure is the one that the code on its page
 // draws.
+#include "docs/joints_loop.hpp"
 #include "docs/printed.hpp"
 #include "docs/text.hpp"
 
@@ -15,6 +16,7 @@
 #include <docs/tutorials/optimal-control/crane.hpp>
 #include <docs/tutorials/ten-thousand-runs/ball.hpp>
 
+#include <kanexpr/joints.hpp>
 #include <kanexpr/robots.hpp>
 
 #include <gtest/gtest.h>
@@ -27,6 +29,10 @@
 namespace {
 
 using namespace kanexpr;
+
+namespace arm {
+#include <docs/guide/joints/arm.cpp>
+} // namespace arm
 
 // The committed figure is what the model of its page draws now; if not, the new one is in the folder of this
 // test.
@@ -65,6 +71,34 @@ TEST(figures, are_those_of_the_guide) {
   expect_on_page("guide/kanes-equations/pendulums.svg",
                  draw<pendulums::System>({{"q1", 0.4}, {"q2", 0.9}, {"u1", 0}, {"u2", 0}},
                                          {{"m", 1}, {"l", 1}, {"g", 9.81}}));
+}
+
+TEST(figures, are_those_of_joints) {
+  expect_on_page("guide/joints/arm.svg",
+                 draw<arm::System>({{"q_Upper", -0.6}, {"q_Lower", 1}, {"u_Upper", 0}, {"u_Lower", 0}}, {},
+                                   {{"T_Upper", 1}, {"T_Lower", 1}},
+                                   {.eye = Eigen::Vector3d(0, -1, 0), .names = false}));
+  expect_on_page("guide/joints/four_bar.svg", draw<docs::loop::Linkage>({{"q_Crank", 1.2},
+                                                                         {"q_Coupler", -0.9266},
+                                                                         {"q_Rocker", -2.0374},
+                                                                         {"u_Crank", 0},
+                                                                         {"u_Coupler", 0},
+                                                                         {"u_Rocker", 0}},
+                                                                        {{"l0", 2},
+                                                                         {"l1", 1},
+                                                                         {"l2", 2},
+                                                                         {"l3", 1.5},
+                                                                         {"d1", 0.5},
+                                                                         {"d2", 1},
+                                                                         {"d3", 0.75},
+                                                                         {"m1", 1},
+                                                                         {"m2", 1},
+                                                                         {"m3", 1},
+                                                                         {"I1", 0.1},
+                                                                         {"I2", 0.1},
+                                                                         {"I3", 0.1},
+                                                                         {"g", 9.81}},
+                                                                        {}, {.names = false}));
 }
 
 TEST(figures, are_those_of_the_tutorials) {
