@@ -158,12 +158,32 @@ private:
 
   std::string system() const {
     std::string text = "struct System\n    : kane_system<inertial<" + inertial_ + '>';
-    for (const char* called :
+    for (const std::string called :
          {"coordinates", "speeds", "kinematics", "configuration_constraints", "velocity_constraints",
           "dependent", "parameters", "inputs", "bodies", "loads"})
       if (const auto found = lists_.find(called); found != lists_.end())
-        text += std::string(",\n                  ") + called + '<' + joined(found->second) + '>';
+        text += ",\n" + std::string(indentation, ' ') + called + '<' +
+                wrapped(found->second, indentation + called.size() + 1) + '>';
     return text + "> {};\n";
+  }
+
+  static constexpr std::size_t indentation = 18, widest = 110;
+
+  /// A list with commas, in lines that begin in the same column.
+  static std::string wrapped(const list& all, std::size_t column) {
+    std::string text;
+    std::size_t width = column;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (i > 0 && width + all[i].size() > widest) {
+        text += ",\n" + std::string(column, ' ');
+        width = column;
+      } else if (i > 0) {
+        text += ", ";
+      }
+      text += all[i];
+      width += all[i].size() + 2;
+    }
+    return text;
   }
 
   void add_struct(const std::string& name, const std::string& word, const std::string& arguments,

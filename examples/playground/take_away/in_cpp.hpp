@@ -1,12 +1,15 @@
 #pragma once
 
+#include "playground/model/functions.hpp"
 #include "playground/text/tree.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -50,16 +53,25 @@ private:
     return strength(e) < least ? '(' + text(e) + ')' : text(e);
   }
 
-  /// Whether a subexpression contains only numbers, which C++ would compute with integers.
+  /// Whether an expression contains only numbers. C++ would compute it with integers, or not at compile time.
   static bool is_numerical(const tree& e) {
-    if (e.is == tree::kind::name || e.is == tree::kind::axis || e.is == tree::kind::call) return false;
-    for (const tree& each : e.parts)
-      if (!is_numerical(each)) return false;
-    return true;
+    if (e.is == tree::kind::name) return e.text == "pi";
+    if (e.is == tree::kind::axis || (e.is == tree::kind::call && !value_of_call(e))) return false;
+    return std::ranges::all_of(e.parts, is_numerical);
+  }
+  static std::optional<double> value_of_call(const tree& e) {
+    if (!std::ranges::all_of(e.parts, is_numerical)) return std::nullopt;
+    for (const function_of_one& f : functions_of_one)
+      if (f.called == e.text) return f.of_number(value_of(e.parts[0]));
+    for (const function_of_two& f : functions_of_two)
+      if (f.called == e.text) return f.of_numbers(value_of(e.parts[0]), value_of(e.parts[1]));
+    return std::nullopt;
   }
   static double value_of(const tree& e) {
     const auto part = [&](std::size_t i) { return value_of(e.parts[i]); };
     switch (e.is) {
+    case tree::kind::name: return std::numbers::pi;
+    case tree::kind::call: return value_of_call(e).value_or(0);
     case tree::kind::negative: return -part(0);
     case tree::kind::sum: return part(0) + part(1);
     case tree::kind::difference: return part(0) - part(1);
@@ -67,15 +79,15 @@ private:
     case tree::kind::quotient: return part(0) / part(1);
     case tree::kind::power: return std::pow(part(0), part(1));
     case tree::kind::number:
-    case tree::kind::name:
-    case tree::kind::axis:
-    case tree::kind::call: break;
+    case tree::kind::axis: break;
     }
     return e.value;
   }
 
   std::string text(const tree& e) const {
-    if (!e.parts.empty() && is_numerical(e)) {
+    const bool is_literal =
+        e.parts.empty() || (e.is == tree::kind::negative && e.parts[0].is == tree::kind::number);
+    if (!is_literal && is_numerical(e)) {
       const double value = value_of(e);
       return value < 0 ? '(' + number_in_cpp(value, true) + ')' : number_in_cpp(value, true);
     }
