@@ -30,7 +30,7 @@ int main(int count, char** words) {
               "constraint is nonholonomic.",
        .source = "Neimark & Fufaev, Dynamics of Nonholonomic Systems (1972), chapter 2"});
   const auto run = simulate<System>(
-      {{q1, 0}, {q2, 0}, {q3, 0}, {u1, -1.2}, {u3, 0.4}}, {{m, 20}, {I, 4}, {a, 0.5}}, {0, 10},
+      {{q1, 0}, {q2, 0}, {q3, 0}, {u1, -1.2}, {u3, 0.4}}, {{m, 20}, {I, 4}, {a, 0.5}}, {0, 6},
       {.inputs = {{F, 0}, {T, 0}}, .relative_tolerance = 1e-10, .output_every = 0.02});
   page.expect_energy(run.trajectory, 1e-7);
   page.expect_constraints(run.trajectory, 1e-9);

@@ -32,7 +32,7 @@ struct System : kane_system<inertial<N>, coordinates<x, y, z>, speeds<u1, u2, u3
                             loads<gravity<-g * N::z>, force<P, coriolis>>> {};
 
 using picture =
-    kanexpr::picture<System, up<N::z>, ground<-1.02 * l>, seen_from<N::x - 1.2 * N::y + 1.5 * N::z>,
+    kanexpr::picture<System, up<N::z>, ground<-1.02 * l>, seen_from<N::x - 1.2 * N::y + 0.6 * N::z>,
                      trace<P, colour<"#d98a2b">>, show<rod<O, P, 0.02>, colour<"#7b8794">>,
                      show<sphere<O, 0.3>, colour<"#8f979e">>, show<sphere<P, 1.2>, colour<"#b5382f">>>;
 

@@ -6,13 +6,13 @@
 
 namespace {
 
-struct energies {
+struct energy {
   std::vector<double> kinetic, total;
 };
 struct path {
-  energies given{};
+  energy given{};
   std::vector<double> residuals{};
-  auto energies() const { return given; }
+  const energy& energies() const { return given; }
   const std::vector<double>& constraint_residuals() const { return residuals; }
 };
 
@@ -32,8 +32,9 @@ TEST(gallery_checks, stop_a_page_with_a_sentence) {
   c.expect_energy(path{.given = {{0, 2}, {3, 3.5}}}, 1e-3);
   c.expect(false, "the second sentence counts");
   EXPECT_FALSE(c.holds());
-  EXPECT_EQ(c.cause(),
-            "the motion does not show that the total energy stays constant to within 0.001; the error is 0.25");
+  EXPECT_EQ(
+      c.cause(),
+      "the motion does not show that the total energy stays constant to within 0.001; the error is 0.25");
 }
 
 TEST(gallery_checks, refuse_a_motion_without_samples_or_numbers) {

@@ -22,11 +22,12 @@ using kanexpr::symbolic::symbol_kind;
 
 namespace {
 
-constexpr int most_operations = 700;       // of equations that are worth simplifying
-constexpr std::size_t most_terms = 1500;   // of the forms among which the simplest is chosen
-constexpr std::size_t longest_line = 1100; // letters of LaTeX
-constexpr std::size_t longest_entry = 160; // of an entry that stands for the others
-constexpr std::size_t longest_open = 2600; // letters of LaTeX that a page shows unfolded
+constexpr int most_operations = 700;           // of equations that are worth simplifying
+constexpr int most_operations_to_divide = 160; // of equations that are divided by common factors
+constexpr std::size_t most_terms = 1500;       // of the forms among which the simplest is chosen
+constexpr std::size_t longest_line = 1100;     // letters of LaTeX
+constexpr std::size_t longest_entry = 160;     // of an entry that stands for the others
+constexpr std::size_t longest_open = 2600;     // letters of LaTeX that a page shows unfolded
 
 int operations_of(const matrix& m) {
   if (m.entries.size() == 0) return 0;
@@ -72,7 +73,10 @@ private:
 
   void add(equation_group group) {
     std::size_t length = 0;
-    for (const std::string& each : group.lines) length += each.size();
+    for (const std::string& each : group.lines) {
+      length += each.size();
+      group.is_folded = group.is_folded || each.size() > longest_line / 2;
+    }
     group.is_folded = group.is_folded || length > longest_open;
     if (!group.lines.empty() || !group.note.empty()) groups_.push_back(std::move(group));
   }
@@ -133,14 +137,41 @@ private:
       for (int i = 0; i < explicit_form.rows; ++i)
         group.lines.push_back(speed_rate(i) + " = " + latex(explicit_form(i, 0)));
     else
-      for (int i = 0; i < mass.rows; ++i) group.lines.push_back(row(mass, forcing, i));
+      for (int i = 0; i < mass.rows; ++i) {
+        if (before <= most_operations_to_divide) divide_row(mass, forcing, i);
+        group.lines.push_back(row(mass, forcing, i));
+      }
     const auto longest = std::max_element(group.lines.begin(), group.lines.end(),
                                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
     if (longest != group.lines.end() && longest->size() > 4 * longest_line)
       return long_equations(mass, forcing, before);
-    if (is_constrained)
-      group.note = "The dependent speeds " + m_.names_of_dependent_speeds() + " follow from the constraints.";
+    if (is_constrained) group.note = note_on_dependent_speeds();
     add(std::move(group));
+  }
+
+  std::string note_on_dependent_speeds() {
+    const std::string names = m_.names_of_dependent_speeds();
+    const bool is_one = names.find(" and ") == std::string::npos;
+    return (is_one ? "The dependent speed " : "The dependent speeds ") + names +
+           (is_one ? " follows" : " follow") + " from the constraints.";
+  }
+
+  /// Divides an equation by the parameters that make it shorter, such as a mass that all of its terms
+  /// contain.
+  void divide_row(matrix& mass, matrix& forcing, int i) {
+    for (int k = 0; k < known_.parameters; ++k) {
+      const kanexpr::base::name& called = known_.names[known_.first_of(symbol_kind::parameter) + k];
+      const expression by(m_.graph(), m_.graph().variable({symbol_kind::parameter, called}));
+      matrix of_mass(m_.graph(), 1, mass.columns), of_forcing(m_.graph(), 1, 1);
+      for (int j = 0; j < mass.columns; ++j) of_mass(0, j) = shorter_on_a_page(mass(i, j) / by);
+      of_forcing(0, 0) = shorter_on_a_page(forcing(i, 0) / by);
+      std::size_t letters = latex(forcing(i, 0)).size();
+      for (int j = 0; j < mass.columns; ++j) letters += latex(mass(i, j)).size();
+      if (total(of_mass) + total(of_forcing) >= letters) continue;
+      for (int j = 0; j < mass.columns; ++j) mass(i, j) = of_mass(0, j);
+      forcing(i, 0) = of_forcing(0, 0);
+      --k; // it may divide by the same parameter again
+    }
   }
 
   /// The letters of all entries, a measure of their length on a page.

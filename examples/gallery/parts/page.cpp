@@ -20,6 +20,9 @@ using nlohmann::json;
 
 namespace {
 
+constexpr int most_products_for_second_derivatives =
+    1500; // in u̇; those of larger models have tens of megabytes
+
 /// Ends the program with a sentence if a part cannot be written.
 void require(const outcome& written) {
   if (!written) throw std::runtime_error(written.cause());
@@ -71,7 +74,8 @@ json write_files_of(const material& all, const std::string& folder, const std::s
     for (const std::string& each : written) files.push_back({{"name", name + each}, {"what", what}});
   };
   write(exporting::c_format, {}, {".c", ".h"}, "C99");
-  write(exporting::casadi_format, {}, {"_casadi.c", "_casadi.h"}, "CasADi");
+  if (all.udot.multiplications <= most_products_for_second_derivatives)
+    write(exporting::casadi_format, {}, {"_casadi.c", "_casadi.h"}, "CasADi");
   write(exporting::fmi_format, start_values(known, all), {".fmu"}, "FMI 3.0");
   return files;
 }

@@ -70,7 +70,7 @@ function write(file, text) {
 }
 
 const names = fs.readdirSync(gallery).filter(each => fs.existsSync(path.join(gallery, each, 'page.json'))).sort()
-const pages = names.map(pageOf)
+const pages = names.map(pageOf).sort((a, b) => a.counts.multiplications - b.counts.multiplications) // from simple to large
 for (const page of pages) write(path.join(gallery, page.name, 'index.html'), templates.render('page.html', { page }))
 const listed = chapters.map(each => ({ ...each, pages: pages.filter(page => page.kind === each.title) })).filter(each => each.pages.length)
 write(path.join(gallery, 'index.html'), templates.render('index.html', { chapters: listed, count: pages.length }))
