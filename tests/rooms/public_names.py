@@ -23,7 +23,7 @@ ENDS = re.compile(r"[{;}]$|^[A-Z_]+\(.*\)$")  # a line with which a declaration 
 ENTRY = re.compile(r"(struct|using|constexpr) .*;(\s*//.*)?$")
 ITEM = re.compile(r"^\S.*,(\s*//.*)?$")
 INSIDE = {"docs/extending.md", "docs/how-it-works.md", "docs/releasing.md"}  # pages for those who change the library
-PROGRAM = "examples/playground/"  # a program on top of the modules; its code is no example
+PROGRAMS = ("examples/gallery/", "examples/playground/")  # programs on top of the modules, which use their insides
 APART = ("docs/reference/", "docs/coming-from/")  # pages whose examples are shown only for names that no other page uses
 
 
@@ -143,7 +143,7 @@ def examples(project):
         if where not in INSIDE:
             yield from (Example(where, name, text) for name, text in BLOCK.findall(page.read_text()))
     for path in sorted(project.glob("examples/**/*.[ch]pp")):
-        if path.relative_to(project).as_posix().startswith(PROGRAM):
+        if path.relative_to(project).as_posix().startswith(PROGRAMS):
             continue
         yield Example(str(path.relative_to(project)), "", path.read_text())
 

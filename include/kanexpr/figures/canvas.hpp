@@ -50,7 +50,7 @@ private:
     std::string style;
   };
   struct box {
-    point least, most;
+    point least = point::Zero(), most = point::Zero();
   };
 
   void element(layer on, const std::string& text) { layers_[static_cast<std::size_t>(on)] += text + '\n'; }
