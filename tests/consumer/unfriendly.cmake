@@ -3,7 +3,7 @@
 set(folder ${CMAKE_CURRENT_BINARY_DIR}/unfriendly)
 file(GLOB headers RELATIVE ${KANEXPR_SOURCE}/include ${KANEXPR_SOURCE}/include/kanexpr/*.hpp)
 list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>\n")
-list(APPEND headers "#include <kanexpr/robots/read_sdf.hpp>\n")
+list(APPEND headers "#include <kanexpr/robots/read_sdf.hpp>\n" "#include <kanexpr/animate/picture_of.hpp>\n")
 list(JOIN headers "" headers)
 file(WRITE ${folder}/every_header.hpp "${headers}")
 

@@ -2,6 +2,7 @@
 #include "models/double_pendulum.hpp"
 
 #include <kanexpr/animate.hpp>
+#include <kanexpr/animate/picture_of.hpp>
 #include <kanexpr/simulate.hpp>
 
 #include <gtest/gtest.h>
@@ -13,6 +14,8 @@ namespace {
 using namespace kanexpr;
 
 #include <docs/pictures/picture.cpp>
+
+#include <docs/pictures/by_default.cpp>
 
 #include <docs/pictures/mesh.cpp>
 static_assert(!drawn::mistake);
@@ -34,6 +37,8 @@ TEST(pictures, move) {
   ASSERT_TRUE(run) << run.cause();
 #include <docs/pictures/written.cpp>
 
+#include <docs/pictures/default_page.cpp>
+  EXPECT_EQ(written.cause(), shown.cause());
 #include <docs/pictures/animated.cpp>
   EXPECT_EQ(a.find("sphere at Tip")->placements.size(), 51);
 

@@ -77,7 +77,9 @@ private:
 /// a state `x` and inputs `r` that also provides the `parameters()` of the system.
 template <class Picture, class Trajectory>
 animation animated(const Trajectory& trajectory) {
-  if constexpr (animate::valid_picture<Picture>::value) {
+  if constexpr (requires { Picture::along(trajectory); }) { // picture_of
+    return Picture::along(trajectory);
+  } else if constexpr (animate::valid_picture<Picture>::value) {
     animation made = animate::film(animate::compiled_scene<Picture, Trajectory>(trajectory));
     made.system = type_name<typename Picture::System>();
     return made;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <kanexpr/animate/about_axis.hpp>
 #include <kanexpr/animate/animation.hpp>
+#include <kanexpr/animate/check_animation.hpp>
 #include <kanexpr/animate/scene.hpp>
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/derivation/survey.hpp>
@@ -24,19 +26,6 @@
 
 /// Evaluates a picture along a motion and converts its numbers to shapes.
 namespace kanexpr::animate {
-
-/// Returns the orientation with z along `axis` and x as close as possible to the frame's axis `x`, or to `y`
-/// if `axis` is within 30 degrees of `x`.
-inline Eigen::Matrix3d about_axis(const Eigen::Vector3d& axis, const Eigen::Vector3d& x,
-                                  const Eigen::Vector3d& y) {
-  const Eigen::Vector3d z = axis.normalized();
-  const Eigen::Vector3d across = std::abs(z.dot(x)) < std::sqrt(0.75) ? x : y;
-  Eigen::Matrix3d r;
-  r.col(0) = (across - across.dot(z) * z).normalized();
-  r.col(1) = z.cross(r.col(0));
-  r.col(2) = z;
-  return r;
-}
 
 inline Eigen::Vector3d triple(const double* numbers) { return {numbers[0], numbers[1], numbers[2]}; }
 
@@ -115,21 +104,8 @@ inline void make_shapes(animation& a, std::span<const element_record> elements,
     if (r.word == "carried") move_with_origin(a, r, recorded);
 }
 
-inline std::string at_time(double t) {
-  char digits[32];
-  return " at t = " + std::string(digits, std::to_chars(digits, digits + sizeof digits, t).ptr);
-}
-
 inline std::vector<double> row_of(const Eigen::MatrixXd& m, int row) {
   return {m.row(row).begin(), m.row(row).end()};
-}
-
-/// Removes the columns of inputs that have no value at some time, which a picture need not depend on.
-inline void drop_unset_inputs(animation& a) {
-  std::erase_if(a.columns, [](const animation::column& c) {
-    return c.group == "Inputs" &&
-           !std::ranges::all_of(c.values, [](double v) { return numeric::is_finite(v); });
-  });
 }
 
 /// Adds the columns of the elements `plot` and `plot_energies`.
@@ -162,41 +138,6 @@ inline void give_units(animation& a, std::span<const element_record> elements) {
     }
 }
 
-/// Checks a size or a scale. A scale may be negative, which mirrors the mesh.
-inline std::string check_number(const animation::shape& s, double size) {
-  const bool is_scale = s.kind == "mesh";
-  if (numeric::is_finite(size) && (size > 0 || (is_scale && size < 0))) return {};
-  if (is_scale) return "every scale of the " + s.name + " must be finite and nonzero";
-  return "every dimension of the " + s.name + " must be positive and finite";
-}
-
-/// Returns a message that names the first value in an animation that is not finite or out of range; empty if
-/// there is none.
-inline std::string check_numbers(const animation& a) {
-  if (!numeric::all_finite(a.up) || !(a.up.norm() > 0.5))
-    return "the direction of up must be a nonzero vector";
-  if (a.seen_from && (!numeric::all_finite(*a.seen_from) || !(a.seen_from->norm() > 0.5)))
-    return "the direction of seen_from must be a nonzero vector";
-  if (a.ground && !numeric::is_finite(*a.ground)) return "the height of the ground must be finite";
-  for (const animation::column& c : a.columns)
-    for (std::size_t k = 0; k < c.values.size(); ++k)
-      if (!numeric::is_finite(c.values[k])) return c.name + " is not finite" + at_time(a.times[k]);
-  for (const animation::shape& s : a.shapes) {
-    for (double size : s.sizes)
-      if (std::string cause = check_number(s, size); !cause.empty()) return cause;
-    for (std::size_t k = 0; k < s.placements.size(); ++k) {
-      const placement& here = s.placements[k];
-      if (s.kind == "arrow" && !numeric::all_finite(here.end))
-        return "the vector of the " + s.name + " is not finite" + at_time(a.times[k]);
-      if (!numeric::all_finite(here.position) || !numeric::all_finite(here.end))
-        return "the position of the " + s.name + " is not finite" + at_time(a.times[k]);
-      if (!numeric::all_finite(here.orientation))
-        return "the orientation of the " + s.name + " is not finite" + at_time(a.times[k]);
-    }
-  }
-  return {};
-}
-
 /// Evaluates a picture along a motion.
 class camera {
 public:
@@ -209,7 +150,7 @@ public:
   }
 
   animation film() {
-    name_columns();
+    made_.columns = columns_of(scene_.known);
     if (scene_.samples() == 0) made_.failure = "the trajectory has no samples";
     recorded_.numbers.resize(scene_.numbers, static_cast<Eigen::Index>(scene_.samples()));
     for (std::size_t i = 0; i < scene_.samples() && made_; ++i) take(i);
@@ -224,32 +165,12 @@ public:
   }
 
 private:
-  void name_columns() {
-    const derivation::survey& known = scene_.known;
-    for (int i = 0; i < known.coordinates + known.speeds; ++i) {
-      std::string name(known.names[i].view());
-      if (known.takes_rates_as_speeds && i >= known.coordinates)
-        name = std::string(known.names[i - known.coordinates].view()) + '\'';
-      made_.columns.push_back({name, {}, i < known.coordinates ? "Coordinates" : "Speeds", {}});
-    }
-    const int first = known.first_of(symbolic::symbol_kind::input);
-    for (int i = 0; i < known.inputs; ++i)
-      made_.columns.push_back({std::string(known.names[first + i].view()), {}, "Inputs", {}});
-  }
-
   void take(std::size_t sample) {
     double t = 0;
     scene_.sample(sample, t, x_.data(), r_.data());
     const status s = evaluate(t, column(recorded_.numbers, sample));
     if (!s) made_.failure = s.cause() + at_time(t);
-    for (const double entry : x_)
-      if (!numeric::is_finite(entry)) made_.failure = "the state is not finite" + at_time(t);
-    if (!numeric::is_finite(t)) made_.failure = "the time of a sample is not finite";
-    if (!made_.times.empty() && t < made_.times.back())
-      made_.failure = "the times of the samples decrease" + at_time(t);
-    made_.times.push_back(t);
-    for (std::size_t i = 0; i < made_.columns.size(); ++i)
-      made_.columns[i].values.push_back(i < x_.size() ? x_[i] : r_[i - x_.size()]);
+    add_sample(made_, t, x_, r_);
   }
 
   status evaluate(double t, double* all) {

@@ -1,0 +1,145 @@
+#pragma once
+
+#include <kanexpr/animate/animated.hpp>
+#include <kanexpr/animate/animation.hpp>
+#include <kanexpr/animate/check_animation.hpp>
+#include <kanexpr/animate/default_shapes.hpp>
+#include <kanexpr/animate/recorded_poses.hpp>
+#include <kanexpr/animate/rigid_parts.hpp>
+#include <kanexpr/animate/rolling.hpp>
+#include <kanexpr/animate/write_page.hpp>
+#include <kanexpr/base/outcome.hpp>
+#include <kanexpr/figures/geometry.hpp>
+#include <kanexpr/figures/view.hpp>
+#include <kanexpr/mechanics/loads/force_and_torque.hpp>
+#include <kanexpr/mechanics/model/fixed.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/runtime/model.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+
+#include <Eigen/Core>
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <utility>
+
+namespace kanexpr {
+
+namespace animate {
+
+template <class Trajectory>
+recorded_motion motion_of(const Trajectory& trajectory) {
+  const auto copied = [](const auto& values) -> Eigen::VectorXd {
+    return Eigen::Map<const Eigen::VectorXd>(values.data(), values.size());
+  };
+  recorded_motion motion;
+  motion.parameters = copied(trajectory.parameters());
+  for (const auto& sample : trajectory) {
+    motion.times.push_back(sample.t);
+    motion.states.push_back(copied(sample.x));
+    motion.inputs.push_back(copied(sample.r));
+  }
+  return motion;
+}
+
+/// The direction of gravity, or of constant forces on mass centers, which represent weights; else zero.
+inline Eigen::Vector3d weight_of(model& m, const figures::geometry& first, const figures::geometry& last) {
+  Eigen::Vector3d sum = first.gravity;
+  const mechanics::multibody_system& system = m.system();
+  for (int i = 0; i < system.loads.forces.size() && first.gravity.isZero(); ++i) {
+    const mechanics::force& each = system.loads.forces[i];
+    bool is_weight = false;
+    for (const mechanics::body& b : system.mechanism.bodies) is_weight = is_weight || b.center == each.point;
+    each.value.each_entry([&](symbolic::expression e) { is_weight = is_weight && mechanics::is_fixed(e); });
+    const auto which = static_cast<std::size_t>(i);
+    if (is_weight && first.forces[which].isApprox(last.forces[which], 1e-9)) sum += first.forces[which];
+  }
+  return sum.stableNormalized();
+}
+
+/// Shows a planar system from in front of its plane, a little from above and from the right.
+inline void choose_view(animation& a, const figures::geometry& first, const Eigen::Vector3d& weight) {
+  const figures::view seen = figures::view_of(first);
+  a.up = weight.isZero() ? seen.up : Eigen::Vector3d(-weight);
+  if (!seen.is_planar || std::abs(a.up.dot(seen.eye)) > 0.5) return;
+  a.seen_from = (seen.eye + 0.35 * seen.right + 0.22 * seen.up).normalized();
+}
+
+/// Adds the shapes that a model has by default.
+inline void add_default_shapes(animation& a, model& m, const recorded_motion& motion,
+                               const figures::geometry& first) {
+  const rigid_parts parts(m.mechanism());
+  const recorded_poses poses(m, parts, motion);
+  if (!poses.cause().empty()) a.failure = poses.cause() + at_time(motion.times[poses.failed_at()]);
+  if (!a) return;
+  const figures::geometry last = figures::geometry_of(m, motion.times.back(), motion.states.back(),
+                                                      motion.parameters, motion.inputs.back());
+  const Eigen::Vector3d weight = weight_of(m, first, last);
+  choose_view(a, first, weight);
+  default_shapes shapes(m.system(), parts, poses, first);
+  shapes.add_to(a, !weight.isZero());
+  if (const straight_piece* const rolling = shapes.rolling_link())
+    move_with_rolling(a, m, rolling->to, motion, poses);
+  if (a.shapes.empty()) a.failure = "the model has no bodies, joints or springs to show";
+}
+
+inline std::span<const double> numbers_in(const Eigen::VectorXd& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
+}
+
+/// Returns the default picture of a model along a motion.
+inline animation film(model m, const recorded_motion& motion) {
+  animation a;
+  a.failure = m.mistake();
+  if (!a) return a;
+  a.columns = columns_of(*m.known());
+  for (std::size_t k = 0; k < motion.times.size() && a; ++k)
+    add_sample(a, motion.times[k], numbers_in(motion.states[k]), numbers_in(motion.inputs[k]));
+  if (a && motion.times.empty()) a.failure = "the trajectory has no samples";
+  if (!a) return a;
+  drop_unset_inputs(a);
+  const figures::geometry first =
+      figures::geometry_of(m, motion.times[0], motion.states[0], motion.parameters, motion.inputs[0]);
+  a.failure = first.cause;
+  if (!a) return a;
+  add_default_shapes(a, m, motion, first);
+  if (a) a.failure = check_numbers(a);
+  return a;
+}
+
+} // namespace animate
+
+/// The default picture of a system, for `animated` and `write_page`: `write_page<picture_of<System>>(path,
+/// trajectory)`. The shapes follow from the frames, points, bodies and springs of the model. The system is
+/// derived at run time, so the picture adds little to the compile time.
+template <class System_>
+struct picture_of {
+  using System = System_;
+
+  template <class Trajectory>
+  static animation along(const Trajectory& trajectory) {
+    animation made = animate::film(derive<System>(), animate::motion_of(trajectory));
+    made.system = type_name<System>();
+    return made;
+  }
+};
+
+/// Returns the default picture of a run-time model along a trajectory.
+template <class Trajectory>
+animation animated(model m, const Trajectory& trajectory) {
+  return animate::film(std::move(m), animate::motion_of(trajectory));
+}
+
+/// Writes an animated page with the default picture of a run-time model.
+template <class Trajectory>
+outcome write_page(const std::string& path, model m, const Trajectory& trajectory,
+                   const page_options& options = {}) {
+  animation made = animated(std::move(m), trajectory);
+  made.system = "The model";
+  return animate::write_page(path, made, options);
+}
+
+} // namespace kanexpr
