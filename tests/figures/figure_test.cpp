@@ -180,4 +180,57 @@ TEST(figure, reports_why_there_is_none) {
               "the figure cannot be written to /nowhere/figure.svg");
 }
 
+TEST(figure, is_drawn_from_a_builder_and_from_a_temporary_model) {
+  runtime::builder b("N");
+  const auto O = b.origin("O");
+  const auto q = b.coordinate("q_joint_1");
+  b.kinematic_equation(b.dot(q) - b.speed("u"));
+  b.particle("Bob", b.offset("P", O, b.along(runtime::builder::inertial_frame(), q, 0, 0)), b.number(1));
+  const figure f = draw(b, {{"q_joint_1", 1.0}, {"u", 0.0}});
+  ASSERT_TRUE(f) << f.cause();
+  EXPECT_EQ(f.svg(), draw(derive(b), {{"q_joint_1", 1.0}, {"u", 0.0}}).svg());
+  EXPECT_THAT(without_tags(f.svg()), HasSubstr("\nqjoint,1\n")); // the subscript has no underscore
+}
+
+TEST(figure, connects_a_damper_beside_a_spring) {
+  using namespace crane;
+  const auto lines = [](const std::string& svg) {
+    std::size_t count = 0;
+    for (std::size_t at = 0; (at = svg.find("<path class=\"load\"", at)) != std::string::npos; ++at) ++count;
+    return count;
+  };
+  const figure_options only_loads{.axes = false, .angles = false, .lengths = false, .names = false};
+  // a zigzag; a damper is two lines, a piston and a cylinder; and two lines connect both
+  EXPECT_EQ(lines(crane_at(0.6, 0.4, only_loads).svg()), 1 + 4 + 2 + 2); // and shafts of F and g
+}
+
+/// A loop of two equal bars: its closing point is at height 0 below N.x at 2 l cos q1.
+runtime::builder& add_two_bars(runtime::builder& b) {
+  const auto N = runtime::builder::inertial_frame();
+  const auto q1 = b.coordinate("q1"), q2 = b.coordinate("q2");
+  b.kinematic_equation(b.dot(q1) - b.speed("u1")), b.kinematic_equation(b.dot(q2) - b.speed("u2"));
+  const auto O = b.origin("O");
+  const auto A = b.rotated("A", N, q1, b.along(N, 0, 0, 1)), B = b.rotated("B", N, q2, b.along(N, 0, 0, 1));
+  const auto P = b.offset("P", O, b.along(A, 1, 0, 0)), Q = b.offset("Q", P, b.along(B, 1, 0, 0));
+  b.particle("Bob", P, b.number(1)), b.particle("End", Q, b.number(1));
+  b.configuration_constraint(b.dot(b.position_of(Q, O), b.along(N, 0, 1, 0)));
+  b.dependent(q2);
+  return b;
+}
+
+TEST(figure, solves_for_what_the_constraints_determine) {
+  runtime::builder b("N");
+  add_two_bars(b);
+  const figure f = draw(b, {{"q1", 0.5}, {"u1", 0.0}}),
+               given = draw(b, {{"q1", 0.5}, {"q2", -0.5}, {"u1", 0.0}});
+  ASSERT_TRUE(f) << f.cause();
+  ASSERT_TRUE(given) << given.cause();
+  const auto bob = circles(f.svg(), "filled b0"), end = circles(f.svg(), "filled b1");
+  ASSERT_EQ(end.size(), 1);
+  EXPECT_NEAR(end[0](1), 0, 0.06);
+  EXPECT_NEAR(end[0](0), 2 * bob[0](0), 0.11);
+  EXPECT_EQ(draw(b, {{"q1", 0.5}, {"q2", 0.4}, {"u1", 0.0}, {"u2", 0.0}}).cause().substr(0, 26),
+            "configuration constraint 1");
+}
+
 } // namespace

@@ -383,6 +383,10 @@ TEST(builder_mistakes, knows_what_a_name_is) {
   for (const char* called : {"a\"b", "a\nb", "a\x7f"})
     EXPECT_EQ(told([&](auto& b) { b.parameter(called); }),
               "the name of one of the symbols contains a quote or a control character");
+  for (const char* called : {"a\xff", "m\xc3", "\xc0\xafz", "k\xed\xa0\x80", "\xf5\x80\x80\x80"})
+    EXPECT_EQ(told([&](auto& b) { b.parameter(called); }),
+              "the name of one of the symbols is not valid UTF-8");
+  EXPECT_EQ(told([](auto& b) { b.origin("P\x80"); }), "the name of one of the points is not valid UTF-8");
   EXPECT_EQ(told([](auto& b) { b.used_elsewhere(b.parameter("t")); }), "");
   EXPECT_EQ(told([](auto& b) { b.parameter("t"), b.time(); }), "the name t is used twice");
   EXPECT_EQ(told([](auto& b) { b.time(), b.time(), b.parameter("t"); }), "the name t is used twice");

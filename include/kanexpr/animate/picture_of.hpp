@@ -63,7 +63,7 @@ inline Eigen::Vector3d weight_of(model& m, const figures::geometry& first, const
 /// Shows a planar system from in front of its plane, a little from above and from the right.
 inline void choose_view(animation& a, const figures::geometry& first, const Eigen::Vector3d& weight) {
   const figures::view seen = figures::view_of(first);
-  a.up = weight.isZero() ? seen.up : Eigen::Vector3d(-weight);
+  a.up = weight.isZero() ? figures::upward_of(first) : Eigen::Vector3d(-weight);
   if (!seen.is_planar || std::abs(a.up.dot(seen.eye)) > 0.5) return;
   a.seen_from = (seen.eye + 0.35 * seen.right + 0.22 * seen.up).normalized();
 }

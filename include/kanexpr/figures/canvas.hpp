@@ -34,8 +34,8 @@ public:
   void circle(layer on, const point& center, double radius, std::string_view style);
   /// The ellipse { center + s : sᵀ S⁻¹ s = 1 }.
   void ellipse(layer on, const point& center, const Eigen::Matrix2d& s, std::string_view style);
-  /// A label near a point, preferably in the given direction from it.
-  void label(const point& at, const point& direction, text words, std::string_view style);
+  /// A label near a point, preferably in the given direction from it, outside a mark with the given radius.
+  void label(const point& at, const point& direction, text words, std::string_view style, double radius = 0);
 
   const point& least() const { return least_; }
   const point& most() const { return most_; }
@@ -48,6 +48,7 @@ private:
     point at, direction;
     text words;
     std::string style;
+    double radius; ///< of the mark at the point
   };
   struct box {
     point least = point::Zero(), most = point::Zero();
@@ -170,8 +171,10 @@ inline void canvas::ellipse(layer on, const point& center, const Eigen::Matrix2d
                   detail::pixels(radii(0) > 0 ? angle : 0) + ")\"/>");
 }
 
-inline void canvas::label(const point& at, const point& direction, text words, std::string_view style) {
-  labels_.push_back({at, direction.isZero() ? point(1, 1) : direction, std::move(words), std::string(style)});
+inline void canvas::label(const point& at, const point& direction, text words, std::string_view style,
+                          double radius) {
+  labels_.push_back(
+      {at, direction.isZero() ? point(1, 1) : direction, std::move(words), std::string(style), radius});
 }
 
 inline canvas::box canvas::box_of(const pending_label& each, double turn, double distance) const {
@@ -199,7 +202,7 @@ inline void canvas::place(const pending_label& each) {
   for (const double distance : {5.0, 11.0, 20.0, 32.0})
     for (int i = 0; i < 16; ++i) {
       const double turn = (i % 2 == 0 ? 1 : -1) * std::numbers::pi / 8 * ((i + 1) / 2);
-      const box b = box_of(each, turn, distance);
+      const box b = box_of(each, turn, each.radius + distance);
       const double cost = cost_of(b) + std::abs(turn) + distance / 6;
       if (cost < least_cost) least_cost = cost, best = b;
     }

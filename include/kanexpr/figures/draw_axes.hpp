@@ -89,7 +89,7 @@ inline void draw_angle(drawing& d, int f, int place, double radius) {
   d.on.line(layer::lines, here, here + 1.35 * on_arc(-angle), "dashed");
   d.on.line(layer::lines, here, here + 1.35 * on_arc(0), "pale");
   d.on.label(here + on_arc(-angle / 2), on_arc(-angle / 2),
-             typeset(symbolic::print(d.mechanism().frames[f].angle)), "angle");
+             typeset(d.name_of_size(d.mechanism().frames[f].angle)), "angle");
 }
 
 inline void draw_angles(drawing& d) {

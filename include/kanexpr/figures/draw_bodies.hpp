@@ -75,8 +75,8 @@ inline void draw_mass_center(drawing& d, const Eigen::Vector2d& here) {
 /// Draws bodies at their mass centers and, unless the figure is crowded, the other points.
 inline void draw_points(drawing& d, bool with_names) {
   const mechanics::mechanism& m = d.mechanism();
-  const auto label = [&](int point, std::string_view called) {
-    if (with_names) d.on.label(d.picture(point), {0.8, -0.8}, typeset(called), "name");
+  const auto label = [&](int point, std::string_view called, double radius) {
+    if (with_names) d.on.label(d.picture(point), {0.8, -0.8}, typeset(called), "name", radius);
   };
   std::vector<bool> is_center(d.at.points.size());
   for (int i = 0; i < m.bodies.size(); ++i) {
@@ -86,13 +86,13 @@ inline void draw_points(drawing& d, bool with_names) {
       d.on.circle(layer::marks, d.picture(b.center), 6, "filled " + d.color_of_body(i));
     else
       draw_mass_center(d, d.picture(b.center));
-    label(b.center, b.called.view());
+    label(b.center, b.called.view(), 6);
   }
   for (int i = 0; i < m.points.size(); ++i) {
     if (m.points[i].parent == mechanics::none) draw_ground(d, d.picture(i));
     if (is_center[static_cast<std::size_t>(i)] || d.is_crowded()) continue;
     d.on.circle(layer::marks, d.picture(i), 3, "hollow");
-    label(i, m.points[i].called.view());
+    label(i, m.points[i].called.view(), 2);
   }
 }
 

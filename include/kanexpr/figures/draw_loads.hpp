@@ -21,12 +21,14 @@ inline Eigen::Vector3d across(const Eigen::Vector3d& v) {
 
 } // namespace detail
 
-/// The only component of a load; if there are several, or if its text is long, a name for the load.
+/// The only component of a load. If there are several, or if its text is long, a name for the load; none if
+/// the name belongs to a symbol.
 inline text label_of_load(const drawing& d, const mechanics::vector& value, std::string_view otherwise) {
   constexpr std::size_t longest = 24;
   const detail::single_component along = detail::single_component_of(value);
   const std::string component = along.axis == detail::no_axis ? std::string() : d.name_of_size(along.value);
-  return typeset(component.empty() || component.size() > longest ? otherwise : component);
+  if (!component.empty() && component.size() <= longest) return typeset(component);
+  return d.has_symbol(otherwise) ? text() : typeset(otherwise);
 }
 
 inline void draw_force(drawing& d, int i) {
@@ -81,14 +83,17 @@ inline void draw_loads(drawing& d) {
     if (along.norm() < 4) continue;
     const Eigen::Vector2d aside = 6 * Eigen::Vector2d(-along(1), along(0)).normalized();
     const bool has_spring = !each.stiffness.is_zero(), has_damper = !each.damping.is_zero();
-    const Eigen::Vector2d beside = has_spring ? Eigen::Vector2d(-2.6 * aside) : Eigen::Vector2d(0, 0);
+    const bool has_both = has_spring && has_damper;
+    const Eigen::Vector2d apart = has_both ? Eigen::Vector2d(1.4 * aside) : Eigen::Vector2d(0, 0);
+    for (const Eigen::Vector2d& end : {from, Eigen::Vector2d(from + along)})
+      if (has_both) d.on.line(layer::axes, end + apart, end - apart, "load");
     if (has_spring) {
-      draw_spring(d, from, along, aside);
-      d.on.label(from + along / 2, aside, typeset(d.name_of_size(each.stiffness)), "load");
+      draw_spring(d, from + apart, along, aside);
+      d.on.label(from + along / 2 + apart, aside, typeset(d.name_of_size(each.stiffness)), "load", 6);
     }
     if (has_damper) {
-      draw_damper(d, from + beside, along, aside);
-      d.on.label(from + along / 2 + beside, -aside, typeset(d.name_of_size(each.damping)), "load");
+      draw_damper(d, from - apart, along, aside);
+      d.on.label(from + along / 2 - apart, -aside, typeset(d.name_of_size(each.damping)), "load", 6);
     }
   }
 }

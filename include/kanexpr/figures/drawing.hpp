@@ -13,6 +13,7 @@
 #include <Eigen/Geometry>
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace kanexpr::figures {
@@ -74,6 +75,7 @@ struct drawing {
   bool is_crowded() const { return mechanism().frames.size() > 9; }
   /// The style of a body's color.
   static std::string color_of_body(int body) { return "b" + std::to_string(body % 6); }
+  bool has_symbol(std::string_view called) const;
   /// An expression without the sign of a negative product; the direction in which the quantity is drawn shows
   /// the sign.
   static std::string name_of_size(const symbolic::expression& e) {
@@ -113,6 +115,14 @@ inline int drawing::body_of_frame(int frame) const {
 inline bool drawing::has_links(int frame) const {
   for (const mechanics::point& p : mechanism().points)
     if (p.parent != mechanics::none && detail::frame_of(p.offset) == frame) return true;
+  return false;
+}
+
+inline bool drawing::has_symbol(std::string_view called) const {
+  const mechanics::mechanism& m = mechanism();
+  for (const auto* list : {&m.coordinates, &m.speeds, &m.parameters, &m.inputs})
+    for (const symbolic::expression& e : *list)
+      if (symbolic::print(e) == called) return true;
   return false;
 }
 

@@ -1,12 +1,14 @@
 #pragma once
 
+#include <kanexpr/symbolic/printing/greek.hpp>
+
+#include <algorithm>
 #include <array>
 #include <cctype>
 #include <charconv>
 #include <string>
 #include <string_view>
 #include <system_error>
-#include <utility>
 
 namespace kanexpr::figures {
 
@@ -17,17 +19,6 @@ struct text {
 };
 
 namespace detail {
-
-inline std::string_view greek(std::string_view word) {
-  constexpr auto letters = std::to_array<std::pair<std::string_view, std::string_view>>(
-      {{"alpha", "α"}, {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"},  {"epsilon", "ε"}, {"zeta", "ζ"},
-       {"eta", "η"},   {"theta", "θ"}, {"kappa", "κ"}, {"lambda", "λ"}, {"mu", "μ"},      {"nu", "ν"},
-       {"xi", "ξ"},    {"rho", "ρ"},   {"sigma", "σ"}, {"tau", "τ"},    {"phi", "φ"},     {"chi", "χ"},
-       {"psi", "ψ"},   {"omega", "ω"}, {"Omega", "Ω"}, {"Delta", "Δ"},  {"Phi", "Φ"},     {"pi", "π"}});
-  for (const auto& [name, letter] : letters)
-    if (name == word) return letter;
-  return word;
-}
 
 /// A decimal number, rounded to five significant digits if it is long.
 inline std::string shortened(std::string_view number) {
@@ -44,8 +35,8 @@ inline std::string shortened(std::string_view number) {
 
 } // namespace detail
 
-/// Writes digits after a letter as a subscript, names of Greek letters as the letters, and products without a
-/// multiplication sign.
+/// Writes digits after a letter, and words after an underscore, as a subscript, names of Greek letters as the
+/// letters, and products without a multiplication sign.
 inline text typeset(std::string_view plain) {
   constexpr double letter = 7.4, subscript = 5.2;
   text out;
@@ -54,14 +45,17 @@ inline text typeset(std::string_view plain) {
     std::size_t end = at;
     if (is(plain[at], std::isalpha)) {
       while (end < plain.size() && is(plain[end], std::isalpha)) ++end;
-      const std::string_view word = plain.substr(at, end - at), sign = detail::greek(word);
+      const std::string_view word = plain.substr(at, end - at),
+                             letter_called = symbolic::printing::greek_letter_called(word),
+                             sign = letter_called.empty() ? word : letter_called;
       out.svg += sign;
       out.width += letter * (sign == word ? static_cast<double>(word.size()) : 1.0);
       at = end + (end < plain.size() && plain[end] == '_' ? 1 : 0);
-      for (end = at; end < plain.size() && is(plain[end], std::isalnum);) ++end;
+      for (end = at; end < plain.size() && (is(plain[end], std::isalnum) || plain[end] == '_');) ++end;
       if (end == at) continue;
-      out.svg += "<tspan class=\"sub\" dy=\"3\">" + std::string(plain.substr(at, end - at)) +
-                 "</tspan><tspan dy=\"-3\">\u200b</tspan>";
+      std::string below(plain.substr(at, end - at)); // q_joint_1 has the subscript joint,1
+      std::ranges::replace(below, '_', ',');
+      out.svg += "<tspan class=\"sub\" dy=\"3\">" + below + "</tspan><tspan dy=\"-3\">\u200b</tspan>";
       out.width += subscript * static_cast<double>(end - at);
     } else if (is(plain[at], std::isdigit)) {
       const auto continues = [&] { // an exponent may have a sign

@@ -61,10 +61,9 @@ inline view view_of(const geometry& g, const Eigen::Vector3d& upward) {
                             up);
 }
 
-/// The view that a textbook would use: a planar system is viewed perpendicular to its plane, a spatial one
-/// obliquely from above. Up is opposite to gravity; without gravity, it is along N.y in a plane and along N.z
-/// in space.
-inline view view_of(const geometry& g) {
+/// The up direction, opposite to gravity; without gravity, along N.y in a plane and along N.z in space. A
+/// planar system may move across gravity; it is then treated as one without.
+inline Eigen::Vector3d upward_of(const geometry& g) {
   const auto nearest_axis = [](const Eigen::Vector3d& v) {
     int along = 0;
     v.cwiseAbs().maxCoeff(&along);
@@ -73,10 +72,14 @@ inline view view_of(const geometry& g) {
   if (!g.gravity.isZero()) {
     const Eigen::Vector3d up = -g.gravity.stableNormalized();
     const bool is_across = detail::is_planar(g, nearest_axis(up)) && g.points.size() > 1;
-    if (!is_across) return view_of(g, up);
+    if (!is_across) return up;
   }
   const bool is_in_z = detail::is_planar(g, Eigen::Vector3d::UnitZ());
-  return view_of(g, is_in_z ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ());
+  return is_in_z ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
 }
+
+/// The view that a textbook would use: a planar system is viewed perpendicular to its plane, a spatial one
+/// obliquely from above.
+inline view view_of(const geometry& g) { return view_of(g, upward_of(g)); }
 
 } // namespace kanexpr::figures

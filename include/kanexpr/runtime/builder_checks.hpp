@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/base/utf8.hpp>
 #include <kanexpr/mechanics/checks/check_name.hpp>
 #include <kanexpr/mechanics/checks/check_numbers.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
@@ -113,6 +114,7 @@ private:
     return fail({whose, " refers to ", kind, " number ", digits.view(), ", which does not exist"});
   }
   bool is_valid_name(std::string_view kinds, std::string_view called) {
+    if (!base::is_utf8(called)) return fail({"the name of one of the ", kinds, " is not valid UTF-8"});
     const sentence found = mechanics::check_name(called, kinds);
     return !found || fail({found.view()});
   }

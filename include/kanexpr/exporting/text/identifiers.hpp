@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/library_words.hpp>
+#include <kanexpr/base/utf8.hpp>
 
 #include <set>
 #include <string>
@@ -31,11 +32,9 @@ isinstance len list pathlib range str zip ArithmeticError KeyError Singular Valu
 inline std::string printable(std::string_view text) {
   std::string fit;
   while (!text.empty()) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const std::size_t length = byte(0) < 0x80 ? 1 : byte(0) < 0xe0 ? 2 : byte(0) < 0xf0 ? 3 : 4;
-    bool is_fit = byte(0) < 0x80 ? byte(0) >= ' ' && byte(0) != 0x7f : byte(0) >= 0xc2 && byte(0) < 0xf5;
-    is_fit = is_fit && length <= text.size();
-    for (std::size_t i = 1; is_fit && i < length; ++i) is_fit = (byte(i) & 0xc0u) == 0x80;
+    const std::size_t length = base::bytes_of_first_character(text);
+    const bool is_control = length == 1 && (static_cast<unsigned char>(text[0]) < ' ' || text[0] == '\x7f');
+    const bool is_fit = length > 0 && !is_control;
     fit += is_fit ? text.substr(0, length) : "_";
     text.remove_prefix(is_fit ? length : 1);
   }

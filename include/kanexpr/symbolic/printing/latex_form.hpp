@@ -6,11 +6,11 @@
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/symbolic/printing/greek.hpp>
 #include <kanexpr/symbolic/printing/latex.hpp>
 #include <kanexpr/symbolic/printing/writer.hpp>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,19 +44,10 @@ struct name_parts {
   }
 };
 
-inline bool is_greek(std::string_view word) {
-  constexpr std::array<std::string_view, 36> letters{
-      "alpha",   "beta",   "gamma", "delta", "epsilon", "zeta",   "eta",   "theta", "iota",
-      "kappa",   "lambda", "mu",    "nu",    "xi",      "pi",     "rho",   "sigma", "tau",
-      "upsilon", "phi",    "chi",   "psi",   "omega",   "varphi", "Gamma", "Delta", "Theta",
-      "Lambda",  "Xi",     "Pi",    "Sigma", "Upsilon", "Phi",    "Psi",   "Omega", "varepsilon"};
-  return std::ranges::find(letters, word) != letters.end();
-}
-
 /// Writes a single letter, a Greek letter given by its name, or an upright word.
 inline std::string latex_identifier(const std::string& word) {
   if (word.size() == 1) return word;
-  return is_greek(word) ? "\\" + word : "\\mathrm{" + word + "}";
+  return !greek_letter_called(word).empty() ? "\\" + word : "\\mathrm{" + word + "}";
 }
 
 /// Trailing primes, as in `theta''`, denote time derivatives and become dots.
