@@ -53,7 +53,7 @@ endif()
 install(TARGETS kanexpr_animate EXPORT kanexpr-animate-targets)
 install(EXPORT kanexpr-animate-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 kanexpr_pkgconfig(animate "Animated pages of kanexpr's models; page_options::empty_page is share/kanexpr/kanexpr.html"
-  REQUIRES kanexpr nlohmann_json)
+  REQUIRES kanexpr nlohmann_json ONLY_WITH ${KANEXPR_PAGE})
 kanexpr_add_engine_of(animate PAGES)
 
 # The installed package omits the target if the page is missing.

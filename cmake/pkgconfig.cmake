@@ -1,7 +1,8 @@
-# kanexpr_pkgconfig(<part> <description> REQUIRES <package>... [CFLAGS <option>...] [LIBS <option>...]): installs
-# kanexpr-<part>.pc, or kanexpr.pc if <part> is kanexpr. The files work wherever they are installed.
+# kanexpr_pkgconfig(<part> <description> REQUIRES <package>... [CFLAGS <option>...] [LIBS <option>...] [ONLY_WITH <file>]):
+# installs kanexpr-<part>.pc, or kanexpr.pc if <part> is kanexpr; with ONLY_WITH, only if the file exists at that time. The
+# files work wherever they are installed.
 function(kanexpr_pkgconfig part description)
-  cmake_parse_arguments(PARSE_ARGV 2 kanexpr_pc "" "" "REQUIRES;CFLAGS;LIBS")
+  cmake_parse_arguments(PARSE_ARGV 2 kanexpr_pc "" "ONLY_WITH" "REQUIRES;CFLAGS;LIBS")
   string(REPLACE "_" "-" part "${part}")
   set(kanexpr_pc_name kanexpr-${part})
   if(part STREQUAL "kanexpr")
@@ -16,7 +17,14 @@ function(kanexpr_pkgconfig part description)
   file(RELATIVE_PATH kanexpr_pc_prefix /${folder} /)
   string(REGEX REPLACE "/$" "" kanexpr_pc_prefix "${kanexpr_pc_prefix}")
   configure_file(${PROJECT_SOURCE_DIR}/cmake/packages/kanexpr.pc.in ${PROJECT_BINARY_DIR}/${kanexpr_pc_name}.pc @ONLY)
-  install(FILES ${PROJECT_BINARY_DIR}/${kanexpr_pc_name}.pc DESTINATION ${folder})
+  if(kanexpr_pc_ONLY_WITH)
+    install(CODE "
+      if(EXISTS \"${kanexpr_pc_ONLY_WITH}\")
+        file(INSTALL \"${PROJECT_BINARY_DIR}/${kanexpr_pc_name}.pc\" DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${folder}\")
+      endif()")
+  else()
+    install(FILES ${PROJECT_BINARY_DIR}/${kanexpr_pc_name}.pc DESTINATION ${folder})
+  endif()
 endfunction()
 
 # The options of the compiler with which this build is configured; a project with a different compiler uses the variable
