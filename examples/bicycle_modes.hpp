@@ -1,17 +1,11 @@
 #pragma once
 
+#include "lean_and_steer_modes.hpp"
+
 #include <kanexpr/steps/assemble.hpp>
 #include <models/bicycle.hpp>
 
-#include <Eigen/Eigenvalues>
-#include <boost/math/tools/toms748_solve.hpp>
-
-#include <algorithm>
 #include <array>
-#include <complex>
-#include <cstdint>
-#include <functional>
-#include <tuple>
 
 /// The motion of the bicycle near upright straight riding, described by the eigenvalues of its linearized
 /// equations.
@@ -34,33 +28,8 @@ inline Eigen::Matrix4d lean_and_steer(double v) {
   return A(places, places);
 }
 
-/// The eigenvalues, in 1/s. In the weave mode the bicycle swings from side to side; below 0.7 m/s the mode
-/// splits into two real ones, and the bicycle simply falls. In the capsize mode it slowly falls to one side,
-/// and in the castering mode the front wheel turns into its track.
-struct modes {
-  std::complex<double> weave[2];
-  double capsize, castering;
-};
+inline modes modes_at(double v) { return modes_of(lean_and_steer(v)); }
 
-/// Oscillating modes come first, then those that grow faster.
-inline modes modes_at(double v) {
-  const Eigen::Vector4cd found = lean_and_steer(v).eigenvalues();
-  std::array s{found(0), found(1), found(2), found(3)};
-  const auto rank = [](std::complex<double> one) {
-    return std::tuple(one.imag() != 0, one.real(), one.imag());
-  };
-  std::ranges::sort(s, std::greater{}, rank);
-  return {{s[0], s[1]}, s[2].real(), s[3].real()};
-}
-
-/// The speed, up to 10 m/s, at which a mode neither grows nor decays.
-template <class Growth>
-double critical_speed(const Growth& growth) {
-  using namespace boost::math::tools;
-  std::uintmax_t most_steps = 100;
-  const auto [below, above] = toms748_solve(growth, 0.0, 10.0, eps_tolerance<double>(), most_steps);
-  return (below + above) / 2;
-}
 inline double weave_speed() {
   return critical_speed([](double v) { return modes_at(v).weave[0].real(); });
 }

@@ -1,4 +1,4 @@
-#include "demo/parts.hpp"
+#include "demo/compiled.hpp"
 #include "demo/ride.hpp"
 #include "demo/time_of.hpp"
 

@@ -1,10 +1,20 @@
 #include "demo/parts.hpp"
 
-/// Systems from their types to numbers and pictures. demo FOLDER leaves the motions of a bicycle there.
+#include <cstdio>
+#include <filesystem>
+
+/// Systems from their types to equations, numbers, figures and moving pictures: demo FOLDER.
 int main(int count, char** words) {
-  const bool disc = demo::show_rolling_disc();
-  const bool arm = demo::show_iiwa();
-  const bool bicycle = demo::show_bicycle();
-  const bool rides = demo::show_rides(count > 1 ? words[1] : ".");
-  return disc && arm && bicycle && rides ? 0 : 1;
+  const std::string folder = count > 1 ? words[1] : ".";
+  std::filesystem::create_directories(folder);
+  std::vector<demo::exhibit> all;
+  bool right = true;
+  for (const auto part :
+       {demo::show_double_pendulum, demo::show_rolling_disc, demo::show_iiwa, demo::show_bicycle})
+    right = part() && right;
+  for (const auto part : {demo::draw_systems, demo::show_rides, demo::show_eigenvalues})
+    right = part(folder, all) && right;
+  right = demo::write_index(folder, all) && right;
+  if (!right) std::fprintf(stderr, "\nThe demo found results that differ from those expected; see above.\n");
+  return right ? 0 : 1;
 }

@@ -1,31 +1,31 @@
 #pragma once
 
-#include <kanexpr/kanexpr.hpp>
-
 #include <string>
-#include <utility>
 #include <vector>
 
-/// What the demo shows, from a file of its own for each system, so that the build can tell what the compiler
-/// needed to derive it.
+/// The parts of the demo. Each prints what it did and returns whether it is as expected.
 namespace demo {
 
-struct compiled {
-  Eigen::VectorXd udot;
-  Eigen::VectorXd reference;
-  std::vector<std::pair<const char*, kanexpr::symbolic::cost>> costs;
-  double nanoseconds; ///< of one evaluation of the last of them
+/// Something that the demo wrote to its folder, for the index.
+struct exhibit {
+  std::string title{}, text{};
+  std::string figure{}; ///< a file
+  struct link {
+    std::string words{}, file{};
+  };
+  std::vector<link> links{};
 };
 
-compiled compiled_rolling_disc();
-compiled compiled_iiwa();
-compiled compiled_bicycle();
-
-// Each prints its part, and says whether it is as it should be.
+bool show_double_pendulum();
 bool show_rolling_disc();
 bool show_iiwa();
 bool show_bicycle();
-/// Leaves the motions of the bicycle in a folder.
-bool show_rides(const std::string& folder);
+
+/// These write files to a folder and add them to the index.
+bool draw_systems(const std::string& folder, std::vector<exhibit>& all);
+bool show_eigenvalues(const std::string& folder, std::vector<exhibit>& all);
+bool show_rides(const std::string& folder, std::vector<exhibit>& all);
+
+bool write_index(const std::string& folder, const std::vector<exhibit>& all);
 
 } // namespace demo

@@ -1,5 +1,5 @@
 #include "models/rolling_disc.hpp"
-#include "demo/parts.hpp"
+#include "demo/compiled.hpp"
 #include "demo/time_of.hpp"
 
 demo::compiled demo::compiled_rolling_disc() {
