@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """reference.py ROOT XML FOLDER: writes the pages of the reference to FOLDER, from the XML that Doxygen generated from the headers.
 
-tests/rooms/public_names.py decides which names are public and finds their examples.
+tests/rooms/public_names.py decides which names are public and finds their examples. Breathe, which shows Doxygen's XML in
+Sphinx, would show neither examples nor the members that classes inherit from internal bases.
 """
 
 import pathlib
@@ -166,7 +167,7 @@ class Reference:
             parts += [part for name in names for part in self.entry(name) if part]
             (folder / f"{page}.md").write_text("\n\n".join(parts) + "\n")
             listed.append(f"| [{title}]({page}.md) | {about} |")
-        tree = "```{toctree}\n:hidden:\n\n" + "\n".join(f"{title} <{page}>" for page, title, *_ in PAGES) + "\n```"
+        tree = "```{toctree}\n:hidden:\n\n" + "\n".join(f"{title} <{page}>" for page, title, *_ in PAGES) + "\nexamples\n```"
         index = folder / "index.md"
         index.write_text(index.read_text().replace("<!-- pages -->", "| | |\n|---|---|\n" + "\n".join(listed) + "\n\n" + tree))
 

@@ -1,8 +1,9 @@
 // builds: g++
-// Examples of single words of a model: docs/reference/examples.md.
+// Examples of single words of a model and of its figure: docs/reference/examples.md.
 #include "docs/complete.hpp"
 #include "docs/no_mistake.hpp"
 
+#include <kanexpr/figures.hpp>
 #include <kanexpr/joints.hpp>
 #include <kanexpr/reactions.hpp>
 
@@ -66,6 +67,11 @@ TEST(reference, moves) {
   EXPECT_NEAR(velocity_in_A(at, p)(1), 2, 1e-15);
   EXPECT_NEAR(partial_velocity(at, p)(1), 1, 1e-15);
   EXPECT_EQ((derive<System, square(velocity_of<P>), about_z(outer(N::z, N::z)), moment>().mistake()), "");
+}
+
+TEST(reference, has_figures) {
+#include <docs/reference/examples/figure.cpp>
+  EXPECT_TRUE(drawing) << drawing.cause();
 }
 
 } // namespace

@@ -37,9 +37,8 @@ constexpr auto constant_values(std::initializer_list<entry<System, which, double
 
 } // namespace compiled
 
-/// Return the state, the parameters or the inputs of a system from values given by name, for constant
-/// expressions: `eom::udot.constant(constant_state<System>({{q1, 0.1}, {u1, 0}}),
-/// constant_parameters<System>({{m, 2}}))`.
+/// Returns the state of a system from values given by name, for constant expressions:
+/// `eom::udot.constant(constant_state<System>({{q1, 0.1}, {u1, 0}}), constant_parameters<System>({{m, 2}}))`.
 template <class System>
 constexpr auto
 constant_state(std::initializer_list<compiled::entry<System, compiled::symbols_of::state, double>> named) {

@@ -53,24 +53,25 @@ private:
     return describe::form(symbolic::composition::name, x...);                                                \
   }
 
-/// `hypot(x, y)`: √(x² + y²). The squares overflow beyond 1e154, or 1e19 in float.
+/// The hypotenuse √(x² + y²) of two scalars, `hypot(x, y)`. The squares overflow beyond 1e154, or 1e19 in
+/// float.
 KANEXPR_COMPOSED_FUNCTION(hypot, composed)
-/// `if_positive(condition, a, b)`: a if the condition is positive, otherwise b.
+/// Selects a if the condition is positive and b otherwise: `if_positive(condition, a, b)`.
 KANEXPR_COMPOSED_FUNCTION(if_positive, composed_with_zeros)
-/// `min(a, b)`: the smaller of two scalars, `if_positive(b - a, a, b)`; NaN if either is NaN.
+/// The smaller of two scalars, `min(a, b)`: `if_positive(b - a, a, b)`; NaN if either is NaN.
 KANEXPR_COMPOSED_FUNCTION(min, composed_with_zeros)
-/// `max(a, b)`: the larger of two scalars, `if_positive(a - b, a, b)`; NaN if either is NaN.
+/// The larger of two scalars, `max(a, b)`: `if_positive(a - b, a, b)`; NaN if either is NaN.
 KANEXPR_COMPOSED_FUNCTION(max, composed_with_zeros)
-/// `smooth_abs(x, width)`: |x| rounded within about `width` of 0, x tanh(x/width).
+/// |x| rounded within about `width` of 0, `smooth_abs(x, width)`: x tanh(x/width).
 KANEXPR_COMPOSED_FUNCTION(smooth_abs, composed)
-/// `softplus(x, width)`: max(x, 0) rounded within about `width` of 0, width ln(1 + e^(x/width)).
+/// max(x, 0) rounded within about `width` of 0, `softplus(x, width)`: width ln(1 + e^(x/width)).
 KANEXPR_COMPOSED_FUNCTION(softplus, composed)
-/// `smooth_step(x, from, to)`: rises from 0 at x = `from` to 1 at x = `to`, with continuous second
-/// derivatives.
+/// A step that rises from 0 at x = `from` to 1 at x = `to` with continuous second derivatives:
+/// `smooth_step(x, from, to)`.
 KANEXPR_COMPOSED_FUNCTION(smooth_step, composed_with_zeros)
 #undef KANEXPR_COMPOSED_FUNCTION
 
-/// `clamp(x, least, most)`: x limited to [least, most]; `most` if `least` exceeds it.
+/// The scalar x limited to [least, most], `clamp(x, least, most)`; `most` if `least` exceeds it.
 template <class... Operands>
   requires describe::any_of_a_model<Operands...>
 constexpr auto clamp(const Operands&... x) {
@@ -84,7 +85,8 @@ constexpr auto clamp(const Operands&... x) {
 template <auto... points>
 inline constexpr describe::table_word<symbolic::composition::tabulated, points...> tabulated{};
 
-/// The same for a periodic curve, whose last value must equal the first.
+/// Monotone cubic interpolation of a periodic curve, whose last value must equal the first: `periodic<x0, y0,
+/// x1, y1, x2, y0>(q)`.
 template <auto... points>
 inline constexpr describe::table_word<symbolic::composition::periodic, points...> periodic{};
 

@@ -220,7 +220,7 @@ template <class Reference, auto... value>
 struct angular_velocity
     : describe::declared_rotation<"angular_velocity<Reference, vector>", false, Reference, value...> {};
 
-/// The same for a frame whose orientation is intentionally inconsistent with its angular velocity.
+/// Declares the angular velocity of a frame whose orientation is intentionally inconsistent with it.
 template <class Reference, auto... value>
 struct angular_velocity_apart_from_orientation
     : describe::declared_rotation<"angular_velocity_apart_from_orientation<Reference, vector>", true,

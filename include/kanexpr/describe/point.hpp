@@ -91,7 +91,7 @@ struct declared_motion : velocity_words {
 template <class Reference, auto... value>
 struct velocity : describe::declared_motion<"velocity<Reference, vector>", false, Reference, value...> {};
 
-/// The same for a point whose position is intentionally inconsistent with its velocity.
+/// Declares the velocity of a point whose position is intentionally inconsistent with it.
 template <class Reference, auto... value>
 struct velocity_apart_from_position
     : describe::declared_motion<"velocity_apart_from_position<Reference, vector>", true, Reference,
