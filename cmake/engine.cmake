@@ -17,16 +17,25 @@ function(kanexpr_add_engine name)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
 endfunction()
 
-# kanexpr_add_engine_of(<part> <what> [<folder>]): the engine of a part with additional dependencies, kanexpr::<part>_engine. Its
-# sources are in the folder named after the part, or in <folder>.
+# kanexpr_add_engine_of(<part> <what> [FOLDER <folder>] [USES <other part>]): the engine of a part with additional dependencies,
+# kanexpr::<part>_engine, which may use the engine of another part. Its sources are in the folder named after the part, or in
+# <folder>.
 function(kanexpr_add_engine_of part what)
+  cmake_parse_arguments(PARSE_ARGV 2 engine "" "FOLDER;USES" "")
   set(name kanexpr_${part}_engine)
-  set(folder ${ARGN} ${part})
-  list(GET folder 0 folder)
+  set(folder ${part})
+  if(engine_FOLDER)
+    set(folder ${engine_FOLDER})
+  endif()
   file(GLOB sources CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/include/kanexpr/${folder}/*.cpp)
   add_library(${name} STATIC ${sources})
   add_library(kanexpr::${part}_engine ALIAS ${name})
   target_link_libraries(${name} PUBLIC kanexpr_${part})
+  set(packages kanexpr-${part})
+  if(engine_USES)
+    target_link_libraries(${name} PUBLIC kanexpr_${engine_USES}_engine)
+    list(PREPEND packages kanexpr-${engine_USES}-engine) # a linker searches libraries in this order
+  endif()
   target_compile_definitions(${name} PUBLIC KANEXPR_COMPILED_${what} PRIVATE KANEXPR_WITHIN_A_LIBRARY)
   target_compile_options(${name} PRIVATE -ffp-contract=off)
   set_target_properties(${name} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON EXPORT_NAME ${part}_engine
@@ -35,7 +44,7 @@ function(kanexpr_add_engine_of part what)
     install(TARGETS ${name} EXPORT kanexpr-${part}_engine-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
     install(EXPORT kanexpr-${part}_engine-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
     kanexpr_pkgconfig(${part}_engine "kanexpr-${part} with the parts that do not depend on the model as a library"
-      REQUIRES kanexpr-${part} CFLAGS -DKANEXPR_COMPILED_${what} LIBS -L\${libdir} -l${name})
+      REQUIRES ${packages} CFLAGS -DKANEXPR_COMPILED_${what} LIBS -L\${libdir} -l${name})
   else()
     set_target_properties(${name} PROPERTIES EXCLUDE_FROM_ALL ON)
   endif()

@@ -12,5 +12,4 @@ install(TARGETS kanexpr_ensemble EXPORT kanexpr-ensemble-targets)
 install(EXPORT kanexpr-ensemble-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
 
 kanexpr_pkgconfig(ensemble "Many simulations on several threads" REQUIRES kanexpr-simulate LIBS -pthread)
-kanexpr_add_engine_of(ensemble ENSEMBLES ensembles)
-target_link_libraries(kanexpr_ensemble_engine PUBLIC kanexpr_simulate_engine)
+kanexpr_add_engine_of(ensemble ENSEMBLES FOLDER ensembles USES simulate)

@@ -13,5 +13,4 @@ install(EXPORT kanexpr-hdf5-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_pa
 
 kanexpr_pkgconfig(hdf5 "HDF5 files for the results of many simulations" REQUIRES kanexpr-ensemble
   CFLAGS -I${kanexpr_hdf5_include} LIBS ${kanexpr_hdf5_library})
-kanexpr_add_engine_of(hdf5 HDF5 ensembles/hdf5)
-target_link_libraries(kanexpr_hdf5_engine PUBLIC kanexpr_ensemble_engine)
+kanexpr_add_engine_of(hdf5 HDF5 FOLDER ensembles/hdf5 USES ensemble)

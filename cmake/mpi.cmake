@@ -15,5 +15,4 @@ install(EXPORT kanexpr-mpi-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_pac
 
 kanexpr_pkgconfig(mpi "Many simulations on the ranks of MPI; compile with mpicxx" REQUIRES kanexpr-ensemble
   CFLAGS -DOMPI_SKIP_MPICXX -DMPICH_SKIP_MPICXX)
-kanexpr_add_engine_of(mpi MPI)
-target_link_libraries(kanexpr_mpi_engine PUBLIC kanexpr_ensemble_engine)
+kanexpr_add_engine_of(mpi MPI USES ensemble)

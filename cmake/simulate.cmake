@@ -16,4 +16,4 @@ install(EXPORT kanexpr-simulate-targets NAMESPACE kanexpr:: DESTINATION ${kanexp
 kanexpr_pkgconfig(simulate "Simulations of kanexpr's models, by SUNDIALS" REQUIRES kanexpr LIBS -lsundials_cvode
   -lsundials_arkode -lsundials_ida -lsundials_kinsol -lsundials_nvecserial -lsundials_sunmatrixdense
   -lsundials_sunlinsoldense -lsundials_sunnonlinsolfixedpoint)
-kanexpr_add_engine_of(simulate SIMULATIONS simulations)
+kanexpr_add_engine_of(simulate SIMULATIONS FOLDER simulations)
