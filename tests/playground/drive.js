@@ -159,8 +159,9 @@ async function checkLinearization(page) {
 async function checkValues(page) {
   await page.getByRole('tab', { name: 'Values' }).click();
   await page.getByLabel('F, exactly').fill('3');
-  assert.equal(await page.evaluate(() => window.playground.engine.inputs(1)[0]), 3);
   await page.getByRole('button', { name: 'Back to the start' }).click();
+  assert.equal(await page.evaluate(() => window.playground.engine.inputs(1)[0]), 3);
+  await page.getByLabel('F, exactly').fill('0');
 }
 
 async function checkTakingAway(page) {

@@ -6,16 +6,21 @@ import { digits } from './energy.js';
 function matrix(name, { rows, columns, entries, operations }) {
   if (rows * columns === 0) return null;
   if (!entries) return { name, rows, columns, operations };
-  const text = entries.map((each) => (typeof each === 'number' ? digits(each).replace('−', '-') : each));
+  const text = entries.map((each) => (typeof each === 'number' ? digits(each).replace('−', '-') : shortened(each)));
   const lines = Array.from({ length: rows }, (_, i) => text.slice(i * columns, (i + 1) * columns).join(' & '));
   return { name, latex: `${name} = \\begin{bmatrix} ${lines.join(' \\\\[2pt] ')} \\end{bmatrix}` };
+}
+
+/// LaTeX in which decimal numbers have at most four significant digits.
+function shortened(latex) {
+  return latex.replace(/\d+\.\d{4,}/g, (number) => String(Number(Number(number).toPrecision(4))));
 }
 
 const column = (all) => `\\begin{bmatrix} ${all.join(' \\\\ ')} \\end{bmatrix}`;
 
 function headings(model) {
   const free = (all) => all.filter((each) => !each.dependent).map((each) => each.latex);
-  const rates = free(model.speeds).map((each) => `\\dot{${each}}`);
+  const rates = free(model.speeds).map((each) => each.replace(/^(\\mathrm\{[^}]*\}|\\?\w+?)(?=_|$)/, '\\dot{$1}'));
   const state = [...free(model.coordinates), ...free(model.speeds)];
   const inputs = model.inputs.map((each) => each.latex);
   return {

@@ -33,9 +33,7 @@ const player = new Player(engine, {
   onTrouble: (sentence) => say(sentence, true),
   onRestart: () => {
     player.pause();
-    if (!model) return;
-    engine.read(text);
-    open();
+    if (model) restart();
   },
 });
 
@@ -47,6 +45,16 @@ function say(sentence, isWrong) {
 function open() {
   player.open(model);
   results.open(model);
+}
+
+/// Returns to the initial state, with the parameters and inputs of this moment.
+function restart() {
+  const parameters = [...engine.parameters(model.parameters.length)], inputs = [...engine.inputs(model.inputs.length)];
+  engine.read(text);
+  engine.parameters(parameters.length).set(parameters);
+  engine.inputs(inputs.length).set(inputs);
+  engine.satisfyConstraints();
+  open();
 }
 
 /// Derives the model that is written, or shows its mistake and keeps the last model.
