@@ -76,7 +76,7 @@ int main(int count, char** words) {
                                 "Dynamical Systems 16 (2001), pages 347-397"});
   const auto run =
       simulate<System>({{x, 0}, {y, 0}, {theta, 0}, {u1, 0}},
-                       {{m1, 20}, {m2, 1.5}, {I1, 0.8}, {I2, 0.08}, {d1, 0.35}, {d2, -0.05}}, {0, 12},
+                       {{m1, 20}, {m2, 1.5}, {I1, 0.8}, {I2, 0.08}, {d1, 0.35}, {d2, -0.05}}, {0, 7},
                        {.inputs =
                             [](double t, const state<System>&, input_values<System>& r) {
                               using std::sin;

@@ -81,7 +81,7 @@ int main(int count, char** words) {
                                 "the snakeboard example, "
                                 "IEEE International Conference on Robotics and Automation (1994)"});
   const auto run = simulate<System>(
-      {{x, 0}, {y, 0}, {theta, 0}, {u1, 0}}, {{m, 6}, {l, 0.2}, {J, 0.06}, {Jr, 0.16}, {Jw, 0.002}}, {0, 14},
+      {{x, 0}, {y, 0}, {theta, 0}, {u1, 0}}, {{m, 6}, {l, 0.2}, {J, 0.06}, {Jr, 0.16}, {Jw, 0.002}}, {0, 8},
       {.inputs =
            [](double t, const state<System>&, input_values<System>& r) {
              using std::sin;
