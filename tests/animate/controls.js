@@ -90,13 +90,19 @@ async function checkPlots(page) {
   await page.keyboard.press(' ');
   assert.equal(await charts.first().getAttribute('aria-label'), 'q1 [rad] over time');
 
-  const box = await page.locator('.u-over').first().boundingBox();
-  const marker = page.locator('.now').first();
+  const boxOf = (chart) => page.locator('.u-over').nth(chart).boundingBox();
+  const isMarked = async (chart, t) => {
+    const box = await boxOf(chart);
+    const { x } = await page.locator('.now').nth(chart).boundingBox();
+    return Math.abs(x - box.x - (t / 6) * box.width) < 2;
+  };
+  const before = await timeOf(page);
+  assert.ok(before > 0 && await isMarked(0, before) && await isMarked(1, before), 'the markers of new plots');
   for (const t of [0, 1.5, 6]) {
     await seek(page, t);
-    const { x } = await marker.boundingBox();
-    assert.ok(Math.abs(x - box.x - (t / 6) * box.width) < 2, `the marker at ${t}`);
+    assert.ok(await isMarked(0, t), `the marker at ${t}`);
   }
+  const box = await boxOf(0);
   await page.mouse.click(box.x + 0.75 * box.width, box.y + 0.5 * box.height);
   assert.ok(Math.abs((await timeOf(page)) - 4.5) < 0.03);
   await page.mouse.move(box.x + 0.5 * box.width, box.y + 0.5 * box.height);

@@ -25,15 +25,19 @@ function named(part) {
   return object;
 }
 
+const pause = 100; // milliseconds between updates while the picture moves
+
 /// Shows the name at the pointer, or at the last touch. Returns a function that updates it.
 export function names(view, runs, camera) {
   const label = document.getElementById('name');
   const caster = new Raycaster();
   const objects = runs.flatMap((run) => run.objects).filter(({ shape }) => shape.kind !== 'trace');
   let pointer;
+  let updated = 0;
 
   function update() {
     if (!pointer) return;
+    updated = performance.now();
     const box = view.getBoundingClientRect();
     const at = new Vector2(
       (2 * (pointer.clientX - box.left)) / box.width - 1, 1 - (2 * (pointer.clientY - box.top)) / box.height);
@@ -64,5 +68,5 @@ export function names(view, runs, camera) {
   view.addEventListener('pointermove', move);
   view.addEventListener('pointerup', move);
   view.addEventListener('pointerleave', (event) => event.pointerType === 'mouse' && leave());
-  return update;
+  return () => performance.now() - updated > pause && update();
 }
