@@ -212,6 +212,7 @@ async function saved(page, name) {
 
 /// At ten times the speed and 15 frames per second, a frame every 2/3 s.
 async function checkFrames(page) {
+  await page.setViewportSize({ width: 660, height: 400 });
   await open(page, 'Record');
   await page.getByLabel('Frames per second').selectOption('15');
   await seek(page, 2);
@@ -232,7 +233,7 @@ async function checkFrames(page) {
 
   await page.getByLabel('Playback speed').selectOption('0.05×');
   await button(page, 'Frames (PNG)').click();
-  await button(page, 'Stop').click();
+  await button(page, 'Stop').dispatchEvent('click');
   await page.waitForFunction(() => document.getElementById('progress').textContent === 'Stopped.');
 }
 
