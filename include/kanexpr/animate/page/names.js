@@ -14,9 +14,10 @@ function textOf(object, runs) {
   return shape.name + whose + size;
 }
 
-/// Arrows and axes are seen through the shapes, so they come first.
+/// Arrows and axes are seen through the shapes, so they come first. A trace has a name only where it is drawn.
 function nearest(hits) {
-  return hits.find(({ object }) => object.renderOrder > 0) ?? hits[0];
+  const drawn = hits.filter(({ object, faceIndex }) => !object.isLine2 || faceIndex < object.geometry.instanceCount);
+  return drawn.find(({ object }) => object.renderOrder > 0) ?? drawn[0];
 }
 
 function named(part) {
@@ -31,7 +32,8 @@ const pause = 100; // milliseconds between updates while the picture moves
 export function names(view, runs, camera) {
   const label = document.getElementById('name');
   const caster = new Raycaster();
-  const objects = runs.flatMap((run) => run.objects).filter(({ shape }) => shape.kind !== 'trace');
+  caster.params.Line2 = { threshold: 8 }; // pixels
+  const objects = runs.flatMap((run) => run.objects);
   let pointer;
   let updated = 0;
 
