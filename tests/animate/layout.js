@@ -54,8 +54,9 @@ export async function checkLayout(page) {
 /// On a phone the picture is below the title, one panel is open at a time, and a touch shows a name.
 export async function checkPhone(page) {
   await checkAllPanels(page, 'a phone');
-  const boxes = await page.evaluate(() => ['title', 'view'].map((id) => document.getElementById(id).getBoundingClientRect()));
-  assert.ok(boxes[0].bottom <= boxes[1].top);
+  const boxOf = (id) => page.locator(`#${id}`).evaluate((one) => one.getBoundingClientRect().toJSON());
+  const { left, top, width, height } = await boxOf('view');
+  assert.ok((await boxOf('title')).bottom <= top);
   for (const name of panels) await page.getByRole('button', { name, exact: true }).tap();
   const open = page.locator('[aria-expanded="true"]');
   assert.deepEqual(await open.allTextContents(), ['Record']);
@@ -63,7 +64,6 @@ export async function checkPhone(page) {
 
   await page.evaluate(() => window.kanexpr.seek(1.4));
   const name = page.locator('#name');
-  const { left, top, width, height } = await page.evaluate(() => document.getElementById('view').getBoundingClientRect().toJSON());
   for (let part = 0.3; part < 0.75 && !(await name.isVisible()); part += 0.05) {
     await page.touchscreen.tap(left + 0.5 * width, top + part * height);
     await page.waitForTimeout(100);

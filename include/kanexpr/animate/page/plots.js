@@ -60,6 +60,22 @@ function axis(label, size) {
   };
 }
 
+/// The curves of all visible runs, and a table of the times and values of each run.
+function curves(shown, runs) {
+  const series = [{}];
+  const tables = [];
+  runs.forEach((run, k) => {
+    if (!run.visible) return;
+    const own = shown.filter((quantity) => quantity.columns[k]);
+    tables.push([run.times, ...own.map((quantity) => quantity.columns[k].values)]);
+    for (const { colour } of own)
+      series.push({
+        stroke: colour, width: 1.6, dash: dashOf(k), spanGaps: true, points: { show: false }, pxAlign: 0,
+      });
+  });
+  return { series, tables };
+}
+
 class Chart {
   constructor(parent, unit, shown, runs, nameOfTime, player) {
     this.player = player;
@@ -67,15 +83,7 @@ class Chart {
     this.parent.setAttribute('role', 'img');
     this.parent.setAttribute('aria-label', `${shown.map(title).join(', ')} over time`);
     parent.append(this.parent);
-    const series = [{}];
-    const tables = [];
-    runs.forEach((run, k) => {
-      if (!run.visible) return;
-      const own = shown.filter((quantity) => quantity.columns[k]);
-      tables.push([run.times, ...own.map((quantity) => quantity.columns[k].values)]);
-      for (const { colour } of own)
-        series.push({ stroke: colour, width: 1.6, dash: dashOf(k), spanGaps: true, points: { show: false }, pxAlign: 0 });
-    });
+    const { series, tables } = curves(shown, runs);
     this.line = Object.assign(document.createElement('div'), { className: 'now' });
     this.plot = new uPlot({
       ...this.#size(),
