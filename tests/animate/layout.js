@@ -3,37 +3,44 @@ import assert from 'node:assert/strict';
 
 const panels = ['Show', 'Values', 'Plots', 'Record'];
 
-/// Nothing covers the title, and everything is on the screen.
-async function checkScreen(page, what) {
-  const { title, others, controls, size, wide } = await page.evaluate(() => {
+/// The boxes of all parts of the page, with each panel open in turn.
+function boxes(page) {
+  return page.evaluate((names) => {
     const box = (element) => {
       const { left, right, top, bottom } = element.getBoundingClientRect();
       return { id: element.id || element.textContent, left, right, top, bottom };
     };
-    const isShown = (element) => element.offsetParent !== null;
-    const all = (selector) => [...document.querySelectorAll(selector)].filter(isShown).map(box);
-    return {
-      title: box(document.getElementById('title')),
-      others: all('.panel, #plots-panel, footer'),
-      controls: all('footer button, footer input, footer select, footer output'),
-      size: [innerWidth, innerHeight],
-      wide: document.documentElement.scrollWidth,
-    };
-  });
-  for (const other of others)
-    assert.ok(title.right <= other.left || other.right <= title.left || title.bottom <= other.top || other.bottom <= title.top,
-      `${what}: ${other.id} covers the title`);
-  for (const one of controls)
-    assert.ok(one.left >= 0 && one.top >= 0 && one.right <= size[0] + 0.5 && one.bottom <= size[1] + 0.5,
-      `${what}: ${one.id} is not on the screen`);
-  assert.ok(wide <= size[0], `${what}: the page is too wide`);
+    const all = (selector) => [...document.querySelectorAll(selector)].filter((one) => one.offsetParent).map(box);
+    return names.map((name) => {
+      const button = [...document.querySelectorAll('footer button')].find((one) => one.textContent === name);
+      button.click();
+      const found = {
+        name,
+        title: box(document.getElementById('title')),
+        panels: all('.panel, #plots-panel, footer'),
+        controls: all('footer button, footer input, footer select, footer output'),
+        size: [innerWidth, innerHeight],
+        width: document.documentElement.scrollWidth,
+      };
+      button.click();
+      return found;
+    });
+  }, panels);
 }
 
+function areApart(a, b) {
+  return a.right <= b.left || b.right <= a.left || a.bottom <= b.top || b.bottom <= a.top;
+}
+
+/// Nothing covers the title, and everything is on the screen.
 async function checkAllPanels(page, what) {
-  for (const name of panels) {
-    await page.getByRole('button', { name, exact: true }).click();
-    await checkScreen(page, `${what}, ${name}`);
-    await page.getByRole('button', { name, exact: true }).click();
+  for (const { name, title, panels: others, controls, size, width } of await boxes(page)) {
+    assert.equal(others.length, 2, `${what}: ${name} and the player are open`);
+    for (const other of others) assert.ok(areApart(title, other), `${what}: ${other.id} covers the title`);
+    for (const one of controls)
+      assert.ok(one.left >= 0 && one.top >= 0 && one.right <= size[0] + 0.5 && one.bottom <= size[1] + 0.5,
+        `${what}: ${one.id} is not on the screen with ${name}`);
+    assert.ok(width <= size[0], `${what}: the page is too wide with ${name}`);
   }
 }
 
@@ -47,8 +54,9 @@ export async function checkLayout(page) {
 /// On a phone the picture is below the title, one panel is open at a time, and a touch shows a name.
 export async function checkPhone(page) {
   await checkAllPanels(page, 'a phone');
-  const boxes = await page.evaluate(() => ['title', 'view'].map((id) => document.getElementById(id).getBoundingClientRect()));
-  assert.ok(boxes[0].bottom <= boxes[1].top);
+  const boxOf = (id) => page.locator(`#${id}`).evaluate((one) => one.getBoundingClientRect().toJSON());
+  const { left, top, width, height } = await boxOf('view');
+  assert.ok((await boxOf('title')).bottom <= top);
   for (const name of panels) await page.getByRole('button', { name, exact: true }).tap();
   const open = page.locator('[aria-expanded="true"]');
   assert.deepEqual(await open.allTextContents(), ['Record']);
@@ -56,7 +64,6 @@ export async function checkPhone(page) {
 
   await page.evaluate(() => window.kanexpr.seek(1.4));
   const name = page.locator('#name');
-  const { left, top, width, height } = await page.evaluate(() => document.getElementById('view').getBoundingClientRect().toJSON());
   for (let part = 0.3; part < 0.75 && !(await name.isVisible()); part += 0.05) {
     await page.touchscreen.tap(left + 0.5 * width, top + part * height);
     await page.waitForTimeout(100);

@@ -5,8 +5,8 @@
 
 #include <cstdio>
 
-// page DIRECTORY: writes a page with a shape of every kind, and the positions of its shapes at some times;
-// and a page with files that contain no mesh.
+// page DIRECTORY: writes a page with a shape of every kind, and the placements of its shapes at some times; a
+// page with two runs; and one with files that contain no mesh.
 
 namespace {
 

@@ -46,7 +46,7 @@ struct bodies_of {
   }();
 };
 
-/// The loads of a kind. A force between two points counts twice.
+/// The forces among the loads of a system, and its gravity. A force between two points counts twice.
 template <class System>
 struct forces_of {
   static constexpr const auto& record = System::record;

@@ -1,10 +1,11 @@
 // Groups of shapes that are shown on demand, such as all forces.
-/// The layers of all runs, each with its objects.
+
+/// The layers of all runs, each with its objects. Arrows without a layer have the name ''.
 function layersOf(runs) {
   const found = new Map();
   for (const run of runs)
-    run.shapes.forEach(({ layer }, index) => {
-      if (!layer) return;
+    run.shapes.forEach(({ layer = '', kind }, index) => {
+      if (!layer && kind !== 'arrow') return;
       if (!found.has(layer)) found.set(layer, []);
       found.get(layer).push(run.objects[index]);
     });
@@ -19,8 +20,9 @@ export function colourOfLayer(name) {
 /// Sets the lengths of arrows and axes: the longest arrow of a layer is `scale` times half the picture.
 function scaleArrows(objects, size, scale) {
   const longest = Math.max(...objects.map((object) => object.longest?.() ?? 0));
+  const perUnit = longest > 0 ? (0.5 * scale * size) / longest : 0;
   for (const object of objects) {
-    if (object.longest) Object.assign(object, { perUnit: longest > 0 ? (0.5 * scale * size) / longest : 0, width: 0.014 * size });
+    if (object.longest) Object.assign(object, { perUnit, width: 0.014 * size });
     object.setLength?.(0.25 * scale * size, 0.009 * size);
   }
 }
@@ -44,6 +46,7 @@ export function layers(runs, size, changed) {
     changed();
   };
   for (const [name, objects] of all) {
+    if (name === '') continue;
     const show = (isShown) => {
       for (const object of objects) object.holder.visible = isShown;
       changed();
@@ -51,7 +54,8 @@ export function layers(runs, size, changed) {
     addSwitch(parent, name, show);
     show(false);
   }
-  document.getElementById('arrow-size').hidden = ![...all.values()].flat().some((object) => object.longest || object.setLength);
+  const areScaled = [...all.values()].flat().some((object) => object.longest || object.setLength);
+  document.getElementById('arrow-size').hidden = !areScaled;
   slider.addEventListener('input', scale);
   scale();
 }

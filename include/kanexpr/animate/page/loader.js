@@ -1,7 +1,7 @@
 // Unpacks and runs the script of the page, which is stored compressed.
 import { inflateSync, strFromU8 } from 'fflate';
+import { bytesOf } from './base64.js';
 
-const letters = atob(document.getElementById('viewer').textContent);
 const script = document.createElement('script');
-script.textContent = strFromU8(inflateSync(Uint8Array.from(letters, (letter) => letter.charCodeAt(0))));
+script.textContent = strFromU8(inflateSync(bytesOf(document.getElementById('viewer').textContent)));
 document.body.append(script);

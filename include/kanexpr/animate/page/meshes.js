@@ -4,6 +4,7 @@ import { ColladaComposer } from 'three/addons/loaders/collada/ColladaComposer.js
 import { ColladaParser } from 'three/addons/loaders/collada/ColladaParser.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
 import { STLLoader } from 'three/addons/loaders/STLLoader.js';
+import { bytesOf } from './base64.js';
 import { material } from './materials.js';
 
 const noTextures = { load: () => new Texture() }; // textures are in separate files
@@ -34,13 +35,6 @@ function stl(bytes) {
 }
 
 const readers = { dae, obj, stl };
-
-function bytesOf(data) {
-  const letters = atob(data);
-  const bytes = new Uint8Array(letters.length);
-  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
-  return bytes;
-}
 
 export function trianglesIn({ geometry }) {
   return Math.floor((geometry.index ?? geometry.getAttribute('position')).count / 3);

@@ -14,9 +14,10 @@ function textOf(object, runs) {
   return shape.name + whose + size;
 }
 
-/// Arrows and axes are seen through the shapes, so they come first.
+/// Arrows and axes are seen through the shapes, so they come first. A trace has a name only where it is drawn.
 function nearest(hits) {
-  return hits.find(({ object }) => object.renderOrder > 0) ?? hits[0];
+  const drawn = hits.filter(({ object, faceIndex }) => !object.isLine2 || faceIndex < object.geometry.instanceCount);
+  return drawn.find(({ object }) => object.renderOrder > 0) ?? drawn[0];
 }
 
 function named(part) {
@@ -25,15 +26,20 @@ function named(part) {
   return object;
 }
 
+const pause = 100; // milliseconds between updates while the picture moves
+
 /// Shows the name at the pointer, or at the last touch. Returns a function that updates it.
 export function names(view, runs, camera) {
   const label = document.getElementById('name');
   const caster = new Raycaster();
-  const objects = runs.flatMap((run) => run.objects).filter(({ shape }) => shape.kind !== 'trace');
+  caster.params.Line2 = { threshold: 8 }; // pixels
+  const objects = runs.flatMap((run) => run.objects);
   let pointer;
+  let updated = 0;
 
   function update() {
     if (!pointer) return;
+    updated = performance.now();
     const box = view.getBoundingClientRect();
     const at = new Vector2(
       (2 * (pointer.clientX - box.left)) / box.width - 1, 1 - (2 * (pointer.clientY - box.top)) / box.height);
@@ -64,5 +70,5 @@ export function names(view, runs, camera) {
   view.addEventListener('pointermove', move);
   view.addEventListener('pointerup', move);
   view.addEventListener('pointerleave', (event) => event.pointerType === 'mouse' && leave());
-  return update;
+  return () => performance.now() - updated > pause && update();
 }

@@ -1,4 +1,6 @@
 // The time that is shown, and its playback.
+
+const longestFrame = 0.25; // in seconds; a page that was hidden continues where it was
 export class Player {
   constructor(first, last, changed) {
     this.first = first;
@@ -36,7 +38,7 @@ export class Player {
 
   #step(now) {
     if (!this.playing) return;
-    const passed = (now - (this.before ?? now)) / 1000;
+    const passed = Math.min(longestFrame, (now - (this.before ?? now)) / 1000);
     this.before = now;
     this.time += passed * this.speed;
     if (this.time >= this.last && this.loops)

@@ -60,6 +60,22 @@ function axis(label, size) {
   };
 }
 
+/// The curves of all visible runs, and a table of the times and values of each run.
+function curves(shown, runs) {
+  const series = [{}];
+  const tables = [];
+  runs.forEach((run, k) => {
+    if (!run.visible) return;
+    const own = shown.filter((quantity) => quantity.columns[k]);
+    tables.push([run.times, ...own.map((quantity) => quantity.columns[k].values)]);
+    for (const { colour } of own)
+      series.push({
+        stroke: colour, width: 1.6, dash: dashOf(k), spanGaps: true, points: { show: false }, pxAlign: 0,
+      });
+  });
+  return { series, tables };
+}
+
 class Chart {
   constructor(parent, unit, shown, runs, nameOfTime, player) {
     this.player = player;
@@ -67,24 +83,17 @@ class Chart {
     this.parent.setAttribute('role', 'img');
     this.parent.setAttribute('aria-label', `${shown.map(title).join(', ')} over time`);
     parent.append(this.parent);
-    const series = [{}];
-    const tables = [];
-    runs.forEach((run, k) => {
-      if (!run.visible) return;
-      const own = shown.filter((quantity) => quantity.columns[k]);
-      tables.push([run.times, ...own.map((quantity) => quantity.columns[k].values)]);
-      for (const { colour } of own)
-        series.push({ stroke: colour, width: 1.6, dash: dashOf(k), spanGaps: true, points: { show: false }, pxAlign: 0 });
-    });
+    const { series, tables } = curves(shown, runs);
+    this.line = Object.assign(document.createElement('div'), { className: 'now' });
     this.plot = new uPlot({
       ...this.#size(),
       series,
+      hooks: { draw: [() => this.plot && this.show(player.time)] },
       legend: { show: false },
       cursor: { drag: { x: false, y: false }, points: { show: false }, x: false, y: false },
       scales: { x: { time: false, range: [player.first, Math.max(player.last, player.first + 1e-9)] } },
       axes: [axis(`${nameOfTime} [s]`, 34), axis(unit ? `[${unit}]` : '', 52)],
     }, tables.length > 1 ? uPlot.join(tables) : (tables[0] ?? [[]]), this.parent);
-    this.line = Object.assign(document.createElement('div'), { className: 'now' });
     this.plot.over.append(this.line);
     this.#seekWithPointer();
   }
@@ -135,7 +144,6 @@ export function plots(quantities, runs, nameOfTime, player) {
     for (const unit of new Set(shown.map((quantity) => quantity.unit)))
       charts.push(new Chart(parent, unit, shown.filter((one) => one.unit === unit), runs, nameOfTime, player));
     for (const chart of charts) chart.resize(); // now that all of them share the width
-    show(player.time);
   }
   function show(time) {
     if (!panel.hidden && charts.length === 0 && chosen.size > 0) draw();
@@ -145,7 +153,6 @@ export function plots(quantities, runs, nameOfTime, player) {
   choices(quantities, chosen, draw);
   new ResizeObserver(() => {
     for (const chart of charts) chart.resize();
-    if (charts.length > 0) show(player.time);
   }).observe(parent);
   window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', draw);
   return { show, draw };

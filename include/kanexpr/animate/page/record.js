@@ -1,5 +1,6 @@
 // Recording of the picture: as a video while it plays, or as evenly spaced frames.
 import { zipSync } from 'fflate';
+import { bytesOf } from './base64.js';
 
 const element = (id) => document.getElementById(id);
 
@@ -117,10 +118,11 @@ export class Recorder {
     for (let k = 0; k < count && !this.#stopped; ++k) {
       player.seek(player.first + k * step);
       this.show();
-      const image = await new Promise((resolve) => this.#paper.canvas.toBlob(resolve, 'image/png'));
+      const image = this.#paper.canvas.toDataURL('image/png'); // toBlob waits until the browser is idle
       const number = String(k + 1).padStart(String(count).length, '0');
-      files[`${this.name}_${number}.png`] = new Uint8Array(await image.arrayBuffer());
+      files[`${this.name}_${number}.png`] = bytesOf(image.slice(image.indexOf(',') + 1));
       this.#tell(`Frame ${k + 1} of ${count}.`);
+      await new Promise((resolve) => setTimeout(resolve)); // shows the progress, and lets the user stop
     }
     if (this.#stopped) return this.#tell('Stopped.');
     save(new Blob([zipSync(files, { level: 0 })], { type: 'application/zip' }), `${this.name}.zip`);
