@@ -201,7 +201,8 @@ inline void canvas::place(const pending_label& each) {
   box best{};
   for (const double distance : {5.0, 11.0, 20.0, 32.0})
     for (int i = 0; i < 16; ++i) {
-      const double turn = (i % 2 == 0 ? 1 : -1) * std::numbers::pi / 8 * ((i + 1) / 2);
+      const int sixteenths = (i % 2 == 0 ? 1 : -1) * ((i + 1) / 2); // 0, -1, 1, -2, 2, …
+      const double turn = sixteenths * std::numbers::pi / 8;
       const box b = box_of(each, turn, each.radius + distance);
       const double cost = cost_of(b) + std::abs(turn) + distance / 6;
       if (cost < least_cost) least_cost = cost, best = b;
@@ -225,8 +226,10 @@ inline std::string canvas::svg(std::string_view title) {
                     std::string(detail::style_sheet);
   for (int i = 0; i < 6; ++i) {
     const std::string b = "b" + std::to_string(i);
-    out += "  .figure ." + b + " { stroke: var(--" + b + "); } .figure ." + b + ".volume { fill: var(--" + b +
-           "); } .figure ." + b + ".filled { fill: var(--" + b + "); }\n";
+    out += ' ';
+    for (const char* rule : {" { stroke", ".volume { fill", ".filled { fill"})
+      out.append(" .figure .").append(b).append(rule).append(": var(--").append(b).append("); }");
+    out += '\n';
   }
   out += "</style>\n";
   for (const std::string& each : layers_) out += each;
