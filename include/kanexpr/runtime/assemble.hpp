@@ -100,8 +100,8 @@ KANEXPR_ENGINE consistency check_consistency(model& m, std::span<const double> x
 /// Copies the entries of a vector of any type.
 template <class Vector>
 std::vector<double> entries_of(const Vector& v) {
-  std::vector<double> entries;
-  for (Eigen::Index i = 0; i < v.size(); ++i) entries.push_back(v[i]);
+  std::vector<double> entries(static_cast<std::size_t>(v.size()));
+  for (std::size_t i = 0; i < entries.size(); ++i) entries[i] = v[static_cast<Eigen::Index>(i)];
   return entries;
 }
 
