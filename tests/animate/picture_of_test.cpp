@@ -73,7 +73,7 @@ TEST(picture_of, shows_links_pins_and_mass_centers) {
   EXPECT_NEAR(std::acos(first.position.dot(a.find("link of Bar2")->placements[0].position)), angle, 1e-13);
   EXPECT_LT((pin.position - first.position).norm(), 1e-14);
   EXPECT_NEAR(std::abs(pin.orientation(2, 2)), 1, 1e-14);
-  EXPECT_EQ(a.columns.size(), 4);
+  EXPECT_EQ(a.columns.size(), 6); // two coordinates, two speeds and two inputs
   EXPECT_EQ(a.times, (std::vector<double>{0, 1}));
 }
 
