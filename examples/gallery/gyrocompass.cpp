@@ -48,10 +48,10 @@ int main(int count, char** words) {
       count, words,
       {.title = "Gyrocompass",
        .kind = "Gyroscopes",
-       .see =
-           "The axis of the rotor starts 70 degrees from north, swings about north and comes to rest there. "
-           "Only the rotation of the Earth acts on it, at its true rate; the picture shows the rotor "
-           "five hundred times too slow.",
+       .see = "The axis of the rotor starts 70 degrees from north, swings about north and comes to rest "
+              "there. Only the rotation of "
+              "the Earth, at its true rate, turns it to north, and a damper ends the swing; the picture "
+              "shows the spin five hundred times too slow.",
        .source = "Arnold & Maunder, Gyrodynamics and Its Engineering Applications (1961), chapter 9"});
   const double earth = 7.292e-5, latitude = 0.8, across = 6e-3, about = 1e-2, spin = 2500;
   const auto simulated = [&](double angle, double damping, double seconds,

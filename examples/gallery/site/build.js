@@ -26,6 +26,7 @@ const size = bytes => bytes < 1e6 ? Math.max(1, Math.round(bytes / 1e3)) + ' kB'
 templates.addFilter('math', math)
 templates.addFilter('equation', latex => math(latex, true))
 templates.addFilter('round', round)
+templates.addFilter('of', (number, what) => `${round(number)} ${what}${number === 1 ? '' : 's'}`)
 
 // The source of a page and the files of examples/ that it includes, itself first.
 function sourcesOf(name) {
