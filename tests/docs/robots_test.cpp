@@ -22,7 +22,7 @@ TEST(robots, are_controlled) {
 #include <docs/robots/tool.cpp>
   const animation seen = animated<arm::picture>(run.trajectory);
   EXPECT_TRUE(seen) << seen.cause();
-  const auto meshes = animate::read_meshes(seen, seen.folder); // the mesh of the upper arm
+  const auto meshes = animate::read_meshes({{"", seen}}, ""); // the mesh of the upper arm
   EXPECT_TRUE(meshes) << meshes.cause();
   EXPECT_EQ(meshes.all.size(), 1u);
   EXPECT_LT(v.norm(), 0.05);

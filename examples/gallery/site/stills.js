@@ -17,7 +17,8 @@ function isOld(folder) {
 const folders = fs.readdirSync(gallery).map(each => path.resolve(gallery, each)).filter(isOld)
 const home = fs.mkdtempSync(path.join(os.tmpdir(), 'gallery-'))
 const context = await chromium.launchPersistentContext(home, {
-  executablePath: browserPath, offline: true, reducedMotion: 'reduce', viewport: { width: 480, height: 380 },
+  executablePath: browserPath, offline: true, reducedMotion: 'reduce',
+  viewport: { width: 660, height: 500 }, deviceScaleFactor: 480 / 660, // wide enough for the layout of a window
   args: ['--no-sandbox', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync',
     '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist']
 })
