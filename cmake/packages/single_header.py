@@ -47,4 +47,6 @@ def single_header(folder):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 3 or not (pathlib.Path(sys.argv[1]) / "kanexpr/kanexpr.hpp").is_file():
+        sys.exit("usage: single_header.py INCLUDE FILE, where INCLUDE contains kanexpr/kanexpr.hpp")
     pathlib.Path(sys.argv[2]).write_text(single_header(pathlib.Path(sys.argv[1]).resolve()))
