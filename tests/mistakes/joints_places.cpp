@@ -47,8 +47,8 @@ struct System : jointed<joints<Arm, Link>> {};
 void f() { use<System>(); }
 } // namespace p6
 
-// expect: joint Link has a mass center given in the axes of a different frame; write body<mass, vector in own
-// expect: axes, inertia>
+// expect: joint Link has a mass center given in the axes of a different frame; write body<mass, vector in its
+// expect: own axes, inertia>
 namespace p7 {
 struct P : offset<P, Arm, l * Ground::x> {};
 struct Link : planar<Link, Arm, axis<own::x, own::y>, body<2, position_of<P, Ground>>> {};

@@ -66,7 +66,7 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n9
 
-// expect: joint Link has at<...> with no vector or more than two; write at<vector in the parent, vector in
+// expect: joint Link has at<...> with no vector or more than two; write at<vector in the parent, vector in its
 // expect: own axes>
 namespace n10 {
 struct Link : pin<Link, Ground, up, at<l * Ground::x, l * own::x, l * own::y>, mass> {};
@@ -351,8 +351,8 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n48
 
-// expect: joint Link has a mass center given in the axes of a different frame; write body<mass, vector in own
-// expect: axes, inertia>
+// expect: joint Link has a mass center given in the axes of a different frame; write body<mass, vector in its
+// expect: own axes, inertia>
 namespace n49 {
 struct Link : pin<Link, Ground, up, body<2, l * Ground::x>> {};
 struct System : jointed<joints<Link>> {};

@@ -50,7 +50,7 @@ constexpr std::string_view mistake_of_place() {
     if (Joint::template times<joint_word::at> > 1)
       return "has two positions; write at<vector in the parent, vector in its own axes>";
     if (given::count == 0 || given::count > 2)
-      return "has at<...> with no vector or more than two; write at<vector in the parent, vector in own "
+      return "has at<...> with no vector or more than two; write at<vector in the parent, vector in its own "
              "axes>";
     if (is_no_vector<std::remove_cv_t<decltype(given::in_parent)>>() ||
         (given::count == 2 && is_no_vector<std::remove_cv_t<decltype(given::in_child)>>()))
@@ -91,9 +91,8 @@ constexpr std::string_view mistake_of_body() {
     if (is_no_vector<std::remove_cv_t<decltype(given::center_given)>>())
       return "has a mass center that is not a vector; write body<mass, vector in its own axes, inertia>";
     if (holds_other_axes(given::center_given))
-      return "has a mass center given in the axes of a different frame; write body<mass, vector in its own "
-             "axes, "
-             "inertia>";
+      return "has a mass center given in the axes of a different frame; write body<mass, vector in its "
+             "own axes, inertia>";
   }
   return {};
 }
