@@ -57,12 +57,10 @@ constexpr std::string_view mistake_of_place() {
       return "has a position that is not a vector; write at<vector in the parent, vector in its own axes>";
     if (holds_own(given::in_parent))
       return "has a position in the parent given in own axes; write at<vector in axes of the parent, vector "
-             "in own "
-             "axes>";
+             "in its own axes>";
     if (holds_other_axes(given::in_child))
       return "has a position in the child given in the axes of a different frame; write at<vector in the "
-             "parent, "
-             "vector in its own axes>";
+             "parent, vector in its own axes>";
   }
   return {};
 }
