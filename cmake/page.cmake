@@ -47,7 +47,8 @@ target_link_libraries(kanexpr_animate INTERFACE kanexpr nlohmann_json::nlohmann_
 target_compile_definitions(kanexpr_animate INTERFACE
   $<BUILD_INTERFACE:KANEXPR_PAGE="${KANEXPR_PAGE}">
   $<INSTALL_INTERFACE:KANEXPR_PAGE="$<INSTALL_PREFIX>/${kanexpr_page}">)
-if(KANEXPR_NPM)
+# A plain build of kanexpr itself needs neither npm nor a network.
+if(KANEXPR_NPM AND (NOT PROJECT_IS_TOP_LEVEL OR KANEXPR_BUILD_PAGE OR KANEXPR_BUILD_TESTS OR KANEXPR_BUILD_EXAMPLES))
   add_dependencies(kanexpr_animate kanexpr_page)
 endif()
 install(TARGETS kanexpr_animate EXPORT kanexpr-animate-targets)

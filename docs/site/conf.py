@@ -1,5 +1,6 @@
 """Configuration of the site: the pages of docs/ and the files that they link to, staged by stage.py, and the reference written by reference.py."""
 
+import pathlib
 import re
 
 from docutils import nodes
@@ -21,6 +22,7 @@ html_theme = "furo"
 html_title = "kanexpr"
 html_extra_path = ["extra"]
 html_static_path = ["static"]
+html_search_scorer = str(pathlib.Path(__file__).parent / "static/scorer.js")
 html_css_files = ["reference.css", "side_by_side.css"]
 html_copy_source = False
 html_show_sphinx = False

@@ -34,7 +34,7 @@ function sourcesOf(name) {
   for (const file of wanted) {
     const text = fs.readFileSync(path.join(sources, file), 'utf8')
     found.push({ file: `examples/${file}`, text, html: new nunjucks.runtime.SafeString(hljs.highlight(text, { language: 'cpp' }).value) })
-    for (const [, included] of text.matchAll(/^#include <((?:models|pictures|controllers)\/[^>]+)>/gm))
+    for (const [, included] of text.matchAll(/^#include <((?:models|motion|pictures|controllers)\/[^>]+)>/gm))
       if (!wanted.includes(included)) wanted.push(included)
   }
   return found
