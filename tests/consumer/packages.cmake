@@ -76,6 +76,14 @@ build(rich "kanexpr::robots_sdf is disabled: libsdformat 12 was not found; on De
 run(passes "only if its page was built" ${CMAKE_COMMAND} ${BINARY}/rich)
 run(passes "kanexpr::animate is disabled: its page was not built" ${CMAKE_COMMAND} --install ${BINARY}/rich
   --prefix ${BINARY}/most)
+# A plain build does not need npm, even if the library for pages is part of it.
+run(passes "only if its page was built" ${CMAKE_COMMAND} -S ${SOURCE} -B ${BINARY}/plain -G ${GENERATOR})
+if(GENERATOR STREQUAL "Ninja")
+  execute_process(COMMAND ninja -C ${BINARY}/plain -t commands all OUTPUT_VARIABLE commands COMMAND_ERROR_IS_FATAL ANY)
+  if(NOT commands MATCHES "kanexpr_animate_engine" OR commands MATCHES "npm")
+    message(SEND_ERROR "a plain build calls npm, or does not build the library for pages:\n${commands}")
+  endif()
+endif()
 find(passes "there is simulate" most REQUIRED COMPONENTS simulate)
 find(passes "there is fmi" most REQUIRED COMPONENTS fmi)
 find(passes "kanexpr::animate is disabled: the animation page was not installed" most REQUIRED)
