@@ -1,6 +1,7 @@
 #pragma once
 
 #include "playground/model/build.hpp"
+#include "playground/model/sentences.hpp"
 #include "playground/moving/moving_model.hpp"
 #include "playground/moving/picture.hpp"
 
@@ -20,6 +21,7 @@ class session {
 public:
   explicit session(std::string_view text) : built_(build(text)) {
     if (built_.wrong.sentence.empty()) start();
+    built_.wrong.sentence = in_words_of_texts(built_.wrong.sentence);
   }
   session(const session&) = delete;
   session& operator=(const session&) = delete;

@@ -51,6 +51,11 @@ try {
   await checkForm(page);
   await checkPhone(page);
   await checkLink(page);
+  await checkLinkWithMistake(page);
+  await checkDamagedLink(page);
+  await checkTooLarge(page);
+  await checkNames(page);
+  await checkBlowUp(page);
   assert.deepEqual(troubles, []);
   console.log(`${(size / 1e6).toFixed(2)} MB; the engine started in ${started.toFixed(0)} ms and derived the first model in ${derived.toFixed(1)} ms`);
 } finally {
@@ -187,7 +192,7 @@ async function checkMistakes(page) {
   await type(page, `${crane}parameter d`);
   await page.waitForFunction(() => document.querySelector('#mistake').textContent.startsWith('Line 12'));
   assert.equal(await page.locator('#mistake').textContent(),
-    'Line 12: parameter d is declared but not used in the system; if this is intended, call used_elsewhere');
+    'Line 12: parameter d is declared but not used in the system');
 }
 
 async function checkForm(page) {
@@ -229,4 +234,78 @@ async function checkLink(page) {
   await page.goto(link);
   await page.waitForFunction(() => window.playground?.model);
   assert.equal((await state(page))[1], 0.5);
+}
+
+function said(page) { return page.locator('#mistake').textContent(); }
+function isStale(page) { return page.evaluate(() => document.body.classList.contains('stale')); }
+function addressOf(page, text) { return page.evaluate((lines) => window.playground.linkTo(lines), text); }
+async function open(page, link) {
+  await page.evaluate(() => localStorage.clear());
+  await page.goto('about:blank');
+  await page.goto(link);
+  await page.waitForFunction(() => window.playground?.model);
+}
+
+async function checkLinkWithMistake(page) {
+  const wrong = crane.replace('at P', 'at Q');
+  await open(page, await addressOf(page, wrong));
+  assert.equal(await page.evaluate(() => window.playground.text), wrong);
+  assert.equal(await said(page), 'Line 9: unknown point Q');
+  assert.ok(await isStale(page));
+  const other = await addressOf(page, crane.replace('0.7', '0.3'));
+  await page.evaluate((to) => { location.href = to; }, other); // in the same tab
+  await page.waitForFunction(() => window.playground.text.includes('0.3'));
+  assert.match(await said(page), /^derived in/);
+}
+
+async function checkDamagedLink(page) {
+  const link = await addressOf(page, crane);
+  for (const damaged of [`${link.split('#')[0]}#AAAA`, link.slice(0, -20), `${link.split('#')[0]}#%%%`]) {
+    await open(page, damaged);
+    assert.equal(await said(page), 'this link is damaged, and its model cannot be read');
+  }
+  await page.evaluate((text) => { window.playground.text = text; }, `${crane}\0parameter d`);
+  assert.match(await said(page), /^Line 12: unknown word ␀/);
+}
+
+/// A large model is refused, or derived; in each case the next one is as on a fresh page, also after a trap.
+async function checkTooLarge(page) {
+  await page.evaluate((text) => { window.playground.text = text; }, crane);
+  const before = await page.evaluate(() => window.playground.engine.equations(false, 'symbols'));
+  const nested = `${crane}force ${'('.repeat(132)}m1${')'.repeat(132)}*N.x at P\n`;
+  await page.evaluate((text) => { window.playground.text = text; }, nested);
+  assert.equal(await said(page), 'Line 12: the expression is nested more than 100 levels deep');
+  const powers = Array.from({ length: 200 }, (_, i) => `x^${i + 2}`).join(' + ');
+  for (const term of [`(${powers})`, `${'sin('.repeat(99)}x${')'.repeat(99)}`, `(${'x + '.repeat(900)}x)`]) {
+    await page.evaluate((text) => { window.playground.text = text; }, `${crane}force ${term}*N.x at P\n`);
+    assert.match(await said(page), /^derived in|^this model is too large for this page$/);
+    await page.evaluate((text) => { window.playground.text = text; }, crane);
+    assert.match(await said(page), /^derived in/);
+    assert.deepEqual(await page.evaluate(() => window.playground.engine.equations(false, 'symbols')), before);
+  }
+  const trap = await page.evaluate(() => { // beyond the memory of the engine
+    try { return window.playground.engine.drag(1e8, 0, 0); } catch (error) { return error.message; }
+  });
+  assert.equal(trap, 'this model is too large for this page');
+  assert.deepEqual(await page.evaluate(() => window.playground.engine.equations(false, 'symbols')), before);
+}
+
+async function checkNames(page) {
+  await page.getByRole('tab', { name: 'Take away' }).click();
+  for (const [name, expected] of [['class', 'class_'], ['9lives', 'n9lives'], ['_my crane_', 'my_crane']]) {
+    await page.locator('#name').fill(name);
+    assert.ok((await page.locator('#words').textContent()).includes(`namespace ${expected} {`), name);
+  }
+}
+
+async function checkBlowUp(page) {
+  await page.evaluate((text) => { window.playground.text = text; },
+    crane.replace('v\n', 'v = 100\n').replace('force F*N.x', 'force 1e6*v^3*N.x').replace('input F = 0\n', ''));
+  await page.getByRole('button', { name: 'Play' }).click();
+  await page.waitForFunction(() => document.querySelector('#mistake').textContent.startsWith('The motion ended'));
+  await page.locator('#name').fill('crane');
+  assert.match(await page.locator('#taken').textContent(), /^the value of \w+ is not finite; go back to the start$/);
+  await page.getByRole('button', { name: 'Back to the start' }).click();
+  assert.match(await said(page), /^derived in/);
+  assert.match(await page.locator('#words').textContent(), /initial_state\{\{x, 0\.2\}/);
 }

@@ -12,6 +12,7 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <random>
@@ -76,7 +77,7 @@ TEST(Playground, ReportsTheFirstMistakeAndItsLine) {
       {pendulum + "rigid_body Rod at P in A mass 1 inertia 1, 2", "4: an inertia has 3 or 6 entries, got 2"},
       {pendulum + "body_fixed B from A by xyz: 1, 2", "4: body_fixed takes 3 angles, got 2"},
       {pendulum + "particle Bob at P mass 1\nparameter d",
-       "5: parameter d is declared but not used in the system; if this is intended, call used_elsewhere"},
+       "5: parameter d is declared but not used in the system"},
       {pendulum + "particle Bob at P mass 1\noffset Q from O by 3*N.x\nloop P to Q along N.x\ndependent q, u",
        "0: the constraints determine every speed, so nothing can move"},
       {"", "0: the system has no generalized speeds"},
@@ -93,6 +94,101 @@ TEST(Playground, ReportsTheFirstMistakeAndItsLine) {
         << text;
     EXPECT_NE(s.wrong().sentence, "") << text;
   }
+}
+
+/// A pendulum with further lines.
+std::string pendulum_and(const std::string& lines) {
+  return "pin A on N about N.z by q, u\norigin O\noffset P from O by A.x\nparticle Bob at P mass 1\n" + lines;
+}
+std::string mistake_in(const std::string& text) { return session(text).wrong().sentence; }
+std::string repeated(int count, const std::string& text) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+TEST(Playground, LimitsTheSizeOfExpressions) {
+  const auto force = [](const std::string& e) {
+    return mistake_in(pendulum_and("force " + e + "*N.x at P"));
+  };
+  const std::string too_deep = "the expression is nested more than 100 levels deep";
+  EXPECT_EQ(force(repeated(132, "(") + "q" + repeated(132, ")")), too_deep);
+  EXPECT_EQ(force(repeated(101, "sin(") + "q" + repeated(101, ")")), too_deep);
+  EXPECT_EQ(force(repeated(1000, "-") + "q"), too_deep);
+  EXPECT_EQ(force("q" + repeated(132, "^q")), too_deep);
+  EXPECT_EQ(force("(q" + repeated(1001, " + q") + ")"), "the expression has more than 1000 operations");
+  EXPECT_EQ(force(repeated(90, "(") + "q" + repeated(90, ")")), "");
+  EXPECT_EQ(force("(q" + repeated(900, " + q") + ")"), "");
+}
+
+TEST(Playground, ReportsMistakesWithoutWordsThatTextsLack) {
+  EXPECT_EQ(mistake_in(pendulum_and("parameter d")), "parameter d is declared but not used in the system");
+  const std::string twice = mistake_in(pendulum_and(
+      "slider S from O along N.x by x, v\nparticle Rob at S mass 1\nvelocity_constraint u = v\n"
+      "slider T from O along N.x by y, w\nparticle Tom at T mass 1\nvelocity_constraint 2*u = 2*v\n"
+      "dependent v, w"));
+  EXPECT_THAT(twice, HasSubstr("follow"));
+  EXPECT_THAT(twice, Not(HasSubstr("redundant<")));
+  EXPECT_EQ(playground::in_words_of_texts(
+                "configuration constraints 2 and 3 follow; add redundant<2, 3> to drop them"),
+            "configuration constraints 2 and 3 follow; leave them out");
+}
+
+TEST(Playground, RefusesAStartThatViolatesAVelocityConstraint) {
+  const std::string sliders = "origin O\nslider S from O along N.x by x, v\nparticle Bob at S mass 1\n"
+                              "slider T from O along N.y by y, u\nparticle Rob at T mass 1\n";
+  EXPECT_EQ(mistake_in(sliders + "velocity_constraint x*u = 1\ndependent u"),
+            "no state near the initial values satisfies the constraints");
+  session s(sliders + "velocity_constraint (x + 2)*u = 1\ndependent u");
+  ASSERT_EQ(s.wrong().sentence, "");
+  EXPECT_NEAR(s.moving().x(3), 0.5, 1e-12);
+}
+
+TEST(Playground, DrawsNoFigureFarAway) {
+  session s("origin O\nslider P from O along N.x by x, v\nparticle Bob at P mass 1");
+  for (const double x : {std::nan(""), HUGE_VAL, 1e200, 1e9}) {
+    s.moving().x(0) = x;
+    EXPECT_EQ(s.figure().svg(true), "") << x;
+  }
+  s.moving().x(0) = 1;
+  EXPECT_THAT(s.figure().svg(true), HasSubstr("<svg"));
+}
+
+TEST(Playground, RefusesNamesThatMeanSomethingElseInCpp) {
+  for (const char* name : {"class", "alignas", "co_await", "char8_t", "nullptr", "and_eq", "static_cast",
+                           "NULL", "EOF", "NAN", "INFINITY", "errno", "M_PI", "sin", "System", "requires"})
+    EXPECT_EQ(mistake_in("parameter " + std::string(name)),
+              std::string(name) + " is a word of C++ or of kanexpr; choose another name");
+  for (const char* name : {"state", "time", "y0", "index", "t", "std", "point"})
+    EXPECT_THAT(mistake_in("parameter " + std::string(name)), Not(HasSubstr("choose another"))) << name;
+}
+
+TEST(Playground, WritesTypesThatCompile) {
+  session s(pendulum_and("force -(-q)*N.x at P\nforce --u*N.y at P"));
+  ASSERT_EQ(s.wrong().sentence, "");
+  const std::string header = playground::write_words(s, "class").all[0].text;
+  EXPECT_THAT(header, HasSubstr("force<P, -(-q)*N::x>, force<P, -(-u)*N::y>"));
+  EXPECT_THAT(header, HasSubstr("namespace class_ {"));
+  for (const char* name : {"std", "main", "time", "kanexpr"})
+    EXPECT_EQ(playground::namespace_called(name), std::string(name) + '_');
+  EXPECT_EQ(playground::namespace_called("crane"), "crane");
+  s.moving().x(0) = std::nan("");
+  EXPECT_EQ(playground::write_words(s, "pendulum").mistake,
+            "the value of q is not finite; go back to the start");
+}
+
+TEST(Playground, WritesEachTypeAfterThoseThatItNames) {
+  session s("origin O\noffset P from O by 0.1*N.x\npin A on N about N.z by q, u\nfixed P in A\n"
+            "offset G from O by A.x\nparticle Bob at G mass 1\nparticle Rob at P mass 1");
+  ASSERT_EQ(s.wrong().sentence, "");
+  const std::string header = playground::write_words(s, "model").all[0].text;
+  EXPECT_LT(header.find("struct A :"), header.find("struct P :"));
+  playground::structs circle;
+  circle.add("P", "offset<P, O, A::x>");
+  circle.add("A", "rotated<A, N, q, N::z>, angular_velocity<N, u*B::z>");
+  circle.add("B", "rotated<B, A, r, A::z>");
+  EXPECT_EQ(circle.mistake(),
+            "A is given in terms of B, which follows from it; C++ types cannot name each other");
 }
 
 TEST(Playground, ConservesEnergyAndConstraints) {

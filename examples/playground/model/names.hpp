@@ -1,5 +1,7 @@
 #pragma once
 
+#include <kanexpr/base/library_words.hpp>
+#include <kanexpr/exporting/text/identifiers.hpp>
 #include <kanexpr/runtime/builder_checks.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -38,20 +40,26 @@ private:
   /// Words that would mean something else in a file of C++ types.
   static bool is_reserved(const std::string& name) {
     static constexpr std::string_view reserved =
-        " and auto bool break case catch char class concept const continue default delete do double else "
-        "enum explicit export extern false float for friend goto if inline int long mutable new not "
-        "operator or private protected public register requires return short signed sizeof static "
-        "struct switch template this throw true try typedef typeid typename union unsigned using "
-        "virtual void volatile while xor System dot cross pi own kanexpr position_of velocity_of "
+        "NAN INFINITY HUGE_VAL HUGE_VALF HUGE_VALL MATH_ERRNO MATH_ERREXCEPT M_E M_LOG2E "
+        "M_LOG10E M_LN2 M_LN10 M_PI M_PI_2 M_PI_4 M_1_PI M_2_PI M_2_SQRTPI M_SQRT2 M_SQRT1_2 System dot "
+        "cross pi own kanexpr position_of velocity_of "
         "angular_velocity_of magnitude speeds coordinates parameters inputs bodies loads origin offset "
         "rotated particle rigid_body force torque gravity spring damper inertia speed coordinate "
         "parameter input inertial kinematics body_fixed space_fixed angular_velocity kinematics_of fixed_in "
         "force_between torque_between torsional_spring torsional_damper potential_energy zero_along "
         "configuration_constraints velocity_constraints dependent time_variable inertial_frame kane_system "
         "equations_of_motion sqrt sin cos tan asin acos atan exp log sinh cosh tanh abs sign atan2 hypot pow "
-        "min max initial_state initial_parameters initial_inputs ";
-    return reserved.find(' ' + name + ' ') != reserved.npos || name.starts_with("_") ||
-           name.find("__") != name.npos;
+        "min max initial_state initial_parameters initial_inputs";
+    return contains_word(reserved, name) || contains_word(kanexpr::exporting::words_of_cpp, name) ||
+           contains_word(kanexpr::base::library_words::macros_of_the_library, name) ||
+           name.starts_with("_") || name.find("__") != name.npos;
+  }
+
+  static bool contains_word(std::string_view words, std::string_view wanted) {
+    using kanexpr::base::library_words::next_of;
+    for (std::string_view word = next_of(words); !word.empty(); word = next_of(words))
+      if (word == wanted) return true;
+    return false;
   }
 
   std::map<std::string, entity> all_{};

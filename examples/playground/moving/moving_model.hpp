@@ -77,7 +77,7 @@ public:
       const Eigen::VectorXd e = speed_residual_(t, x, p, r);
       x.tail(known_->speeds) -= weighted_solution(speed_jacobian_(t, x, p, r), e, coordinates(), reluctance);
     }
-    return x.allFinite() && error < enough;
+    return x.allFinite() && error < enough && satisfies_velocity_constraints(enough);
   }
 
   /// Completes the initial values: the independent ones stay as they are if this is possible.
@@ -153,6 +153,18 @@ private:
     x += h / 6 * (a + 2 * b + 2 * c + d);
     t += h;
     if (known_->constraints > 0) satisfy_constraints();
+  }
+
+  /// Whether J u + b = 0 holds to a part of the size of its terms.
+  bool satisfies_velocity_constraints(double part) {
+    if (known_->constraints == 0) return true;
+    constexpr double rounding = 1e-12;
+    Eigen::VectorXd at_rest = x;
+    at_rest.tail(known_->speeds).setZero();
+    const Eigen::VectorXd error = speed_residual_(t, x, p, r), b = speed_residual_(t, at_rest, p, r);
+    const Eigen::MatrixXd j = speed_jacobian_(t, x, p, r);
+    const Eigen::VectorXd terms = j.cwiseAbs() * x.tail(known_->speeds).cwiseAbs() + b.cwiseAbs();
+    return error.lpNorm<Eigen::Infinity>() <= part * terms.lpNorm<Eigen::Infinity>() + rounding;
   }
 
   /// The solution of J z = e of least weighted norm, in which dependent symbols are nearly free to change.

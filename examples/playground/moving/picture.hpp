@@ -36,8 +36,10 @@ public:
     seen_ = kanexpr::figures::detail::view_along((AngleAxisd(azimuth, up) * raised).normalized(), up);
   }
 
-  /// The figure as SVG. Without labels it contains what moves, without names, lengths and angles.
+  /// The figure as SVG; empty if a point is not at a finite place near enough to be drawn. Without labels it
+  /// contains what moves, without names, lengths and angles.
   std::string svg(bool has_labels) {
+    if (!is_within_reach()) return "";
     kanexpr::figures::geometry at = geometry();
     if (!at.cause.empty()) return "";
     at.size = size_;
@@ -65,6 +67,11 @@ public:
   }
 
 private:
+  bool is_within_reach() {
+    constexpr double farthest = 1e7; // pixels
+    const Eigen::Matrix3Xd at = moving_.points();
+    return moving_.x.allFinite() && (pixels_per_meter() * at.array().abs() < farthest).all();
+  }
   double pixels_per_meter() const { return 230 / size_; } // as in a drawing
   Eigen::Vector3d upward() const { return nearest_axis(home_.up); }
   static Eigen::Vector3d nearest_axis(const Eigen::Vector3d& v) {

@@ -20,29 +20,63 @@ function system(memory) {
   return new Proxy({}, { get: (_, name) => known[name] ?? (() => unsupported), has: () => true });
 }
 
+const tooLarge = 'this model is too large for this page';
+
 /// Opens the engine from its compressed bytes as base64.
 export async function openEngine(packed) {
   const zipped = Uint8Array.fromBase64?.(packed) ?? Uint8Array.from(atob(packed), (each) => each.charCodeAt(0));
   const bytes = await new Response(new Blob([zipped]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
-  let engine;
-  const { instance } = await WebAssembly.instantiate(bytes, {
-    wasi_snapshot_preview1: system(() => engine.memory),
+  const module = await WebAssembly.compile(bytes);
+  return new Engine(() => {
+    let engine;
+    const { exports } = new WebAssembly.Instance(module, { wasi_snapshot_preview1: system(() => engine.memory) });
+    engine = exports;
+    engine._initialize?.();
+    return engine;
   });
-  engine = instance.exports;
-  engine._initialize?.();
-  return new Engine(engine);
 }
 
+/// A function that fails, since the stack or the memory does not suffice, leaves the engine unusable. Another one
+/// takes its place, with the last valid model at its start, and the caller gets a sentence.
 class Engine {
+  #start;
   #wasm;
+  #last = '';
 
-  constructor(wasm) { this.#wasm = wasm; }
+  constructor(start) {
+    this.#start = start;
+    this.#wasm = this.#guarded(start());
+  }
+
+  #guarded(exports) {
+    return new Proxy({}, {
+      get: (_, name) => (typeof exports[name] !== 'function' ? exports[name] : (...values) => {
+        try {
+          return exports[name](...values);
+        } catch {
+          this.#wasm = this.#guarded(this.#start());
+          const last = this.#last;
+          this.#last = ''; // so that it is tried once
+          if (last) this.read(last);
+          throw new Error(tooLarge);
+        }
+      }),
+    });
+  }
 
   /// The words of lines and the functions, for the editor.
   vocabulary() { return JSON.parse(this.#text(this.#wasm.vocabulary())); }
 
   /// Builds and derives a model. A model with a mistake leaves the last one in place.
-  read(text) { return JSON.parse(this.#call('read', text)); }
+  read(text) {
+    try {
+      const answer = JSON.parse(this.#call('read', text));
+      if (!answer.mistake) this.#last = text;
+      return answer;
+    } catch (error) {
+      return { mistake: { line: 0, sentence: error.message } };
+    }
+  }
   /// M and f, or A and B; `entries` are symbols, numbers, or symbolsHere: the state as numbers.
   equations(areLinearized, entries) {
     const shown = ['symbols', 'numbers', 'symbolsHere'].indexOf(entries);
@@ -82,7 +116,7 @@ class Engine {
     return decoder.decode(bytes.subarray(0, bytes.indexOf(0)));
   }
   #call(name, text) {
-    const bytes = encoder.encode(text);
+    const bytes = encoder.encode(text.replaceAll('\0', '␀')); // a zero byte would end the text
     const at = this.#wasm.allocate(bytes.length + 1);
     const there = new Uint8Array(this.#wasm.memory.buffer, at, bytes.length + 1);
     there.set(bytes), there[bytes.length] = 0;

@@ -30,8 +30,16 @@ function headings(model) {
   };
 }
 
+function equationsOf(engine, isLinear, entries) {
+  try {
+    return engine.equations(isLinear, entries);
+  } catch (error) {
+    return { mistake: error.message };
+  }
+}
+
 export function showEquations(element, engine, model, { isLinear, entries }) {
-  const answer = engine.equations(isLinear, entries);
+  const answer = equationsOf(engine, isLinear, entries);
   if (answer.mistake) {
     element.replaceChildren(Object.assign(document.createElement('p'), { className: 'long', textContent: answer.mistake }));
     return '';

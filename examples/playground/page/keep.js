@@ -11,20 +11,21 @@ export function linkTo(text) {
   return address.href;
 }
 
-function linked() {
+/// The text of the link that was opened: nothing without one, and null if it is damaged.
+export function linked() {
+  const letters = location.hash.slice(1).replaceAll('-', '+').replaceAll('_', '/');
+  if (!letters) return '';
   try {
-    const letters = location.hash.slice(1).replaceAll('-', '+').replaceAll('_', '/');
-    return letters && strFromU8(inflateSync(strToU8(atob(letters), true)));
+    const text = strFromU8(inflateSync(strToU8(atob(letters), true)));
+    return text === '' || text.includes('\ufffd') ? null : text;
   } catch {
-    return '';
+    return null;
   }
 }
 
-/// The text of the link that was opened, or the one of the last visit.
-export function kept() {
-  let remembered = '';
-  try { remembered = localStorage.getItem(place) ?? ''; } catch { /* the browser keeps nothing for this page */ }
-  return linked() || remembered;
+/// The text of the last visit.
+export function remembered() {
+  try { return localStorage.getItem(place) ?? ''; } catch { return ''; /* the browser keeps nothing for this page */ }
 }
 
 export function keep(text) {

@@ -5,10 +5,11 @@ import { openEngine } from './engine.js';
 import { examples } from './examples.js';
 import { find } from './find.js';
 import { namesIn, openForm } from './form.js';
-import { keep, kept, linkTo } from './keep.js';
+import { keep, linked, linkTo, remembered } from './keep.js';
 import { Player } from './player.js';
 import { copy, Results } from './results.js';
 
+const damaged = 'this link is damaged, and its model cannot be read';
 const pause = 180; // ms in which nobody types before the model is derived
 
 const began = performance.now();
@@ -54,8 +55,11 @@ function restart() {
   engine.parameters(parameters.length).set(parameters);
   engine.inputs(inputs.length).set(inputs);
   engine.satisfyConstraints();
+  if (!document.body.classList.contains('stale')) sayDerived();
   open();
 }
+
+function sayDerived() { say(`derived in ${derived.toFixed(derived < 1 ? 1 : 0)} ms`, false); }
 
 /// Derives the model that is written, or shows its mistake and keeps the last model.
 function read() {
@@ -70,7 +74,7 @@ function read() {
     player.pause();
     return say((mistake.line ? `Line ${mistake.line}: ` : '') + mistake.sentence, true);
   }
-  say(`derived in ${derived.toFixed(derived < 1 ? 1 : 0)} ms`, false);
+  sayDerived();
   model = answer;
   text = editor.text;
   if (!examples.some((each) => each.model === text)) keep(text);
@@ -94,11 +98,30 @@ for (const each of document.querySelectorAll('[data-add]'))
   each.onclick = () => openForm(find('add'), vocabulary, each.dataset.add, namesIn(editor.text), (line) => editor.add(line));
 find('cancel').onclick = () => find('add').close();
 
-const earlier = kept();
-if (earlier) find('example').prepend(new Option('Your model'));
-find('example').selectedIndex = 0;
-if (earlier) show({ title: 'model', model: earlier });
-if (!model) show(examples[0]);
+/// Shows a text that is not an example, with its mistake if it has one; the figure then needs another model.
+function showOwn(lines) {
+  if (find('example').options[0].text !== 'Your model') find('example').prepend(new Option('Your model'));
+  find('example').selectedIndex = 0;
+  show({ title: 'model', model: lines });
+  if (model) return;
+  text = examples[0].model;
+  model = engine.read(text);
+  open();
+}
+
+/// Shows the model of the link, or the one of the last visit, or an example.
+function showFirst() {
+  const link = linked(), earlier = link || remembered();
+  if (earlier) showOwn(earlier);
+  else show(examples[find('example').selectedIndex = 0]);
+  if (link === null) say(damaged, true);
+}
+showFirst();
+addEventListener('hashchange', () => {
+  const link = linked();
+  if (link) showOwn(link);
+  if (link === null) say(damaged, true);
+});
 
 window.playground = {
   engine, linkTo, started,

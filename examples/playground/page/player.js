@@ -64,6 +64,16 @@ export class Player {
   #frame(now) {
     requestAnimationFrame((next) => this.#frame(next));
     if (!this.#model || (!this.playing && !this.#isDirty)) return;
+    try {
+      this.#show(now);
+    } catch (error) {
+      this.pause();
+      this.#isDirty = false;
+      this.onTrouble(error.message);
+    }
+  }
+
+  #show(now) {
     if (this.playing && this.stage.held === undefined) this.#advance(now);
     this.#last = now;
     if (this.playing || this.chart.samples.length === 0) this.chart.add(this.engine.time, this.engine.energy);

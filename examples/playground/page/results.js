@@ -88,7 +88,12 @@ export class Results {
 
   #showWords() {
     this.#say('');
-    find('words').textContent = wordsOf(this.engine, this.name);
+    find('words').textContent = '';
+    try {
+      find('words').textContent = wordsOf(this.engine, this.name);
+    } catch (error) {
+      this.#say(error.message, true);
+    }
   }
 
   #take(button) {

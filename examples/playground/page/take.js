@@ -29,6 +29,6 @@ export function download(engine, kind, name) {
 
 /// A name for files and namespaces: letters, digits and underscores.
 export function identifier(title) {
-  const letters = title.trim().replace(/\W+/g, '_').replace(/^(\d)/, '_$1').replace(/_+/g, '_');
-  return letters.replace(/^_|_$/g, '') || 'model';
+  const letters = title.trim().replace(/[\W_]+/g, '_').replace(/^_|_$/g, '');
+  return letters.replace(/^(?=\d)/, 'n') || 'model';
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "playground/take_away/in_cpp.hpp"
+#include "playground/take_away/structs.hpp"
 #include "playground/text/line.hpp"
 
 #include <cstddef>
@@ -25,9 +26,12 @@ public:
     std::string text = "#pragma once\n\n#include <kanexpr/kanexpr.hpp>\n\nnamespace " + name +
                        " {\n\nusing namespace kanexpr;\n\n" + symbols_;
     if (uses_time_) text += "constexpr time_variable t;\n";
-    text += '\n' + structs_ + '\n' + system() + values;
+    text += '\n' + structs_.text() + '\n' + system() + values;
     return text + "\n} // namespace " + name + '\n';
   }
+
+  /// Why there are no types: structs that contain each other.
+  std::string mistake() const { return structs_.mistake(); }
 
 private:
   using list = std::vector<std::string>;
@@ -188,7 +192,7 @@ private:
 
   void add_struct(const std::string& name, const std::string& word, const std::string& arguments,
                   const std::string& more = "") {
-    structs_ += "struct " + name + " : " + word + '<' + arguments + '>' + more + " {};\n";
+    structs_.add(name, word + '<' + arguments + '>' + more);
   }
 
   void note_time(const line& l) {
@@ -220,7 +224,8 @@ private:
 
   const std::vector<line>& lines_;
   std::string inertial_;
-  std::string symbols_{}, structs_{};
+  std::string symbols_{};
+  structs structs_{};
   std::map<std::string, list> lists_{};
   bool uses_time_ = false;
 };

@@ -97,7 +97,7 @@ private:
     case tree::kind::name: return e.text == "pi" ? number_in_cpp(std::numbers::pi) : e.text;
     case tree::kind::axis: return (e.text == own_ ? "own" : e.text) + "::" + e.axis;
     case tree::kind::call: return call(e);
-    case tree::kind::negative: return "-" + part(0, 3);
+    case tree::kind::negative: return "-" + part(0, 4); // -(-q), since --q decrements
     case tree::kind::sum: return part(0, 1) + " + " + part(1, 2);
     case tree::kind::difference: return part(0, 1) + " - " + part(1, 2);
     case tree::kind::product: return part(0, 2) + '*' + part(1, 3);

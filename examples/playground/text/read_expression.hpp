@@ -11,7 +11,8 @@
 
 namespace playground {
 
-/// Reads an expression, with the precedence that mathematics gives to + - * / ^.
+/// Reads an expression, with the precedence that mathematics gives to + - * / ^. What follows works through
+/// expressions by recursion, so their depth has a limit.
 class expression_reader {
 public:
   explicit expression_reader(scanner& from) : from_(from) {}
@@ -20,6 +21,7 @@ public:
     tree all = product();
     while (from_.next().text == "+" || from_.next().text == "-") {
       const bool adds = from_.take().text == "+";
+      if (is_too_long()) return all;
       all = joined(adds ? tree::kind::sum : tree::kind::difference, std::move(all), product());
     }
     return all;
@@ -30,12 +32,24 @@ private:
     tree all = factor();
     while (from_.next().text == "*" || from_.next().text == "/") {
       const bool multiplies = from_.take().text == "*";
+      if (is_too_long()) return all;
       all = joined(multiplies ? tree::kind::product : tree::kind::quotient, std::move(all), factor());
     }
     return all;
   }
 
   tree factor() {
+    if (depth_ == most_levels) {
+      from_.fail("the expression is nested more than " + std::to_string(most_levels) + " levels deep");
+      return {};
+    }
+    ++depth_;
+    tree read = signed_factor();
+    --depth_;
+    return read;
+  }
+
+  tree signed_factor() {
     if (from_.take_if("-")) return {.is = tree::kind::negative, .parts = {factor()}};
     from_.take_if("+");
     tree base = primary();
@@ -95,7 +109,16 @@ private:
     return both;
   }
 
+  bool is_too_long() {
+    if (++operations_ <= most_operations) return false;
+    from_.fail("the expression has more than " + std::to_string(most_operations) + " operations");
+    return true;
+  }
+
+  static constexpr int most_levels = 100, most_operations = 1000;
+
   scanner& from_;
+  int depth_ = 0, operations_ = 0;
 };
 
 } // namespace playground
