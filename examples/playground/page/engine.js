@@ -27,13 +27,18 @@ export async function openEngine(packed) {
   const zipped = Uint8Array.fromBase64?.(packed) ?? Uint8Array.from(atob(packed), (each) => each.charCodeAt(0));
   const bytes = await new Response(new Blob([zipped]).stream().pipeThrough(new DecompressionStream('gzip'))).arrayBuffer();
   const module = await WebAssembly.compile(bytes);
-  return new Engine(() => {
+  const prepare = () => {
     let engine;
-    const { exports } = new WebAssembly.Instance(module, { wasi_snapshot_preview1: system(() => engine.memory) });
-    engine = exports;
-    engine._initialize?.();
-    return engine;
-  });
+    const imports = { wasi_snapshot_preview1: system(() => engine.memory) };
+    const begin = ({ exports }) => { engine = exports, engine._initialize?.(); return engine; };
+    return { imports, begin };
+  };
+  const start = () => {
+    const { imports, begin } = prepare();
+    return begin(new WebAssembly.Instance(module, imports));
+  };
+  const { imports, begin } = prepare();
+  return new Engine(begin(await WebAssembly.instantiate(module, imports)), start);
 }
 
 /// A function that fails, since the stack or the memory does not suffice, leaves the engine unusable. Another one
@@ -43,9 +48,10 @@ class Engine {
   #wasm;
   #last = '';
 
-  constructor(start) {
+  /// `start` returns another engine at once.
+  constructor(wasm, start) {
     this.#start = start;
-    this.#wasm = this.#guarded(start());
+    this.#wasm = this.#guarded(wasm);
   }
 
   #guarded(exports) {
