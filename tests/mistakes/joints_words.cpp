@@ -66,8 +66,8 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n9
 
-// expect: joint Link has at<...> with no vector or more than two; write at<vector in the parent, vector in its
-// expect: own axes>
+// expect: joint Link has at<...> with no vector or more than two; write at<vector in the parent, vector in
+// expect: its own axes>
 namespace n10 {
 struct Link : pin<Link, Ground, up, at<l * Ground::x, l * own::x, l * own::y>, mass> {};
 struct System : jointed<joints<Link>> {};
@@ -135,8 +135,8 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n18
 
-// expect: joint Link has a position that is not a vector; write at<vector in the parent, vector in its
-// expect: own axes>
+// expect: joint Link has a position that is not a vector; write at<vector in the parent, vector in
+// expect: its own axes>
 namespace n19 {
 struct Link : pin<Link, Ground, up, at<l>, mass> {};
 struct System : jointed<joints<Link>> {};
