@@ -99,6 +99,24 @@ TEST(animation, tells_which_place_is_no_number) {
   EXPECT_EQ(kanexpr::animated<far>(run).cause(), "the position of the sphere at P is not finite at t = 0");
 }
 
+TEST(animation, tells_which_length_a_page_cannot_show) {
+  const std::string range = "; a page can show lengths from 1e-15 to 1e15";
+  tests::samples<System> run = swing({0.1, 0.2});
+  for (const double shown : {1e-13, 1e13}) {
+    run.p[l] = shown;
+    EXPECT_EQ(pendulum_along(run).cause(), "");
+  }
+  run.p[l] = 1e30;
+  EXPECT_EQ(pendulum_along(run).cause(), "the height of the ground is -2e+30" + range);
+  using apart = kanexpr::picture<System, up<-N::x>, show<sphere<P, l / 10>>>;
+  EXPECT_EQ(kanexpr::animated<apart>(run).cause(), "a dimension of the sphere at P is 1e+29" + range);
+  run.p[l] = 2e15;
+  EXPECT_EQ(kanexpr::animated<apart>(run).cause(),
+            "the sphere at P is 2e+15 away from the origin at t = 0" + range);
+  run.p[l] = 1e-200; // times cos 0.1
+  EXPECT_EQ(kanexpr::animated<apart>(run).cause(), "the largest length in the picture is 9.95e-201" + range);
+}
+
 TEST(animation, wants_samples_in_the_order_of_time) {
   EXPECT_EQ(pendulum_along(swing({})).cause(), "the trajectory has no samples");
   tests::samples<System> run = swing({0.1, 0.2, 0.3});
@@ -196,6 +214,15 @@ TEST(tracks, separate_what_moves_by_more_than_the_digits_of_a_page) {
   EXPECT_EQ(kanexpr::animate::tracks_of(a).all.size(), 4u);
 }
 
+TEST(page_text, keeps_small_steps_at_large_times) {
+  kanexpr::animation a = pendulum_along(swing({0.1, 0.2, 0.3}));
+  for (const double start : {1e6, 1e9}) {
+    for (std::size_t k = 0; k < 3; ++k) a.times[k] = start + 0.01 * static_cast<double>(k);
+    const auto text = nlohmann::json::parse(kanexpr::animate::page_text({{"", a}}, "", ""));
+    EXPECT_EQ(text["runs"][0]["times"].get<std::vector<double>>(), a.times);
+  }
+}
+
 TEST(page_text, names_the_time_beside_what_the_model_names) {
   const auto name_beside = [](std::initializer_list<const char*> names) {
     kanexpr::animation a;
@@ -260,6 +287,8 @@ TEST_F(page, tells_why_it_is_not_written) {
   EXPECT_EQ(
       write_page<pendulum>(path("page.html"), run, {.title = "A", .empty_page = path("none.html")}).cause(),
       "the empty page cannot be read, " + path("none.html") + "; the target kanexpr_page builds it with npm");
+  EXPECT_EQ(write_page<pendulum>(path("page.html"), run, {.title = "A", .empty_page = path("")}).cause(),
+            "the empty page cannot be read, " + path("") + "; the target kanexpr_page builds it with npm");
 }
 
 TEST_F(page, shows_several_runs) {
@@ -288,6 +317,14 @@ TEST_F(page, tells_which_run_it_cannot_show) {
   EXPECT_EQ(cause({{"slow", good}, {"fast", none}}), "run fast: the trajectory has no samples");
   EXPECT_EQ(cause({{"slow", good}, {"", good}}), "one of several runs has no name");
   EXPECT_EQ(cause({{"slow", good}, {"slow", good}}), "two runs are named slow");
+  EXPECT_EQ(cause({{"slow", {}}}), "the animation has no times");
+  kanexpr::animation odd = good;
+  odd.shapes.clear();
+  EXPECT_EQ(cause({{"slow", good}, {"fast", odd}}), "run fast: the animation has no shapes");
+  odd = good, odd.times.push_back(1);
+  EXPECT_EQ(cause({{"odd", odd}}), "the trace at P has 1 placement for 2 times");
+  for (kanexpr::animation::shape& s : odd.shapes) s.placements.resize(2);
+  EXPECT_EQ(cause({{"odd", odd}}), "q has 1 value for 2 times");
   EXPECT_FALSE(std::filesystem::exists(path("page.html")));
 }
 

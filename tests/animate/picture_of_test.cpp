@@ -149,6 +149,7 @@ TEST(picture_of, shows_a_free_body_as_the_solid_with_its_inertia) {
   const Eigen::Matrix3d edges = box.placements[0].orientation * Vector3d(box.sizes.data()).asDiagonal();
   EXPECT_LT((edges.cwiseAbs() * Vector3d::Ones() - Vector3d(2, 1, 3)).norm(), 1e-12); // 1, 2 and 3, turned
   EXPECT_FALSE(a.ground);
+  EXPECT_EQ(a.system, "The model"); // the title of a page
 }
 
 TEST(picture_of, reports_why_there_is_no_picture) {
@@ -161,6 +162,12 @@ TEST(picture_of, reports_why_there_is_no_picture) {
   const model m = derive(b);
   EXPECT_EQ(animated(m, positions(m, {}, {})).cause(), "the trajectory has no samples");
   EXPECT_EQ(animated(m, positions(m, {}, {{std::nan("")}})).cause(), "the state is not finite at t = 0");
+  positions odd(m, {}, {{0.0}, {0.1}});
+  odd.all[1].x.resize(5);
+  EXPECT_EQ(animated(m, odd).cause(),
+            "the state at t = 1 has 5 entries, but the model has 2 coordinates and speeds");
+  odd.all[1].x.setZero(2), odd.all[1].r.setZero(1);
+  EXPECT_EQ(animated(m, odd).cause(), "the input vector at t = 1 has 1 entry, but the model has 0 inputs");
   b.particle("Bob", P, b.number(1));
   EXPECT_EQ(animated(derive(b), positions(m, {}, {{0.0}})).cause(), "two bodies are called Bob");
 }

@@ -120,6 +120,8 @@ TEST(figure, needs_no_inputs) {
 TEST(figure, escapes_what_has_a_meaning_in_xml) {
   EXPECT_THAT(crane_at(0.6, 0.4, {.title = "a <b> & ]]>\n"}).svg(),
               HasSubstr("<title>a &lt;b&gt; &amp; ]]&gt; </title>"));
+  EXPECT_THAT(crane_at(0.6, 0.4, {.title = "\xC3\xA9 \xFF \xC3"}).svg(), // not UTF-8
+              HasSubstr("<title>\xC3\xA9 \xEF\xBF\xBD \xEF\xBF\xBD</title>"));
 }
 
 TEST(figure, rounds_long_numbers) {
@@ -231,6 +233,64 @@ TEST(figure, solves_for_what_the_constraints_determine) {
   EXPECT_NEAR(end[0](0), 2 * bob[0](0), 0.11);
   EXPECT_EQ(draw(b, {{"q1", 0.5}, {"q2", 0.4}, {"u1", 0.0}, {"u2", 0.0}}).cause().substr(0, 26),
             "configuration constraint 1");
+}
+
+/// A crank of length a, a rod of length c and a slider at s on N.x.
+runtime::builder& add_slider_crank(runtime::builder& b) {
+  const auto N = runtime::builder::inertial_frame();
+  const auto q = b.coordinate("q"), r = b.coordinate("r"), s = b.coordinate("s"), a = b.parameter("a");
+  const auto u = b.speed("u"), v = b.speed("v"), w = b.speed("w"), c = b.parameter("c");
+  b.kinematic_equation(b.dot(q) - u), b.kinematic_equation(b.dot(r) - v), b.kinematic_equation(b.dot(s) - w);
+  const auto A = b.rotated("A", N, q, b.along(N, 0, 0, 1)), C = b.rotated("C", N, r, b.along(N, 0, 0, 1));
+  const auto O = b.origin("O"), P = b.offset("P", O, b.along(A, a, 0, 0)),
+             Q = b.offset("Q", P, b.along(C, c, 0, 0)), S = b.offset("S", O, b.along(N, s, 0, 0));
+  b.particle("Crank", P, b.number(1)), b.particle("Slider", S, b.number(1));
+  b.configuration_constraint(b.zero_along(b.position_of(Q, S), b.along(N, 1, 0, 0), b.along(N, 0, 1, 0)));
+  b.dependent(r), b.dependent(s), b.dependent(v), b.dependent(w);
+  return b;
+}
+
+TEST(figure, refuses_coordinates_that_contradict_the_constraints) {
+  runtime::builder b("N");
+  model m = derive(add_slider_crank(b));
+  const auto at = [&](const given_state<model>& x, double scale = 1) {
+    return draw(m, x, {{"a", scale}, {"c", 2 * scale}}).cause();
+  };
+  EXPECT_EQ(at({{"q", 0.5}, {"u", 0}}), "");
+  EXPECT_EQ(at({{"q", 0.5}, {"r", -0.242}, {"s", 2.82}, {"u", 0}}), "");
+  EXPECT_EQ(at({{"q", 0.5}, {"s", 2.82}, {"u", 0}}), "");
+  for (const double scale : {1e-12, 1.0, 1e12}) {
+    EXPECT_THAT(at({{"q", 0.5}, {"r", 1}, {"s", 7 * scale}, {"u", 0}}, scale), // dependent speeds omitted
+                testing::StartsWith("configuration constraint"));
+    EXPECT_EQ(at({{"q", 0.5}, {"s", 2.82 * scale}, {"u", 0}}, scale), "");
+  }
+  EXPECT_EQ(at({{"q", 0.5}, {"s", 7}, {"u", 0}}),
+            "coordinate s is given as 7, but the constraints require 2.82");
+  EXPECT_EQ(at({{"q", 0.5}, {"r", -0.4}, {"u", 0}}),
+            "coordinate r is given as -0.4, but the constraints require -0.242");
+}
+
+/// A plate about O, and a point at the distance l from it.
+figure plate(double l, double m, double I) {
+  runtime::builder b("N");
+  const auto N = runtime::builder::inertial_frame();
+  const auto q = b.coordinate("q"), length = b.parameter("l");
+  b.kinematic_equation(b.dot(q) - b.speed("u"));
+  const auto A = b.rotated("A", N, q, b.along(N, 0, 0, 1));
+  const auto O = b.origin("O");
+  b.offset("P", O, b.along(N, length, 0, 0));
+  b.rigid_body("Plate", O, A, b.parameter("m"), b.inertia(A, 0, 0, b.parameter("I")));
+  return draw(b, {{"q", 0.3}, {"u", 0}}, {{"l", l}, {"m", m}, {"I", I}});
+}
+
+TEST(figure, refuses_sizes_that_do_not_fit_into_a_picture) {
+  EXPECT_EQ(plate(1, 1, 1e20).cause(), "");
+  EXPECT_EQ(plate(1e-90, 1, 1e-180).cause(), "");
+  EXPECT_EQ(plate(5e-324, 1, 1).cause(), "the size of the model is 4.94e-324; it must exceed 1e-100");
+  EXPECT_EQ(plate(1, 1, 1e30).cause(),
+            "the radius of gyration of the body Plate is 1e+15, but the size of the model is 1");
+  EXPECT_EQ(plate(1, 1e-300, 1e300).cause(),
+            "the radius of gyration of the body Plate is inf, but the size of the model is 1");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/animation.hpp>
+#include <kanexpr/base/digits.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
@@ -10,6 +11,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -23,12 +25,66 @@ inline std::string at_time(double t) {
   return " at t = " + std::string(digits, std::to_chars(digits, digits + sizeof digits, t).ptr);
 }
 
+/// The page computes in single precision, whose squares of lengths must neither overflow nor vanish.
+inline constexpr double largest_length = 1e15, least_length = 1e-15;
+inline constexpr const char* range_of_lengths = "; a page can show lengths from 1e-15 to 1e15";
+
 /// Checks a size or a scale. A scale may be negative, which mirrors the mesh.
 inline std::string check_number(const animation::shape& s, double size) {
   const bool is_scale = s.kind == "mesh";
-  if (numeric::is_finite(size) && (size > 0 || (is_scale && size < 0))) return {};
+  if (numeric::is_finite(size) && (size > 0 || (is_scale && size < 0))) {
+    if (is_scale || size <= largest_length) return {};
+    return "a dimension of the " + s.name + " is " + base::digits(size, 3) + range_of_lengths;
+  }
   if (is_scale) return "every scale of the " + s.name + " must be finite and nonzero";
   return "every dimension of the " + s.name + " must be positive and finite";
+}
+
+/// Checks the placement of a shape at one time.
+inline std::string check_placement(const animation::shape& s, const placement& here, double t) {
+  const bool is_arrow = s.kind == "arrow";
+  if (is_arrow && !numeric::all_finite(here.end))
+    return "the vector of the " + s.name + " is not finite" + at_time(t);
+  if (!numeric::all_finite(here.position) || !numeric::all_finite(here.end))
+    return "the position of the " + s.name + " is not finite" + at_time(t);
+  if (!numeric::all_finite(here.orientation))
+    return "the orientation of the " + s.name + " is not finite" + at_time(t);
+  const double distance = (std::max)(here.position.stableNorm(), is_arrow ? 0.0 : here.end.stableNorm());
+  if (distance > largest_length)
+    return "the " + s.name + " is " + base::digits(distance, 3) + " away from the origin" + at_time(t) +
+           range_of_lengths;
+  return {};
+}
+
+/// Checks that the lengths of an animation are not all too small. The lengths of a mesh are unknown.
+inline std::string check_smallness(const animation& a) {
+  double largest = 0;
+  for (const animation::shape& s : a.shapes) {
+    if (s.kind == "mesh") return {};
+    for (const placement& here : s.placements)
+      largest = (std::max)({largest, here.position.lpNorm<Eigen::Infinity>(),
+                            s.kind == "arrow" ? 0.0 : here.end.lpNorm<Eigen::Infinity>()});
+    const std::size_t lengths = s.kind == "coil" ? 1 : s.sizes.size(); // a coil also has a number of turns
+    for (std::size_t i = 0; i < lengths && i < s.sizes.size(); ++i) largest = (std::max)(largest, s.sizes[i]);
+  }
+  if (!(largest > 0) || largest >= least_length) return {};
+  return "the largest length in the picture is " + base::digits(largest, 3) + range_of_lengths;
+}
+
+/// Checks that an animation shows something, and that all its shapes and columns have an entry for each time.
+inline std::string check_entries(const animation& a) {
+  if (a.times.empty()) return "the animation has no times";
+  if (a.shapes.empty()) return "the animation has no shapes";
+  const auto of_times = [&](std::size_t entries, const char* one) {
+    return std::to_string(entries) + ' ' + one + (entries == 1 ? "" : "s") + " for " +
+           std::to_string(a.times.size()) + (a.times.size() == 1 ? " time" : " times");
+  };
+  for (const animation::shape& s : a.shapes)
+    if (s.placements.size() != a.times.size())
+      return "the " + s.name + " has " + of_times(s.placements.size(), "placement");
+  for (const animation::column& c : a.columns)
+    if (c.values.size() != a.times.size()) return c.name + " has " + of_times(c.values.size(), "value");
+  return {};
 }
 
 /// Returns a message that names the first value in an animation that is not finite or out of range; empty if
@@ -39,23 +95,18 @@ inline std::string check_numbers(const animation& a) {
   if (a.seen_from && (!numeric::all_finite(*a.seen_from) || !(a.seen_from->norm() > 0.5)))
     return "the direction of seen_from must be a nonzero vector";
   if (a.ground && !numeric::is_finite(*a.ground)) return "the height of the ground must be finite";
+  if (a.ground && std::abs(*a.ground) > largest_length)
+    return "the height of the ground is " + base::digits(*a.ground, 3) + range_of_lengths;
   for (const animation::column& c : a.columns)
     for (std::size_t k = 0; k < c.values.size(); ++k)
       if (!numeric::is_finite(c.values[k])) return c.name + " is not finite" + at_time(a.times[k]);
   for (const animation::shape& s : a.shapes) {
     for (double size : s.sizes)
       if (std::string cause = check_number(s, size); !cause.empty()) return cause;
-    for (std::size_t k = 0; k < s.placements.size(); ++k) {
-      const placement& here = s.placements[k];
-      if (s.kind == "arrow" && !numeric::all_finite(here.end))
-        return "the vector of the " + s.name + " is not finite" + at_time(a.times[k]);
-      if (!numeric::all_finite(here.position) || !numeric::all_finite(here.end))
-        return "the position of the " + s.name + " is not finite" + at_time(a.times[k]);
-      if (!numeric::all_finite(here.orientation))
-        return "the orientation of the " + s.name + " is not finite" + at_time(a.times[k]);
-    }
+    for (std::size_t k = 0; k < s.placements.size(); ++k)
+      if (std::string cause = check_placement(s, s.placements[k], a.times[k]); !cause.empty()) return cause;
   }
-  return {};
+  return check_smallness(a);
 }
 
 /// The names of the coordinates, speeds and inputs, without values.

@@ -193,7 +193,7 @@ inline nlohmann::json shape_text(const animation::shape& s, const std::vector<an
 /// Returns the motion of one run: its times, tracks, shapes and columns.
 inline nlohmann::json run_text(const std::string& name, const animation& a) {
   nlohmann::json run{{"name", name},
-                     {"times", list_of(a.times)},
+                     {"times", a.times}, // exactly; the steps may be small compared with them
                      {"tracks", nlohmann::json::array()},
                      {"shapes", nlohmann::json::array()},
                      {"columns", nlohmann::json::array()}};

@@ -9,6 +9,7 @@
 #include <kanexpr/animate/rolling.hpp>
 #include <kanexpr/animate/write_page.hpp>
 #include <kanexpr/base/outcome.hpp>
+#include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/figures/geometry.hpp>
 #include <kanexpr/figures/view.hpp>
 #include <kanexpr/mechanics/loads/force_and_torque.hpp>
@@ -90,14 +91,32 @@ inline std::span<const double> numbers_in(const Eigen::VectorXd& v) {
   return {v.data(), static_cast<std::size_t>(v.size())};
 }
 
+/// The reason why the vectors of a sample do not have the sizes of the model; empty if they do.
+inline std::string check_sizes(const derivation::survey& known, const recorded_motion& motion,
+                               std::size_t sample) {
+  const auto mistake_in = [&](const char* what, Eigen::Index given, int wanted, const char* symbols) {
+    if (given == wanted) return std::string();
+    return "the " + (what + at_time(motion.times[sample])) + " has " + std::to_string(given) +
+           (given == 1 ? " entry" : " entries") + ", but the model has " + std::to_string(wanted) + symbols +
+           (wanted == 1 ? "" : "s");
+  };
+  std::string mistake = mistake_in("state", motion.states[sample].size(), known.coordinates + known.speeds,
+                                   " coordinates and speed");
+  if (mistake.empty())
+    mistake = mistake_in("input vector", motion.inputs[sample].size(), known.inputs, " input");
+  return mistake;
+}
+
 /// Returns the default picture of a model along a motion.
 inline animation film(model m, const recorded_motion& motion) {
   animation a;
   a.failure = m.mistake();
   if (!a) return a;
   a.columns = columns_of(*m.known());
-  for (std::size_t k = 0; k < motion.times.size() && a; ++k)
-    add_sample(a, motion.times[k], numbers_in(motion.states[k]), numbers_in(motion.inputs[k]));
+  for (std::size_t k = 0; k < motion.times.size() && a; ++k) {
+    a.failure = check_sizes(*m.known(), motion, k);
+    if (a) add_sample(a, motion.times[k], numbers_in(motion.states[k]), numbers_in(motion.inputs[k]));
+  }
   if (a && motion.times.empty()) a.failure = "the trajectory has no samples";
   if (!a) return a;
   drop_unset_inputs(a);
@@ -130,16 +149,16 @@ struct picture_of {
 /// Returns the default picture of a run-time model along a trajectory.
 template <class Trajectory>
 animation animated(model m, const Trajectory& trajectory) {
-  return animate::film(std::move(m), animate::motion_of(trajectory));
+  animation made = animate::film(std::move(m), animate::motion_of(trajectory));
+  made.system = "The model"; // its type does not identify it
+  return made;
 }
 
 /// Writes an animated page with the default picture of a run-time model.
 template <class Trajectory>
 outcome write_page(const std::string& path, model m, const Trajectory& trajectory,
                    const page_options& options = {}) {
-  animation made = animated(std::move(m), trajectory);
-  made.system = "The model";
-  return animate::write_page(path, made, options);
+  return animate::write_page(path, animated(std::move(m), trajectory), options);
 }
 
 } // namespace kanexpr

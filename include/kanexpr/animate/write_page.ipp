@@ -1,19 +1,30 @@
 #pragma once
 
+#include <kanexpr/animate/check_animation.hpp>
 #include <kanexpr/animate/page_text.hpp>
 #include <kanexpr/animate/write_page.hpp>
 #include <kanexpr/base/outcome.hpp>
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 namespace kanexpr::animate {
 
 inline constexpr std::string_view motion_placeholder = "@motion@";
 inline constexpr std::string_view title_placeholder = "@title@";
+
+/// The contents of the empty page; empty if it cannot be read.
+inline std::string read_empty_page(const std::string& path) {
+  std::error_code failed;
+  if (!std::filesystem::is_regular_file(path, failed)) return {}; // reading a folder throws
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
 
 /// Escapes a title for use as the text of an element. Control characters, which a page may not contain,
 /// become spaces; invalid UTF-8 becomes U+FFFD.
@@ -39,13 +50,19 @@ inline outcome fill(std::string& page, const std::string& title, const std::stri
   return {};
 }
 
-/// Checks that there are runs, that all have a motion, and that their names distinguish them.
+/// The reason why a page cannot show an animation; empty if it can.
+inline std::string check_motion(const animation& a) {
+  if (!a) return a.cause();
+  const std::string mistake = check_entries(a);
+  return mistake.empty() ? check_numbers(a) : mistake;
+}
+
+/// Checks that there are runs, that a page can show all of them, and that their names distinguish them.
 inline std::string check_runs(const std::vector<named_animation>& runs) {
   if (runs.empty()) return "a page needs at least one run";
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (!runs[i].motion)
-      return runs.size() == 1 ? runs[i].motion.cause()
-                              : "run " + runs[i].name + ": " + runs[i].motion.cause();
+    if (const std::string mistake = check_motion(runs[i].motion); !mistake.empty())
+      return runs.size() == 1 ? mistake : "run " + runs[i].name + ": " + mistake;
     if (runs[i].name.empty() && runs.size() > 1) return "one of several runs has no name";
     for (std::size_t k = 0; k < i; ++k)
       if (runs[i].name == runs[k].name) return "two runs are named " + runs[i].name;
@@ -64,8 +81,7 @@ namespace kanexpr {
 KANEXPR_PAGES outcome write_page(const std::string& path, const std::vector<named_animation>& runs,
                                  const page_options& options) {
   if (const std::string mistake = animate::check_runs(runs); !mistake.empty()) return outcome(mistake);
-  std::ifstream file(options.empty_page, std::ios::binary);
-  std::string page{std::istreambuf_iterator<char>(file), {}};
+  std::string page = animate::read_empty_page(options.empty_page);
   if (page.empty())
     return outcome("the empty page cannot be read" +
                    (options.empty_page.empty() ? std::string() : ", " + options.empty_page) +

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/utf8.hpp>
 #include <kanexpr/figures/text.hpp>
 
 #include <Eigen/Core>
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <limits>
 #include <numbers>
@@ -85,13 +87,21 @@ inline canvas::point turned(const canvas::point& v, double angle) {
   return {std::cos(angle) * v(0) - std::sin(angle) * v(1), std::sin(angle) * v(0) + std::cos(angle) * v(1)};
 }
 
+/// A text as the contents of an XML element. Control characters become spaces; each invalid byte becomes
+/// U+FFFD.
 inline std::string escaped(std::string_view plain) {
   std::string out;
-  for (const char c : plain)
-    out += c == '<'   ? "&lt;"
-           : c == '>' ? "&gt;"
-           : c == '&' ? "&amp;"
-                      : std::string(1, '\0' <= c && c < ' ' ? ' ' : c);
+  while (!plain.empty()) {
+    const std::size_t length = base::bytes_of_first_character(plain);
+    const char c = plain[0];
+    if (length == 0)
+      out += "\xEF\xBF\xBD";
+    else if (length > 1)
+      out += plain.substr(0, length);
+    else
+      out += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : std::string(1, c < ' ' ? ' ' : c);
+    plain.remove_prefix((std::max)(length, std::size_t{1}));
+  }
   return out;
 }
 

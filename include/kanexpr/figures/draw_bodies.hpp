@@ -1,27 +1,51 @@
 #pragma once
 
+#include <kanexpr/base/digits.hpp>
 #include <kanexpr/figures/drawing.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 
+#include <cmath>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace kanexpr::figures {
 
+/// Whether a body is drawn as a silhouette.
+inline bool has_silhouette(const drawing& d, int body) {
+  const int frame = d.mechanism().bodies[body].frame;
+  const Eigen::Matrix3d& inertia = d.at.inertias[static_cast<std::size_t>(body)];
+  return frame != mechanics::none && !d.has_links(frame) && d.at.masses[static_cast<std::size_t>(body)] > 0 &&
+         inertia.allFinite() && !inertia.isZero();
+}
+
+/// The reason why a silhouette is too large for a picture; empty if none is.
+inline std::string reason_against_bodies(const drawing& d) {
+  constexpr double largest = 1e12; // relative to the model
+  for (int i = 0; i < d.mechanism().bodies.size(); ++i) {
+    if (!has_silhouette(d, i)) continue;
+    const auto body = static_cast<std::size_t>(i);
+    const double radius = std::sqrt(d.at.inertias[body].cwiseAbs().maxCoeff() / d.at.masses[body]);
+    if (!(radius < largest * d.at.size))
+      return "the radius of gyration of the body " + std::string(d.mechanism().bodies[i].called.view()) +
+             " is " + base::digits(radius, 3) + ", but the size of the model is " +
+             base::digits(d.at.size, 3);
+  }
+  return "";
+}
+
 /// A body without links is drawn as the silhouette of a homogeneous body with the same mass and inertia: an
 /// ellipsoid, a disc or a rod.
 inline void draw_bodies(drawing& d) {
   const mechanics::mechanism& m = d.mechanism();
   for (int i = 0; i < m.bodies.size(); ++i) {
-    if (m.bodies[i].frame != mechanics::none && d.has_links(m.bodies[i].frame)) continue;
+    if (!has_silhouette(d, i)) continue;
     const double mass = d.at.masses[static_cast<std::size_t>(i)];
     const Eigen::Matrix3d& inertia = d.at.inertias[static_cast<std::size_t>(i)];
-    if (m.bodies[i].frame == mechanics::none || !(mass > 0) || !inertia.allFinite() || inertia.isZero())
-      continue;
     const Eigen::Matrix3d moments =
         (0.5 * inertia.trace() * Eigen::Matrix3d::Identity() - inertia) / mass; // Σ m r rᵀ / Σ m
     const Eigen::Vector3d principal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments).eigenvalues();

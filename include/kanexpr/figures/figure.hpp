@@ -1,6 +1,8 @@
 #pragma once
 
+#include <kanexpr/base/digits.hpp>
 #include <kanexpr/base/outcome.hpp>
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/figures/draw_axes.hpp>
 #include <kanexpr/figures/draw_bodies.hpp>
 #include <kanexpr/figures/draw_loads.hpp>
@@ -11,7 +13,9 @@
 #include <Eigen/Core>
 
 #include <algorithm>
+#include <cmath>
 #include <concepts>
+#include <cstddef>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -87,10 +91,13 @@ namespace figures {
 /// The reason why a geometry cannot be drawn as requested; empty if it can be.
 inline std::string reason_against(const geometry& at, const figure_options& how) {
   if (!at.cause.empty()) return at.cause;
-  constexpr double largest = 1e100, least_sine = 1e-3; // squares of sizes do not overflow
+  constexpr double largest = 1e100, least = 1e-100; // squares of sizes neither overflow nor vanish
+  constexpr double least_sine = 1e-3;
   for (const Eigen::Vector3d& each : at.points)
     if (!(each.cwiseAbs().maxCoeff() < largest))
       return "the position of a point is not finite or exceeds 1e100; specify values for all parameters";
+  if (at.size < least)
+    return "the size of the model is " + base::digits(at.size, 3) + "; it must exceed 1e-100";
   for (const auto& [direction, called] : {std::pair(how.upward, "upward"), std::pair(how.eye, "eye")})
     if (direction && !(direction->allFinite() && direction->stableNorm() > 0))
       return std::string("the direction ") + called + " must be finite and not zero";
@@ -101,18 +108,47 @@ inline std::string reason_against(const geometry& at, const figure_options& how)
   return "";
 }
 
-/// Solves the configuration constraints for omitted coordinates, as a simulation does. Returns the reason if
-/// there is no solution, or if the values of all coordinates are given and contradict a constraint.
+/// The configuration constraint that a state violates by more than a figure may show, as a sentence; empty if
+/// there is none.
+inline std::string violation_at(model& m, const Eigen::VectorXd& x, const Eigen::VectorXd& p,
+                                const Eigen::VectorXd& r) {
+  constexpr double by_eye = 0.03; // relative; two digits are sufficient for a figure
+  const std::string cause = check_consistency(m, x, p, r, 0, by_eye).cause();
+  return cause.starts_with("configuration constraint") ? cause : "";
+}
+
+/// The given coordinate that differs most from the value that the constraints require, as a sentence; empty
+/// if the given coordinates satisfy the constraints together with the others.
+inline std::string contradiction_between(model& m, const given_state<model>& x,
+                                         const Eigen::VectorXd& required, const Eigen::VectorXd& p,
+                                         const Eigen::VectorXd& r) {
+  Eigen::VectorXd given = required;
+  int worst = 0;
+  double largest = 0;
+  for (int i = 0; i < m.known()->coordinates; ++i) {
+    if (x.is_left_out[static_cast<std::size_t>(i)]) continue;
+    given(i) = x.values(i);
+    const double difference = std::abs(given(i) - required(i)) / (1 + std::abs(required(i)));
+    if (difference > largest) worst = i, largest = difference;
+  }
+  if (violation_at(m, given, p, r).empty()) return "";
+  return "coordinate " + std::string(m.known()->names[worst].view()) + " is given as " +
+         base::digits(given(worst), 3) + ", but the constraints require " + base::digits(required(worst), 3);
+}
+
+/// Solves the constraints for omitted coordinates and speeds, as a simulation does. Returns the reason if
+/// there is no solution, or if the given coordinates contradict a constraint.
 inline std::string contradiction_in(model& m, given_state<model>& x, const Eigen::VectorXd& p,
                                     const Eigen::VectorXd& r) {
-  constexpr double by_eye = 0.03; // relative; two digits are sufficient for a figure
   if (m.system().constraints.on_configuration.empty()) return "";
-  if (std::ranges::find(x.is_left_out, true) == x.is_left_out.end()) {
-    const std::string cause = check_consistency(m, x.values, p, r, 0, by_eye).cause();
-    return cause.starts_with("configuration constraint") ? cause : "";
+  const auto first = x.is_left_out.begin(), end = x.is_left_out.end();
+  if (std::find(first, first + m.known()->coordinates, true) == first + m.known()->coordinates) {
+    const std::string violation = violation_at(m, x.values, p, r);
+    if (!violation.empty() || std::find(first, end, true) == end) return violation;
   }
   Eigen::VectorXd assembled = x.values;
-  const std::string cause = assemble(m, assembled, p, r).cause();
+  std::string cause = assemble(m, assembled, p, r).cause();
+  if (cause.empty()) cause = contradiction_between(m, x, assembled, p, r);
   if (cause.empty()) x.values = assembled;
   return cause;
 }
@@ -136,6 +172,8 @@ inline figure draw(model m, given_state<model> x, given_parameters<model> p, giv
     seen = figures::detail::view_along(
         how.eye->stableNormalized(), (how.upward ? *how.upward : figures::upward_of(at)).stableNormalized());
   figures::drawing shown(m.system(), at, seen);
+  if (const std::string reason = figures::reason_against_bodies(shown); !reason.empty())
+    return figure::refused(reason);
   figures::draw_bodies(shown);
   figures::draw_links(shown, how.lengths);
   figures::draw_points(shown, how.names);
