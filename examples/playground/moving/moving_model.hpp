@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <string>
 
 namespace playground {
@@ -20,8 +21,7 @@ class moving_model {
 
 public:
   moving_model(kanexpr::model& m, const std::map<std::string, double>& start)
-      : model_(m), known_(m.known()), x(symbols(0, states(), start)),
-        p(symbols(states(), known_->parameters, start)),
+      : known_(m.known()), x(symbols(0, states(), start)), p(symbols(states(), known_->parameters, start)),
         r(symbols(states() + known_->parameters, known_->inputs, start)), rhs_(m.function(m.rhs())),
         energies_(m.function(energies(m))), positions_(m.function(positions(m))),
         residual_(m.function(m.configuration_residual())),
@@ -30,7 +30,6 @@ public:
         speed_jacobian_(m.function(m.constraint_jacobian())) {}
 
 private:
-  kanexpr::model& model_;
   std::shared_ptr<const kanexpr::derivation::survey> known_;
 
 public:

@@ -22,6 +22,8 @@ inline files export_c(const session& of, const std::string& name) {
   const exported made = exporter(name, derivation, {}).run();
   if (!made.mistake.empty()) return {.mistake = made.mistake};
   constexpr precision number = precision::double_precision;
+  if (const std::string mistake = mistake_of_numbers(made.system, number); !mistake.empty())
+    return {.mistake = mistake};
   const c_file c(made.system, number);
   return {.all = {{name + ".h", c.header()},
                   {name + ".c", c.source()},

@@ -6,7 +6,6 @@
 #include <kanexpr/compiled/named_values.hpp>
 #include <kanexpr/exporting/c/c_file.hpp>
 #include <kanexpr/exporting/fmi/fmu_maker.hpp>
-#include <kanexpr/exporting/fmi/model_description.hpp>
 #include <kanexpr/exporting/fmi/source_file.hpp>
 #include <kanexpr/runtime/staged_derivation.hpp>
 
@@ -33,17 +32,15 @@ inline files export_fmu(const session& of, const std::string& name) {
   chosen.start = start_values(of);
   const made_fmu made = fmu_maker(name, derivation, chosen).run();
   if (!made.mistake.empty()) return {.mistake = made.mistake};
-  const c_file model(made.of.system, precision::double_precision);
-  const fmu_source source(made.of);
-  const std::string header = model.header(),
-                    code = "#define " + name + "_ANGLES_WITHOUT_END\n" + model.source();
-  const std::string token =
-      content_hash({model_description(made.of).text({}), source.text({}), header, code});
-  return {.all = {{"modelDescription.xml", model_description(made.of).text(token)},
-                  {"sources/buildDescription.xml", build_description(name)},
-                  {"sources/" + name + ".h", header},
-                  {"sources/" + name + ".c", code},
-                  {"sources/" + name + "_fmi.c", source.text(token)}}};
+  if (const std::string mistake = mistake_of_numbers(made.of.system, precision::double_precision);
+      !mistake.empty())
+    return {.mistake = mistake};
+  const fmu_texts texts = texts_of(made.of);
+  return {.all = {{"modelDescription.xml", texts.description},
+                  {"sources/buildDescription.xml", texts.sources_description},
+                  {"sources/" + name + ".h", texts.header},
+                  {"sources/" + name + ".c", texts.code},
+                  {"sources/" + name + "_fmi.c", texts.functions}}};
 }
 
 } // namespace playground

@@ -7,6 +7,7 @@
 #include <kanexpr/exporting/text/identifiers.hpp>
 #include <kanexpr/exporting/text/names_in_c.hpp>
 #include <kanexpr/mechanics/dynamics/singularity_check.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/symbolic/graph/function_table.hpp>
 
 #include <algorithm>
@@ -249,5 +250,17 @@ private:
   system_with_c_names mapped_;
   scalar number_;
 };
+
+/// Reports a number that is out of the range of the scalar type; empty if there is none.
+inline std::string mistake_of_numbers(const exported_system& s, precision number) {
+  for (const exported_function& f : s.functions)
+    for (const symbolic::number& n : f.code.numbers)
+      if (!numeric::is_finite(number == precision::single_precision
+                                  ? static_cast<double>(lower::number_as<float>(n))
+                                  : lower::number_as<double>(n)))
+        return "function " + f.name + " contains a number that " + scalar(number).type() +
+               " cannot represent";
+  return {};
+}
 
 } // namespace kanexpr::exporting

@@ -7,7 +7,6 @@
 #include <kanexpr/exporting/files.hpp>
 #include <kanexpr/exporting/format.hpp>
 #include <kanexpr/exporting/python/python_file.hpp>
-#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/builder.hpp>
 
 #include <string>
@@ -30,18 +29,6 @@ struct c_options {
 };
 
 namespace detail {
-
-/// Reports a number that is out of the range of the scalar type; empty if there is none.
-inline std::string mistake_of_numbers(const exported_system& s, precision number) {
-  for (const exported_function& f : s.functions)
-    for (const symbolic::number& n : f.code.numbers)
-      if (!numeric::is_finite(number == precision::single_precision
-                                  ? static_cast<double>(lower::number_as<float>(n))
-                                  : lower::number_as<double>(n)))
-        return "function " + f.name + " contains a number that " + scalar(number).type() +
-               " cannot represent";
-  return {};
-}
 
 inline outcome write_c(const exported& of, const std::filesystem::path& folder, const c_options& chosen) {
   if (!of.mistake.empty()) return outcome(of.mistake);

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <kanexpr/exporting/c/c_file.hpp>
 #include <kanexpr/exporting/fmi/fmu.hpp>
+#include <kanexpr/exporting/fmi/model_description.hpp>
 #include <kanexpr/exporting/text/fill_template.hpp>
 #include <kanexpr/exporting/text/scalar.hpp>
 
@@ -155,5 +157,25 @@ private:
   const fmu& of_;
   const std::string& name_;
 };
+
+/// The texts of an FMU: all of its contents except compiled libraries.
+struct fmu_texts {
+  std::string description{}, sources_description{}; ///< modelDescription.xml and buildDescription.xml
+  std::string header{}, code{}, functions{};        ///< `name`.h, `name`.c and `name`_fmi.c
+};
+
+inline fmu_texts texts_of(const fmu& of) {
+  const std::string& name = of.system.name;
+  const c_file model(of.system, precision::double_precision);
+  const fmu_source source(of);
+  fmu_texts all{.sources_description = build_description(name), .header = model.header()};
+  all.code = "#define " + name + "_ANGLES_WITHOUT_END\n" + model.source();
+  // computed from everything that defines the model
+  const std::string token =
+      content_hash({model_description(of).text({}), source.text({}), all.header, all.code});
+  all.description = model_description(of).text(token);
+  all.functions = source.text(token);
+  return all;
+}
 
 } // namespace kanexpr::exporting

@@ -4,7 +4,6 @@
 #include <kanexpr/exporting/c/write_c.hpp>
 #include <kanexpr/exporting/fmi/fmu_maker.hpp>
 #include <kanexpr/exporting/fmi/library.hpp>
-#include <kanexpr/exporting/fmi/model_description.hpp>
 #include <kanexpr/exporting/fmi/source_file.hpp>
 #include <kanexpr/exporting/fmi/zip_archive.hpp>
 
@@ -39,19 +38,13 @@ inline written_fmu write_fmu(runtime::staged_derivation& derivation, const std::
   if (const std::string mistake = mistake_of_numbers(made.of.system, precision::double_precision);
       !mistake.empty())
     return written_fmu(mistake);
-  const c_file model(made.of.system, precision::double_precision);
-  const fmu_source source(made.of);
-  const std::string header = model.header(),
-                    code = "#define " + name + "_ANGLES_WITHOUT_END\n" + model.source();
-  // computed from everything that defines the model
-  const std::string token =
-      content_hash({model_description(made.of).text({}), source.text({}), header, code});
+  const fmu_texts texts = texts_of(made.of);
   const std::vector<file_text> sources{
-      {name + ".h", header}, {name + ".c", code}, {name + "_fmi.c", source.text(token)}};
+      {name + ".h", texts.header}, {name + ".c", texts.code}, {name + "_fmi.c", texts.functions}};
   const library compiled = compiled_library(name, sources, chosen.compiler);
   if (!compiled.mistake.empty()) return written_fmu(compiled.mistake);
-  std::vector<file_text> all{{"modelDescription.xml", model_description(made.of).text(token)},
-                             {"sources/buildDescription.xml", build_description(name)}};
+  std::vector<file_text> all{{"modelDescription.xml", texts.description},
+                             {"sources/buildDescription.xml", texts.sources_description}};
   for (const file_text& each : sources) all.push_back({"sources" / each.path, each.text});
   if (!compiled.bytes.empty())
     all.push_back({"binaries/" + library::platform() + '/' + name + library::ending(), compiled.bytes});
