@@ -1,0 +1,30 @@
+#pragma once
+
+#include <kanexpr/base/name.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/inertia.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/matrix.hpp>
+
+namespace kanexpr::mechanics {
+
+/// A body that deforms relative to a frame (floating frame of reference). A particle of the body is at
+/// r(x, q) from the reference point, where x is its place in the undeformed body and q are the amplitudes of
+/// the shapes. The body enters the equations only through the integrals below over its mass; they are
+/// expressions of the amplitudes in the axes of the frame, correct to the second order of its kinetic energy
+/// in the amplitudes and their rates. Definitions: Wallrapp (1994), Standardization of flexible body modeling
+/// in multibody system codes.
+struct flexible_body {
+  base::name called{};
+  int frame = -1;                                    ///< the frame relative to which the body deforms
+  int reference = -1;                                ///< the point from which r is measured, fixed in `frame`
+  base::sequence<symbolic::expression> amplitudes{}; ///< the coordinates q_k
+  symbolic::expression mass{};
+  components first_moment{};            ///< ∫ r dm
+  symmetric inertia{};                  ///< ∫ (r·r E − r r) dm
+  base::sequence<components> angular{}; ///< by amplitude: ∫ r × ∂r/∂q_k dm
+  symbolic::matrix modal_mass{};        ///< ∫ ∂r/∂q_k · ∂r/∂q_l dm, constant
+};
+
+} // namespace kanexpr::mechanics
