@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/dynamics/generalized_force.hpp>
+#include <kanexpr/mechanics/dynamics/inertia_moment.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/inertial_parameter.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -58,6 +59,8 @@ constexpr sequence<expression> inertial_values(const skeleton& s) {
 
 /// Reports a mass or inertia that changes, because the resulting forces are not linear in it.
 constexpr sentence check_regressor(const skeleton& s, motion& k) {
+  for (const flexible_body& b : s.model->flexible_bodies)
+    return sentence({"the regressor requires rigid bodies; ", b.called.view(), " is flexible"});
   for (const body& b : s.model->bodies)
     if (generalized_forces(s).add_change_of_mass(k, b))
       return sentence(
