@@ -5,6 +5,8 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/describe/expression.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/flexible_body.hpp>
+#include <kanexpr/mechanics/model/flexible_data.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/runtime/builder_checks.hpp>
@@ -15,8 +17,10 @@
 
 #include <concepts>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -183,6 +187,21 @@ public:
   /// deformation are coordinates of the system and belong to no other body.
   void flexible_body(std::string_view called, point_id reference, frame_id frame,
                      const std::vector<expression>& amplitudes, const flexible_integrals& data);
+  /// The same with numbers, such as those that `flexible::read_sid` reads.
+  void flexible_body(std::string_view called, point_id reference, frame_id frame,
+                     const std::vector<expression>& amplitudes, const mechanics::flexible_data& data);
+  /// The same with new amplitudes q1_NAME, q2_NAME, …, or q_NAME if there is only one, whose rates are the
+  /// speeds u1_NAME, …; Lagrange's method must be selected before. Returns the amplitudes.
+  std::vector<expression> flexible_body(std::string_view called, point_id reference, frame_id frame,
+                                        const mechanics::flexible_data& data);
+  /// A point and a frame that move with a node of a flexible body.
+  struct attachment {
+    point_id point{};
+    frame_id frame{};
+  };
+  /// The point and the frame of a node of a body that was added with numbers; both have the name `called`.
+  /// The frame is rotated by the rotation vector that the shapes give at the node, to the second order.
+  attachment node(std::string_view called, std::string_view body, std::string_view node);
   /// Declares that the inertia of a rigid body intentionally varies in body-fixed axes.
   void changing_inertia(std::string_view body);
   /// Declares that the inertia of a body is intentionally not that of a mass distribution.
@@ -249,6 +268,9 @@ private:
   symbolic::matrix as_matrix(const flexible_integrals::matrix& given);
   bool has_shapes_of(std::string_view body, std::size_t amplitudes, const flexible_integrals& data);
   bool owns_flexible_body(const mechanics::flexible_body& b);
+  static std::string name_of_amplitude(char letter, int k, int of, std::string_view body);
+  attachment attach(std::string_view called, std::string_view body, const mechanics::flexible_data& data,
+                    const mechanics::flexible_node& node);
   /// Whether at least one of the arguments is not the integer 0.
   bool not_all_zero(std::initializer_list<const number_or_expression*> given, std::string_view whose);
 
@@ -273,6 +295,7 @@ private:
   mechanics::mechanism& m_ = system_.mechanism;
   builder_checks checks_;
   base::sequence<expression> used_elsewhere_{};
+  std::vector<std::pair<std::string, mechanics::flexible_data>> data_of_bodies_{}; ///< for their nodes
 };
 
 } // namespace kanexpr::runtime
@@ -281,6 +304,7 @@ private:
 #include <kanexpr/runtime/builder.ipp>
 #include <kanexpr/runtime/builder_constraints.ipp>
 #include <kanexpr/runtime/builder_flexible_body.ipp>
+#include <kanexpr/runtime/builder_flexible_data.ipp>
 #include <kanexpr/runtime/builder_loads.ipp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>

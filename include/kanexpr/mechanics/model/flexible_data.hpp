@@ -2,7 +2,6 @@
 
 #include <kanexpr/base/name.hpp>
 #include <kanexpr/base/sequence.hpp>
-#include <kanexpr/mechanics/model/components.hpp>
 
 namespace kanexpr::mechanics {
 
