@@ -57,10 +57,15 @@ constexpr sequence<expression> inertial_values(const skeleton& s) {
   return all;
 }
 
+/// Reports a flexible body, which has no constant inertial parameters.
+constexpr sentence check_rigidity(const mechanism& m) {
+  if (m.flexible_bodies.empty()) return {};
+  return sentence({"the inertial parameters and the regressor require rigid bodies; ",
+                   m.flexible_bodies[0].called.view(), " is flexible"});
+}
+
 /// Reports a mass or inertia that changes, because the resulting forces are not linear in it.
 constexpr sentence check_regressor(const skeleton& s, motion& k) {
-  for (const flexible_body& b : s.model->flexible_bodies)
-    return sentence({"the regressor requires rigid bodies; ", b.called.view(), " is flexible"});
   for (const body& b : s.model->bodies)
     if (generalized_forces(s).add_change_of_mass(k, b))
       return sentence(
