@@ -285,16 +285,16 @@ private:
 
 } // namespace describe
 
-/// An Euler-Bernoulli beam, a body that bends, twists and stretches: `struct Blade : beam<Blade, Root, R::x, L,
-/// rho, bending<R::y, EI, clamped_free<2>>> {};` It begins at the point `Root` and extends along the axis, a
-/// direction fixed in a frame, to which its root section is clamped. Its deformation is a sum of shapes; each
-/// amplitude is a coordinate, q1_Blade, with the speed u1_Blade = dq1_Blade/dt, unless `by<…>` names other
-/// symbols. List it in `bodies<…>`; the coordinates of beams follow those of the system and its joints.
+/// An Euler-Bernoulli beam, a body that bends, twists and stretches: `struct Blade : beam<Blade, Root, R::x,
+/// L, rho, bending<R::y, EI, clamped_free<2>>> {};` It begins at the point `Root` and extends along the axis,
+/// a direction fixed in a frame, to which its root section is clamped. Its deformation is a sum of shapes;
+/// each amplitude is a coordinate, q1_Blade, with the speed u1_Blade = dq1_Blade/dt, unless `by<…>` names
+/// other symbols. List it in `bodies<…>`; the coordinates of beams follow those of the system and its joints.
 ///
 /// Words: `bending`, `torsion`, `extension`, `profile`, `proportional_damping`, `modal_damping`, `by`. The
-/// equations are correct to the second order in the amplitudes, with foreshortening, hence with the stiffening
-/// of rotating beams and the softening of compressed ones. Rotary inertia of bending and shear deformation are
-/// neglected. Kane, Ryan & Banerjee (1987), J. Guidance 10(2).
+/// equations are correct to the second order in the amplitudes, with foreshortening, hence with the
+/// stiffening of rotating beams and the softening of compressed ones. Rotary inertia of bending and shear
+/// deformation are neglected. Kane, Ryan & Banerjee (1987), J. Guidance 10(2).
 template <class Self, class Root, auto axis, auto length, auto mass_per_length, class... Words>
 struct beam : describe::beam_of_words<Self, Root, axis, length, mass_per_length, Words...> {};
 

@@ -12,7 +12,14 @@ namespace kanexpr {
 
 namespace describe {
 
-enum class beam_word : unsigned char { bending, torsion, extension, profile, proportional_damping, modal_damping };
+enum class beam_word : unsigned char {
+  bending,
+  torsion,
+  extension,
+  profile,
+  proportional_damping,
+  modal_damping
+};
 
 template <class Word>
 concept word_of_a_beam = requires { Word::beam_word; };
@@ -72,7 +79,8 @@ struct deformation_words {
     for (const std::string_view m : {std::string_view(), mistake_of_part<Words>()...})
       if (!m.empty()) return m;
     if (!((is_beam_part<Words, beam_part::shapes> || is_beam_part<Words, beam_part::profile> ||
-           is_beam_part<Words, beam_part::polar_inertia>) && ...))
+           is_beam_part<Words, beam_part::polar_inertia>) &&
+          ...))
       return foreign;
     if ((0 + ... + static_cast<int>(is_beam_part<Words, beam_part::profile>)) > 1)
       return "has a deformation with two profiles";
@@ -103,8 +111,8 @@ private:
 
 } // namespace describe
 
-/// The factor by which a property varies along the beam, a `polynomial<…>` of ξ or `stations<…>`: as a word of
-/// the beam, of its mass per length; inside `bending`, `torsion` or `extension`, of the stiffness; inside
+/// The factor by which a property varies along the beam, a `polynomial<…>` of ξ or `stations<…>`: as a word
+/// of the beam, of its mass per length; inside `bending`, `torsion` or `extension`, of the stiffness; inside
 /// `polar_inertia`, of that. `profile<polynomial<1, -0.4>>` is a property that tapers to 60 % at the tip.
 template <class Function>
 struct profile {
@@ -124,8 +132,8 @@ struct profile {
   }
 };
 
-/// Bending in a direction across the axis, with the bending stiffness EI: `bending<R::y, EI, clamped_free<2>>`.
-/// A beam bends in one direction or in two perpendicular ones. The amplitudes are lengths.
+/// Bending in a direction across the axis, with the bending stiffness EI: `bending<R::y, EI,
+/// clamped_free<2>>`. A beam bends in one direction or in two perpendicular ones. The amplitudes are lengths.
 template <auto direction, auto stiffness, class... Words>
 struct bending : describe::deformation_words<describe::beam_word::bending, true, Words...> {
   static constexpr auto across = direction;
@@ -152,8 +160,8 @@ struct torsion : describe::deformation_words<describe::beam_word::torsion, false
       (0 + ... + static_cast<int>(describe::is_beam_part<Words, describe::beam_part::polar_inertia>));
   static constexpr std::string_view mistake =
       polar_inertias != 1
-          ? std::string_view(
-                "has torsion<...> without one polar_inertia<...>; write torsion<GJ, polar_inertia<J>, shapes>")
+          ? std::string_view("has torsion<...> without one polar_inertia<...>; write torsion<GJ, "
+                             "polar_inertia<J>, shapes>")
           : torsion::mistake_among("has torsion<...> without a shape",
                                    "has torsion<...> with an argument that is neither a shape, a "
                                    "polar_inertia<...> nor a profile<...>");
@@ -168,8 +176,8 @@ struct torsion : describe::deformation_words<describe::beam_word::torsion, false
   }
 };
 
-/// Extension along the axis, with the axial stiffness EA: `extension<EA, clamped_free<1>>`. The amplitudes are
-/// lengths.
+/// Extension along the axis, with the axial stiffness EA: `extension<EA, clamped_free<1>>`. The amplitudes
+/// are lengths.
 template <auto stiffness, class... Words>
 struct extension : describe::deformation_words<describe::beam_word::extension, false, Words...> {
   static constexpr const describe::phrase& stiffness_given = describe::phrase_of<stiffness>;

@@ -256,9 +256,9 @@ concept beam_without_mistake = requires { requires Beam::is_written(); };
 /// attached to it, loads act on it, and other beams begin at it.
 ///
 /// The section has moved by the deflections, the extension and the foreshortening. Its axes, those of the
-/// beam's frame before the deformation, are rotated by the slope in the first direction of bending, then by the
-/// slope in the second one, then by the angle of torsion; each rotation is exact, and the axis of the rotated
-/// section is tangent to the beam to the second order in the amplitudes.
+/// beam's frame before the deformation, are rotated by the slope in the first direction of bending, then by
+/// the slope in the second one, then by the angle of torsion; each rotation is exact, and the axis of the
+/// rotated section is tangent to the beam to the second order in the amplitudes.
 template <class Self, class Beam, auto... fraction>
 struct section : describe::axes<Self>, describe::place_words, describe::section_words {
   static constexpr describe::frame_record orientation() {

@@ -109,21 +109,20 @@ struct tip_body {
 /// The first `modes` natural modes of a uniform beam or rod that is clamped at its root and free at its tip,
 /// or carries a `tip_body<…>` there. The deflection at the tip is 1.
 template <int modes, class Tip = describe::bare_tip>
-struct clamped_free
-    : describe::natural_modes<numeric::beams::ends::clamped_free, false, modes, Tip> {};
+struct clamped_free : describe::natural_modes<numeric::beams::ends::clamped_free, false, modes, Tip> {};
 
 /// Modes of a beam that is clamped at both ends. The greatest deflection is 1.
 template <int modes>
-struct clamped_clamped : describe::natural_modes<numeric::beams::ends::clamped_clamped, false, modes,
-                                                 describe::bare_tip> {};
+struct clamped_clamped
+    : describe::natural_modes<numeric::beams::ends::clamped_clamped, false, modes, describe::bare_tip> {};
 
 /// Modes of a beam that is clamped at its root and pinned at its tip. The greatest deflection is 1.
 template <int modes>
-struct clamped_pinned : describe::natural_modes<numeric::beams::ends::clamped_pinned, false, modes,
-                                                describe::bare_tip> {};
+struct clamped_pinned
+    : describe::natural_modes<numeric::beams::ends::clamped_pinned, false, modes, describe::bare_tip> {};
 
-/// Modes of a beam that is pinned at both ends, sin nπξ. They turn the root: the frame of the beam follows the
-/// chord between its ends.
+/// Modes of a beam that is pinned at both ends, sin nπξ. They turn the root: the frame of the beam follows
+/// the chord between its ends.
 template <int modes>
 struct pinned_pinned
     : describe::natural_modes<numeric::beams::ends::pinned_pinned, true, modes, describe::bare_tip> {};
@@ -137,8 +136,8 @@ struct pinned_free
 /// Modes of a free beam, without the rigid ones; the deflection at the tip is 1. They displace and turn the
 /// root and are orthogonal to the motion of the frame, ∫ φ dξ = ∫ ξ φ dξ = 0 (mean axes).
 template <int modes>
-struct free_free
-    : describe::natural_modes<numeric::beams::ends::free_free, true, modes, describe::bare_tip> {};
+struct free_free : describe::natural_modes<numeric::beams::ends::free_free, true, modes, describe::bare_tip> {
+};
 
 /// The shape c_0 + c_1 ξ + c_2 ξ² + …: `polynomial<0, 0, 1.5, -0.5>`. It must not displace or turn the root.
 /// In `profile<…>`, the factor by which a property varies along the beam.
@@ -147,10 +146,10 @@ struct polynomial {
   static constexpr describe::beam_part beam_part = describe::beam_part::shapes;
   static constexpr int count = 1;
   static constexpr bool moves_root = false;
-  static constexpr std::string_view mistake = sizeof...(coefficients) == 0 ? "has a polynomial<> without coefficients"
-                                              : !describe::are_plain<coefficients...>
-                                                  ? "has a polynomial<...> whose coefficients are not numbers"
-                                                  : "";
+  static constexpr std::string_view mistake =
+      sizeof...(coefficients) == 0            ? "has a polynomial<> without coefficients"
+      : !describe::are_plain<coefficients...> ? "has a polynomial<...> whose coefficients are not numbers"
+                                              : "";
   static constexpr std::string_view mistake_of_profile = mistake;
   static constexpr numeric::beams::shape as_profile() {
     return numeric::beams::shape::polynomial(describe::list_numbers<coefficients...>());
@@ -205,8 +204,8 @@ struct stations_with_slopes {
 };
 
 /// A shape that intentionally displaces or turns the root: the deformation is measured from a frame that is
-/// not fixed to the root section. `unclamped<polynomial<1, 0, -6, 0, 3>>`. A spline through `stations<…>` then
-/// has no curvature at the root.
+/// not fixed to the root section. `unclamped<polynomial<1, 0, -6, 0, 3>>`. A spline through `stations<…>`
+/// then has no curvature at the root.
 template <class Shape>
 struct unclamped : Shape {
   static constexpr bool moves_root = true;

@@ -16,9 +16,9 @@
 ///
 ///     r = (x + s − ½ ∫₀ˣ (v'² + w'²)) a + v b + w c.
 ///
-/// The integral is the foreshortening of a beam whose length does not change as it bends, to second order. The
-/// rotary inertia of bending and the deformation by shear are neglected. Torsion turns the sections about a;
-/// their polar inertia counts about the undeformed axis. Kane, Ryan & Banerjee (1987), J. Guidance 10(2).
+/// The integral is the foreshortening of a beam whose length does not change as it bends, to second order.
+/// The rotary inertia of bending and the deformation by shear are neglected. Torsion turns the sections about
+/// a; their polar inertia counts about the undeformed axis. Kane, Ryan & Banerjee (1987), J. Guidance 10(2).
 namespace kanexpr::mechanics {
 
 using numeric::beams::deformation;
@@ -32,8 +32,8 @@ struct beam {
   components across[2]{}; ///< the directions of bending, perpendicular to the axis and to each other
   expression length{};
   expression mass_per_length{};
-  expression polar_inertia{}; ///< of the mass, per length
-  expression stiffness[4]{};  ///< by deformation: EI, EI, GJ, EA
+  expression polar_inertia{};                 ///< of the mass, per length
+  expression stiffness[4]{};                  ///< by deformation: EI, EI, GJ, EA
   base::sequence<deformation> deformations{}; ///< by amplitude
   base::sequence<expression> amplitudes{};
   numeric::beams::modal_integrals integrals{};
@@ -122,31 +122,32 @@ private:
   }
   /// Σ c_kl q_k q_l over the amplitudes of two deformations.
   template <class Number>
-  constexpr expression quadratic(deformation one, deformation other, Number c) const {
+  constexpr expression bilinear(deformation one, deformation other, Number c) const {
     expression sum = zero();
-    for (int k = 0; k < size(); ++k) {
-      if (b_.deformations[k] != one) continue;
-      sum += b_.amplitudes[k] * linear(other, [&](int l) { return c(k, l); });
-    }
+    for (int k = 0; k < size(); ++k)
+      for (int l = 0; l < size(); ++l)
+        if (b_.deformations[k] == one && b_.deformations[l] == other)
+          sum += times(c(k, l), b_.amplitudes[k] * b_.amplitudes[l]);
     return sum;
   }
-  /// ½ Σ c_kl q_k q_l over the amplitudes of bending.
+  /// Σ c_kl q_k q_l over pairs of amplitudes of the same deformation, with a symmetric c.
   template <class Number>
-  constexpr expression half_of_bending(Number c) const {
+  constexpr expression quadratic(Number c) const {
     expression sum = zero();
-    for (const deformation d : {deformation::first_bending, deformation::second_bending})
-      sum += quadratic(d, d, c);
-    return sum / 2;
+    for (int k = 0; k < size(); ++k)
+      for (int l = 0; l <= k; ++l)
+        if (b_.deformations[k] == b_.deformations[l])
+          sum += times(k == l ? c(k, k) : 2 * c(k, l), b_.amplitudes[l] * b_.amplitudes[k]);
+    return sum;
   }
 
   constexpr components first_moment() const {
     const numeric::beams::modal_integrals& of = b_.integrals;
     const auto zeroth = [&](int k) { return of.zeroth(k); };
     // ∫ x dm + ∫ s dm − ½ ∫ (∫ v'² + w'²) dm; the last one has no factor L
-    const expression shortening = half_of_bending([&](int k, int l) { return of.shortening(k, l); });
+    const expression shortening = quadratic([&](int k, int l) { return of.shortening(k, l) / 2; });
     const expression along = times(of.first_moment(), mass_ * b_.length) +
-                             mass_ * linear(deformation::extension, zeroth) -
-                             b_.mass_per_length * shortening;
+                             mass_ * linear(deformation::extension, zeroth) - b_.mass_per_length * shortening;
     const expression in_first = mass_ * linear(deformation::first_bending, zeroth);
     const expression in_second = mass_ * linear(deformation::second_bending, zeroth);
     return sum_of(along, in_first, in_second);
@@ -159,38 +160,70 @@ private:
     return v;
   }
 
-  /// ∫ (r·r E − r r) dm to the second order, from the second moments along the axis and across it.
+  constexpr auto products() const {
+    return [this](int k, int l) { return b_.integrals.product(k, l); };
+  }
+
+  /// ∫ (r·r E − r r) dm to the second order. With r = Σ r_d e_d in the orthonormal directions d of the axis
+  /// and of bending, the entry i, k is Σ_d (δ_ik − e_di e_dk) ∫ r_d² dm − Σ_d≠f e_di e_fk ∫ r_d r_f dm.
   constexpr symmetric inertia() const {
-    constexpr deformation bends[2]{deformation::first_bending, deformation::second_bending};
-    const numeric::beams::modal_integrals& of = b_.integrals;
-    const auto first = [&](int k) { return of.first(k); };
-    const auto product = [&](int k, int l) { return of.product(k, l); };
-    const expression stretched = times(of.second_moment(), mass_ * (b_.length * b_.length)) +
-                                 2 * (mass_ * b_.length) * linear(deformation::extension, first) +
-                                 mass_ * quadratic(deformation::extension, deformation::extension, product);
-    const expression shortening = half_of_bending([&](int k, int l) { return of.shortening_moment(k, l); });
-    const expression along = stretched - 2 * mass_ * shortening;
-    expression with_axis[2], across[2];
-    for (int i = 0; i < 2; ++i) {
-      with_axis[i] = (mass_ * b_.length) * linear(bends[i], first) +
-                     mass_ * quadratic(deformation::extension, bends[i], product);
-      across[i] = mass_ * quadratic(bends[i], bends[i], product);
-    }
-    const expression both = mass_ * quadratic(bends[0], bends[1], product);
-    const expression all = along + across[0] + across[1];
+    const expression both =
+        mass_ * bilinear(deformation::first_bending, deformation::second_bending, products());
     symmetric j(g_);
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k <= i; ++k) {
-        expression moment = product_of(b_.axis, b_.axis, i, k) * along;
-        for (int n = 0; n < 2; ++n) {
-          if (!across[n].is_zero()) moment += product_of(b_.across[n], b_.across[n], i, k) * across[n];
-          if (!with_axis[n].is_zero()) moment += mixed(b_.axis, b_.across[n], i, k) * with_axis[n];
-        }
-        if (!both.is_zero()) moment += mixed(b_.across[0], b_.across[1], i, k) * both;
-        j(i, k) = (i == k ? all : zero()) - moment;
-        if (has_torsion()) j(i, k) += product_of(b_.axis, b_.axis, i, k) * polar();
+        expression moment = squares(i, k);
+        for (int n = 0; n < 2; ++n)
+          if (const expression e = with_axis(n); !e.is_zero())
+            moment -= mixed(b_.axis, b_.across[n], i, k) * e;
+        if (!both.is_zero()) moment -= mixed(b_.across[0], b_.across[1], i, k) * both;
+        if (b_.deformations.contains(deformation::torsion))
+          moment += product_of(b_.axis, b_.axis, i, k) * polar();
+        j(i, k) = moment;
       }
     return j;
+  }
+
+  /// Σ_d (δ_ik − e_di e_dk) ∫ r_d² dm. Directions with the factor 1 share one quadratic form.
+  constexpr expression squares(int i, int k) const {
+    const components* const directions[3]{&b_.axis, &b_.across[0], &b_.across[1]};
+    bool is_shared[3]{};
+    expression sum = zero();
+    for (int d = 0; d < 3; ++d) {
+      const expression product_of_directions = product_of(*directions[d], *directions[d], i, k);
+      const expression factor = i == k ? 1 - product_of_directions : -product_of_directions;
+      is_shared[d] = factor.is_one();
+      if (!is_shared[d] && !factor.is_zero()) {
+        const bool only[3]{d == 0, d == 1, d == 2};
+        sum += factor * second_moment(only);
+      }
+    }
+    return sum + second_moment(is_shared);
+  }
+
+  /// ∫ r_d² dm, summed over the chosen directions: along the axis, (x + s)² − x ∫ (v'² + w'²), and v² and w².
+  constexpr expression second_moment(const bool (&of)[3]) const {
+    const numeric::beams::modal_integrals& integrals = b_.integrals;
+    const expression form =
+        mass_ * quadratic([&](int k, int l) {
+          const deformation d = b_.deformations[k];
+          if (d == deformation::torsion) return 0.0;
+          const int direction = d == deformation::extension ? 0 : d == deformation::first_bending ? 1 : 2;
+          const double shortening = of[0] && direction != 0 ? integrals.shortening_moment(k, l) : 0.0;
+          return (of[direction] ? integrals.product(k, l) : 0.0) - shortening;
+        });
+    if (!of[0]) return form;
+    const expression stretching =
+        linear(deformation::extension, [&](int k) { return 2 * integrals.first(k); });
+    return times(integrals.second_moment(), mass_ * (b_.length * b_.length)) +
+           mass_ * b_.length * stretching + form;
+  }
+
+  /// ∫ (x + s) v dm or ∫ (x + s) w dm.
+  constexpr expression with_axis(int bending) const {
+    const deformation bends = bending == 0 ? deformation::first_bending : deformation::second_bending;
+    return (mass_ * b_.length) * linear(bends, [&](int k) { return b_.integrals.first(k); }) +
+           mass_ * bilinear(deformation::extension, bends, products());
   }
   static constexpr expression product_of(const components& a, const components& b, int i, int k) {
     return a[i] * b[k];
@@ -198,7 +231,6 @@ private:
   static constexpr expression mixed(const components& a, const components& b, int i, int k) {
     return a[i] * b[k] + a[k] * b[i];
   }
-  constexpr bool has_torsion() const { return b_.deformations.contains(deformation::torsion); }
   constexpr expression polar() const { return times(b_.integrals.polar(), b_.polar_inertia * b_.length); }
 
   /// ∫ r × ∂r/∂q_k dm to the first order; the foreshortening of r and of its derivative contributes only

@@ -27,9 +27,9 @@ constexpr quadrature gauss_legendre(int points) {
     for (int step = 0; step < 8; ++step) {
       long double before = 1, value = x; // P_0 and P_1
       for (int k = 1; k < points; ++k) {
-        const long double next = (static_cast<long double>(2 * k + 1) * x * value -
-                                  static_cast<long double>(k) * before) /
-                                 static_cast<long double>(k + 1);
+        const long double next =
+            (static_cast<long double>(2 * k + 1) * x * value - static_cast<long double>(k) * before) /
+            static_cast<long double>(k + 1);
         before = value, value = next;
       }
       slope = static_cast<long double>(points) * (x * value - before) / (x * x - 1);

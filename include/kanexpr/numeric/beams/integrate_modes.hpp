@@ -155,8 +155,8 @@ private:
     for (int which = 0; which < 4; ++which)
       for (int k = 0; k < n_; ++k)
         for (int l = 0; l < k; ++l)
-          entry(which, k, l) = entry(which, l, k) = detail::without_rounding(
-              entry(which, k, l), entry(which, k, k) * entry(which, l, l));
+          entry(which, k, l) = entry(which, l, k) =
+              detail::without_rounding(entry(which, k, l), entry(which, k, k) * entry(which, l, l));
   }
 
   const beam_shapes& beam_;

@@ -25,11 +25,11 @@ struct modal_integrals {
 
   static constexpr int count(int shapes) { return 4 + 2 * shapes + 4 * shapes * shapes; }
 
-  constexpr double mass() const { return numbers[0]; }          ///< ∫ μ
-  constexpr double first_moment() const { return numbers[1]; }  ///< ∫ μ ξ
-  constexpr double second_moment() const { return numbers[2]; } ///< ∫ μ ξ²
-  constexpr double polar() const { return numbers[3]; }         ///< ∫ of the factor of the polar inertia
-  constexpr double zeroth(int k) const { return numbers[4 + k]; }         ///< ∫ μ φ_k
+  constexpr double mass() const { return numbers[0]; }            ///< ∫ μ
+  constexpr double first_moment() const { return numbers[1]; }    ///< ∫ μ ξ
+  constexpr double second_moment() const { return numbers[2]; }   ///< ∫ μ ξ²
+  constexpr double polar() const { return numbers[3]; }           ///< ∫ of the factor of the polar inertia
+  constexpr double zeroth(int k) const { return numbers[4 + k]; } ///< ∫ μ φ_k
   constexpr double first(int k) const { return numbers[4 + shapes + k]; } ///< ∫ μ ξ φ_k
   /// ∫ μ φ_k φ_l; 0 between torsion and other deformations.
   constexpr double product(int k, int l) const { return table(0, k, l); }

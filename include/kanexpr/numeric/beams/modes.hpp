@@ -150,9 +150,8 @@ constexpr double wave_number_of_bending(ends how, int n, const tip_load& tip = {
   case ends::clamped_free: {
     if (tip.inertia > 0) {
       const tip_load of_mass{tip.mass, 0};
-      return detail::root_of_determinant(
-          how, tip, n > 1 ? wave_number_of_bending(how, n - 1, of_mass) : 1e-3,
-          wave_number_of_bending(how, n, of_mass));
+      return detail::root_of_determinant(how, tip, n > 1 ? wave_number_of_bending(how, n - 1, of_mass) : 1e-3,
+                                         wave_number_of_bending(how, n, of_mass));
     }
     if (tip.mass > 0)
       return detail::root_of_determinant(how, tip, n > 1 ? wave_number_of_bending(how, n - 1) : 1e-3,

@@ -6,9 +6,9 @@
 
 namespace kanexpr::symbolic {
 
-/// A computed number as a constant: the exact fraction with a denominator up to 1000 that equals it except for
-/// rounding, if there is one, and the double otherwise. The fraction is searched among the convergents of the
-/// continued fraction.
+/// A computed number as a constant: the exact fraction with a denominator up to 1000 that equals it except
+/// for rounding, if there is one, and the double otherwise. The fraction is searched among the convergents of
+/// the continued fraction.
 constexpr number nearby_fraction(double value) {
   const double size = value < 0 ? -value : value;
   std::int64_t above = 1, below = 0, above_before = 0, below_before = 1;
