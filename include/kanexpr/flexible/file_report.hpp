@@ -23,26 +23,22 @@ public:
   const std::string& mistake() const { return mistake_; }
   const std::vector<std::string>& notes() const { return notes_; }
 
+  /// Reports a mistake in a line, or in the whole file if the number of the line is 0.
   bool fail(int line, const std::string& what) {
     if (mistake_.empty()) mistake_ = at(line) + what;
     return false;
   }
   /// Reports a mistake that concerns the whole file.
-  bool fail(const std::string& what) {
-    if (mistake_.empty()) mistake_ = in_file(what);
-    return false;
-  }
+  bool fail(const std::string& what) { return fail(0, what); }
   void note(int line, const std::string& what) { add_note(at(line) + what); }
-  void note(const std::string& what) { add_note(in_file(what)); }
+  void note(const std::string& what) { note(0, what); }
 
 private:
   static constexpr std::size_t max_notes = 20;
 
   std::string at(int line) const {
+    if (line == 0) return called_.empty() ? "" : called_ + ": ";
     return "line " + std::to_string(line) + (called_.empty() ? "" : " of " + called_) + ": ";
-  }
-  std::string in_file(const std::string& what) const {
-    return called_.empty() ? what : called_ + ": " + what;
   }
   void add_note(const std::string& text) {
     if (notes_.size() < max_notes)

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <kanexpr/base/outcome.hpp>
+#include <kanexpr/flexible/check_numbers.hpp>
 #include <kanexpr/flexible/file_report.hpp>
 #include <kanexpr/flexible/options.hpp>
+#include <kanexpr/flexible/read_body.hpp>
 #include <kanexpr/flexible/sid/reader.hpp>
 #include <kanexpr/flexible/sid/translation.hpp>
 #include <kanexpr/mechanics/model/flexible_data.hpp>
@@ -15,16 +17,6 @@
 
 namespace kanexpr::flexible {
 
-/// The numbers of a flexible body, or the reason why they could not be read: "line 12 of panel.SID_FEM: the
-/// mass: expected a finite number, got …".
-struct [[nodiscard]] read_body : outcome {
-  using outcome::outcome;
-
-  mechanics::flexible_data data{};
-  /// Sentences about contents that were ignored or completed.
-  std::vector<std::string> notes{};
-};
-
 /// Reads standard input data (SID) from text; `called` names the file in messages.
 inline read_body read_sid_text(const std::string& text, const reading_options& options = {},
                                const std::string& called = {}) {
@@ -33,7 +25,8 @@ inline read_body read_sid_text(const std::string& text, const reading_options& o
   read_body read;
   if (reader.read()) {
     sid::translation translation(reader.document, options, report);
-    if (translation.translate()) read.data = std::move(translation.data);
+    if (translation.translate() && check_numbers(translation.data, report))
+      read.data = std::move(translation.data);
   }
   if (!report.mistake().empty()) read = read_body(report.mistake());
   read.notes = report.notes();
@@ -43,10 +36,9 @@ inline read_body read_sid_text(const std::string& text, const reading_options& o
 /// Reads a flexible body from a file with standard input data (SID), as FEMBS and other programs write them.
 /// Format: Wallrapp (1994), Standardization of flexible body modeling in multibody system codes.
 inline read_body read_sid(const std::string& path, const reading_options& options = {}) {
-  std::ifstream file(path, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (!file.is_open() || file.bad()) return read_body(path + " cannot be read");
-  return read_sid_text(text, options, path.substr(path.rfind('/') + 1));
+  return read_file(path, [&](const std::string& text, const std::string& called) {
+    return read_sid_text(text, options, called);
+  });
 }
 
 } // namespace kanexpr::flexible

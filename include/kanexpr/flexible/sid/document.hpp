@@ -36,7 +36,7 @@ struct node {
 };
 
 /// The matrices of a body, in the order in which they are usually written.
-enum class matrix : int { mdCM, J, Ct, Cr, Me, Gr, Ge, Oe, ksigma, Ke, De };
+enum class matrix : int { mdcm, j, ct, cr, me, gr, ge, oe, ksigma, ke, de };
 inline constexpr std::array<std::string_view, 11> matrix_names{"mdCM", "J",  "Ct",     "Cr", "Me", "Gr",
                                                                "Ge",   "Oe", "ksigma", "Ke", "De"};
 

@@ -2,9 +2,9 @@
 
 #include <kanexpr/base/name.hpp>
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/flexible/agreement.hpp>
 #include <kanexpr/flexible/file_report.hpp>
 #include <kanexpr/flexible/options.hpp>
-#include <kanexpr/flexible/sid/agreement.hpp>
 #include <kanexpr/flexible/sid/dense.hpp>
 #include <kanexpr/flexible/sid/document.hpp>
 #include <kanexpr/mechanics/model/flexible_data.hpp>

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/flexible/agreement.hpp>
 #include <kanexpr/flexible/file_report.hpp>
 #include <kanexpr/flexible/options.hpp>
-#include <kanexpr/flexible/sid/agreement.hpp>
 #include <kanexpr/flexible/sid/dense.hpp>
 #include <kanexpr/flexible/sid/document.hpp>
 #include <kanexpr/flexible/sid/node_translation.hpp>
@@ -50,14 +50,14 @@ private:
     if (!(from_.mass > 0))
       return report_.fail(from_.mass_line,
                           "the mass is " + number_text(from_.mass) + "; expected a positive number");
-    for (matrix m : {matrix::mdCM, matrix::J, matrix::Ct, matrix::Cr, matrix::Me, matrix::Ke})
+    for (matrix m : {matrix::mdcm, matrix::j, matrix::ct, matrix::cr, matrix::me, matrix::ke})
       if (!from_[m].is_given())
         return report_.fail("the file does not contain " + std::string(from_[m].called));
     data.mass = from_.mass;
     return true;
   }
 
-  bool has_inertia_as_vector() const { return from_[matrix::J].columns == 1; }
+  bool has_inertia_as_vector() const { return from_[matrix::j].columns == 1; }
   int inertia_rows() const { return has_inertia_as_vector() ? 6 : 3; }
   int inertia_columns() const { return has_inertia_as_vector() ? 1 : 3; }
 
@@ -65,10 +65,10 @@ private:
     const auto is = [&](matrix m, int rows, int columns) {
       return is_valid(from_[m], rows, columns, n_, order_, report_);
     };
-    return is(matrix::mdCM, 3, 1) && is(matrix::J, inertia_rows(), inertia_columns()) &&
-           is(matrix::Ct, n_, 3) && is(matrix::Cr, n_, 3) && is(matrix::Me, n_, n_) &&
-           is(matrix::Gr, 3, 3 * n_) && is(matrix::Ge, n_, 3 * n_) && is(matrix::Oe, n_, 6) &&
-           is(matrix::ksigma, n_, 1) && is(matrix::Ke, n_, n_) && is(matrix::De, n_, n_);
+    return is(matrix::mdcm, 3, 1) && is(matrix::j, inertia_rows(), inertia_columns()) &&
+           is(matrix::ct, n_, 3) && is(matrix::cr, n_, 3) && is(matrix::me, n_, n_) &&
+           is(matrix::gr, 3, 3 * n_) && is(matrix::ge, n_, 3 * n_) && is(matrix::oe, n_, 6) &&
+           is(matrix::ksigma, n_, 1) && is(matrix::ke, n_, n_) && is(matrix::de, n_, n_);
   }
 
   dense dense_of(matrix m, int rows, int columns) const {
@@ -100,19 +100,19 @@ private:
   double size_of_rate(double second_moment) const { return std::sqrt(second_moment * largest_modal_mass()); }
 
   bool translate_first_moment() {
-    const dense moment = dense_of(matrix::mdCM, 3, 1), translation = dense_of(matrix::Ct, n_, 3);
+    const dense moment = dense_of(matrix::mdcm, 3, 1), coupling = dense_of(matrix::ct, n_, 3);
     comparison linear{size_of_rate(data.mass)}, symmetry{size_of_rate(data.mass)};
     for (int i = 0; i < 3; ++i) {
       data.first_moment.constant(i) = moment.zeroth(i, 0);
       for (int k = 0; k < n_; ++k) {
-        data.first_moment.linear(k, i) = translation.zeroth(k, i);
-        linear.add(moment.first(i, 0, k), translation.zeroth(k, i));
+        data.first_moment.linear(k, i) = coupling.zeroth(k, i);
+        linear.add(moment.first(i, 0, k), coupling.zeroth(k, i));
       }
     }
     for (int k = 0; k < n_; ++k)
       for (int i = 0; i < 3; ++i)
         for (int l = 0; l < n_; ++l) {
-          const double one = translation.first(k, i, l), other = translation.first(l, i, k);
+          const double one = coupling.first(k, i, l), other = coupling.first(l, i, k);
           data.first_moment.quadratic(k, l, i) = (one + other) / 2;
           symmetry.add(one, other);
         }
@@ -120,10 +120,10 @@ private:
       const int k = amplitude_of(e);
       return "the coefficient of amplitude " + at(k) + " in mdCM" + at((static_cast<int>(e) - k) / n_, 0);
     };
-    if (!from_[matrix::mdCM].m1.empty() &&
-        !agrees(linear, line_of(matrix::mdCM), linear_name, "Ct gives", options_, report_))
+    if (!from_[matrix::mdcm].m1.empty() &&
+        !agrees(linear, line_of(matrix::mdcm), linear_name, "Ct gives", options_, report_))
       return false;
-    return agrees(symmetry, line_of(matrix::Ct), linear_entry_name("Ct", 3),
+    return agrees(symmetry, line_of(matrix::ct), linear_entry_name("Ct", 3),
                   "the coefficient with exchanged amplitudes is", options_, report_);
   }
 
@@ -136,9 +136,9 @@ private:
   }
 
   bool translate_inertia() {
-    const dense inertia = dense_of(matrix::J, inertia_rows(), inertia_columns());
-    const dense centrifugal = dense_of(matrix::Oe, n_, 6);
-    const bool has_linear = !from_[matrix::J].m1.empty(), has_oe = !from_[matrix::Oe].m0.empty();
+    const dense inertia = dense_of(matrix::j, inertia_rows(), inertia_columns());
+    const dense centrifugal = dense_of(matrix::oe, n_, 6);
+    const bool has_linear = !from_[matrix::j].m1.empty(), has_oe = !from_[matrix::oe].m0.empty();
     for (int e = 0; e < 6; ++e) {
       const place p = inertia_place(e);
       data.inertia.constant(e) = inertia.zeroth(p.amplitude, p.column);
@@ -146,7 +146,7 @@ private:
         data.inertia.linear(k, e) =
             has_linear ? inertia.first(p.amplitude, p.column, k) : weight(e) * centrifugal.zeroth(k, e);
     }
-    if (!has_linear && has_oe) report_.note(line_of(matrix::J), "J has no linear part; Oe provides it");
+    if (!has_linear && has_oe) report_.note(line_of(matrix::j), "J has no linear part; Oe provides it");
     return translate_centrifugal(centrifugal, has_linear && has_oe);
   }
 
@@ -164,20 +164,20 @@ private:
           symmetry.add(one, other);
         }
       }
-    if (from_[matrix::Oe].m1.empty())
+    if (from_[matrix::oe].m1.empty())
       report_.note("Oe has no linear part, so the inertia is only of first order in the amplitudes");
     const auto constant_name = [](std::size_t e) {
       return "Oe" + at(static_cast<int>(e) / 6, static_cast<int>(e) % 6);
     };
-    if (compares && !agrees(constant, line_of(matrix::Oe), constant_name, "J gives", options_, report_))
+    if (compares && !agrees(constant, line_of(matrix::oe), constant_name, "J gives", options_, report_))
       return false;
-    return agrees(symmetry, line_of(matrix::Oe), linear_entry_name("Oe", 6),
+    return agrees(symmetry, line_of(matrix::oe), linear_entry_name("Oe", 6),
                   "the coefficient with exchanged amplitudes is", options_, report_);
   }
 
   bool translate_angular() {
-    const dense rotation = dense_of(matrix::Cr, n_, 3), gyroscopic = dense_of(matrix::Ge, n_, 3 * n_);
-    const bool has_linear = !from_[matrix::Cr].m1.empty(), has_ge = !from_[matrix::Ge].m0.empty();
+    const dense rotation = dense_of(matrix::cr, n_, 3), gyroscopic = dense_of(matrix::ge, n_, 3 * n_);
+    const bool has_linear = !from_[matrix::cr].m1.empty(), has_ge = !from_[matrix::ge].m0.empty();
     for (int k = 0; k < n_; ++k)
       for (int i = 0; i < 3; ++i) {
         data.angular.constant(3 * k + i) = rotation.zeroth(k, i);
@@ -185,7 +185,7 @@ private:
           data.angular.linear(l, 3 * k + i) =
               has_linear ? rotation.first(k, i, l) : gyroscopic.zeroth(k, 3 * l + i) / 2;
       }
-    if (!has_linear && has_ge) report_.note(line_of(matrix::Cr), "Cr has no linear part; Ge provides it");
+    if (!has_linear && has_ge) report_.note(line_of(matrix::cr), "Cr has no linear part; Ge provides it");
     return !has_linear || !has_ge || check_elastic_gyroscopic(gyroscopic);
   }
 
@@ -204,13 +204,13 @@ private:
       const int row = static_cast<int>(e) / (3 * n), column = static_cast<int>(e) % (3 * n);
       return "Ge" + at(row, is_by_axis ? n * (column % 3) + column / 3 : column);
     };
-    return agrees(is_by_axis ? by_axis : by_amplitude, line_of(matrix::Ge), name, "Cr gives", options_,
+    return agrees(is_by_axis ? by_axis : by_amplitude, line_of(matrix::ge), name, "Cr gives", options_,
                   report_);
   }
 
   bool translate_gyroscopic() {
-    if (from_[matrix::Gr].m0.empty()) return true;
-    const dense gyroscopic = dense_of(matrix::Gr, 3, 3 * n_);
+    if (from_[matrix::gr].m0.empty()) return true;
+    const dense gyroscopic = dense_of(matrix::gr, 3, 3 * n_);
     comparison constant{size_of_rate(largest_inertia())};
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < n_; ++k)
@@ -219,7 +219,7 @@ private:
     const auto name = [n = n_](std::size_t e) {
       return "Gr" + at(static_cast<int>(e) / (3 * n), static_cast<int>(e) % (3 * n));
     };
-    return agrees(constant, line_of(matrix::Gr), name, "J and Cr give", options_, report_);
+    return agrees(constant, line_of(matrix::gr), name, "J and Cr give", options_, report_);
   }
 
   double inertia_rate(int k, int i, int j) const {
@@ -235,8 +235,8 @@ private:
   bool translate_elasticity() {
     const dense preload = dense_of(matrix::ksigma, n_, 1);
     for (int k = 0; k < n_; ++k) data.preload[k] = preload.zeroth(k, 0);
-    return translate_symmetric(matrix::Me, data.modal_mass) &&
-           translate_symmetric(matrix::Ke, data.stiffness) && translate_symmetric(matrix::De, data.damping);
+    return translate_symmetric(matrix::me, data.modal_mass) &&
+           translate_symmetric(matrix::ke, data.stiffness) && translate_symmetric(matrix::de, data.damping);
   }
 
   bool translate_symmetric(matrix m, base::sequence<double>& into) {

@@ -13,7 +13,7 @@
 #include <vector>
 
 /// Compares matrices of a file that determine each other.
-namespace kanexpr::flexible::sid {
+namespace kanexpr::flexible {
 
 inline std::string number_text(double x, int digits = 6) {
   std::array<char, 32> letters{};
@@ -65,7 +65,7 @@ struct comparison {
 };
 
 /// Reports whether the values agree; `entry_name` returns the name of an entry, such as "Gr(3, 1)", and
-/// `sources` names the matrices from which the values are derived.
+/// `sources` names the matrices from which the values are derived. Line 0 denotes the whole file.
 template <class EntryName>
 bool agrees(const comparison& c, int line, const EntryName& entry_name, std::string_view sources,
             const reading_options& options, file_report& report) {
@@ -81,4 +81,4 @@ bool agrees(const comparison& c, int line, const EntryName& entry_name, std::str
   return true;
 }
 
-} // namespace kanexpr::flexible::sid
+} // namespace kanexpr::flexible
