@@ -99,11 +99,8 @@ private:
       if (Word::moves_root) return false;
       shape_list shapes;
       Word::template add_to<bends>(shapes);
-      for (const numeric::beams::shape& s : shapes) {
-        const numeric::beams::deflection root = s.clean_at(0);
-        const double moved = root.value * root.value + (bends ? root.slope * root.slope : 0);
-        if (moved > 1e-18) return true;
-      }
+      for (const numeric::beams::shape& s : shapes)
+        if (!numeric::beams::fits_clamped_root(s, bends)) return true;
     }
     return false;
   }
