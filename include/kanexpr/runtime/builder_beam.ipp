@@ -24,10 +24,11 @@ namespace kanexpr::runtime {
 /// Adds the shapes of a deformation to a beam.
 KANEXPR_ENGINE void builder::deform(built_beam& to, mechanics::deformation what, const beam_deformation& by) {
   to.beam.stiffness[static_cast<int>(what)] = as_expression(by.stiffness);
+  to.shapes.stiffness[static_cast<int>(what)] = by.profile;
   const std::string_view called = to.beam.called.view();
   if (by.shapes.empty()) checks_.fail({"beam ", called, " has a deformation without a shape"});
   for (const numeric::beams::shape& each : by.shapes) {
-    to.shapes.all.push({what, each, by.profile});
+    to.shapes.all.push({what, each});
     to.beam.deformations.push(what);
     if (!by.moves_root && !numeric::beams::fits_clamped_root(each, numeric::beams::is_bending(what)))
       checks_.fail({"beam ", called,
