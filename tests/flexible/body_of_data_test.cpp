@@ -52,14 +52,18 @@ struct vehicle : builder {
     }
     const frame_id n = inertial_frame(), axes = body_fixed("B", n, "xyz", q[3], q[4], q[5]);
     const point_id at = offset("A", origin("O"), along(n, q[0], q[1], q[2]));
-    attachment node;
+    for (int k = 0; k < amplitudes; ++k) {
+      q.push_back(coordinate("s" + std::to_string(k)));
+      u.push_back(speed("v" + std::to_string(k)));
+      kinematic_equation(dot(q.back()) - u.back());
+    }
+    kanexpr::runtime::section_ids node;
     if (how == kind::of_data) {
-      for (const expression& each : flexible_body("Panel", at, axes, data_of(b))) q.push_back(each);
-      node = builder::node("Node", "Panel", "12");
+      const auto panel = flexible_body("Panel", at, axes, {amplitude(0), amplitude(1)}, data_of(b));
+      node = builder::node("Node", panel, "12");
     } else {
       node = add_particles(b, at, axes);
     }
-    for (int k = 0; k < amplitudes; ++k) u.push_back(mechanism().speeds[rigid + k]);
     const frame_id load = rotated("L", node.frame, q[6], along(node.frame, 0.6, 0, 0.8));
     rigid_body("Load", offset("C", node.point, along(load, 0.3, 0.1, -0.2)), load, number(0.8),
                inertia(load, 0.3, 0.4, 0.5, 0.02, 0, 0));
@@ -91,11 +95,7 @@ struct vehicle : builder {
   }
 
 private:
-  attachment add_particles(const lumped::body& b, point_id at, frame_id axes) {
-    for (int k = 0; k < amplitudes; ++k) {
-      q.push_back(coordinate("s" + std::to_string(k)));
-      kinematic_equation(dot(q.back()) - speed("v" + std::to_string(k)));
-    }
+  kanexpr::runtime::section_ids add_particles(const lumped::body& b, point_id at, frame_id axes) {
     point_id last{};
     for (std::size_t i = 0; i < b.particles.size(); ++i) {
       last = offset("P" + std::to_string(i), at, position_of(b.particles[i], axes));
@@ -107,7 +107,7 @@ private:
     expression s[3]{number(0.0), number(0.0), number(0.0)};
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < amplitudes; ++k) s[i] += number(b.turns[index(k)][i] / 4) * amplitude(k);
-    return {last, modified_rodrigues("Node", axes, s[0], s[1], s[2])};
+    return {modified_rodrigues("Node", axes, s[0], s[1], s[2]), last};
   }
   static std::size_t index(int k) { return static_cast<std::size_t>(k); }
   const expression& amplitude(int k) const { return q[index(rigid + k)]; }
@@ -213,12 +213,13 @@ TEST(body_of_data, reports_mistakes) {
   b.flexible_body("Panel", o, b.inertial_frame(), {q}, data);
   EXPECT_EQ(b.mistake().view(), "expected 2 amplitudes of Panel, got 1");
   builder c("N");
-  c.flexible_body("Panel", c.origin("O"), c.inertial_frame(), data);
-  c.node("Tip", "Panel", "13");
-  EXPECT_EQ(c.mistake().view(), "body Panel has no node 13");
+  const expression first = c.coordinate("q1"), second = c.coordinate("q2");
+  const auto panel = c.flexible_body("Panel", c.origin("O"), c.inertial_frame(), {first, second}, data);
+  c.node("Tip", panel, "13");
+  EXPECT_EQ(c.mistake().view(), "flexible body Panel has no node 13");
   builder d("N");
-  d.node("Tip", "Panel", "12");
-  EXPECT_EQ(d.mistake().view(), "there is no flexible body Panel with nodes");
+  d.node("Tip", panel, "12");
+  EXPECT_EQ(d.mistake().view(), "node Tip belongs to a flexible body of a different builder, or to none");
 }
 
 } // namespace

@@ -4,11 +4,14 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/describe/expression.hpp>
+#include <kanexpr/mechanics/loads/add_beam.hpp>
+#include <kanexpr/mechanics/model/beam.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/flexible_body.hpp>
 #include <kanexpr/mechanics/model/flexible_data.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/runtime/beam_data.hpp>
 #include <kanexpr/runtime/builder_checks.hpp>
 #include <kanexpr/runtime/flexible_integrals.hpp>
 #include <kanexpr/runtime/model.hpp>
@@ -20,7 +23,6 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -188,20 +190,18 @@ public:
   void flexible_body(std::string_view called, point_id reference, frame_id frame,
                      const std::vector<expression>& amplitudes, const flexible_integrals& data);
   /// The same with numbers, such as those that `flexible::read_sid` reads.
-  void flexible_body(std::string_view called, point_id reference, frame_id frame,
-                     const std::vector<expression>& amplitudes, const mechanics::flexible_data& data);
-  /// The same with new amplitudes q1_NAME, q2_NAME, …, or q_NAME if there is only one, whose rates are the
-  /// speeds u1_NAME, …; Lagrange's method must be selected before. Returns the amplitudes.
-  std::vector<expression> flexible_body(std::string_view called, point_id reference, frame_id frame,
-                                        const mechanics::flexible_data& data);
-  /// A point and a frame that move with a node of a flexible body.
-  struct attachment {
-    point_id point{};
-    frame_id frame{};
-  };
-  /// The point and the frame of a node of a body that was added with numbers; both have the name `called`.
-  /// The frame is rotated by the rotation vector that the shapes give at the node, to the second order.
-  attachment node(std::string_view called, std::string_view body, std::string_view node);
+  flexible_body_id flexible_body(std::string_view called, point_id reference, frame_id frame,
+                                 const std::vector<expression>& amplitudes,
+                                 const mechanics::flexible_data& data);
+  /// The point and the frame of a node of a body that was added with numbers. The frame is rotated by the
+  /// rotation vector that the shapes give at the node, to the second order.
+  section_ids node(std::string_view called, flexible_body_id of, std::string_view node);
+  /// A beam that begins at `root` and deforms relative to `frame`. Each shape has one amplitude, a
+  /// coordinate: those of the directions of bending come first, then those of torsion and of extension.
+  beam_id beam(std::string_view called, point_id root, frame_id frame,
+               const std::vector<expression>& amplitudes, const beam_data& data);
+  /// The section of a beam at the fraction ξ of its length.
+  section_ids section(std::string_view called, beam_id on, double xi);
   /// Declares that the inertia of a rigid body intentionally varies in body-fixed axes.
   void changing_inertia(std::string_view body);
   /// Declares that the inertia of a body is intentionally not that of a mass distribution.
@@ -268,9 +268,17 @@ private:
   symbolic::matrix as_matrix(const flexible_integrals::matrix& given);
   bool has_shapes_of(std::string_view body, std::size_t amplitudes, const flexible_integrals& data);
   bool owns_flexible_body(const mechanics::flexible_body& b);
-  static std::string name_of_amplitude(char letter, int k, int of, std::string_view body);
-  attachment attach(std::string_view called, std::string_view body, const mechanics::flexible_data& data,
-                    const mechanics::flexible_node& node);
+
+  /// A beam and its shapes, from which its sections are formed.
+  struct built_beam {
+    numeric::beams::beam_shapes shapes{};
+    mechanics::beam beam{};
+  };
+  void deform(built_beam& to, mechanics::deformation what, const beam_deformation& by);
+  void deform(built_beam& to, const beam_data& data);
+  mechanics::components unit_direction(const vector& given, int frame);
+  mechanics::beam_damping damping_of(const beam_data& data);
+  bool owns_beam(const built_beam& made, const mechanics::beam_damping& damped);
   /// Whether at least one of the arguments is not the integer 0.
   bool not_all_zero(std::initializer_list<const number_or_expression*> given, std::string_view whose);
 
@@ -295,13 +303,20 @@ private:
   mechanics::mechanism& m_ = system_.mechanism;
   builder_checks checks_;
   base::sequence<expression> used_elsewhere_{};
-  std::vector<std::pair<std::string, mechanics::flexible_data>> data_of_bodies_{}; ///< for their nodes
+  /// A flexible body that was added with numbers; its nodes are formed from them.
+  struct body_with_data {
+    mechanics::flexible_body body{};
+    mechanics::flexible_data data{};
+  };
+  std::vector<body_with_data> bodies_with_data_{};
+  std::vector<built_beam> beams_{};
 };
 
 } // namespace kanexpr::runtime
 
 #ifndef KANEXPR_COMPILED_ENGINE
 #include <kanexpr/runtime/builder.ipp>
+#include <kanexpr/runtime/builder_beam.ipp>
 #include <kanexpr/runtime/builder_constraints.ipp>
 #include <kanexpr/runtime/builder_flexible_body.ipp>
 #include <kanexpr/runtime/builder_flexible_data.ipp>

@@ -71,8 +71,8 @@ struct deformation_words {
       if constexpr (is_beam_part<Word, beam_part::shapes>) Word::template add_to<bends>(shapes);
     };
     (add(static_cast<const Words*>(nullptr)), ...);
-    const numeric::beams::shape stiffness = profile_among<Words...>();
-    for (const numeric::beams::shape& s : shapes) to.all.push({what, s, stiffness});
+    for (const numeric::beams::shape& s : shapes) to.all.push({what, s});
+    to.stiffness[static_cast<int>(what)] = profile_among<Words...>();
   }
 
   static constexpr std::string_view mistake_among(std::string_view without_shapes, std::string_view foreign) {
@@ -99,11 +99,8 @@ private:
       if (Word::moves_root) return false;
       shape_list shapes;
       Word::template add_to<bends>(shapes);
-      for (const numeric::beams::shape& s : shapes) {
-        const numeric::beams::deflection root = s.clean_at(0);
-        const double moved = root.value * root.value + (bends ? root.slope * root.slope : 0);
-        if (moved > 1e-18) return true;
-      }
+      for (const numeric::beams::shape& s : shapes)
+        if (!numeric::beams::fits_clamped_root(s, bends)) return true;
     }
     return false;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/given_potential_energy.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
@@ -8,6 +9,8 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
+
+#include <string_view>
 
 namespace kanexpr::mechanics {
 
@@ -31,6 +34,16 @@ constexpr symbolic::matrix damping_matrix(const beam_damping& by, const symbolic
     damping(k, k) += 2 * ratio * sqrt(mass(k, k) * stiffness(k, k));
   }
   return damping;
+}
+
+/// Reports a negative factor or ratio of damping.
+constexpr sentence check_damping(const beam_damping& by, std::string_view beam) {
+  const auto is_negative = [](expression e) {
+    return e.is_constant() && e.owner().number_at(e.node()).negative();
+  };
+  bool found = is_negative(by.of_mass) || is_negative(by.of_stiffness);
+  for (const expression& e : by.ratios) found = found || is_negative(e);
+  return found ? sentence({"the damping of beam ", beam, " is negative"}) : sentence();
 }
 
 /// Adds a beam to a mechanism: the flexible body, its elastic energy and its damping.

@@ -84,6 +84,21 @@ public:
     return m;
   }
 
+  /// The position of a section from the root.
+  constexpr components place(const numeric::beams::section_values& at) const {
+    const auto value = [&](int k) { return at.value(k); };
+    const expression shortening = quadratic([&](int k, int l) { return at.shortening(k, l) / 2; });
+    const expression stretched = times(at.xi(), b_.length) + linear(deformation::extension, value);
+    return sum_of(shortening.is_zero() ? stretched : stretched - shortening / b_.length,
+                  linear(deformation::first_bending, value), linear(deformation::second_bending, value));
+  }
+
+  /// The angle by which a deformation rotates a section: the slope of bending or the angle of torsion.
+  constexpr expression angle(const numeric::beams::section_values& at, deformation what) const {
+    if (what == deformation::torsion) return linear(what, [&](int k) { return at.value(k); });
+    return linear(what, [&](int k) { return at.slope(k); }) / b_.length;
+  }
+
 private:
   constexpr int size() const { return b_.amplitudes.size(); }
   static constexpr bool is_zero(double value) { return value * value <= 0; }

@@ -8,16 +8,18 @@
 /// Computes the integrals over a beam and the values of its shapes at a place.
 namespace kanexpr::numeric::beams {
 
-/// A shape of a beam, and the factor by which the stiffness against it varies along the beam.
+/// A shape of a beam.
 struct beam_shape {
   deformation what{};
   shape of{};
-  shape stiffness = shape::polynomial({1.0});
 };
 
-/// The shapes of a beam and the factors by which its mass per length and its polar inertia per length vary.
+/// The shapes of a beam and the factors by which its stiffnesses, its mass per length and its polar inertia
+/// per length vary along it.
 struct beam_shapes {
   base::sequence<beam_shape> all{};
+  shape stiffness[4]{shape::polynomial({1.0}), shape::polynomial({1.0}), shape::polynomial({1.0}),
+                     shape::polynomial({1.0})}; ///< by deformation
   shape mass = shape::polynomial({1.0});
   shape polar = shape::polynomial({1.0});
 };
@@ -35,11 +37,11 @@ public:
     add(b.mass.stations(), 1), add(b.polar.stations(), 1);
     for (const beam_shape& s : b.all) {
       of_shapes = larger(of_shapes, s.of.degree());
-      of_factors = larger(of_factors, s.stiffness.degree());
       wave_number = s.of.wave_number() > wave_number ? s.of.wave_number() : wave_number;
     }
+    for (const shape& s : b.stiffness) of_factors = larger(of_factors, s.degree()), add(s.stations(), 1);
     const int waves = 1 + static_cast<int>(wave_number / (2 * 3.141592653589793));
-    for (const beam_shape& s : b.all) add(s.of.stations(), waves), add(s.stiffness.stations(), waves);
+    for (const beam_shape& s : b.all) add(s.of.stations(), s.of.is_wave() ? waves : 1);
     // the integrands are at most ξ² μ, ξ μ φ, μ φ² and φ'² times the double integral of μ ξ
     const int degree = of_factors + 2 * of_shapes + 2;
     rule_ = gauss_legendre(degree / 2 + 1 + (wave_number > 0 ? 16 : 0));
@@ -128,7 +130,7 @@ private:
       const double factor = what == deformation::torsion ? polar : mass;
       sums_[4 + k] += factor * at[k].value;
       sums_[4 + n_ + k] += factor * xi * at[k].value;
-      const double stiffness = weight * beam_.all[k].stiffness.at(xi).value;
+      const double stiffness = weight * beam_.stiffness[static_cast<int>(what)].at(xi).value;
       for (int l = 0; l < n_; ++l) {
         const deformation other = beam_.all[l].what;
         if ((what == deformation::torsion) == (other == deformation::torsion))

@@ -100,4 +100,10 @@ private:
   double wave_number_ = 0;
 };
 
+/// Whether a shape leaves a clamped root at rest, including its slope if the beam bends.
+constexpr bool fits_clamped_root(const shape& s, bool bends) {
+  const deflection root = s.clean_at(0);
+  return root.value * root.value + (bends ? root.slope * root.slope : 0) < 1e-18;
+}
+
 } // namespace kanexpr::numeric::beams
