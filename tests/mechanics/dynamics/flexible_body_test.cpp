@@ -147,13 +147,15 @@ struct chain : evaluated {
       kinematics_of(base, n);
     }
     const polynomials first{*this, {q[6], q[7]}}, second{*this, {q[9], q[10]}};
-    add("One", bodies, a, base, first, particles_of(1));
+    const point_id inside = offset("I", a, along(base, 0.2, -0.1, 0.3)); // fixed in the frame of the body
+    add("One", bodies, inside, base, first, particles_of(1));
     const frame_id tilted = rotated("C", base, first.linear(0, 0.4, -0.7), along(base, 0, 0, 1));
     const particle_of_body place{0, {0.9, 0.2, -0.1}, particles_of(3)[0].shape};
     const mechanics::components r = first.position(place);
-    const point_id hinge = held(offset("H", a, along(base, r.x, r.y, r.z)), base, "H");
+    const point_id hinge = held(offset("H", inside, along(base, r.x, r.y, r.z)), base, "H");
     const frame_id arm = rotated("D", tilted, q[8], along(tilted, 0.6, 0, 0.8));
-    add("Two", bodies, hinge, arm, second, particles_of(2));
+    const frame_id aslant = rotated("S", arm, number(0.7), along(arm, 0, 0, 1));
+    add("Two", bodies, hinge, aslant, second, particles_of(2));
     const mechanics::components end = second.position(particles_of(4)[0]);
     const frame_id tip = rotated("E", arm, second.linear(0.1, 0.3, 0.5), along(arm, 0, 1, 0));
     rigid_body("Load", offset("T", hinge, along(arm, end.x, end.y, end.z)), tip, number(0.8),
