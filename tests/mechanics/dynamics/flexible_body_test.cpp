@@ -443,4 +443,111 @@ TEST(flexible_body, is_exact_to_the_second_order) {
   }
 }
 
+// ---- mistakes
+
+// A hanging body with two amplitudes, described by `data`.
+struct given : builder {
+  expression q = coordinate("q"), a1 = coordinate("a1"), a2 = coordinate("a2");
+  expression u = speed("u"), v1 = speed("v1"), v2 = speed("v2"), m = parameter("m"), f = input("F");
+  point_id o = origin("O");
+  frame_id own = rotated("B", inertial_frame(), q, along(inertial_frame(), 0, 0, 1));
+  flexible_integrals data{.mass = m,
+                          .first_moment = {m * 1.0, 0.0, 0.0},
+                          .inertia = {0.0, m * 0.4, m * 0.4, 0.0, 0.0, 0.0},
+                          .angular = {{0.0, 0.0, 0.5}, {0.0, 0.0, 0.1}},
+                          .modal_mass = {{1.0, 0.1}, {0.1, 2.0}}};
+
+  given() : builder("N") {
+    kinematic_equation(dot(q) - u);
+    kinematic_equation(dot(a1) - v1);
+    kinematic_equation(dot(a2) - v2);
+    used_elsewhere(f);
+    used_elsewhere(m);
+  }
+  std::string mistake_of(const std::vector<expression>& amplitudes) {
+    flexible_body("Beam", o, own, amplitudes, data);
+    return std::string(check().view());
+  }
+  std::string mistake_found() { return mistake_of({a1, a2}); }
+};
+
+template <class Change>
+std::string mistake_after(const Change& change) {
+  given b;
+  change(b);
+  return b.mistake_found();
+}
+
+TEST(flexible_body, must_have_amplitudes_of_its_own) {
+  given first, second, third;
+  EXPECT_EQ(first.mistake_of({first.a1, first.u}), "amplitude 2 of Beam is not a coordinate");
+  EXPECT_EQ(second.mistake_of({second.a1, second.a1}), "a1 is listed twice among the amplitudes of Beam");
+  third.flexible_body("Mast", third.o, third.own, {third.a2, third.a1}, third.data);
+  EXPECT_EQ(third.mistake_found(), "a1 is an amplitude of both Mast and Beam");
+}
+
+TEST(flexible_body, must_have_integrals_of_its_amplitudes_and_parameters) {
+  EXPECT_EQ(mistake_after([](given&) {}), "");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.mass = b.m + b.a1; }),
+            "the mass of Beam contains the coordinate a1; it may contain only parameters");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.mass = b.m * b.f; }),
+            "the mass of Beam contains the input F; it may contain only parameters");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.mass = b.m * b.time(); }),
+            "the mass of Beam contains time; it may contain only parameters");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.first_moment[1] = b.m * b.q; }),
+            "the first moment of Beam contains the coordinate q; it may contain only parameters and the "
+            "amplitudes of the body");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.inertia[2] = b.m + b.v1 * b.v1; }),
+            "the inertia of Beam contains the speed v1; it may contain only parameters and the amplitudes of "
+            "the body");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.angular[0][0] = b.m * b.dot(b.a1); }),
+            "an angular integral of Beam contains the rate of coordinate a1; it may contain only parameters "
+            "and the amplitudes of the body");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.modal_mass[0][0] = b.m + b.a2; }),
+            "the modal mass of Beam contains the coordinate a2; it may contain only parameters");
+}
+
+TEST(flexible_body, must_have_a_mass) {
+  EXPECT_EQ(mistake_after([](given& b) { b.data.mass = 0.0; }), "the flexible body Beam has no mass");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.mass = -b.m; }), "the mass of Beam is negative");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.modal_mass[1][1] = 0.0; }),
+            "the modal mass of a2, an amplitude of Beam, is not positive");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.modal_mass[1][0] = 0.2; }),
+            "the modal mass of Beam is not symmetric");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.modal_mass = {{1.0, 1.5}, {1.5, 2.0}}; }),
+            "the modal mass of Beam is not positive definite: some deformation has no kinetic energy, or a "
+            "negative one");
+  EXPECT_EQ(mistake_after([](given& b) {
+              b.data.mass = 2.0;
+              b.data.first_moment = {1.0, 0.0, 0.0};
+              b.data.inertia = {0.0, 0.4, 0.4, 0.0, 0.0, 0.0};
+            }),
+            "the integrals of Beam belong to no distribution of mass: the kinetic energy of some motion is "
+            "negative");
+}
+
+TEST(flexible_body, must_have_matrices_of_the_size_of_its_amplitudes) {
+  EXPECT_EQ(mistake_after([](given& b) { b.data.angular.pop_back(); }),
+            "expected an angular integral for each of the 2 amplitudes of Beam, got 1");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.modal_mass.pop_back(); }),
+            "the modal mass of Beam must be a matrix with a row and a column for each of the 2 amplitudes");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.stiffness = {{1.0, 0.0}, {0.0}}; }),
+            "the stiffness of Beam must be a matrix with a row and a column for each of the 2 amplitudes");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.damping = {{1.0}}; }),
+            "the damping of Beam must be a matrix with a row and a column for each of the 2 amplitudes");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.damping = {{b.dot(b.u), 0.0}, {0.0, 1.0}}; }),
+            "the modal damping of a1 contains the rate of speed u");
+}
+
+TEST(flexible_body, has_no_inertial_parameters) {
+  for (const quantity each : {quantity::inertial_parameters, quantity::regressor}) {
+    given b;
+    EXPECT_EQ(b.mistake_found(), "");
+    kanexpr::model model = kanexpr::derive(b);
+    EXPECT_EQ(model.get(each).entries.size(), 0);
+    EXPECT_EQ(model.mistake(),
+              "the inertial parameters and the regressor require rigid bodies; Beam is flexible");
+  }
+}
+
 } // namespace
