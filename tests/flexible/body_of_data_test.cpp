@@ -39,36 +39,27 @@ mechanics::flexible_data data_of(const lumped::body& b) {
 
 enum class kind { of_data, of_particles };
 
-/// A free body that carries a rigid body on a hinge at its node.
-struct vehicle : builder {
+/// A frame that moves freely, with coordinates for a hinge and for the amplitudes of a body.
+struct vehicle_base : builder {
   std::vector<expression> q, u;
   VectorXd q_now, u_now, udot_now;
+  frame_id axes{};
+  point_id at{};
 
-  vehicle(const lumped::body& b, kind how) : builder("N") {
-    for (int i = 0; i < rigid; ++i) {
+  vehicle_base() : builder("N") {
+    for (int i = 0; i < all; ++i) {
       q.push_back(coordinate("q" + std::to_string(i)));
       u.push_back(speed("u" + std::to_string(i)));
       kinematic_equation(dot(q.back()) - u.back());
     }
-    const frame_id n = inertial_frame(), axes = body_fixed("B", n, "xyz", q[3], q[4], q[5]);
-    const point_id at = offset("A", origin("O"), along(n, q[0], q[1], q[2]));
-    for (int k = 0; k < amplitudes; ++k) {
-      q.push_back(coordinate("s" + std::to_string(k)));
-      u.push_back(speed("v" + std::to_string(k)));
-      kinematic_equation(dot(q.back()) - u.back());
-    }
-    kanexpr::runtime::section_ids node;
-    if (how == kind::of_data) {
-      const auto panel = flexible_body("Panel", at, axes, {amplitude(0), amplitude(1)}, data_of(b));
-      node = builder::node("Node", panel, "12");
-    } else {
-      node = add_particles(b, at, axes);
-    }
-    const frame_id load = rotated("L", node.frame, q[6], along(node.frame, 0.6, 0, 0.8));
-    rigid_body("Load", offset("C", node.point, along(load, 0.3, 0.1, -0.2)), load, number(0.8),
-               inertia(load, 0.3, 0.4, 0.5, 0.02, 0, 0));
-    gravity(along(n, 0.3, -9.81, 1));
+    const frame_id n = inertial_frame();
+    axes = body_fixed("B", n, "xyz", q[3], q[4], q[5]);
+    at = offset("A", origin("O"), along(n, q[0], q[1], q[2]));
+    const frame_id wheel = rotated("W", n, q[6], along(n, 1, 0, 0));
+    rigid_body("Wheel", origin("O2"), wheel, number(0.1), inertia(wheel, 0.1, 0.2, 0.3));
   }
+  static std::size_t index(int k) { return static_cast<std::size_t>(k); }
+  const expression& amplitude(int k) const { return q[index(rigid + k)]; }
 
   void draw(unsigned seed) {
     std::mt19937 random(seed);
@@ -93,26 +84,42 @@ struct vehicle : builder {
     code.evaluate(value_of, result.data());
     return result;
   }
+};
+
+/// A free body that carries a rigid body on a hinge at its node.
+struct vehicle : vehicle_base {
+  vehicle(const lumped::body& b, kind how) {
+    const kanexpr::runtime::section_ids node =
+        how == kind::of_data
+            ? builder::node("Node",
+                            flexible_body("Panel", at, axes, {amplitude(0), amplitude(1)}, data_of(b)), "12")
+            : add_particles(b);
+    const frame_id load = rotated("L", node.frame, q[6], along(node.frame, 0.6, 0, 0.8));
+    rigid_body("Load", offset("C", node.point, along(load, 0.3, 0.1, -0.2)), load, number(0.8),
+               inertia(load, 0.3, 0.4, 0.5, 0.02, 0, 0));
+    gravity(along(inertial_frame(), 0.3, -9.81, 1));
+  }
 
 private:
-  kanexpr::runtime::section_ids add_particles(const lumped::body& b, point_id at, frame_id axes) {
+  kanexpr::runtime::section_ids add_particles(const lumped::body& b) {
     point_id last{};
     for (std::size_t i = 0; i < b.particles.size(); ++i) {
       last = offset("P" + std::to_string(i), at, position_of(b.particles[i], axes));
       particle("P" + std::to_string(i), last, number(b.particles[i].mass));
     }
     expression energy = number(0.0);
-    sequence_of_forces(b, energy);
+    add_energy_to(b, energy);
     potential_energy(energy);
     expression s[3]{number(0.0), number(0.0), number(0.0)};
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < amplitudes; ++k) s[i] += number(b.turns[index(k)][i] / 4) * amplitude(k);
-    return {modified_rodrigues("Node", axes, s[0], s[1], s[2]), last};
+    const frame_id turned = modified_rodrigues("Turned", axes, s[0], s[1], s[2]);
+    mechanics::matrix3 cosines;
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) cosines(i, j) = number(b.axes(i, j));
+    return {direction_cosines("Node", turned, cosines), last};
   }
-  static std::size_t index(int k) { return static_cast<std::size_t>(k); }
-  const expression& amplitude(int k) const { return q[index(rigid + k)]; }
-
-  void sequence_of_forces(const lumped::body& b, expression& energy) {
+  void add_energy_to(const lumped::body& b, expression& energy) {
     for (int k = 0; k < amplitudes; ++k)
       for (int l = 0; l < amplitudes; ++l)
         energy += number(b.stiffness(k, l) / 2) * (amplitude(k) * amplitude(l));
@@ -202,6 +209,50 @@ TEST(body_of_data, damps_its_amplitudes) {
   VectorXd expected = VectorXd::Zero(all);
   expected.tail(amplitudes) = -b.damping * with.u_now.tail(amplitudes);
   expect_equal(difference, expected, "damping");
+}
+
+/// A uniform cantilever with a particle at its tip, on a base that moves freely.
+struct cantilever : vehicle_base {
+  explicit cantilever(bool from_file) {
+    const point_id end =
+        from_file ? node("Tip", add_body(), "tip").point : section("Tip", add_beam(), 1).point;
+    particle("Bob", end, number(0.4));
+    gravity(along(inertial_frame(), 0.3, -9.81, 1));
+  }
+
+private:
+  kanexpr::runtime::flexible_body_id add_body() {
+    const auto read =
+        kanexpr::flexible::read_sid(std::string(KANEXPR_FLEXIBLE_FILES) + "/cantilever.SID_FEM");
+    EXPECT_TRUE(read) << read.cause();
+    return flexible_body("Panel", at, axes, {amplitude(0), amplitude(1)}, read.data);
+  }
+  kanexpr::runtime::beam_id add_beam() {
+    using kanexpr::numeric::beams::shape;
+    return beam("Panel", at, axes, {amplitude(0), amplitude(1)},
+                {.axis = along(axes, 1, 0, 0),
+                 .length = 1.0,
+                 .mass_per_length = 1.5,
+                 .bending = {{along(axes, 0, 1, 0),
+                              {.stiffness = 8.0,
+                               .shapes = {shape::polynomial({0.0, 0.0, 1.0}),
+                                          shape::polynomial({0.0, 0.0, 0.0, 1.0})}}}},
+                 .damping_of_stiffness = 0.02});
+  }
+};
+
+TEST(body_of_data, equals_a_beam) {
+  cantilever found(true), expected(false);
+  ASSERT_EQ(found.check().view(), "");
+  ASSERT_EQ(expected.check().view(), "");
+  mechanics::equations by_data(found.system()), by_shapes(expected.system());
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    found.draw(seed), expected.draw(seed);
+    for (const quantity each :
+         {quantity::mass_matrix, quantity::forcing, quantity::kinetic_energy, quantity::potential_energy})
+      expect_equal(found.numbers(by_data.get(each)), expected.numbers(by_shapes.get(each)),
+                   std::string(mechanics::row_of(each).called));
+  }
 }
 
 TEST(body_of_data, reports_mistakes) {

@@ -34,6 +34,7 @@ struct body {
   int amplitudes = 0;
   std::vector<particle> particles{};
   std::vector<Vector3d> turns{}; ///< the rotation of the node at the last particle, by amplitude
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< of the node, in the axes of the body
   Eigen::MatrixXd stiffness{}, damping{};
 
   /// Σ m f(particle), an integral over the mass.
@@ -73,6 +74,7 @@ inline body random_body(int amplitudes, int particles, bool bends, unsigned seed
     b.particles.push_back(p);
   }
   for (int k = 0; k < amplitudes; ++k) b.turns.push_back(vector());
+  b.axes = Eigen::AngleAxisd(0.7, vector().normalized()).toRotationMatrix();
   const Eigen::MatrixXd root =
       Eigen::MatrixXd::NullaryExpr(amplitudes, amplitudes, [&] { return number(random); });
   b.stiffness = 100 * (root * root.transpose() + Eigen::MatrixXd::Identity(amplitudes, amplitudes));
@@ -184,8 +186,11 @@ private:
         [&](int i, int k, int l) { return p.bend_of(k, l)[i]; });
     series("psi", 3, n_, [&](int i, int k) { return b_.turns[static_cast<std::size_t>(k)][i]; });
     series(
-        "AP", 3, 3, [](int i, int j) { return i == j; },
-        [&](int i, int j, int k) { return skew(b_.turns[static_cast<std::size_t>(k)])(i, j); });
+        "AP", 3, 3, [&](int i, int j) { return b_.axes(i, j); },
+        [&](int i, int j, int k) {
+          const Eigen::Matrix3d rate = skew(b_.turns[static_cast<std::size_t>(k)]) * b_.axes;
+          return rate(i, j);
+        });
     line("end node");
   }
 

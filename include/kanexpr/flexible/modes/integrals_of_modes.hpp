@@ -32,7 +32,7 @@ public:
 
 private:
   using vectors = modal_model::vectors;
-  using matrix3 = std::array<double, 9>; ///< ∫ a_i b_j dm, row by row
+  using second_moments = std::array<double, 9>; ///< ∫ a_i b_j dm, row by row
 
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   const vectors& shape(int k) const { return of_.shapes[at(k)]; }
@@ -48,22 +48,22 @@ private:
     for (const modal_model::mass_entry& e : of_.masses) sum += e.mass * a[3 * e.row + at(i)];
     return sum;
   }
-  matrix3 products(const vectors& a, const vectors& b) const {
-    matrix3 sum{};
+  second_moments products(const vectors& a, const vectors& b) const {
+    second_moments sum{};
     for (const modal_model::mass_entry& e : of_.masses)
       for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j) sum[3 * i + j] += e.mass * a[3 * e.row + i] * b[3 * e.column + j];
     return sum;
   }
-  static double trace(const matrix3& p) { return p[0] + p[4] + p[8]; }
+  static double trace(const second_moments& p) { return p[0] + p[4] + p[8]; }
   /// Entry e of ∫ (2 a·b E − a b − b a) dm, in the order xx, yy, zz, xy, yz, zx.
-  static double inertia_entry(const matrix3& p, int e) {
+  static double inertia_entry(const second_moments& p, int e) {
     if (e < 3) return 2 * (trace(p) - p[at(4 * e)]);
     const int i = e - 3, j = (i + 1) % 3;
     return -(p[at(3 * i + j)] + p[at(3 * j + i)]);
   }
   /// Component i of ∫ a × b dm.
-  static double cross_entry(const matrix3& p, int i) {
+  static double cross_entry(const second_moments& p, int i) {
     const int j = (i + 1) % 3, k = (i + 2) % 3;
     return p[at(3 * j + k)] - p[at(3 * k + j)];
   }
@@ -79,28 +79,28 @@ private:
   }
 
   void form_inertia(mechanics::flexible_data& d) const {
-    const matrix3 constant = products(of_.positions, of_.positions);
+    const second_moments constant = products(of_.positions, of_.positions);
     for (int e = 0; e < 6; ++e) d.inertia.constant(e) = inertia_entry(constant, e) / 2;
     for (int k = 0; k < n_; ++k) {
-      const matrix3 linear = products(of_.positions, shape(k));
+      const second_moments linear = products(of_.positions, shape(k));
       for (int e = 0; e < 6; ++e) d.inertia.linear(k, e) = inertia_entry(linear, e);
       for (int l = 0; l < n_; ++l) {
-        matrix3 second = products(shape(k), shape(l));
+        second_moments second = products(shape(k), shape(l));
         if (bends()) add(second, products(of_.positions, bend(k, l)));
         for (int e = 0; e < 6; ++e) d.inertia.quadratic(k, l, e) = inertia_entry(second, e);
       }
     }
   }
-  static void add(matrix3& to, const matrix3& more) {
+  static void add(second_moments& to, const second_moments& more) {
     for (std::size_t i = 0; i < 9; ++i) to[i] += more[i];
   }
 
   void form_angular(mechanics::flexible_data& d) const {
     for (int k = 0; k < n_; ++k) {
-      const matrix3 constant = products(of_.positions, shape(k));
+      const second_moments constant = products(of_.positions, shape(k));
       for (int i = 0; i < 3; ++i) d.angular.constant(3 * k + i) = cross_entry(constant, i);
       for (int l = 0; l < n_; ++l) {
-        matrix3 linear = products(shape(l), shape(k));
+        second_moments linear = products(shape(l), shape(k));
         if (bends()) add(linear, products(of_.positions, bend(k, l)));
         for (int i = 0; i < 3; ++i) d.angular.linear(l, 3 * k + i) = cross_entry(linear, i);
       }

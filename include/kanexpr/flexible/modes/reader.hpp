@@ -2,6 +2,7 @@
 
 #include <kanexpr/flexible/file_report.hpp>
 #include <kanexpr/flexible/modes/modal_model.hpp>
+#include <kanexpr/mechanics/motion/written.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 
 #include <nlohmann/json.hpp>
@@ -189,18 +190,18 @@ private:
     if (!list.is_array()) return report_.fail("mass_matrix is not a list of [row, column, mass]");
     std::map<std::pair<std::size_t, std::size_t>, double> opposite;
     for (std::size_t i = 0; i < list.size(); ++i) {
-      std::vector<double> triple;
+      std::vector<double> written;
       const std::string what = index("mass_matrix", i);
-      if (!read_list(list[i], 3, triple, what)) return false;
+      if (!read_list(list[i], 3, written, what)) return false;
       const auto is_node = [&](double x) {
         return x >= 0 && x < static_cast<double>(nodes()) && std::floor(x) >= x;
       };
-      if (!is_node(triple[0]) || !is_node(triple[1]))
+      if (!is_node(written[0]) || !is_node(written[1]))
         return report_.fail(what + " begins with " + list[i][0].dump() + ", " + list[i][1].dump() +
                             "; expected two indices of nodes, from 0 to " + std::to_string(nodes() - 1));
-      const auto row = static_cast<std::size_t>(triple[0]), column = static_cast<std::size_t>(triple[1]);
-      model.masses.push_back({row, column, triple[2]});
-      opposite[{row, column}] += triple[2], opposite[{column, row}] -= triple[2];
+      const auto row = static_cast<std::size_t>(written[0]), column = static_cast<std::size_t>(written[1]);
+      model.masses.push_back({row, column, written[2]});
+      opposite[{row, column}] += written[2], opposite[{column, row}] -= written[2];
     }
     double largest = 0;
     for (const modal_model::mass_entry& e : model.masses) largest = (std::max)(largest, std::abs(e.mass));

@@ -90,7 +90,9 @@ private:
       for (int i = 0; i < 3; ++i)
         into.rotation[3 * k + i] =
             given.psi.m0.empty() ? rotation_in(turned, into, k, i) : rotations.zeroth(i, k);
-    return check_rotation_matrix(given, into) && check_turning(given, into, turned);
+    if (!check_rotation_matrix(given, into) || !check_turning(given, into, turned)) return false;
+    make_orthonormal(into.orientation);
+    return true;
   }
 
   /// Component i of the rotation with amplitude k, from the linear part [ψ_k]× Γ of the orientation Γ.
@@ -112,6 +114,23 @@ private:
     if (products.relative_difference() <= 1e-3) return true;
     return report_.fail(given.orientation.line,
                         "AP of node " + printable(given.called) + " is not a rotation matrix");
+  }
+
+  /// Removes the rounding of a rotation matrix by Newton's iteration for its polar factor, Γ ← Γ (3 − ΓᵀΓ)/2.
+  static void make_orthonormal(base::sequence<double>& matrix) {
+    for (int iteration = 0; iteration < 4; ++iteration) {
+      const base::sequence<double> before = matrix;
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+          double change = 0;
+          for (int k = 0; k < 3; ++k) {
+            double product = 0;
+            for (int e = 0; e < 3; ++e) product += before[3 * e + k] * before[3 * e + j];
+            change += before[3 * i + k] * ((k == j ? 1 : 0) - product);
+          }
+          matrix[3 * i + j] = before[3 * i + j] + change / 2;
+        }
+    }
   }
 
   bool check_turning(const node& given, const mechanics::flexible_node& into, const dense& turned) {
