@@ -27,7 +27,8 @@ inline bool has_modal_mass(const mechanics::flexible_data& d, const modes::reade
   for (std::size_t i = 0; i < given.size(); ++i) mass.add(given[i], d.modal_mass[static_cast<int>(i)]);
   const auto name = [&](std::size_t e) {
     const int place = static_cast<int>(e);
-    return "modal_mass" + at(place / d.amplitudes, place % d.amplitudes);
+    return "modal_mass[" + std::to_string(place / d.amplitudes) + "][" +
+           std::to_string(place % d.amplitudes) + "]";
   };
   return agrees(mass, 0, name, "the masses and the shapes give", options, report);
 }

@@ -2,7 +2,6 @@
 
 #include <kanexpr/flexible/file_report.hpp>
 #include <kanexpr/flexible/modes/modal_model.hpp>
-#include <kanexpr/mechanics/motion/written.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 
 #include <nlohmann/json.hpp>
