@@ -507,6 +507,15 @@ TEST(flexible_body, must_have_amplitudes_of_its_own) {
   EXPECT_EQ(third.mistake_found(), "a1 is an amplitude of both Mast and Beam");
 }
 
+TEST(flexible_body, must_have_a_name_of_its_own) {
+  given first, second;
+  first.particle("Beam", first.o, first.m);
+  EXPECT_EQ(first.mistake_found(), "two bodies are called Beam");
+  EXPECT_EQ(second.mistake_found(), "");
+  second.particle("Beam", second.o, second.m);
+  EXPECT_EQ(second.check().view(), "two bodies are called Beam");
+}
+
 TEST(flexible_body, must_have_integrals_of_its_amplitudes_and_parameters) {
   EXPECT_EQ(mistake_after([](given&) {}), "");
   EXPECT_EQ(mistake_after([](given& b) { b.data.mass = b.m + b.a1; }),
