@@ -1,4 +1,5 @@
 #include <kanexpr/runtime/builder.ipp>
+#include <kanexpr/runtime/builder_beam.ipp>
 #include <kanexpr/runtime/builder_constraints.ipp>
 #include <kanexpr/runtime/builder_flexible_body.ipp>
 #include <kanexpr/runtime/builder_loads.ipp>
