@@ -92,10 +92,31 @@ public:
                   linear(deformation::first_bending, value), linear(deformation::second_bending, value));
   }
 
-  /// The angle by which a deformation rotates a section: the slope of bending or the angle of torsion.
+  /// The angle by which a deformation rotates a section, to the second order: the slope of bending, v'(1 −
+  /// s') with the extension s, or the angle about the axis. Without torsion, a section that is rotated by v'
+  /// and then by w' must also be rotated about the axis by −∫ v'' w' dx, if the axis, v and w are
+  /// right-handed.
   constexpr expression angle(const numeric::beams::section_values& at, deformation what) const {
-    if (what == deformation::torsion) return linear(what, [&](int k) { return at.value(k); });
-    return linear(what, [&](int k) { return at.slope(k); }) / b_.length;
+    if (what == deformation::torsion) {
+      const expression twist = bilinear(deformation::first_bending, deformation::second_bending,
+                                        [&](int k, int l) { return at.twist(k, l); });
+      const expression torsion = linear(what, [&](int k) { return at.value(k); });
+      if (twist.is_zero()) return torsion;
+      const expression hand = dot(b_.axis, cross(b_.across[0], b_.across[1]));
+      return torsion - hand * twist / (b_.length * b_.length);
+    }
+    const expression slope = linear(what, [&](int k) { return at.slope(k); }) / b_.length;
+    const expression stretched =
+        bilinear(what, deformation::extension, [&](int k, int l) { return at.slope(k) * at.slope(l); });
+    return stretched.is_zero() ? slope : slope - stretched / (b_.length * b_.length);
+  }
+  /// Whether a deformation rotates sections; bending in two directions also twists them.
+  constexpr bool rotates(deformation what) const {
+    const base::sequence<deformation>& all = b_.deformations;
+    const bool is_bent_twice =
+        all.contains(deformation::first_bending) && all.contains(deformation::second_bending);
+    return what != deformation::extension &&
+           (all.contains(what) || (what == deformation::torsion && is_bent_twice));
   }
 
 private:

@@ -188,9 +188,11 @@ constexpr base::sequence<double> values_at(const beam_shapes& b, double xi) {
       for (int k = 0; k < n; ++k)
         for (int l = 0; l < n; ++l) {
           const beam_shape &a = b.all[k], &c = b.all[l];
-          if (a.what == c.what && is_bending(a.what))
-            found[1 + (2 + k) * n + l] +=
-                (to - from) * by.rule().weights[j] * a.of.at(place).slope * c.of.at(place).slope;
+          const bool twists = a.what == deformation::first_bending && c.what == deformation::second_bending;
+          if (!twists && (a.what != c.what || !is_bending(a.what))) continue;
+          const deflection of = a.of.at(place);
+          found[1 + (2 + k) * n + l] +=
+              (to - from) * by.rule().weights[j] * (twists ? of.curvature : of.slope) * c.of.at(place).slope;
         }
     }
   }

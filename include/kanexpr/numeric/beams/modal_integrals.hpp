@@ -57,7 +57,12 @@ struct section_values {
   constexpr double value(int k) const { return numbers[1 + k]; }          ///< φ_k
   constexpr double slope(int k) const { return numbers[1 + shapes + k]; } ///< dφ_k/dξ
   /// G_kl(ξ) = ∫₀^ξ φ'_k φ'_l of bending in one direction.
-  constexpr double shortening(int k, int l) const { return numbers[1 + (2 + k) * shapes + l]; }
+  constexpr double shortening(int k, int l) const { return table(k, l); }
+  /// ∫₀^ξ φ''_k φ'_l for a shape k of bending in the first direction and a shape l in the second one.
+  constexpr double twist(int k, int l) const { return table(k, l); }
+
+private:
+  constexpr double table(int k, int l) const { return numbers[1 + (2 + k) * shapes + l]; }
 };
 
 } // namespace kanexpr::numeric::beams
