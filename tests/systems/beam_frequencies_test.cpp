@@ -277,4 +277,64 @@ TEST(beam_frequencies, coalesce_at_becks_load) {
   EXPECT_GT(greatest_growth(20.0511), 1e-3);
 }
 
+// ---- the limits of rigid bars
+
+// A chain of rigid bars with springs between them, on a hub that turns about z; it bends in the plane of the
+// rotation or out of it. The first spring represents only half a bar.
+numbers squares_of_bars(int count, bool in_plane, double hub_radius, double rate) {
+  beam_model b;
+  frame_id before = b.rotated("H", b.ground, b.prescribed("theta"), b.along(b.ground, 0, 0, 1));
+  point_id joint = b.offset("Root", b.o, b.along(before, hub_radius * length, 0.0, 0.0));
+  const double part = length / count, across = mass_per_length * part * part * part / 12;
+  for (int i = 0; i < count; ++i) {
+    const std::string name = std::to_string(i);
+    const expression angle = b.moving();
+    const frame_id bar =
+        b.rotated("B" + name, before, angle, b.along(before, 0, in_plane ? 0 : 1, in_plane ? 1 : 0));
+    b.torsional_spring(angle, b.number((i == 0 ? 2 : 1) * stiffness / part));
+    b.rigid_body("Bar" + name, b.offset("C" + name, joint, b.along(bar, part / 2, 0.0, 0.0)), bar,
+                 b.number(mass_per_length * part), b.inertia(bar, 0.0, across, across));
+    joint = b.offset("J" + name, joint, b.along(bar, part, 0.0, 0.0));
+    before = bar;
+  }
+  return squares(b, rate);
+}
+
+TEST(beam_frequencies, are_the_limits_of_those_of_rotating_rigid_bars) {
+  const rotation& at = rotations[4];
+  for (const bool in_plane : {false, true}) {
+    const double expected = std::pow((in_plane ? at.in_plane : at.out_of_plane)[0], 2);
+    const auto error = [&](int count) {
+      return squares_of_bars(count, in_plane, at.hub_radius, at.rate)[0] / expected - 1;
+    };
+    // extrapolated twice, since the error is even in the length of a bar
+    const double few = error(8), more = error(16), many = error(32);
+    const double first = (4 * more - few) / 3, second = (4 * many - more) / 3;
+    EXPECT_NEAR(more / many, 4, 0.1);
+    EXPECT_NEAR(first / second, 16, 1);
+    EXPECT_NEAR((16 * second - first) / 15, 0, 2e-6);
+  }
+}
+
+// A beam that swings as a pendulum. By Rayleigh's principle, the first effect of its compliance is the energy
+// of the bending moments m g L ξ (1 − ξ)²/4 of the rigid swing: ω² = 3g/2L − ρA g² L²/(560 EI).
+TEST(beam_frequencies, tend_to_those_of_a_rigid_rod) {
+  constexpr double gravity = 9.81;
+  double before = 0;
+  for (const double stiffer : {10.0, 100.0}) {
+    beam_model b;
+    const frame_id in = b.rotated("B", b.ground, b.moving(), b.along(b.ground, 0, 0, 1));
+    bending plane = b.plane(in, 1, 0, polynomials(5));
+    plane.by.stiffness = stiffer * stiffness;
+    b.add(b.o, in, {plane});
+    b.gravity(b.along(b.ground, gravity, 0, 0));
+    const double square = squares(b)[0] * unit * unit;
+    const double deviation = (1.5 * gravity / length - square) * 560 * stiffer * stiffness /
+                             (mass_per_length * std::pow(gravity * length, 2));
+    EXPECT_NEAR(deviation, 1, 3 / stiffer);
+    if (before > 0) EXPECT_NEAR((before - 1) / (deviation - 1), 10, 0.5);
+    before = deviation;
+  }
+}
+
 } // namespace
