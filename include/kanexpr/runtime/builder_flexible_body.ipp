@@ -54,9 +54,7 @@ KANEXPR_ENGINE bool builder::has_shapes_of(std::string_view body, std::size_t am
 KANEXPR_ENGINE void builder::flexible_body(std::string_view called, point_id reference, frame_id frame,
                                            const std::vector<expression>& amplitudes,
                                            const flexible_integrals& data) {
-  if (!checks_.is_new("bodies", called, m_.bodies) || !checks_.is_new("bodies", called, m_.flexible_bodies) ||
-      !has_shapes_of(called, amplitudes.size(), data))
-    return;
+  if (!is_new_body(called) || !has_shapes_of(called, amplitudes.size(), data)) return;
   mechanics::flexible_body b{.called = called, .frame = place(frame), .reference = place(reference)};
   for (const expression& q : amplitudes) b.amplitudes.push(q);
   b.mass = as_expression(data.mass);
@@ -70,6 +68,8 @@ KANEXPR_ENGINE void builder::flexible_body(std::string_view called, point_id ref
   b.modal_mass = as_matrix(data.modal_mass);
   const symbolic::matrix stiffness = as_matrix(data.stiffness), damping = as_matrix(data.damping);
   if (!owns_flexible_body(b) || !checks_.owns(called, stiffness.entries, damping.entries)) return;
+  const sentence found = mechanics::check_symmetry(m_, stiffness, "the stiffness of ", called);
+  if (found) checks_.fail({found.view()});
   m_.flexible_bodies.push(b);
   if (stiffness.rows != 0)
     system_.loads.potential_energies.push(mechanics::elastic_energy(b.amplitudes, stiffness));

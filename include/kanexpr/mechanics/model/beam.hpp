@@ -7,6 +7,7 @@
 #include <kanexpr/mechanics/model/inertia.hpp>
 #include <kanexpr/numeric/beams/modal_integrals.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/symbolic/numbers/nearby_fraction.hpp>
 
