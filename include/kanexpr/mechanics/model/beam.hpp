@@ -16,7 +16,10 @@
 ///
 ///     r = (x + s − ½ ∫₀ˣ (v'² + w'²)) a + v b + w c.
 ///
-/// The integral is the foreshortening of a beam whose length does not change as it bends, to second order.
+/// The integral is the foreshortening of a beam whose length does not change as it bends, to second order. If
+/// the beam bends in the natural modes of a free beam, its frame moves freely, and the foreshortening is
+/// measured from the mass center: the axial motion that results at the root would otherwise make the kinetic
+/// energy, which is truncated, indefinite for amplitudes of a few percent of the length.
 /// The rotary inertia of bending and the deformation by shear are neglected. Torsion turns the sections about
 /// a; their polar inertia counts about the undeformed axis. Kane, Ryan & Banerjee (1987), J. Guidance 10(2).
 namespace kanexpr::mechanics {
