@@ -4,6 +4,7 @@
 #include <kanexpr/runtime/builder.hpp>
 
 #include <Eigen/Eigenvalues>
+#include <boost/math/quadrature/gauss.hpp>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -334,6 +335,81 @@ TEST(beam_frequencies, tend_to_those_of_a_rigid_rod) {
     EXPECT_NEAR(deviation, 1, 3 / stiffer);
     if (before > 0) EXPECT_NEAR((before - 1) / (deviation - 1), 10, 0.5);
     before = deviation;
+  }
+}
+
+// ---- towers, clamped at the ground, with a nacelle and a rotor
+
+// A tower along x that bends along y by one shape, with a rigid body whose mass center is at (up, out) from
+// the top; as Branlard & Geisler (2022), Wind Energy Science 7, with the equation of motion derived by hand.
+struct tower {
+  double mass, stiffness, softening; // ∫ ρA φ², ∫ EI φ''² and ∫ ρA ∫ φ'² of the tower, by Gauss's rule
+  double slope, shortening;          // at the top: φ' and ∫ φ'²
+  double up, out, body_mass, body_inertia;
+  double gravity;
+
+  // M and f in M q'' = f, for a force at the mass center of the body along y.
+  std::pair<double, double> equation(double q, double rate, double thrust) const {
+    const double s = std::sin(slope * q), c = std::cos(slope * q);
+    // the velocity of the mass center divided by q', and its derivative
+    const double x = -shortening * q - slope * (up * s + out * c), y = 1 + slope * (up * c - out * s);
+    const double dx = -shortening - slope * slope * (up * c - out * s),
+                 dy = -slope * slope * (up * s + out * c);
+    return {mass + body_mass * (x * x + y * y) + body_inertia * slope * slope,
+            thrust * y - stiffness * q + gravity * softening * q - gravity * body_mass * x -
+                body_mass * (x * dx + y * dy) * rate * rate};
+  }
+};
+
+TEST(tower, has_the_equation_derived_by_hand) {
+  const auto integral = [](auto f, double to = 1) {
+    return boost::math::quadrature::gauss<double, 15>::integrate(f, 0.0, to);
+  };
+  const shape deflection = shape::polynomial({0.0, 0.0, 1.4, -0.4});
+  const auto shortened = [&](double to) {
+    return integral([&](double x) { return std::pow(deflection.at(x).slope, 2) / length; }, to);
+  };
+  const tower by_hand{
+      .mass = integral([&](double x) { return mass * (1 - 0.5 * x) * std::pow(deflection.at(x).value, 2); }),
+      .stiffness = integral([&](double x) {
+        return stiffness * (1 - 0.7 * x) * std::pow(deflection.at(x).curvature, 2) / std::pow(length, 3);
+      }),
+      .softening = integral([&](double x) { return mass * (1 - 0.5 * x) * shortened(x); }),
+      .slope = deflection.at(1).slope / length,
+      .shortening = shortened(1),
+      .up = 0.2,
+      .out = -0.3,
+      .body_mass = 0.6,
+      .body_inertia = 0.05,
+      .gravity = 1.1};
+  beam_model b;
+  const expression q = b.moving(), thrust = b.input("F");
+  const bending plane{
+      b.along(b.ground, 0, 1, 0),
+      {.stiffness = stiffness, .shapes = {deflection}, .profile = shape::polynomial({1.0, -0.7})}};
+  const section_ids top = b.section("Top",
+                                    b.beam("Tower", b.o, b.ground, {q},
+                                           {.axis = b.along(b.ground, 1, 0, 0),
+                                            .length = length,
+                                            .mass_per_length = mass_per_length,
+                                            .bending = {plane},
+                                            .mass_profile = shape::polynomial({1.0, -0.5})}),
+                                    1);
+  const point_id center = b.offset("C", top.point, b.along(top.frame, by_hand.up, by_hand.out, 0.0));
+  b.rigid_body("Nacelle", center, top.frame, b.number(by_hand.body_mass),
+               b.inertia(top.frame, 0.05, 0.05, by_hand.body_inertia));
+  b.gravity(b.along(b.ground, -by_hand.gravity, 0.0, 0.0));
+  b.force(center, b.along(b.ground, 0, thrust, 0));
+  model m = kanexpr::derive(b);
+  ASSERT_EQ(m.mistake(), "");
+  auto mass_matrix = m.function(m.mass_matrix()), forcing = m.function(m.forcing());
+  for (const auto& [x, push] :
+       {std::pair{Eigen::Vector2d(0.3, -0.7), 0.4}, std::pair{Eigen::Vector2d(-0.2, 1.9), 1.3}}) {
+    const auto [expected_mass, expected_forcing] = by_hand.equation(x(0), x(1), push);
+    const Eigen::Matrix<double, 1, 1> input(push);
+    EXPECT_NEAR(mass_matrix(0.0, x, VectorXd(), input)(0, 0), expected_mass, 1e-12 * expected_mass);
+    EXPECT_NEAR(forcing(0.0, x, VectorXd(), input)(0, 0), expected_forcing,
+                1e-12 * std::abs(expected_forcing));
   }
 }
 

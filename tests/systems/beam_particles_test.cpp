@@ -163,16 +163,39 @@ const beam_shapes first{.length = 1.3,
            .w = {{0, 0.9, 0.3}},
            .torsion = {},
            .extension = {},
-           .first = 12};
+           .first = 12},
+    third{.length = 0.9,
+          .mass_per_length = 0.5,
+          .polar_inertia = 0,
+          .v = {{0, 0.8, 0.1}},
+          .w = {{0, 1.3, -0.2}},
+          .torsion = {},
+          .extension = {},
+          .first = 14};
 constexpr double bending_stiffness[]{2.0, 3.0}, torsional_stiffness = 1.5, axial_stiffness = 40;
 constexpr double place_of_second = 0.6, tip_mass = 0.3, load_mass = 0.2;
 const Vector3d load_moments{0.02, 0.03, 0.01}, free_fall{0.4, -9.81, 2};
 
-enum class system_of { one_beam, body_on_a_beam, two_beams };
-constexpr int rigid = 6;
-int count_of(system_of what) { return what == system_of::two_beams ? 14 : 12; }
+constexpr double hub_radius = 0.2;
 
-// The particles of a free beam with a body at its tip and a second beam, which carries a particle.
+// A free beam; with a body at its tip; with a beam in its middle too, which carries a particle; or a turbine:
+// on the tip of the first beam, a rotor with two other beams.
+enum class system_of { one_beam, body_on_a_beam, two_beams, turbine };
+int count_of(system_of what) {
+  return what == system_of::turbine ? 17 : what == system_of::two_beams ? 14 : 12;
+}
+// The coordinates of the base and of the rotor.
+std::vector<int> rigid_coordinates(system_of what) {
+  std::vector<int> all{0, 1, 2, 3, 4, 5};
+  if (what == system_of::turbine) all.push_back(16);
+  return all;
+}
+std::vector<int> amplitudes(system_of what) {
+  std::vector<int> all;
+  for (int i = 6; i < count_of(what) && i < 16; ++i) all.push_back(i);
+  return all;
+}
+
 cloud particles_of(system_of what, const jets& q) {
   cloud all;
   const place root{q[0], q[1], q[2]};
@@ -183,6 +206,14 @@ cloud particles_of(system_of what, const jets& q) {
   all.add(load_mass, end);
   all.add_pairs(load_moments, end, axes * section_axes(first, q, 1));
   if (what == system_of::body_on_a_beam) return all;
+  if (what == system_of::turbine) {
+    matrix rotor = axes * section_axes(first, q, 1) * hand_written::turn_z(q[16]);
+    for (const beam_shapes& blade : {second, third}) {
+      all.add_beam(blade, q, end + rotor.col(0) * jet(hub_radius), rotor);
+      rotor *= hand_written::turn_z(jet(M_PI));
+    }
+    return all;
+  }
   const place next = root + axes * on_axis(first, q, place_of_second);
   const matrix turned = axes * section_axes(first, q, place_of_second) * hand_written::turn_z(jet(0.7));
   all.add_beam(second, q, next, turned);
@@ -257,6 +288,13 @@ struct model_of_beams : builder {
     const Vector3d i = Vector3d::Constant(load_moments.sum()) - load_moments;
     rigid_body("Load", end.point, end.frame, number(load_mass), inertia(end.frame, i.x(), i.y(), i.z()));
     if (what == system_of::body_on_a_beam) return;
+    if (what == system_of::turbine) {
+      const frame_id rotor = rotated("R", end.frame, q[16], along(end.frame, 0, 0, 1)),
+                     opposite = rotated("S", rotor, number(M_PI), along(rotor, 0, 0, 1));
+      add("Second", second, offset("H", end.point, along(rotor, hub_radius, 0.0, 0.0)), rotor);
+      add("Third", third, offset("I", end.point, along(opposite, hub_radius, 0.0, 0.0)), opposite);
+      return;
+    }
     const frame_id turned = rotated("T", middle.frame, number(0.7), along(middle.frame, 0, 0, 1));
     particle("Tip", section("P", add("Second", second, middle.point, turned), 1).point, number(tip_mass));
   }
@@ -285,13 +323,12 @@ struct differences {
   double all[5];
 };
 
-differences between(const equations& one, const equations& other) {
+differences between(system_of what, const equations& one, const equations& other) {
+  const std::vector<int> rigid = rigid_coordinates(what), modal = amplitudes(what);
   const MatrixXd mass = (one.mass - other.mass).cwiseAbs();
   const VectorXd forcing = (one.forcing - other.forcing).cwiseAbs();
-  const Eigen::Index modal = mass.rows() - rigid;
-  return {mass.topLeftCorner(rigid, rigid).maxCoeff(), mass.topRightCorner(rigid, modal).maxCoeff(),
-          mass.bottomRightCorner(modal, modal).maxCoeff(), forcing.head(rigid).maxCoeff(),
-          forcing.tail(modal).maxCoeff()};
+  return {mass(rigid, rigid).maxCoeff(), mass(rigid, modal).maxCoeff(), mass(modal, modal).maxCoeff(),
+          forcing(rigid).maxCoeff(), forcing(modal).maxCoeff()};
 }
 
 class beams_of_particles : public testing::TestWithParam<system_of> {};
@@ -309,12 +346,12 @@ TEST_P(beams_of_particles, differ_from_beams_by_higher_powers_of_the_amplitudes)
   differences found[3];
   for (int i = 0; i < 3; ++i) {
     VectorXd now = x;
-    now.segment(rigid, count - rigid) *= sizes[i];
-    now.tail(count - rigid) *= sizes[i];
+    for (const int k : amplitudes(GetParam())) now(k) *= sizes[i], now(count + k) *= sizes[i];
     equations expected = of_particles(GetParam(), now.head(count), now.tail(count));
     add_elastic_forces(first, now.head(count), expected.forcing);
-    if (GetParam() == system_of::two_beams) add_elastic_forces(second, now.head(count), expected.forcing);
-    found[i] = between({mass(now), forcing(now)}, expected);
+    if (count > 12) add_elastic_forces(second, now.head(count), expected.forcing);
+    if (count > 14) add_elastic_forces(third, now.head(count), expected.forcing);
+    found[i] = between(GetParam(), {mass(now), forcing(now)}, expected);
   }
   constexpr double powers[]{3, 2, 1, 3, 2};
   const char* const parts[]{"rigid mass", "coupling", "modal mass", "rigid forcing", "modal forcing"};
@@ -326,7 +363,7 @@ TEST_P(beams_of_particles, differ_from_beams_by_higher_powers_of_the_amplitudes)
 }
 
 INSTANTIATE_TEST_SUITE_P(systems, beams_of_particles,
-                         testing::Values(system_of::one_beam, system_of::body_on_a_beam,
-                                         system_of::two_beams));
+                         testing::Values(system_of::one_beam, system_of::body_on_a_beam, system_of::two_beams,
+                                         system_of::turbine));
 
 } // namespace
