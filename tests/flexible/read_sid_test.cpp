@@ -198,6 +198,15 @@ TEST(read_sid, reports_the_place_of_a_mistake) {
     EXPECT_EQ(read_sid_text(broken, {}, "a.sid").cause(), expected);
 }
 
+TEST(read_sid, limits_the_memory_that_a_file_demands) {
+  std::string nodes = "end frame";
+  for (int i = 0; i < 100; ++i) nodes.insert(0, "new node = n" + std::to_string(i) + "\nend node\n");
+  const std::string text =
+      replaced(replaced(valid_text(), "nelastq = 2", "nelastq = 200"), "end frame", nodes);
+  EXPECT_EQ(read_sid_text(text, {}, "a.sid").cause(),
+            "a.sid: the file has 101 nodes with 200 amplitudes; at most 82 are supported");
+}
+
 TEST(read_sid, compares_matrices_that_determine_each_other) {
   const std::string& text = valid_text();
   const auto changed = [&](const std::string& section, const std::string& entry) {

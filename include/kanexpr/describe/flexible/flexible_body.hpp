@@ -79,7 +79,7 @@ public:
   static constexpr flexible_record flexible_description() {
     flexible_record r;
     r.mistake = mistake_of_words();
-    if constexpr (has_data) {
+    if constexpr (has_data && coordinates_count < 100) {
       list_symbols(r, std::make_index_sequence<coordinates_count>());
       r.data = [] { return given.values(); };
     }
@@ -96,6 +96,7 @@ private:
 
   static constexpr std::string_view mistake_of_words() {
     if constexpr (!has_data) return "is not given by flexible_body_data<amplitudes, nodes>";
+    if (coordinates_count > 99) return "has more than 99 amplitudes; build such a body at run time";
     if (!(is_joint_word<Words, joint_word::by> && ...))
       return "has an argument that is not one of its words; the only word is by<...>";
     if (sizeof...(Words) > 1) return "has by<...> twice";
