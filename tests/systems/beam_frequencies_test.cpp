@@ -333,7 +333,9 @@ TEST(beam_frequencies, tend_to_those_of_a_rigid_rod) {
     const double deviation = (1.5 * gravity / length - square) * 560 * stiffer * stiffness /
                              (mass_per_length * std::pow(gravity * length, 2));
     EXPECT_NEAR(deviation, 1, 3 / stiffer);
-    if (before > 0) EXPECT_NEAR((before - 1) / (deviation - 1), 10, 0.5);
+    if (before > 0) {
+      EXPECT_NEAR((before - 1) / (deviation - 1), 10, 0.5);
+    }
     before = deviation;
   }
 }
