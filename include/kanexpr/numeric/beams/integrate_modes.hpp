@@ -102,14 +102,16 @@ constexpr base::sequence<double> integrals_to(const beam_shapes& b, double xi) {
     const double from = by.ends()[i], to = by.ends()[i + 1] < xi ? by.ends()[i + 1] : xi;
     for (int j = 0; j < by.rule().size() && from < to; ++j) {
       const double place = from + (to - from) * by.rule().nodes[j];
+      base::sequence<deflection> at;
+      at.reserve(n);
+      for (const beam_shape& each : b.all) at.push(each.of.at(place));
       for (int k = 0; k < n; ++k)
         for (int l = 0; l < n; ++l) {
-          const beam_shape &a = b.all[k], &c = b.all[l];
-          const bool twists = a.what == deformation::first_bending && c.what == deformation::second_bending;
-          if (!twists && (a.what != c.what || !is_bending(a.what))) continue;
-          const deflection of = a.of.at(place);
+          const deformation what = b.all[k].what, other = b.all[l].what;
+          const bool twists = what == deformation::first_bending && other == deformation::second_bending;
+          if (!twists && (what != other || !is_bending(what))) continue;
           found[k * n + l] +=
-              (to - from) * by.rule().weights[j] * (twists ? of.curvature : of.slope) * c.of.at(place).slope;
+              (to - from) * by.rule().weights[j] * (twists ? at[k].curvature : at[k].slope) * at[l].slope;
         }
     }
   }
