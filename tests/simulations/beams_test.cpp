@@ -98,11 +98,11 @@ struct not_stiffened : hub {
     expression spread = number(0.0), product = number(0.0);
     flexible_integrals data{.mass = mass};
     for (int k = 0; k < modes; ++k) {
-      const expression q = amplitudes[static_cast<std::size_t>(k)];
+      const expression amplitude = amplitudes[static_cast<std::size_t>(k)];
       const double beta = wave_number_of_bending(ends::clamped_free, k + 1),
                    first = (k % 2 == 0 ? 1 : -1) / (beta * beta);
-      spread += number(mass / 4) * q * q;
-      product -= number(mass * b::length * first) * q;
+      spread += number(mass / 4) * amplitude * amplitude;
+      product -= number(mass * b::length * first) * amplitude;
       data.angular.push_back({0.0, 0.0, mass * b::length * first});
       data.modal_mass.push_back(std::vector<number_or_expression>(amplitudes.size(), 0.0));
       data.stiffness.push_back(data.modal_mass.back());

@@ -34,12 +34,12 @@ using numbers = std::vector<double>;
 constexpr double length = 1.7, stiffness = 2.5, mass_per_length = 0.8, mass = mass_per_length * length;
 const double unit = std::sqrt(stiffness / (mass_per_length * std::pow(length, 4))); // of frequencies
 
-// ξ² P_k(2ξ − 1) with the Legendre polynomials P_0, P_1, …
-std::vector<shape> polynomials(int count) {
+// A polynomial times the Legendre polynomials P_0(2ξ − 1), P_1(2ξ − 1), …
+std::vector<shape> polynomials_times(const numbers& factor, int count) {
   std::vector<shape> all;
-  numbers before, now{1};
+  numbers before(factor.size()), now = factor;
   for (int k = 0; k < count; ++k) {
-    kanexpr::base::sequence<double> coefficients{0.0, 0.0};
+    kanexpr::base::sequence<double> coefficients;
     for (const double each : now) coefficients.push(each);
     all.push_back(shape::polynomial(coefficients));
     numbers next(now.size() + 1);
@@ -52,11 +52,14 @@ std::vector<shape> polynomials(int count) {
   }
   return all;
 }
+// ξ² P_k(2ξ − 1), for a clamped root.
+std::vector<shape> polynomials(int count) { return polynomials_times({0, 0, 1}, count); }
 
 // A model with one uniform beam.
 struct beam_model : builder {
   frame_id ground = inertial_frame();
   point_id o = origin("O");
+  beam_id made{};
   section_ids tip{};
   int coordinates = 0;
   numbers speeds{}; // in the steady motion, by coordinate
@@ -80,7 +83,8 @@ struct beam_model : builder {
       for (std::size_t i = 0; i < each.by.shapes.size(); ++i) amplitudes.push_back(moving());
     const beam_data data{
         .axis = along(in, 1, 0, 0), .length = length, .mass_per_length = mass_per_length, .bending = planes};
-    tip = section("Tip", beam("Beam", root, in, amplitudes, data), 1);
+    made = beam("Beam", root, in, amplitudes, data);
+    tip = section("Tip", made, 1);
   }
 };
 
@@ -222,6 +226,19 @@ TEST(beam_frequencies, in_rotation_with_one_mode_have_southwells_factors) {
     }
 }
 
+// Along the axis of a rotating rod, the centrifugal force of the displacement softens it by the square of the
+// rate.
+TEST(beam_frequencies, of_the_extension_of_a_rotating_rod) {
+  beam_model b;
+  const frame_id hub = b.rotated("H", b.ground, b.prescribed("theta"), b.along(b.ground, 0, 0, 1));
+  beam_data data{.axis = b.along(hub, 1, 0, 0), .length = length, .mass_per_length = mass_per_length};
+  const double axial = 70;
+  data.extension = {axial, {kanexpr::numeric::beams::mode_of_rod(ends::clamped_free, 1)}};
+  b.beam("Rod", b.o, hub, {b.moving()}, data);
+  const double at_rest = M_PI * M_PI / 4 * axial / (mass_per_length * length * length) / (unit * unit);
+  EXPECT_NEAR(squares(b, 3)[0], at_rest - 9, 1e-12 * at_rest);
+}
+
 // ---- under axial loads
 
 // A beam that stands on a clamped root in a field of gravity, in units of EI/(ρA L³); it hangs if negative.
@@ -276,6 +293,23 @@ TEST(beam_frequencies, coalesce_at_becks_load) {
   };
   EXPECT_LT(greatest_growth(20.0509), 1e-6);
   EXPECT_GT(greatest_growth(20.0511), 1e-3);
+}
+
+// Greenhill (1883), Proc. Institution of Mechanical Engineers: a shaft on two bearings buckles under the
+// torque 2π EI/L. The torques act about the fixed axis, so the bent shaft must turn its sections correctly.
+TEST(beam_frequencies, vanish_at_greenhills_torque) {
+  const auto lowest = [](double torque) {
+    beam_model b;
+    const std::vector<shape> shapes = polynomials_times({0, 1, -1}, 10);
+    b.add(b.o, b.ground, {b.plane(b.ground, 1, 0, shapes, true), b.plane(b.ground, 0, 1, shapes, true)});
+    const auto about_axis = [&](double t) { return b.along(b.ground, t * stiffness / length, 0.0, 0.0); };
+    b.torque(b.tip.frame, about_axis(torque));
+    b.torque(b.section("Root", b.made, 0).frame, about_axis(-torque));
+    return squares(b)[0];
+  };
+  EXPECT_NEAR(lowest(2 * M_PI), 0, 1e-7 * lowest(0));
+  EXPECT_GT(lowest(2 * M_PI * (1 - 1e-5)), 0);
+  EXPECT_LT(lowest(2 * M_PI * (1 + 1e-5)), 0);
 }
 
 // ---- the limits of rigid bars
@@ -333,7 +367,9 @@ TEST(beam_frequencies, tend_to_those_of_a_rigid_rod) {
     const double deviation = (1.5 * gravity / length - square) * 560 * stiffer * stiffness /
                              (mass_per_length * std::pow(gravity * length, 2));
     EXPECT_NEAR(deviation, 1, 3 / stiffer);
-    if (before > 0) EXPECT_NEAR((before - 1) / (deviation - 1), 10, 0.5);
+    if (before > 0) {
+      EXPECT_NEAR((before - 1) / (deviation - 1), 10, 0.5);
+    }
     before = deviation;
   }
 }

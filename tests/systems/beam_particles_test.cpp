@@ -22,6 +22,7 @@ using Eigen::VectorXd;
 using hand_written::jet;
 using hand_written::jets;
 using hand_written::matrix;
+using kanexpr::mechanics::method;
 using kanexpr::mechanics::quantity;
 using kanexpr::numeric::beams::shape;
 using kanexpr::runtime::beam_data;
@@ -274,11 +275,12 @@ void add_elastic_forces(const beam_shapes& b, const VectorXd& q, VectorXd& to) {
 struct model_of_beams : builder {
   std::vector<expression> q;
 
-  explicit model_of_beams(system_of what) : builder("N") {
+  model_of_beams(system_of what, method by) : builder("N") {
     for (int i = 0; i < count_of(what); ++i) {
       q.push_back(coordinate("q" + std::to_string(i)));
-      kinematic_equation(dot(q.back()) - speed("u" + std::to_string(i)));
+      if (by == method::kane) kinematic_equation(dot(q.back()) - speed("u" + std::to_string(i)));
     }
+    if (by == method::lagrange) rates_as_speeds();
     const frame_id n = inertial_frame(), base = body_fixed("B", n, "xyz", q[3], q[4], q[5]);
     const point_id root = offset("A", origin("O"), along(n, q[0], q[1], q[2]));
     gravity(along(n, free_fall.x(), free_fall.y(), free_fall.z()));
@@ -335,7 +337,7 @@ class beams_of_particles : public testing::TestWithParam<system_of> {};
 
 TEST_P(beams_of_particles, differ_from_beams_by_higher_powers_of_the_amplitudes) {
   const int count = count_of(GetParam());
-  const model_of_beams built(GetParam());
+  const model_of_beams built(GetParam(), method::kane);
   ASSERT_EQ(built.check().view(), "");
   kanexpr::model m = kanexpr::derive(built);
   auto mass = m.function(m.get(quantity::mass_matrix)), forcing = m.function(m.get(quantity::forcing));
@@ -359,6 +361,21 @@ TEST_P(beams_of_particles, differ_from_beams_by_higher_powers_of_the_amplitudes)
     EXPECT_LT(found[2].all[part], 1e-2) << parts[part];
     for (int i = 0; i < 2; ++i)
       EXPECT_NEAR(std::log2(found[i].all[part] / found[i + 1].all[part]), powers[part], 0.1) << parts[part];
+  }
+}
+
+TEST_P(beams_of_particles, have_the_same_equations_by_lagranges_method) {
+  const int count = count_of(GetParam());
+  kanexpr::model kane = kanexpr::derive(model_of_beams(GetParam(), method::kane)),
+                 lagrange = kanexpr::derive(model_of_beams(GetParam(), method::lagrange));
+  ASSERT_EQ(lagrange.mistake(), "");
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> draw(-0.3, 0.3);
+  const VectorXd x = VectorXd::NullaryExpr(2 * count, [&] { return draw(random); });
+  for (const quantity each : {quantity::mass_matrix, quantity::forcing}) {
+    const MatrixXd expected = kane.function(kane.get(each))(x);
+    const MatrixXd found = lagrange.function(lagrange.get(each))(x);
+    EXPECT_LE((found - expected).cwiseAbs().maxCoeff(), 1e-12 * expected.cwiseAbs().maxCoeff());
   }
 }
 
