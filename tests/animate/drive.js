@@ -8,6 +8,7 @@ import { chromium } from 'playwright-core';
 import { checkControls, checkRuns } from './controls.js';
 import { checkColours, checkLayout, checkPhone } from './layout.js';
 import { assertNear, turned } from './numbers.js';
+import { checkSweeps } from './sweeps.js';
 
 const [browserPath, directory] = process.argv.slice(2);
 const addressOf = (name) => pathToFileURL(join(directory, name)).href;
@@ -57,6 +58,8 @@ try {
   await checkWithoutWebGL(context);
   for (const each of [context, phone]) await withPage(each, 'runs.html', checkRuns);
   await withPage(phone, 'disc.html', checkPhone);
+  const swept = JSON.parse(readFileSync(join(directory, 'swept.json'), 'utf8'));
+  await withPage(context, 'swept.html', (page) => checkSweeps(page, swept));
 } finally {
   await context.close();
   await phone.close();

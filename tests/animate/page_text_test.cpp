@@ -80,6 +80,77 @@ TEST(animation, is_that_of_a_pendulum) {
   EXPECT_FALSE(a.carried);
 }
 
+struct Middle : offset<Middle, O, l / 2 * A::x + l / 10 * sin(q) * A::y> {};
+struct Turned : rotated<Turned, A, q, A::z> {};
+
+using curved =
+    kanexpr::picture<System, up<-N::x>, show<cable<l / 50, O, Middle, P>>, carried<P>,
+                     show<sweep<tapered<rectangle<l / 5, l / 10>, rectangle<l / 6, 0.1>>, station<A, O, A::x>,
+                                station<Turned, Middle, Turned::x>, station<A, P, A::x>>>>;
+
+/// The places of curves are those of their points and frames, at each time.
+TEST(animation, holds_all_places_of_curves) {
+  tests::samples<System> run = swing({0.3, 0.8});
+  run.all[0].x[u] = run.all[1].x[u] = 0;
+  const kanexpr::animation a = kanexpr::animated<curved>(run);
+  ASSERT_TRUE(a) << a.cause();
+  const kanexpr::animation::shape& rope = *a.find("cable from O to P");
+  const kanexpr::animation::shape& bar = *a.find("sweep from O to P");
+  EXPECT_EQ(rope.profile, "circle");
+  EXPECT_EQ(bar.profile, "rectangle");
+  EXPECT_EQ(bar.sizes, (std::vector<double>{0.7 / 5, 0.7 / 10, 0.7 / 6, 0.1}));
+  ASSERT_EQ(rope.places, 3u);
+  ASSERT_EQ(rope.placements.size(), 6u);
+  ASSERT_EQ(bar.placements.size(), 6u);
+  const double angles[]{0.3, 0.8};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double angle = angles[k];
+    const Eigen::Vector3d along(std::cos(angle), std::sin(angle), 0),
+        across(-std::sin(angle), std::cos(angle), 0);
+    // the origin is carried such that P keeps its initial position, as its velocity is zero
+    const Eigen::Vector3d first(std::cos(0.3), std::sin(0.3), 0), moved = 0.7 * (first - along);
+    const Eigen::Vector3d origin = moved - moved.x() * Eigen::Vector3d::UnitX();
+    const Eigen::Vector3d middle = origin + 0.35 * along + 0.07 * std::sin(angle) * across;
+    const Eigen::Vector3d places[]{origin, middle, origin + 0.7 * along};
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_LT((rope.placement_at(k, i).position - places[i]).norm(), 1e-15);
+      EXPECT_LT((bar.placement_at(k, i).position - places[i]).norm(), 1e-15);
+      const double turned = i == 1 ? 2 * angle : angle;
+      const Eigen::Vector3d tangent(std::cos(turned), std::sin(turned), 0),
+          x(-std::sin(turned), std::cos(turned), 0);
+      EXPECT_LT((bar.placement_at(k, i).orientation.col(0) - x).norm(), 1e-15);
+      EXPECT_LT((bar.placement_at(k, i).orientation.col(2) - tangent).norm(), 1e-15);
+    }
+  }
+}
+
+TEST(animation, tells_what_is_wrong_with_a_curve) {
+  tests::samples<System> run = swing({0.3, 0.8});
+  kanexpr::animation a = kanexpr::animated<curved>(run);
+  a.shapes[0].placements.pop_back();
+  EXPECT_EQ(kanexpr::animate::check_entries(a),
+            "the cable from O to P has 5 placements for 2 times and 3 places");
+  a = kanexpr::animated<curved>(run);
+  a.shapes[0].placements[4].position.x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(kanexpr::animate::check_numbers(a),
+            "the position of the cable from O to P is not finite at t = 0.1");
+  using negative = kanexpr::picture<System, up<-N::x>, show<cable<l - 1, O, P>>>;
+  EXPECT_EQ(kanexpr::animated<negative>(run).cause(),
+            "every dimension of the cable from O to P must be positive and finite");
+}
+
+/// The stations that are fixed in one body share its track.
+TEST(animation, finds_the_bodies_of_curves) {
+  const kanexpr::animation a = kanexpr::animated<curved>(swing({0.3, 0.8, 1.5}));
+  const kanexpr::animate::tracks found = kanexpr::animate::tracks_of(a);
+  ASSERT_EQ(found.of_shape.size(), 2u);
+  ASSERT_EQ(found.of_shape[1].size(), 3u);
+  EXPECT_EQ(found.of_shape[1][0].track, found.of_shape[1][2].track);
+  EXPECT_NE(found.of_shape[1][0].track, found.of_shape[1][1].track);
+  EXPECT_NEAR(found.of_shape[1][2].position.norm(), 0.7, 1e-15);
+  EXPECT_EQ(found.of_shape[0][1].track, found.of_shape[1][1].track); // the point Middle of the same frame
+}
+
 TEST(animation, tells_what_is_no_number) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   tests::samples<System> run = swing({0.1, 0.2, nan});

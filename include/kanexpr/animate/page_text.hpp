@@ -184,6 +184,7 @@ inline nlohmann::json shape_text(const animation::shape& s, const std::vector<an
   for (const anchor& a : anchors)
     one["anchors"].push_back(anchor_text(a, s.placed_by == placement_kind::pose));
   if (!s.colour.empty()) one["colour"] = s.colour;
+  if (!s.profile.empty()) one["profile"] = s.profile;
   if (!s.file.empty()) one["file"] = s.file;
   if (!s.layer.empty()) one["layer"] = s.layer;
   if (!s.unit.empty()) one["unit"] = s.unit;
