@@ -7,7 +7,7 @@
 #include <cstdio>
 
 // page DIRECTORY: writes a page with a shape of every kind, and the placements of its shapes at some times; a
-// page with two runs; one with files that contain no mesh; and one with sweeps and cables of known volume.
+// page with two runs; one with files that contain no mesh; and two with sweeps and cables.
 
 namespace {
 
@@ -108,6 +108,11 @@ int main(int, char** arguments) {
       kanexpr::animate::write_page(directory + "/swept.html", swept.animation, {.title = "Bent shapes"});
   if (!bent) return std::fprintf(stderr, "%s\n", bent.cause().c_str()), 1;
   std::ofstream(directory + "/swept.json") << swept.expected;
+  const kanexpr::animation beam = tests::bent_beam();
+  const auto turning = kanexpr::animate::write_page(directory + "/beam.html", beam, {.title = "A bent beam"});
+  if (!turning) return std::fprintf(stderr, "%s\n", turning.cause().c_str()), 1;
+  std::ofstream(directory + "/beam.json")
+      << nlohmann::json{poses_at(beam, 0), poses_at(beam, 17), poses_at(beam, 40)};
   std::ofstream(directory + "/disc.json")
       << nlohmann::json{poses_at(a, 0), poses_at(a, 70), poses_at(a, 300)};
 }

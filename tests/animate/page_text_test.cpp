@@ -1,4 +1,5 @@
 #include "animate/samples.hpp"
+#include "animate/swept_shapes.hpp"
 
 #include <kanexpr/animate.hpp>
 #include <models/simple_pendulum.hpp>
@@ -275,6 +276,42 @@ TEST(tracks, are_those_of_the_rigid_bodies) {
         EXPECT_LT((here - (end == 0 ? was.position : was.end)).norm(), 1e-14);
       }
     }
+}
+
+/// The stations of a beam that bends in two ways move by two deflections.
+TEST(tracks, of_a_bent_beam_share_deflections) {
+  const kanexpr::animation a = tests::bent_beam();
+  const kanexpr::animate::tracks found = kanexpr::animate::tracks_of(a);
+  const std::vector<kanexpr::animate::bending> bendings = kanexpr::animate::bendings_of(a, found);
+  ASSERT_EQ(bendings.size(), 1u);
+  const kanexpr::animate::bending& b = bendings[0];
+  EXPECT_EQ(b.base, found.of_shape[0][0].track);
+  ASSERT_EQ(b.tracks.size(), 8u);
+  ASSERT_EQ(b.weights.rows(), 2);
+  for (Eigen::Index k = 0; k < 41; ++k) {
+    const double t = a.times[static_cast<std::size_t>(k)], q1 = 0.2 * std::sin(3 * t),
+                 q2 = 0.1 * std::cos(8 * t);
+    const Eigen::VectorXd numbers = b.mean + b.deflections * b.weights.col(k);
+    for (Eigen::Index i = 0; i < 8; ++i) {
+      const double x = static_cast<double>(i + 1) / 8;
+      // the axes of the root: x is normal to the plane of bending, z along the beam
+      const Eigen::Vector3d place = b.size * numbers.segment<3>(6 * i),
+                            turned = numbers.segment<3>(6 * i + 3);
+      const double slope = 2 * x * q1 + 3 * x * x * q2;
+      EXPECT_LT((place - Eigen::Vector3d(0, -x * x * (q1 + x * q2), x)).norm(), 1e-12);
+      EXPECT_LT((turned - Eigen::Vector3d(slope, 0, 0)).norm(), 1e-12);
+    }
+  }
+}
+
+/// A chain whose points move independently has no deflections in common.
+TEST(tracks, of_a_loose_chain_do_not_bend) {
+  kanexpr::animation a = tests::bent_beam();
+  a.shapes.resize(1);
+  double k = 0;
+  for (kanexpr::animate::placement& here : a.shapes[0].placements)
+    here.position += Eigen::Vector3d::Constant(0.1 * std::sin(k * k)), k += 1;
+  EXPECT_TRUE(kanexpr::animate::bendings_of(a, kanexpr::animate::tracks_of(a)).empty());
 }
 
 TEST(tracks, separate_what_moves_by_more_than_the_digits_of_a_page) {

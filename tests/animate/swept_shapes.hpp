@@ -95,4 +95,32 @@ private:
   }
 };
 
+/// A turning beam of length 1 that bends by x² q1 + x³ q2, with the axes of a station near its tip.
+inline kanexpr::animation bent_beam() {
+  using kanexpr::animate::placement;
+  kanexpr::animation made;
+  made.up = Eigen::Vector3d::UnitZ();
+  kanexpr::animation::shape beam{
+      .name = "beam", .kind = "sweep", .profile = "rectangle", .sizes = {0.1, 0.02}, .places = 9};
+  kanexpr::animation::shape axes{.name = "station", .kind = "axes", .sizes = {0.2}};
+  beam.placed_by = axes.placed_by = kanexpr::animate::placement_kind::pose;
+  for (int k = 0; k <= 40; ++k) {
+    const double t = 0.05 * k, q1 = 0.2 * std::sin(3 * t), q2 = 0.1 * std::cos(8 * t);
+    const Eigen::Matrix3d root = Eigen::AngleAxisd(0.9 * t, Eigen::Vector3d(1, 2, 2) / 3).matrix();
+    made.times.push_back(t);
+    for (int i = 0; i < 9; ++i) {
+      const double x = i / 8.0, slope = 2 * x * q1 + 3 * x * x * q2;
+      const Eigen::Vector3d place(x, x * x * (q1 + x * q2), 0), tangent(std::cos(slope), std::sin(slope), 0);
+      placement here{.position = root * place + Eigen::Vector3d(t, 0, 0)};
+      here.orientation.col(0) = root.col(2);
+      here.orientation.col(2) = root * tangent;
+      here.orientation.col(1) = here.orientation.col(2).cross(here.orientation.col(0));
+      beam.placements.push_back(here);
+      if (i == 7) axes.placements.push_back(here);
+    }
+  }
+  made.shapes = {beam, axes};
+  return made;
+}
+
 } // namespace tests
