@@ -1,9 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/force_system.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/matrix.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -27,6 +29,15 @@ struct given_potential_energy {
 constexpr given_potential_energy torsional_spring(expression angle, expression stiffness, expression rest) {
   const expression twist = angle - rest;
   return {stiffness * (twist * twist) / 2};
+}
+
+/// The elastic energy ½ q·K·q of a deformation with the amplitudes q and the stiffness K.
+constexpr given_potential_energy elastic_energy(const sequence<expression>& amplitudes,
+                                                const symbolic::matrix& stiffness) {
+  expression twice{stiffness.entries[0].owner(), graph::zero};
+  for (int i = 0; i < amplitudes.size(); ++i)
+    for (int j = 0; j < amplitudes.size(); ++j) twice += stiffness(i, j) * (amplitudes[i] * amplitudes[j]);
+  return {twice / 2};
 }
 
 } // namespace kanexpr::mechanics

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/flexible_body.hpp>
 #include <kanexpr/mechanics/model/frame.hpp>
 #include <kanexpr/mechanics/model/vector.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -73,6 +74,7 @@ struct mechanism {
   sequence<frame> frames{};
   sequence<point> points{};
   sequence<body> bodies{};
+  sequence<flexible_body> flexible_bodies{};
   method derived_by = method::kane;
 
   static constexpr int inertial = 0;
@@ -85,7 +87,7 @@ struct mechanism {
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.coordinates, self.speeds, self.parameters, self.inputs, self.coordinate_rates,
           self.speed_rates, self.time, self.prescribed_rates, self.kinematics, self.auxiliary_speeds,
-          self.frames, self.points, self.bodies, self.derived_by);
+          self.frames, self.points, self.bodies, self.flexible_bodies, self.derived_by);
   }
 
   constexpr expression zero() const { return {*g, graph::zero}; }
