@@ -37,11 +37,14 @@ constexpr base::name title_of() {
     constexpr auto& points = Element::attachment::points;
     constexpr std::size_t count = std::size(points);
     title.append(kind_of<Element>());
-    if constexpr (count > 0) {
+    if constexpr (requires { Element::attachment::called; }) {
+      title.append(" ");
+      title.append(Element::attachment::called);
+    } else if constexpr (count > 0) {
       title.append(count > 1 ? " from " : " at ");
       title.append(points[0]->called);
     }
-    if constexpr (count > 1) {
+    if constexpr (count > 1 && !requires { Element::attachment::called; }) {
       title.append(" to ");
       title.append(points[count - 1]->called);
     }
@@ -123,6 +126,14 @@ template <class Type>
 constexpr std::string_view template_name() {
   return type_name<Type>().substr(0, type_name<Type>().find('<'));
 }
+
+/// The mistake in something shown that is not a shape.
+template <class Shape>
+struct misused_as_shape {
+  static constexpr sentence mistake() {
+    return sentence({"the picture shows ", template_name<Shape>(), ", which is not a shape"});
+  }
+};
 
 template <class Option, class Shape>
 constexpr sentence check_option(std::string_view whom) {

@@ -18,6 +18,16 @@ constexpr sentence check_places(std::size_t places, std::string_view place, std:
                    "; it needs at least two"});
 }
 
+/// Checks that a profile is one.
+template <class Profile>
+constexpr sentence check_is_profile(std::string_view whose) {
+  if constexpr (profile_of_sweep<Profile>)
+    return {};
+  else
+    return sentence({"the profile of ", whose, " is ", template_name<Profile>(),
+                     "; it must be a profile such as circle<radius>"});
+}
+
 /// Checks that the two ends of a tapered profile have the same form.
 template <class Profile>
 constexpr sentence check_profile(std::string_view whom) {
@@ -41,21 +51,10 @@ constexpr sentence check_curve(std::string_view whom) {
   }
 }
 
-/// The mistake in something shown that is not a shape.
-template <class Shape>
-struct misused_as_shape {
-  static constexpr sentence mistake() {
-    return sentence({"the picture shows ", template_name<Shape>(), ", which is not a shape"});
-  }
-};
-
 template <class Profile, class... Stations>
 struct misused_as_shape<sweep<Profile, Stations...>> {
   static constexpr sentence mistake() {
-    if constexpr (!profile_of_sweep<Profile>)
-      return sentence({"the profile of a sweep is ", template_name<Profile>(),
-                       "; it must be a profile such as circle<radius>"});
-    sentence found;
+    sentence found = check_is_profile<Profile>("a sweep");
     ((found = found || place_on_curve<Stations>
                   ? found
                   : sentence({"a sweep passes through ", template_name<Stations>(),
