@@ -42,7 +42,7 @@ constexpr int count_shapes() {
 template <class... Words>
 constexpr numeric::beams::shape profile_among() {
   numeric::beams::shape found = numeric::beams::shape::polynomial({1.0});
-  const auto take = [&]<class Word>(const Word*) {
+  [[maybe_unused]] const auto take = [&]<class Word>(const Word*) {
     if constexpr (is_beam_part<Word, beam_part::profile>)
       if constexpr (requires { Word::factor(); }) found = Word::factor();
   };

@@ -18,8 +18,7 @@ struct beam_shape {
 /// per length vary along it.
 struct beam_shapes {
   base::sequence<beam_shape> all{};
-  shape stiffness[4]{shape::polynomial({1.0}), shape::polynomial({1.0}), shape::polynomial({1.0}),
-                     shape::polynomial({1.0})}; ///< by deformation
+  base::sequence<shape> stiffness = base::sequence<shape>(4, shape::polynomial({1.0})); ///< by deformation
   shape mass = shape::polynomial({1.0});
   shape polar = shape::polynomial({1.0});
 };

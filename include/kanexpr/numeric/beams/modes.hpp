@@ -206,7 +206,8 @@ constexpr shape mode_of_rod(ends how, int n, const tip_load& tip = {}) {
   const double beta = wave_number_of_rod(how, n, tip);
   if (how == ends::free_free) return shape::wave(beta, 0, n % 2 == 0 ? 1 : -1, 0, 0);
   const shape sine = shape::wave(beta, 1, 0, 0, 0);
-  return how == ends::clamped_free || how == ends::pinned_free ? normalized(sine, true) : sine;
+  if (how == ends::clamped_free || how == ends::pinned_free) return normalized(sine, true);
+  return sine;
 }
 
 } // namespace kanexpr::numeric::beams
