@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/figures/beam_sections.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
@@ -28,6 +29,7 @@ struct geometry {
       rotation_axes{};          ///< the axes about which frames are rotated; zero if a frame has no angle
   std::vector<double> angles{}; ///< relative to the parent frame
   std::vector<Eigen::Vector3d> points{};
+  std::vector<std::vector<Eigen::Vector3d>> beams{}; ///< for each beam, the places along its axis
   std::vector<double> masses{};
   std::vector<Eigen::Matrix3d> inertias{}; ///< about the mass centers; zero for particles
   std::vector<Eigen::Vector3d> forces{}, torques{};
@@ -101,6 +103,8 @@ inline Eigen::Vector3d finite_or_zero(const Eigen::Vector3d& v) {
 inline double extent(const geometry& g) {
   Eigen::Vector3d least = Eigen::Vector3d::Zero(), most = least;
   for (const Eigen::Vector3d& p : g.points) least = least.cwiseMin(p), most = most.cwiseMax(p);
+  for (const std::vector<Eigen::Vector3d>& beam : g.beams)
+    for (const Eigen::Vector3d& p : beam) least = least.cwiseMin(p), most = most.cwiseMax(p);
   double size = (most - least).maxCoeff();
   if (size > 0) return size;
   for (std::size_t i = 0; i < g.masses.size(); ++i)
@@ -125,6 +129,9 @@ inline geometry geometry_of(model& m, double t, const Eigen::VectorXd& x, const 
   }
   for (int i = 0; i < mechanism.points.size(); ++i)
     placed.ask(mechanics::position_from(mechanism, mechanics::origin_of(mechanism, i), i));
+  const mechanism_with_sections drawn(mechanism);
+  for (const beam_sections& beam : drawn.beams)
+    for (const int point : beam.points) placed.ask(mechanics::position_from_origin(drawn.mechanism, point));
   for (const mechanics::body& b : mechanism.bodies) {
     placed.ask(b.mass);
     const mechanics::symmetric inertia =
@@ -147,6 +154,9 @@ inline geometry geometry_of(model& m, double t, const Eigen::VectorXd& x, const 
     g.angles.push_back(placed.number());
   }
   for (int i = 0; i < mechanism.points.size(); ++i) g.points.push_back(placed.vector());
+  for (const beam_sections& beam : drawn.beams)
+    for (std::vector<Eigen::Vector3d>& axis = g.beams.emplace_back(); axis.size() < beam.points.size();)
+      axis.push_back(placed.vector());
   for (int i = 0; i < mechanism.bodies.size(); ++i) {
     g.masses.push_back(placed.number());
     Eigen::Matrix3d inertia;

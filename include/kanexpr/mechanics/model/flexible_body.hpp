@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/name.hpp>
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/beam_outline.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/inertia.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -25,6 +26,7 @@ struct flexible_body {
   symmetric inertia{};                  ///< ∫ (r·r E − r r) dm
   base::sequence<components> angular{}; ///< by amplitude: ∫ r × ∂r/∂q_k dm
   symbolic::matrix modal_mass{};        ///< ∫ ∂r/∂q_k · ∂r/∂q_l dm, constant
+  beam_outline outline{};               ///< of a beam, for pictures
 };
 
 } // namespace kanexpr::mechanics
