@@ -7,3 +7,4 @@
 #include <kanexpr/describe/beams/deformations.hpp>
 #include <kanexpr/describe/beams/section.hpp>
 #include <kanexpr/describe/beams/shapes.hpp>
+#include <kanexpr/describe/joints/joints.hpp>

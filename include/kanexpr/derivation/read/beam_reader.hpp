@@ -35,8 +35,13 @@ public:
   /// Checks the words of all beams; called before any part of them is read.
   constexpr void check_all() {
     each([&](const body_record& r, const beam_record& b) {
+      if (!reading_.check_base_conflict(r.conflict, r.called)) return;
+      if (r.called != r.declared_name) return reading_.fail_by_self("body", r.called, r.declared_name);
       if (!b.mistake.empty())
         reading_.fail({"beam ", r.called, " ", b.mistake, b.form.empty() ? "" : "; write ", b.form});
+      int times = 0;
+      for (const body_record& other : reading_.from.bodies) times += &other == &r ? 1 : 0;
+      if (times > 1) reading_.fail({"body ", r.called, " is listed twice"});
     });
   }
 

@@ -117,7 +117,8 @@ constexpr components angular_momentum(motion& k) {
     const flexible_momentum of_part = momentum(k, p);
     const components x = position(m, m.flexible_bodies[i].reference);
     total += cross(x, express(m, of_part.linear, p.axes, mechanism::inertial));
-    total += express(m, of_part.angular, p.axes, mechanism::inertial);
+    const components about_reference = of_part.angular - cross(p.offset, of_part.linear);
+    total += express(m, about_reference, p.axes, mechanism::inertial);
   }
   return total;
 }

@@ -13,17 +13,17 @@
 #include <kanexpr/symbolic/graph/graph.hpp>
 
 /// The inertia of flexible bodies relative to a floating frame of reference (Shabana, Dynamics of Multibody
-/// Systems, 2020, chapter 5; Wallrapp 1994). The mass m, the first moment S and the inertia J about the
-/// reference point, H_k = ∫ r × ∂r/∂q_k dm and the constant modal masses M_kl define the kinetic energy
+/// Systems, 2020, chapter 5; Wallrapp 1994). The mass m, the first moment S and the inertia J about a point
+/// of the frame, H_k = ∫ r × ∂r/∂q_k dm and the constant modal masses M_kl define the kinetic energy
 ///
 ///   T = ½ m v·v + v·(ω×S + Ṡ) + ½ ω·J·ω + ω·Σ H_k q̇_k + ½ Σ M_kl q̇_k q̇_l
 ///
-/// with the velocity v of the reference point; dots denote the rates of components in the frame. Everything
+/// with the velocity v of this point; dots denote the rates of components in the frame. Everything
 /// below follows from this energy without further approximation. Therefore, Kane's and Lagrange's equations
 /// agree, and energy and momenta are conserved. All components are in the axes `flexible_part::axes`.
 namespace kanexpr::mechanics {
 
-/// A force at the reference point of a flexible body, a moment on its frame about this point, and the
+/// A force at the station of a flexible body, a moment on its frame about this station, and the
 /// generalized forces of its amplitudes.
 struct flexible_load {
   components force{};
@@ -167,7 +167,7 @@ constexpr flexible_load weight(const flexible_part& p, const components& gravity
   return load;
 }
 
-/// The momentum of a flexible body: linear, and angular about its reference point.
+/// The momentum of a flexible body: linear, and angular about its station.
 struct flexible_momentum {
   components linear{};
   components angular{};

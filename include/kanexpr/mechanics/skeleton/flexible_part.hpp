@@ -11,7 +11,8 @@ namespace kanexpr::mechanics {
 
 /// A flexible body prepared for the dynamics: its integrals, their derivatives with respect to the amplitudes
 /// q_k, and the rates of the amplitudes. All components are in the axes of the frame relative to which the
-/// body deforms.
+/// body deforms. The integrals refer to a station fixed in this frame, which need not be the reference point
+/// of the model.
 struct flexible_part {
   /// The derivative of an amplitude's rate with respect to one generalized speed.
   struct rate_partial {
@@ -29,10 +30,11 @@ struct flexible_part {
     sequence<components> rotation_rate{};    ///< ∂H_k/∂q_l
   };
 
-  int station = none; ///< of the reference point
-  int frame = none;   ///< the representative of the frame relative to which the body deforms
-  int axes = none;    ///< that frame
-  rigid_mass mass{};  ///< m, S and J, which depend on the amplitudes
+  int station = none;
+  int frame = none;    ///< the representative of the frame relative to which the body deforms
+  int axes = none;     ///< that frame
+  components offset{}; ///< the reference point of the model, measured from the station
+  rigid_mass mass{};   ///< m, S and J, which depend on the amplitudes
   sequence<amplitude> amplitudes{};
   symbolic::matrix modal_mass{};
 };

@@ -38,12 +38,26 @@ constexpr sequence<flexible_part::rate_partial> partials_of_rate(const mechanism
   return found;
 }
 
+/// Finds the innermost station that is fixed in the frame of the body, from which the points of the frame are
+/// measured, and moves the mass there.
+constexpr void move_to_joint(const skeleton& s, flexible_part& part) {
+  part.offset = components(*s.model->g);
+  for (const station* at = &s.stations[part.station];
+       at->rigid && !at->absolute && at->frame == part.frame && at->parent != none;
+       at = &s.stations[part.station]) {
+    part.offset += express(*s.model, at->r, at->offset_frame, part.axes);
+    part.station = at->parent;
+  }
+  part.mass = shifted(part.mass, part.offset);
+}
+
 constexpr flexible_part flexible_part_of(const skeleton& s, const flexible_body& b) {
   const mechanism& m = *s.model;
   flexible_part part{
       .station = s.station_of_point[b.reference], .frame = s.rigid_with[b.frame], .axes = b.frame};
   part.mass.mass = b.mass, part.mass.first_moment = b.first_moment, part.mass.inertia = b.inertia;
   part.modal_mass = b.modal_mass;
+  move_to_joint(s, part);
   symbolic::differentiation by_amplitude(*m.g);
   const int count = b.amplitudes.size();
   part.amplitudes.resize(count);
@@ -51,9 +65,9 @@ constexpr flexible_part flexible_part_of(const skeleton& s, const flexible_body&
     flexible_part::amplitude& each = part.amplitudes[k];
     by_amplitude.restart();
     by_amplitude.set_rate(b.amplitudes[k], m.one());
-    each.translation = derivative(by_amplitude, b.first_moment);
-    each.rotation = b.angular[k];
-    each.growth = derivative(by_amplitude, b.inertia);
+    each.translation = derivative(by_amplitude, part.mass.first_moment);
+    each.rotation = b.angular[k] + cross(part.offset, each.translation);
+    each.growth = derivative(by_amplitude, part.mass.inertia);
     each.rate = s.coordinate_rates[m.coordinates.find(b.amplitudes[k])];
     each.partials = partials_of_rate(m, each.rate);
   }
