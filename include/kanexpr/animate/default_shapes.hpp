@@ -3,11 +3,11 @@
 #include <kanexpr/animate/about_axis.hpp>
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/animate/homogeneous_solid.hpp>
-#include <kanexpr/animate/recorded_beams.hpp>
+#include <kanexpr/animate/recorded_outlines.hpp>
 #include <kanexpr/animate/recorded_poses.hpp>
 #include <kanexpr/animate/rigid_parts.hpp>
-#include <kanexpr/figures/beam_sections.hpp>
 #include <kanexpr/figures/geometry.hpp>
+#include <kanexpr/figures/outlines.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 
@@ -29,9 +29,9 @@ namespace kanexpr::animate {
 class default_shapes {
 public:
   default_shapes(const mechanics::multibody_system& system, const rigid_parts& parts,
-                 const recorded_poses& poses, const std::vector<recorded_beam>& beams,
+                 const recorded_poses& poses, const recorded_outlines& flexible,
                  const figures::geometry& first)
-      : system_(system), m_(system.mechanism), parts_(parts), poses_(poses), beams_(beams),
+      : system_(system), m_(system.mechanism), parts_(parts), poses_(poses), flexible_(flexible),
         deflections_(system.mechanism), first_(first), length_(unit()) {}
 
   /// Adds the shapes, and sets the ground of a model with weight.
@@ -69,6 +69,13 @@ private:
   /// a rod along the link.
   homogeneous_solid solid_on_link(int body) const;
   double unit() const;
+  /// The largest distance of a node from the first one at the first sample.
+  static double extent_of(const recorded_nodes& body) {
+    double largest = 0;
+    for (std::size_t i = 1; i < body.nodes; ++i)
+      largest = (std::max)(largest, (body.places[i] - body.places[0]).norm());
+    return largest;
+  }
   /// The length of a beam at the first sample.
   double length_of(const recorded_beam& beam) const {
     double sum = 0;
@@ -124,6 +131,7 @@ private:
   void add_link(const straight_piece& l);
   void add_body(int body);
   void add_beam(const recorded_beam& beam);
+  void add_nodes(const recorded_nodes& body);
   void add_joint(int part);
   void add_slide(const straight_piece& l);
   void add_springs();
@@ -134,7 +142,7 @@ private:
   const mechanics::mechanism& m_;
   const rigid_parts& parts_;
   const recorded_poses& poses_;
-  const std::vector<recorded_beam>& beams_;
+  const recorded_outlines& flexible_;
   figures::deflections deflections_;
   const figures::geometry& first_; ///< the geometry at the first sample
   double length_;
@@ -163,7 +171,8 @@ inline double default_shapes::unit() const {
     double& longest = l.part == 0 ? fixed : moving;
     longest = (std::max)(longest, distance(l));
   }
-  for (const recorded_beam& beam : beams_) moving = (std::max)(moving, length_of(beam));
+  for (const recorded_beam& beam : flexible_.beams) moving = (std::max)(moving, length_of(beam));
+  for (const recorded_nodes& body : flexible_.nodes) moving = (std::max)(moving, extent_of(body));
   for (int i = 0; i < m_.bodies.size(); ++i) solid = (std::max)(solid, solid_of_body(i).extent() / 2);
   for (const double each : {moving, solid, fixed})
     if (each > 0) return each;
@@ -245,6 +254,30 @@ inline void default_shapes::add_beam(const recorded_beam& beam) {
                      .places = beam.sections};
   s.placements = beam.placements;
   made_.push_back(std::move(s));
+}
+
+/// A flexible body that is given by numbers is shown as its nodes, connected by thin rods.
+inline void default_shapes::add_nodes(const recorded_nodes& body) {
+  const mechanics::flexible_body& f = m_.flexible_bodies[body.body];
+  const std::string name(f.called.view()), colour = color_of_body(m_.bodies.size() + body.body);
+  const auto place = [&](std::size_t k, std::size_t i) { return body.places[k * body.nodes + i]; };
+  for (std::size_t i = 0; i < body.nodes; ++i)
+    add({.name = "node " + std::string(f.nodes.all[static_cast<int>(i)].called.view()) + " of " + name,
+         .kind = "sphere",
+         .colour = colour,
+         .sizes = {0.025 * length_}},
+        [&](std::size_t k) { return placement{.position = place(k, i)}; });
+  const std::vector<Eigen::Vector3d> first(body.places.begin(),
+                                           body.places.begin() + static_cast<std::ptrdiff_t>(body.nodes));
+  for (const auto& ends : figures::shortest_connections(first))
+    add({.name = name,
+         .kind = "rod",
+         .colour = colour,
+         .sizes = {0.012 * length_},
+         .placed_by = placement_kind::ends},
+        [&](std::size_t k) {
+          return placement{.position = place(k, ends.first), .end = place(k, ends.second)};
+        });
 }
 
 /// A rotation by an angle is a pin along its axis, so two successive ones are the cross of a universal joint.
@@ -351,7 +384,8 @@ inline void default_shapes::add_to(animation& a, bool has_ground) {
   for (int f = 1; f < m_.frames.size(); ++f)
     if (parts_.part_of(f) == f) add_joint(f);
   for (int i = 0; i < m_.bodies.size(); ++i) add_body(i);
-  for (const recorded_beam& beam : beams_) add_beam(beam);
+  for (const recorded_beam& beam : flexible_.beams) add_beam(beam);
+  for (const recorded_nodes& body : flexible_.nodes) add_nodes(body);
   add_springs();
   if (has_ground) add_ground(a);
   a.shapes = std::move(made_);

@@ -71,6 +71,20 @@ inline void draw_beams(drawing& d) {
   }
 }
 
+/// A flexible body that is given by numbers is drawn as its nodes, connected by short lines.
+inline void draw_nodes(drawing& d) {
+  for (std::size_t i = 0; i < d.at.nodes.size(); ++i) {
+    const std::vector<Eigen::Vector3d>& places = d.at.nodes[i];
+    const std::string color =
+        d.color_of_body(d.mechanism().bodies.size() + static_cast<int>(d.at.beams.size() + i));
+    for (const auto& [from, to] : shortest_connections(places)) {
+      d.on.line(layer::bodies, d.picture(places[from]), d.picture(places[to]), "solid " + color);
+      d.on.line(layer::lines, d.picture(places[from]), d.picture(places[to]), "rod");
+    }
+    for (const Eigen::Vector3d& place : places) d.on.circle(layer::marks, d.picture(place), 2, "filled");
+  }
+}
+
 inline void draw_links(drawing& d, bool with_lengths) {
   const mechanics::mechanism& m = d.mechanism();
   for (int i = 0; i < m.points.size(); ++i) {

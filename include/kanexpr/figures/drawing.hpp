@@ -1,8 +1,8 @@
 #pragma once
 
-#include <kanexpr/figures/beam_sections.hpp>
 #include <kanexpr/figures/canvas.hpp>
 #include <kanexpr/figures/geometry.hpp>
+#include <kanexpr/figures/outlines.hpp>
 #include <kanexpr/figures/view.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/vector.hpp>
