@@ -104,7 +104,7 @@ template <class Self, class Base, auto along, auto length_given, auto mass_given
 struct beam_of_words : body_words {
 private:
   template <class Visit>
-  static constexpr void each_word(Visit visit) {
+  static constexpr void each_word([[maybe_unused]] Visit visit) {
     (visit(static_cast<const Words*>(nullptr)), ...);
   }
   template <beam_word wanted>
