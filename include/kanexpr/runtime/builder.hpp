@@ -254,6 +254,7 @@ private:
   friend model kanexpr::derive(const builder& built);
 
   expression as_expression(const number_or_expression& given);
+  bool is_new_body(std::string_view called);
   mechanics::components as_components(const flexible_integrals::vector_entries& given);
   symbolic::matrix as_matrix(const flexible_integrals::matrix& given);
   bool has_shapes_of(std::string_view body, std::size_t amplitudes, const flexible_integrals& data);

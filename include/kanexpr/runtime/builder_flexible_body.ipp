@@ -54,9 +54,7 @@ KANEXPR_ENGINE bool builder::has_shapes_of(std::string_view body, std::size_t am
 KANEXPR_ENGINE void builder::flexible_body(std::string_view called, point_id reference, frame_id frame,
                                            const std::vector<expression>& amplitudes,
                                            const flexible_integrals& data) {
-  if (!checks_.is_new("bodies", called, m_.bodies) || !checks_.is_new("bodies", called, m_.flexible_bodies) ||
-      !has_shapes_of(called, amplitudes.size(), data))
-    return;
+  if (!is_new_body(called) || !has_shapes_of(called, amplitudes.size(), data)) return;
   mechanics::flexible_body b{.called = called, .frame = place(frame), .reference = place(reference)};
   for (const expression& q : amplitudes) b.amplitudes.push(q);
   b.mass = as_expression(data.mass);

@@ -22,6 +22,7 @@ using kanexpr::runtime::flexible_integrals;
 using kanexpr::runtime::frame_id;
 using kanexpr::runtime::number_or_expression;
 using kanexpr::runtime::point_id;
+using kanexpr::runtime::vector;
 using kanexpr::symbolic::expression;
 using mechanics::quantity;
 
@@ -137,6 +138,8 @@ enum class speeds { rates, general };
 // A free body and a second one on a hinge that its deformation moves and turns, both flexible, with a rigid
 // body at the end.
 struct chain : evaluated {
+  point_id end_point{};
+
   chain(kind bodies, mechanics::method by, speeds chosen = speeds::rates) : evaluated(11, by) {
     if (by == mechanics::method::kane) relate(chosen);
     const frame_id n = inertial_frame();
@@ -158,10 +161,17 @@ struct chain : evaluated {
     add("Two", bodies, hinge, aslant, second, particles_of(2));
     const mechanics::components end = second.position(particles_of(4)[0]);
     const frame_id tip = rotated("E", arm, second.linear(0.1, 0.3, 0.5), along(arm, 0, 1, 0));
-    rigid_body("Load", offset("T", hinge, along(arm, end.x, end.y, end.z)), tip, number(0.8),
-               inertia(tip, 0.3, 0.4, 0.5, 0.02, 0, 0));
+    end_point = offset("T", hinge, along(arm, end.x, end.y, end.z));
+    rigid_body("Load", end_point, tip, number(0.8), inertia(tip, 0.3, 0.4, 0.5, 0.02, 0, 0));
     gravity(along(n, 0.3, -9.81, 1));
     force(hinge, along(n, 1, 0, q[0]));
+  }
+
+  // Guides the end in a slot, and couples two deformations with the hinge.
+  void close() {
+    const vector end = position_of(end_point, point_id{0});
+    configuration_constraint(dot(end, along(inertial_frame(), 1, 0.5, 0)) - 0.2);
+    velocity_constraint(0.3 * u[6] + u[9] - q[1] * u[8]);
   }
 
 private:
@@ -243,6 +253,14 @@ void expect_same_results(evaluated& found, evaluated& expected, const std::vecto
 TEST(flexible_body, equals_its_particles_by_kanes_method) {
   chain body(kind::flexible, mechanics::method::kane), particles(kind::particles, mechanics::method::kane);
   expect_same_results(body, particles, {std::begin(of_bodies), std::end(of_bodies)});
+}
+
+TEST(flexible_body, is_constrained_like_its_particles) {
+  chain body(kind::flexible, mechanics::method::kane), particles(kind::particles, mechanics::method::kane);
+  for (chain* each : {&body, &particles}) each->close();
+  expect_same_results(body, particles,
+                      {quantity::mass_matrix, quantity::forcing, quantity::udot, quantity::multipliers,
+                       quantity::noncontributing_forces});
 }
 
 TEST(flexible_body, is_linearized_like_its_particles) {
@@ -487,6 +505,15 @@ TEST(flexible_body, must_have_amplitudes_of_its_own) {
   EXPECT_EQ(second.mistake_of({second.a1, second.a1}), "a1 is listed twice among the amplitudes of Beam");
   third.flexible_body("Mast", third.o, third.own, {third.a2, third.a1}, third.data);
   EXPECT_EQ(third.mistake_found(), "a1 is an amplitude of both Mast and Beam");
+}
+
+TEST(flexible_body, must_have_a_name_of_its_own) {
+  given first, second;
+  first.particle("Beam", first.o, first.m);
+  EXPECT_EQ(first.mistake_found(), "two bodies are called Beam");
+  EXPECT_EQ(second.mistake_found(), "");
+  second.particle("Beam", second.o, second.m);
+  EXPECT_EQ(second.check().view(), "two bodies are called Beam");
 }
 
 TEST(flexible_body, must_have_integrals_of_its_amplitudes_and_parameters) {

@@ -145,14 +145,12 @@ private:
   }
 
   /// Whether a symmetric matrix, given by its lower triangle, is positive definite after its diagonal has
-  /// been enlarged by a fraction. Rows that vanish are ignored. True if the matrix contains symbols.
+  /// been enlarged by a fraction. Rows without a diagonal entry are ignored, because planar models often
+  /// leave moments of inertia at zero. True if the matrix contains symbols.
   static constexpr bool is_positive(const symbolic::matrix& a, double enlarged) {
     sequence<int> rows;
-    for (int i = 0; i < a.rows; ++i) {
-      bool vanishes = true;
-      for (int j = 0; j < a.rows; ++j) vanishes = vanishes && (j <= i ? a(i, j) : a(j, i)).is_zero();
-      if (!vanishes) rows.push(i);
-    }
+    for (int i = 0; i < a.rows; ++i)
+      if (!a(i, i).is_zero()) rows.push(i);
     sequence<double> values(rows.size() * rows.size(), 0.0);
     for (int i = 0; i < rows.size(); ++i)
       for (int j = 0; j <= i; ++j) {

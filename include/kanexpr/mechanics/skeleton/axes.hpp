@@ -119,7 +119,7 @@ constexpr void choose_working_axes(skeleton& s) {
     } else if (s.body_axes[f] == f && !detail::carries_flexible_body(s, f) &&
                detail::parallel_to_parent(s, f)) {
       int below = s.rigid_with[s.model->frames[f].parent];
-      if (s.working_axes[below] == below)
+      if (s.working_axes[below] == below && !detail::carries_flexible_body(s, below))
         s.working_axes[below] = s.working_axes[s.rigid_with[s.model->frames[below].parent]];
       s.working_axes[f] = s.working_axes[below];
     }
