@@ -20,6 +20,9 @@ using namespace kanexpr;
 #include <docs/pictures/mesh.cpp>
 static_assert(!drawn::mistake);
 
+#include <docs/pictures/curves.cpp>
+static_assert(!rope::mistake && !strip::mistake);
+
 #include <docs/pictures/plots.cpp>
 
 #include <docs/pictures/vectors.cpp>
