@@ -68,6 +68,8 @@ KANEXPR_ENGINE void builder::flexible_body(std::string_view called, point_id ref
   b.modal_mass = as_matrix(data.modal_mass);
   const symbolic::matrix stiffness = as_matrix(data.stiffness), damping = as_matrix(data.damping);
   if (!owns_flexible_body(b) || !checks_.owns(called, stiffness.entries, damping.entries)) return;
+  const sentence found = mechanics::check_symmetry(m_, stiffness, "the stiffness of ", called);
+  if (found) checks_.fail({found.view()});
   m_.flexible_bodies.push(b);
   if (stiffness.rows != 0)
     system_.loads.potential_energies.push(mechanics::elastic_energy(b.amplitudes, stiffness));

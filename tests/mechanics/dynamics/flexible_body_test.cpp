@@ -563,6 +563,12 @@ TEST(flexible_body, must_have_matrices_of_the_size_of_its_amplitudes) {
             "the modal mass of Beam must be a matrix with a row and a column for each of the 2 amplitudes");
   EXPECT_EQ(mistake_after([](given& b) { b.data.stiffness = {{1.0, 0.0}, {0.0}}; }),
             "the stiffness of Beam must be a matrix with a row and a column for each of the 2 amplitudes");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.stiffness = {{1.0, 0.1}, {0.2, 1.0}}; }),
+            "the stiffness of Beam is not symmetric");
+  EXPECT_EQ(mistake_after([](given& b) { b.data.modal_mass = {{1.0, 1e-12}, {-1e-12, 2.0}}; }), "");
+  EXPECT_EQ(
+      mistake_after([](given& b) { b.data.stiffness = {{1.0, b.m * (b.m + 1)}, {b.m * b.m + b.m, 1.0}}; }),
+      "");
   EXPECT_EQ(mistake_after([](given& b) { b.data.damping = {{1.0}}; }),
             "the damping of Beam must be a matrix with a row and a column for each of the 2 amplitudes");
   EXPECT_EQ(mistake_after([](given& b) { b.data.damping = {{b.dot(b.u), 0.0}, {0.0, 1.0}}; }),

@@ -12,6 +12,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/mechanics/motion/generic_states.hpp>
+#include <kanexpr/numeric/elementary.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
@@ -37,6 +38,38 @@ constexpr sentence check_amplitudes(const mechanism& m, std::string_view body,
         return sentence({called(m, amplitudes[k]), " is an amplitude of both ",
                          m.flexible_bodies[i].called.view(), " and ", body});
   }
+  return {};
+}
+
+namespace detail {
+
+/// Whether entries (i, j) and (j, i) of a matrix are numbers that differ only by rounding.
+constexpr bool differ_by_rounding(const symbolic::matrix& a, int i, int j) {
+  for (const expression& e : {a(i, j), a(j, i), a(i, i), a(j, j)})
+    if (!e.is_constant()) return false;
+  const auto value = [&](int row, int column) {
+    const expression e = a(row, column);
+    return e.owner().number_at(e.node()).value();
+  };
+  const double difference = value(i, j) - value(j, i), scale = value(i, i) * value(j, j);
+  return difference * difference <= 1e-18 * numeric::elementary::abs(scale);
+}
+
+} // namespace detail
+
+/// Reports a matrix of a flexible body, such as "the stiffness of ", that is not symmetric.
+constexpr sentence check_symmetry(const mechanism& m, const symbolic::matrix& a, std::string_view of,
+                                  std::string_view body) {
+  symbolic::matrix differences(*m.g, 0, 1);
+  for (int i = 0; i < a.rows; ++i)
+    for (int j = 0; j < i; ++j)
+      if (a(i, j) != a(j, i) && !detail::differ_by_rounding(a, i, j))
+        differences.entries.push(a(i, j) - a(j, i));
+  differences.rows = differences.entries.size();
+  if (differences.rows == 0) return {};
+  for (const numbers& state : at_generic_states(differences, &m))
+    for (const double difference : state.entries)
+      if (!base::equal(difference, 0.0)) return sentence({of, body, " is not symmetric"});
   return {};
 }
 
@@ -99,25 +132,14 @@ private:
 
   constexpr void check_modal_mass() {
     const symbolic::matrix& mass = b_.modal_mass;
-    for (int k = 0; k < mass.rows; ++k) {
+    for (int k = 0; k < mass.rows; ++k)
       if (mass(k, k).is_zero() || is_negative(mass(k, k)))
-        return fail({"the modal mass of ", called(m_, b_.amplitudes[k]), ", an amplitude of ",
-                     b_.called.view(), ", is not positive"});
-      for (int l = 0; l < k; ++l)
-        if (mass(k, l) != mass(l, k) && !are_equal(mass(k, l), mass(l, k)))
-          return fail({"the modal mass of ", b_.called.view(), " is not symmetric"});
-    }
+        fail({"the modal mass of ", called(m_, b_.amplitudes[k]), ", an amplitude of ", b_.called.view(),
+              ", is not positive"});
+    if (!found_) found_ = check_symmetry(m_, mass, "the modal mass of ", b_.called.view());
     if (!is_positive(mass, 0))
       fail({"the modal mass of ", b_.called.view(),
             " is not positive definite: some deformation has no kinetic energy, or a negative one"});
-  }
-
-  constexpr bool are_equal(expression a, expression b) const {
-    symbolic::matrix difference(*m_.g, 1, 1);
-    difference(0, 0) = a - b;
-    for (const numbers& state : at_generic_states(difference))
-      if (!base::equal(state.entries[0], 0.0)) return false;
-    return true;
   }
 
   /// Checks the kinetic energy of the undeformed body as a quadratic form in v, ω and q̇.
