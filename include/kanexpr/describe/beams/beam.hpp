@@ -76,6 +76,12 @@ inline constexpr auto deformations_of_beam = [] {
   return all;
 }();
 
+/// The values of the shapes at equally spaced sections, for pictures of models that are derived at run time.
+template <class Beam>
+constexpr base::sequence<double> sections_of_beam(int count) {
+  return numeric::beams::values_at_sections(Beam::shapes(), count);
+}
+
 template <class Beam, std::size_t index>
 inline constexpr auto amplitude_rate = dot(Beam::template q<index>) == Beam::template u<index>;
 
@@ -208,6 +214,7 @@ public:
     if constexpr (is_written()) {
       r.integrals = {integrals_of_beam<Self>.all, shapes_count};
       r.deformations = deformations_of_beam<Self>.data();
+      r.sections = sections_of_beam<Self>;
     }
     return r;
   }
