@@ -49,11 +49,10 @@ int main(int count, char** words) {
       count, words,
       {.title = "Spin-up of a flexible arm",
        .kind = "Flexible bodies",
-       .see =
-           "The hub takes fifteen seconds to reach four radians per second. Meanwhile, the arm lags behind "
-           "by half a meter; then the centrifugal force straightens it. The hub finally turns faster than "
-           "the first natural frequency of the arm at rest. A linear theory without geometric stiffening "
-           "predicts that the deflection grows without bound.",
+       .see = "While the hub reaches four radians per second, the arm lags behind by half a meter; then the "
+              "centrifugal force straightens it, although the hub finally turns faster than the first "
+              "natural frequency of the arm. Linear theory without geometric stiffening predicts that the "
+              "arm bends without bound.",
        .source = "Kane, Ryan & Banerjee, Dynamics of a cantilever beam attached to a moving base, Journal of "
                  "Guidance, Control, and Dynamics 10 (1987), pages 139-151; numbers of Wu & Haug (1988)"});
   const double length = 8, stiffness = 6.8952e10 * 8.2189e-9, mass = 2766.67 * 7.2986e-5; // m, N m², kg/m

@@ -36,15 +36,17 @@ struct Rotor : rotated<Rotor, Top, psi, Top::x> {};
 struct Hub : rigid_body<Hub, Shaft, Rotor, 56780, inertia<Rotor, 1.16e5, 1e5, 1e5>> {};
 
 template <int k>
-struct Axes : rotated<Axes<k>, Rotor, (k - 1) * 2 * std::numbers::pi / 3, Rotor::x> {};
+struct Azimuth : rotated<Azimuth<k>, Rotor, (k - 1) * 2 * std::numbers::pi / 3, Rotor::x> {};
+template <int k> // x points to the trailing edge, y upwind
+struct Axes : rotated<Axes<k>, Azimuth<k>, std::numbers::pi / 2, Azimuth<k>::z> {};
 template <int k>
 struct Root : offset<Root<k>, Shaft, 1.5 * Axes<k>::z> {};
 template <int k>
 struct Blade : beam<Blade<k>, Root<k>, Axes<k>::z, 61.5, 680.0,
                     profile<stations<0, 1, 0.1, 0.62, 0.2, 0.6, 0.4, 0.5, 0.6, 0.36, 0.8, 0.2, 1, 0.02>>,
-                    bending<Axes<k>::x, 1.81e10, polynomial<0, 0, 0.0622, 1.7254, -3.2452, 4.7131, -2.2555>,
-                            profile<stations<0, 1, 0.1, 0.33, 0.2, 0.15, 0.3, 0.11, 0.5, 0.03, 0.7, 0.005,
-                                             0.85, 0.0015, 1, 0.0001>>>,
+                    bending<-Axes<k>::y, 1.81e10, polynomial<0, 0, 0.0622, 1.7254, -3.2452, 4.7131, -2.2555>,
+                            profile<stations<0, 1, 0.1, 0.33, 0.2, 0.15, 0.3, 0.11, 0.5, 0.03, 0.7, 0.008,
+                                             0.85, 0.0022, 1, 0.0001>>>,
                     modal_damping<zeta>> {};
 template <int k>
 struct Outer : section<Outer<k>, Blade<k>, 0.7> {};
