@@ -196,7 +196,8 @@ public:
     r.declared_name = r.called;
     r.center = &point_of<Base>;
     r.frame = frame();
-    r.mass = phrase_of<mass_given * length_given, Self>;
+    if constexpr (is_written())
+      r.mass = phrase_of<constant(integrals_of_beam<Self>.all[0]) * (mass_given * length_given), Self>;
     r.beam = &beam_of<Self>;
     return r;
   }

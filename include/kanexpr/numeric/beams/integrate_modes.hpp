@@ -184,14 +184,14 @@ constexpr base::sequence<double> values_at(const beam_shapes& b, double xi) {
   for (int i = 0; i + 1 < by.ends().size(); ++i) {
     const double from = by.ends()[i], to = by.ends()[i + 1] < xi ? by.ends()[i + 1] : xi;
     for (int j = 0; j < by.rule().size() && from < to; ++j) {
-      const double place = from + (to - from) * by.rule().nodes[j];
+      base::sequence<double> slopes;
+      slopes.reserve(n);
+      for (const beam_shape& each : b.all)
+        slopes.push(each.of.at(from + (to - from) * by.rule().nodes[j]).slope);
       for (int k = 0; k < n; ++k)
-        for (int l = 0; l < n; ++l) {
-          const beam_shape &a = b.all[k], &c = b.all[l];
-          if (a.what == c.what && is_bending(a.what))
-            found[1 + (2 + k) * n + l] +=
-                (to - from) * by.rule().weights[j] * a.of.at(place).slope * c.of.at(place).slope;
-        }
+        for (int l = 0; l < n; ++l)
+          if (b.all[k].what == b.all[l].what && is_bending(b.all[k].what))
+            found[1 + (2 + k) * n + l] += (to - from) * by.rule().weights[j] * slopes[k] * slopes[l];
     }
   }
   return found;
