@@ -14,4 +14,6 @@
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/lower/complex_math.hpp>
+#include <kanexpr/units/si.hpp>
+#include <kanexpr/units/unit_text.hpp>
 #include <kanexpr/version.hpp>

@@ -49,12 +49,17 @@ struct place_in {
   static constexpr int place = 0;
 };
 
+/// A symbol that states its unit has the place of the same symbol without one.
+template <class System, symbols_of which, class Symbol>
+  requires requires { typename Symbol::without_unit; }
+struct place_in<System, which, Symbol> : place_in<System, which, typename Symbol::without_unit> {};
+
 template <class System, text called, int index>
-struct place_in<System, symbols_of::state, coordinate<called, index>>
+struct place_in<System, symbols_of::state, describe::symbol<symbolic::symbol_kind::coordinate, called, index>>
     : placed<System, symbolic::symbol_kind::coordinate, called, index> {};
 
 template <class System, text called, int index>
-struct place_in<System, symbols_of::state, speed<called, index>>
+struct place_in<System, symbols_of::state, describe::symbol<symbolic::symbol_kind::speed, called, index>>
     : placed<System, symbolic::symbol_kind::speed, called, index, survey_of<System>.coordinates> {};
 
 /// With Lagrange's method, the rates of the coordinates are in the state: `x[dot(q1)]`.
@@ -63,16 +68,18 @@ struct place_in<System, symbols_of::state, coordinate_rate<called, index>>
     : placed<System, symbolic::symbol_kind::coordinate_rate, called, index, survey_of<System>.coordinates> {};
 
 template <class System, text called, int index>
-struct place_in<System, symbols_of::parameters, parameter<called, index>>
+struct place_in<System, symbols_of::parameters,
+                describe::symbol<symbolic::symbol_kind::parameter, called, index>>
     : placed<System, symbolic::symbol_kind::parameter, called, index> {};
 
 template <class System, text called, int index>
-struct place_in<System, symbols_of::inputs, input<called, index>>
+struct place_in<System, symbols_of::inputs, describe::symbol<symbolic::symbol_kind::input, called, index>>
     : placed<System, symbolic::symbol_kind::input, called, index> {};
 
 /// The index of a prescribed quantity or of its derivatives: `r[theta]`, `r[dot(theta)]`.
 template <class System, text called, int index, int order>
-struct place_in<System, symbols_of::inputs, prescribed<called, index, order>>
+struct place_in<System, symbols_of::inputs,
+                describe::symbol<symbolic::symbol_kind::input, called, index, order>>
     : placed<System, symbolic::symbol_kind::input, called, index, 0, order> {};
 
 /// The value of an entry in a vector of a system, with the symbol or its name: `{q1, 0.1}`, `{"m", 2.5}`. A

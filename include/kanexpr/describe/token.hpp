@@ -3,6 +3,7 @@
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/numbers/number.hpp>
+#include <kanexpr/units/unit.hpp>
 
 /// The storage of a model's words: flat arrays of tokens in postfix order, which are template arguments and
 /// cost almost no compile time, and records of entities that point to each other.
@@ -37,6 +38,7 @@ struct symbol_record {
   int order = unprescribed;
   int given = 0;        ///< the number of letters given in the model, without the index and the primes
   bool is_named = true; ///< whether the name is valid for a symbol
+  const units::unit* unit = nullptr; ///< null if the model does not state it here
 };
 
 enum class token_kind : unsigned char {

@@ -6,6 +6,7 @@
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/units/unit.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -51,6 +52,12 @@ struct prescribed_rate {
   expression rate{};
 };
 
+/// The unit that a model states for a symbol.
+struct stated_unit {
+  expression symbol{};
+  units::unit unit{};
+};
+
 /// The method by which the equations of motion are derived.
 enum class method : unsigned char {
   kane,
@@ -74,6 +81,7 @@ struct mechanism {
   sequence<point> points{};
   sequence<body> bodies{};
   method derived_by = method::kane;
+  sequence<stated_unit> stated_units{}; ///< empty if the model states no unit, or is not read for its units
 
   static constexpr int inertial = 0;
 
@@ -85,7 +93,7 @@ struct mechanism {
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.coordinates, self.speeds, self.parameters, self.inputs, self.coordinate_rates,
           self.speed_rates, self.time, self.prescribed_rates, self.kinematics, self.auxiliary_speeds,
-          self.frames, self.points, self.bodies, self.derived_by);
+          self.frames, self.points, self.bodies, self.derived_by, self.stated_units);
   }
 
   constexpr expression zero() const { return {*g, graph::zero}; }
