@@ -22,7 +22,8 @@ struct exponent {
 /// A coherent unit of the SI: a product of powers of base units without a factor, such as kg m/s².
 ///
 /// Powers are stored in sixtieths, so that halves to sixths and tenths are exact; a value of this type can be
-/// a template argument.
+/// a template argument. Functions that form one write all powers: g++ 12 considers two template arguments
+/// equal if their arrays differ only in the positions of the elements that were written.
 struct unit {
   static constexpr int parts = 60;
   std::int16_t powers[base_units]{}; ///< by base_unit
@@ -54,11 +55,12 @@ private:
 };
 
 /// The unit of the numbers, 1.
-inline constexpr unit dimensionless{};
+inline constexpr unit dimensionless = unit() * unit();
 
 constexpr unit only(base_unit of) {
   unit u{};
-  u.powers[static_cast<int>(of)] = unit::parts;
+  for (int i = 0; i < base_units; ++i)
+    u.powers[i] = static_cast<std::int16_t>(i == static_cast<int>(of) ? unit::parts : 0);
   return u;
 }
 
@@ -91,9 +93,11 @@ constexpr unit pow(const unit& of) {
 }
 
 /// The same unit without its powers of the radian.
-constexpr unit without_angle(unit of) {
-  of.powers[static_cast<int>(base_unit::radian)] = 0;
-  return of;
+constexpr unit without_angle(const unit& of) {
+  unit rest{};
+  for (int i = 0; i < base_units; ++i)
+    rest.powers[i] = static_cast<std::int16_t>(i == static_cast<int>(base_unit::radian) ? 0 : of.powers[i]);
+  return rest;
 }
 
 /// Whether quantities of two units can be added and compared. An angle fits a number: ω × r is a velocity.
