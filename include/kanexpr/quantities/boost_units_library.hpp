@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kanexpr/compiled/symbol_range.hpp>
 #include <kanexpr/compiled/units_library.hpp>
+#include <kanexpr/compiled/value_vector.hpp>
+#include <kanexpr/quantities/given_quantity.hpp>
 #include <kanexpr/units/si.hpp>
 #include <kanexpr/units/unit.hpp>
 
@@ -56,7 +59,9 @@ template <>
 struct coherent<boost::units::dimensionless_type> {
   static constexpr units::unit unit = units::dimensionless;
 };
-template <class Base, boost::units::integer_type numerator, boost::units::integer_type denominator, class Rest>
+template <class Base, boost::units::integer_type numerator, boost::units::integer_type denominator,
+          class Rest>
+  requires requires { base_of<Base>::unit, coherent<Rest>::unit; }
 struct coherent<boost::units::list<
     boost::units::dim<Base, boost::units::static_rational<numerator, denominator>>, Rest>> {
   static constexpr units::unit unit =
@@ -86,11 +91,9 @@ constexpr auto boost_unit() {
 
 } // namespace quantities
 
-namespace compiled {
-
 /// Boost.Units has an angle among its dimensions, which a torque contains, for example: it does not matter.
 template <class Dimensions, class System, class Number>
-struct units_library<boost::units::quantity<boost::units::unit<Dimensions, System>, Number>> {
+struct compiled::units_library<boost::units::quantity<boost::units::unit<Dimensions, System>, Number>> {
   using quantity = boost::units::quantity<boost::units::unit<Dimensions, System>, Number>;
   using coherent_quantity =
       boost::units::quantity<boost::units::unit<Dimensions, boost::units::si::system>, double>;
@@ -108,12 +111,19 @@ struct units_library<boost::units::quantity<boost::units::unit<Dimensions, Syste
   }
 };
 
-} // namespace compiled
-
 /// Returns a number in a coherent unit as a quantity of Boost.Units: `boost_quantity<newton*meter>(2)`.
 template <units::unit in>
 constexpr auto boost_quantity(double number) {
   return number * quantities::boost_unit<in>();
+}
+
+/// Returns an entry of a state, of parameters or of inputs as a quantity of Boost.Units: `boost_quantity(x,
+/// q1)`. The symbol states its unit.
+template <class System, compiled::symbols_of which, class Scalar, class Symbol>
+constexpr auto boost_quantity(const compiled::value_vector<System, which, Scalar>& values,
+                              const Symbol& symbol) {
+  if constexpr (quantities::known_unit<compiled::stated_by<Symbol>>::is_known)
+    return boost_quantity<*compiled::stated_by<Symbol>::unit>(static_cast<double>(values[symbol]));
 }
 
 } // namespace kanexpr

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <kanexpr/compiled/symbol_range.hpp>
 #include <kanexpr/compiled/units_library.hpp>
+#include <kanexpr/compiled/value_vector.hpp>
+#include <kanexpr/quantities/given_quantity.hpp>
 #include <kanexpr/units/unit.hpp>
 
 #include <mp-units/systems/si.h>
@@ -45,12 +48,10 @@ concept converts_to = requires(const Quantity& q) { (q * 1.0).numerical_value_in
 
 } // namespace quantities
 
-namespace compiled {
-
-/// mp-units itself determines which quantities convert to a unit: an angle in degrees to rad and to 1, but no
-/// frequency in hertz to rad/s.
+/// mp-units itself determines which quantities convert to a unit, for example an angle in degrees to rad and
+/// to 1.
 template <quantities::of_mp_units Quantity>
-struct units_library<Quantity> {
+struct compiled::units_library<Quantity> {
   template <units::unit in>
   static constexpr bool converts = quantities::converts_to<Quantity, quantities::mp_unit<in>()>;
   template <units::unit in>
@@ -59,12 +60,19 @@ struct units_library<Quantity> {
   }
 };
 
-} // namespace compiled
-
 /// Returns a number in a coherent unit as a quantity of mp-units: `mp_quantity<newton*meter>(2)`.
 template <units::unit in>
 constexpr auto mp_quantity(double number) {
   return number * quantities::mp_unit<in>();
+}
+
+/// Returns an entry of a state, of parameters or of inputs as a quantity of mp-units: `mp_quantity(x, q1)`.
+/// The symbol states its unit.
+template <class System, compiled::symbols_of which, class Scalar, class Symbol>
+constexpr auto mp_quantity(const compiled::value_vector<System, which, Scalar>& values,
+                           const Symbol& symbol) {
+  if constexpr (quantities::known_unit<compiled::stated_by<Symbol>>::is_known)
+    return mp_quantity<*compiled::stated_by<Symbol>::unit>(static_cast<double>(values[symbol]));
 }
 
 } // namespace kanexpr
