@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/image.hpp>
+#include <kanexpr/derivation/model_units.hpp>
 #include <kanexpr/derivation/read/reader.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/equations.hpp>
@@ -50,6 +51,7 @@ public:
   constexpr void check_model() {
     if (!mistake()) mistake_ = mechanics::check_system(system_);
     if (!mistake()) reader_.check_listed_are_used();
+    if (!mistake() && reader_.states_units()) mistake_ = model_units(reader_.record()).mistake();
   }
 
   /// Reads the loads that depend on motion and the constraints, and forms the starting point of the

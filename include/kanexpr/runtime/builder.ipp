@@ -4,6 +4,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/read/value.hpp>
 #include <kanexpr/mechanics/checks/check.hpp>
+#include <kanexpr/mechanics/checks/check_units.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
@@ -29,8 +30,9 @@ KANEXPR_ENGINE builder::builder(std::string_view inertial_frame) : system_(*grap
 
 KANEXPR_ENGINE sentence(builder::check)() const {
   if (mistake()) return mistake();
-  const sentence found = mechanics::check_system(system_);
-  return found ? found : check_unused_symbols(system_, used_elsewhere_);
+  sentence found = mechanics::check_system(system_);
+  if (!found) found = check_unused_symbols(system_, used_elsewhere_);
+  return found ? found : mechanics::check_units(system_);
 }
 
 // ---- scalars

@@ -22,19 +22,22 @@ struct exponent {
 /// A coherent unit of the SI: a product of powers of base units without a factor, such as kg m/s².
 ///
 /// Powers are stored in sixtieths, so that halves to sixths and tenths are exact; a value of this type can be
-/// a template argument. Functions that form one write all powers: g++ 12 considers two template arguments
-/// equal if their arrays differ only in the positions of the elements that were written.
+/// a template argument. Four powers at a time are the digits of an integer with the base 2¹⁶, because g++ 12
+/// confuses template arguments that contain arrays with zeros.
 struct unit {
   static constexpr int parts = 60;
-  std::int16_t powers[base_units]{}; ///< by base_unit
+  std::int64_t kg_m_s_a = 0;
+  std::int64_t k_mol_cd_rad = 0;
 
   constexpr bool operator==(const unit&) const = default;
-  template <class Self, class Visit>
-  static constexpr void each_member(Self& self, Visit&& visit) {
-    for (auto& power : self.powers) visit(power);
-  }
 
-  constexpr int operator[](base_unit of) const { return powers[static_cast<int>(of)]; }
+  /// The power of a base unit, in sixtieths.
+  constexpr int operator[](base_unit of) const {
+    const int place = static_cast<int>(of);
+    std::int64_t digits = place < 4 ? kg_m_s_a : k_mol_cd_rad;
+    for (int below = place % 4; below > 0; --below) digits = (digits - lowest(digits)) / digit;
+    return static_cast<int>(lowest(digits));
+  }
   constexpr exponent exponent_of(base_unit of) const {
     int numerator = (*this)[of], denominator = parts;
     for (const int factor : {2, 2, 3, 5})
@@ -42,34 +45,43 @@ struct unit {
     return {numerator, denominator};
   }
 
-  friend constexpr unit operator*(unit a, const unit& b) { return a.times(b, 1); }
-  friend constexpr unit operator/(unit a, const unit& b) { return a.times(b, -1); }
+  friend constexpr unit operator*(const unit& a, const unit& b) {
+    return {a.kg_m_s_a + b.kg_m_s_a, a.k_mol_cd_rad + b.k_mol_cd_rad};
+  }
+  friend constexpr unit operator/(const unit& a, const unit& b) {
+    return {a.kg_m_s_a - b.kg_m_s_a, a.k_mol_cd_rad - b.k_mol_cd_rad};
+  }
+
+  /// A power of one base unit, in sixtieths.
+  static constexpr unit power_of(base_unit of, std::int64_t power) {
+    const int place = static_cast<int>(of);
+    for (int below = place % 4; below > 0; --below) power *= digit;
+    return place < 4 ? unit{power, 0} : unit{0, power};
+  }
 
 private:
-  constexpr unit times(const unit& other, int power) const {
-    unit product{};
-    for (int i = 0; i < base_units; ++i)
-      product.powers[i] = static_cast<std::int16_t>(powers[i] + power * other.powers[i]);
-    return product;
+  static constexpr std::int64_t digit = 1 << 16;
+
+  static constexpr std::int64_t lowest(std::int64_t digits) {
+    const std::int64_t low = digits % digit;
+    return low >= digit / 2 ? low - digit : low < -digit / 2 ? low + digit : low;
   }
 };
 
-/// The unit of the numbers, 1.
-inline constexpr unit dimensionless = unit() * unit();
+constexpr base_unit base_unit_at(int place) { return static_cast<base_unit>(place); }
 
-constexpr unit only(base_unit of) {
-  unit u{};
-  for (int i = 0; i < base_units; ++i)
-    u.powers[i] = static_cast<std::int16_t>(i == static_cast<int>(of) ? unit::parts : 0);
-  return u;
-}
+/// The unit of the numbers, 1.
+inline constexpr unit dimensionless{};
+
+constexpr unit only(base_unit of) { return unit::power_of(of, unit::parts); }
 
 /// Whether a unit can be raised to the power numerator/denominator exactly.
 constexpr bool has_power(const unit& of, std::int64_t numerator, std::int64_t denominator) {
   constexpr std::int64_t most = 32767;
   if (denominator == 0) return false;
-  for (const std::int16_t power : of.powers) {
-    const std::int64_t raised = power * numerator;
+  if (of == dimensionless || (numerator == denominator)) return true;
+  for (int i = 0; i < base_units; ++i) {
+    const std::int64_t raised = of[base_unit_at(i)] * numerator;
     if (raised % denominator != 0 || raised / denominator > most || raised / denominator < -most)
       return false;
   }
@@ -78,9 +90,11 @@ constexpr bool has_power(const unit& of, std::int64_t numerator, std::int64_t de
 
 /// The power numerator/denominator of a unit. Requires `has_power`.
 constexpr unit power(const unit& of, std::int64_t numerator, std::int64_t denominator = 1) {
+  if (numerator == denominator) return of;
+  if (numerator == -denominator) return dimensionless / of;
   unit raised{};
   for (int i = 0; i < base_units; ++i)
-    raised.powers[i] = static_cast<std::int16_t>(of.powers[i] * numerator / denominator);
+    raised = raised * unit::power_of(base_unit_at(i), of[base_unit_at(i)] * numerator / denominator);
   return raised;
 }
 
@@ -94,10 +108,7 @@ constexpr unit pow(const unit& of) {
 
 /// The same unit without its powers of the radian.
 constexpr unit without_angle(const unit& of) {
-  unit rest{};
-  for (int i = 0; i < base_units; ++i)
-    rest.powers[i] = static_cast<std::int16_t>(i == static_cast<int>(base_unit::radian) ? 0 : of.powers[i]);
-  return rest;
+  return of / unit::power_of(base_unit::radian, of[base_unit::radian]);
 }
 
 /// Whether quantities of two units can be added and compared. An angle fits a number: ω × r is a velocity.

@@ -67,13 +67,13 @@ public:
     const symbol leading = named_factor(u);
     const unit rest = u / leading.of;
     if (!leading.called.empty()) put(leading.called);
-    for (int i = 0; i < base_units; ++i) factor(i, rest.powers[i]);
+    for (int i = 0; i < base_units; ++i) factor(i, rest[base_unit_at(i)]);
     int below = 0;
-    for (const std::int16_t power : rest.powers) below += power < 0 ? 1 : 0;
+    for (int i = 0; i < base_units; ++i) below += rest[base_unit_at(i)] < 0 ? 1 : 0;
     if (is_first_) text_.append("1");
     if (below > 0) text_.append(below > 1 ? "/(" : "/");
     is_first_ = true;
-    for (const int i : {7, 0, 1, 2, 3, 4, 5, 6}) factor(i, -rest.powers[i]);
+    for (const int i : {7, 0, 1, 2, 3, 4, 5, 6}) factor(i, -rest[base_unit_at(i)]);
     if (below > 1) text_.append(")");
     return around(text_.view());
   }
@@ -100,9 +100,7 @@ private:
   constexpr void factor(int base, int power) {
     if (power <= 0) return;
     put(base_symbols[base].called);
-    unit alone{};
-    alone.powers[base] = static_cast<std::int16_t>(power);
-    raise(alone.exponent_of(base_unit{static_cast<unsigned char>(base)}));
+    raise(unit::power_of(base_unit_at(base), power).exponent_of(base_unit_at(base)));
   }
 
   constexpr void raise(const exponent& e) {

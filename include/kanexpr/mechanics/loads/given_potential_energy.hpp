@@ -2,8 +2,10 @@
 
 #include <kanexpr/mechanics/loads/force_system.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
+#include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/units/si.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -20,6 +22,11 @@ struct given_potential_energy {
   /// `place` is the index among the potential energies.
   constexpr void check_with(load_check& by, int place) const {
     by.check_no_rates(value, "potential energy ", base::counted(place + 1).view());
+  }
+
+  constexpr void state_units(load_units& by, int place) const {
+    by.describe({"potential energy ", base::counted(place + 1).view()});
+    by.expect(value, units::joule);
   }
 };
 
