@@ -3,8 +3,10 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/derived_system.hpp>
+#include <kanexpr/derivation/result_units.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/runtime/derived.ipp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -143,7 +145,25 @@ KANEXPR_ENGINE std::string model::latex(const mechanics::vector& v, mechanics::b
 KANEXPR_ENGINE std::shared_ptr<const derivation::survey> model::known() const {
   auto found = std::make_shared<derivation::survey>();
   found->take(mechanism(), !system_->mistake(), system_->equations());
+  found->states_units = system_->states_units();
   return found;
+}
+
+KANEXPR_ENGINE mechanics::unit_table model::units() const { return system_->units(); }
+
+KANEXPR_ENGINE mechanics::possible_unit model::unit_of(mechanics::quantity wanted, int row,
+                                                       int column) const {
+  const mechanics::unit_table symbols = units();
+  return derivation::result_units(symbols, *known()).of(wanted, row, column);
+}
+
+KANEXPR_ENGINE mechanics::possible_unit model::unit_of(const symbolic::expression& e) const {
+  if (!e.belongs_to(system_->graph())) return std::nullopt;
+  return system_->unit_of(e);
+}
+
+KANEXPR_ENGINE mechanics::possible_unit model::unit_of(const describe::phrase& p) const {
+  return system_->unit_of(p);
 }
 
 KANEXPR_ENGINE bool model::owns(const symbolic::matrix& result) const {
