@@ -98,15 +98,12 @@ public:
   mechanics::equations* equations() override { return equations_ ? &*equations_ : nullptr; }
 
   bool states_units() const override { return !system_.mechanism.stated_units.empty(); }
-  mechanics::unit_table units() const override {
-    mechanics::unit_table found;
-    mechanics::unit_inference inferred = inference();
-    found.fill(system_.mechanism, system_.constraints, inferred);
-    return found;
-  }
+  mechanics::unit_table units() const override { return mechanics::unit_table_of(system_); }
   mechanics::possible_unit unit_of(const symbolic::expression& e) const override {
     if (!states_units()) return std::nullopt;
-    return inference().unit_of(e);
+    mechanics::unit_inference inferred(system_.mechanism);
+    mechanics::system_units(system_, inferred).state();
+    return inferred.unit_of(e);
   }
   mechanics::possible_unit unit_of(const describe::phrase&) const override { return std::nullopt; }
 
@@ -119,12 +116,6 @@ public:
   }
 
 private:
-  mechanics::unit_inference inference() const {
-    mechanics::unit_inference inferred(system_.mechanism);
-    mechanics::system_units(system_, inferred).state();
-    return inferred;
-  }
-
   template <class Self, class Visit>
   static void each_part(Self& self, Visit& visit) {
     visit(self.system_);

@@ -143,10 +143,6 @@ public:
   /// Whether all entries are expressions of this model.
   bool owns(const symbolic::matrix& result) const;
 
-  /// The units of all symbols, those that the model states and those that follow from them.
-  mechanics::unit_table units() const;
-  /// The unit of an entry of a result; nothing if the model states no units or does not determine it.
-  mechanics::possible_unit unit_of(mechanics::quantity wanted, int row = 0, int column = 0) const;
   /// The unit of an expression of a builder, or of an expression of the types of a model (for a vector, of
   /// its components): `model.unit_of<velocity_of<P>>()`.
   mechanics::possible_unit unit_of(const symbolic::expression& e) const;
@@ -158,6 +154,12 @@ public:
 
   /// The symbols of the model in order, and which of them are dependent.
   std::shared_ptr<const derivation::survey> known() const;
+
+  /// The units of the symbols and constraints of the system: `model.units().of("c")`. They are inferred by
+  /// each call.
+  mechanics::unit_table units() const { return system_->units(); }
+  /// The unit of an entry of a result; nothing if it is not determined.
+  mechanics::possible_unit unit_of(mechanics::quantity wanted, int row = 0, int column = 0) const;
 
   symbolic::graph& graph() { return system_->graph(); }
   const mechanics::mechanism& mechanism() const { return system_->system().mechanism; }

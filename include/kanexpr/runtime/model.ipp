@@ -149,14 +149,6 @@ KANEXPR_ENGINE std::shared_ptr<const derivation::survey> model::known() const {
   return found;
 }
 
-KANEXPR_ENGINE mechanics::unit_table model::units() const { return system_->units(); }
-
-KANEXPR_ENGINE mechanics::possible_unit model::unit_of(mechanics::quantity wanted, int row,
-                                                       int column) const {
-  const mechanics::unit_table symbols = units();
-  return derivation::result_units(symbols, *known()).of(wanted, row, column);
-}
-
 KANEXPR_ENGINE mechanics::possible_unit model::unit_of(const symbolic::expression& e) const {
   if (!e.belongs_to(system_->graph())) return std::nullopt;
   return system_->unit_of(e);
@@ -170,6 +162,11 @@ KANEXPR_ENGINE bool model::owns(const symbolic::matrix& result) const {
   for (const symbolic::expression& e : result.entries)
     if (!e.belongs_to(system_->graph())) return false;
   return true;
+}
+
+KANEXPR_ENGINE mechanics::possible_unit model::unit_of(mechanics::quantity wanted, int row,
+                                                       int column) const {
+  return derivation::result_units(units(), *known()).of(wanted, row, column);
 }
 
 KANEXPR_ENGINE base::sentence model::mistake_of(const symbolic::matrix& result) const {
