@@ -63,6 +63,13 @@ public:
   constexpr void expect(const dyadic& d, const units::unit& u) {
     d.each_entry([&](expression e) { expect(e, u); });
   }
+  /// States the unit of a quantity that may contain numbers with units; a contradiction is no mistake.
+  constexpr void suggest(expression e, const units::unit& u) {
+    if (mistake_ || !e.is_given()) return;
+    const unit_product found = of(e);
+    if (!mistake_) equate(found, known_unit(u));
+    mistake_ = {};
+  }
   /// States that an expression is formed from quantities of one unit, whatever it is; it is the difference of
   /// the sides of an equation.
   constexpr void expect_equation(expression difference) {
