@@ -76,7 +76,7 @@ constexpr expression as_symbol(reading& in, expression e) {
   if (!e.is_constant() || e.is_zero()) return e;
   base::name called = "number ";
   called.append(in.into.mechanism.g->symbols().size());
-  return symbolic::variable(*in.into.mechanism.g, {symbolic::symbol_kind::input, called, none});
+  return symbolic::variable(*in.into.mechanism.g, {symbolic::symbol_kind::parameter, called, none});
 }
 
 /// Replaces the numbers among the operands of a composed function by symbols: the width in smooth_abs(x,
