@@ -101,7 +101,9 @@ private:
   constexpr std::string_view name_of(expression symbol) const {
     return g_.symbol_at(symbol.node()).called.view();
   }
-  static constexpr base::name text_of(const units::unit& u) { return units::text_of(u); }
+  static constexpr base::name text_of(const units::unit& u) {
+    return units::text_of(u, units::spelling::message);
+  }
 
   constexpr void fail(std::initializer_list<std::string_view> pieces) {
     if (!mistake_) mistake_ = sentence(pieces);
