@@ -5,11 +5,13 @@
 #include <kanexpr/mechanics/constraints/given_constraints.hpp>
 #include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
+#include <kanexpr/mechanics/model/flexible_body.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/units/unit_inference.hpp>
 #include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/units/si.hpp>
 
 #include <string_view>
@@ -48,6 +50,10 @@ public:
     for (const frame& f : m_.frames) state(f);
     for (const point& p : m_.points) state(p);
     for (const body& b : m_.bodies) state(b);
+    for (const expected_unit& e : m_.expected_units) {
+      by_.describe({e.what.view(), e.whose.view()});
+      by_.expect(e.value, e.unit);
+    }
     state_equations("a kinematic differential equation", m_.kinematics);
     if (of_.loads.has_gravity) state("gravity", of_.loads.gravity, meter / pow<2>(second));
     if (of_.loads.has_lagrangian) state("the Lagrangian", of_.loads.lagrangian, joule);
@@ -57,11 +63,13 @@ public:
     for (const velocity_constraint& c : of_.constraints.on_velocities)
       state_equation("a velocity constraint", c.value);
     state_equations("an acceleration constraint", of_.constraints.on_accelerations);
+    for (const flexible_body& b : m_.flexible_bodies) state(b);
+    if (!m_.flexible_bodies.empty()) suggest_deformations();
   }
 
 private:
   constexpr void state(const frame& f) {
-    if (f.is_by_angle()) state("the angle of frame ", f.called, f.angle, radian);
+    if (f.is_by_angle() && !holds_amplitude(f.angle)) state("the angle of frame ", f.called, f.angle, radian);
     if (f.kind == orientation::matrix) {
       by_.describe({"the orientation of frame ", f.called.view()});
       for (const expression& e : f.quaternion) by_.expect(e, units::dimensionless);
@@ -72,13 +80,42 @@ private:
   }
 
   constexpr void state(const point& p) {
-    state("the offset of point ", p.called, p.offset, meter);
+    by_.describe({"the offset of point ", p.called.view()});
+    p.offset.each_entry([&](expression e) {
+      if (!holds_amplitude(e)) by_.expect(e, meter);
+    });
     if (p.has_declared_velocity()) state("the velocity of point ", p.called, p.velocity, meter / second);
   }
 
   constexpr void state(const body& b) {
     state("the mass of ", b.called, b.mass, kilogram);
     state("the inertia of ", b.called, b.inertia, kilogram * pow<2>(meter));
+  }
+
+  /// The integrals of a flexible body may be numbers, which have units.
+  constexpr void state(const flexible_body& b) {
+    state("the mass of ", b.called, b.mass, kilogram);
+    for (int k = 0; k < b.amplitudes.size(); ++k) {
+      const expression rate = m_.coordinate_rates[m_.coordinates.find(b.amplitudes[k])];
+      by_.suggest(b.modal_mass(k, k) * (rate * rate), joule);
+    }
+  }
+  /// The places and angles that deform with flexible bodies.
+  constexpr void suggest_deformations() {
+    for (const point& p : m_.points)
+      p.offset.each_entry([&](expression e) {
+        if (holds_amplitude(e)) by_.suggest(e, meter);
+      });
+    for (const frame& f : m_.frames)
+      if (f.is_by_angle() && holds_amplitude(f.angle)) by_.suggest(f.angle, radian);
+  }
+  constexpr bool holds_amplitude(expression e) const {
+    if (m_.flexible_bodies.empty()) return false;
+    const sequence<char> live = symbolic::live_nodes(*m_.g, {e.node()});
+    for (const flexible_body& b : m_.flexible_bodies)
+      for (const expression& q : b.amplitudes)
+        if (q.node() < live.size() && live[q.node()] != 0) return true;
+    return false;
   }
 
   constexpr void state_equation(std::string_view what, expression difference) {
