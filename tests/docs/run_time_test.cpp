@@ -9,6 +9,7 @@
 #include <kanexpr/runtime/assemble.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/listing.hpp>
+#include <kanexpr/runtime/print_entries.hpp>
 #include <kanexpr/symbolic.hpp>
 
 #include <gtest/gtest.h>
