@@ -33,7 +33,7 @@ constexpr mechanics::vector vector_of_unit(reading& in, std::string_view word, s
   components value;
   for (int i = 0; i < 3; ++i) {
     base::name called = word;
-    called.append("<"), called.append(whose), called.append(">");
+    called.append("<"), called.append(whose), called.append(">.");
     called.append(std::string_view("xyz").substr(static_cast<std::size_t>(i), 1));
     value[i] = symbol_of_unit(in, called, u);
   }
