@@ -55,7 +55,7 @@ struct given_quantity {
   static constexpr base::sentence mistake = [] {
     if (converts || !symbol::is_known) return base::sentence{};
     return base::sentence({"the quantity given for ", symbol::called(), " does not convert to its unit, ",
-                           units::text_of(symbol::found).view()});
+                           units::text_of(symbol::found, units::spelling::message).view()});
   }();
   static_assert(derivation::report<given_quantity>());
 };

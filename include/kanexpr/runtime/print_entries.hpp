@@ -39,7 +39,7 @@ inline std::string print_entries(model& of, mechanics::quantity wanted) {
   for (int i = 0; i < entries.rows; ++i)
     for (int j = 0; j < entries.columns; ++j) {
       text += result.called;
-      if (result.columns != mechanics::extent_by::one && entries.entries.size() > 1)
+      if (result.columns != mechanics::extent_by::one && result.columns != mechanics::extent_by::scalar)
         text += '(' + called(rows, i) + ", " + called(columns, j) + ')';
       else if (entries.rows > 1 || !rows.empty())
         text += '(' + called(rows, i) + ')';
