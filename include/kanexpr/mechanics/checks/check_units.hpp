@@ -104,10 +104,10 @@ private:
   constexpr void suggest_deformations() {
     for (const point& p : m_.points)
       p.offset.each_entry([&](expression e) {
-        if (holds_amplitude(e)) by_.suggest(e, meter);
+        if (holds_amplitude(e)) by_.suggest_amplitude(e, meter);
       });
     for (const frame& f : m_.frames)
-      if (f.is_by_angle() && holds_amplitude(f.angle)) by_.suggest(f.angle, radian);
+      if (f.is_by_angle() && holds_amplitude(f.angle)) by_.suggest_amplitude(f.angle, radian);
   }
   constexpr bool holds_amplitude(expression e) const {
     if (m_.flexible_bodies.empty()) return false;
