@@ -79,6 +79,7 @@ private:
       if (t.what == describe::token_kind::number)
         now_.take(t.number.numerator), now_.take(t.number.denominator), now_.take(t.number.real);
       if (t.symbol != nullptr) now_.take(t.symbol->kind), now_.take(t.symbol->called.view());
+      if (t.symbol != nullptr && t.symbol->value != nullptr) now_.take(t.symbol->value->value());
       if (t.frame != nullptr) mention(t.frame);
       if (t.point != nullptr) mention(t.point);
       if (t.external != nullptr) now_.take(t.external->called);

@@ -49,6 +49,18 @@ public:
   }
 
   constexpr const sentence& mistake() const { return reading_.mistake; }
+  constexpr const system_record& record() const { return reading_.from; }
+  /// Whether the model states the unit of any symbol.
+  constexpr bool states_units() const { return reading_.states_units; }
+
+  /// Reads the whole model without its motion, to infer units; `read` need not be called.
+  constexpr void read_for_units() {
+    reading_.for_units = true;
+    read();
+    lagrange_.read_lagrangian();
+    loads_.read_moving_loads();
+    constraints_.read_constraints();
+  }
   /// Whether the mistake concerns a type about which the compiler has already reported an error.
   constexpr bool follows_from_unparsed() const { return reading_.follows_from_unparsed; }
   /// Discards the mistake in a requested expression; everything that was read before remains valid.

@@ -29,6 +29,7 @@ public:
     b.inertia.xy = entry(3), b.inertia.yz = entry(4), b.inertia.zx = entry(5);
     for (int k = 0; k < size(); ++k) b.angular.push(vector_of(data_.angular, 3 * k));
     b.modal_mass = matrix_of(data_.modal_mass);
+    if (!std::is_constant_evaluated()) b.nodes.all = data_.nodes;
     return b;
   }
 
