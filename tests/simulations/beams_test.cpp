@@ -263,7 +263,7 @@ TEST(slewing_arm, is_the_limit_of_many_rigid_bars) {
   }
 }
 
-// ---- a free beam in space
+// ---- a free beam in space, with a body at its tip
 
 TEST(free_beam, conserves_momenta_and_energy) {
   numbered b;
@@ -276,7 +276,10 @@ TEST(free_beam, conserves_momenta_and_energy) {
   for (auto& each : data.bending) each.by.moves_root = true;
   data.torsion = {.polar_inertia = 0.02, .by = {3.0, modes_of_rod(ends::free_free, 1)}};
   data.torsion->by.moves_root = true;
-  b.beam("Beam", root, own, {q.begin() + 6, q.end()}, data);
+  const auto made = b.beam("Beam", root, own, {q.begin() + 6, q.end()}, data);
+  const auto tip = b.section("Tip", made, 1);
+  b.rigid_body("Load", b.offset("C", tip.point, b.along(tip.frame, 0.05, 0.1, 0.0)), tip.frame, b.number(0.1),
+               b.inertia(tip.frame, 0.001, 0.002, 0.0025));
   model m = kanexpr::derive(b);
   ASSERT_EQ(m.mistake(), "");
   Eigen::VectorXd x(22);
