@@ -9,4 +9,6 @@
 #include <kanexpr/describe/extended.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/describe/system.hpp>
+#include <kanexpr/units/si.hpp>
+#include <kanexpr/units/unit_text.hpp>
 #include <kanexpr/version.hpp>

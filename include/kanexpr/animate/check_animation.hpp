@@ -3,6 +3,8 @@
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/base/digits.hpp>
 #include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/derivation/unit_labels.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
@@ -80,8 +82,9 @@ inline std::string check_entries(const animation& a) {
            std::to_string(a.times.size()) + (a.times.size() == 1 ? " time" : " times");
   };
   for (const animation::shape& s : a.shapes)
-    if (s.placements.size() != a.times.size())
-      return "the " + s.name + " has " + of_times(s.placements.size(), "placement");
+    if (s.placements.size() != s.places * a.times.size())
+      return "the " + s.name + " has " + of_times(s.placements.size(), "placement") +
+             (s.places == 1 ? "" : " and " + std::to_string(s.places) + " places");
   for (const animation::column& c : a.columns)
     if (c.values.size() != a.times.size()) return c.name + " has " + of_times(c.values.size(), "value");
   return {};
@@ -104,23 +107,31 @@ inline std::string check_numbers(const animation& a) {
     for (double size : s.sizes)
       if (std::string cause = check_number(s, size); !cause.empty()) return cause;
     for (std::size_t k = 0; k < s.placements.size(); ++k)
-      if (std::string cause = check_placement(s, s.placements[k], a.times[k]); !cause.empty()) return cause;
+      if (std::string cause = check_placement(s, s.placements[k], a.times[k / s.places]); !cause.empty())
+        return cause;
   }
   return check_smallness(a);
 }
 
-/// The names of the coordinates, speeds and inputs, without values.
-inline std::vector<animation::column> columns_of(const derivation::survey& known) {
+/// The names of the coordinates, speeds and inputs, without values; `units` is null if the model states none.
+inline std::vector<animation::column> columns_of(const derivation::survey& known,
+                                                 const mechanics::unit_table* units) {
   std::vector<animation::column> columns;
   for (int i = 0; i < known.coordinates + known.speeds; ++i) {
     std::string name(known.names[i].view());
     if (known.takes_rates_as_speeds && i >= known.coordinates)
       name = std::string(known.names[i - known.coordinates].view()) + '\'';
-    columns.push_back({name, {}, i < known.coordinates ? "Coordinates" : "Speeds", {}});
+    columns.push_back({name,
+                       {},
+                       i < known.coordinates ? "Coordinates" : "Speeds",
+                       derivation::unit_label(units, known, i)});
   }
   const int first = known.first_of(symbolic::symbol_kind::input);
   for (int i = 0; i < known.inputs; ++i)
-    columns.push_back({std::string(known.names[first + i].view()), {}, "Inputs", {}});
+    columns.push_back({std::string(known.names[first + i].view()),
+                       {},
+                       "Inputs",
+                       derivation::unit_label(units, known, first + i)});
   return columns;
 }
 

@@ -4,6 +4,7 @@
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/animate/check_animation.hpp>
 #include <kanexpr/animate/default_shapes.hpp>
+#include <kanexpr/animate/recorded_outlines.hpp>
 #include <kanexpr/animate/recorded_poses.hpp>
 #include <kanexpr/animate/rigid_parts.hpp>
 #include <kanexpr/animate/rolling.hpp>
@@ -16,6 +17,7 @@
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -26,6 +28,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace kanexpr {
 
@@ -80,7 +83,8 @@ inline void add_default_shapes(animation& a, model& m, const recorded_motion& mo
                                                       motion.parameters, motion.inputs.back());
   const Eigen::Vector3d weight = weight_of(m, first, last);
   choose_view(a, first, weight);
-  default_shapes shapes(m.system(), parts, poses, first);
+  const recorded_outlines flexible = record_outlines(m, motion);
+  default_shapes shapes(m.system(), parts, poses, flexible, first);
   shapes.add_to(a, !weight.isZero());
   if (const straight_piece* const rolling = shapes.rolling_link())
     move_with_rolling(a, m, rolling->to, motion, poses);
@@ -112,7 +116,8 @@ inline animation film(model m, const recorded_motion& motion) {
   animation a;
   a.failure = m.mistake();
   if (!a) return a;
-  a.columns = columns_of(*m.known());
+  const mechanics::unit_table units = m.known()->states_units ? m.units() : mechanics::unit_table();
+  a.columns = columns_of(*m.known(), units.is_stated ? &units : nullptr);
   for (std::size_t k = 0; k < motion.times.size() && a; ++k) {
     a.failure = check_sizes(*m.known(), motion, k);
     if (a) add_sample(a, motion.times[k], numbers_in(motion.states[k]), numbers_in(motion.inputs[k]));

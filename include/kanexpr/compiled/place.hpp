@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/compiled/symbol_range.hpp>
+#include <kanexpr/compiled/units_library.hpp>
 #include <kanexpr/derivation/model_error.hpp>
 #include <kanexpr/derivation/read/wording.hpp>
 #include <kanexpr/describe/symbol.hpp>
@@ -49,12 +50,17 @@ struct place_in {
   static constexpr int place = 0;
 };
 
+/// A symbol that states its unit has the place of the same symbol without one.
+template <class System, symbols_of which, class Symbol>
+  requires requires { typename Symbol::without_unit; }
+struct place_in<System, which, Symbol> : place_in<System, which, typename Symbol::without_unit> {};
+
 template <class System, text called, int index>
-struct place_in<System, symbols_of::state, coordinate<called, index>>
+struct place_in<System, symbols_of::state, describe::symbol<symbolic::symbol_kind::coordinate, called, index>>
     : placed<System, symbolic::symbol_kind::coordinate, called, index> {};
 
 template <class System, text called, int index>
-struct place_in<System, symbols_of::state, speed<called, index>>
+struct place_in<System, symbols_of::state, describe::symbol<symbolic::symbol_kind::speed, called, index>>
     : placed<System, symbolic::symbol_kind::speed, called, index, survey_of<System>.coordinates> {};
 
 /// With Lagrange's method, the rates of the coordinates are in the state: `x[dot(q1)]`.
@@ -63,20 +69,23 @@ struct place_in<System, symbols_of::state, coordinate_rate<called, index>>
     : placed<System, symbolic::symbol_kind::coordinate_rate, called, index, survey_of<System>.coordinates> {};
 
 template <class System, text called, int index>
-struct place_in<System, symbols_of::parameters, parameter<called, index>>
+struct place_in<System, symbols_of::parameters,
+                describe::symbol<symbolic::symbol_kind::parameter, called, index>>
     : placed<System, symbolic::symbol_kind::parameter, called, index> {};
 
 template <class System, text called, int index>
-struct place_in<System, symbols_of::inputs, input<called, index>>
+struct place_in<System, symbols_of::inputs, describe::symbol<symbolic::symbol_kind::input, called, index>>
     : placed<System, symbolic::symbol_kind::input, called, index> {};
 
 /// The index of a prescribed quantity or of its derivatives: `r[theta]`, `r[dot(theta)]`.
 template <class System, text called, int index, int order>
-struct place_in<System, symbols_of::inputs, prescribed<called, index, order>>
+struct place_in<System, symbols_of::inputs,
+                describe::symbol<symbolic::symbol_kind::input, called, index, order>>
     : placed<System, symbolic::symbol_kind::input, called, index, 0, order> {};
 
 /// The value of an entry in a vector of a system, with the symbol or its name: `{q1, 0.1}`, `{"m", 2.5}`. A
-/// symbol is looked up at compile time, a name at run time.
+/// symbol is looked up at compile time, a name at run time. With a symbol, the value may be a quantity of a
+/// units library: `{m, 2 * kg}`.
 template <class System, symbols_of which, class Scalar>
 struct entry {
   int place; ///< the index in the vector; negative if none of its symbols has the name
@@ -86,16 +95,18 @@ struct entry {
   template <class Symbol, class Value>
     requires requires(const Symbol& symbol) { describe::shape_of(symbol); }
   constexpr entry(const Symbol&, const Value& number)
-      : place(place_in<System, which, Symbol>::place), value(taken(number)) {}
+      : place(place_in<System, which, Symbol>::place), value(taken<Symbol>(number)) {}
 
   template <std::convertible_to<std::string_view> Name, class Value>
   constexpr entry(const Name& called, const Value& number)
       : place(place_called(called)), value(taken(number)), name(called) {}
 
 private:
-  template <class Value>
+  template <class Symbol = void, class Value>
   static constexpr Scalar taken(const Value& number) {
-    if constexpr (std::convertible_to<Value, Scalar>)
+    if constexpr (quantity_of_a_library<Value>)
+      return lower::scalar_math<Scalar>::from(number_of<System, Symbol>(number));
+    else if constexpr (std::convertible_to<Value, Scalar>)
       return static_cast<Scalar>(number);
     else
       return lower::scalar_math<Scalar>::from(static_cast<double>(number));

@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/image.hpp>
+#include <kanexpr/derivation/model_units.hpp>
 #include <kanexpr/derivation/read/reader.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/equations.hpp>
@@ -50,6 +51,7 @@ public:
   constexpr void check_model() {
     if (!mistake()) mistake_ = mechanics::check_system(system_);
     if (!mistake()) reader_.check_listed_are_used();
+    if (!mistake() && reader_.states_units()) mistake_ = model_units(reader_.record()).mistake();
   }
 
   /// Reads the loads that depend on motion and the constraints, and forms the starting point of the
@@ -108,6 +110,7 @@ constexpr bool is_moment_of(const mechanics::body& b, const expression& paramete
 
 constexpr void survey::take(derived_system& system) {
   take(system.mechanism(), !system.mistake(), system.is_derived() ? &system.equations() : nullptr);
+  states_units = system.reader().states_units();
 }
 
 constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::equations* derived) {

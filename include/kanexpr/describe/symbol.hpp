@@ -3,6 +3,12 @@
 #include <kanexpr/base/text.hpp>
 #include <kanexpr/describe/expression.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/symbolic/numbers/decimal_text.hpp>
+#include <kanexpr/symbolic/numbers/number.hpp>
+#include <kanexpr/units/unit.hpp>
+#include <kanexpr/units/unit_text.hpp>
+
+#include <concepts>
 
 namespace kanexpr {
 
@@ -31,8 +37,13 @@ constexpr scalar<1> symbol_token() {
   return {{t}};
 }
 
-template <symbolic::symbol_kind represented, text called, int index, int order = unprescribed>
-struct symbol : scalar<1> {
+/// A symbol of a model; `stated` is its unit, if the model states one.
+template <symbolic::symbol_kind represented, text called, int index, int order = unprescribed,
+          units::unit... stated>
+struct symbol;
+
+template <symbolic::symbol_kind represented, text called, int index, int order>
+struct symbol<represented, called, index, order> : scalar<1> {
   constexpr symbol() : scalar<1>(symbol_token<represented, called, index, order>()) {}
 
   template <class Right>
@@ -41,29 +52,97 @@ struct symbol : scalar<1> {
   }
 };
 
+/// It is derived from the same symbol without a unit, so that both have the same rate and the same place in a
+/// vector of values.
+template <symbolic::symbol_kind represented, text called, int index, int order, units::unit stated>
+struct symbol<represented, called, index, order, stated> : symbol<represented, called, index, order> {
+  using without_unit = symbol<represented, called, index, order>;
+
+  static constexpr units::unit stated_unit = stated;
+  static constexpr symbol_record record = [] {
+    symbol_record r = symbol_storage<represented, called, index, order>::record;
+    r.unit = &stated_unit;
+    return r;
+  }();
+
+  constexpr symbol() { this->tokens[0].symbol = &record; }
+  using without_unit::operator=;
+};
+
+/// A constant with a unit, as a symbol that denotes a number.
+template <auto value, units::unit stated>
+struct constant_storage {
+  static constexpr symbolic::number number = constant(value).tokens[0].number;
+  static constexpr units::unit unit = stated;
+  static constexpr symbol_record record = [] {
+    symbol_record r{symbolic::symbol_kind::parameter, symbolic::decimal_text(number)};
+    r.called.append(" "), r.called.append(units::text_of(stated, units::spelling::message).view());
+    r.unit = &unit, r.value = &number;
+    return r;
+  }();
+};
+
+/// The symbol with the given index, unit, both or neither.
+template <symbolic::symbol_kind represented, text called, int order, auto... index_and_unit>
+struct symbol_with {
+  static_assert(sizeof...(index_and_unit) == 0,
+                "after its name, a symbol takes an integer, a unit, or an integer and a unit");
+  using type = symbol<represented, called, unnumbered, order>;
+};
+template <symbolic::symbol_kind represented, text called, int order, auto index>
+  requires std::convertible_to<decltype(index), int>
+struct symbol_with<represented, called, order, index> {
+  using type = symbol<represented, called, static_cast<int>(index), order>;
+};
+template <symbolic::symbol_kind represented, text called, int order, units::unit stated>
+struct symbol_with<represented, called, order, stated> {
+  using type = symbol<represented, called, unnumbered, order, stated>;
+};
+template <symbolic::symbol_kind represented, text called, int order, auto index, units::unit stated>
+  requires std::convertible_to<decltype(index), int>
+struct symbol_with<represented, called, order, index, stated> {
+  using type = symbol<represented, called, static_cast<int>(index), order, stated>;
+};
+
 } // namespace describe
 
 /// A generalized coordinate: `constexpr coordinate<"q1"> q1;`, or one of a numbered sequence,
-/// `coordinate<"q", i>`.
-template <text called, int index = unnumbered>
-using coordinate = describe::symbol<symbolic::symbol_kind::coordinate, called, index>;
+/// `coordinate<"q", i>`. Every symbol may also state its unit, last: `coordinate<"q1", radian>`.
+template <text called, auto... index_and_unit>
+using coordinate = typename describe::symbol_with<symbolic::symbol_kind::coordinate, called,
+                                                  describe::unprescribed, index_and_unit...>::type;
 
 /// A generalized speed.
-template <text called, int index = unnumbered>
-using speed = describe::symbol<symbolic::symbol_kind::speed, called, index>;
+template <text called, auto... index_and_unit>
+using speed = typename describe::symbol_with<symbolic::symbol_kind::speed, called, describe::unprescribed,
+                                             index_and_unit...>::type;
 
 /// A constant of the system, passed to each evaluation or bound in the type by `values`.
-template <text called, int index = unnumbered>
-using parameter = describe::symbol<symbolic::symbol_kind::parameter, called, index>;
+template <text called, auto... index_and_unit>
+using parameter = typename describe::symbol_with<symbolic::symbol_kind::parameter, called,
+                                                 describe::unprescribed, index_and_unit...>::type;
 
 /// A force, torque or other quantity that is passed to each evaluation and may vary arbitrarily.
-template <text called, int index = unnumbered>
-using input = describe::symbol<symbolic::symbol_kind::input, called, index>;
+template <text called, auto... index_and_unit>
+using input = typename describe::symbol_with<symbolic::symbol_kind::input, called, describe::unprescribed,
+                                             index_and_unit...>::type;
 
 /// A quantity that is a known function of time: `constexpr prescribed<"theta"> theta;` Its value and its
 /// derivatives `dot(theta)` and `dot(dot(theta))` are passed to each evaluation as inputs.
-template <text called, int index = unnumbered, int order = 0>
-using prescribed = describe::symbol<symbolic::symbol_kind::input, called, index, order>;
+template <text called, auto... index_and_unit>
+using prescribed =
+    typename describe::symbol_with<symbolic::symbol_kind::input, called, 0, index_and_unit...>::type;
+
+/// A number with a unit: `constant<9.81, meter/pow<2>(second)>`. A plain number has no unit if it is a
+/// factor.
+template <auto value, units::unit u>
+  requires describe::plain_number<decltype(value)>
+inline constexpr scalar<1> constant = [] {
+  describe::token t{};
+  t.what = describe::token_kind::symbol;
+  t.symbol = &describe::constant_storage<value, u>::record;
+  return scalar<1>{{t}};
+}();
 
 /// The time, for explicitly time-dependent expressions.
 using time_variable = describe::symbol<symbolic::symbol_kind::time, "t", unnumbered>;
@@ -72,8 +151,10 @@ using time_variable = describe::symbol<symbolic::symbol_kind::time, "t", unnumbe
 template <text called, int index = unnumbered>
 using coordinate_rate = describe::symbol<symbolic::symbol_kind::coordinate_rate, called, index>;
 
-template <text called, int index>
-constexpr coordinate_rate<called, index> dot(const coordinate<called, index>&) {
+template <text called, int index, units::unit... stated>
+constexpr coordinate_rate<called, index>
+dot(const describe::symbol<symbolic::symbol_kind::coordinate, called, index, describe::unprescribed,
+                           stated...>&) {
   return {};
 }
 
@@ -84,15 +165,17 @@ constexpr scalar<1> dot(const coordinate_rate<called, index>&) {
 }
 
 /// The derivative of a prescribed quantity.
-template <text called, int index, int order>
+template <text called, int index, int order, units::unit... stated>
   requires(order != describe::unprescribed)
-constexpr prescribed<called, index, order + 1> dot(const prescribed<called, index, order>&) {
+constexpr describe::symbol<symbolic::symbol_kind::input, called, index, order + 1>
+dot(const describe::symbol<symbolic::symbol_kind::input, called, index, order, stated...>&) {
   return {};
 }
 
 /// The rate du/dt of a speed.
-template <text called, int index>
-constexpr scalar<1> dot(const speed<called, index>&) {
+template <text called, int index, units::unit... stated>
+constexpr scalar<1>
+dot(const describe::symbol<symbolic::symbol_kind::speed, called, index, describe::unprescribed, stated...>&) {
   return describe::symbol_token<symbolic::symbol_kind::speed_rate, called, index>();
 }
 

@@ -3,6 +3,7 @@
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/numbers/number.hpp>
+#include <kanexpr/units/unit.hpp>
 
 /// The storage of a model's words: flat arrays of tokens in postfix order, which are template arguments and
 /// cost almost no compile time, and records of entities that point to each other.
@@ -30,6 +31,8 @@ inline constexpr int unprescribed = -1;
 
 /// The `index` of a number that is the integer 0.
 inline constexpr int whole_zero = 1;
+/// The `index` of a number that is an argument of a word, which has the unit that the word expects.
+inline constexpr int whole_quantity = 2;
 
 struct symbol_record {
   symbolic::symbol_kind kind;
@@ -37,6 +40,8 @@ struct symbol_record {
   int order = unprescribed;
   int given = 0;        ///< the number of letters given in the model, without the index and the primes
   bool is_named = true; ///< whether the name is valid for a symbol
+  const units::unit* unit = nullptr;       ///< null if the model does not state it here
+  const symbolic::number* value = nullptr; ///< the number that it denotes, if it is a constant with a unit
 };
 
 enum class token_kind : unsigned char {

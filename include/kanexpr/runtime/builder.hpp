@@ -7,17 +7,22 @@
 #include <kanexpr/mechanics/loads/add_beam.hpp>
 #include <kanexpr/mechanics/model/beam.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/flexible_body.hpp>
+#include <kanexpr/mechanics/model/flexible_data.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/runtime/beam_data.hpp>
 #include <kanexpr/runtime/builder_checks.hpp>
 #include <kanexpr/runtime/flexible_integrals.hpp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/runtime/number_or_expression.hpp>
 #include <kanexpr/symbolic/graph/compose.hpp>
+#include <kanexpr/units/unit.hpp>
 
 #include <concepts>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <variant>
@@ -69,24 +74,39 @@ public:
   sentence(check)() const;
   const sentence& mistake() const { return checks_.mistake(); }
 
+  /// The units of the symbols and constraints of the system built so far, as far as they are determined.
+  mechanics::unit_table units() const;
+  /// The unit of an expression; nothing if it is not determined.
+  mechanics::possible_unit unit_of(expression e) const;
+
   const mechanics::multibody_system& system() const { return system_; }
   const mechanics::mechanism& mechanism() const { return system_.mechanism; }
   symbolic::graph& graph() { return *graph_; }
 
   // ---- scalars
 
+  // Each symbol may be given with its unit, such as `units::newton*units::meter`.
+
   expression coordinate(std::string_view q) { return checks_.is_new_symbol(q), m_.coordinate(q); }
+  expression coordinate(std::string_view q, const units::unit& u) { return with_unit(coordinate(q), u); }
   expression speed(std::string_view u) { return checks_.is_new_symbol(u), m_.speed(u); }
+  expression speed(std::string_view u, const units::unit& of) { return with_unit(speed(u), of); }
   expression parameter(std::string_view p) { return checks_.is_new_symbol(p), m_.parameter(p); }
+  expression parameter(std::string_view p, const units::unit& u) { return with_unit(parameter(p), u); }
   expression input(std::string_view r) { return checks_.is_new_symbol(r), m_.input(r); }
+  expression input(std::string_view r, const units::unit& u) { return with_unit(input(r), u); }
   /// A quantity that is a known function of time. It adds three consecutive inputs: r, dot(r) and
   /// dot(dot(r)).
   expression prescribed(std::string_view r);
+  expression prescribed(std::string_view r, const units::unit& u) { return with_unit(prescribed(r), u); }
   /// Declares that a parameter or an input is used by expressions that are requested later; any other unused
   /// parameter or input is a mistake.
   void used_elsewhere(expression parameter_or_input);
   /// A speed that is always zero; it brings a force that does no work into evidence.
   expression auxiliary_speed(std::string_view u) { return checks_.is_new_symbol(u), m_.auxiliary_speed(u); }
+  expression auxiliary_speed(std::string_view u, const units::unit& of) {
+    return with_unit(auxiliary_speed(u), of);
+  }
   /// Selects Lagrange's method: the rates of the coordinates declared so far are used as speeds.
   void rates_as_speeds();
   /// Specifies a Lagrangian instead of bodies; call it after `rates_as_speeds`.
@@ -186,6 +206,13 @@ public:
   /// deformation are coordinates of the system and belong to no other body.
   void flexible_body(std::string_view called, point_id reference, frame_id frame,
                      const std::vector<expression>& amplitudes, const flexible_integrals& data);
+  /// The same with numbers, such as those that `flexible::read_sid` reads.
+  flexible_body_id flexible_body(std::string_view called, point_id reference, frame_id frame,
+                                 const std::vector<expression>& amplitudes,
+                                 const mechanics::flexible_data& data);
+  /// The point and the frame of a node of a body that was added with numbers. The frame is rotated by the
+  /// rotation vector that the shapes give at the node, to the second order.
+  section_ids node(std::string_view called, flexible_body_id of, std::string_view node);
   /// A beam that begins at `root` and deforms relative to `frame`. Each shape has one amplitude, a
   /// coordinate: those of the directions of bending come first, then those of torsion and of extension.
   beam_id beam(std::string_view called, point_id root, frame_id frame,
@@ -253,6 +280,10 @@ public:
 private:
   friend model kanexpr::derive(const builder& built);
 
+  expression with_unit(expression symbol, const units::unit& u) {
+    m_.stated_units.push({symbol, u});
+    return symbol;
+  }
   expression as_expression(const number_or_expression& given);
   bool is_new_body(std::string_view called);
   mechanics::components as_components(const flexible_integrals::vector_entries& given);
@@ -294,6 +325,12 @@ private:
   mechanics::mechanism& m_ = system_.mechanism;
   builder_checks checks_;
   base::sequence<expression> used_elsewhere_{};
+  /// A flexible body that was added with numbers; its nodes are formed from them.
+  struct body_with_data {
+    mechanics::flexible_body body{};
+    mechanics::flexible_data data{};
+  };
+  std::vector<body_with_data> bodies_with_data_{};
   std::vector<built_beam> beams_{};
 };
 
@@ -304,6 +341,7 @@ private:
 #include <kanexpr/runtime/builder_beam.ipp>
 #include <kanexpr/runtime/builder_constraints.ipp>
 #include <kanexpr/runtime/builder_flexible_body.ipp>
+#include <kanexpr/runtime/builder_flexible_data.ipp>
 #include <kanexpr/runtime/builder_loads.ipp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>

@@ -86,6 +86,7 @@ KANEXPR_ENGINE beam_id builder::beam(std::string_view called, point_id root, fra
   if (mistake() || !owns_beam(made, damped)) return {};
   const base::sequence<double> integrals = numeric::beams::integrate_modes(made.shapes);
   b.integrals = {integrals.begin(), b.deformations.size()};
+  b.sections = numeric::beams::values_at_sections(made.shapes, mechanics::beam_outline::sections);
   mechanics::add_beam(m_, system_.loads, b, damped);
   b.integrals = {};
   beams_.push_back(made);

@@ -3,8 +3,10 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/derived_system.hpp>
+#include <kanexpr/derivation/result_units.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/runtime/derived.ipp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -143,13 +145,28 @@ KANEXPR_ENGINE std::string model::latex(const mechanics::vector& v, mechanics::b
 KANEXPR_ENGINE std::shared_ptr<const derivation::survey> model::known() const {
   auto found = std::make_shared<derivation::survey>();
   found->take(mechanism(), !system_->mistake(), system_->equations());
+  found->states_units = system_->states_units();
   return found;
+}
+
+KANEXPR_ENGINE mechanics::possible_unit model::unit_of(const symbolic::expression& e) const {
+  if (!e.belongs_to(system_->graph())) return std::nullopt;
+  return system_->unit_of(e);
+}
+
+KANEXPR_ENGINE mechanics::possible_unit model::unit_of(const describe::phrase& p) const {
+  return system_->unit_of(p);
 }
 
 KANEXPR_ENGINE bool model::owns(const symbolic::matrix& result) const {
   for (const symbolic::expression& e : result.entries)
     if (!e.belongs_to(system_->graph())) return false;
   return true;
+}
+
+KANEXPR_ENGINE mechanics::possible_unit model::unit_of(mechanics::quantity wanted, int row,
+                                                       int column) const {
+  return derivation::result_units(units(), *known()).of(wanted, row, column);
 }
 
 KANEXPR_ENGINE base::sentence model::mistake_of(const symbolic::matrix& result) const {

@@ -16,7 +16,8 @@ namespace kanexpr {
 /// Sets the inputs for a prescribed quantity and its derivatives from a function of time, which is
 /// differentiated exactly: `prescribe(r, theta, t, [](auto t) { using std::sin; return 0.1 * sin(t); })`.
 template <class System, text called, int index, class Function>
-void prescribe(input_values<System>& r, const prescribed<called, index>& quantity, double t,
+void prescribe(input_values<System>& r,
+               const describe::symbol<symbolic::symbol_kind::input, called, index, 0>& quantity, double t,
                const Function& f) {
   constexpr const derivation::survey& known = compiled::survey_of<System>;
   constexpr auto place = [](const describe::symbol_record& s) {

@@ -7,9 +7,9 @@
 #include <kanexpr/symbolic/graph/compose.hpp>
 #include <kanexpr/symbolic/printing/latex.hpp>
 #include <kanexpr/symbolic/printing/print.hpp>
+#include <kanexpr/symbolic/sizes/equal_units.hpp>
 #include <kanexpr/symbolic/sizes/finiteness.hpp>
 #include <kanexpr/symbolic/sizes/magnitudes.hpp>
-#include <kanexpr/symbolic/sizes/units.hpp>
 
 #include <gtest/gtest.h>
 
@@ -139,9 +139,9 @@ TEST_F(composed, selection_has_the_size_and_the_unit_of_its_branches) {
   evaluation value(g, {e.node()});
   value.at([&](int id) { return id == x.node() ? 1.0 : id == y.node() ? -3.0 : 5.0; });
   EXPECT_EQ(magnitudes(g, value)[e.node()], 3);
-  EXPECT_TRUE(units(g, {e.node()}).have_same_unit(y.node(), z.node()));
-  EXPECT_FALSE(units(g, {e.node()}).have_same_unit(x.node(), z.node()));
-  EXPECT_TRUE(units(g, {(min)(x, z).node()}).have_same_unit(x.node(), z.node()));
+  EXPECT_TRUE(equal_units(g, {e.node()}).have_same_unit(y.node(), z.node()));
+  EXPECT_FALSE(equal_units(g, {e.node()}).have_same_unit(x.node(), z.node()));
+  EXPECT_TRUE(equal_units(g, {(min)(x, z).node()}).have_same_unit(x.node(), z.node()));
 }
 
 TEST_F(composed, result_is_looked_at_where_a_branch_may_fail) {

@@ -3,6 +3,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
 #include <kanexpr/derivation/read/kinematics_reader.hpp>
+#include <kanexpr/derivation/read/units_of_motion.hpp>
 #include <kanexpr/describe/beam_record.hpp>
 #include <kanexpr/mechanics/checks/check_beam.hpp>
 #include <kanexpr/mechanics/loads/add_beam.hpp>
@@ -63,6 +64,8 @@ public:
       if (!reading_.mistake) b.amplitudes.push(symbols_.symbol(*p.tokens[0].symbol, r.called));
     for (int k = 0; k < from.integrals.shapes; ++k) b.deformations.push(from.deformations[k]);
     b.integrals = from.integrals;
+    if (!std::is_constant_evaluated() && from.sections != nullptr)
+      b.sections = from.sections(mechanics::beam_outline::sections);
     b.axis = direction(from.axis, "the axis of beam ", r);
     for (int i = 0; i < 2; ++i)
       b.across[i] = direction(from.across[i], "the direction of bending of beam ", r);
@@ -86,7 +89,8 @@ private:
   }
   constexpr expression scalar(const phrase& p, std::string_view what, const body_record& r) {
     if (p.kind == shape::nothing || reading_.mistake) return m_.zero();
-    return phrases_.scalar_of(p, {what, r.called}, r.called);
+    const expression given = phrases_.scalar_of(p, {what, r.called}, r.called);
+    return reading_.for_units ? as_symbol(reading_, given) : given;
   }
 
   constexpr mechanics::beam_damping read_damping(const body_record& r) {

@@ -4,6 +4,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/read/operations.hpp>
 #include <kanexpr/derivation/read/reading.hpp>
+#include <kanexpr/derivation/read/units_of_motion.hpp>
 #include <kanexpr/derivation/read/value.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/compose.hpp>
@@ -25,7 +26,7 @@ public:
 
   constexpr void compose(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     const symbolic::composite_signature& f = word_of(t);
-    const sequence<expression> operands = operands_of(t, stack, f.name, whom);
+    sequence<expression> operands = operands_of(t, stack, f.name, whom);
     if (reading_.mistake) return;
     const int given = operands.size();
     if (f.operands == symbolic::variadic && !check_table(f, operands, whom)) return;
@@ -35,6 +36,9 @@ public:
       return reading_.fail(
           {reading_.part, whom, " contains clamp with limits out of order; write clamp(x, least, most)"});
     for (int i = 0; i < given; ++i) stack.pop();
+    if (reading_.for_units && f.operands == symbolic::variadic)
+      return static_cast<void>(stack.push(value::of(value_of_table(reading_, operands))));
+    if (reading_.for_units) replace_numbers(reading_, operands);
     stack.push(value::of(symbolic::compose(f.is, operands)));
   }
 

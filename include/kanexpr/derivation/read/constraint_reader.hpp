@@ -85,7 +85,7 @@ private:
       else
         into.on_accelerations.push(c.value);
     if (k.list != &system_record::configuration_constraints || m_.auxiliary_speeds.empty() ||
-        reading_.mistake)
+        reading_.for_units || reading_.mistake)
       return;
     for (const velocity_constraint& c :
          zero_expressions(p, phrases_.evaluate_each_displaced(p, k.whom), k.whom))

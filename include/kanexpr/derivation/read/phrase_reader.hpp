@@ -5,6 +5,7 @@
 #include <kanexpr/derivation/read/displacement.hpp>
 #include <kanexpr/derivation/read/operations.hpp>
 #include <kanexpr/derivation/read/symbol_reader.hpp>
+#include <kanexpr/derivation/read/units_of_motion.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/mechanics/checks/check_numbers.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
@@ -156,7 +157,12 @@ private:
   constexpr void step(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     using describe::token_kind;
     switch (t.what) {
-    case token_kind::number: stack.push(value::of(symbolic::constant(*m_.g, t.number))); break;
+    case token_kind::number: {
+      const expression number = symbolic::constant(*m_.g, t.number);
+      const bool has_unit = reading_.for_units && t.index == describe::whole_quantity;
+      stack.push(value::of(has_unit ? as_symbol(reading_, number) : number));
+      break;
+    }
     case token_kind::symbol: stack.push(value::of(symbols_.symbol(*t.symbol, whom))); break;
     case token_kind::basis: return basis_vector(t, stack, whom);
     case token_kind::scalar_function:
@@ -173,7 +179,10 @@ private:
     case token_kind::negate: stack.back() = negative(m_, stack.back()); break;
     case token_kind::composed: return calls_.compose(t, stack, whom);
     case token_kind::external: return calls_.call(t, stack, whom);
-    case token_kind::partial: return differentiate(symbols_.symbol(*t.symbol, whom), stack.back());
+    case token_kind::partial: {
+      const expression by = symbols_.symbol(*t.symbol, whom);
+      return reading_.for_units ? divide_by(by, stack.back()) : differentiate(by, stack.back());
+    }
     case token_kind::in_axes: return express(frame(t.frame, whom), stack.back().vector);
     case token_kind::length: return check_length(stack.back(), whom);
     case token_kind::wheel_axis: return check_wheel_axis(t, stack.back().vector, whom);
@@ -244,6 +253,7 @@ private:
   /// Evaluates the motion of a point or frame, which is known only after the model was read.
   constexpr void motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     using describe::token_kind;
+    if (reading_.for_units) return unit_of_motion(t, stack, whom);
     if (t.what == token_kind::position) {
       const int at = point(t.point, whom);
       const describe::token* const before = &t == phrase_->tokens ? nullptr : &t - 1;
@@ -269,6 +279,14 @@ private:
       stack.back().scalar = k.rate(k.known(stack.back().scalar));
     else
       stack.back().vector = mechanics::derivative_in(k, stack.back().vector, frame(t.frame, whom));
+  }
+
+  constexpr void unit_of_motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+    if (t.frame != nullptr) frame(t.frame, whom);
+    if (t.point != nullptr) point(t.point, whom);
+    if (reading_.mistake) return;
+    if (t.what == describe::token_kind::derivative) return divide_by_second(reading_, stack.back());
+    stack.push(value::of(motion_of_unit(reading_, t)));
   }
 
   constexpr void declared_motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {

@@ -7,6 +7,7 @@
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/units/unit.hpp>
 
 #include <string_view>
 
@@ -29,12 +30,23 @@ struct reading {
   std::string_view part{}; ///< the part of an entity that is being read: "the offset of point "
   const describe::frame_record* parent = nullptr; ///< the parent of the frame whose orientation is being read
   int describing = none;                          ///< the frame that `own` denotes
+  bool for_units = false;    ///< whether the model is read to infer units (units_of_motion.hpp)
+  bool states_units = false; ///< whether any symbol has a stated unit
   sentence mistake{};
   /// Whether the compiler has already reported an error about the type that contains the mistake.
   bool follows_from_unparsed = false;
 
   constexpr reading(const system_record& records, mechanics::multibody_system& system)
       : from(records), into(system) {}
+
+  /// Registers the unit that the model states for a symbol; it is stored only if units are to be inferred.
+  constexpr void state_unit(expression symbol, const units::unit& u) {
+    states_units = true;
+    if (!for_units || mistake) return;
+    for (const mechanics::stated_unit& before : into.mechanism.stated_units)
+      if (before.symbol == symbol && before.unit == u) return;
+    into.mechanism.stated_units.push({symbol, u});
+  }
 
   /// True for Lagrange's method.
   constexpr bool takes_rates_as_speeds() const { return from.derived_by == describe::method::lagrange; }

@@ -18,46 +18,9 @@ public:
   constexpr explicit symbol_reader(reading& all) : reading_(all), m_(all.into.mechanism) {}
 
   constexpr expression symbol(const symbol_record& r, std::string_view whom) {
-    using symbolic::symbol_kind;
-    switch (r.kind) {
-    case symbol_kind::time: claim_time(); return m_.time;
-    case symbol_kind::coordinate: return listed(m_.coordinates, m_.coordinates, r, "coordinate", whom);
-    case symbol_kind::coordinate_rate:
-      if (reading_.takes_rates_as_speeds()) return listed(m_.coordinates, m_.speeds, r, "coordinate", whom);
-      return listed(m_.coordinates, m_.coordinate_rates, r, "coordinate", whom);
-    case symbol_kind::speed:
-      if (reading_.takes_rates_as_speeds())
-        reading_.fail({reading_.part, whom, " contains the speed ", r.called.view(),
-                       "; the only speeds of a lagrange_system are the rates of its coordinates"});
-      if (const expression found = find(m_.auxiliary_speeds, r.called); !found.is_zero()) {
-        used_auxiliary_.mark(m_.auxiliary_speeds.find(found));
-        return is_the_same(r, "auxiliary speed"), found;
-      }
-      return listed(m_.speeds, m_.speeds, r, "speed", whom);
-    case symbol_kind::speed_rate:
-      if (r.order != describe::unprescribed) return second_derivative(r, whom);
-      if (has(m_.auxiliary_speeds, r.called))
-        reading_.fail({reading_.part, whom, " contains the rate of auxiliary speed ", r.called.view(),
-                       ", which is zero at all times"});
-      return listed(m_.speeds, m_.speed_rates, r, "speed", whom);
-    case symbol_kind::auxiliary_speed:
-    case symbol_kind::multiplier:
-    case symbol_kind::weight:
-    case symbol_kind::direction: break; // not available in models
-    case symbol_kind::parameter:
-      for (int i = 0; i < bound_.size(); ++i)
-        if (bound_[i] == r.called) {
-          bound_is_used_[i] = 1;
-          return is_the_same(r, "parameter"), bound_values_[i];
-        }
-      return mentioned(m_.parameters, used_parameters_, r, reading_.from.parameters.size != 0, "parameter",
-                       whom);
-    case symbol_kind::input:
-      place_added_inputs(r, whom);
-      if (reading_.from.inputs.size == 0 && r.order != describe::unprescribed) place_with_derivatives(r);
-      return mentioned(m_.inputs, used_inputs_, r, reading_.from.inputs.size != 0, "input", whom);
-    }
-    return m_.zero();
+    const expression found = known_symbol(r, whom);
+    if (r.unit != nullptr) reading_.state_unit(found, *r.unit);
+    return found;
   }
 
   /// The number of symbols of each kind that phrases may add.
@@ -181,10 +144,10 @@ public:
     claimed_.push({called, list, mark});
   }
 
-  /// Binds a parameter to a number.
+  /// Binds a parameter to a number. If the model is read for its units, the parameter stays a symbol.
   constexpr void bind(const symbol_record& r, expression number) {
     bound_.push(r.called);
-    bound_values_.push(number);
+    bound_values_.push(reading_.for_units ? symbolic::variable(*m_.g, {r.kind, r.called, none}) : number);
     bound_is_used_.push(0);
     claim(r, symbol_list::values);
   }
@@ -226,6 +189,56 @@ public:
   }
 
 private:
+  /// A number with a unit, which is a symbol if the model is read for its units.
+  constexpr expression constant_of(const symbol_record& r) {
+    if (reading_.for_units) return symbolic::variable(*m_.g, {r.kind, r.called, none});
+    return symbolic::constant(*m_.g, *r.value);
+  }
+
+  constexpr expression known_symbol(const symbol_record& r, std::string_view whom) {
+    using symbolic::symbol_kind;
+    switch (r.kind) {
+    case symbol_kind::time: claim_time(); return m_.time;
+    case symbol_kind::coordinate: return listed(m_.coordinates, m_.coordinates, r, "coordinate", whom);
+    case symbol_kind::coordinate_rate:
+      if (reading_.takes_rates_as_speeds()) return listed(m_.coordinates, m_.speeds, r, "coordinate", whom);
+      return listed(m_.coordinates, m_.coordinate_rates, r, "coordinate", whom);
+    case symbol_kind::speed:
+      if (reading_.takes_rates_as_speeds())
+        reading_.fail({reading_.part, whom, " contains the speed ", r.called.view(),
+                       "; the only speeds of a lagrange_system are the rates of its coordinates"});
+      if (const expression found = find(m_.auxiliary_speeds, r.called); !found.is_zero()) {
+        used_auxiliary_.mark(m_.auxiliary_speeds.find(found));
+        return is_the_same(r, "auxiliary speed"), found;
+      }
+      return listed(m_.speeds, m_.speeds, r, "speed", whom);
+    case symbol_kind::speed_rate:
+      if (r.order != describe::unprescribed) return second_derivative(r, whom);
+      if (has(m_.auxiliary_speeds, r.called))
+        reading_.fail({reading_.part, whom, " contains the rate of auxiliary speed ", r.called.view(),
+                       ", which is zero at all times"});
+      return listed(m_.speeds, m_.speed_rates, r, "speed", whom);
+    case symbol_kind::auxiliary_speed:
+    case symbol_kind::multiplier:
+    case symbol_kind::weight:
+    case symbol_kind::direction: break; // not available in models
+    case symbol_kind::parameter:
+      if (r.value != nullptr) return constant_of(r);
+      for (int i = 0; i < bound_.size(); ++i)
+        if (bound_[i] == r.called) {
+          bound_is_used_[i] = 1;
+          return is_the_same(r, "parameter"), bound_values_[i];
+        }
+      return mentioned(m_.parameters, used_parameters_, r, reading_.from.parameters.size != 0, "parameter",
+                       whom);
+    case symbol_kind::input:
+      place_added_inputs(r, whom);
+      if (reading_.from.inputs.size == 0 && r.order != describe::unprescribed) place_with_derivatives(r);
+      return mentioned(m_.inputs, used_inputs_, r, reading_.from.inputs.size != 0, "input", whom);
+    }
+    return m_.zero();
+  }
+
   /// Records which symbols of a list were mentioned, by position.
   class uses {
   public:

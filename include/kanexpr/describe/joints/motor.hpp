@@ -29,7 +29,7 @@ constexpr load_record load_along_axis(std::string_view word) {
     r.called = type_name<Load>();
     r.instead = "for a joint that turns about one axis or slides along one";
   } else {
-    r.value = phrase_of<value * Joint::template axis_of_child<0>, Joint>;
+    r.value = phrase_of<whole_argument(value) * Joint::template axis_of_child<0>, Joint>;
     if constexpr (effort_of_joint<Joint>() == joint_effort::torque) {
       r.what = load_word::torque;
       r.frame = Joint::child_frame();
@@ -56,7 +56,7 @@ constexpr auto friction_of_joint() {
   if constexpr (effort_of_joint<Joint>() == joint_effort::none || sizeof...(damping) == 0)
     return 0.0 * own::x;
   else
-    return -(one_of<0, damping...>() * Joint::template u<0>);
+    return -(whole_argument(one_of<0, damping...>()) * Joint::template u<0>);
 }
 
 } // namespace describe

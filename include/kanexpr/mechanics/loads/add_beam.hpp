@@ -9,6 +9,8 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
+#include <kanexpr/units/si.hpp>
+#include <kanexpr/units/unit.hpp>
 
 #include <string_view>
 
@@ -46,9 +48,22 @@ constexpr sentence check_damping(const beam_damping& by, std::string_view beam) 
   return found ? sentence({"the damping of beam ", beam, " is negative"}) : sentence();
 }
 
+/// States the units of the properties of a beam.
+constexpr void expect_units_of(mechanism& m, const beam& b) {
+  const units::unit meter = units::meter, kilogram = units::kilogram, newton = units::newton;
+  m.expected_units.push({b.length, meter, "the length of beam ", b.called});
+  m.expected_units.push({b.mass_per_length, kilogram / meter, "the mass per length of beam ", b.called});
+  m.expected_units.push({b.polar_inertia, kilogram * meter, "the polar inertia of beam ", b.called});
+  for (const deformation d : b.deformations)
+    m.expected_units.push({b.stiffness[static_cast<int>(d)],
+                           d == deformation::extension ? newton : newton * meter * meter,
+                           "a stiffness of beam ", b.called});
+}
+
 /// Adds a beam to a mechanism: the flexible body, its elastic energy and its damping.
 constexpr void add_beam(mechanism& m, loads& acting, const beam& b, const beam_damping& damped) {
   const beam_expressions of(b);
+  expect_units_of(m, b);
   m.flexible_bodies.push(of.body());
   const symbolic::matrix stiffness = of.stiffness();
   acting.potential_energies.push(elastic_energy(b.amplitudes, stiffness));

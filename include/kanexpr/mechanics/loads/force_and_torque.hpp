@@ -2,7 +2,9 @@
 
 #include <kanexpr/mechanics/loads/force_system.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
+#include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/units/si.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -21,6 +23,11 @@ struct force {
     if (against == point) by.fail({"a force acts between point ", by.point(point), " and itself"});
     by.check_no_speed_rates(value, "the force ", by.place_of(*this).view());
   }
+
+  constexpr void state_units(load_units& by, int) const {
+    by.describe({"the force ", by.place_of(*this).view()});
+    by.expect(value, units::newton);
+  }
 };
 
 struct torque {
@@ -33,6 +40,11 @@ struct torque {
   constexpr void check_with(load_check& by, int) const {
     if (against == frame) by.fail({"a torque acts between frame ", by.frame(frame), " and itself"});
     by.check_no_speed_rates(value, "the torque ", by.place_of(*this).view());
+  }
+
+  constexpr void state_units(load_units& by, int) const {
+    by.describe({"the torque ", by.place_of(*this).view()});
+    by.expect(value, units::newton * units::meter);
   }
 };
 

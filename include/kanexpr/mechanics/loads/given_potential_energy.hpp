@@ -3,15 +3,19 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/force_system.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
+#include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
+#include <kanexpr/units/si.hpp>
 
 namespace kanexpr::mechanics {
 
 /// A potential energy given as an expression of coordinates, parameters, time and inputs.
 struct given_potential_energy {
   expression value{};
+  bool has_numbers =
+      false; ///< whether it may contain numbers with units, as the energy of a flexible body does
 
   constexpr void act(force_system& on, conservative how) const {
     if (how == conservative::by_forces) on.add_potential_energy(value);
@@ -23,12 +27,18 @@ struct given_potential_energy {
   constexpr void check_with(load_check& by, int place) const {
     by.check_no_rates(value, "potential energy ", base::counted(place + 1).view());
   }
+
+  constexpr void state_units(load_units& by, int place) const {
+    by.describe({"potential energy ", base::counted(place + 1).view()});
+    if (has_numbers) return by.suggest(value, units::joule);
+    by.expect(value, units::joule);
+  }
 };
 
 /// The energy of a torsional spring that is unloaded at the angle `rest`.
 constexpr given_potential_energy torsional_spring(expression angle, expression stiffness, expression rest) {
   const expression twist = angle - rest;
-  return {stiffness * (twist * twist) / 2};
+  return {stiffness * (twist * twist) / 2, stiffness.is_constant()};
 }
 
 /// The elastic energy ½ q·K·q of a deformation with the amplitudes q and the stiffness K.
@@ -37,7 +47,7 @@ constexpr given_potential_energy elastic_energy(const sequence<expression>& ampl
   expression twice{stiffness.entries[0].owner(), graph::zero};
   for (int i = 0; i < amplitudes.size(); ++i)
     for (int j = 0; j < amplitudes.size(); ++j) twice += stiffness(i, j) * (amplitudes[i] * amplitudes[j]);
-  return {twice / 2};
+  return {twice / 2, true};
 }
 
 } // namespace kanexpr::mechanics

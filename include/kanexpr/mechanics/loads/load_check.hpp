@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/mechanics/loads/load_names.hpp>
 #include <kanexpr/mechanics/model/check_contents.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -12,37 +13,15 @@
 
 namespace kanexpr::mechanics {
 
-/// The context in which a load is checked: the contents of expressions, the names of points and frames, and
-/// the first mistake.
-class load_check {
+/// The context in which a load is checked: the contents of expressions and the first mistake.
+class load_check : public load_names {
 public:
-  constexpr load_check(const mechanism& m, const contents& held) : m_(m), held_(held) {}
+  constexpr load_check(const mechanism& m, const contents& held) : load_names(m), m_(m), held_(held) {}
 
   constexpr const sentence& mistake() const { return found_; }
-  constexpr const mechanism& mechanism_used() const { return m_; }
 
   constexpr void fail(std::initializer_list<std::string_view> pieces) {
     if (!found_) found_ = sentence(pieces);
-  }
-
-  constexpr std::string_view frame(int f) const { return m_.frames[f].called.view(); }
-  constexpr std::string_view point(int p) const { return m_.points[p].called.view(); }
-  /// Returns the two points or frames between which a load acts: "P and Q".
-  template <class Load>
-  constexpr sentence ends_of(const Load& load) const {
-    if constexpr (requires { load.point; })
-      return sentence({point(load.point), " and ", point(load.against)});
-    else
-      return sentence({frame(load.frame), " and ", frame(load.against)});
-  }
-  /// Returns the place where a load acts: "at P", "on A", "between P and Q".
-  template <class Load>
-  constexpr sentence place_of(const Load& load) const {
-    if (load.against != none) return sentence({"between ", ends_of(load).view()});
-    if constexpr (requires { load.point; })
-      return sentence({"at ", point(load.point)});
-    else
-      return sentence({"on ", frame(load.frame)});
   }
 
   /// Checks an expression that may contain anything except rates of speeds. `of` and `whose` name it, as in

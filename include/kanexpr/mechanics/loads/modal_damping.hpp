@@ -3,11 +3,13 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/force_system.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
+#include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
+#include <kanexpr/units/si.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -34,6 +36,14 @@ struct modal_damping {
     for (int i = 0; i < amplitudes.size(); ++i)
       for (int j = 0; j < amplitudes.size(); ++j)
         by.check_no_speed_rates(damping(i, j), "the modal damping of ", called(m, amplitudes[i]));
+  }
+
+  constexpr void state_units(load_units& by, int) const {
+    const mechanism& m = by.mechanism_used();
+    for (int i = 0; i < amplitudes.size(); ++i) {
+      const expression rate = m.coordinate_rates[m.coordinates.find(amplitudes[i])];
+      by.suggest(damping(i, i) * (rate * rate), units::watt);
+    }
   }
 };
 

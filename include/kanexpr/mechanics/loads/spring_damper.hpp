@@ -4,6 +4,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/force_system.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
+#include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -11,6 +12,7 @@
 #include <kanexpr/mechanics/motion/relative_motion.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/units/si.hpp>
 
 #include <string_view>
 
@@ -72,6 +74,16 @@ struct spring_damper {
     by.check_no_speed_rates(damping, "the damping between ", names.view());
   }
 
+  constexpr void state_units(load_units& by, int) const {
+    const sentence names = by.ends_of(*this);
+    by.describe({"the stiffness of the spring between ", names.view()});
+    by.expect(stiffness, units::newton / units::meter);
+    by.describe({"the natural length of the spring between ", names.view()});
+    by.expect(length, units::meter);
+    by.describe({"the damping between ", names.view()});
+    by.expect(damping, units::newton * units::second / units::meter);
+  }
+
 private:
   /// The line d between the points, in the axes in which the forces at the point deeper in the tree are
   /// formed.
@@ -128,6 +140,11 @@ struct torsional_damper {
   constexpr void check_with(load_check& by, int) const {
     if (frame == against) by.fail({"a torsional damper acts between frame ", by.frame(frame), " and itself"});
     by.check_no_speed_rates(damping, "the torsional damping between ", by.ends_of(*this).view());
+  }
+
+  constexpr void state_units(load_units& by, int) const {
+    by.describe({"the torsional damping between ", by.ends_of(*this).view()});
+    by.expect(damping, units::newton * units::meter * units::second / units::radian);
   }
 };
 

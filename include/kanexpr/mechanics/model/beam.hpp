@@ -40,7 +40,27 @@ struct beam {
   base::sequence<deformation> deformations{}; ///< by amplitude
   base::sequence<expression> amplitudes{};
   numeric::beams::modal_integrals integrals{};
+  base::sequence<double> sections{}; ///< the numbers of an outline; empty if it is not drawn
 };
+
+constexpr beam_outline outline_of(const beam& b) {
+  if (b.sections.empty()) return {};
+  return {b.axis, {b.across[0], b.across[1]}, b.length, b.deformations, b.sections};
+}
+
+/// The beam whose outline a flexible body has, without its mass and stiffness.
+constexpr beam outlined_beam(const flexible_body& f) {
+  beam b;
+  b.called = f.called;
+  b.frame = f.frame;
+  b.root = f.reference;
+  b.axis = f.outline.axis;
+  for (int i = 0; i < 2; ++i) b.across[i] = f.outline.across[i];
+  b.length = b.mass_per_length = f.outline.length;
+  b.deformations = f.outline.deformations;
+  b.amplitudes = f.amplitudes;
+  return b;
+}
 
 /// Forms the expressions of a beam from its integrals.
 class beam_expressions {
@@ -60,6 +80,7 @@ public:
     f.inertia = inertia();
     for (int k = 0; k < size(); ++k) f.angular.push(angular(k));
     f.modal_mass = modal_mass();
+    f.outline = outline_of(b_);
     return f;
   }
 

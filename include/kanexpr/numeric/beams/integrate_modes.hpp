@@ -235,4 +235,14 @@ constexpr base::sequence<double> values_at(const beam_shapes& b, double xi) {
   return found;
 }
 
+/// Returns the numbers of `count` equally spaced sections from the root to the tip, one section after the
+/// other.
+constexpr base::sequence<double> values_at_sections(const beam_shapes& b, int count) {
+  base::sequence<double> all;
+  all.reserve(count * section_values::count(b.all.size()));
+  for (int i = 0; i < count; ++i)
+    for (const double each : values_at(b, static_cast<double>(i) / (count - 1))) all.push(each);
+  return all;
+}
+
 } // namespace kanexpr::numeric::beams

@@ -22,6 +22,9 @@ enum class unit_rule {
   dropped, ///< dimensionless, for any argument
 };
 
+/// Whether the argument or the value of a function is an angle; angles are dimensionless.
+enum class angle_rule { none, argument, value, both };
+
 /// How C calls a function: by a name in <math.h>, or as a function that the exporter writes along with the
 /// code. In its body, `x` and `y` are the arguments, and the exporter replaces `@number@` (the type), `@f@`
 /// (the suffix of math.h functions), `@zero@`, `@one@`, `@pi@`, `@turn@` and `@name@` (the prefix of
@@ -47,6 +50,7 @@ struct function_properties {
   double steep_at = everywhere; ///< where it is continuous with an infinite slope; must be increasing there
   int exact_at = nowhere;       ///< the integer at which its value is an integer
   unit_rule unit = unit_rule::numbers;
+  angle_rule angle = angle_rule::none;
   bool is_trigonometric = false; ///< counted as trigonometric, otherwise as `other`
   bool never_negative = false;
   bool stays_finite = false;    ///< finite if its argument is finite
@@ -78,6 +82,7 @@ inline constexpr function_properties functions[] = {
      .latex = "\\sin",
      .symmetry = parity::odd,
      .exact_at = 0,
+     .angle = angle_rule::argument,
      .is_trigonometric = true,
      .stays_finite = true,
      .passes_infinity = true},
@@ -87,6 +92,7 @@ inline constexpr function_properties functions[] = {
      .latex = "\\cos",
      .symmetry = parity::even,
      .exact_at = 0,
+     .angle = angle_rule::argument,
      .is_trigonometric = true,
      .stays_finite = true,
      .passes_infinity = true},
@@ -96,6 +102,7 @@ inline constexpr function_properties functions[] = {
      .latex = "\\tan",
      .symmetry = parity::odd,
      .exact_at = 0,
+     .angle = angle_rule::argument,
      .is_trigonometric = true,
      .stays_finite = true, // rounding keeps it finite
      .passes_infinity = true},
@@ -107,6 +114,7 @@ inline constexpr function_properties functions[] = {
      .smooth_from = -1,
      .smooth_to = 1,
      .exact_at = 0,
+     .angle = angle_rule::value,
      .is_trigonometric = true},
     {.op = operation::acos,
      .name = "acos",
@@ -115,6 +123,7 @@ inline constexpr function_properties functions[] = {
      .smooth_from = -1,
      .smooth_to = 1,
      .exact_at = 1,
+     .angle = angle_rule::value,
      .is_trigonometric = true},
     {.op = operation::atan,
      .name = "atan",
@@ -122,6 +131,7 @@ inline constexpr function_properties functions[] = {
      .latex = "\\arctan",
      .symmetry = parity::odd,
      .exact_at = 0,
+     .angle = angle_rule::value,
      .is_trigonometric = true,
      .stays_finite = true},
     {.op = operation::exp,
@@ -201,6 +211,7 @@ inline constexpr function_properties functions[] = {
      .in_c = {.body = "  const @number@ r = remainder@f@(x, @turn@);\n"
                       "  return r - (@number@)(r >= @pi@) * @turn@;\n"},
      .exact_at = 0,
+     .angle = angle_rule::both,
      .stays_finite = true,
      .passes_infinity = true,
      .has_complex = false},
@@ -209,7 +220,7 @@ inline constexpr function_properties functions[] = {
 /// The unit of the value of a function of two arguments.
 enum class binary_unit_rule {
   numbers, ///< dimensionless, for dimensionless arguments
-  ratio,   ///< dimensionless, for arguments of the same unit
+  ratio,   ///< an angle, which is dimensionless, for arguments of the same unit
   kept,    ///< the unit of both arguments
 };
 

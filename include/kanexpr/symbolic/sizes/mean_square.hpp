@@ -7,7 +7,7 @@
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/rules.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
-#include <kanexpr/symbolic/sizes/units.hpp>
+#include <kanexpr/symbolic/sizes/equal_units.hpp>
 
 /// The size of an expression if nothing cancels: the reference for judging whether it is zero.
 namespace kanexpr::symbolic {
@@ -49,7 +49,7 @@ private:
                                         const sequence<int>& more) {
     for (int id : more) sums.push(id);
     if (coordinates.size() == 1) sums.clear(); // there is only one
-    const units found(g_, sums);
+    const equal_units found(g_, sums);
     for (int one : coordinates) {
       int total = graph::zero, count = 0;
       for (int other : coordinates)

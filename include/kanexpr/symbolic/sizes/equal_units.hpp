@@ -13,9 +13,9 @@ namespace kanexpr::symbolic {
 
 /// Infers units from sums: all terms of a sum have the same unit, and the argument of a sine is
 /// dimensionless. Numbers and symbols may have any unit.
-class units {
+class equal_units {
 public:
-  constexpr units(const graph& g, const sequence<int>& sums) : g_(g) {
+  constexpr equal_units(const graph& g, const sequence<int>& sums) : g_(g) {
     for (int id : live_values(g, sums)) live_.push(id), unit_.push(unit_of(id));
   }
 

@@ -1,6 +1,6 @@
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
-#include <kanexpr/symbolic/sizes/units.hpp>
+#include <kanexpr/symbolic/sizes/equal_units.hpp>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ protected:
   bool alike(const expression& a, const expression& b, const sequence<expression>& all) {
     sequence<int> nodes;
     for (const expression& e : all) nodes.push(e.node());
-    return units(g, nodes).have_same_unit(a.node(), b.node());
+    return equal_units(g, nodes).have_same_unit(a.node(), b.node());
   }
   expression number(double value) { return constant(g, real(value)); }
 

@@ -1,0 +1,97 @@
+#pragma once
+
+#include <kanexpr/base/name.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/derivation/read/reading.hpp>
+#include <kanexpr/derivation/read/value.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/model/vector.hpp>
+#include <kanexpr/symbolic/graph/composition.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/units/si.hpp>
+#include <kanexpr/units/unit.hpp>
+
+#include <string_view>
+
+/// When a model is read to infer units, everything whose unit is known without its value is a symbol with
+/// this unit: positions, velocities and accelerations, and the numbers of a function that takes them with a
+/// unit.
+namespace kanexpr::derivation {
+
+constexpr expression symbol_of_unit(reading& in, const base::name& called, const units::unit& u) {
+  const expression e = symbolic::variable(*in.into.mechanism.g, {symbolic::symbol_kind::input, called, none});
+  in.state_unit(e, u);
+  return e;
+}
+
+/// A vector with components of a unit, along the inertial axes: `velocity_of<P>`.
+constexpr mechanics::vector vector_of_unit(reading& in, std::string_view word, std::string_view whose,
+                                           const units::unit& u) {
+  mechanics::vector v;
+  components value;
+  for (int i = 0; i < 3; ++i) {
+    base::name called = word;
+    called.append("<"), called.append(whose), called.append(">.");
+    called.append(std::string_view("xyz").substr(static_cast<std::size_t>(i), 1));
+    value[i] = symbol_of_unit(in, called, u);
+  }
+  v.add(mechanism::inertial, value);
+  return v;
+}
+
+/// The motion that a token denotes.
+constexpr mechanics::vector motion_of_unit(reading& in, const describe::token& t) {
+  using describe::token_kind;
+  const units::unit meter = units::meter, hertz = units::hertz, radian = units::radian;
+  switch (t.what) {
+  case token_kind::position: return vector_of_unit(in, "position_of", t.point->called, meter);
+  case token_kind::velocity: return vector_of_unit(in, "velocity_of", t.point->called, meter * hertz);
+  case token_kind::acceleration:
+    return vector_of_unit(in, "acceleration_of", t.point->called, meter * hertz * hertz);
+  case token_kind::angular_velocity:
+    return vector_of_unit(in, "angular_velocity_of", t.frame->called, radian * hertz);
+  default: return vector_of_unit(in, "angular_acceleration_of", t.frame->called, radian * hertz * hertz);
+  }
+}
+
+/// A quantity with the unit of the derivative of another with respect to time.
+constexpr void divide_by_second(reading& in, value& of) {
+  const expression per_second = symbol_of_unit(in, "d/dt", units::hertz);
+  if (of.kind == shape::scalar) of.scalar = per_second * of.scalar;
+  for (mechanics::vector::part& p : of.vector.parts)
+    for (int i = 0; i < 3; ++i) p.value[i] = per_second * p.value[i];
+}
+
+/// A quantity with the unit of the derivative of another with respect to a symbol.
+constexpr void divide_by(expression symbol, value& of) {
+  if (of.kind == shape::scalar) of.scalar = of.scalar / symbol;
+  for (mechanics::vector::part& p : of.vector.parts)
+    for (int i = 0; i < 3; ++i) p.value[i] = p.value[i] / symbol;
+}
+
+/// Replaces a number that is a whole quantity by a symbol, because it has the unit that is expected there.
+constexpr expression as_symbol(reading& in, expression e) {
+  if (!e.is_constant() || e.is_zero()) return e;
+  base::name called = "number ";
+  called.append(in.into.mechanism.g->symbols().size());
+  return symbolic::variable(*in.into.mechanism.g, {symbolic::symbol_kind::parameter, called, none});
+}
+
+/// Replaces the numbers among the operands of a composed function by symbols: the width in smooth_abs(x,
+/// 0.01) has the unit of x.
+constexpr void replace_numbers(reading& in, sequence<expression>& operands) {
+  for (expression& e : operands) e = as_symbol(in, e);
+}
+
+/// The value of a table: a symbol of unknown unit if all its values are numbers, otherwise one of its values.
+constexpr expression value_of_table(reading& in, const sequence<expression>& operands) {
+  for (int i = 2; i < operands.size(); i += 2)
+    if (!operands[i].is_constant()) return operands[i];
+  base::name called = "table ";
+  called.append(in.into.mechanism.g->symbols().size());
+  return symbolic::variable(*in.into.mechanism.g, {symbolic::symbol_kind::input, called, none});
+}
+
+} // namespace kanexpr::derivation

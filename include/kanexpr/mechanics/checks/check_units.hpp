@@ -1,0 +1,151 @@
+#pragma once
+
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/constraints/given_constraints.hpp>
+#include <kanexpr/mechanics/loads/load_units.hpp>
+#include <kanexpr/mechanics/loads/loads.hpp>
+#include <kanexpr/mechanics/model/flexible_body.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/mechanics/units/unit_inference.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/units/si.hpp>
+
+#include <string_view>
+
+namespace kanexpr::mechanics {
+
+/// States the units of everything that a system consists of, and with them infers those of all symbols. Loads
+/// state their own (`state_units`).
+class system_units {
+  // The templates precede their callers, because clang++ does not instantiate a template for a constant
+  // expression if it is declared later in the class.
+  static constexpr units::unit meter = units::meter, second = units::second, joule = units::joule,
+                               kilogram = units::kilogram, radian = units::radian;
+
+  template <int exponent>
+  static constexpr units::unit pow(const units::unit& u) {
+    return units::pow<exponent>(u);
+  }
+
+  template <class Quantity>
+  constexpr void state(std::string_view what, const name& whose, const Quantity& quantity,
+                       const units::unit& u) {
+    by_.describe({what, whose.view()});
+    by_.expect(quantity, u);
+  }
+  template <class Quantity>
+  constexpr void state(std::string_view what, const Quantity& quantity, const units::unit& u) {
+    state(what, {}, quantity, u);
+  }
+
+public:
+  constexpr system_units(const multibody_system& of, unit_inference& by)
+      : of_(of), m_(of.mechanism), by_(by) {}
+
+  constexpr void state() {
+    for (const frame& f : m_.frames) state(f);
+    for (const point& p : m_.points) state(p);
+    for (const body& b : m_.bodies) state(b);
+    for (const expected_unit& e : m_.expected_units) {
+      by_.describe({e.what.view(), e.whose.view()});
+      by_.expect(e.value, e.unit);
+    }
+    state_equations("a kinematic differential equation", m_.kinematics);
+    if (of_.loads.has_gravity) state("gravity", of_.loads.gravity, meter / pow<2>(second));
+    if (of_.loads.has_lagrangian) state("the Lagrangian", of_.loads.lagrangian, joule);
+    load_units by(m_, by_);
+    of_.loads.each([&](const auto& load, int place) { load.state_units(by, place); });
+    state_equations("a configuration constraint", of_.constraints.on_configuration);
+    for (const velocity_constraint& c : of_.constraints.on_velocities)
+      state_equation("a velocity constraint", c.value);
+    state_equations("an acceleration constraint", of_.constraints.on_accelerations);
+    for (const flexible_body& b : m_.flexible_bodies) state(b);
+    if (!m_.flexible_bodies.empty()) suggest_deformations();
+  }
+
+private:
+  constexpr void state(const frame& f) {
+    if (f.is_by_angle() && !holds_amplitude(f.angle)) state("the angle of frame ", f.called, f.angle, radian);
+    if (f.kind == orientation::matrix) {
+      by_.describe({"the orientation of frame ", f.called.view()});
+      for (const expression& e : f.quaternion) by_.expect(e, units::dimensionless);
+      for (const expression& e : f.scalars()) by_.expect(e, units::dimensionless);
+    }
+    if (f.has_declared_angular_velocity())
+      state("the angular velocity of frame ", f.called, f.angular_velocity, radian / second);
+  }
+
+  constexpr void state(const point& p) {
+    by_.describe({"the offset of point ", p.called.view()});
+    p.offset.each_entry([&](expression e) {
+      if (!holds_amplitude(e)) by_.expect(e, meter);
+    });
+    if (p.has_declared_velocity()) state("the velocity of point ", p.called, p.velocity, meter / second);
+  }
+
+  constexpr void state(const body& b) {
+    state("the mass of ", b.called, b.mass, kilogram);
+    state("the inertia of ", b.called, b.inertia, kilogram * pow<2>(meter));
+  }
+
+  /// The integrals of a flexible body may be numbers, which have units.
+  constexpr void state(const flexible_body& b) {
+    state("the mass of ", b.called, b.mass, kilogram);
+    for (int k = 0; k < b.amplitudes.size(); ++k) {
+      const expression rate = m_.coordinate_rates[m_.coordinates.find(b.amplitudes[k])];
+      by_.suggest(b.modal_mass(k, k) * (rate * rate), joule);
+    }
+  }
+  /// The places and angles that deform with flexible bodies.
+  constexpr void suggest_deformations() {
+    for (const point& p : m_.points)
+      p.offset.each_entry([&](expression e) {
+        if (holds_amplitude(e)) by_.suggest_amplitude(e, meter);
+      });
+    for (const frame& f : m_.frames)
+      if (f.is_by_angle() && holds_amplitude(f.angle)) by_.suggest_amplitude(f.angle, radian);
+  }
+  constexpr bool holds_amplitude(expression e) const {
+    if (m_.flexible_bodies.empty()) return false;
+    const sequence<char> live = symbolic::live_nodes(*m_.g, {e.node()});
+    for (const flexible_body& b : m_.flexible_bodies)
+      for (const expression& q : b.amplitudes)
+        if (q.node() < live.size() && live[q.node()] != 0) return true;
+    return false;
+  }
+
+  constexpr void state_equation(std::string_view what, expression difference) {
+    by_.describe({what});
+    by_.expect_equation(difference);
+  }
+  constexpr void state_equations(std::string_view what, const sequence<expression>& differences) {
+    for (const expression& e : differences) state_equation(what, e);
+  }
+
+  const multibody_system& of_;
+  const mechanism& m_;
+  unit_inference& by_;
+};
+
+/// Reports units that do not fit; empty if there are none, or if the mechanism states no unit.
+constexpr sentence check_units(const multibody_system& of) {
+  if (of.mechanism.stated_units.empty()) return {};
+  unit_inference inferred(of.mechanism);
+  system_units(of, inferred).state();
+  return inferred.mistake();
+}
+
+/// The units of the symbols and constraints of a system.
+constexpr unit_table unit_table_of(const multibody_system& of) {
+  unit_inference inferred(of.mechanism);
+  system_units(of, inferred).state();
+  unit_table table;
+  table.fill(of.mechanism, of.constraints, inferred);
+  return table;
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <kanexpr/mechanics/loads/load_names.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/units/unit_inference.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/units/unit.hpp>
+
+#include <initializer_list>
+#include <string_view>
+
+namespace kanexpr::mechanics {
+
+/// The context in which a load states the units of its expressions.
+class load_units : public load_names {
+public:
+  constexpr load_units(const mechanism& m, unit_inference& by) : load_names(m), by_(by) {}
+
+  /// Names what the next expressions describe: {"the force ", "at P"}.
+  constexpr void describe(std::initializer_list<std::string_view> subject) { by_.describe(subject); }
+  /// States the unit of a scalar or a vector.
+  template <class Quantity>
+  constexpr void expect(const Quantity& quantity, const units::unit& u) {
+    by_.expect(quantity, u);
+  }
+  /// States a unit that does not conflict with others: an expression of a flexible body may contain numbers
+  /// with units.
+  constexpr void suggest(expression e, const units::unit& u) { by_.suggest(e, u); }
+
+private:
+  unit_inference& by_;
+};
+
+} // namespace kanexpr::mechanics

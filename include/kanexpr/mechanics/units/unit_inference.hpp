@@ -1,0 +1,359 @@
+#pragma once
+
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/model/vector.hpp>
+#include <kanexpr/mechanics/model/wording.hpp>
+#include <kanexpr/mechanics/units/unit_relations.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/function_table.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/list.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/symbolic/printing/short_text.hpp>
+#include <kanexpr/units/si.hpp>
+#include <kanexpr/units/unit.hpp>
+#include <kanexpr/units/unit_text.hpp>
+
+#include <optional>
+#include <string_view>
+
+namespace kanexpr::mechanics {
+
+/// Infers the units of expressions from the units that a mechanism states for its symbols.
+///
+/// Each symbol without a stated unit has an unknown one. Sums, function arguments and the units that `expect`
+/// states are equations between units, which are solved as they come; the first that has no solution is the
+/// mistake. A number that is a factor has no unit. A number that is a term, an argument or a whole quantity
+/// has the unit that is expected there.
+class unit_inference {
+public:
+  constexpr explicit unit_inference(const mechanism& m) : m_(m), g_(*m.g) {
+    for (const stated_unit& each : m.stated_units) state(each);
+    for (const prescribed_rate& p : m.prescribed_rates) {
+      const unit_product quantity = of(p.quantity);
+      subject_ = sentence({"the rate of prescribed quantity ", name_of(p.quantity)});
+      require(p.rate, quantity / known_unit(units::second));
+    }
+  }
+
+  constexpr const sentence& mistake() const { return mistake_; }
+
+  /// The unit of an expression; none if it is not determined. Sums of different units are not reported.
+  constexpr std::optional<units::unit> unit_of(expression e) {
+    const sentence before = mistake_;
+    unit_product u = relations_.resolved(of(e));
+    mistake_ = before;
+    if (u.fits_all || !u.is_known()) return std::nullopt;
+    const bool is_inferred = !forms_[e.node()].is_known();
+    if (is_inferred && g_[e.node()].op == operation::symbol) unit_relations::drop_angle_of_length(u.known);
+    return u.known;
+  }
+
+  /// Names the part of the model that the next expressions describe: {"the force at ", "P"}.
+  constexpr void describe(std::initializer_list<std::string_view> subject) { subject_ = sentence(subject); }
+
+  /// States the unit of a quantity of the part described last.
+  constexpr void expect(expression e, const units::unit& u) { require(e, known_unit(u)); }
+  constexpr void expect(const vector& v, const units::unit& u) {
+    v.each_entry([&](expression e) { expect(e, u); });
+  }
+  constexpr void expect(const dyadic& d, const units::unit& u) {
+    d.each_entry([&](expression e) { expect(e, u); });
+  }
+  /// States the unit of a quantity whose numbers may have units; a contradiction is no mistake. It has no
+  /// effect if the quantity contains no parameter, because its coefficients are then such numbers.
+  constexpr void suggest(expression e, const units::unit& u) {
+    if (mistake_ || !e.is_given() || !holds_parameter(e)) return;
+    const unit_product found = of(e);
+    if (!mistake_) equate(found, known_unit(u));
+    mistake_ = {};
+  }
+  /// The same for a deformation, which is proportional to an amplitude.
+  constexpr void suggest_amplitude(expression e, const units::unit& u) {
+    if (mistake_) return;
+    const unit_product found = relations_.resolved(of(e));
+    if (found.unknown.size() == 1 && found.unknown[0].power == units::unit::parts)
+      equate(found, known_unit(u));
+    mistake_ = {};
+  }
+  /// States that an expression is formed from quantities of one unit, whatever it is; it is the difference of
+  /// the sides of an equation.
+  constexpr void expect_equation(expression difference) {
+    if (mistake_) return;
+    const symbolic::node& n = g_[difference.node()];
+    if (n.op != symbolic::operation::subtract) {
+      of(difference);
+      return;
+    }
+    const unit_product left = of(n.a), right = of(n.b);
+    if (!mistake_ && !equate(left, right)) fail_by_pair({" equates ", " and "}, n.a, left, n.b, right);
+  }
+
+private:
+  using operation = symbolic::operation;
+
+  constexpr void state(const stated_unit& s) {
+    unit_product& now = form_at(s.symbol.node());
+    if (has_form_[s.symbol.node()] != 0) {
+      if (!(now.known == s.unit))
+        fail({"two units are stated for ", name_of(s.symbol), ": ", text_of(now.known).view(), " and ",
+              text_of(s.unit).view()});
+      return;
+    }
+    has_form_[s.symbol.node()] = 1;
+    now = known_unit(s.unit);
+  }
+
+  constexpr bool holds_parameter(expression e) const {
+    const sequence<char> live = symbolic::live_nodes(g_, {e.node()});
+    for (int id = 0; id < live.size(); ++id)
+      if (live[id] != 0 && g_[id].op == operation::symbol &&
+          g_.symbol_at(id).kind == symbolic::symbol_kind::parameter)
+        return true;
+    return false;
+  }
+
+  constexpr std::string_view name_of(expression symbol) const {
+    return g_.symbol_at(symbol.node()).called.view();
+  }
+  static constexpr base::name text_of(const units::unit& u) {
+    return units::text_of(u, units::spelling::message);
+  }
+
+  constexpr void fail(std::initializer_list<std::string_view> pieces) {
+    if (!mistake_) mistake_ = sentence(pieces);
+  }
+
+  /// Adds an equation between units, and records what it describes if it determines one.
+  constexpr bool equate(const unit_product& a, const unit_product& b) {
+    const bool fits = relations_.equate(a, b);
+    const int solved = relations_.last_solved();
+    if (solved == none) return fits;
+    if (reason_of_.size() < relations_.size()) reason_of_.resize(relations_.size(), none);
+    if (reasons_.empty() || reasons_.back().view() != subject_.view()) reasons_.push(subject_);
+    reason_of_[solved] = reasons_.size() - 1;
+    return fits;
+  }
+
+  constexpr void require(expression e, const unit_product& wanted) {
+    if (mistake_ || !e.is_given()) return;
+    const unit_product found = of(e);
+    if (!mistake_ && !equate(found, wanted))
+      fail({subject_.view(), " is ", with_unit(e.node(), found).view(), ", but must be in ",
+            text_of(relations_.resolved(wanted).known).view(), origin_of_unit(e.node()).view()});
+  }
+
+  /// An expression with its unit in brackets; without one if its unit is not known.
+  constexpr sentence with_unit(int id, const unit_product& u) const {
+    const unit_product found = relations_.resolved(u);
+    const symbolic::short_text text(g_, id);
+    if (!found.is_known()) return sentence({text.view()});
+    return sentence({text.view(), " [", text_of(found.known).view(), "]"});
+  }
+
+  /// The words before and between two quantities.
+  struct wording {
+    std::string_view before, between;
+  };
+  constexpr void fail_by_pair(const wording& how, int a, const unit_product& left, int b,
+                              const unit_product& right) {
+    const unit_product ratio = relations_.resolved(right / left);
+    const bool are_known = relations_.resolved(left).is_known();
+    fail({subject_.view(), how.before, with_unit(a, left).view(), how.between, with_unit(b, right).view(),
+          are_known ? "" : ", whose units differ by ", are_known ? "" : text_of(ratio.known).view(),
+          origin_of_unit(b, a).view()});
+  }
+
+  /// Explains the unit of the first parameter or input in some expressions whose unit the model does not
+  /// state: "; c is in N s/m by the force at P". Empty if there is none, or if the present part of the model
+  /// determines it.
+  constexpr sentence origin_of_unit(int id, int other = symbolic::graph::zero) const {
+    const sentence found = origin_in(id);
+    return found ? found : origin_in(other);
+  }
+  constexpr sentence origin_in(int id) const {
+    const symbolic::node& n = g_[id];
+    if (n.op == operation::constant) return {};
+    if (n.op != operation::symbol) {
+      sentence found = origin_in(n.a);
+      if (!found && symbolic::is_binary(n.op) && !symbolic::has_index_operand(n.op)) found = origin_in(n.b);
+      return found;
+    }
+    const symbolic::symbol_kind kind = g_.symbol_at(id).kind;
+    if (kind != symbolic::symbol_kind::parameter && kind != symbolic::symbol_kind::input) return {};
+    if (has_form_[id] == 0 || forms_[id].unknown.size() != 1) return {};
+    const int unknown = forms_[id].unknown[0].of;
+    if (!relations_.is_solved(unknown) || unknown >= reason_of_.size() || reason_of_[unknown] == none)
+      return {};
+    const std::string_view reason = reasons_[reason_of_[unknown]].view();
+    const unit_product u = relations_.resolved(forms_[id]);
+    if (reason == subject_.view() || !u.is_known()) return {};
+    return sentence(
+        {"; ", g_.symbol_at(id).called.view(), " is in ", text_of(u.known).view(), " by ", reason});
+  }
+
+  /// The forms of the nodes, which grow with the graph.
+  constexpr unit_product& form_at(int id) {
+    if (id >= forms_.size()) {
+      forms_.resize(g_.size());
+      has_form_.resize(g_.size());
+    }
+    return forms_[id];
+  }
+
+  constexpr unit_product of(expression e) { return of(e.node()); }
+  constexpr unit_product of(int id) {
+    form_at(id);
+    if (has_form_[id] == 0) {
+      unit_product found = found_for(id, g_[id]);
+      form_at(id) = static_cast<unit_product&&>(found);
+      has_form_[id] = 1;
+    }
+    return forms_[id];
+  }
+
+  constexpr unit_product found_for(int id, const symbolic::node& n) {
+    using symbolic::form;
+    switch (symbolic::form_of(n.op)) {
+    case form::leaf: return of_leaf(id, n);
+    case form::negate: return of(n.a);
+    case form::add: return of_pair({" adds ", " and "}, n);
+    case form::subtract: return of_pair({" subtracts ", " from "}, {n.op, n.b, n.a});
+    case form::multiply: return of_product(n, 1);
+    case form::divide: return of_product(n, -1);
+    case form::power: return of_power(n);
+    case form::function: return of_function(id, n);
+    case form::binary_function: return of_binary_function(id, n);
+    case form::selection: of(n.a); return of(n.b);
+    case form::list_operation: break;
+    }
+    if (n.op == operation::call)
+      for (const int operand : symbolic::elements_of(g_, n.a)) of(operand);
+    return relations_.add_unknown();
+  }
+
+  constexpr unit_product of_leaf(int id, const symbolic::node& n) {
+    if (n.op == operation::constant) return {{}, {}, true};
+    using symbolic::symbol_kind;
+    const symbolic::symbol& s = g_.symbol_at(id);
+    switch (s.kind) {
+    case symbol_kind::time: return known_unit(units::second);
+    case symbol_kind::coordinate_rate: return of(m_.coordinates[s.position]) / known_unit(units::second);
+    case symbol_kind::speed_rate: return of(m_.speeds[s.position]) / known_unit(units::second);
+    case symbol_kind::coordinate:
+    case symbol_kind::speed:
+    case symbol_kind::parameter:
+    case symbol_kind::input:
+    case symbol_kind::auxiliary_speed:
+    case symbol_kind::multiplier:
+    case symbol_kind::weight:
+    case symbol_kind::direction: break;
+    }
+    for (const stated_unit& each : m_.stated_units) // a symbol may be added later
+      if (each.symbol.node() == id) return known_unit(each.unit);
+    return relations_.add_unknown();
+  }
+
+  /// The unit of a sum or difference: that of both operands.
+  constexpr unit_product of_pair(const wording& how, const symbolic::node& n) {
+    const unit_product left = of(n.a), right = of(n.b);
+    if (!equate(left, right)) fail_by_pair(how, n.a, left, n.b, right);
+    return left.fits_all ? right : left;
+  }
+
+  constexpr unit_product of_product(const symbolic::node& n, int sign) {
+    const unit_product left = of(n.a), right = of(n.b);
+    if (left.fits_all && right.fits_all) return left;
+    return times_power(left, right, sign * units::unit::parts);
+  }
+
+  constexpr unit_product of_power(const symbolic::node& n) {
+    const unit_product base = of(n.a);
+    of(n.b);
+    if (base.fits_all) return base;
+    if (!g_.is_constant(n.b)) {
+      must_be(n.a, {}, "the base of a power with a variable exponent");
+      must_be(n.b, {}, "an exponent");
+      return known_unit({});
+    }
+    const symbolic::number& exponent = g_.number_at(n.b);
+    constexpr std::int64_t parts = units::unit::parts;
+    const double scaled = exponent.value() * static_cast<double>(parts);
+    if (scaled < 30'000 && scaled > -30'000) {
+      const auto whole = static_cast<std::int64_t>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
+      const double rest = scaled - static_cast<double>(whole);
+      if (rest < 1e-9 && rest > -1e-9 && mechanics::has_power(base, whole, parts))
+        return mechanics::power(base, whole, parts);
+    }
+    if (base.is_known() && base.known == units::dimensionless) return base;
+    return relations_.add_unknown();
+  }
+
+  constexpr unit_product of_function(int id, const symbolic::node& n) {
+    using symbolic::unit_rule;
+    const unit_product argument = of(n.a);
+    switch (symbolic::properties_of(n.op).unit) {
+    case unit_rule::numbers: return of_numbers(id, n, symbolic::properties_of(n.op).angle);
+    case unit_rule::kept: return argument;
+    case unit_rule::root: return root_of(argument, 2);
+    case unit_rule::cube_root: return root_of(argument, 3);
+    case unit_rule::dropped: break;
+    }
+    return known_unit({});
+  }
+  constexpr unit_product of_numbers(int id, const symbolic::node& n, symbolic::angle_rule angle) {
+    using symbolic::angle_rule;
+    const auto radian_if = [&](angle_rule is) {
+      return angle == is || angle == angle_rule::both ? units::radian : units::dimensionless;
+    };
+    argument_is(id, n.a, radian_if(angle_rule::argument));
+    return known_unit(radian_if(angle_rule::value));
+  }
+  constexpr unit_product root_of(const unit_product& u, int order) {
+    if (u.fits_all || mechanics::has_power(u, 1, order)) return mechanics::power(u, 1, order);
+    return relations_.add_unknown();
+  }
+
+  constexpr unit_product of_binary_function(int id, const symbolic::node& n) {
+    using symbolic::binary_unit_rule;
+    switch (symbolic::binary_properties_of(n.op).unit) {
+    case binary_unit_rule::numbers:
+      argument_is(id, n.a, {});
+      argument_is(id, n.b, {});
+      break;
+    case binary_unit_rule::ratio:
+      of_pair({" takes the atan2 of ", " and "}, n);
+      return known_unit(units::radian);
+    case binary_unit_rule::kept: return of_pair({" compares ", " and "}, n);
+    }
+    return known_unit({});
+  }
+
+  /// States the unit of the argument of a function.
+  constexpr void argument_is(int function, int id, const units::unit& u) {
+    if (must_be(id, u)) return;
+    fail({subject_.view(), " contains ", symbolic::short_text(g_, function).view(), "; ",
+          with_unit(id, of(id)).view(), u == units::radian ? " is not an angle" : " is not a number",
+          origin_of_unit(id).view()});
+  }
+  constexpr bool must_be(int id, const units::unit& u) { return equate(of(id), known_unit(u)); }
+  constexpr void must_be(int id, const units::unit& u, std::string_view what) {
+    if (!must_be(id, u))
+      fail({subject_.view(), " has ", what, " that is not a number: ", with_unit(id, of(id)).view()});
+  }
+
+  const mechanism& m_;
+  const symbolic::graph& g_;
+  unit_relations relations_{};
+  sequence<unit_product> forms_{};
+  sequence<char> has_form_{};
+  sentence subject_{}, mistake_{};
+  sequence<sentence> reasons_{}; ///< the parts of the model that determine units
+  sequence<int> reason_of_{};    ///< by unknown unit
+};
+
+} // namespace kanexpr::mechanics
