@@ -46,7 +46,7 @@ struct animation {
     std::string name{};
     std::vector<double> values{};
     std::string group{}; ///< such as "Coordinates"
-    std::string unit{};  ///< as given by the picture; empty if it gives none
+    std::string unit{};  ///< as given by the picture or the model; empty if it is unknown
   };
 
   std::string system{}; ///< the name of the system, which is the default title of a page
