@@ -72,6 +72,14 @@ public:
     if (!mistake_) equate(found, known_unit(u));
     mistake_ = {};
   }
+  /// The same for the coefficient of the square of a rate in an energy or a power.
+  constexpr void suggest_coefficient(expression e, expression rate, const units::unit& u) {
+    if (mistake_ || !e.is_given() || !holds_parameter(e)) return;
+    const unit_product coefficient = of(e), velocity = of(rate);
+    const unit_product found = coefficient * velocity * velocity;
+    if (!mistake_) equate(found, known_unit(u));
+    mistake_ = {};
+  }
   /// The same for a deformation, which is proportional to an amplitude.
   constexpr void suggest_amplitude(expression e, const units::unit& u) {
     if (mistake_) return;
