@@ -35,12 +35,13 @@ class system_units {
   template <class Quantity>
   constexpr void state(std::string_view what, const name& whose, const Quantity& quantity,
                        const units::unit& u) {
-    by_.describe({what, whose.view()});
+    by_.describe(what, whose.view());
     by_.expect(quantity, u);
   }
   template <class Quantity>
   constexpr void state(std::string_view what, const Quantity& quantity, const units::unit& u) {
-    state(what, {}, quantity, u);
+    by_.describe(what, {});
+    by_.expect(quantity, u);
   }
 
 public:
@@ -53,7 +54,7 @@ public:
     for (const point& p : m_.points) state(p);
     for (const body& b : m_.bodies) state(b);
     for (const expected_unit& e : m_.expected_units) {
-      by_.describe({e.what.view(), e.whose.view()});
+      by_.describe(e.what.view(), e.whose.view());
       by_.expect(e.value, e.unit);
     }
     state_equations("a kinematic differential equation", m_.kinematics);
@@ -73,7 +74,7 @@ private:
   constexpr void state(const frame& f) {
     if (f.is_by_angle() && !holds_amplitude(f.angle)) state("the angle of frame ", f.called, f.angle, radian);
     if (f.kind == orientation::matrix) {
-      by_.describe({"the orientation of frame ", f.called.view()});
+      by_.describe("the orientation of frame ", f.called.view());
       for (const expression& e : f.quaternion) by_.expect(e, units::dimensionless);
       for (const expression& e : f.scalars())
         if (!holds_amplitude(e)) by_.expect(e, units::dimensionless);
@@ -83,7 +84,7 @@ private:
   }
 
   constexpr void state(const point& p) {
-    by_.describe({"the offset of point ", p.called.view()});
+    by_.describe("the offset of point ", p.called.view());
     p.offset.each_entry([&](expression e) {
       if (!holds_amplitude(e)) by_.expect(e, meter);
     });
@@ -127,7 +128,7 @@ private:
   }
 
   constexpr void state_equation(std::string_view what, expression difference) {
-    by_.describe({what});
+    by_.describe(what, {});
     by_.expect_equation(difference);
   }
   constexpr void state_equations(std::string_view what, const sequence<expression>& differences) {
