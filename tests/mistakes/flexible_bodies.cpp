@@ -69,3 +69,11 @@ struct B : flexible_body<B, O, N, without_mass> {};
 struct System : system_of<bodies<B>> {};
 void f() { use<System>(); }
 } // namespace f9
+
+// expect: flexible body B has more than 99 amplitudes; build such a body at run time
+namespace f10 {
+constexpr flexible_body_data<100, 0> large{.mass = 1};
+struct B : flexible_body<B, O, N, large> {};
+struct System : system_of<bodies<B>> {};
+void f() { use<System>(); }
+} // namespace f10
