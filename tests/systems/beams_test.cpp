@@ -2,6 +2,7 @@
 // Beams from a builder: their integrals, frequencies and sections.
 #include "systems/beams.hpp"
 
+#include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>
 #include <kanexpr/mechanics/model/flexible_body.hpp>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <functional>
 #include <limits>
 #include <random>
@@ -248,6 +250,90 @@ TEST(beam_integrals, are_those_of_the_position_to_the_stated_order) {
                    "M");
     }
   }
+}
+
+// ---- the mass matrix at amplitudes of a tenth of the length, beyond which it would be of no use
+
+// A beam with modes of a cantilever in one plane or in two, on a light hub that turns, or on one that also
+// moves freely.
+struct moving_beam : bench {
+  static constexpr double hub_mass = 1e-3, hub_inertia = 1e-5;
+  int planes, modes;
+  bool is_free;
+  std::vector<shape> shapes = modes_of_bending(ends::clamped_free, modes);
+  std::vector<expression> q{};
+
+  moving_beam(int planes_, int modes_, bool is_free_) : planes(planes_), modes(modes_), is_free(is_free_) {
+    q = free("q", rigid() + planes * modes);
+    const std::size_t turns = is_free ? 3 : 0;
+    const frame_id inner = rotated("R", n, q[turns], along(n, 0, 0, 1)),
+                   hub = rotated("H", inner, q[turns + 1], along(inner, 0, 1, 0));
+    const point_id root = is_free ? offset("P", o, along(n, q[0], q[1], q[2])) : o;
+    rigid_body("Hub", root, hub, number(hub_mass), inertia(hub, hub_inertia, hub_inertia, hub_inertia));
+    beam_data data = plane_beam(*this, hub, shapes);
+    if (planes == 2) data.bending.push_back({along(hub, 0, 0, 1), data.bending[0].by});
+    beam("B", root, hub, {q.begin() + rigid(), q.end()}, data);
+  }
+  int rigid() const { return is_free ? 5 : 2; }
+  int size() const { return rigid() + planes * modes; }
+
+  // That of the particles of the axis, which move by quadratic functions of the amplitudes; at the angles 0.
+  MatrixXd exact_mass(const VectorXd& amplitudes) const {
+    MatrixXd mass = MatrixXd::Zero(size(), size());
+    const auto add = [&](double part, const Vector3d& r, const MatrixXd& bent) {
+      MatrixXd velocity(3, size());
+      if (is_free) velocity.leftCols<3>().setIdentity();
+      velocity.col(rigid() - 2) = Vector3d::UnitZ().cross(r);
+      velocity.col(rigid() - 1) = Vector3d::UnitY().cross(r);
+      velocity.rightCols(planes * modes) = bent;
+      mass += part * velocity.transpose() * velocity;
+    };
+    add(hub_mass, Vector3d::Zero(), MatrixXd::Zero(3, planes * modes));
+    mass(rigid() - 2, rigid() - 2) += hub_inertia, mass(rigid() - 1, rigid() - 1) += hub_inertia;
+    using rule = boost::math::quadrature::gauss<double, 30>;
+    for (std::size_t i = 0; i < 2 * rule::abscissa().size(); ++i) {
+      const double xi = (1 + (i % 2 == 0 ? 1 : -1) * rule::abscissa()[i / 2]) / 2;
+      Vector3d r(xi * length, 0, 0);
+      MatrixXd bent = MatrixXd::Zero(3, planes * modes);
+      for (int k = 0; k < planes * modes; ++k) {
+        const auto value = [&](int of, double x) {
+          return shapes[static_cast<std::size_t>(of % modes)].at(x);
+        };
+        bent(1 + k / modes, k) = value(k, xi).value;
+        r(1 + k / modes) += amplitudes(k) * value(k, xi).value;
+        for (int l = k / modes * modes; l < (k / modes + 1) * modes; ++l) {
+          const double shortening = rule::integrate(
+              [&](double x) { return value(k, x).slope * value(l, x).slope / length; }, 0.0, xi);
+          bent(0, k) -= shortening * amplitudes(l);
+          r(0) -= shortening * amplitudes(k) * amplitudes(l) / 2;
+        }
+      }
+      add(mass_per_length * length * rule::weights()[i / 2] / 2, r, bent);
+    }
+    return mass;
+  }
+};
+
+TEST(beam_mass, is_positive_at_amplitudes_of_a_tenth_of_the_length) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> draw(-0.1 * length, 0.1 * length);
+  for (const bool is_free : {false, true})
+    for (const int planes : {1, 2})
+      for (const int modes : {1, 2, 3}) {
+        const moving_beam b(planes, modes, is_free);
+        ASSERT_EQ(b.check().view(), "");
+        kanexpr::model m = kanexpr::derive(b);
+        auto mass = m.function(m.mass_matrix());
+        for (int i = 0; i < 5; ++i) {
+          VectorXd x = VectorXd::Zero(2 * b.size());
+          for (int k = 0; k < planes * modes; ++k)
+            x(b.rigid() + k) = draw(random) / ((k % modes + 1) * (k % modes + 1));
+          const MatrixXd found = mass(x);
+          const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> ratio(
+              found, b.exact_mass(x.segment(b.rigid(), planes * modes)));
+          EXPECT_GT(ratio.eigenvalues().minCoeff(), 0.5) << planes << ' ' << modes << ' ' << is_free;
+        }
+      }
 }
 
 // The axes of sections as columns in the inertial axes, and their positions.

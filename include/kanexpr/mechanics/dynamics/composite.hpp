@@ -81,6 +81,14 @@ private:
     return c.columns.back();
   }
 
+  /// M_kl + Σ μ ∂y/∂q_k ∂y/∂q_l.
+  static constexpr expression modal_mass(const flexible_part& p, int k, int l) {
+    expression sum = p.modal_mass(k, l);
+    for (const flexible_part::displacement& y : p.displacements)
+      sum += y.mass * (y.gradient[k] * y.gradient[l]);
+    return sum;
+  }
+
   /// Adds a flexible body to the composite body of its frame. Its amplitudes move no other body, so they are
   /// multiplied only by each other and by the motion of the frame.
   constexpr void add(const flexible_part& p) {
@@ -96,7 +104,7 @@ private:
         sum.moment += to_working.turn(r.value * p.amplitudes[k].rotation);
         for (int l = 0; l < p.amplitudes.size(); ++l)
           for (const flexible_part::rate_partial& t : p.amplitudes[l].partials)
-            if (r.speed >= t.speed) result_(r.speed, t.speed) += (r.value * t.value) * p.modal_mass(k, l);
+            if (r.speed >= t.speed) result_(r.speed, t.speed) += (r.value * t.value) * modal_mass(p, k, l);
       }
   }
 

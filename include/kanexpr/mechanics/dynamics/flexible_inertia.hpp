@@ -14,9 +14,10 @@
 
 /// The inertia of flexible bodies relative to a floating frame of reference (Shabana, Dynamics of Multibody
 /// Systems, 2020, chapter 5; Wallrapp 1994). The mass m, the first moment S and the inertia J about a point
-/// of the frame, H_k = ∫ r × ∂r/∂q_k dm and the constant modal masses M_kl define the kinetic energy
+/// of the frame, H_k = ∫ r × ∂r/∂q_k dm, the constant modal masses M_kl and internal displacements y(q) with
+/// masses μ define the kinetic energy
 ///
-///   T = ½ m v·v + v·(ω×S + Ṡ) + ½ ω·J·ω + ω·Σ H_k q̇_k + ½ Σ M_kl q̇_k q̇_l
+///   T = ½ m v·v + v·(ω×S + Ṡ) + ½ ω·J·ω + ω·Σ H_k q̇_k + ½ Σ M_kl q̇_k q̇_l + ½ Σ μ ẏ²
 ///
 /// with the velocity v of this point; dots denote the rates of components in the frame. Everything
 /// below follows from this energy without further approximation. Therefore, Kane's and Lagrange's equations
@@ -87,6 +88,11 @@ public:
     alpha_ = to_axes.turn(k.angular_acceleration(p.frame));
     u_ = acceleration_matrix(w_, alpha_);
     for (const flexible_part::amplitude& each : p.amplitudes) second_rates_.push(k.rate(each.rate));
+    for (const flexible_part::displacement& y : p.displacements) {
+      expression acceleration = y.bias;
+      for (int l = 0; l < p.amplitudes.size(); ++l) acceleration += y.gradient[l] * second_rates_[l];
+      accelerations_.push(acceleration);
+    }
   }
 
   constexpr flexible_load run() const {
@@ -125,7 +131,7 @@ private:
     return t;
   }
 
-  /// P_k·a + H_k·α + Σ M_kl q̈_l + ω·Σ (∂H_k/∂q_l − ∂H_l/∂q_k) q̇_l − ½ ω·∂J/∂q_k·ω.
+  /// P_k·a + H_k·α + Σ M_kl q̈_l + Σ μ ÿ ∂y/∂q_k + ω·Σ (∂H_k/∂q_l − ∂H_l/∂q_k) q̇_l − ½ ω·∂J/∂q_k·ω.
   constexpr expression on_amplitude(int k) const {
     const amplitude& own = p_.amplitudes[k];
     expression force = dot(own.translation, a_);
@@ -137,6 +143,8 @@ private:
       else if (l > k)
         force -= gyroscopic(l, k) * p_.amplitudes[l].rate;
     }
+    for (int i = 0; i < p_.displacements.size(); ++i)
+      force += (p_.displacements[i].mass * p_.displacements[i].gradient[k]) * accelerations_[i];
     force -= half_of_quadratic_form(own.growth, w_);
     return force;
   }
@@ -151,6 +159,7 @@ private:
   components a_{}, w_{}, alpha_{};
   matrix3 u_{};
   sequence<expression> second_rates_{};
+  sequence<expression> accelerations_{}; ///< ÿ
 };
 
 } // namespace detail
@@ -204,6 +213,7 @@ constexpr expression twice_kinetic_energy(motion& k, const flexible_part& p) {
       const expression rates = p.amplitudes[i].rate * p.amplitudes[j].rate;
       twice += (i == j ? p.modal_mass(i, j) : 2 * p.modal_mass(i, j)) * rates;
     }
+  for (const flexible_part::displacement& y : p.displacements) twice += y.mass * (y.rate * y.rate);
   return twice;
 }
 

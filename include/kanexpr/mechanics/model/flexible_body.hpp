@@ -21,6 +21,24 @@ struct nodes_for_pictures {
   static constexpr void each_member(Self&, Visit&&) {}
 };
 
+/// A displacement y(q) of a part of a body, which contributes ½ m ẏ² to the kinetic energy of the amplitudes.
+struct internal_displacement {
+  symbolic::expression mass{};
+  symbolic::expression value{};
+};
+
+/// The integrals of a kinetic energy that is positive for every motion and all amplitudes. They equal those
+/// of `flexible_body` to their order, and contain all terms of higher order that make the energy a sum of
+/// squares. The energy of the amplitudes is ½ Σ M_kl q̇_k q̇_l + ½ Σ m ẏ².
+struct definite_inertia {
+  symmetric inertia{};
+  base::sequence<components> angular{};
+  symbolic::matrix modal_mass{}; ///< constant; without the displacements
+  base::sequence<internal_displacement> displacements{};
+
+  constexpr bool is_given() const { return !angular.empty(); }
+};
+
 /// A body that deforms relative to a frame (floating frame of reference). A particle of the body is at
 /// r(x, q) from the reference point, where x is its place in the undeformed body and q are the amplitudes of
 /// the shapes. The body enters the equations only through the integrals below over its mass; they are
@@ -37,6 +55,7 @@ struct flexible_body {
   symmetric inertia{};                  ///< ∫ (r·r E − r r) dm
   base::sequence<components> angular{}; ///< by amplitude: ∫ r × ∂r/∂q_k dm
   symbolic::matrix modal_mass{};        ///< ∫ ∂r/∂q_k · ∂r/∂q_l dm, constant
+  definite_inertia definite{};          ///< if it is given, of a body whose frame is moved by speeds
   beam_outline outline{};               ///< of a beam, for pictures
   nodes_for_pictures nodes{};           ///< of a body that is given by numbers
 };

@@ -30,13 +30,22 @@ struct flexible_part {
     sequence<components> rotation_rate{};    ///< ∂H_k/∂q_l
   };
 
+  /// An internal displacement y, with an entry for each amplitude q_k.
+  struct displacement {
+    expression mass{};
+    sequence<expression> gradient{}; ///< ∂y/∂q_k
+    expression rate{};               ///< ẏ
+    expression bias{};               ///< Σ ∂²y/∂q_k∂q_l q̇_k q̇_l
+  };
+
   int station = none;
   int frame = none;    ///< the representative of the frame relative to which the body deforms
   int axes = none;     ///< that frame
   components offset{}; ///< the reference point of the model, measured from the station
   rigid_mass mass{};   ///< m, S and J, which depend on the amplitudes
   sequence<amplitude> amplitudes{};
-  symbolic::matrix modal_mass{};
+  symbolic::matrix modal_mass{}; ///< constant; without the displacements
+  sequence<displacement> displacements{};
 };
 
 } // namespace kanexpr::mechanics

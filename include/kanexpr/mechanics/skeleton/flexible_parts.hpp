@@ -9,6 +9,7 @@
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -51,12 +52,59 @@ constexpr void move_to_joint(const skeleton& s, flexible_part& part) {
   part.mass = shifted(part.mass, part.offset);
 }
 
+/// Whether a velocity depends on a generalized speed that is not auxiliary.
+constexpr bool holds_speed(const skeleton& s, const sequence<partial_velocity>& partials) {
+  for (const partial_velocity& p : partials)
+    if (p.speed < s.model->speeds.size()) return true;
+  return false;
+}
+
+/// Whether a frame rotates by generalized speeds.
+constexpr bool is_turned_by_speeds(const skeleton& s, int f) {
+  for (; f != mechanism::inertial && f != none; f = s.turns_in[f])
+    if (holds_speed(s, s.partial_angular_velocities[f])) return true;
+  return false;
+}
+
+/// Whether the frame of a flexible body or its station is moved by generalized speeds. A frame at rest, or
+/// with a prescribed motion, is not.
+constexpr bool is_moved_by_speeds(const skeleton& s, const flexible_part& part) {
+  if (is_turned_by_speeds(s, part.frame)) return true;
+  for (int n = part.station; n != none; n = s.stations[n].parent) {
+    if (holds_speed(s, s.partial_velocities[n]) || is_turned_by_speeds(s, s.stations[n].frame)) return true;
+    if (s.stations[n].absolute) return false;
+  }
+  return false;
+}
+
+/// Prepares the internal displacements of a body.
+constexpr void add_displacements(const flexible_body& b, flexible_part& part) {
+  const int count = b.amplitudes.size();
+  const expression zero{b.mass.owner(), symbolic::graph::zero}, one{b.mass.owner(), symbolic::graph::one};
+  symbolic::differentiation by_amplitude(b.mass.owner()), along_time(b.mass.owner());
+  for (int k = 0; k < count; ++k) along_time.set_rate(b.amplitudes[k], part.amplitudes[k].rate);
+  for (const internal_displacement& y : b.definite.displacements) {
+    flexible_part::displacement each{.mass = y.mass, .rate = zero, .bias = zero};
+    for (int k = 0; k < count; ++k) {
+      by_amplitude.restart();
+      by_amplitude.set_rate(b.amplitudes[k], one);
+      each.gradient.push(by_amplitude.of(y.value));
+      each.rate += each.gradient[k] * part.amplitudes[k].rate;
+      each.bias += along_time.of(each.gradient[k]) * part.amplitudes[k].rate;
+    }
+    if (!each.rate.is_zero()) part.displacements.push(each);
+  }
+}
+
 constexpr flexible_part flexible_part_of(const skeleton& s, const flexible_body& b) {
   const mechanism& m = *s.model;
   flexible_part part{
       .station = s.station_of_point[b.reference], .frame = s.rigid_with[b.frame], .axes = b.frame};
-  part.mass.mass = b.mass, part.mass.first_moment = b.first_moment, part.mass.inertia = b.inertia;
-  part.modal_mass = b.modal_mass;
+  const bool is_definite = b.definite.is_given() && is_moved_by_speeds(s, part);
+  const sequence<components>& angular = is_definite ? b.definite.angular : b.angular;
+  part.mass.mass = b.mass, part.mass.first_moment = b.first_moment;
+  part.mass.inertia = is_definite ? b.definite.inertia : b.inertia;
+  part.modal_mass = is_definite ? b.definite.modal_mass : b.modal_mass;
   move_to_joint(s, part);
   symbolic::differentiation by_amplitude(*m.g);
   const int count = b.amplitudes.size();
@@ -66,7 +114,7 @@ constexpr flexible_part flexible_part_of(const skeleton& s, const flexible_body&
     by_amplitude.restart();
     by_amplitude.set_rate(b.amplitudes[k], m.one());
     each.translation = derivative(by_amplitude, part.mass.first_moment);
-    each.rotation = b.angular[k] + cross(part.offset, each.translation);
+    each.rotation = angular[k] + cross(part.offset, each.translation);
     each.growth = derivative(by_amplitude, part.mass.inertia);
     each.rate = s.coordinate_rates[m.coordinates.find(b.amplitudes[k])];
     each.partials = partials_of_rate(m, each.rate);
@@ -79,6 +127,7 @@ constexpr flexible_part flexible_part_of(const skeleton& s, const flexible_body&
       each.rotation_rate.push(derivative(by_amplitude, each.rotation));
     }
   }
+  if (is_definite) add_displacements(b, part);
   return part;
 }
 
