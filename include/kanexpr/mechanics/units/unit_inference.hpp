@@ -287,13 +287,13 @@ private:
   }
 
   constexpr unit_product of_product(const symbolic::node& n, int sign) {
-    const unit_product left = of(n.a), right = of(n.b);
+    unit_product left = of(n.a), right = of(n.b);
     if (left.fits_all && right.fits_all) return left;
     return times_power(left, right, sign * units::unit::parts);
   }
 
   constexpr unit_product of_power(const symbolic::node& n) {
-    const unit_product base = of(n.a);
+    unit_product base = of(n.a);
     of(n.b);
     if (base.fits_all) return base;
     if (!g_.is_constant(n.b)) {
@@ -316,7 +316,7 @@ private:
 
   constexpr unit_product of_function(int id, const symbolic::node& n) {
     using symbolic::unit_rule;
-    const unit_product argument = of(n.a);
+    unit_product argument = of(n.a);
     switch (symbolic::properties_of(n.op).unit) {
     case unit_rule::numbers: return of_numbers(id, n, symbolic::properties_of(n.op).angle);
     case unit_rule::kept: return argument;
