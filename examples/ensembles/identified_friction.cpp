@@ -21,10 +21,11 @@
 namespace {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 using namespace simple_pendulum;
 
 // In addition to viscous friction, dry (Coulomb) friction, which is smoothed near zero speed.
-constexpr parameter<"k"> k;
+constexpr parameter<"k", newton * meter> k;
 struct Rubbing
     : extended<simple_pendulum::System, parameters<k>, loads<torque<A, -k * tanh(u / 0.2) * N::z>>> {};
 

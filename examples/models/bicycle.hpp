@@ -7,11 +7,12 @@
 namespace bicycle {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"q1"> q1; // yaw
-constexpr coordinate<"q2"> q2; // lean
-constexpr coordinate<"q4"> q4; // pitch
-constexpr coordinate<"q5"> q5; // steer
+constexpr coordinate<"q1", radian> q1; // yaw
+constexpr coordinate<"q2", radian> q2; // lean
+constexpr coordinate<"q4", radian> q4; // pitch
+constexpr coordinate<"q5", radian> q5; // steer
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
 constexpr speed<"u3"> u3; // spin of the rear wheel
@@ -19,33 +20,33 @@ constexpr speed<"u4"> u4;
 constexpr speed<"u5"> u5;
 constexpr speed<"u6"> u6; // spin of the front wheel
 
-constexpr parameter<"WFrad"> WFrad;
-constexpr parameter<"WRrad"> WRrad;
-constexpr parameter<"htangle"> htangle; // angle between the head tube and the ground
-constexpr parameter<"forkoffset"> forkoffset;
-constexpr parameter<"forklength"> forklength;
-constexpr parameter<"framelength"> framelength;
-constexpr parameter<"forkcg1"> forkcg1;
-constexpr parameter<"forkcg3"> forkcg3;
-constexpr parameter<"framecg1"> framecg1;
-constexpr parameter<"framecg3"> framecg3;
-constexpr parameter<"Iwr11"> Iwr11;
-constexpr parameter<"Iwr22"> Iwr22;
-constexpr parameter<"Iwf11"> Iwf11;
-constexpr parameter<"Iwf22"> Iwf22;
-constexpr parameter<"Ifork11"> Ifork11;
-constexpr parameter<"Ifork22"> Ifork22;
-constexpr parameter<"Ifork33"> Ifork33;
-constexpr parameter<"Ifork31"> Ifork31;
-constexpr parameter<"Iframe11"> Iframe11;
-constexpr parameter<"Iframe22"> Iframe22;
-constexpr parameter<"Iframe33"> Iframe33;
-constexpr parameter<"Iframe31"> Iframe31;
-constexpr parameter<"mfork"> mfork;
-constexpr parameter<"mframe"> mframe;
-constexpr parameter<"mwf"> mwf;
-constexpr parameter<"mwr"> mwr;
-constexpr parameter<"g"> g;
+constexpr parameter<"WFrad", meter> WFrad;
+constexpr parameter<"WRrad", meter> WRrad;
+constexpr parameter<"htangle", radian> htangle; // angle between the head tube and the ground
+constexpr parameter<"forkoffset", meter> forkoffset;
+constexpr parameter<"forklength", meter> forklength;
+constexpr parameter<"framelength", meter> framelength;
+constexpr parameter<"forkcg1", meter> forkcg1;
+constexpr parameter<"forkcg3", meter> forkcg3;
+constexpr parameter<"framecg1", meter> framecg1;
+constexpr parameter<"framecg3", meter> framecg3;
+constexpr parameter<"Iwr11", kilogram * pow<2>(meter)> Iwr11;
+constexpr parameter<"Iwr22", kilogram * pow<2>(meter)> Iwr22;
+constexpr parameter<"Iwf11", kilogram * pow<2>(meter)> Iwf11;
+constexpr parameter<"Iwf22", kilogram * pow<2>(meter)> Iwf22;
+constexpr parameter<"Ifork11", kilogram * pow<2>(meter)> Ifork11;
+constexpr parameter<"Ifork22", kilogram * pow<2>(meter)> Ifork22;
+constexpr parameter<"Ifork33", kilogram * pow<2>(meter)> Ifork33;
+constexpr parameter<"Ifork31", kilogram * pow<2>(meter)> Ifork31;
+constexpr parameter<"Iframe11", kilogram * pow<2>(meter)> Iframe11;
+constexpr parameter<"Iframe22", kilogram * pow<2>(meter)> Iframe22;
+constexpr parameter<"Iframe33", kilogram * pow<2>(meter)> Iframe33;
+constexpr parameter<"Iframe31", kilogram * pow<2>(meter)> Iframe31;
+constexpr parameter<"mfork", kilogram> mfork;
+constexpr parameter<"mframe", kilogram> mframe;
+constexpr parameter<"mwf", kilogram> mwf;
+constexpr parameter<"mwr", kilogram> mwr;
+constexpr parameter<"g", meter / pow<2>(second)> g;
 
 struct N : inertial_frame<N> {}; // z points up
 struct Y : rotated<Y, N, q1, N::z> {};
@@ -99,7 +100,7 @@ struct BoundSystem
                      mfork == 4, mframe == 85, mwf == 3, mwr == 2, g == 9.81>> {};
 
 /// The same with a torque between fork and frame, with which the rider steers.
-constexpr input<"T"> T;
+constexpr input<"T", newton * meter> T;
 struct SteeredSystem : extended<BoundSystem, inputs<T>, loads<torque_between<Fork, Frame, T * Frame::x>>> {};
 
 } // namespace bicycle
