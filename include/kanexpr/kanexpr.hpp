@@ -9,6 +9,7 @@
 #include <kanexpr/compiled/linearization.hpp>
 #include <kanexpr/compiled/regressor.hpp>
 #include <kanexpr/compiled/second_order.hpp>
+#include <kanexpr/compiled/units_of.hpp>
 #include <kanexpr/describe/constraint.hpp>
 #include <kanexpr/describe/extended.hpp>
 #include <kanexpr/describe/motion.hpp>

@@ -5,11 +5,15 @@
 #include <kanexpr/mechanics/checks/check_units.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/units/unit_inference.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 
 #include <optional>
 
 namespace kanexpr::derivation {
+
+using mechanics::possible_unit;
 
 /// The units of a model, inferred from those that it states. The model is read separately from its
 /// derivation, so that parameters bound to numbers keep their units and the derivation does not depend on
@@ -25,8 +29,32 @@ public:
   model_units(const model_units&) = delete;
   model_units& operator=(const model_units&) = delete;
 
+  /// The first mistake, also in a phrase whose unit was requested.
   constexpr sentence mistake() const {
     return inferred_.has_value() ? inferred_->mistake() : reader_.mistake();
+  }
+
+  constexpr mechanics::unit_table table() {
+    mechanics::unit_table t;
+    if (inferred_.has_value()) t.fill(system_.mechanism, system_.constraints, *inferred_);
+    return t;
+  }
+
+  /// The unit of a scalar or of the components of a vector; nothing if it is not determined.
+  constexpr possible_unit unit_of(const phrase& p) {
+    if (!inferred_.has_value() || system_.mechanism.stated_units.empty()) return std::nullopt;
+    reader_.visit(p.tokens, p.size);
+    const value v = reader_.evaluate(p, "an expression");
+    if (reader_.mistake()) {
+      reader_.forget_mistake();
+      return std::nullopt;
+    }
+    if (v.kind == shape::scalar) return inferred_->unit_of(v.scalar);
+    possible_unit found;
+    v.vector.each_entry([&](expression e) {
+      if (!found.has_value()) found = inferred_->unit_of(e);
+    });
+    return found;
   }
 
 private:
@@ -35,5 +63,17 @@ private:
   reader reader_;
   std::optional<mechanics::unit_inference> inferred_{};
 };
+
+/// The units of the symbols and constraints of a model.
+constexpr mechanics::unit_table unit_table_of(const system_record& from) {
+  model_units units(from);
+  return units.table();
+}
+
+/// The unit of a phrase of a model.
+constexpr possible_unit unit_of(const system_record& from, const phrase& p) {
+  model_units units(from);
+  return units.unit_of(p);
+}
 
 } // namespace kanexpr::derivation

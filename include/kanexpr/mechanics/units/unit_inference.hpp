@@ -181,6 +181,8 @@ private:
     case symbol_kind::weight:
     case symbol_kind::direction: break;
     }
+    for (const stated_unit& each : m_.stated_units) // a symbol may be added later
+      if (each.symbol.node() == id) return known_unit(each.unit);
     return relations_.add_unknown();
   }
 

@@ -1,0 +1,202 @@
+#pragma once
+
+#include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/units/si.hpp>
+#include <kanexpr/units/unit.hpp>
+
+#include <optional>
+
+namespace kanexpr::derivation {
+
+using mechanics::possible_unit;
+
+constexpr possible_unit operator/(const possible_unit& a, const possible_unit& b) {
+  if (!a.has_value() || !b.has_value()) return std::nullopt;
+  return *a / *b;
+}
+constexpr possible_unit operator/(const possible_unit& a, const units::unit& b) {
+  return a / possible_unit(b);
+}
+constexpr possible_unit operator*(const possible_unit& a, const units::unit& b) {
+  if (!a.has_value()) return std::nullopt;
+  return *a * b;
+}
+constexpr possible_unit without_angle(const possible_unit& u) {
+  if (!u.has_value()) return std::nullopt;
+  return units::without_angle(*u);
+}
+
+/// The units of the results of a system. A generalized force times its speed is a power, so the forces of a
+/// system follow from the units of its speeds, and the entries of matrices are ratios.
+class result_units {
+public:
+  constexpr result_units(const mechanics::unit_table& symbols, const survey& s) : table_(symbols), s_(s) {}
+
+  /// The unit of an entry; nothing if the model does not determine it.
+  constexpr possible_unit of(mechanics::quantity wanted, int row = 0, int column = 0) const {
+    using q = mechanics::quantity;
+    using by = mechanics::extent_by;
+    const mechanics::result_row& r = mechanics::row_of(wanted);
+    if (!table_.is_stated) return std::nullopt;
+    switch (wanted) {
+    case q::mass_matrix:
+    case q::unreduced_mass_matrix:
+      return force(r.rows, row) / without_angle(speed(r.columns, column)) * units::second;
+    case q::coriolis: return force(r.rows, row) / without_angle(speed(r.columns, column));
+    case q::forcing:
+    case q::active_forces:
+    case q::inertia_forces:
+    case q::unreduced_forces:
+    case q::unreduced_forcing:
+    case q::inverse_dynamics:
+    case q::gravity_compensation:
+    case q::load_compensation: return force(r.rows, row);
+    case q::qdot:
+    case q::udot:
+    case q::rhs: return state(r.rows, row) / units::second;
+    case q::required_inputs: return input(row);
+    case q::kinetic_energy:
+    case q::potential_energy: return units::joule;
+    case q::linear_momentum: return units::newton * units::second;
+    case q::angular_momentum: return units::newton * units::meter * units::second;
+    case q::center_of_mass: return units::meter;
+    case q::generalized_momenta: return force(r.rows, row) * units::second;
+    case q::configuration_residual:
+    case q::configuration_terms: return residual(row);
+    case q::redundant_residual:
+    case q::redundant_terms: return redundant(row);
+    case q::redundant_rate:
+    case q::redundant_rate_terms: return redundant(row) / units::second;
+    case q::redundant_bias: return redundant(row) / units::second / units::second;
+    case q::redundant_jacobian: return redundant(row) / units::second / speed(r.columns, column);
+    case q::configuration_jacobian_by_dependent:
+      return residual(row) / chosen(0, s_.coordinates, column, true, coordinates);
+    case q::configuration_jacobian_by_all: return residual(row) / state(by::coordinates, column);
+    case q::configuration_step: return chosen(0, s_.coordinates, row, true, coordinates);
+    case q::velocity_residual:
+    case q::velocity_terms: return rate(row);
+    case q::constraint_residual:
+      if (row < s_.configuration_constraints) return residual(row);
+      return rate(row - s_.configuration_constraints);
+    case q::constraint_bias: return rate(row) / units::second;
+    case q::constraint_jacobian: return rate(row) / speed(r.columns, column);
+    case q::multipliers: return possible_unit(units::watt) / without_angle(rate(row));
+    case q::noncontributing_forces:
+      return possible_unit(units::watt) /
+             without_angle(table_.at(mechanics::unit_table::auxiliary_speeds, row));
+    case q::dependent_speeds: return dependent_speed(row);
+    case q::acceleration_bias: return dependent_speed(row) / units::second;
+    case q::dependency: return dependent_speed(row) / speed(r.columns, column);
+    case q::state_matrix:
+    case q::state_jacobian: return state(r.rows, row) / units::second / state(r.columns, column);
+    case q::input_matrix:
+    case q::input_jacobian: return state(r.rows, row) / units::second / input(column);
+    case q::mass_matrix_full: // rows of different kinds
+    case q::forcing_full:
+    case q::regressor:
+    case q::inertial_parameters:
+    case q::constraint_pivots:
+    case q::implicit_mass_matrix:
+    case q::implicit_state_matrix:
+    case q::implicit_input_matrix:
+    case q::weighted_gradient: // depend on the weights or the direction
+    case q::directional_derivative:
+    case q::weighted_hessian:
+    case q::weighted_hessian_product: break;
+    }
+    return std::nullopt;
+  }
+
+  /// The row or column of a symbol in a result; -1 if it has none.
+  constexpr int place_of(mechanics::extent_by extent, symbolic::symbol_kind kind,
+                         const base::name& called) const {
+    using by = mechanics::extent_by;
+    using symbolic::symbol_kind;
+    if (extent == by::auxiliary_speeds) {
+      for (int i = 0; i < table_.size(mechanics::unit_table::auxiliary_speeds); ++i)
+        if (table_.names[table_.first[mechanics::unit_table::auxiliary_speeds] + i] == called) return i;
+      return -1;
+    }
+    const int place = s_.place(kind, called);
+    const bool is_coordinate = kind == symbol_kind::coordinate;
+    const bool is_speed = kind == symbol_kind::speed || kind == symbol_kind::coordinate_rate;
+    if (place < 0) return -1;
+    switch (extent) {
+    case by::coordinates: return is_coordinate ? place : -1;
+    case by::speeds: return is_speed ? place : -1;
+    case by::inputs: return kind == symbol_kind::input ? place : -1;
+    case by::coordinates_and_speeds: return is_coordinate ? place : is_speed ? s_.coordinates + place : -1;
+    case by::independent_speeds: return is_speed ? independent(s_.coordinates, place) : -1;
+    case by::independent_states:
+      if (is_coordinate) return independent(0, place);
+      return is_speed ? s_.coordinates - s_.configuration_constraints + independent(s_.coordinates, place)
+                      : -1;
+    default: return -1;
+    }
+  }
+
+private:
+  /// The index of an independent symbol among the independent ones.
+  constexpr int independent(int from, int place) const {
+    if (s_.dependent[from + place]) return -1;
+    int before = 0;
+    for (int i = 0; i < place; ++i) before += s_.dependent[from + i] ? 0 : 1;
+    return before;
+  }
+
+  static constexpr auto coordinates = mechanics::unit_table::coordinates;
+  static constexpr auto speeds = mechanics::unit_table::speeds;
+
+  /// The generalized force of a speed; a torque is written N m, not N m/rad.
+  constexpr possible_unit force(mechanics::extent_by rows, int row) const {
+    return possible_unit(units::watt) / without_angle(speed(rows, row));
+  }
+
+  /// The unit of entry `place` among the dependent or independent symbols of a list.
+  constexpr possible_unit chosen(int from, int size, int place, bool dependent,
+                                 mechanics::unit_table::list of) const {
+    for (int i = 0; i < size; ++i)
+      if (s_.dependent[from + i] == dependent && place-- == 0) return table_.at(of, i);
+    return std::nullopt;
+  }
+  constexpr possible_unit dependent_speed(int place) const {
+    return chosen(s_.coordinates, s_.speeds, place, true, speeds);
+  }
+  constexpr possible_unit speed(mechanics::extent_by rows, int place) const {
+    if (rows == mechanics::extent_by::speeds) return table_.at(speeds, place);
+    return chosen(s_.coordinates, s_.speeds, place, false, speeds);
+  }
+  constexpr possible_unit state(mechanics::extent_by rows, int place) const {
+    using by = mechanics::extent_by;
+    if (rows == by::speeds) return table_.at(speeds, place);
+    if (rows == by::independent_states) {
+      const int independent = s_.coordinates - s_.configuration_constraints;
+      if (place < independent) return chosen(0, s_.coordinates, place, false, coordinates);
+      return speed(by::independent_speeds, place - independent);
+    }
+    if (place < s_.coordinates) return table_.at(coordinates, place);
+    return table_.at(speeds, place - s_.coordinates);
+  }
+  constexpr possible_unit input(int place) const { return table_.at(mechanics::unit_table::inputs, place); }
+
+  constexpr possible_unit residual(int place) const {
+    return table_.at(mechanics::unit_table::configuration_constraints, place);
+  }
+  constexpr possible_unit redundant(int place) const {
+    return table_.at(mechanics::unit_table::redundant_constraints, place);
+  }
+  /// The velocity that constraint `place` on the speeds keeps at zero.
+  constexpr possible_unit rate(int place) const {
+    const int given = table_.size(mechanics::unit_table::velocity_constraints);
+    if (place < given) return table_.at(mechanics::unit_table::velocity_constraints, place);
+    return residual(place - given) / units::second;
+  }
+
+  const mechanics::unit_table& table_;
+  const survey& s_;
+};
+
+} // namespace kanexpr::derivation

@@ -1,0 +1,103 @@
+#pragma once
+
+#include <kanexpr/base/name.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/constraints/given_constraints.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/units/unit_inference.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/units/unit.hpp>
+#include <kanexpr/units/unit_text.hpp>
+
+#include <optional>
+#include <string_view>
+
+namespace kanexpr::mechanics {
+
+/// The unit of a quantity, or nothing if the model does not determine it.
+using possible_unit = std::optional<units::unit>;
+
+/// The units of the symbols and constraints of a system, in order.
+struct unit_table {
+  static constexpr int room = 512;
+
+  /// The lists of the table, one after the other.
+  enum list : unsigned char {
+    coordinates,
+    speeds,
+    parameters,
+    inputs,
+    auxiliary_speeds,
+    configuration_constraints,
+    redundant_constraints,
+    velocity_constraints,
+    lists
+  };
+
+  bool is_stated = false; ///< whether the model states any unit
+  int first[lists + 1]{}; ///< where each list begins
+  base::name names[room]{};
+  units::unit known[room]{};
+  bool is_known[room]{};
+
+  constexpr int size(list of) const { return first[of + 1] - first[of]; }
+  constexpr possible_unit at(list of, int place) const {
+    const int i = first[of] + place;
+    if (place < 0 || place >= size(of) || !is_known[i]) return std::nullopt;
+    return known[i];
+  }
+  /// The unit of a symbol by its name; nothing if there is no such symbol.
+  constexpr possible_unit of(std::string_view called) const {
+    for (int i = 0; i < first[configuration_constraints]; ++i)
+      if (names[i].view() == called && is_known[i]) return known[i];
+    return std::nullopt;
+  }
+  /// The number of symbols whose units are listed.
+  constexpr int symbols() const { return first[configuration_constraints]; }
+
+  /// Fills the table; symbols that do not fit are omitted.
+  constexpr void fill(const mechanism& m, const given_constraints& of, unit_inference& inferred) {
+    is_stated = !m.stated_units.empty();
+    put_all(coordinates, m.coordinates, inferred);
+    put_all(speeds, m.speeds, inferred);
+    put_all(parameters, m.parameters, inferred);
+    put_all(inputs, m.inputs, inferred);
+    put_all(auxiliary_speeds, m.auxiliary_speeds, inferred);
+    for (const list each : {configuration_constraints, redundant_constraints}) {
+      first[each + 1] = first[each];
+      for (int i = 0; i < of.on_configuration.size(); ++i)
+        if (of.redundant.contains(i + 1) == (each == redundant_constraints))
+          put(each, of.on_configuration[i], inferred);
+    }
+    first[velocity_constraints + 1] = first[velocity_constraints];
+    for (const velocity_constraint& c : of.on_velocities) put(velocity_constraints, c.value, inferred);
+  }
+
+private:
+  constexpr void put_all(list to, const sequence<expression>& all, unit_inference& inferred) {
+    first[to + 1] = first[to];
+    for (const expression& e : all) put(to, e, inferred);
+  }
+  constexpr void put(list to, expression e, unit_inference& inferred) {
+    const int i = first[to + 1];
+    if (i == room) return;
+    ++first[to + 1];
+    if (e.owner()[e.node()].op == symbolic::operation::symbol)
+      names[i] = e.owner().symbol_at(e.node()).called;
+    const possible_unit u = inferred.unit_of(e);
+    is_known[i] = u.has_value();
+    if (u.has_value()) known[i] = *u;
+  }
+};
+
+/// Prints the symbols with their units, one a line: `q1 [rad]`.
+template <class Stream>
+auto operator<<(Stream& to, const unit_table& table) -> decltype(to << table.names[0].view()) {
+  for (int i = 0; i < table.symbols(); ++i)
+    to << table.names[i].view() << " ["
+       << units::text_of(table.is_known[i] ? possible_unit(table.known[i]) : possible_unit()).view() << "]\n";
+  return to;
+}
+
+} // namespace kanexpr::mechanics
