@@ -9,7 +9,7 @@ using namespace kanexpr::units;
 
 constexpr coordinate<"alpha", radian> alpha; // from north to the axis of the rotor, toward west
 constexpr speed<"u"> u;
-constexpr speed<"s"> s;                              // spin of the rotor relative to its gimbal
+constexpr speed<"s", radian / second> s;             // spin of the rotor relative to its gimbal
 constexpr parameter<"Omega", radian / second> Omega; // of the Earth
 constexpr parameter<"lambda", radian> lambda;        // latitude
 constexpr parameter<"m", kilogram> m;

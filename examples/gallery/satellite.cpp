@@ -14,9 +14,9 @@ constexpr coordinate<"e0"> e0;
 constexpr speed<"w1"> w1; // angular velocity, in the satellite's axes
 constexpr speed<"w2"> w2;
 constexpr speed<"w3"> w3;
-constexpr speed<"s1"> s1; // spin of the wheels relative to the satellite
-constexpr speed<"s2"> s2;
-constexpr speed<"s3"> s3;
+constexpr speed<"s1", radian / second> s1; // spin of the wheels relative to the satellite
+constexpr speed<"s2", radian / second> s2;
+constexpr speed<"s3", radian / second> s3;
 constexpr parameter<"I1", kilogram * pow<2>(meter)> I1;
 constexpr parameter<"I2", kilogram * pow<2>(meter)> I2;
 constexpr parameter<"I3", kilogram * pow<2>(meter)> I3;
