@@ -13,11 +13,11 @@ constexpr coordinate<"q1", radian> q1; // yaw
 constexpr coordinate<"q2", radian> q2; // lean
 constexpr coordinate<"q4", radian> q4; // pitch
 constexpr coordinate<"q5", radian> q5; // steer
-constexpr speed<"u1"> u1;
-constexpr speed<"u2"> u2;
+constexpr speed<"u1", radian / second> u1;
+constexpr speed<"u2", radian / second> u2;
 constexpr speed<"u3", radian / second> u3; // spin of the rear wheel
-constexpr speed<"u4"> u4;
-constexpr speed<"u5"> u5;
+constexpr speed<"u4", radian / second> u4;
+constexpr speed<"u5", radian / second> u5;
 constexpr speed<"u6", radian / second> u6; // spin of the front wheel
 
 constexpr parameter<"WFrad", meter> WFrad;

@@ -7,6 +7,7 @@
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/runtime/builder_checks.hpp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/graph/compose.hpp>
@@ -99,6 +100,11 @@ public:
   /// The first mistake made while building, or the first in the resulting system; empty if there is none.
   sentence(check)() const;
   const sentence& mistake() const { return checks_.mistake(); }
+
+  /// The units of the symbols and constraints of the system built so far, as far as they are determined.
+  mechanics::unit_table units() const;
+  /// The unit of an expression; nothing if it is not determined.
+  mechanics::possible_unit unit_of(expression e) const;
 
   const mechanics::multibody_system& system() const { return system_; }
   const mechanics::mechanism& mechanism() const { return system_.mechanism; }

@@ -13,12 +13,15 @@
 #include <kanexpr/mechanics/model/orientation.hpp>
 #include <kanexpr/mechanics/model/position.hpp>
 #include <kanexpr/mechanics/skeleton/orientation_kinematics.hpp>
+#include <kanexpr/mechanics/units/unit_inference.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/derived.ipp>
 #include <kanexpr/runtime/system_expressions.ipp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <memory>
+#include <optional>
 #include <string_view>
 
 namespace kanexpr::runtime {
@@ -33,6 +36,15 @@ KANEXPR_ENGINE sentence(builder::check)() const {
   sentence found = mechanics::check_system(system_);
   if (!found) found = check_unused_symbols(system_, used_elsewhere_);
   return found ? found : mechanics::check_units(system_);
+}
+
+KANEXPR_ENGINE mechanics::unit_table builder::units() const { return mechanics::unit_table_of(system_); }
+
+KANEXPR_ENGINE mechanics::possible_unit builder::unit_of(expression e) const {
+  if (!e.belongs_to(*graph_)) return std::nullopt;
+  mechanics::unit_inference inferred(m_);
+  mechanics::system_units(system_, inferred).state();
+  return inferred.unit_of(e);
 }
 
 // ---- scalars

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 
 #include <memory>
@@ -33,6 +34,9 @@ public:
   virtual derivation::reader& reader() = 0;
   /// The equations of motion; null if a mistake was found before they were derived.
   virtual mechanics::equations* equations() = 0;
+
+  /// The units of the symbols and constraints.
+  virtual mechanics::unit_table units() const = 0;
 
   /// Stores the derivation. Requires that there is no mistake.
   virtual void store(derivation::image& into) const = 0;

@@ -3,11 +3,14 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derivation/entity_digests.hpp>
 #include <kanexpr/derivation/image.hpp>
+#include <kanexpr/derivation/model_units.hpp>
 #include <kanexpr/derivation/read/reader.hpp>
 #include <kanexpr/derivation/request.hpp>
 #include <kanexpr/derivation/stages.hpp>
+#include <kanexpr/mechanics/checks/check_units.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/runtime/derived.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 
@@ -40,6 +43,7 @@ public:
   const mechanics::multibody_system& system() const override { return system_.system(); }
   derivation::reader& reader() override { return system_.reader(); }
   mechanics::equations* equations() override { return system_.is_derived() ? &system_.equations() : nullptr; }
+  mechanics::unit_table units() const override { return derivation::unit_table_of(record_); }
 
   void store(derivation::image& into) const override { system_.write(into); }
   std::shared_ptr<derived> resumed(const derivation::image& from) const override {
@@ -81,6 +85,7 @@ public:
   const mechanics::multibody_system& system() const override { return system_; }
   derivation::reader& reader() override { return reader_; }
   mechanics::equations* equations() override { return equations_ ? &*equations_ : nullptr; }
+  mechanics::unit_table units() const override { return mechanics::unit_table_of(system_); }
 
   void store(derivation::image& into) const override {
     derivation::image_writer write(into, *graph_);

@@ -10,6 +10,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/print_vector.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/runtime/derived.hpp>
 #include <kanexpr/runtime/interpreted.hpp>
 #include <kanexpr/runtime/linearization.hpp>
@@ -144,6 +145,12 @@ public:
 
   /// The symbols of the model in order, and which of them are dependent.
   std::shared_ptr<const derivation::survey> known() const;
+
+  /// The units of the symbols and constraints of the system: `model.units().of("c")`. They are inferred by
+  /// each call.
+  mechanics::unit_table units() const { return system_->units(); }
+  /// The unit of an entry of a result; nothing if it is not determined.
+  mechanics::possible_unit unit_of(mechanics::quantity wanted, int row = 0, int column = 0) const;
 
   symbolic::graph& graph() { return system_->graph(); }
   const mechanics::mechanism& mechanism() const { return system_->system().mechanism; }

@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/derived_system.hpp>
+#include <kanexpr/derivation/result_units.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/runtime/derived.ipp>
@@ -150,6 +151,11 @@ KANEXPR_ENGINE bool model::owns(const symbolic::matrix& result) const {
   for (const symbolic::expression& e : result.entries)
     if (!e.belongs_to(system_->graph())) return false;
   return true;
+}
+
+KANEXPR_ENGINE mechanics::possible_unit model::unit_of(mechanics::quantity wanted, int row,
+                                                       int column) const {
+  return derivation::result_units(units(), *known()).of(wanted, row, column);
 }
 
 KANEXPR_ENGINE base::sentence model::mistake_of(const symbolic::matrix& result) const {

@@ -8,6 +8,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/units/unit_inference.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/units/si.hpp>
 
@@ -99,6 +100,15 @@ constexpr sentence check_units(const multibody_system& of) {
   unit_inference inferred(of.mechanism);
   system_units(of, inferred).state();
   return inferred.mistake();
+}
+
+/// The units of the symbols and constraints of a system.
+constexpr unit_table unit_table_of(const multibody_system& of) {
+  unit_inference inferred(of.mechanism);
+  system_units(of, inferred).state();
+  unit_table table;
+  table.fill(of.mechanism, of.constraints, inferred);
+  return table;
 }
 
 } // namespace kanexpr::mechanics
