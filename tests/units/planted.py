@@ -75,6 +75,15 @@ PLANTED = [
     ("ensembles/identified_friction.cpp", "Rubbing", "-k * tanh", "-c * k * tanh",
      "the torque on A", "kg² m⁴/(rad s³)", "N m"),
     ("gallery/differential.cpp", "System", "-cl * left_speed", "-cl", "the torque on Left", "N m s/rad", "N m"),
+    # springs and dampers
+    ("../docs/guide/forces.md", "System", "spring<C, W, k, 1.0>", "spring<C, W, c, 1.0>",
+     "the stiffness of the spring between C and W", "N s/m", "N/m"),
+    ("../docs/guide/forces.md", "System", "spring<C, W, k, 1.0>", "spring<C, W, k, l*l>",
+     "the natural length of the spring between C and W", "m²", "m"),
+    ("../docs/guide/forces.md", "System", "damper<C, W, c>", "damper<C, W, k>",
+     "the damping between C and W", "N/m", "N s/m"),
+    ("../docs/guide/forces.md", "System", "force<P, F*N::x>", "force<P, T*N::x>", "the force at P", "N m", "N"),
+    ("../README.md", "System", "T - c*u", "T - m*g", "the torque on A", "N m", "N"),
     # potential energies
     ("gallery/wilberforce.cpp", "System", "k * z * z", "k * z", "potential energy 1", "N", "N m rad"),
     ("gallery/wilberforce.cpp", "System", "epsilon * z * theta", "epsilon * theta", "potential energy 1", "N m", "N"),
