@@ -16,6 +16,8 @@ PAGES = [
     ("bodies", "Masses and inertia", "Particles, rigid bodies and inertia dyadics.", "describe/body.hpp"),
     ("joints", "Joints", "Mechanisms described by their joints, and constraints that couple joints.",
      "describe/joints/joints.hpp describe/joints/lower_pairs.hpp describe/joints/*.hpp compiled/reactions.hpp"),
+    ("beams", "Beams", "Bodies that bend, twist and stretch, and places on them.",
+     "describe/beams/beam.hpp describe/beams/section.hpp describe/beams/deformations.hpp describe/beams/shapes.hpp"),
     ("loads", "Forces and torques", "Forces, torques, springs, dampers and gravity.", "describe/load.hpp"),
     ("systems", "Systems", "Systems for Kane's method and for Lagrange's.", "describe/system.hpp describe/extended.hpp"),
     ("constraints", "Constraints", "Configuration and velocity constraints, and auxiliary speeds.", "describe/constraint.hpp"),

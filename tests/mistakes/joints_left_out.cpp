@@ -60,25 +60,25 @@ struct System : jointed<joints<left::Link, right::Link>> {};
 void f() { use<System>(); }
 } // namespace n6
 
-// expect: a configuration constraint with Arm uses q_of for a coordinate that the joint does not have
+// expect: a configuration constraint with Arm uses q_of for a coordinate that the joint or beam does not have
 namespace n7 {
 struct System : placed<q_of<Arm, 2> == 0> {};
 void f() { use<System>(); }
 } // namespace n7
 
-// expect: a velocity constraint with Arm uses u_of for a speed that the joint does not have
+// expect: a velocity constraint with Arm uses u_of for a speed that the joint or beam does not have
 namespace n8 {
 struct System : moving<u_of<Arm, 2> == 0> {};
 void f() { use<System>(); }
 } // namespace n8
 
-// expect: a configuration constraint uses q_of or u_of with something that is not a joint
+// expect: a configuration constraint uses q_of or u_of with something that is neither a joint nor a beam
 namespace n9 {
 struct System : placed<q_of<Ground> == 0> {};
 void f() { use<System>(); }
 } // namespace n9
 
-// expect: a velocity constraint uses q_of or u_of with something that is not a joint
+// expect: a velocity constraint uses q_of or u_of with something that is neither a joint nor a beam
 namespace n10 {
 struct System : moving<u_of<P> == 0> {};
 void f() { use<System>(); }

@@ -1,273 +1,190 @@
-// The same mechanisms in meters, millimeters and micrometers, kilograms and nanograms: the results agree.
-#include "four_bars.hpp"
-#include "models/n_pendulum_cart.hpp"
-#include "models/pendulum_nonminimal.hpp"
-
-#include <kanexpr/assemble.hpp>
-#include <kanexpr/mechanics/equations.hpp>
-#include <kanexpr/runtime/assemble.hpp>
+#include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/interpreted.hpp>
-#include <kanexpr/symbolic.hpp>
+#include <kanexpr/symbolic/graph/composed.hpp>
+#include <kanexpr/symbolic/graph/functions.hpp>
+#include <kanexpr/units/si.hpp>
+#include <kanexpr/units/unit_text.hpp>
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <numbers>
+#include <optional>
+#include <string>
 
 namespace {
 
-using Eigen::VectorXd;
-using kanexpr::mechanics::equations;
-using kanexpr::mechanics::quantity;
+using namespace kanexpr::units;
+using kanexpr::derive;
 using kanexpr::runtime::builder;
 using kanexpr::runtime::frame_id;
 using kanexpr::runtime::point_id;
 using kanexpr::symbolic::expression;
+using quantity = kanexpr::mechanics::quantity;
 
-// The number of new units in an old one.
-struct units {
-  double length, mass, time;
-};
-const std::vector<units> binary{
-    {0x1p-40, 1, 1}, {0x1p40, 1, 1}, {1, 0x1p-40, 1}, {1, 1, 0x1p20}, {0x1p-40, 0x1p40, 0x1p-20}};
-const std::vector<units> decimal{{1e-3, 1, 1},     {1e-6, 1e-9, 1}, {1e-9, 1, 1},      {1e-12, 1, 1},
-                                 {1e-12, 1e12, 1}, {1e12, 1, 1},    {1e6, 1e12, 1e-3}, {1, 1, 1e6}};
+/// A pendulum on a cart: x points to the right, y down.
+struct cart {
+  builder b{"N"};
+  expression x = b.coordinate("x", meter), q = b.coordinate("q"), v = b.speed("v"), u = b.speed("u");
+  expression m = b.parameter("m", kilogram), l = b.parameter("l", meter),
+             k = b.parameter("k", newton / meter), g = b.parameter("g"), c = b.parameter("c"),
+             w = b.parameter("w"), I = b.parameter("I");
+  expression F = b.input("F", newton), T = b.input("T");
+  frame_id N = builder::inertial_frame(), A = b.rotated("A", N, q, b.along(N, 0, 0, 1));
+  point_id O = b.origin("O"), C = b.offset("C", O, b.along(N, x, 0, 0)),
+           P = b.offset("P", C, b.along(A, 0, l, 0));
 
-// A crank of 0.3, a rod of 1.1 and a slider, whose lengths and masses are numbers.
-struct slider_crank : builder {
-  explicit slider_crank(const units& in) : builder("N") {
-    const expression turn = coordinate("turn"), swing = coordinate("swing"), way = coordinate("way");
-    const expression w1 = speed("w1"), w2 = speed("w2"), v = speed("v");
-    const expression zero = number(0.0), crank = number(0.3 * in.length), rod = number(1.1 * in.length);
-    const frame_id n = inertial_frame(), a = rotated("A", n, turn, along(n, 0, 0, 1)),
-                   b = rotated("B", n, swing, along(n, 0, 0, 1));
-    const point_id o = origin("O"), pin = offset("Pin", o, along(a, crank, zero, zero)),
-                   end = offset("End", pin, along(b, rod, zero, zero)),
-                   slider = offset("S", o, along(n, way, zero, zero));
-    particle("Pinned", pin, number(0.7 * in.mass));
-    particle("Ended", end, number(0.2 * in.mass));
-    particle("Slider", slider, number(1.3 * in.mass));
-    gravity(along(n, zero, number(-9.81 * in.length / (in.time * in.time)), zero));
-    kinematic_equation(dot(turn) - w1);
-    kinematic_equation(dot(swing) - w2);
-    kinematic_equation(dot(way) - v);
-    configuration_constraint(crank * cos(turn) + rod * cos(swing) - way);
-    configuration_constraint(crank * sin(turn) + rod * sin(swing));
+  cart() {
+    b.kinematic_equation(b.dot(x) - v), b.kinematic_equation(b.dot(q) - u);
+    b.particle("Cart", C, m), b.particle("Bob", P, m);
+    for (const expression& e : {k, g, c, w, I, F, T}) b.used_elsewhere(e);
   }
+  /// The unit of a symbol as text.
+  std::string unit_of(const char* symbol) const { return std::string(text_of(b.units().of(symbol)).view()); }
 };
 
-struct motion {
-  std::vector<int> coordinates, speeds; // the dependent speeds
-  VectorXd udot;                        // in old units
-};
-
-std::vector<int> list(const kanexpr::base::sequence<int>& all) { return {all.begin(), all.end()}; }
-
-motion of_slider_crank(const units& in) {
-  slider_crank b(in);
-  EXPECT_EQ(b.check().view(), "");
-  equations derived(b.system());
-  derived.constrain();
-  EXPECT_EQ(derived.mistake().view(), "");
-  const kanexpr::symbolic::matrix udot = derived.get(quantity::udot);
-  kanexpr::base::sequence<int> outputs;
-  for (const expression& e : udot.entries) outputs.push(e.node());
-  kanexpr::runtime::interpreted<double> f(b.graph(), udot, 3, derived.singularity_checks_of(outputs));
-  const double turn = 0.8, swing = -std::asin(0.3 * std::sin(turn) / 1.1), w1 = 1.7,
-               w2 = -0.3 * std::cos(turn) * w1 / (1.1 * std::cos(swing));
-  VectorXd x(6);
-  x << turn, swing, in.length * (0.3 * std::cos(turn) + 1.1 * std::cos(swing)), w1 / in.time, w2 / in.time,
-      in.length / in.time * (-0.3 * std::sin(turn) * w1 - 1.1 * std::sin(swing) * w2);
-  VectorXd found = f(x);
-  EXPECT_TRUE(f.status()) << f.status().cause();
-  found *= in.time * in.time;
-  found(2) /= in.length;
-  return {list(derived.coordinates().dependent), list(derived.speeds().dependent), found};
+TEST(units, follow_from_others) {
+  cart s;
+  s.b.gravity(s.b.along(s.N, 0, s.g, 0));
+  s.b.force(s.C, s.b.along(s.N, s.F - s.c * s.v, s.b.number(2), 0));
+  s.b.torque(s.A, s.b.along(s.N, 0, 0, s.T * sin(s.w * s.b.time()) - s.I * s.u * s.u));
+  EXPECT_EQ(std::string((s.b.check)().view()), "");
+  for (const auto& [symbol, unit] : {std::pair{"x", "m"},
+                                     {"q", "rad"},
+                                     {"v", "m/s"},
+                                     {"u", "rad/s"},
+                                     {"g", "m/s²"},
+                                     {"c", "N s/m"},
+                                     {"w", "rad/s"},
+                                     {"T", "N m"},
+                                     {"I", "kg m²"}})
+    EXPECT_EQ(s.unit_of(symbol), unit) << symbol;
+  EXPECT_EQ(s.b.unit_of(s.l * s.u), meter * radian / second);
+  EXPECT_EQ(s.b.unit_of(s.b.number(2)), std::nullopt);
 }
 
-TEST(units, of_a_slider_crank_do_not_matter) {
-  const motion plain = of_slider_crank({1, 1, 1});
-  EXPECT_EQ(plain.speeds.size(), 2u);
-  for (const units& in : binary) {
-    const motion m = of_slider_crank(in);
-    EXPECT_EQ(m.coordinates, plain.coordinates);
-    EXPECT_EQ(m.speeds, plain.speeds);
-    EXPECT_EQ(m.udot, plain.udot) << in.length << ' ' << in.mass << ' ' << in.time; // to the last bit
-  }
-  for (const units& in : decimal) {
-    const motion m = of_slider_crank(in);
-    EXPECT_EQ(m.coordinates, plain.coordinates);
-    EXPECT_EQ(m.speeds, plain.speeds);
-    EXPECT_LE((m.udot - plain.udot).norm(), 1e-12 * plain.udot.norm())
-        << in.length << ' ' << in.mass << ' ' << in.time;
-  }
+TEST(units, stay_open_where_nothing_determines_them) {
+  cart s;
+  s.b.potential_energy(s.c * s.w * s.l);
+  EXPECT_EQ(std::string((s.b.check)().view()), "");
+  EXPECT_EQ(s.unit_of("c"), "not determined");
+  EXPECT_EQ(s.b.unit_of(s.c * s.w), newton);
+  EXPECT_EQ(s.unit_of("nobody"), "not determined");
 }
 
-// A repeated constraint, the second time multiplied by a number.
-TEST(units, of_a_redundant_constraint_do_not_matter) {
-  for (const double scale : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
-    slider_crank b({scale, 1, 1});
-    const expression turn = b.mechanism().coordinates[0], swing = b.mechanism().coordinates[1];
-    const expression rod = b.number(1.1 * scale), crank = b.number(0.3 * scale), zero = b.number(0.0);
-    b.velocity_constraint(b.number(7e-5) *
-                          (crank * cos(turn) * b.dot(turn) + rod * cos(swing) * b.dot(swing) + zero));
-    b.velocity_constraint(b.number(3e5) *
-                          (crank * cos(turn) * b.dot(turn) + rod * cos(swing) * b.dot(swing) + zero));
-    equations derived(b.system());
-    derived.constrain();
-    EXPECT_EQ(derived.mistake().view(),
-              "velocity constraint 2 follows from the preceding ones in every configuration");
-  }
-}
-
-TEST(units, of_a_four_bar_do_not_matter_to_assembly_and_checks) {
-  using namespace four_bar;
-  four_bars plain;
-  ASSERT_TRUE(kanexpr::assemble<System>(plain.x, plain.p, plain.r));
-  for (const double scale : {1e-12, 1e-9, 1e-3, 1e6, 1e12}) {
-    four_bars b;
-    b.p[l0] *= scale, b.p[l1] *= scale, b.p[l2] *= scale, b.p[l3] *= scale;
-    b.x[u1] = 1.4;
-    const auto guess = b.x;
-    EXPECT_FALSE(kanexpr::check_consistency<System>(guess, b.p, b.r)) << scale;
-    const kanexpr::assembly done = kanexpr::assemble<System>(b.x, b.p, b.r);
-    ASSERT_TRUE(done) << done.cause();
-    EXPECT_LE((b.x - plain.x).norm(), 1e-13) << scale;
-    EXPECT_TRUE(kanexpr::check_consistency<System>(b.x, b.p, b.r)) << scale;
-    auto off = b.x;
-    off[q2] += 1e-8;
-    EXPECT_FALSE(kanexpr::check_consistency<System>(off, b.p, b.r)) << scale;
-    off = b.x;
-    off[u3] += 1e-8;
-    EXPECT_FALSE(kanexpr::check_consistency<System>(off, b.p, b.r)) << scale;
-    b.p[l0] *= 2; // unreachable
-    const kanexpr::assembly none = kanexpr::assemble<System>(b.x, b.p, b.r);
-    EXPECT_FALSE(none) << scale;
-  }
-}
-
-TEST(units, of_lengths_do_not_matter_to_a_pendulum_in_two_coordinates) {
-  using namespace pendulum_nonminimal;
-  using eom = kanexpr::equations_of_motion<System>;
-  auto model = kanexpr::derive<System>();
-  for (const double scale : {1e-12, 1e-8, 1.0, 1e6, 1e12}) {
-    eom::parameters p;
-    p[m] = 1, p[L] = scale, p[g] = 9.81;
-    eom::state x = eom::state::Zero();
-    x[q1] = 0.5 * scale, x[q2] = 0.6 * scale, x[u2] = 0.3 * scale;
-    EXPECT_FALSE(kanexpr::check_consistency<System>(x, p)) << scale;
-    ASSERT_TRUE(kanexpr::assemble<System>(x, p)) << scale;
-    EXPECT_NEAR(x[q1] / scale, 0.8, 1e-15);
-    EXPECT_NEAR(x[u1] / scale, -0.225, 1e-15);
-    EXPECT_TRUE(kanexpr::check_consistency<System>(x, p)) << scale;
-    EXPECT_TRUE(kanexpr::check_consistency(model, VectorXd(x), p, p)) << scale;
-    x[q1] *= 1 + 1e-7;
-    EXPECT_FALSE(kanexpr::check_consistency<System>(x, p)) << scale;
-
-    auto hangs = model.linearize({{m, 1}, {L, scale}, {g, 9.81}, {q1, scale}, {q2, 0}, {u1, 0}, {u2, 0}});
-    EXPECT_THAT(hangs.failures(), testing::IsEmpty()) << scale;
-    auto close = model.linearize(
-        {{m, 1}, {L, scale}, {g, 9.81}, {q1, scale * (1 + 1e-12)}, {q2, 0}, {u1, 0}, {u2, 0}});
-    EXPECT_THAT(close.failures(), testing::IsEmpty()) << scale;
-    auto longer =
-        model.linearize({{m, 1}, {L, scale}, {g, 9.81}, {q1, 1.0001 * scale}, {q2, 0}, {u1, 0}, {u2, 0}});
-    EXPECT_EQ(longer.failures().size(), 1u) << scale;
-  }
-}
-
-// A wheel of radius 2, rotated by a, drives a bead at x along a groove whose radius grows with a².
-TEST(units, of_lengths_do_not_matter_beside_angles_in_one_constraint) {
-  for (const double scale : {1e-12, 1e-6, 1.0, 1e6, 1e12}) {
-    builder b("N");
-    const expression a = b.coordinate("a"), x = b.coordinate("x"), c = b.coordinate("c");
-    const expression wa = b.speed("wa"), v = b.speed("v"), wc = b.speed("wc");
-    const expression zero = b.number(0.0), one = b.number(1), radius = b.parameter("radius"),
-                     about = b.number(scale * scale);
-    const frame_id n = b.inertial_frame(), wheel = b.rotated("A", n, a, b.along(n, 0, 0, 1)),
-                   other = b.rotated("C", n, c, b.along(n, 0, 0, 1));
-    const point_id o = b.origin("O"), bead = b.offset("Bead", o, b.along(n, x, zero, zero));
-    b.rigid_body("Wheel", o, wheel, one, b.inertia(wheel, about, about, about));
-    b.rigid_body("Other", o, other, one, b.inertia(other, about, about, about));
-    b.particle("Sliding", bead, one);
-    b.gravity(b.along(n, b.number(scale), zero, zero));
-    b.kinematic_equation(b.dot(a) - wa);
-    b.kinematic_equation(b.dot(x) - v);
-    b.kinematic_equation(b.dot(c) - wc);
-    b.velocity_constraint(a * a * (radius * wa + v + x * wc));
-    ASSERT_EQ(b.check().view(), "");
-    equations derived(b.system());
-    const kanexpr::symbolic::matrix udot = derived.get(quantity::udot);
-    ASSERT_EQ(derived.mistake().view(), "");
-    kanexpr::base::sequence<int> outputs;
-    for (const expression& e : udot.entries) outputs.push(e.node());
-    kanexpr::runtime::interpreted<double> f(b.graph(), udot, 3, derived.singularity_checks_of(outputs));
-    VectorXd state(6);
-    state << 0.5, 3 * scale, 0.2, 0, 0, 0;
-    f(state, VectorXd(VectorXd::Constant(1, 2 * scale)));
-    EXPECT_TRUE(f.status()) << scale << ": " << f.status().cause();
-    state(0) = 0; // no constraint remains
-    f(state, VectorXd(VectorXd::Constant(1, 2 * scale)));
-    EXPECT_FALSE(f.status()) << scale;
-  }
-}
-
-// A slab in the plane with its mass center at d along A.x: the size of symbols relative to a number is
-// unknown.
-std::string mistake_of_slab(double inertia, bool spins) {
-  builder b("N");
-  const expression x = b.coordinate("x"), y = b.coordinate("y"), turn = b.coordinate("turn");
-  const expression m = b.parameter("m"), d = b.parameter("d"), zero = b.number(0.0);
-  const frame_id n = b.inertial_frame(), a = b.rotated("A", n, turn, b.along(n, 0, 0, 1));
-  const point_id o = b.origin("O"), p = b.offset("P", o, b.along(n, x, y, zero)),
-                 center = b.offset("Center", p, b.along(a, d, zero, zero));
-  const expression i = b.number(inertia);
-  if (spins)
-    b.rigid_body("Slab", center, a, m, b.inertia(a, i, i, i));
-  else
-    b.particle("Slab", center, m);
-  int place = 0;
-  for (const char* speed : {"u", "v", "w"})
-    b.kinematic_equation(b.dot(b.mechanism().coordinates[place++]) - b.speed(speed));
-  EXPECT_EQ(b.check().view(), "");
-  equations derived(b.system());
-  derived.get(quantity::udot);
-  return std::string(derived.mistake().view());
-}
-
-TEST(units, of_a_number_beside_symbols_do_not_make_a_mass_matrix_singular) {
-  for (const double inertia : {1e-24, 1e-18, 1e-9, 1.0, 1e9, 1e18, 1e24})
-    EXPECT_EQ(mistake_of_slab(inertia, true), "") << inertia;
-  EXPECT_EQ(
-      mistake_of_slab(1, false),
-      "speeds u, v and w move the same mass in any configuration: the mass matrix is numerically singular");
-}
-
-// An upright rod on a cart twice as heavy as its bob: lengths, masses and angles in one matrix.
-TEST(units, do_not_matter_to_a_linearization_in_numbers) {
-  using namespace n_pendulum_cart;
-  auto model = kanexpr::derive<System<1>>();
-  const auto number = [&](const kanexpr::symbolic::matrix& m, int i, int j) {
-    return m(i, j).owner().number_at(m(i, j).node()).value();
+TEST(units, of_results_follow_from_the_speeds) {
+  cart s;
+  s.b.gravity(s.b.along(s.N, 0, s.g, 0));
+  auto model = derive(s.b);
+  const auto of = [&](quantity wanted, int row = 0, int column = 0) {
+    return std::string(text_of(model.unit_of(wanted, row, column)).view());
   };
-  for (const double length : {1e-12, 1e-6, 1.0, 1e6, 1e12})
-    for (const double mass : {1e-12, 1.0, 1e12}) {
-      auto stands = model.linearize({{m<0>, 2 * mass},
-                                     {m<1>, mass},
-                                     {l<0>, length},
-                                     {g, 9.81 * length},
-                                     {q<0>, 0},
-                                     {q<1>, std::numbers::pi / 2},
-                                     {u<0>, 0},
-                                     {u<1>, 0},
-                                     {F, 0}});
-      const auto& found = stands.explicit_form();
-      EXPECT_THAT(stands.failures(), testing::IsEmpty()) << length << ' ' << mass;
-      EXPECT_NEAR(number(found.A, 2, 1) / length, 9.81 / 2, 1e-12) << length << ' ' << mass;
-      EXPECT_NEAR(number(found.A, 3, 1), 9.81 * 1.5, 1e-12) << length << ' ' << mass;
-      EXPECT_NEAR(number(found.B, 2, 0) * mass, 1.0 / 2, 1e-12) << length << ' ' << mass;
-      EXPECT_NEAR(number(found.B, 3, 0) * mass * length, 1.0 / 2, 1e-12) << length << ' ' << mass;
-    }
+  EXPECT_EQ(of(quantity::udot), "m/s²");
+  EXPECT_EQ(of(quantity::udot, 1), "rad/s²");
+  EXPECT_EQ(of(quantity::mass_matrix), "kg");
+  EXPECT_EQ(of(quantity::mass_matrix, 0, 1), "kg m");
+  EXPECT_EQ(of(quantity::mass_matrix, 1, 1), "kg m²");
+  EXPECT_EQ(of(quantity::forcing, 1), "N m");
+  EXPECT_EQ(of(quantity::rhs, 3), "rad/s²");
+  EXPECT_EQ(of(quantity::generalized_momenta, 1), "kg m²/s");
+  EXPECT_EQ(of(quantity::kinetic_energy), "N m");
+  EXPECT_EQ(of(quantity::state_matrix, 3, 0), "rad/(m s²)");
+  EXPECT_EQ(of(quantity::input_matrix, 2, 0), "1/kg");
+  EXPECT_EQ(of(quantity::weighted_gradient), "not determined");
+  EXPECT_EQ(of(quantity::udot, 7), "not determined");
+}
+
+TEST(units, are_not_inferred_unless_one_is_stated) {
+  builder b("N");
+  const expression q = b.coordinate("q"), u = b.speed("u"), m = b.parameter("m");
+  b.kinematic_equation(b.dot(q) - u);
+  const point_id O = b.origin("O"), P = b.offset("P", O, b.along(builder::inertial_frame(), q, 0, 0));
+  b.particle("Bob", P, m);
+  b.force(P, b.along(builder::inertial_frame(), sin(q) + q * q, 0, 0));
+  EXPECT_EQ(std::string((b.check)().view()), "");
+  EXPECT_EQ(derive(b).unit_of(quantity::udot), std::nullopt);
+}
+
+/// A wrong model: the mistake and its sentence.
+struct wrong {
+  void (*is_made)(cart&);
+  const char* sentence;
+};
+
+constexpr auto along_x = [](cart& s, expression e) { return s.b.along(s.N, e, 0, 0); };
+constexpr auto about_z = [](cart& s, expression e) { return s.b.along(s.N, 0, 0, e); };
+constexpr auto push = [](cart& s, expression e) { s.b.force(s.C, along_x(s, e)); };
+constexpr auto turn = [](cart& s, expression e) { s.b.torque(s.A, about_z(s, e)); };
+
+const wrong mistakes[]{
+    {[](cart& s) { push(s, s.k); }, "the force at C is k [N/m], but must be in N"},
+    {[](cart& s) { push(s, s.F + s.k); }, "the force at C adds k [N/m] and F [N]"},
+    {[](cart& s) { push(s, s.F - s.k * s.l * s.l); }, "the force at C subtracts k*l^2 [N m] from F [N]"},
+    {[](cart& s) { push(s, s.m * s.v * s.v); }, "the force at C is m*v^2 [N m], but must be in N"},
+    {[](cart& s) { s.b.gravity(along_x(s, s.k)); }, "gravity is k [N/m], but must be in m/s²"},
+    {[](cart& s) { turn(s, s.F); }, "the torque on A is F [N], but must be in N m"},
+    {[](cart& s) { turn(s, s.m * s.l * s.l * s.u); },
+     "the torque on A is l^2*m*u [kg m² rad/s], but must be in N m"},
+    {[](cart& s) { s.b.force_between(s.C, s.P, along_x(s, s.l)); },
+     "the force between C and P is l [m], but must be in N"},
+    {[](cart& s) { s.b.torque_between(s.A, s.N, about_z(s, s.m)); },
+     "the torque between A and N is m [kg], but must be in N m"},
+    {[](cart& s) { s.b.spring(s.O, s.P, s.F); },
+     "the stiffness of the spring between O and P is F [N], but must be in N/m"},
+    {[](cart& s) { s.b.spring(s.O, s.P, s.k, s.m); },
+     "the natural length of the spring between O and P is m [kg], but must be in m"},
+    {[](cart& s) { s.b.damper(s.O, s.P, s.k); },
+     "the damping between O and P is k [N/m], but must be in N s/m"},
+    {[](cart& s) { s.b.torsional_damper(s.A, s.N, s.k); },
+     "the torsional damping between A and N is k [N/m], but must be in N m s/rad"},
+    {[](cart& s) { s.b.torsional_spring(s.q, s.T, s.l); }, "potential energy 1 subtracts l [m] from q [rad]"},
+    {[](cart& s) { s.b.torsional_spring(s.q, s.k); },
+     "potential energy 1 is k*q^2/2 [N rad²/m], but must be in N m"},
+    {[](cart& s) { s.b.potential_energy(s.m * s.l); },
+     "potential energy 1 is l*m [kg m], but must be in N m"},
+    {[](cart& s) { s.b.particle("Third", s.P, s.l); }, "the mass of Third is l [m], but must be in kg"},
+    {[](cart& s) { s.b.rigid_body("Rod", s.P, s.A, s.m, s.b.inertia(s.A, s.m * s.l, s.I, s.I)); },
+     "the inertia of Rod is l*m [kg m], but must be in kg m²"},
+    {[](cart& s) { s.b.offset("Q", s.P, s.b.along(s.A, 0, s.m, 0)); },
+     "the offset of point Q is m [kg], but must be in m"},
+    {[](cart& s) { s.b.rotated("B", s.A, s.x, s.b.along(s.A, 0, 0, 1)); },
+     "the angle of frame B is x [m], but must be in rad"},
+    {[](cart& s) { s.b.rotated("B", s.A, s.q + s.l, s.b.along(s.A, 0, 0, 1)); },
+     "the angle of frame B adds q [rad] and l [m]"},
+    {[](cart& s) { push(s, s.F * sin(s.x)); }, "the force at C contains sin(x); x [m] is not an angle"},
+    {[](cart& s) { push(s, s.F * exp(-s.l)); }, "the force at C contains exp(-l); -l [m] is not a number"},
+    {[](cart& s) { push(s, s.F * atan2(s.x, s.m)); }, "the force at C takes the atan2 of x [m] and m [kg]"},
+    {[](cart& s) { push(s, s.F * tanh(s.v)); }, "the force at C contains tanh(v); v [m/s] is not a number"},
+    {[](cart& s) { push(s, s.k * sqrt(s.x)); }, "the force at C is k*sqrt(x) [N/m^(1/2)], but must be in N"},
+    {[](cart& s) { push(s, s.F * abs(s.x)); }, "the force at C is F*abs(x) [N m], but must be in N"},
+    {[](cart& s) { push(s, (kanexpr::symbolic::max)(s.F, s.x)); },
+     "the force at C subtracts x [m] from F [N]"},
+    {[](cart& s) { push(s, s.F * s.b.time()); }, "the force at C is F*t [kg m/s], but must be in N"},
+    {[](cart& s) { push(s, s.F * power(s.x, s.w)); },
+     "the force at C has the base of a power with a variable exponent that is not a number: x [m]"},
+    {[](cart& s) { push(s, s.c * s.x), push(s, s.c * s.v); },
+     "the force at C is c*v [kg m/s³], but must be in N"},
+    {[](cart& s) { push(s, s.c), turn(s, s.c); },
+     "the torque on A is c [N], but must be in N m; c is in N by the force at C"},
+    {[](cart& s) { push(s, s.F * (s.c + s.c * s.l)); },
+     "the force at C adds c and c*l, whose units differ by m"},
+    {[](cart& s) { push(s, s.F * s.b.prescribed("h", meter) / s.b.prescribed("p", second)); },
+     "the force at C is F*h/p [W], but must be in N"},
+    {[](cart& s) { s.b.configuration_constraint(s.x - s.m); },
+     "a configuration constraint equates x [m] and m [kg]"},
+    {[](cart& s) { s.b.configuration_constraint(s.x - s.l * s.l); },
+     "a configuration constraint equates x [m] and l^2 [m²]"},
+    {[](cart& s) { s.b.velocity_constraint(s.v - s.u); },
+     "a velocity constraint equates v [m/s] and u [rad/s]"},
+    {[](cart& s) { s.b.acceleration_constraint(s.b.dot(s.v) - s.u); },
+     "an acceleration constraint equates v' [m/s²] and u [rad/s]"},
+};
+
+TEST(units, that_do_not_fit_are_one_sentence) {
+  for (const wrong& each : mistakes) {
+    cart s;
+    each.is_made(s);
+    EXPECT_EQ(std::string((s.b.check)().view()), each.sentence);
+  }
+  EXPECT_GE(std::size(mistakes), 30u);
 }
 
 } // namespace

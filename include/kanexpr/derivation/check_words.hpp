@@ -99,6 +99,12 @@ constexpr bool brings_body(const describe::listing<describe::joint_record>& join
   return false;
 }
 
+constexpr bool has_beam(const describe::listing<describe::body_record>& bodies) {
+  for (const describe::body_record& r : bodies)
+    if (r.beam != nullptr) return true;
+  return false;
+}
+
 constexpr bool lists_joint(const describe::listing<describe::body_record>& bodies) {
   for (const describe::body_record& r : bodies)
     if (r.instead == describe::joint_out_of_place) return true; // reported later
@@ -153,7 +159,9 @@ constexpr sentence check_words() {
     needs({"inertial"});
     const bool is_kane = System::record.derived_by == describe::method::kane;
     if (lists_joint(System::record.bodies)) return found;
-    if (System::count_of_word("joints") == 0) {
+    if (has_beam(System::record.bodies)) {
+      // brings symbols and their kinematic equations
+    } else if (System::count_of_word("joints") == 0) {
       needs({"coordinates"});
       if (is_kane) needs({"speeds", "kinematics", "bodies"});
     } else if (is_kane && !brings_body(System::record.joints)) {

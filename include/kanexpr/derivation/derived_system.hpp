@@ -125,6 +125,8 @@ constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::
   for (const sequence<expression>* list : {&m.coordinates, &m.speeds, &m.parameters, &m.inputs})
     for (const expression& e : *list) names[next++] = m.g->symbol_at(e.node()).called;
   if (!is_sound) return;
+  for (const mechanics::flexible_body& b : m.flexible_bodies)
+    if (const int i = m.parameters.find(b.mass); i >= 0) is_mass[coordinates + speeds + i] = true;
   for (int i = 0; i < parameters; ++i)
     for (const mechanics::body& b : m.bodies) {
       is_mass[coordinates + speeds + i] |= b.mass == m.parameters[i];

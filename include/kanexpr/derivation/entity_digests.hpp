@@ -4,6 +4,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/check_words.hpp>
+#include <kanexpr/describe/beam_record.hpp>
 #include <kanexpr/describe/external.hpp>
 #include <kanexpr/describe/system.hpp>
 
@@ -77,6 +78,7 @@ private:
       if (t.what == describe::token_kind::number)
         now_.take(t.number.numerator), now_.take(t.number.denominator), now_.take(t.number.real);
       if (t.symbol != nullptr) now_.take(t.symbol->kind), now_.take(t.symbol->called.view());
+      if (t.symbol != nullptr && t.symbol->value != nullptr) now_.take(t.symbol->value->value());
       if (t.frame != nullptr) mention(t.frame);
       if (t.point != nullptr) mention(t.point);
       if (t.external != nullptr) now_.take(t.external->called);
@@ -107,7 +109,18 @@ private:
     mention(r.center), mention(r.frame), mention(r.inertia_axes), mention(r.about);
     take(r.mass), take(r.inertia_dyadic);
     for (const phrase& each : r.inertia) take(each);
+    if (r.beam != nullptr) take(*r.beam);
     end(r.called);
+  }
+  constexpr void take(const describe::beam_record& r) {
+    take(r.axis), take(r.length), take(r.mass_per_length), take(r.polar_inertia);
+    for (const phrase& each : r.across) take(each);
+    for (const phrase& each : r.stiffness) take(each);
+    take(r.coordinates), take(r.speeds), take(r.kinematics);
+    take(r.damping_of_mass), take(r.damping_of_stiffness), take(r.damping_ratios);
+    for (int k = 0; k < r.integrals.shapes; ++k) now_.take(r.deformations[k]);
+    const int count = r.integrals.numbers == nullptr ? 0 : r.integrals.count(r.integrals.shapes);
+    for (int i = 0; i < count; ++i) now_.take(r.integrals.numbers[i]);
   }
   constexpr void take(const describe::joint_record& r) {
     begin();

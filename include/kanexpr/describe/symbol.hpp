@@ -3,7 +3,10 @@
 #include <kanexpr/base/text.hpp>
 #include <kanexpr/describe/expression.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/symbolic/numbers/decimal_text.hpp>
+#include <kanexpr/symbolic/numbers/number.hpp>
 #include <kanexpr/units/unit.hpp>
+#include <kanexpr/units/unit_text.hpp>
 
 #include <concepts>
 
@@ -66,6 +69,19 @@ struct symbol<represented, called, index, order, stated> : symbol<represented, c
   using without_unit::operator=;
 };
 
+/// A constant with a unit, as a symbol that denotes a number.
+template <auto value, units::unit stated>
+struct constant_storage {
+  static constexpr symbolic::number number = constant(value).tokens[0].number;
+  static constexpr units::unit unit = stated;
+  static constexpr symbol_record record = [] {
+    symbol_record r{symbolic::symbol_kind::parameter, symbolic::decimal_text(number)};
+    r.called.append(" "), r.called.append(units::text_of(stated).view());
+    r.unit = &unit, r.value = &number;
+    return r;
+  }();
+};
+
 /// The symbol with the given index, unit, both or neither.
 template <symbolic::symbol_kind represented, text called, int order, auto... index_and_unit>
 struct symbol_with {
@@ -116,6 +132,17 @@ using input = typename describe::symbol_with<symbolic::symbol_kind::input, calle
 template <text called, auto... index_and_unit>
 using prescribed =
     typename describe::symbol_with<symbolic::symbol_kind::input, called, 0, index_and_unit...>::type;
+
+/// A number with a unit: `constant<9.81, meter/pow<2>(second)>`. A plain number has no unit if it is a
+/// factor.
+template <auto value, units::unit u>
+  requires describe::plain_number<decltype(value)>
+inline constexpr scalar<1> constant = [] {
+  describe::token t{};
+  t.what = describe::token_kind::symbol;
+  t.symbol = &describe::constant_storage<value, u>::record;
+  return scalar<1>{{t}};
+}();
 
 /// The time, for explicitly time-dependent expressions.
 using time_variable = describe::symbol<symbolic::symbol_kind::time, "t", unnumbered>;

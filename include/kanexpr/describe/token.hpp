@@ -38,7 +38,8 @@ struct symbol_record {
   int order = unprescribed;
   int given = 0;        ///< the number of letters given in the model, without the index and the primes
   bool is_named = true; ///< whether the name is valid for a symbol
-  const units::unit* unit = nullptr; ///< null if the model does not state it here
+  const units::unit* unit = nullptr;       ///< null if the model does not state it here
+  const symbolic::number* value = nullptr; ///< the number that it denotes, if it is a constant with a unit
 };
 
 enum class token_kind : unsigned char {

@@ -219,7 +219,7 @@ private:
     case quantity::load_compensation:
       return column(negative(dynamics_.reduce(forces_of_loads(s_, system_->loads))));
     case quantity::regressor: return regressor();
-    case quantity::inertial_parameters: return column(inertial_values(s_));
+    case quantity::inertial_parameters: return inertial_parameters();
     case quantity::coriolis: return coriolis();
     default: return {};
     }
@@ -307,7 +307,14 @@ private:
     return found.solved.x;
   }
 
+  constexpr symbolic::matrix inertial_parameters() {
+    if (!mistake_) mistake_ = check_rigidity(*m_);
+    if (mistake_) return {};
+    return column(inertial_values(s_));
+  }
+
   constexpr symbolic::matrix regressor() {
+    if (!mistake_) mistake_ = check_rigidity(*m_);
     motion k = motion_on_accelerated_ground(s_, system_->loads, m_->speed_rates);
     if (!mistake_) mistake_ = check_regressor(s_, k);
     if (mistake_) return {};

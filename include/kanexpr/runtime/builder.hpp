@@ -4,12 +4,17 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/describe/expression.hpp>
+#include <kanexpr/mechanics/loads/add_beam.hpp>
+#include <kanexpr/mechanics/model/beam.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/units/unit_table.hpp>
+#include <kanexpr/runtime/beam_data.hpp>
 #include <kanexpr/runtime/builder_checks.hpp>
+#include <kanexpr/runtime/flexible_integrals.hpp>
 #include <kanexpr/runtime/model.hpp>
+#include <kanexpr/runtime/number_or_expression.hpp>
 #include <kanexpr/symbolic/graph/compose.hpp>
 #include <kanexpr/units/unit.hpp>
 
@@ -41,41 +46,6 @@ KANEXPR_ENGINE model derive_in_own_graph(const builder& built);
 } // namespace kanexpr
 
 namespace kanexpr::runtime {
-
-/// A number in the type in which it was passed. In C++, 1/2 is the integer 0, which is never intended.
-class given_number {
-public:
-  template <class Number>
-    requires std::is_arithmetic_v<Number> &&
-                 (!base::letter<Number>) // bool is allowed: `i == 0` evaluates to 1 or 0
-  given_number(Number value)
-      : value_(static_cast<double>(value)), is_whole_zero_(describe::is_whole_zero(value)) {}
-
-  double value() const { return value_; }
-  bool is_whole_zero() const { return is_whole_zero_; }
-
-private:
-  double value_;
-  bool is_whole_zero_;
-};
-
-/// A number or an expression.
-class number_or_expression {
-public:
-  template <class Number>
-    requires std::is_arithmetic_v<Number> && (!base::letter<Number>)
-  number_or_expression(Number value) : held_(given_number(value)) {}
-  number_or_expression(expression e) : held_(e) {}
-
-  const std::variant<given_number, expression>& held() const { return held_; }
-  bool is_whole_zero() const {
-    const given_number* const number = std::get_if<given_number>(&held_);
-    return number != nullptr && number->is_whole_zero();
-  }
-
-private:
-  std::variant<given_number, expression> held_;
-};
 
 /// A vector whose components along `directions` vanish.
 struct zero_components {
@@ -229,6 +199,16 @@ public:
   /// A rigid body with its inertia about any point of the body.
   void rigid_body(std::string_view called, point_id center, frame_id frame, expression mass,
                   const dyadic& inertia, point_id about);
+  /// A body that deforms relative to `frame`, which moves with the point `reference`. The amplitudes of its
+  /// deformation are coordinates of the system and belong to no other body.
+  void flexible_body(std::string_view called, point_id reference, frame_id frame,
+                     const std::vector<expression>& amplitudes, const flexible_integrals& data);
+  /// A beam that begins at `root` and deforms relative to `frame`. Each shape has one amplitude, a
+  /// coordinate: those of the directions of bending come first, then those of torsion and of extension.
+  beam_id beam(std::string_view called, point_id root, frame_id frame,
+               const std::vector<expression>& amplitudes, const beam_data& data);
+  /// The section of a beam at the fraction ξ of its length.
+  section_ids section(std::string_view called, beam_id on, double xi);
   /// Declares that the inertia of a rigid body intentionally varies in body-fixed axes.
   void changing_inertia(std::string_view body);
   /// Declares that the inertia of a body is intentionally not that of a mass distribution.
@@ -295,6 +275,22 @@ private:
     return symbol;
   }
   expression as_expression(const number_or_expression& given);
+  bool is_new_body(std::string_view called);
+  mechanics::components as_components(const flexible_integrals::vector_entries& given);
+  symbolic::matrix as_matrix(const flexible_integrals::matrix& given);
+  bool has_shapes_of(std::string_view body, std::size_t amplitudes, const flexible_integrals& data);
+  bool owns_flexible_body(const mechanics::flexible_body& b);
+
+  /// A beam and its shapes, from which its sections are formed.
+  struct built_beam {
+    numeric::beams::beam_shapes shapes{};
+    mechanics::beam beam{};
+  };
+  void deform(built_beam& to, mechanics::deformation what, const beam_deformation& by);
+  void deform(built_beam& to, const beam_data& data);
+  mechanics::components unit_direction(const vector& given, int frame);
+  mechanics::beam_damping damping_of(const beam_data& data);
+  bool owns_beam(const built_beam& made, const mechanics::beam_damping& damped);
   /// Whether at least one of the arguments is not the integer 0.
   bool not_all_zero(std::initializer_list<const number_or_expression*> given, std::string_view whose);
 
@@ -319,13 +315,16 @@ private:
   mechanics::mechanism& m_ = system_.mechanism;
   builder_checks checks_;
   base::sequence<expression> used_elsewhere_{};
+  std::vector<built_beam> beams_{};
 };
 
 } // namespace kanexpr::runtime
 
 #ifndef KANEXPR_COMPILED_ENGINE
 #include <kanexpr/runtime/builder.ipp>
+#include <kanexpr/runtime/builder_beam.ipp>
 #include <kanexpr/runtime/builder_constraints.ipp>
+#include <kanexpr/runtime/builder_flexible_body.ipp>
 #include <kanexpr/runtime/builder_loads.ipp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>

@@ -269,15 +269,18 @@ KANEXPR_ENGINE void builder::velocity_from_parent(point_id point, frame_id refer
 
 // ---- bodies
 
+KANEXPR_ENGINE bool builder::is_new_body(std::string_view called) {
+  return checks_.is_new("bodies", called, m_.bodies) && checks_.is_new("bodies", called, m_.flexible_bodies);
+}
+
 KANEXPR_ENGINE void builder::particle(std::string_view called, point_id at, expression mass) {
-  if (checks_.is_new("bodies", called, m_.bodies) && checks_.owns(called, at, mass))
+  if (is_new_body(called) && checks_.owns(called, at, mass))
     m_.bodies.push({.called = called, .center = place(at), .mass = mass});
 }
 
 KANEXPR_ENGINE void builder::rigid_body(std::string_view called, point_id center, frame_id frame,
                                         expression mass, const dyadic& inertia, point_id about) {
-  if (checks_.is_new("bodies", called, m_.bodies) &&
-      checks_.owns(called, center, frame, mass, inertia, about))
+  if (is_new_body(called) && checks_.owns(called, center, frame, mass, inertia, about))
     m_.bodies.push({.called = called,
                     .center = place(center),
                     .frame = place(frame),

@@ -94,6 +94,7 @@ inline base::sentence check_unused_symbols(const mechanics::multibody_system& sy
   each(m.frames);
   each(m.points);
   each(m.bodies);
+  each(m.flexible_bodies);
   each(system.loads);
   each(system.constraints);
   each(elsewhere);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/derivation/read/beam_reader.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -8,12 +9,10 @@
 
 namespace kanexpr::derivation {
 
-using describe::body_record;
-
-/// Reads the particles and rigid bodies of a model.
+/// Reads the bodies of a model.
 class body_reader : part_reader {
 public:
-  using part_reader::part_reader;
+  constexpr body_reader(const part_reader& parts, beam_reader& beams) : part_reader(parts), beams_(beams) {}
 
   constexpr void read(const body_record& r) {
     if (r.unparsed) return reading_.fail_by_unparsed(r.called, "bodies<...>");
@@ -35,6 +34,7 @@ public:
       if (before->called == r.called) return reading_.fail({"two bodies are called ", r.called});
     }
     read_.push(&r);
+    if (r.beam != nullptr) return beams_.read(r);
     mechanics::body b;
     b.called = base::name(r.called);
     b.mass = phrases_.scalar_of(r.mass, {"the mass of ", r.called}, r.called);
@@ -71,6 +71,7 @@ private:
     return inertia;
   }
 
+  beam_reader& beams_;
   sequence<const body_record*> read_{};
 };
 

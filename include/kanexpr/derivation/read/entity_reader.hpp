@@ -131,6 +131,22 @@ private:
     return false;
   }
 
+  /// Checks the beam and the place of a section.
+  constexpr bool is_on_listed_beam(std::string_view section, const describe::body_record& beam,
+                                   bool is_off_beam) {
+    if (beam.beam == nullptr)
+      reading_.fail({"section ", section, " is placed on ", beam.called, ", which is not a beam"});
+    bool is_listed = false;
+    for (const describe::body_record& r : reading_.from.bodies) is_listed = is_listed || &r == &beam;
+    if (!is_listed)
+      reading_.fail(
+          {"beam ", beam.called, ", on which section ", section, " is placed, is not listed in bodies<...>"});
+    if (is_off_beam)
+      reading_.fail({"section ", section, " is not on beam ", beam.called,
+                     "; its place is a fraction of the length, a number from 0 to 1"});
+    return !reading_.mistake;
+  }
+
   constexpr void forget_after(int frames, int points) {
     for (; !frames_.empty() && places_of_frames_.back() >= frames; frames_.pop()) places_of_frames_.pop();
     while (m_.frames.size() > frames) m_.frames.pop();
@@ -178,6 +194,7 @@ private:
     if (!check_kind("frame", r, whom)) return;
     if (r.is_of_joint && !is_listed(r))
       return reading_.fail({"joint ", r.called, ", which ", whom, " uses, is not listed in joints<...>"});
+    if (r.on_beam != nullptr && !is_on_listed_beam(r.called, *r.on_beam, false)) return;
     if (!r.fits) return reading_.fail_by_argument_count("frame ", r.called, r.fits);
     const frame_record* const inertial = reading_.from.inertial;
     if (&r == inertial && r.orientation != describe::orientation_word::inertial)
@@ -194,6 +211,7 @@ private:
 
   constexpr void check_point(const point_record& r, std::string_view whom) {
     if (!check_kind("point", r, whom)) return;
+    if (r.on_beam != nullptr && !is_on_listed_beam(r.called, *r.on_beam, r.is_off_beam)) return;
     if (!r.fits) return reading_.fail_by_argument_count("point ", r.called, r.fits);
     if (r.parent == nullptr && (r.fixed_in != nullptr || r.reference != nullptr))
       reading_.fail(

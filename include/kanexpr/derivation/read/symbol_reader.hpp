@@ -189,6 +189,12 @@ public:
   }
 
 private:
+  /// A number with a unit, which is a symbol if the model is read for its units.
+  constexpr expression constant_of(const symbol_record& r) {
+    if (reading_.for_units) return symbolic::variable(*m_.g, {r.kind, r.called, none});
+    return symbolic::constant(*m_.g, *r.value);
+  }
+
   constexpr expression known_symbol(const symbol_record& r, std::string_view whom) {
     using symbolic::symbol_kind;
     switch (r.kind) {
@@ -217,6 +223,7 @@ private:
     case symbol_kind::weight:
     case symbol_kind::direction: break; // not available in models
     case symbol_kind::parameter:
+      if (r.value != nullptr) return constant_of(r);
       for (int i = 0; i < bound_.size(); ++i)
         if (bound_[i] == r.called) {
           bound_is_used_[i] = 1;

@@ -71,15 +71,18 @@ constexpr void divide_by(expression symbol, value& of) {
     for (int i = 0; i < 3; ++i) p.value[i] = p.value[i] / symbol;
 }
 
-/// Replaces the numbers among the operands of a composed function by symbols, because a number that is an
-/// argument has the unit that is expected there: the width in smooth_abs(x, 0.01) has the unit of x.
+/// Replaces a number that is a whole quantity by a symbol, because it has the unit that is expected there.
+constexpr expression as_symbol(reading& in, expression e) {
+  if (!e.is_constant() || e.is_zero()) return e;
+  base::name called = "number ";
+  called.append(in.into.mechanism.g->symbols().size());
+  return symbolic::variable(*in.into.mechanism.g, {symbolic::symbol_kind::input, called, none});
+}
+
+/// Replaces the numbers among the operands of a composed function by symbols: the width in smooth_abs(x,
+/// 0.01) has the unit of x.
 constexpr void replace_numbers(reading& in, sequence<expression>& operands) {
-  for (expression& e : operands) {
-    if (!e.is_constant() || e.is_zero()) continue;
-    base::name called = "number ";
-    called.append(in.into.mechanism.g->symbols().size());
-    e = symbolic::variable(*in.into.mechanism.g, {symbolic::symbol_kind::input, called, none});
-  }
+  for (expression& e : operands) e = as_symbol(in, e);
 }
 
 /// The value of a table: a symbol of unknown unit if all its values are numbers, otherwise one of its values.

@@ -8,7 +8,8 @@ namespace kanexpr::describe {
 struct orientation_words {};
 struct place_words {};
 struct joint_words {};
-struct ground_words {}; // an inertial frame and a point in it
+struct ground_words {};  // an inertial frame and a point in it
+struct section_words {}; // a frame and a point of a beam
 struct body_words {};
 struct angular_velocity_words {};
 struct velocity_words {};
@@ -44,7 +45,7 @@ constexpr base_conflict private_or(base_conflict twice, Entity* e) {
   return inherits_privately<Words>(e) ? "@ inherits privately; declare it as a struct" : twice;
 }
 
-/// Finds the conflict in a joint, which is both a frame and a point.
+/// Finds the conflict in a joint or another entity that is both a frame and a point.
 template <class Joint>
 constexpr base_conflict find_base_conflict_of_joint() {
   constexpr Joint* j = nullptr;
@@ -56,7 +57,9 @@ constexpr base_conflict find_base_conflict_of_joint() {
   if (__is_base_of(load_words, Joint)) return load_as_base;
   if (__is_base_of(angular_velocity_words, Joint) || __is_base_of(velocity_words, Joint) ||
       __is_base_of(fixing_words, Joint))
-    return "a motion is declared for joint @, whose kind determines how it moves";
+    return __is_base_of(section_words, Joint)
+               ? "a motion is declared for section @, which moves with its beam"
+               : "a motion is declared for joint @, whose kind determines how it moves";
   if (__is_base_of(inertia_words, Joint)) return inertia_as_base;
   if (__is_base_of(whole_systems, Joint)) return system_as_base;
   if (__is_base_of(system_words, Joint)) return word_as_base;
@@ -73,7 +76,8 @@ constexpr base_conflict find_base_conflict() {
   constexpr bool is_load = __is_base_of(load_words, Entity);
   constexpr bool turns = __is_base_of(angular_velocity_words, Entity),
                  moves = __is_base_of(velocity_words, Entity), is_fixed = __is_base_of(fixing_words, Entity);
-  if constexpr (__is_base_of(joint_words, Entity) || __is_base_of(ground_words, Entity))
+  if constexpr (__is_base_of(joint_words, Entity) || __is_base_of(ground_words, Entity) ||
+                __is_base_of(section_words, Entity))
     return find_base_conflict_of_joint<Entity>();
   if (is_frame && is_point) return "@ is described both as a frame and as a point; give each its own name";
   if (is_frame && is_body) return frame_and_body;

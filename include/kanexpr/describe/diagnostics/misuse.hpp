@@ -91,9 +91,9 @@ constexpr std::string_view misuse_message(misuse what) {
   case misuse::zero:
     return " contains the integer 0, which is also the value of 1/2 in C++; write 0.5 or rational<1, 2>, or "
            "0.0 if you mean zero";
-  case misuse::no_joint: return " uses q_of or u_of with something that is not a joint";
-  case misuse::no_such_coordinate: return " uses q_of for a coordinate that the joint does not have";
-  case misuse::no_such_speed: return " uses u_of for a speed that the joint does not have";
+  case misuse::no_joint: return " uses q_of or u_of with something that is neither a joint nor a beam";
+  case misuse::no_such_coordinate: return " uses q_of for a coordinate that the joint or beam does not have";
+  case misuse::no_such_speed: return " uses u_of for a speed that the joint or beam does not have";
   case misuse::gear_arguments: return " has too few or too many arguments; write gear<Joint, Other, ratio>";
   case misuse::belt_arguments:
     return " has too few or too many arguments; write belt<Joint, Other, radius, other radius>";

@@ -4,6 +4,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/checks/check_angular_velocity.hpp>
 #include <kanexpr/mechanics/checks/check_direction_cosines.hpp>
+#include <kanexpr/mechanics/checks/check_flexible_body.hpp>
 #include <kanexpr/mechanics/checks/check_inertia.hpp>
 #include <kanexpr/mechanics/checks/check_inertia_at_states.hpp>
 #include <kanexpr/mechanics/checks/check_kinematics.hpp>
@@ -35,12 +36,13 @@ public:
     if (m_.speeds.empty())
       return sentence(
           {"the system has no ", m_.derived_by == method::kane ? "generalized speeds" : "coordinates"});
-    if (m_.bodies.empty() && !of_.loads.has_lagrangian)
+    if (m_.bodies.empty() && m_.flexible_bodies.empty() && !of_.loads.has_lagrangian)
       return sentence({"the system has no particles or rigid bodies"});
     found_ = kinematics_checker(m_, held_).run();
     for (int f = 0; f < m_.frames.size() && !found_; ++f) check_frame(f);
     for (const point& p : m_.points) check_point(p);
     for (const body& b : m_.bodies) check_body(b);
+    for (int i = 0; i < m_.flexible_bodies.size() && !found_; ++i) found_ = check_flexible_body(m_, i, held_);
     if (!found_) found_ = check_loads(m_, of_.loads, held_);
     if (!found_) found_ = dyadics_checker(m_, held_).run();
     if (!found_ && m_.derived_by == method::kane) check_declarations(); // `check_lagrange` requires more

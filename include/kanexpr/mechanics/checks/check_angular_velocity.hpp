@@ -140,6 +140,8 @@ private:
   /// Whether all bodies of a frame have spherical inertia, so that none of its angles matters.
   constexpr bool has_spherical_inertia(int f) const {
     bool any = false;
+    for (const flexible_body& b : m_.flexible_bodies)
+      if (b.frame == f) return false;
     for (const body& b : m_.bodies) {
       if (b.frame != f) continue;
       any = true;

@@ -52,9 +52,11 @@ public:
     for (int f = 0; f < m_.frames.size() && !found_; ++f) check_angular_velocity(f);
     for (const body& b : m_.bodies) {
       if (found_) break;
-      check_velocity(b);
+      check_velocity(b.called, b.center);
       check_mass(b);
     }
+    for (const flexible_body& b : m_.flexible_bodies)
+      if (!found_) check_velocity(b.called, b.reference);
     for (int p = 0; p < m_.points.size() && !found_; ++p)
       if (m_.points[p].has_declared_velocity() && !m_.points[p].moves_apart &&
           !m_.points[p].offset.is_zero() && !follows_position(p))
@@ -115,12 +117,12 @@ private:
     }
   }
 
-  constexpr void check_velocity(const body& b) {
+  constexpr void check_velocity(const name& body, int point) {
     bool declared = false;
-    for (int p = b.center; p != none; p = m_.points[p].parent)
+    for (int p = point; p != none; p = m_.points[p].parent)
       declared = declared || m_.points[p].has_declared_velocity() || m_.points[p].fixed_in != none;
-    if (declared && !follows_position(b.center))
-      fail({"the velocity of ", b.called.view(), " is not the rate of its position", wording_.of_velocity});
+    if (declared && !follows_position(point))
+      fail({"the velocity of ", body.view(), " is not the rate of its position", wording_.of_velocity});
   }
 
   constexpr bool follows_position(int point) {

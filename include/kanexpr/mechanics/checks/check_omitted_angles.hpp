@@ -30,6 +30,11 @@ public:
     for (const omitted_angle& l : angles_) {
       collect_frames(l);
       collect_points(l, of.loads);
+      for (const flexible_body& b : m_.flexible_bodies) {
+        collect_part(l, {b.frame, b.first_moment}, "the first moment of ", b.called);
+        for (const components& h : b.angular)
+          collect_part(l, {b.frame, h}, "an angular integral of ", b.called);
+      }
       for (const force& f : of.loads.forces) collect(l, f.value, "a force on ", m_.points[f.point].called);
       for (const torque& t : of.loads.torques) collect(l, t.value, "a torque on ", m_.frames[t.frame].called);
       for (int i = 0; i < of.constraints.on_velocities.size(); ++i)
@@ -110,6 +115,7 @@ private:
       for (; p != none && carries[p] == 0; p = m_.points[p].parent) carries[p] = 1;
     };
     for (const body& b : m_.bodies) reach(b.center);
+    for (const flexible_body& b : m_.flexible_bodies) reach(b.reference);
     given.each([&](const auto& load, int) {
       if constexpr (requires { load.point; }) reach(load.point), reach(load.against);
     });

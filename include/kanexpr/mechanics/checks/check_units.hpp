@@ -5,11 +5,13 @@
 #include <kanexpr/mechanics/constraints/given_constraints.hpp>
 #include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
+#include <kanexpr/mechanics/model/flexible_body.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/units/unit_inference.hpp>
 #include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/units/si.hpp>
 
 #include <string_view>
@@ -48,6 +50,11 @@ public:
     for (const frame& f : m_.frames) state(f);
     for (const point& p : m_.points) state(p);
     for (const body& b : m_.bodies) state(b);
+    for (const expected_unit& e : m_.expected_units) {
+      by_.describe({e.what.view(), e.whose.view()});
+      by_.expect(e.value, e.unit);
+    }
+    for (const flexible_body& b : m_.flexible_bodies) state(b);
     state_equations("a kinematic differential equation", m_.kinematics);
     if (of_.loads.has_gravity) state("gravity", of_.loads.gravity, meter / pow<2>(second));
     if (of_.loads.has_lagrangian) state("the Lagrangian", of_.loads.lagrangian, joule);
@@ -61,7 +68,11 @@ public:
 
 private:
   constexpr void state(const frame& f) {
-    if (f.is_by_angle()) state("the angle of frame ", f.called, f.angle, radian);
+    by_.describe({"the angle of frame ", f.called.view()});
+    if (f.is_by_angle() && holds_amplitude(f.angle))
+      by_.suggest(f.angle, radian);
+    else if (f.is_by_angle())
+      by_.expect(f.angle, radian);
     if (f.kind == orientation::matrix) {
       by_.describe({"the orientation of frame ", f.called.view()});
       for (const expression& e : f.quaternion) by_.expect(e, units::dimensionless);
@@ -79,6 +90,23 @@ private:
   constexpr void state(const body& b) {
     state("the mass of ", b.called, b.mass, kilogram);
     state("the inertia of ", b.called, b.inertia, kilogram * pow<2>(meter));
+  }
+
+  /// The integrals of a flexible body may be numbers, which have units.
+  constexpr void state(const flexible_body& b) {
+    state("the mass of ", b.called, b.mass, kilogram);
+    for (int k = 0; k < b.amplitudes.size(); ++k) {
+      const expression rate = m_.coordinate_rates[m_.coordinates.find(b.amplitudes[k])];
+      by_.suggest(b.modal_mass(k, k) * (rate * rate), joule);
+    }
+  }
+  constexpr bool holds_amplitude(expression e) const {
+    if (m_.flexible_bodies.empty()) return false;
+    const sequence<char> live = symbolic::live_nodes(*m_.g, {e.node()});
+    for (const flexible_body& b : m_.flexible_bodies)
+      for (const expression& q : b.amplitudes)
+        if (q.node() < live.size() && live[q.node()] != 0) return true;
+    return false;
   }
 
   constexpr void state_equation(std::string_view what, expression difference) {

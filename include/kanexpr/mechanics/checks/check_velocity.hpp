@@ -31,7 +31,9 @@ public:
     base::sentence found;
     for (int state = 0; state < 4 && !found && motion_.find_state(false); ++state) {
       found = mistaken_velocity();
-      for (int i = 0; i < m_.bodies.size() && !found; ++i) found = deviating_mass(m_.bodies[i]);
+      for (int i = 0; i < m_.bodies.size() && !found; ++i) found = deviating_mass(m_.bodies[i].center);
+      for (int i = 0; i < m_.flexible_bodies.size() && !found; ++i)
+        found = deviating_mass(m_.flexible_bodies[i].reference);
     }
     for (int i = 0; i < m_.speeds.size() && !found; ++i) {
       motion_.draw();
@@ -49,9 +51,15 @@ public:
   }
   /// Whether the velocity of a mass may differ from the rate of its position.
   static constexpr bool may_any_deviate(const mechanism& m, const contents& held) {
-    for (const body& b : m.bodies)
-      for (int p = b.center; p != none; p = m.points[p].parent)
+    const auto may = [&](int point) {
+      for (int p = point; p != none; p = m.points[p].parent)
         if (may_deviate(m, held, m.points[p])) return true;
+      return false;
+    };
+    for (const body& b : m.bodies)
+      if (may(b.center)) return true;
+    for (const flexible_body& b : m.flexible_bodies)
+      if (may(b.reference)) return true;
     return false;
   }
 
@@ -65,8 +73,8 @@ private:
     return {};
   }
 
-  constexpr base::sentence deviating_mass(const body& b) const {
-    const int p = deviating_point(b.center);
+  constexpr base::sentence deviating_mass(int point) const {
+    const int p = deviating_point(point);
     if (p == none) return {};
     return base::sentence(
         {"point ", m_.points[p].called.view(), " is fixed in ",

@@ -39,6 +39,7 @@ public:
       mass.inertia = to_working.turn(mass.inertia);
       c.mass += mass;
     }
+    for (const flexible_part& p : s_.flexible_parts) add(p);
   }
 
   /// Returns the full symmetric matrix.
@@ -78,6 +79,25 @@ private:
       if (present.speed == speed) return present;
     c.columns.push({speed, vector(), components(g)});
     return c.columns.back();
+  }
+
+  /// Adds a flexible body to the composite body of its frame. Its amplitudes move no other body, so they are
+  /// multiplied only by each other and by the motion of the frame.
+  constexpr void add(const flexible_part& p) {
+    composite& c = composite_of(p.station, p.frame);
+    const path to_working(m_, p.axes, s_.working_axes[p.frame]);
+    c.mass.mass += p.mass.mass;
+    c.mass.first_moment += to_working.turn(p.mass.first_moment);
+    c.mass.inertia = c.mass.inertia + to_working.turn(p.mass.inertia);
+    for (int k = 0; k < p.amplitudes.size(); ++k)
+      for (const flexible_part::rate_partial& r : p.amplitudes[k].partials) {
+        composite::column& sum = column_of(c, r.speed, *m_.g);
+        sum.force.add(p.axes, r.value * p.amplitudes[k].translation);
+        sum.moment += to_working.turn(r.value * p.amplitudes[k].rotation);
+        for (int l = 0; l < p.amplitudes.size(); ++l)
+          for (const flexible_part::rate_partial& t : p.amplitudes[l].partials)
+            if (r.speed >= t.speed) result_(r.speed, t.speed) += (r.value * t.value) * p.modal_mass(k, l);
+      }
   }
 
   /// Moves the composite body of the outermost frame at station `n` to the frame in which it rotates.

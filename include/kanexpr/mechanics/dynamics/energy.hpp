@@ -1,15 +1,17 @@
 #pragma once
 
+#include <kanexpr/mechanics/dynamics/flexible_inertia.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/flexible_body.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
 
-/// Σ ½ m v·v + v·(ω×h) + ½ ω·I·ω over all links.
+/// Σ ½ m v·v + v·(ω×h) + ½ ω·I·ω over all links, and the kinetic energy of the flexible bodies.
 constexpr expression kinetic_energy(motion& k) {
   const skeleton& s = k.skeleton_used();
   const mechanism& m = *s.model;
@@ -23,6 +25,7 @@ constexpr expression kinetic_energy(motion& k) {
     of_link += dot(w, to_working.turn(l.mass.inertia) * w);
     twice += of_link;
   }
+  for (const flexible_part& p : s.flexible_parts) twice += twice_kinetic_energy(k, p);
   return twice / 2;
 }
 
@@ -31,10 +34,16 @@ constexpr expression energy_of_gravity(const skeleton& s, const loads& acting) {
   const mechanism& m = *s.model;
   expression energy = m.zero();
   if (!acting.has_gravity) return energy;
-  for (const body& b : m.bodies)
-    for (int p = b.center; p != none; p = m.points[p].parent)
+  const auto add = [&](int point, expression mass) {
+    for (int p = point; p != none; p = m.points[p].parent)
       for (const vector::part& offset : m.points[p].offset.parts)
-        energy -= b.mass * dot(offset.value, express(m, acting.gravity, offset.frame));
+        energy -= mass * dot(offset.value, express(m, acting.gravity, offset.frame));
+  };
+  for (const body& b : m.bodies) add(b.center, b.mass);
+  for (const flexible_body& b : m.flexible_bodies) {
+    add(b.reference, b.mass);
+    energy -= dot(b.first_moment, express(m, acting.gravity, b.frame));
+  }
   return energy;
 }
 
@@ -59,6 +68,8 @@ constexpr components linear_momentum(motion& k) {
     p += cross(w, h);
     total += express(m, p, s.working_axes[l.frame], mechanism::inertial);
   }
+  for (const flexible_part& p : s.flexible_parts)
+    total += express(m, momentum(k, p).linear, p.axes, mechanism::inertial);
   return total;
 }
 
@@ -74,6 +85,11 @@ constexpr components center_of_mass(const skeleton& s) {
   expression mass = m.zero();
   for (const body& b : m.bodies) {
     moment += b.mass * position(m, b.center);
+    mass += b.mass;
+  }
+  for (const flexible_body& b : m.flexible_bodies) {
+    moment += b.mass * position(m, b.reference);
+    moment += express(m, b.first_moment, b.frame, mechanism::inertial);
     mass += b.mass;
   }
   return {moment.x / mass, moment.y / mass, moment.z / mass};
@@ -95,6 +111,14 @@ constexpr components angular_momentum(motion& k) {
     const int f = s.rigid_with[b.frame];
     const components w = express(m, k.angular_velocity(f), s.working_axes[f], s.body_axes[f]);
     total += express(m, central_inertia(m, b, s.body_axes[f]) * w, s.body_axes[f], mechanism::inertial);
+  }
+  for (int i = 0; i < m.flexible_bodies.size(); ++i) {
+    const flexible_part& p = s.flexible_parts[i];
+    const flexible_momentum of_part = momentum(k, p);
+    const components x = position(m, m.flexible_bodies[i].reference);
+    total += cross(x, express(m, of_part.linear, p.axes, mechanism::inertial));
+    const components about_reference = of_part.angular - cross(p.offset, of_part.linear);
+    total += express(m, about_reference, p.axes, mechanism::inertial);
   }
   return total;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/dynamics/flexible_inertia.hpp>
+#include <kanexpr/mechanics/dynamics/inertia_moment.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
@@ -11,23 +13,6 @@
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
-
-/// I·α + ω×(I·ω) about a point, from the matrix U that the forces also use. Because the products of inertia
-/// weight the entries of U directly, this takes half as many multiplications as the two-step form.
-constexpr components inertia_moment(const symmetric& i, const components& w, const components& alpha,
-                                    const matrix3& u) {
-  components moment;
-  for (int x = 0; x < 3; ++x) {
-    const int y = (x + 1) % 3, z = (x + 2) % 3;
-    moment[x] = i(x, x) * alpha[x];
-    const expression difference = i(z, z) - i(y, y);
-    moment[x] += difference * (w[y] * w[z]);
-    moment[x] += i(y, z) * difference_of_products(w[y], w[y], w[z], w[z]);
-    moment[x] += i(z, x) * u(y, x);
-    moment[x] -= i(x, y) * u(z, x);
-  }
-  return moment;
-}
 
 /// Generalized forces Σ v_r·R + ω_r·T by reverse accumulation through the velocity map: forces are passed
 /// down the tree of points, moments down the tree of frames, and each speed receives its contribution where
@@ -48,6 +33,8 @@ public:
   constexpr void add_gravity(const loads& given) {
     if (!given.has_gravity) return;
     for (const body& b : m_.bodies) acting_.add_force(b.center, b.mass * known_.in(given.gravity));
+    for (const flexible_part& p : s_.flexible_parts)
+      add(p, weight(p, express(m_, known_.in(given.gravity), p.axes)), m_.one());
   }
 
   /// Adds the inertia forces and moments of a motion.
@@ -65,6 +52,7 @@ public:
       moment += inertia_moment(k, inertia, f);
       moment_[f] -= moment;
     }
+    for (const flexible_part& p : s_.flexible_parts) add(p, inertia_demand(k, p), -m_.one());
   }
 
   /// Adds the forces due to changing masses and inertias, F = d(mv)/dt: −ṁ v at the mass center and −İ·ω.
@@ -109,6 +97,16 @@ public:
 private:
   constexpr components turn(const components& v, int from, int to) const {
     return express(m_, v, s_.working_axes[from], s_.working_axes[to]);
+  }
+
+  /// Adds a multiple of a load on a flexible body.
+  constexpr void add(const flexible_part& p, const flexible_load& load, expression factor) {
+    const int axes = s_.stations[p.station].axes;
+    force_[p.station] += factor * express(m_, load.force, p.axes, s_.working_axes[axes]);
+    moment_[p.frame] += factor * express(m_, load.moment, p.axes, s_.working_axes[p.frame]);
+    for (int k = 0; k < p.amplitudes.size(); ++k)
+      for (const flexible_part::rate_partial& by : p.amplitudes[k].partials)
+        share_[by.speed] += factor * (by.value * load.on_amplitudes[k]);
   }
 
   /// Whether the inertia of a body is given by constants in its own axes.

@@ -41,6 +41,7 @@ public:
   }
 
   constexpr bool is_positive() {
+    if (!s_.flexible_parts.empty()) return false; // may be singular at large amplitudes
     for (const link& l : s_.links)
       if (!is_nonnegative(l)) return false;
     for (bool progress = true; progress;) {

@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/dynamics/generalized_force.hpp>
+#include <kanexpr/mechanics/dynamics/inertia_moment.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/inertial_parameter.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -54,6 +55,13 @@ constexpr sequence<expression> inertial_values(const skeleton& s) {
       all.push(e);
   }
   return all;
+}
+
+/// Reports a flexible body, which has no constant inertial parameters.
+constexpr sentence check_rigidity(const mechanism& m) {
+  if (m.flexible_bodies.empty()) return {};
+  return sentence({"the inertial parameters and the regressor require rigid bodies; ",
+                   m.flexible_bodies[0].called.view(), " is flexible"});
 }
 
 /// Reports a mass or inertia that changes, because the resulting forces are not linear in it.

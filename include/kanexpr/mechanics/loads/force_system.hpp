@@ -17,6 +17,18 @@ enum class conservative : unsigned char {
   by_energy, ///< their energy is part of a Lagrangian; only the part without an energy is applied as a force
 };
 
+/// Σ_s Q_s ∂q̇_s/∂u_r for every speed, where Q_s is the generalized force that belongs to the rate of
+/// coordinate q_s.
+constexpr sequence<expression> forces_on_speeds(const skeleton& s, const sequence<expression>& on_rates) {
+  const mechanism& m = *s.model;
+  symbolic::accumulation by_speeds(*m.g, s.coordinate_rates);
+  for (int q = 0; q < m.coordinates.size(); ++q) by_speeds.seed(s.coordinate_rates[q], on_rates[q]);
+  by_speeds.run();
+  sequence<expression> forces;
+  for (const expression& u : m.speeds) forces.push(by_speeds.by(u));
+  return forces;
+}
+
 /// ∂V̇/∂u_r for every speed, where V is the sum of the potential energies of the model: Σ_s ∂V/∂q_s
 /// ∂q̇_s/∂u_r with the rates q̇ of the kinematic equations. The generalized active force is −∂V̇/∂u_r. Kane &
 /// Levinson (1985), section 5.1.
@@ -25,13 +37,9 @@ constexpr sequence<expression> potential_rates(const skeleton& s, const sequence
   symbolic::accumulation by_coordinates(*m.g, energies);
   for (const expression& energy : energies) by_coordinates.seed(energy, m.one());
   by_coordinates.run();
-  symbolic::accumulation by_speeds(*m.g, s.coordinate_rates);
-  for (int q = 0; q < m.coordinates.size(); ++q)
-    by_speeds.seed(s.coordinate_rates[q], by_coordinates.by(m.coordinates[q]));
-  by_speeds.run();
-  sequence<expression> rates;
-  for (const expression& u : m.speeds) rates.push(by_speeds.by(u));
-  return rates;
+  sequence<expression> gradient;
+  for (const expression& q : m.coordinates) gradient.push(by_coordinates.by(q));
+  return forces_on_speeds(s, gradient);
 }
 
 /// Accumulates the effects of loads: forces at the nodes of a skeleton, moments on its frames, and
@@ -70,6 +78,12 @@ public:
     if (f != mechanism::inertial && s_.turns_in[b] == f) return add_relative_torque(b, -value);
     add_moment(f, value);
     if (b != mechanism::inertial) add_moment(b, -value);
+  }
+
+  /// Adds generalized forces that belong to the rates of the coordinates, one for each coordinate.
+  constexpr void add_coordinate_forces(const sequence<expression>& forces) {
+    const sequence<expression> on_speeds = forces_on_speeds(s_, forces);
+    for (int r = 0; r < on_speeds.size(); ++r) share_[r] += on_speeds[r];
   }
 
   /// Adds a potential energy.

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/force_system.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/units/si.hpp>
 
 namespace kanexpr::mechanics {
@@ -12,6 +14,7 @@ namespace kanexpr::mechanics {
 /// A potential energy given as an expression of coordinates, parameters, time and inputs.
 struct given_potential_energy {
   expression value{};
+  bool is_elastic = false; ///< the energy of a flexible body, whose numbers may have units
 
   constexpr void act(force_system& on, conservative how) const {
     if (how == conservative::by_forces) on.add_potential_energy(value);
@@ -26,6 +29,7 @@ struct given_potential_energy {
 
   constexpr void state_units(load_units& by, int place) const {
     by.describe({"potential energy ", base::counted(place + 1).view()});
+    if (is_elastic) return by.suggest(value, units::joule);
     by.expect(value, units::joule);
   }
 };
@@ -34,6 +38,15 @@ struct given_potential_energy {
 constexpr given_potential_energy torsional_spring(expression angle, expression stiffness, expression rest) {
   const expression twist = angle - rest;
   return {stiffness * (twist * twist) / 2};
+}
+
+/// The elastic energy ½ q·K·q of a deformation with the amplitudes q and the stiffness K.
+constexpr given_potential_energy elastic_energy(const sequence<expression>& amplitudes,
+                                                const symbolic::matrix& stiffness) {
+  expression twice{stiffness.entries[0].owner(), graph::zero};
+  for (int i = 0; i < amplitudes.size(); ++i)
+    for (int j = 0; j < amplitudes.size(); ++j) twice += stiffness(i, j) * (amplitudes[i] * amplitudes[j]);
+  return {twice / 2, true};
 }
 
 } // namespace kanexpr::mechanics

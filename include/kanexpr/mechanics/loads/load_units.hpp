@@ -3,6 +3,7 @@
 #include <kanexpr/mechanics/loads/load_names.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/units/unit_inference.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/units/unit.hpp>
 
 #include <initializer_list>
@@ -22,6 +23,9 @@ public:
   constexpr void expect(const Quantity& quantity, const units::unit& u) {
     by_.expect(quantity, u);
   }
+  /// States a unit that does not conflict with others: an expression of a flexible body may contain numbers
+  /// with units.
+  constexpr void suggest(expression e, const units::unit& u) { by_.suggest(e, u); }
 
 private:
   unit_inference& by_;

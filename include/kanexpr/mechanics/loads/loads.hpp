@@ -3,6 +3,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/force_and_torque.hpp>
 #include <kanexpr/mechanics/loads/given_potential_energy.hpp>
+#include <kanexpr/mechanics/loads/modal_damping.hpp>
 #include <kanexpr/mechanics/loads/spring_damper.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -17,6 +18,7 @@ struct loads {
   sequence<spring_damper> spring_dampers{};
   sequence<torsional_damper> torsional_dampers{};
   sequence<given_potential_energy> potential_energies{};
+  sequence<modal_damping> modal_dampings{};
   bool has_gravity = false;
   vector gravity{}; ///< free-fall acceleration, applied to every body
   bool has_lagrangian = false;
@@ -26,7 +28,7 @@ struct loads {
   template <class Visit>
   constexpr void each(Visit&& visit) const {
     const auto visit_all = [&](const auto&... kinds) { (visit_kind(kinds, visit), ...); };
-    visit_all(forces, torques, spring_dampers, torsional_dampers, potential_energies);
+    visit_all(forces, torques, spring_dampers, torsional_dampers, potential_energies, modal_dampings);
   }
 
 private:

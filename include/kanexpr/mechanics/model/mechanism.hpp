@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/flexible_body.hpp>
 #include <kanexpr/mechanics/model/frame.hpp>
 #include <kanexpr/mechanics/model/vector.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -58,6 +59,14 @@ struct stated_unit {
   units::unit unit{};
 };
 
+/// A quantity of a part of the system that is not stored as given, with the unit that it must have: "the
+/// length of beam " and "B".
+struct expected_unit {
+  expression value{};
+  units::unit unit{};
+  name what{}, whose{};
+};
+
 /// The method by which the equations of motion are derived.
 enum class method : unsigned char {
   kane,
@@ -80,8 +89,11 @@ struct mechanism {
   sequence<frame> frames{};
   sequence<point> points{};
   sequence<body> bodies{};
+  sequence<flexible_body> flexible_bodies{};
   method derived_by = method::kane;
   sequence<stated_unit> stated_units{}; ///< empty if the model states no unit, or is not read for its units
+
+  sequence<expected_unit> expected_units{};
 
   static constexpr int inertial = 0;
 
@@ -93,7 +105,8 @@ struct mechanism {
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.coordinates, self.speeds, self.parameters, self.inputs, self.coordinate_rates,
           self.speed_rates, self.time, self.prescribed_rates, self.kinematics, self.auxiliary_speeds,
-          self.frames, self.points, self.bodies, self.derived_by, self.stated_units);
+          self.frames, self.points, self.bodies, self.flexible_bodies, self.derived_by, self.stated_units,
+          self.expected_units);
   }
 
   constexpr expression zero() const { return {*g, graph::zero}; }

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/flexible_body.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 
@@ -10,6 +11,13 @@
 namespace kanexpr::mechanics {
 
 namespace detail {
+
+/// Whether a flexible body deforms relative to frame `f`. Its integrals are shortest in its own axes.
+constexpr bool carries_flexible_body(const skeleton& s, int f) {
+  for (const flexible_body& b : s.model->flexible_bodies)
+    if (s.rigid_with[b.frame] == f) return true;
+  return false;
+}
 
 /// The frames in whose axes the masses and offsets of frame `f` are given.
 constexpr sequence<int> axes_used_by(const skeleton& s, int f) {
@@ -22,6 +30,7 @@ constexpr sequence<int> axes_used_by(const skeleton& s, int f) {
   for (const body& b : m.bodies)
     if (b.frame != none && s.rigid_with[b.frame] == f)
       for (const dyadic::part& p : b.inertia.parts) note(p.left), note(p.right);
+  if (carries_flexible_body(s, f)) note(f);
   for (const station& n : s.stations)
     if (n.frame == f && n.rigid && !n.absolute && !n.r.is_zero()) note(n.offset_frame);
   return used;
@@ -32,6 +41,7 @@ constexpr sequence<int> axes_used_by(const skeleton& s, int f) {
 constexpr bool axisymmetric(const skeleton& s, int f, int a) {
   const mechanism& m = *s.model;
   const int b = (a + 1) % 3, d = (a + 2) % 3;
+  if (carries_flexible_body(s, f)) return false;
   for (const body& part : m.bodies) {
     if (part.frame == none || s.rigid_with[part.frame] != f) continue;
     if (part.about != none && part.about != part.center) return false;
@@ -47,8 +57,9 @@ constexpr bool axisymmetric(const skeleton& s, int f, int a) {
 }
 
 /// Whether all rotations of the mechanism are about the same axis of the ground and all offsets are given in
-/// the ground's axes.
+/// the ground's axes, and whether no body is flexible.
 constexpr bool planar(const skeleton& s) {
+  if (!s.model->flexible_bodies.empty()) return false;
   int axis = none;
   for (const station& n : s.stations)
     for (const vector::part& p : n.relative_velocity.parts)
@@ -105,9 +116,10 @@ constexpr void choose_working_axes(skeleton& s) {
     if (s.rigid_with[f] != f) continue;
     if (planar) {
       s.working_axes[f] = mechanism::inertial;
-    } else if (s.body_axes[f] == f && detail::parallel_to_parent(s, f)) {
+    } else if (s.body_axes[f] == f && !detail::carries_flexible_body(s, f) &&
+               detail::parallel_to_parent(s, f)) {
       int below = s.rigid_with[s.model->frames[f].parent];
-      if (s.working_axes[below] == below)
+      if (s.working_axes[below] == below && !detail::carries_flexible_body(s, below))
         s.working_axes[below] = s.working_axes[s.rigid_with[s.model->frames[below].parent]];
       s.working_axes[f] = s.working_axes[below];
     }

@@ -5,6 +5,7 @@
 #include <kanexpr/mechanics/model/inertia.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
+#include <kanexpr/mechanics/skeleton/flexible_part.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/linear/solve_linear.hpp>
 
@@ -66,6 +67,15 @@ struct skeleton {
   sequence<link> links{};      ///< all masses, combined if they move as one body
   sequence<link> base_links{}; ///< an equivalent set with fewer parameters: masses are regrouped across
                                ///< joints, see base_parameters.hpp
+  sequence<flexible_part> flexible_parts{}; ///< the flexible bodies, in the order of the mechanism
+
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.model, self.coordinate_rates, self.rate_blocks, self.rigid_with, self.turns_in,
+          self.relative_angular_velocity, self.body_axes, self.working_axes, self.partial_angular_velocities,
+          self.stations, self.partial_velocities, self.station_of_point, self.links, self.base_links,
+          self.flexible_parts);
+  }
 
   /// Whether the inertia of a rigid body is given along axes that are fixed in the body, and about its mass
   /// center.

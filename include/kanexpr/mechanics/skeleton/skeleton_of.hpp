@@ -5,6 +5,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/axes.hpp>
 #include <kanexpr/mechanics/skeleton/base_parameters.hpp>
+#include <kanexpr/mechanics/skeleton/flexible_parts.hpp>
 #include <kanexpr/mechanics/skeleton/joint_points.hpp>
 #include <kanexpr/mechanics/skeleton/kinematic_equations.hpp>
 #include <kanexpr/mechanics/skeleton/partial_velocities.hpp>
@@ -175,6 +176,7 @@ constexpr skeleton skeleton_of(const mechanism& m) {
   gather_masses(s);
   choose_working_axes(s);
   form_partial_velocities(s);
+  form_flexible_parts(s);
   return s;
 }
 

@@ -47,6 +47,8 @@ public:
     unit_product u = relations_.resolved(of(e));
     mistake_ = before;
     if (u.fits_all || !u.is_known()) return std::nullopt;
+    const bool is_inferred = !forms_[e.node()].is_known();
+    if (is_inferred && g_[e.node()].op == operation::symbol) unit_relations::drop_angle_of_length(u.known);
     return u.known;
   }
 
@@ -61,6 +63,13 @@ public:
   constexpr void expect(const dyadic& d, const units::unit& u) {
     d.each_entry([&](expression e) { expect(e, u); });
   }
+  /// States the unit of a quantity that may contain numbers with units; a contradiction is no mistake.
+  constexpr void suggest(expression e, const units::unit& u) {
+    if (mistake_ || !e.is_given()) return;
+    const unit_product found = of(e);
+    if (!mistake_) equate(found, known_unit(u));
+    mistake_ = {};
+  }
   /// States that an expression is formed from quantities of one unit, whatever it is; it is the difference of
   /// the sides of an equation.
   constexpr void expect_equation(expression difference) {
@@ -71,7 +80,7 @@ public:
       return;
     }
     const unit_product left = of(n.a), right = of(n.b);
-    if (!mistake_ && !equate(left, right)) fail_by_pair(" equates ", n.a, left, n.b, right);
+    if (!mistake_ && !equate(left, right)) fail_by_pair({" equates ", " and "}, n.a, left, n.b, right);
   }
 
 private:
@@ -98,14 +107,23 @@ private:
     if (!mistake_) mistake_ = sentence(pieces);
   }
 
-  constexpr bool equate(const unit_product& a, const unit_product& b) { return relations_.equate(a, b); }
+  /// Adds an equation between units, and records what it describes if it determines one.
+  constexpr bool equate(const unit_product& a, const unit_product& b) {
+    const bool fits = relations_.equate(a, b);
+    const int solved = relations_.last_solved();
+    if (solved == none) return fits;
+    if (reason_of_.size() < relations_.size()) reason_of_.resize(relations_.size(), none);
+    if (reasons_.empty() || reasons_.back().view() != subject_.view()) reasons_.push(subject_);
+    reason_of_[solved] = reasons_.size() - 1;
+    return fits;
+  }
 
   constexpr void require(expression e, const unit_product& wanted) {
     if (mistake_ || !e.is_given()) return;
     const unit_product found = of(e);
     if (!mistake_ && !equate(found, wanted))
       fail({subject_.view(), " is ", with_unit(e.node(), found).view(), ", but must be in ",
-            text_of(relations_.resolved(wanted).known).view()});
+            text_of(relations_.resolved(wanted).known).view(), origin_of_unit(e.node()).view()});
   }
 
   /// An expression with its unit in brackets; without one if its unit is not known.
@@ -116,12 +134,47 @@ private:
     return sentence({text.view(), " [", text_of(found.known).view(), "]"});
   }
 
-  constexpr void fail_by_pair(std::string_view how, int a, const unit_product& left, int b,
+  /// The words before and between two quantities.
+  struct wording {
+    std::string_view before, between;
+  };
+  constexpr void fail_by_pair(const wording& how, int a, const unit_product& left, int b,
                               const unit_product& right) {
     const unit_product ratio = relations_.resolved(right / left);
     const bool are_known = relations_.resolved(left).is_known();
-    fail({subject_.view(), how, with_unit(a, left).view(), " and ", with_unit(b, right).view(),
-          are_known ? "" : ", whose units differ by ", are_known ? "" : text_of(ratio.known).view()});
+    fail({subject_.view(), how.before, with_unit(a, left).view(), how.between, with_unit(b, right).view(),
+          are_known ? "" : ", whose units differ by ", are_known ? "" : text_of(ratio.known).view(),
+          origin_of_unit(b, a).view()});
+  }
+
+  /// Explains the unit of the first parameter or input in some expressions whose unit the model does not
+  /// state: "; c is in N s/m by the force at P". Empty if there is none, or if the present part of the model
+  /// determines it.
+  template <class... Nodes>
+  constexpr sentence origin_of_unit(Nodes... nodes) const {
+    sentence found;
+    ((found = found ? found : origin_in(nodes)), ...);
+    return found;
+  }
+  constexpr sentence origin_in(int id) const {
+    const symbolic::node& n = g_[id];
+    if (n.op == operation::constant) return {};
+    if (n.op != operation::symbol) {
+      sentence found = origin_in(n.a);
+      if (!found && symbolic::is_binary(n.op) && !symbolic::has_index_operand(n.op)) found = origin_in(n.b);
+      return found;
+    }
+    const symbolic::symbol_kind kind = g_.symbol_at(id).kind;
+    if (kind != symbolic::symbol_kind::parameter && kind != symbolic::symbol_kind::input) return {};
+    if (has_form_[id] == 0 || forms_[id].unknown.size() != 1) return {};
+    const int unknown = forms_[id].unknown[0].of;
+    if (!relations_.is_solved(unknown) || unknown >= reason_of_.size() || reason_of_[unknown] == none)
+      return {};
+    const std::string_view reason = reasons_[reason_of_[unknown]].view();
+    const unit_product u = relations_.resolved(forms_[id]);
+    if (reason == subject_.view() || !u.is_known()) return {};
+    return sentence(
+        {"; ", g_.symbol_at(id).called.view(), " is in ", text_of(u.known).view(), " by ", reason});
   }
 
   /// The forms of the nodes, which grow with the graph.
@@ -149,8 +202,8 @@ private:
     switch (symbolic::form_of(n.op)) {
     case form::leaf: return of_leaf(id, n);
     case form::negate: return of(n.a);
-    case form::add: return of_pair(" adds ", n);
-    case form::subtract: return of_pair(" subtracts ", n);
+    case form::add: return of_pair({" adds ", " and "}, n);
+    case form::subtract: return of_pair({" subtracts ", " from "}, {n.op, n.b, n.a});
     case form::multiply: return of_product(n, 1);
     case form::divide: return of_product(n, -1);
     case form::power: return of_power(n);
@@ -187,7 +240,7 @@ private:
   }
 
   /// The unit of a sum or difference: that of both operands.
-  constexpr unit_product of_pair(std::string_view how, const symbolic::node& n) {
+  constexpr unit_product of_pair(const wording& how, const symbolic::node& n) {
     const unit_product left = of(n.a), right = of(n.b);
     if (!equate(left, right)) fail_by_pair(how, n.a, left, n.b, right);
     return left.fits_all ? right : left;
@@ -253,8 +306,10 @@ private:
       argument_is(id, n.a, {});
       argument_is(id, n.b, {});
       break;
-    case binary_unit_rule::ratio: of_pair(" takes the atan2 of ", n); return known_unit(units::radian);
-    case binary_unit_rule::kept: return of_pair(" compares ", n);
+    case binary_unit_rule::ratio:
+      of_pair({" takes the atan2 of ", " and "}, n);
+      return known_unit(units::radian);
+    case binary_unit_rule::kept: return of_pair({" compares ", " and "}, n);
     }
     return known_unit({});
   }
@@ -263,7 +318,8 @@ private:
   constexpr void argument_is(int function, int id, const units::unit& u) {
     if (must_be(id, u)) return;
     fail({subject_.view(), " contains ", symbolic::short_text(g_, function).view(), "; ",
-          with_unit(id, of(id)).view(), u == units::radian ? " is not an angle" : " is not a number"});
+          with_unit(id, of(id)).view(), u == units::radian ? " is not an angle" : " is not a number",
+          origin_of_unit(id).view()});
   }
   constexpr bool must_be(int id, const units::unit& u) { return equate(of(id), known_unit(u)); }
   constexpr void must_be(int id, const units::unit& u, std::string_view what) {
@@ -276,8 +332,9 @@ private:
   unit_relations relations_{};
   sequence<unit_product> forms_{};
   sequence<char> has_form_{};
-  sentence subject_{};
-  sentence mistake_{};
+  sentence subject_{}, mistake_{};
+  sequence<sentence> reasons_{}; ///< the parts of the model that determine units
+  sequence<int> reason_of_{};    ///< by unknown unit
 };
 
 } // namespace kanexpr::mechanics

@@ -7,9 +7,9 @@
 #include <kanexpr/symbolic/graph/list.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/symbolic/numbers/decimal_text.hpp>
 #include <kanexpr/symbolic/numbers/number.hpp>
 
-#include <cstdint>
 #include <string_view>
 
 namespace kanexpr::symbolic {
@@ -41,8 +41,8 @@ private:
     case form::add:
     case form::subtract:
     case form::negate: return sum;
-    case form::multiply: return is_square(g_[id]) ? operand : product;
-    case form::divide: return product;
+    case form::multiply:
+    case form::divide: return product_of(id).binds();
     case form::leaf: return g_.is_constant(id) && g_.number_at(id).negative() ? sum : operand;
     case form::power:
     case form::function:
@@ -52,7 +52,91 @@ private:
     }
     return operand;
   }
-  static constexpr bool is_square(const node& n) { return n.op == operation::multiply && n.a == n.b; }
+  /// A power of a factor of a product.
+  struct factor {
+    int id = 0;
+    int exponent = 0;
+  };
+  /// A product of a number and powers of other nodes.
+  struct flat_product {
+    number coefficient = exactly(1);
+    sequence<factor> factors{};
+
+    constexpr strength binds() const {
+      return coefficient == exactly(1) && factors.size() == 1 && factors[0].exponent > 0 ? operand : product;
+    }
+    constexpr void add(int id, int exponent) {
+      for (factor& f : factors)
+        if (f.id == id) {
+          f.exponent += exponent;
+          return;
+        }
+      factors.push({id, exponent});
+    }
+  };
+
+  constexpr flat_product product_of(int id) const {
+    flat_product all;
+    gather(all, id, 1);
+    for (int i = 1; i < all.factors.size(); ++i) // sorts by insertion
+      for (int j = i; j > 0 && precedes(all.factors[j].id, all.factors[j - 1].id); --j) {
+        const factor moved = all.factors[j];
+        all.factors[j] = all.factors[j - 1];
+        all.factors[j - 1] = moved;
+      }
+    return all;
+  }
+  constexpr void gather(flat_product& all, int id, int exponent) const {
+    const node& n = g_[id];
+    if (n.op == operation::multiply || n.op == operation::divide) {
+      gather(all, n.a, exponent);
+      gather(all, n.b, n.op == operation::multiply ? exponent : -exponent);
+    } else if (n.op == operation::constant && id != graph::zero) {
+      const number& value = g_.number_at(id);
+      all.coefficient = exponent > 0 ? all.coefficient * value : all.coefficient / value;
+    } else
+      all.add(id, exponent);
+  }
+
+  /// Parameters precede other symbols, and symbols everything else; symbols are sorted by name.
+  constexpr bool precedes(int a, int b) const {
+    if (rank(a) != rank(b)) return rank(a) < rank(b);
+    return rank(a) < 2 && g_.symbol_at(a).called.view() < g_.symbol_at(b).called.view();
+  }
+  constexpr int rank(int id) const {
+    if (g_[id].op != operation::symbol) return 2;
+    return g_.symbol_at(id).kind == symbol_kind::parameter ? 0 : 1;
+  }
+
+  constexpr void write_product(int id) {
+    const flat_product all = product_of(id);
+    const number size = all.coefficient.negative() ? -all.coefficient : all.coefficient;
+    if (all.coefficient.negative()) put("-");
+    write_side(all, size.exact() ? exactly(size.numerator) : size, 1);
+    const number divisor = exactly(size.exact() ? size.denominator : 1);
+    int below = divisor == exactly(1) ? 0 : 1;
+    for (const factor& f : all.factors) below += f.exponent < 0 ? 1 : 0;
+    if (below == 0) return;
+    put(below > 1 ? "/(" : "/");
+    write_side(all, divisor, -1);
+    if (below > 1) put(")");
+  }
+  /// Writes the factors above (1) or below (−1) the line.
+  constexpr void write_side(const flat_product& all, const number& coefficient, int sign) {
+    bool is_first = true;
+    for (const factor& f : all.factors) is_first = is_first && f.exponent * sign <= 0;
+    const bool shows_number = is_first || !(coefficient == exactly(1));
+    if (shows_number) put(decimal_text(coefficient).view());
+    is_first = !shows_number;
+    for (const factor& f : all.factors) {
+      if (f.exponent * sign <= 0) continue;
+      if (!is_first) put("*");
+      is_first = false;
+      write(f.id, operand);
+      if (f.exponent * sign == 1) continue;
+      put("^"), text_.append(f.exponent * sign);
+    }
+  }
 
   constexpr void pair(int a, strength left, std::string_view sign, int b, strength right) {
     write(a, left), put(sign), write(b, right);
@@ -60,14 +144,13 @@ private:
 
   constexpr void write_bare(int id, const node& n) {
     switch (form_of(n.op)) {
-    case form::leaf: return g_.is_constant(id) ? write_number(g_.number_at(id)) : write_symbol(id);
+    case form::leaf:
+      return g_.is_constant(id) ? put(decimal_text(g_.number_at(id)).view()) : write_symbol(id);
     case form::negate: return put("-"), write(n.a, product);
     case form::add: return pair(n.a, sum, " + ", n.b, sum);
     case form::subtract: return pair(n.a, sum, " - ", n.b, product);
     case form::multiply:
-      if (is_square(n)) return write(n.a, operand), put("^2");
-      return pair(n.a, product, "*", n.b, product);
-    case form::divide: return pair(n.a, product, "/", n.b, operand);
+    case form::divide: return write_product(id);
     case form::power: return pair(n.a, operand, "^", n.b, operand);
     case form::function:
     case form::binary_function:
@@ -93,31 +176,6 @@ private:
     const symbol& s = g_.symbol_at(id);
     put(s.called.view());
     if (s.kind == symbol_kind::coordinate_rate || s.kind == symbol_kind::speed_rate) put("'");
-  }
-
-  constexpr void write_number(const number& n) {
-    if (n.negative()) put("-");
-    const number size = n.negative() ? -n : n;
-    if (size.exact() && size.numerator < 1'000'000 && size.denominator < 1'000'000) {
-      text_.append(static_cast<int>(size.numerator));
-      if (!size.integer()) put("/"), text_.append(static_cast<int>(size.denominator));
-      return;
-    }
-    write_decimal(size.value());
-  }
-
-  /// Six digits after the point at most.
-  constexpr void write_decimal(double size) {
-    if (!(size < 1e9)) return put("...");
-    auto millionths = static_cast<std::int64_t>(size * 1e6 + 0.5);
-    text_.append(static_cast<int>(millionths / 1'000'000));
-    millionths %= 1'000'000;
-    if (millionths == 0) return;
-    put(".");
-    for (int unit = 100'000; millionths > 0; unit /= 10) {
-      text_.append(static_cast<int>(millionths / unit));
-      millionths %= unit;
-    }
   }
 
   const graph& g_;
