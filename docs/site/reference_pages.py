@@ -24,7 +24,7 @@ PAGES = [
     ("results", "Results", "The equations of motion as compiled functions, their arguments and their status.",
      "compiled/equations_of_motion.hpp compiled/function.hpp compiled/state.hpp compiled/named_values.hpp compiled/status.hpp "
      "base/status.hpp base/outcome.hpp derivation/model_error.hpp mechanics/quantity.hpp compiled/*.hpp numeric/fixed_matrix.hpp "
-     "numeric/as_eigen.hpp base/text.hpp base/file_path.hpp"),
+     "numeric/as_eigen.hpp base/text.hpp base/file_path.hpp quantities/*.hpp"),
     ("linearization", "Linearization", "Linearized equations, second derivatives, the regressor and base parameters.",
      "compiled/linearization.hpp compiled/second_order.hpp compiled/regressor.hpp runtime/base_parameters.hpp "
      "runtime/linearization_point.hpp"),

@@ -26,9 +26,9 @@ using namespace simple_pendulum;
 
 // In addition to viscous friction, dry (Coulomb) friction, which is smoothed near zero speed.
 constexpr parameter<"k", newton * meter> k;
-constexpr parameter<"w", radian / second> slow;
-struct Rubbing : extended<simple_pendulum::System, parameters<k>, values<slow == 0.2>,
-                          loads<torque<A, -k * tanh(u / slow) * N::z>>> {};
+constexpr auto slow = constant<0.2, radian / second>;
+struct Rubbing
+    : extended<simple_pendulum::System, parameters<k>, loads<torque<A, -k * tanh(u / slow) * N::z>>> {};
 
 constexpr double viscous = 0.02, dry = 0.05;                             // N m s, N m
 constexpr double noise = 0.01, first_angle = 1, every = 0.02, last = 10; // rad, rad, s, s

@@ -30,13 +30,9 @@ constexpr double d = 0.028, da = 0.0115, e = 0.02, ea = 0.01421, rr = 0.007, ra 
                  zf = 0.02, zt = 0.04, fa = 0.01421;
 constexpr double mom = 0.033; // torque of the motor, N m
 
-// The spring, whose force combines quantities of several units.
-constexpr parameter<"c0", newton / meter> c0;
-constexpr parameter<"l0", meter> l0;
-constexpr parameter<"sc", meter> sc; // from B to its end on K3
-constexpr parameter<"sd", meter> sd;
-constexpr parameter<"gx", meter> gx; // from B to its end on the ground
-constexpr parameter<"gy", meter> gy;
+// The force of the spring combines quantities with several units.
+constexpr auto c0 = constant<4530, newton / meter>;
+constexpr auto l0 = constant<0.07785, meter>, sc = constant<0.018, meter>, sd = constant<0.02, meter>;
 
 struct N : inertial_frame<N> {};
 struct K1 : rotated<K1, N, be, N::z> {};
@@ -63,7 +59,7 @@ struct E6 : offset<E6, H, zf * K6::x> {};
 
 // A spring from the ground to a point of K3.
 constexpr auto arm = sd * K3::x - sc * K3::y;
-constexpr auto spring = arm - gx * N::x - gy * N::y;
+constexpr auto spring = arm - constant<0.05035, meter> * N::x - constant<0.03927, meter> * N::y;
 struct D : offset<D, B, arm> {};
 
 struct C1 : offset<C1, O, ra * K1::x> {};
@@ -91,7 +87,6 @@ struct System
                                     zero_along<position_of<E, E4>, N::x, N::y>,
                                     zero_along<position_of<E, E6>, N::x, N::y>>,
           bodies<Body1, Body2, Body3, Body4, Body5, Body6, Body7>,
-          values<c0 == 4530, l0 == 0.07785, sc == 0.018, sd == 0.02, gx == 0.05035, gy == 0.03927>,
           loads<torque<K1, mom * N::z>, force<D, -c0*(magnitude(spring) - l0) * normalized(spring)>>> {};
 
 } // namespace andrews

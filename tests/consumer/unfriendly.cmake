@@ -2,6 +2,7 @@
 # other libraries.
 set(folder ${CMAKE_CURRENT_BINARY_DIR}/unfriendly)
 file(GLOB headers RELATIVE ${KANEXPR_SOURCE}/include ${KANEXPR_SOURCE}/include/kanexpr/*.hpp)
+list(FILTER headers EXCLUDE REGEX "/mp_units\\.hpp$") # requires mp-units
 list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>\n")
 list(APPEND headers "#include <kanexpr/robots/read_sdf.hpp>\n" "#include <kanexpr/animate/picture_of.hpp>\n")
 list(JOIN headers "" headers)

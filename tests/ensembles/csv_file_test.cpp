@@ -44,6 +44,9 @@ TEST(csv_file, has_the_table_of_runs) {
   std::ostringstream held;
   ASSERT_TRUE(kanexpr::write_csv(found.runs, held));
   EXPECT_EQ(text_of(path), held.str());
+  EXPECT_TRUE(text_of(path).starts_with("run,end,t_end [s],push [N s],q [rad],\"u/ω \"\"fast\"\" [°/s]\"\n"));
+  ASSERT_TRUE(written::run(written::study(1, false), {.files = {csv_file(path, {.with_units = false})}}));
+  EXPECT_TRUE(text_of(path).starts_with("run,end,t_end,push,q,\"u/ω \"\"fast\"\"\"\n"));
 }
 
 TEST(csv_file, goes_on_where_a_study_was_noted) {

@@ -32,6 +32,9 @@ class Fmu:
         self.names = [each.get("name") for each in variables]
         assert [int(each.get("valueReference")) for each in variables] == list(range(len(variables)))
         assert len(set(self.names)) == len(self.names)
+        self.units = {each.get("name"): each.find("BaseUnit").attrib for each in description.iter("Unit")}
+        self.unit = {each.get("name"): each.get("unit") for each in variables if each.get("unit")}
+        assert set(self.unit.values()) == set(self.units), "each unit is defined and used"
         self.of_model = {each.get("name"): each.get("description") for each in variables if each.get("description")}
         self.start = {each.get("name"): float(each.get("start")) for each in variables if each.get("start")}
         self.attributes = {each.get("name"): each.attrib for each in variables}
@@ -286,6 +289,8 @@ for x in ({"h": 0, "v": 0}, {"h": 1e-7, "v": -1e-5}):
 # A jump set by an event is not a crossing, however large it is; later crossings are events. Internal steps may be as
 # long as the communication steps, and endless steps are rejected.
 lift = Fmu("lift")
+assert lift.unit == {"time": "s", "h": "m", "v": "m/s", "der(h)": "m/s", "der(v)": "m/s2", "arrival": "m", "four": "m"}
+assert lift.units["m/s2"] == {"m": "1", "s": "-2"}
 one = Instance(lift, "CoSimulation").initialize()
 assert one.step(0, 1.5)[0] == OK
 near(one.get("h", "v"), [4.5, -1], 1e-11)

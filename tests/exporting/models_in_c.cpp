@@ -4,6 +4,7 @@
 
 #include <kanexpr/export.hpp>
 #include <kanexpr/fmi.hpp>
+#include <kanexpr/units/si.hpp>
 
 #include <models/four_bar.hpp>
 #include <models/iiwa.hpp>
@@ -111,11 +112,11 @@ bool write_ball_fmu(const char* folder) {
   return is_whole(ball);
 }
 
-/// A weightless lift that jumps up when it arrives, past the position of another event, with long internal
-/// steps.
+/// A weightless lift, with units, that jumps up when it arrives, past the position of another event, with
+/// long internal steps.
 bool write_lift_fmu(const char* folder) {
   kanexpr::runtime::builder b("N");
-  const auto h = b.coordinate("h"), v = b.speed("v");
+  const auto h = b.coordinate("h", kanexpr::units::meter), v = b.speed("v");
   b.kinematic_equation(b.dot(h) - v);
   const auto N = b.inertial_frame();
   b.particle("Lift", b.offset("P", b.origin("O"), b.along(N, h, 0, 0)), b.number(1));

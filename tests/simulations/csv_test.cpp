@@ -90,6 +90,30 @@ TEST(csv, quotes_names_if_necessary) {
   EXPECT_EQ(again.rows(), 2u);
 }
 
+TEST(csv, writes_and_reads_units) {
+  table run;
+  EXPECT_TRUE(run.add("t", {0}, "s"));
+  EXPECT_TRUE(run.add("F, x", {2}, "kg m/s²"));
+  EXPECT_TRUE(run.add("k", {3}));
+  EXPECT_EQ(written(run), "t [s],\"F, x [kg m/s²]\",k\n0,2,3\n");
+  std::ostringstream names;
+  ASSERT_TRUE(write_csv(run, names, "names", {.with_units = false}));
+  EXPECT_EQ(names.str(), "t,\"F, x\",k\n0,2,3\n");
+
+  const table again = read(written(run));
+  ASSERT_TRUE(again) << again.cause();
+  EXPECT_EQ(again.names(), run.names());
+  EXPECT_EQ(again.units(), run.units());
+  EXPECT_EQ(again["t"].unit(), "s");
+  EXPECT_EQ(again["F, x [kg m/s²]"][0], 2); // as other programs name it
+  EXPECT_EQ(again["k"].unit(), "");
+
+  const table twice = read("v [m/s],v [km/h],[m],a[m]\n1,3.6,2,4\n");
+  ASSERT_TRUE(twice) << twice.cause();
+  EXPECT_EQ(twice.names(), (std::vector<std::string>{"v", "v [km/h]", "[m]", "a[m]"}));
+  EXPECT_EQ(twice.units(), (std::vector<std::string>{"m/s", "", "", ""}));
+}
+
 TEST(csv, reads_files_of_other_programs) {
   const table run =
       read("\xEF\xBB\xBF t , \"q1\" ,u1\r\n 0 , +1.5e3,NaN \r\n\"-.5\",INF,-infinity\r\n\r\n\n \t\n");

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <type_traits>
 
 namespace {
 
@@ -21,6 +22,19 @@ TEST(unit, is_a_product_of_powers) {
   static_assert(pow<3, 2>(meter).exponent_of(base_unit::meter) == exponent{3, 2});
   static_assert(dimensionless.exponent_of(base_unit::meter) == exponent{0, 1});
   static_assert((dimensionless / pow<2>(second)).exponent_of(base_unit::second) == exponent{-2, 1});
+}
+
+template <unit...>
+struct tagged {};
+template <unit a, unit b>
+constexpr bool are_same = std::is_same_v<tagged<a>, tagged<b>>;
+
+TEST(unit, is_a_template_argument) {
+  static_assert(!are_same<kilogram, meter> && !are_same<meter, second> && !are_same<second, radian>);
+  static_assert(!are_same<radian, dimensionless> && !are_same<meter / second, second / meter>);
+  static_assert(are_same<kilogram / kilogram, dimensionless> && are_same<unit{}, dimensionless>);
+  static_assert(are_same<kilogram * dimensionless, kilogram> && are_same<power(radian, 0), dimensionless>);
+  static_assert(are_same<without_angle(newton * meter / radian), joule>);
 }
 
 TEST(unit, of_an_angle_fits_a_number) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/scene.hpp>
+#include <kanexpr/compiled/units_of.hpp>
 
 #include <algorithm>
 #include <iterator>
@@ -26,8 +27,8 @@ class compiled_scene final : public scene {
 
 public:
   explicit compiled_scene(const Trajectory& trajectory)
-      : scene(compiled::survey_of<System>, records_of<Picture>::list, code(), numbers_in::count + energies,
-              numbers_in::first_rate, numbers_in::rate_count),
+      : scene(compiled::survey_of<System>, compiled::stated_units_of<System>(), records_of<Picture>::list,
+              code(), numbers_in::count + energies, numbers_in::first_rate, numbers_in::rate_count),
         trajectory_(trajectory) {}
 
   std::size_t samples() const override {

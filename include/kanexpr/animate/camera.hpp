@@ -62,7 +62,7 @@ inline animation::shape shape_of(const element_record& r, const recorded_numbers
   s.colour = r.looks.colour;
   s.file = r.file;
   s.layer = r.looks.layer;
-  s.unit = r.looks.unit;
+  s.unit = r.looks.unit.empty() ? r.unit_of_model.view() : r.looks.unit;
   s.opacity = r.looks.opacity;
   s.placed_by = r.placed_by;
   for (int i = 0; i < r.constant; ++i) s.sizes.push_back(recorded.numbers(r.first_constant + i, 0));
@@ -108,11 +108,14 @@ inline std::vector<double> row_of(const Eigen::MatrixXd& m, int row) {
   return {m.row(row).begin(), m.row(row).end()};
 }
 
-/// Adds the columns of the elements `plot` and `plot_energies`.
+/// Adds the columns of the elements `plot` and `plot_energies`. Energies are in J if the model states units.
 inline void add_plots(animation& a, std::span<const element_record> elements,
-                      const recorded_numbers& recorded, int first_energy) {
+                      const recorded_numbers& recorded, int first_energy, bool states_units) {
   for (const element_record& r : elements) {
-    const std::string unit(r.unit);
+    const std::string unit(!r.unit.empty()    ? r.unit
+                           : r.word == "plot" ? r.unit_of_model.view()
+                           : states_units     ? "J"
+                                              : "");
     if (r.word == "plot")
       a.columns.push_back(
           {std::string(r.looks.name), row_of(recorded.numbers, r.first_varying), "Quantities", unit});
@@ -127,14 +130,14 @@ inline void add_plots(animation& a, std::span<const element_record> elements,
   }
 }
 
-/// Gives the columns of symbols the units of the elements `in_unit`.
+/// Gives the columns of symbols the units of the elements `in_unit`, which replace those of the model.
 inline void give_units(animation& a, std::span<const element_record> elements) {
-  for (const element_record& r : elements)
-    for (const phrase& p : r.symbols) {
+  for (std::size_t i = elements.size(); i-- > 0;) // the first of several counts
+    for (const phrase& p : elements[i].symbols) {
       std::string name(p.tokens[0].symbol->called.view());
       if (p.tokens[0].symbol->kind == symbolic::symbol_kind::coordinate_rate) name += '\'';
       for (animation::column& c : a.columns)
-        if (c.name == name && c.unit.empty() && c.group != "Quantities") c.unit = r.unit;
+        if (c.name == name && c.group != "Quantities") c.unit = elements[i].unit;
     }
 }
 
@@ -150,7 +153,7 @@ public:
   }
 
   animation film() {
-    made_.columns = columns_of(scene_.known);
+    made_.columns = columns_of(scene_.known, scene_.units);
     if (scene_.samples() == 0) made_.failure = "the trajectory has no samples";
     recorded_.numbers.resize(scene_.numbers, static_cast<Eigen::Index>(scene_.samples()));
     for (std::size_t i = 0; i < scene_.samples() && made_; ++i) take(i);
@@ -158,7 +161,7 @@ public:
     drop_unset_inputs(made_);
     integrate();
     make_shapes(made_, scene_.elements, recorded_);
-    add_plots(made_, scene_.elements, recorded_, scene_.first_rate + scene_.rates);
+    add_plots(made_, scene_.elements, recorded_, scene_.first_rate + scene_.rates, scene_.units != nullptr);
     give_units(made_, scene_.elements);
     made_.failure = check_numbers(made_);
     return std::move(made_);

@@ -3,6 +3,8 @@
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/base/digits.hpp>
 #include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/derivation/unit_labels.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
@@ -109,18 +111,25 @@ inline std::string check_numbers(const animation& a) {
   return check_smallness(a);
 }
 
-/// The names of the coordinates, speeds and inputs, without values.
-inline std::vector<animation::column> columns_of(const derivation::survey& known) {
+/// The names of the coordinates, speeds and inputs, without values; `units` is null if the model states none.
+inline std::vector<animation::column> columns_of(const derivation::survey& known,
+                                                 const mechanics::unit_table* units) {
   std::vector<animation::column> columns;
   for (int i = 0; i < known.coordinates + known.speeds; ++i) {
     std::string name(known.names[i].view());
     if (known.takes_rates_as_speeds && i >= known.coordinates)
       name = std::string(known.names[i - known.coordinates].view()) + '\'';
-    columns.push_back({name, {}, i < known.coordinates ? "Coordinates" : "Speeds", {}});
+    columns.push_back({name,
+                       {},
+                       i < known.coordinates ? "Coordinates" : "Speeds",
+                       derivation::unit_label(units, known, i)});
   }
   const int first = known.first_of(symbolic::symbol_kind::input);
   for (int i = 0; i < known.inputs; ++i)
-    columns.push_back({std::string(known.names[first + i].view()), {}, "Inputs", {}});
+    columns.push_back({std::string(known.names[first + i].view()),
+                       {},
+                       "Inputs",
+                       derivation::unit_label(units, known, first + i)});
   return columns;
 }
 

@@ -16,6 +16,7 @@
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -112,7 +113,8 @@ inline animation film(model m, const recorded_motion& motion) {
   animation a;
   a.failure = m.mistake();
   if (!a) return a;
-  a.columns = columns_of(*m.known());
+  const mechanics::unit_table units = m.known()->states_units ? m.units() : mechanics::unit_table();
+  a.columns = columns_of(*m.known(), units.is_stated ? &units : nullptr);
   for (std::size_t k = 0; k < motion.times.size() && a; ++k) {
     a.failure = check_sizes(*m.known(), motion, k);
     if (a) add_sample(a, motion.times[k], numbers_in(motion.states[k]), numbers_in(motion.inputs[k]));

@@ -4,7 +4,11 @@
 #include <kanexpr/animate/compiled_pages.hpp>
 #include <kanexpr/animate/picture.hpp>
 #include <kanexpr/compiled/code_table.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/derivation/model_units.hpp>
 #include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
+#include <kanexpr/units/unit_text.hpp>
 
 #include <array>
 #include <span>
@@ -26,6 +30,8 @@ struct element_record {
   int constant = 0;
   std::string_view unit{};           ///< the unit of what it plots
   std::span<const phrase> symbols{}; ///< the symbols to which it gives the unit
+  const phrase* quantity = nullptr;  ///< the vector of an arrow or the scalar of a plot
+  base::name unit_of_model{};        ///< the unit of this quantity, if the model determines it
   int first_rate = 0;                ///< index among the rates
   int rates = 0;
 };
@@ -44,7 +50,9 @@ constexpr element_record record_of_element() {
     r.placed_by = attachment::placed_by;
     r.has_axis = requires { attachment::axis; };
     if constexpr (requires { attachment::file; }) r.file = attachment::file;
+    if (r.shape == "arrow") r.quantity = &Element::varying.back();
   }
+  if constexpr (Element::word == "plot") r.quantity = &Element::varying.front();
   if constexpr (requires { Element::folder; }) r.file = Element::folder;
   if constexpr (requires { Element::unit; }) r.unit = Element::unit;
   if constexpr (requires { Element::symbols; }) r.symbols = Element::symbols;
@@ -52,16 +60,29 @@ constexpr element_record record_of_element() {
   return r;
 }
 
-template <class Elements>
+/// Infers the units of arrows and plots, if the model states any units.
+template <class System, std::size_t count>
+constexpr void infer_units(std::array<element_record, count>& all) {
+  if constexpr (compiled::survey_of<System>.states_units) {
+    derivation::model_units model(System::record);
+    for (element_record& r : all) {
+      if (r.quantity == nullptr) continue;
+      if (const mechanics::possible_unit found = model.unit_of(*r.quantity))
+        r.unit_of_model = units::text_of(*found);
+    }
+  }
+}
+
+template <class System, class Elements>
 struct records_in;
 template <class Picture>
 struct records_of;
 
 template <class System, class... Elements>
-struct records_of<picture<System, Elements...>> : records_in<elements_of<System, Elements...>> {};
+struct records_of<picture<System, Elements...>> : records_in<System, elements_of<System, Elements...>> {};
 
-template <class... Elements>
-struct records_in<element_list<Elements...>> {
+template <class System, class... Elements>
+struct records_in<System, element_list<Elements...>> {
   static constexpr std::array<element_record, sizeof...(Elements)> list = [] {
     using numbers = numbers_in_list<element_list<Elements...>>;
     std::array<element_record, sizeof...(Elements)> made{record_of_element<Elements>()...};
@@ -70,6 +91,7 @@ struct records_in<element_list<Elements...>> {
       made[i].first_constant = numbers::first_constant + numbers::constant.begin[i];
       made[i].first_rate = numbers::rates.begin[i];
     }
+    infer_units<System>(made);
     return made;
   }();
 };
@@ -80,6 +102,7 @@ public:
   virtual ~scene() = default;
 
   const derivation::survey& known;
+  const mechanics::unit_table* units; ///< null if the model states none
   std::span<const element_record> elements;
   const compiled::code_table& table; ///< evaluates all numbers of the picture
   int numbers, first_rate, rates; ///< their count, and the range of those that are integrated; the energies
@@ -93,9 +116,11 @@ public:
   virtual bool between(double t, double* x, double* r) const = 0;
 
 protected:
-  scene(const derivation::survey& of, std::span<const element_record> shown, const compiled::code_table& code,
-        int all, int first, int integrated)
-      : known(of), elements(shown), table(code), numbers(all), first_rate(first), rates(integrated) {}
+  scene(const derivation::survey& of, const mechanics::unit_table* units_of_symbols,
+        std::span<const element_record> shown, const compiled::code_table& code, int all, int first,
+        int integrated)
+      : known(of), units(units_of_symbols), elements(shown), table(code), numbers(all), first_rate(first),
+        rates(integrated) {}
 };
 
 KANEXPR_PAGES animation film(const scene& shown);

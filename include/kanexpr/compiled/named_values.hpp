@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/call.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/compiled/units_library.hpp>
 #include <kanexpr/compiled/values_reader.hpp>
 
 #include <Eigen/Core>
@@ -11,13 +12,20 @@
 #include <concepts>
 #include <initializer_list>
 #include <iterator>
+#include <utility>
 
 namespace kanexpr {
 
-/// A symbol or its name, with a value: `{q1, 0.1}`, `{"m", 2.5}`.
+/// A symbol or its name, with a value: `{q1, 0.1}`, `{"m", 2.5}`. With a symbol that states its unit, the
+/// value may be a quantity of a units library: `{m, 2 * kg}`.
 struct named_value {
   symbol_name what;
   double value;
+
+  named_value(symbol_name of, double number) : what(std::move(of)), value(number) {}
+  template <class Symbol, compiled::quantity_of_a_library Quantity>
+  named_value(const Symbol& of, const Quantity& quantity)
+      : what(of), value(compiled::number_of<compiled::stated_by<Symbol>>(quantity)) {}
 };
 
 namespace compiled {

@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/compiled/symbol_range.hpp>
+#include <kanexpr/compiled/units_library.hpp>
 #include <kanexpr/derivation/model_error.hpp>
 #include <kanexpr/derivation/read/wording.hpp>
 #include <kanexpr/describe/symbol.hpp>
@@ -83,7 +84,8 @@ struct place_in<System, symbols_of::inputs,
     : placed<System, symbolic::symbol_kind::input, called, index, 0, order> {};
 
 /// The value of an entry in a vector of a system, with the symbol or its name: `{q1, 0.1}`, `{"m", 2.5}`. A
-/// symbol is looked up at compile time, a name at run time.
+/// symbol is looked up at compile time, a name at run time. With a symbol, the value may be a quantity of a
+/// units library: `{m, 2 * kg}`.
 template <class System, symbols_of which, class Scalar>
 struct entry {
   int place; ///< the index in the vector; negative if none of its symbols has the name
@@ -93,16 +95,18 @@ struct entry {
   template <class Symbol, class Value>
     requires requires(const Symbol& symbol) { describe::shape_of(symbol); }
   constexpr entry(const Symbol&, const Value& number)
-      : place(place_in<System, which, Symbol>::place), value(taken(number)) {}
+      : place(place_in<System, which, Symbol>::place), value(taken<Symbol>(number)) {}
 
   template <std::convertible_to<std::string_view> Name, class Value>
   constexpr entry(const Name& called, const Value& number)
       : place(place_called(called)), value(taken(number)), name(called) {}
 
 private:
-  template <class Value>
+  template <class Symbol = void, class Value>
   static constexpr Scalar taken(const Value& number) {
-    if constexpr (std::convertible_to<Value, Scalar>)
+    if constexpr (quantity_of_a_library<Value>)
+      return lower::scalar_math<Scalar>::from(number_of<stated_by<Symbol>>(number));
+    else if constexpr (std::convertible_to<Value, Scalar>)
       return static_cast<Scalar>(number);
     else
       return lower::scalar_math<Scalar>::from(static_cast<double>(number));

@@ -19,6 +19,15 @@ namespace compiled {
 template <class System>
 inline constexpr mechanics::unit_table unit_table_of = derivation::unit_table_of(System::record);
 
+/// The address of this table; null if the model states no units, which are then not inferred.
+template <class System>
+constexpr const mechanics::unit_table* stated_units_of() {
+  if constexpr (survey_of<System>.states_units && !survey_of<System>.mistake)
+    return &unit_table_of<System>;
+  else
+    return nullptr;
+}
+
 /// The unit of an entry of a result, by its row and column.
 template <class System>
 constexpr mechanics::possible_unit unit_of(mechanics::quantity wanted, int row = 0, int column = 0) {

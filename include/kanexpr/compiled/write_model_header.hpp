@@ -50,6 +50,7 @@ private:
     set("configuration_constraints", known.configuration_constraints);
     set("redundant_constraints", known.redundant_constraints);
     set("quaternions", known.quaternions);
+    set("states_units", known.states_units);
     for (int i = 0; i < known.symbols(); ++i) {
       out_ << "    s.names[" << i << "] = \"" << known.names[i].view() << "\";\n";
       if (known.dependent[i]) out_ << "    s.dependent[" << i << "] = true;\n";

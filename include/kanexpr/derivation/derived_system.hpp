@@ -110,6 +110,7 @@ constexpr bool is_moment_of(const mechanics::body& b, const expression& paramete
 
 constexpr void survey::take(derived_system& system) {
   take(system.mechanism(), !system.mistake(), system.is_derived() ? &system.equations() : nullptr);
+  states_units = system.reader().states_units();
 }
 
 constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::equations* derived) {

@@ -52,6 +52,9 @@ struct image {
   bool is_full = false;
 };
 
+/// Separates the two parts in which an image stores an integer of 64 bits.
+inline constexpr std::int64_t one_above_int = std::int64_t{1} << 31;
+
 /// Writes a derivation into an image: `write(part)` for each part, which `image_reader` reads in the same
 /// order.
 class image_writer {
@@ -65,7 +68,9 @@ public:
   }
   template <class Part>
   constexpr void operator()(const Part& part) {
-    if constexpr (std::is_integral_v<Part> || std::is_enum_v<Part>)
+    if constexpr (std::is_same_v<Part, std::int64_t>) // in two parts
+      write(static_cast<int>(part % one_above_int)), write(static_cast<int>(part / one_above_int));
+    else if constexpr (std::is_integral_v<Part> || std::is_enum_v<Part>)
       write(static_cast<int>(part));
     else if constexpr (requires { Part::each_member(part, *this); })
       Part::each_member(part, *this);
@@ -167,7 +172,10 @@ public:
   }
   template <class Part>
   constexpr void operator()(Part& part) {
-    if constexpr (std::is_integral_v<Part> || std::is_enum_v<Part>)
+    if constexpr (std::is_same_v<Part, std::int64_t>) {
+      part = read();
+      part += one_above_int * read();
+    } else if constexpr (std::is_integral_v<Part> || std::is_enum_v<Part>)
       part = static_cast<Part>(read());
     else if constexpr (requires { Part::each_member(part, *this); })
       Part::each_member(part, *this);

@@ -32,7 +32,8 @@ namespace describe {
 
 template <class Point, auto... coefficient>
 inline constexpr phrase drag_on[]{
-    phrase_of<-(coefficient* magnitude(velocity_of<Point>)) * velocity_of<Point>>..., no_phrase};
+    phrase_of<-(whole_argument(coefficient) * magnitude(velocity_of<Point>)) * velocity_of<Point>>...,
+    no_phrase};
 
 } // namespace describe
 

@@ -54,6 +54,15 @@ constexpr auto with_numbers_as_scalars(const Written& value) {
     return value;
 }
 
+/// Marks a number that is an argument of a word, if the word multiplies it by something.
+template <class Written>
+constexpr auto whole_argument(const Written& value) {
+  auto marked = with_numbers_as_scalars(value);
+  if constexpr (plain_number<Written>)
+    if (marked.tokens[0].what == token_kind::number) marked.tokens[0].index = whole_quantity;
+  return marked;
+}
+
 namespace {
 struct this_file;
 }

@@ -76,7 +76,7 @@ struct constant_storage {
   static constexpr units::unit unit = stated;
   static constexpr symbol_record record = [] {
     symbol_record r{symbolic::symbol_kind::parameter, symbolic::decimal_text(number)};
-    r.called.append(" "), r.called.append(units::text_of(stated).view());
+    r.called.append(" "), r.called.append(units::text_of(stated, units::spelling::message).view());
     r.unit = &unit, r.value = &number;
     return r;
   }();

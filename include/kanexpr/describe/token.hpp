@@ -31,6 +31,8 @@ inline constexpr int unprescribed = -1;
 
 /// The `index` of a number that is the integer 0.
 inline constexpr int whole_zero = 1;
+/// The `index` of a number that is an argument of a word, which has the unit that the word expects.
+inline constexpr int whole_quantity = 2;
 
 struct symbol_record {
   symbolic::symbol_kind kind;

@@ -59,8 +59,12 @@ public:
     for (std::size_t i = 0; i < open_files_; ++i) attempt([&] { return options_.files[i]->end(); });
     if (checkpoint_ && found_.failure.empty() && found_.done == found_.planned)
       attempt([&] { return checkpoint_->remove(); });
+    const bool has_units = layout_.has_units();
     for (std::size_t i = 0; i < columns_.size(); ++i)
-      attempt([&] { return found_.runs.add(layout_.columns[i].name, std::move(columns_[i])); });
+      attempt([&] {
+        const auto& [name, unit] = layout_.columns[i];
+        return found_.runs.add(name, std::move(columns_[i]), has_units ? unit : "");
+      });
     for (const finished_run& each : held_) {
       if (!layout_.samples.empty()) found_.trajectories.push_back(trajectory_of(each));
       if (layout_.events.empty()) continue;
@@ -184,11 +188,13 @@ private:
 
   table trajectory_of(const finished_run& one) const {
     table path;
+    const bool has_units = layout_.has_units();
     const std::size_t width = layout_.samples.size();
     for (std::size_t i = 0; i < width; ++i) {
       std::vector<double> column;
       for (std::size_t k = i; k < one.samples.size(); k += width) column.push_back(one.samples[k]);
-      static_cast<void>(path.add(layout_.samples[i].name, std::move(column))); // their names are distinct
+      const auto& [name, unit] = layout_.samples[i];
+      static_cast<void>(path.add(name, std::move(column), has_units ? unit : "")); // the names are distinct
     }
     return path;
   }

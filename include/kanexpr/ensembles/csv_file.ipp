@@ -23,7 +23,7 @@ namespace ensembles {
 
 class csv_results final : public results_file {
 public:
-  explicit csv_results(std::string path) : path_(std::move(path)) {}
+  csv_results(std::string path, const csv_options& options) : path_(std::move(path)), options_(options) {}
 
   outcome fits(const study_layout& layout) const override {
     if (layout.samples.empty() && layout.events.empty()) return {};
@@ -37,7 +37,9 @@ public:
     rows_ = 0;
     std::vector<std::string> names;
     names.reserve(layout.columns.size());
-    for (const column_label& each : layout.columns) names.push_back(each.name);
+    const bool has_units = options_.with_units && layout.has_units();
+    for (const auto& [name, unit] : layout.columns)
+      names.push_back(simulations::header(name, has_units ? unit : ""));
     writer_.emplace(out_, names, path_);
     return state();
   }
@@ -81,6 +83,7 @@ private:
   outcome state() const { return *writer_ ? outcome() : outcome(writer_->cause()); }
 
   const std::string path_;
+  const csv_options options_;
   std::ofstream out_{};
   std::optional<csv_writer> writer_{};
   std::size_t rows_ = 0;
@@ -88,8 +91,8 @@ private:
 
 } // namespace ensembles
 
-KANEXPR_ENSEMBLES std::shared_ptr<results_file> csv_file(const file_path& path) {
-  return std::make_shared<ensembles::csv_results>(path.text());
+KANEXPR_ENSEMBLES std::shared_ptr<results_file> csv_file(const file_path& path, const csv_options& options) {
+  return std::make_shared<ensembles::csv_results>(path.text(), options);
 }
 
 } // namespace kanexpr

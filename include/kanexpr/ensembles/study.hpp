@@ -89,11 +89,11 @@ struct study_of {
   std::function<void(const run_values&, typename Kind::setup&)> for_each_run = {};
 
   std::vector<typename Kind::output> keep = {};
-  bool keep_end_state = false;    ///< the state at the end of each run, as q1_end
-  bool keep_trajectories = false; ///< all samples of all runs
-  bool keep_events = false;       ///< the times of all events
-  std::vector<unit_of> units = {};
-  std::string name = {}; ///< in files; by default the name of the system
+  bool keep_end_state = false;     ///< the state at the end of each run, as q1_end
+  bool keep_trajectories = false;  ///< all samples of all runs
+  bool keep_events = false;        ///< the times of all events
+  std::vector<unit_of> units = {}; ///< where they differ from those that the model states
+  std::string name = {};           ///< in files; by default the name of the system
 };
 
 /// A study whose runs are performed by `simulate`.

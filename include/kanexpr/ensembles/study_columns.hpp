@@ -2,7 +2,9 @@
 
 #include <kanexpr/base/name_of_time.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/compiled/units_of.hpp>
 #include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/derivation/unit_labels.hpp>
 #include <kanexpr/ensembles/study.hpp>
 #include <kanexpr/ensembles/study_interface.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
@@ -23,7 +25,7 @@ int symbol_index(std::string_view name) {
   return -1;
 }
 
-/// Determines the columns of a study, with their units.
+/// Determines the columns of a study, with their units: those of the study, or else those of the model.
 template <class Kind>
 class study_columns {
   using System = typename Kind::System;
@@ -80,7 +82,9 @@ private:
   column_label label(const std::string& name) const {
     for (const unit_of& each : units_)
       if (each.what.name() == name && !name.empty()) return {name, each.unit};
-    return {name};
+    const int place = symbol_index<System>(name);
+    if (place < 0) return {name};
+    return {name, derivation::unit_label(compiled::stated_units_of<System>(), known, place)};
   }
 
   const std::vector<unit_of>& units_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -36,6 +37,13 @@ struct study_layout {
   std::vector<column_label> state{};         ///< state at the end of a failed run
   std::vector<column_label> samples{}; ///< columns of the trajectories, time first; empty: none are kept
   std::vector<std::string> events{};   ///< the events whose times are kept
+
+  /// Whether a unit other than that of the time is known. Only then tables and CSV files contain units.
+  bool has_units() const {
+    const auto is_known = [](const column_label& each) { return !each.unit.empty(); };
+    return std::ranges::any_of(state, is_known) || std::ranges::count_if(columns, is_known) > 1 ||
+           std::ranges::any_of(constants, is_known, &constant_of_runs::what);
+  }
 };
 
 /// How a run ended.

@@ -3,6 +3,8 @@
 #include <kanexpr/base/version.hpp>
 #include <kanexpr/lower/statements.hpp>
 #include <kanexpr/symbolic/cost.hpp>
+#include <kanexpr/units/unit.hpp>
+#include <kanexpr/units/unit_text.hpp>
 
 #include <algorithm>
 #include <string>
@@ -18,6 +20,19 @@ inline std::string generator() {
          '.' + std::to_string(KANEXPR_VERSION_PATCH);
 }
 
+/// A unit, written in ASCII as in FMI: kg.m2/s2. Empty if the model does not determine it.
+struct exported_unit {
+  std::string text{};
+  units::unit unit{};
+
+  bool is_known() const { return !text.empty(); }
+  bool operator==(const exported_unit&) const = default;
+};
+
+inline exported_unit written_unit(const units::unit& u) {
+  return {std::string(units::text_of(u, units::spelling::plain).view()), u};
+}
+
 /// One result of a function. Its entries are stored row by row, starting at entry `first` of the function; a
 /// sparse result stores its structurally nonzero entries column by column.
 struct exported_result {
@@ -28,6 +43,7 @@ struct exported_result {
   std::vector<std::string> row_symbols{}; ///< the symbols to which the rows belong, if any
   bool is_sparse = false;
   std::vector<std::pair<int, int>> places{}; ///< column and row of each entry, if sparse
+  std::vector<exported_unit> units{};        ///< of the entries, row by row; empty if none is known
 
   int entries() const { return is_sparse ? static_cast<int>(places.size()) : rows * columns; }
 };
@@ -66,6 +82,9 @@ struct exported_function {
 struct exported_system {
   std::string name{};
   std::vector<std::string> coordinates{}, speeds{}, parameters{}, inputs{};
+  std::vector<exported_unit> units_of_states{}, units_of_parameters{},
+      units_of_inputs{};     ///< in the same order
+  bool states_units = false; ///< whether the model states the unit of any symbol
   std::vector<exported_function> functions{};
 
   /// Returns null if there is no function of this name.

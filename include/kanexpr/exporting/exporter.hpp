@@ -8,6 +8,7 @@
 #include <kanexpr/exporting/export_request.hpp>
 #include <kanexpr/exporting/exported_system.hpp>
 #include <kanexpr/exporting/text/identifiers.hpp>
+#include <kanexpr/exporting/units_of_export.hpp>
 #include <kanexpr/exporting/written_step.hpp>
 #include <kanexpr/mechanics/checks/check_derivatives.hpp>
 #include <kanexpr/mechanics/equations.hpp>
@@ -78,6 +79,10 @@ private:
     if (made_.mistake = first.mistake(); !made_.mistake.empty()) return;
     using symbolic::symbol_kind;
     exported_system& s = made_.system;
+    if (survey_->states_units) units_ = units_of_export(first);
+    s.states_units = units_.are_stated();
+    s.units_of_states = units_of(0, survey_->coordinates + survey_->speeds);
+    s.units_of_inputs = units_of(survey_->first_of(symbol_kind::input), survey_->inputs);
     s.coordinates = names_of(symbol_kind::coordinate), s.speeds = names_of(symbol_kind::speed);
     s.inputs = names_of(symbol_kind::input);
     const std::vector<std::string> parameters = names_of(symbol_kind::parameter);
@@ -94,7 +99,11 @@ private:
     }
     for (std::size_t i = 0; i < parameters.size(); ++i) {
       index_of_parameter_.push_back(static_cast<int>(s.parameters.size()));
-      if (!is_bound(i)) s.parameters.push_back(parameters[i]);
+      if (is_bound(i)) continue;
+      s.parameters.push_back(parameters[i]);
+      if (s.states_units)
+        s.units_of_parameters.push_back(
+            units_.of_symbol(survey_->first_of(symbol_kind::parameter) + static_cast<int>(i)));
     }
     if (const base::sentence impossible = compiled::check_masses(*survey_, bound_values_.data()))
       refuse(std::string(impossible.view()));
@@ -110,6 +119,12 @@ private:
     return names;
   }
 
+  std::vector<exported_unit> units_of(int first, int count) const {
+    std::vector<exported_unit> all;
+    for (int i = first; i < first + count && units_.are_stated(); ++i) all.push_back(units_.of_symbol(i));
+    return all;
+  }
+
   void add(const requested_function& wanted) {
     if (!wanted.mistake.empty()) return refuse(wanted.mistake);
     exported_function made{.name = wanted.name};
@@ -118,6 +133,8 @@ private:
         return form({.results = {{"", {.what = derivation::request::kind::result, .wanted = of}}}});
       });
       if (!made_.mistake.empty()) return;
+      if (units_.are_stated())
+        for (exported_result& each : made.results) each.units = units_.of_states();
     } else {
       for (const requested_result& each : wanted.results)
         if (each.request.is_weighted() && each.part.empty())
@@ -149,9 +166,14 @@ private:
     formed_results made;
     base::sequence<int> nodes;
     const auto take = [&](const std::string& name, const symbolic::matrix& found,
-                          std::vector<std::string> row_symbols) {
+                          std::vector<std::string> row_symbols, std::vector<exported_unit> units) {
       if (found.entries.empty()) return; // without inputs there is no B
-      made.results.push_back({name, found.rows, found.columns, nodes.size(), std::move(row_symbols)});
+      made.results.push_back({.name = name,
+                              .rows = found.rows,
+                              .columns = found.columns,
+                              .first = nodes.size(),
+                              .row_symbols = std::move(row_symbols),
+                              .units = std::move(units)});
       for (const symbolic::expression& e : found.entries) nodes.push(e.node());
     };
     const differentiable_symbols known_symbols = symbols_of(from);
@@ -179,11 +201,11 @@ private:
       if (each.is_sparse)
         made.results.push_back(sparse(each.name, from, found, nodes));
       else if (wanted.derivatives.empty())
-        take(each.name, found, symbols_of_rows(each.request));
+        take(each.name, found, symbols_of_rows(each.request), units_.of_result(from, each, found));
       for (const symbolic::expression& e : found.entries) all.push(e);
     }
     for (const symbols each : wanted.derivatives)
-      take(name_of(each), derived(all, {.type = requested_derivative::kind::jacobian, .by = each}), {});
+      take(name_of(each), derived(all, {.type = requested_derivative::kind::jacobian, .by = each}), {}, {});
     if (!made_.mistake.empty()) return std::nullopt;
     for (const mechanics::singularity_check& c : from.equations().singularity_checks_of(nodes)) {
       made.checks.push_back({std::string(c.cause.view()), c.of_finiteness});
@@ -327,6 +349,7 @@ private:
   runtime::staged_derivation& derivation_;
   options chosen_;
   std::shared_ptr<const derivation::survey> survey_{};
+  units_of_export units_{};
   std::vector<double> bound_values_{};    ///< NaN for parameters that are not bound
   std::vector<int> index_of_parameter_{}; ///< index of each parameter among those that are not bound
   exported made_{};

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/describe/token.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/units/unit_table.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 
 #include <memory>
@@ -35,8 +37,14 @@ public:
   /// The equations of motion; null if a mistake was found before they were derived.
   virtual mechanics::equations* equations() = 0;
 
+  /// Whether the model states the unit of any symbol.
+  virtual bool states_units() const = 0;
   /// The units of the symbols and constraints.
   virtual mechanics::unit_table units() const = 0;
+  /// The unit of an expression that a builder formed, or of a phrase of the types of a model; nothing if it
+  /// is undetermined.
+  virtual mechanics::possible_unit unit_of(const symbolic::expression& e) const = 0;
+  virtual mechanics::possible_unit unit_of(const describe::phrase& p) const = 0;
 
   /// Stores the derivation. Requires that there is no mistake.
   virtual void store(derivation::image& into) const = 0;

@@ -7,11 +7,14 @@
 #include <kanexpr/derivation/read/reader.hpp>
 #include <kanexpr/derivation/request.hpp>
 #include <kanexpr/derivation/stages.hpp>
+#include <kanexpr/describe/token.hpp>
 #include <kanexpr/mechanics/checks/check_units.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/units/unit_inference.hpp>
 #include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/runtime/derived.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 
 #include <memory>
@@ -34,26 +37,34 @@ public:
     if (mistake_) return;
     derivation::advance(system_, derivation::stage::constrained);
     derivation::visit(extra_requests, system_.reader());
+    states_units_ = system_.reader().states_units();
   }
-  derived_from_types(const describe::system_record& record, const derivation::image& from)
-      : record_(record), system_(record, from) {}
+  derived_from_types(const derived_from_types& same, const derivation::image& from)
+      : record_(same.record_), system_(same.record_, from), states_units_(same.states_units_) {}
 
   const base::sentence& mistake() const override { return mistake_ ? mistake_ : system_.mistake(); }
   symbolic::graph& graph() override { return system_.graph(); }
   const mechanics::multibody_system& system() const override { return system_.system(); }
   derivation::reader& reader() override { return system_.reader(); }
   mechanics::equations* equations() override { return system_.is_derived() ? &system_.equations() : nullptr; }
+
+  bool states_units() const override { return states_units_; }
   mechanics::unit_table units() const override { return derivation::unit_table_of(record_); }
+  mechanics::possible_unit unit_of(const symbolic::expression&) const override { return std::nullopt; }
+  mechanics::possible_unit unit_of(const describe::phrase& p) const override {
+    return derivation::unit_of(record_, p);
+  }
 
   void store(derivation::image& into) const override { system_.write(into); }
   std::shared_ptr<derived> resumed(const derivation::image& from) const override {
-    return std::make_shared<derived_from_types>(record_, from);
+    return std::make_shared<derived_from_types>(*this, from);
   }
 
 private:
   base::sentence mistake_{}; ///< a mistake in the types themselves
   const describe::system_record& record_;
   derivation::derived_system system_;
+  bool states_units_ = false;
 };
 
 /// A system derived from a copy of the builder's system; not derived if `mistake` is set.
@@ -85,7 +96,16 @@ public:
   const mechanics::multibody_system& system() const override { return system_; }
   derivation::reader& reader() override { return reader_; }
   mechanics::equations* equations() override { return equations_ ? &*equations_ : nullptr; }
+
+  bool states_units() const override { return !system_.mechanism.stated_units.empty(); }
   mechanics::unit_table units() const override { return mechanics::unit_table_of(system_); }
+  mechanics::possible_unit unit_of(const symbolic::expression& e) const override {
+    if (!states_units()) return std::nullopt;
+    mechanics::unit_inference inferred(system_.mechanism);
+    mechanics::system_units(system_, inferred).state();
+    return inferred.unit_of(e);
+  }
+  mechanics::possible_unit unit_of(const describe::phrase&) const override { return std::nullopt; }
 
   void store(derivation::image& into) const override {
     derivation::image_writer write(into, *graph_);

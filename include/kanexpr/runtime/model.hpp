@@ -143,6 +143,15 @@ public:
   /// Whether all entries are expressions of this model.
   bool owns(const symbolic::matrix& result) const;
 
+  /// The unit of an expression of a builder, or of an expression of the types of a model (for a vector, of
+  /// its components): `model.unit_of<velocity_of<P>>()`.
+  mechanics::possible_unit unit_of(const symbolic::expression& e) const;
+  mechanics::possible_unit unit_of(const describe::phrase& p) const;
+  template <auto wanted, class Where = describe::file_of<wanted>>
+  mechanics::possible_unit unit_of() const {
+    return unit_of(describe::phrase_of<wanted>);
+  }
+
   /// The symbols of the model in order, and which of them are dependent.
   std::shared_ptr<const derivation::survey> known() const;
 

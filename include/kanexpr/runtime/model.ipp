@@ -6,6 +6,7 @@
 #include <kanexpr/derivation/result_units.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/runtime/derived.ipp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -144,7 +145,17 @@ KANEXPR_ENGINE std::string model::latex(const mechanics::vector& v, mechanics::b
 KANEXPR_ENGINE std::shared_ptr<const derivation::survey> model::known() const {
   auto found = std::make_shared<derivation::survey>();
   found->take(mechanism(), !system_->mistake(), system_->equations());
+  found->states_units = system_->states_units();
   return found;
+}
+
+KANEXPR_ENGINE mechanics::possible_unit model::unit_of(const symbolic::expression& e) const {
+  if (!e.belongs_to(system_->graph())) return std::nullopt;
+  return system_->unit_of(e);
+}
+
+KANEXPR_ENGINE mechanics::possible_unit model::unit_of(const describe::phrase& p) const {
+  return system_->unit_of(p);
 }
 
 KANEXPR_ENGINE bool model::owns(const symbolic::matrix& result) const {

@@ -12,6 +12,7 @@ namespace kanexpr::units {
 /// How a unit is written.
 enum class spelling : unsigned char {
   printed, ///< kg m/s², N m/(rad s), 1
+  message, ///< kg m/s^2, in which compilers show every letter
   plain,   ///< ASCII, for C and FMI: kg.m/s2, N.m/(rad.s), 1
   latex,   ///< for an equation: \mathrm{kg\,m/s^{2}}
 };
@@ -81,7 +82,7 @@ public:
 
 private:
   constexpr std::string_view sign_of(const symbol& s) const {
-    if (s.called != "Ohm" || how_ == spelling::plain) return s.called;
+    if (s.called != "Ohm" || how_ == spelling::plain || how_ == spelling::message) return s.called;
     return how_ == spelling::latex ? "\\Omega" : "Ω";
   }
   constexpr base::name around(std::string_view text) const {
@@ -93,7 +94,7 @@ private:
   }
 
   constexpr void put(std::string_view symbol) {
-    if (!is_first_) text_.append(how_ == spelling::printed ? " " : how_ == spelling::plain ? "." : "\\,");
+    if (!is_first_) text_.append(how_ == spelling::latex ? "\\," : how_ == spelling::plain ? "." : " ");
     is_first_ = false;
     text_.append(symbol);
   }
@@ -113,10 +114,12 @@ private:
       text_.append("/");
       text_.append(e.denominator);
       text_.append(how_ == spelling::latex ? "" : ")");
-    } else if (how_ == spelling::printed)
+    } else if (how_ == spelling::printed) {
       raised(e.numerator);
-    else
+    } else {
+      text_.append(how_ == spelling::message ? "^" : "");
       text_.append(e.numerator);
+    }
     if (how_ == spelling::latex) text_.append("}");
   }
   constexpr void raised(int digits) {

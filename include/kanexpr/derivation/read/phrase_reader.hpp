@@ -157,7 +157,12 @@ private:
   constexpr void step(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     using describe::token_kind;
     switch (t.what) {
-    case token_kind::number: stack.push(value::of(symbolic::constant(*m_.g, t.number))); break;
+    case token_kind::number: {
+      const expression number = symbolic::constant(*m_.g, t.number);
+      const bool has_unit = reading_.for_units && t.index == describe::whole_quantity;
+      stack.push(value::of(has_unit ? as_symbol(reading_, number) : number));
+      break;
+    }
     case token_kind::symbol: stack.push(value::of(symbols_.symbol(*t.symbol, whom))); break;
     case token_kind::basis: return basis_vector(t, stack, whom);
     case token_kind::scalar_function:

@@ -33,7 +33,7 @@ constexpr mechanics::vector vector_of_unit(reading& in, std::string_view word, s
   components value;
   for (int i = 0; i < 3; ++i) {
     base::name called = word;
-    called.append("<"), called.append(whose), called.append(">");
+    called.append("<"), called.append(whose), called.append(">.");
     called.append(std::string_view("xyz").substr(static_cast<std::size_t>(i), 1));
     value[i] = symbol_of_unit(in, called, u);
   }
@@ -76,7 +76,7 @@ constexpr expression as_symbol(reading& in, expression e) {
   if (!e.is_constant() || e.is_zero()) return e;
   base::name called = "number ";
   called.append(in.into.mechanism.g->symbols().size());
-  return symbolic::variable(*in.into.mechanism.g, {symbolic::symbol_kind::input, called, none});
+  return symbolic::variable(*in.into.mechanism.g, {symbolic::symbol_kind::parameter, called, none});
 }
 
 /// Replaces the numbers among the operands of a composed function by symbols: the width in smooth_abs(x,

@@ -48,7 +48,7 @@ constexpr auto belt_equation() {
 template <class Rack, class Pinion, auto... radius>
 constexpr auto rack_equation() {
   if constexpr (sizeof...(radius) == 1)
-    return coupled<Rack, Pinion>(constant(1), radius...);
+    return coupled<Rack, Pinion>(constant(1), whole_argument(radius)...);
   else
     return invalid_constraint<Rack>(misuse::rack_arguments);
 }
@@ -100,6 +100,8 @@ constexpr auto length_of() {
     if (given < 0) return scalar<1>{{misused(misuse::negative_length)}};
   if constexpr (!plain_number<decltype(given)> && shape_of_operand<decltype(given)> == shape::scalar)
     return joined<shape::scalar>(with(token_kind::length), operand(given));
+  else if constexpr (plain_number<decltype(given)>)
+    return whole_argument(given);
   else
     return operand(given);
 }

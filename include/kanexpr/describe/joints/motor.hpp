@@ -56,7 +56,7 @@ constexpr auto friction_of_joint() {
   if constexpr (effort_of_joint<Joint>() == joint_effort::none || sizeof...(damping) == 0)
     return 0.0 * own::x;
   else
-    return -(one_of<0, damping...>() * Joint::template u<0>);
+    return -(whole_argument(one_of<0, damping...>()) * Joint::template u<0>);
 }
 
 } // namespace describe

@@ -39,7 +39,7 @@ struct screw_joint : turns_about_axis {
     if constexpr (std::is_void_v<given>)
       return constant(1);
     else
-      return with_numbers_as_scalars(given::value);
+      return whole_argument(given::value);
   }
 
   template <class Joint>

@@ -45,7 +45,12 @@ public:
   std::string header() const {
     std::string text = fill_template(
         detail::c_header,
-        {{"title", title()}, {"changed", renamed_symbols_comment()}, {"name", name()}, {"places", places()}});
+        {{"title", title()},
+         {"changed", renamed_symbols_comment()},
+         {"name", name()},
+         {"units",
+          system().states_units ? "\n   Each comment is the unit of the entry; the time t is in s." : ""},
+         {"places", places()}});
     for (const exported_function& f : system().functions) text += declaration(f);
     text += "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
     return text;
@@ -87,11 +92,16 @@ private:
   std::string places() const {
     const exported_system& s = system();
     std::string text = "enum {\n";
-    const auto add = [&](const std::string& what, std::size_t number) {
-      text += "  " + name() + '_' + what + " = " + std::to_string(number) + ",\n";
+    const auto add = [&](const std::string& what, std::size_t number, const std::string& unit = {}) {
+      text += "  " + name() + '_' + what + " = " + std::to_string(number) + ',';
+      text += unit.empty() ? "\n" : " /* " + unit + " */\n";
     };
-    for (const std::vector<std::string>& names : {s.states(), s.parameters, s.inputs})
-      for (std::size_t i = 0; i < names.size(); ++i) add(names[i], i);
+    const auto add_all = [&](const std::vector<std::string>& names, const std::vector<exported_unit>& units) {
+      for (std::size_t i = 0; i < names.size(); ++i) add(names[i], i, units.empty() ? "" : units[i].text);
+    };
+    add_all(s.states(), s.units_of_states);
+    add_all(s.parameters, s.units_of_parameters);
+    add_all(s.inputs, s.units_of_inputs);
     add("coordinates", s.coordinates.size());
     add("speeds", s.speeds.size());
     add("states", s.coordinates.size() + s.speeds.size());
@@ -121,13 +131,21 @@ private:
         text += ": " + std::to_string(each.rows);
       for (std::size_t i = 0; i < each.row_symbols.size(); ++i)
         text += (i == 0 ? each.columns > 1 ? "; the rows belong to " : ", of " : ", ") + each.row_symbols[i];
-      text += '.';
+      text += units_of_entries(each) + '.';
     }
     const std::vector<std::string> causes = f.causes();
     for (std::size_t i = 0; i < causes.size(); ++i)
       text += "\n   Bit " + std::to_string(i) + " of the status: " + causes[i] + '.';
     if (causes.empty()) text += "\n   The status is always 0: there are no singularities.";
     return text + " */\n";
+  }
+
+  /// "; in kg.m2", or the units of all entries if they differ, row by row.
+  static std::string units_of_entries(const exported_result& of) {
+    const auto text_of = [](const exported_unit& each) { return each.is_known() ? each.text : "?"; };
+    if (of.units.empty()) return {};
+    const bool are_equal = std::ranges::all_of(of.units, [&](const auto& u) { return u == of.units[0]; });
+    return "; in " + (are_equal ? text_of(of.units[0]) : joined(of.units, ", ", text_of));
   }
 
   /// The arguments that precede the results of a function.

@@ -40,14 +40,14 @@ public:
     namespaces.reserve_words_of_mathematics();
     namespaces.reserve("std");
     const std::string own = namespaces.unique(s.name);
-    std::string all =
-        fill_template(cpp::header, {{"name", s.name},
-                                    {"own_header", "#include \"" + s.name + ".h\""},
-                                    {"own", own},
-                                    {"state", structure("state", s.states(), "0")},
-                                    {"parameters", structure("parameters", s.parameters, not_set())},
-                                    {"inputs", structure("inputs", s.inputs, not_set())},
-                                    {"rates", structure("rates", s.speeds, not_set())}});
+    std::string all = fill_template(
+        cpp::header, {{"name", s.name},
+                      {"own_header", "#include \"" + s.name + ".h\""},
+                      {"own", own},
+                      {"state", structure("state", s.states(), "0", s.units_of_states)},
+                      {"parameters", structure("parameters", s.parameters, not_set(), s.units_of_parameters)},
+                      {"inputs", structure("inputs", s.inputs, not_set(), s.units_of_inputs)},
+                      {"rates", structure("rates", s.speeds, not_set(), {})}});
     identifiers functions;
     functions.reserve_words();
     functions.reserve("state parameters inputs rates status status_of");
@@ -60,9 +60,9 @@ private:
     return std::string("std::numeric_limits<") + number_.type() + ">::quiet_NaN()";
   }
 
-  /// A structure of named numbers that is read from and written to an array.
+  /// A structure of named numbers that is read from and written to an array, with their units as comments.
   std::string structure(const std::string& name, const std::vector<std::string>& symbols,
-                        const std::string& at_first) const {
+                        const std::string& at_first, const std::vector<exported_unit>& units) const {
     identifiers names;
     names.reserve_words();
     names.reserve_words_of_mathematics();
@@ -72,7 +72,9 @@ private:
     for (std::size_t i = 0; i < symbols.size(); ++i) {
       const std::string member = names.unique(symbols[i]), entry = "entries[" + std::to_string(i) + ']';
       declared.append("  ").append(number_.type()).append(" ").append(member).append(" = ").append(at_first);
-      declared += ";\n";
+      declared += ';';
+      if (!units.empty() && units[i].is_known()) declared += " // " + units[i].text;
+      declared += '\n';
       read.append("    found.").append(member).append(" = ").append(entry).append(";\n");
       written.append("    ").append(entry).append(" = ").append(member).append(";\n");
     }

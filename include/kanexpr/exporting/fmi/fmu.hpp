@@ -15,6 +15,7 @@ struct fmu_variable {
   std::string name_in_model{}; ///< if different
   double start = 0;
   bool is_dependent = false; ///< follows from the constraints
+  exported_unit unit{};
 };
 
 /// A change in an entry of the state at an event.

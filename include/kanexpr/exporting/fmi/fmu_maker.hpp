@@ -9,6 +9,7 @@
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/units/si.hpp>
 
 #include <memory>
 #include <optional>
@@ -152,7 +153,24 @@ private:
     for (const fmu_variable& each : f.states)
       f.rates_of_states.push_back({variable("der(" + each.name + ')').name, {}, 0});
     f.time = variable("time").name;
+    if (s.states_units) give_units();
     describe_measured();
+  }
+
+  void give_units() {
+    fmu& f = made_.of;
+    const exported_system& s = f.system;
+    for (std::size_t i = 0; i < f.states.size(); ++i) {
+      const exported_unit& unit = f.states[i].unit = s.units_of_states[i];
+      if (unit.is_known()) f.rates_of_states[i].unit = written_unit(unit.unit / units::second);
+    }
+    for (std::size_t i = 0; i < f.parameters.size(); ++i) f.parameters[i].unit = s.units_of_parameters[i];
+    for (std::size_t i = 0; i < f.inputs.size(); ++i) f.inputs[i].unit = s.units_of_inputs[i];
+  }
+
+  /// The unit of an entry of a result; unknown if the result has none.
+  static exported_unit unit_of(const exported_result& of, int entry) {
+    return of.units.empty() ? exported_unit() : of.units[static_cast<std::size_t>(entry)];
   }
 
   void describe_measured() {
@@ -162,15 +180,18 @@ private:
                       outputs = measured == nullptr ? 0 : measured->results.size() - events;
     for (std::size_t k = 0; k < outputs; ++k) {
       const exported_result& each = measured->results[k];
-      for (int i = 0; i < each.entries(); ++i)
+      for (int i = 0; i < each.entries(); ++i) {
         f.outputs.push_back(
             variable(each.entries() == 1 ? each.name : each.name + '[' + std::to_string(i + 1) + ']'));
+        f.outputs.back().unit = unit_of(each, i);
+      }
     }
     for (std::size_t k = 0; k < events; ++k) {
       const exported_event& each = chosen_.events[k];
       if (measured->results[outputs + k].entries() != 1)
         return refuse("the expression of event " + each.name + " must be a scalar");
       f.indicators.push_back(variable(each.name));
+      f.indicators.back().unit = unit_of(measured->results[outputs + k], 0);
       f.directions.push_back(each.direction);
       f.ends.push_back(each.then == after_event::stop);
       for (const assignment_at_event& one : each.changes) {

@@ -4,10 +4,13 @@
 #include <kanexpr/exporting/text/fill_template.hpp>
 #include <kanexpr/exporting/text/identifiers.hpp>
 #include <kanexpr/exporting/text/scalar.hpp>
+#include <kanexpr/units/si.hpp>
+#include <kanexpr/units/unit.hpp>
 
 #include <tinyxml2.h>
 
 #include <initializer_list>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -66,6 +69,7 @@ public:
     add_interface("ModelExchange", {{"needsCompletedIntegratorStep", is_watched ? "true" : "false"}});
     add_interface("CoSimulation", {{"canHandleVariableCommunicationStepSize", "true"},
                                    {"fixedInternalStepSize", number(of_.step_length)}});
+    define_units();
     xml_.open("LogCategories");
     xml_.add("Category",
              {{"name", "logStatusDiscard"}, {"description", "results that cannot be computed at a state"}});
@@ -91,6 +95,38 @@ private:
     xml_.close();
   }
 
+  /// Defines the units of the variables, in terms of base units; FMI knows only their integer powers.
+  void define_units() {
+    if (!of_.system.states_units) return;
+    std::map<std::string, units::unit> all{{"s", units::second}};
+    for (const auto* list :
+         {&of_.states, &of_.rates_of_states, &of_.parameters, &of_.inputs, &of_.outputs, &of_.indicators})
+      for (const fmu_variable& each : *list)
+        if (each.unit.is_known()) all.emplace(each.unit.text, each.unit.unit);
+    xml_.open("UnitDefinitions");
+    for (const auto& [text, unit] : all) {
+      xml_.open("Unit", {{"name", text}});
+      if (has_integer_powers(unit)) add_base_unit(unit);
+      xml_.close();
+    }
+    xml_.close();
+  }
+
+  static bool has_integer_powers(const units::unit& u) {
+    for (int i = 0; i < units::base_units; ++i)
+      if (!u.exponent_of(units::base_unit_at(i)).is_integer()) return false;
+    return true;
+  }
+
+  void add_base_unit(const units::unit& u) {
+    constexpr const char* names[units::base_units]{"kg", "m", "s", "A", "K", "mol", "cd", "rad"};
+    xml_.open("BaseUnit");
+    for (int i = 0; i < units::base_units; ++i)
+      if (const int power = u.exponent_of(units::base_unit_at(i)).numerator; power != 0)
+        xml_.add_attributes({{names[i], std::to_string(power)}});
+    xml_.close();
+  }
+
   /// The attributes that all variables of one kind have in common.
   struct variable_kind {
     const char* causality = "local";
@@ -106,6 +142,7 @@ private:
                           {"valueReference", std::to_string(next_reference_++)},
                           {"causality", of.causality},
                           {"variability", of.variability}});
+    if (v.unit.is_known()) xml_.add_attributes({{"unit", v.unit.text}});
     if (of.initial != nullptr) xml_.add_attributes({{"initial", of.initial}});
     if (of.derivative_of != 0) xml_.add_attributes({{"derivative", std::to_string(of.derivative_of)}});
     if (of.has_start) xml_.add_attributes({{"start", number(v.start)}});
@@ -115,7 +152,9 @@ private:
   }
 
   void add_variables() {
-    add({of_.time, {}, 0}, {.causality = "independent"});
+    fmu_variable time{.name = of_.time};
+    if (of_.system.states_units) time.unit = written_unit(units::second);
+    add(time, {.causality = "independent"});
     for (const fmu_variable& v : of_.states)
       add(v, {.causality = "output", .initial = v.is_dependent ? "approx" : "exact", .has_start = true});
     int state = fmu::first_state;

@@ -35,6 +35,7 @@ public:
                                                      {"speeds", tuple(s.speeds)},
                                                      {"parameters", tuple(s.parameters)},
                                                      {"inputs", tuple(s.inputs)},
+                                                     {"units", units()},
                                                      {"number", std::string("c_") + number_.type()}});
     for (const exported_function& f : s.functions) all += definition(f);
     return all;
@@ -44,6 +45,21 @@ private:
   static std::string tuple(const std::vector<std::string>& names) {
     return '(' + joined(names, ", ", [](const std::string& each) { return '"' + each + '"'; }) +
            (names.size() == 1 ? ",)" : ")");
+  }
+
+  /// A dictionary of the known units; empty if the model states none.
+  std::string units() const {
+    const exported_system& s = mapped_.system;
+    if (!s.states_units) return {};
+    std::string text = "units = {\n";
+    const auto add = [&](const std::vector<std::string>& names, const std::vector<exported_unit>& of) {
+      for (std::size_t i = 0; i < names.size(); ++i)
+        if (of[i].is_known()) text += "    \"" + names[i] + "\": \"" + of[i].text + "\",\n";
+    };
+    add(s.states(), s.units_of_states);
+    add(s.parameters, s.units_of_parameters);
+    add(s.inputs, s.units_of_inputs);
+    return text + "}\n";
   }
 
   static std::string size_of(const exported_result& of) {

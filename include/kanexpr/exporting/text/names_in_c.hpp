@@ -37,6 +37,7 @@ inline system_with_c_names names_in_c(exported_system s) {
   for (const symbolic::operation each : written_functions()) taken.reserve(symbolic::function_name(each));
   identifiers functions = taken;
   functions.reserve(words_of_python);
+  if (s.states_units) functions.reserve("units");
   std::vector<std::pair<std::string, std::string>> changed;
   const auto map = [&](std::string& name, identifiers& among) {
     const std::string mapped = among.unique(name);

@@ -54,7 +54,6 @@ public:
       by_.describe({e.what.view(), e.whose.view()});
       by_.expect(e.value, e.unit);
     }
-    for (const flexible_body& b : m_.flexible_bodies) state(b);
     state_equations("a kinematic differential equation", m_.kinematics);
     if (of_.loads.has_gravity) state("gravity", of_.loads.gravity, meter / pow<2>(second));
     if (of_.loads.has_lagrangian) state("the Lagrangian", of_.loads.lagrangian, joule);
@@ -64,15 +63,13 @@ public:
     for (const velocity_constraint& c : of_.constraints.on_velocities)
       state_equation("a velocity constraint", c.value);
     state_equations("an acceleration constraint", of_.constraints.on_accelerations);
+    for (const flexible_body& b : m_.flexible_bodies) state(b);
+    if (!m_.flexible_bodies.empty()) suggest_deformations();
   }
 
 private:
   constexpr void state(const frame& f) {
-    by_.describe({"the angle of frame ", f.called.view()});
-    if (f.is_by_angle() && holds_amplitude(f.angle))
-      by_.suggest(f.angle, radian);
-    else if (f.is_by_angle())
-      by_.expect(f.angle, radian);
+    if (f.is_by_angle() && !holds_amplitude(f.angle)) state("the angle of frame ", f.called, f.angle, radian);
     if (f.kind == orientation::matrix) {
       by_.describe({"the orientation of frame ", f.called.view()});
       for (const expression& e : f.quaternion) by_.expect(e, units::dimensionless);
@@ -83,7 +80,10 @@ private:
   }
 
   constexpr void state(const point& p) {
-    state("the offset of point ", p.called, p.offset, meter);
+    by_.describe({"the offset of point ", p.called.view()});
+    p.offset.each_entry([&](expression e) {
+      if (!holds_amplitude(e)) by_.expect(e, meter);
+    });
     if (p.has_declared_velocity()) state("the velocity of point ", p.called, p.velocity, meter / second);
   }
 
@@ -99,6 +99,15 @@ private:
       const expression rate = m_.coordinate_rates[m_.coordinates.find(b.amplitudes[k])];
       by_.suggest(b.modal_mass(k, k) * (rate * rate), joule);
     }
+  }
+  /// The places and angles that deform with flexible bodies.
+  constexpr void suggest_deformations() {
+    for (const point& p : m_.points)
+      p.offset.each_entry([&](expression e) {
+        if (holds_amplitude(e)) by_.suggest_amplitude(e, meter);
+      });
+    for (const frame& f : m_.frames)
+      if (f.is_by_angle() && holds_amplitude(f.angle)) by_.suggest_amplitude(f.angle, radian);
   }
   constexpr bool holds_amplitude(expression e) const {
     if (m_.flexible_bodies.empty()) return false;

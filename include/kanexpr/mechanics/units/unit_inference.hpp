@@ -10,6 +10,7 @@
 #include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/list.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/printing/short_text.hpp>
@@ -63,11 +64,20 @@ public:
   constexpr void expect(const dyadic& d, const units::unit& u) {
     d.each_entry([&](expression e) { expect(e, u); });
   }
-  /// States the unit of a quantity that may contain numbers with units; a contradiction is no mistake.
+  /// States the unit of a quantity whose numbers may have units; a contradiction is no mistake. It has no
+  /// effect if the quantity contains no parameter, because its coefficients are then such numbers.
   constexpr void suggest(expression e, const units::unit& u) {
-    if (mistake_ || !e.is_given()) return;
+    if (mistake_ || !e.is_given() || !holds_parameter(e)) return;
     const unit_product found = of(e);
     if (!mistake_) equate(found, known_unit(u));
+    mistake_ = {};
+  }
+  /// The same for a deformation, which is proportional to an amplitude.
+  constexpr void suggest_amplitude(expression e, const units::unit& u) {
+    if (mistake_) return;
+    const unit_product found = relations_.resolved(of(e));
+    if (found.unknown.size() == 1 && found.unknown[0].power == units::unit::parts)
+      equate(found, known_unit(u));
     mistake_ = {};
   }
   /// States that an expression is formed from quantities of one unit, whatever it is; it is the difference of
@@ -98,10 +108,21 @@ private:
     now = known_unit(s.unit);
   }
 
+  constexpr bool holds_parameter(expression e) const {
+    const sequence<char> live = symbolic::live_nodes(g_, {e.node()});
+    for (int id = 0; id < live.size(); ++id)
+      if (live[id] != 0 && g_[id].op == operation::symbol &&
+          g_.symbol_at(id).kind == symbolic::symbol_kind::parameter)
+        return true;
+    return false;
+  }
+
   constexpr std::string_view name_of(expression symbol) const {
     return g_.symbol_at(symbol.node()).called.view();
   }
-  static constexpr base::name text_of(const units::unit& u) { return units::text_of(u); }
+  static constexpr base::name text_of(const units::unit& u) {
+    return units::text_of(u, units::spelling::message);
+  }
 
   constexpr void fail(std::initializer_list<std::string_view> pieces) {
     if (!mistake_) mistake_ = sentence(pieces);
@@ -150,11 +171,9 @@ private:
   /// Explains the unit of the first parameter or input in some expressions whose unit the model does not
   /// state: "; c is in N s/m by the force at P". Empty if there is none, or if the present part of the model
   /// determines it.
-  template <class... Nodes>
-  constexpr sentence origin_of_unit(Nodes... nodes) const {
-    sentence found;
-    ((found = found ? found : origin_in(nodes)), ...);
-    return found;
+  constexpr sentence origin_of_unit(int id, int other = symbolic::graph::zero) const {
+    const sentence found = origin_in(id);
+    return found ? found : origin_in(other);
   }
   constexpr sentence origin_in(int id) const {
     const symbolic::node& n = g_[id];

@@ -1,8 +1,9 @@
 #pragma once
 
 /// Tables as text: a line of names, then a line for each row, with fields separated by commas and names
-/// quoted if necessary (RFC 4180). Numbers have the fewest digits that reproduce the same bits; nan and inf
-/// are valid numbers. The format does not depend on the locale.
+/// quoted if necessary (RFC 4180). The unit of a column follows its name in brackets: `q1 [rad]`. Numbers
+/// have the fewest digits that reproduce the same bits; nan and inf are valid numbers. The format does not
+/// depend on the locale.
 
 #include <kanexpr/base/file_path.hpp>
 #include <kanexpr/base/outcome.hpp>
@@ -60,13 +61,20 @@ private:
   outcome done_{};
 };
 
+/// Options of `write_csv` and `csv_file`.
+struct csv_options {
+  bool with_units = true; ///< writes the units that are known, for example `q1 [rad]`; otherwise only names
+};
+
 /// Writes a whole table; `called` is the name of the stream in error messages.
 KANEXPR_SIMULATIONS outcome write_csv(const table& all, std::ostream& out,
-                                      const std::string& called = "the stream");
-KANEXPR_SIMULATIONS outcome write_csv(const table& all, const file_path& path);
+                                      const std::string& called = "the stream",
+                                      const csv_options& options = {});
+KANEXPR_SIMULATIONS outcome write_csv(const table& all, const file_path& path,
+                                      const csv_options& options = {});
 
 /// Reads a table written by `write_csv` or by another program; on failure the table holds the cause. `called`
-/// is the name of the text in error messages.
+/// is the name of the text in error messages. A name such as `q1 [rad]` is that of the column q1 in rad.
 KANEXPR_SIMULATIONS table read_csv(std::istream& in, const std::string& called = {});
 KANEXPR_SIMULATIONS table read_csv(const file_path& path);
 

@@ -60,8 +60,8 @@ public:
       while (next() && read_row(names, columns)) continue;
     }
     if (!has_ended()) return table(outcome(mistake_));
-    for (std::size_t j = 0; j < columns.size(); ++j)
-      static_cast<void>(all.add(names.names()[j], std::move(columns[j]))); // the names are checked
+    for (std::size_t j = 0; j < columns.size(); ++j) // the names are checked
+      static_cast<void>(all.add(names.names()[j], std::move(columns[j]), names.units()[j]));
     return all;
   }
 
@@ -77,10 +77,18 @@ private:
       if (std::ranges::all_of(fields_, is_number))
         return refuse(" contains numbers; it must contain the names of the columns");
     }
-    for (const std::string& name : fields_)
-      if (const outcome added = names.add(name, {}); !added)
+    for (const std::string& field : fields_)
+      if (const outcome added = add_header(names, field); !added)
         return refuse(" is not a header: " + added.cause());
     return true;
+  }
+
+  /// Adds an empty column. If two columns differ only in their units, the second one keeps both as its name.
+  static outcome add_header(table& names, const std::string& field) {
+    const std::size_t end = field.rfind(" [");
+    if (end == std::string::npos || end == 0 || field.back() != ']') return names.add(field, {});
+    const std::string name = field.substr(0, end), unit = field.substr(end + 2, field.size() - end - 3);
+    return names.add(name, {}, unit) ? outcome() : names.add(field, {});
   }
 
   bool read_row(const table& names, std::vector<std::vector<double>>& columns) {
@@ -241,9 +249,12 @@ KANEXPR_SIMULATIONS void csv_writer::fail(const std::string& where) {
   done_ = outcome("writing " + called_ + " failed" + where);
 }
 
-KANEXPR_SIMULATIONS outcome write_csv(const table& all, std::ostream& out, const std::string& called) {
+KANEXPR_SIMULATIONS outcome write_csv(const table& all, std::ostream& out, const std::string& called,
+                                      const csv_options& options) {
   if (!all) return outcome(all.cause());
-  csv_writer writer(out, all.names(), called);
+  std::vector<std::string> names = all.names();
+  for (std::size_t j = 0; j < names.size() && options.with_units; ++j) names[j] = all.header(j);
+  csv_writer writer(out, names, called);
   std::vector<double> row(all.columns());
   for (std::size_t i = 0; i < all.rows(); ++i) {
     for (std::size_t j = 0; j < all.columns(); ++j) row[j] = all.values(j)[i];
@@ -257,11 +268,11 @@ KANEXPR_SIMULATIONS table read_csv(std::istream& in, const std::string& called) 
   return simulations::csv_reader(in, called).read();
 }
 
-KANEXPR_SIMULATIONS outcome write_csv(const table& all, const file_path& path) {
+KANEXPR_SIMULATIONS outcome write_csv(const table& all, const file_path& path, const csv_options& options) {
   if (!all) return outcome(all.cause()); // before a file is replaced
   std::ofstream out(path.text(), std::ios::binary);
   if (!out) return simulations::not_opened(path.text());
-  return write_csv(all, out, path.text());
+  return write_csv(all, out, path.text(), options);
 }
 
 KANEXPR_SIMULATIONS table read_csv(const file_path& path) {

@@ -2,7 +2,9 @@
 
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/runtime/assemble.hpp>
+#include <kanexpr/runtime/model.hpp>
 #include <kanexpr/runtime/values.hpp>
 #include <kanexpr/simulations/trajectory/samples.hpp>
 #include <kanexpr/simulations/trajectory/trajectory.hpp>
@@ -88,8 +90,14 @@ public:
   }
 
   /// Returns the time, the state and the inputs as named columns; the time is "t", or "time" if the model has
-  /// a symbol t.
-  kanexpr::table table() const { return empty() ? kanexpr::table() : table_of(*front().x.known()); }
+  /// a symbol t. The columns have the units of the symbols, if the model states any.
+  kanexpr::table table() const {
+    if (empty()) return {};
+    const derivation::survey& known = *front().x.known();
+    if (!of_ || !known.states_units) return table_of(known, nullptr);
+    const mechanics::unit_table units = of_->units();
+    return table_of(known, &units);
+  }
 
 private:
   std::optional<model> of_{};

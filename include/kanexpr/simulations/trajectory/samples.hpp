@@ -4,6 +4,8 @@
 #include <kanexpr/base/name_of_time.hpp>
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/derivation/unit_labels.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/simulations/tables/table.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
@@ -133,20 +135,22 @@ protected:
     return {std::move(kinetic), std::move(potential), std::move(total)};
   }
 
-  kanexpr::table table_of(const derivation::survey& known) const {
+  /// `units` is null if the model states none.
+  kanexpr::table table_of(const derivation::survey& known, const mechanics::unit_table* units) const {
     kanexpr::table all;
-    const auto put = [&](std::string_view name, std::vector<double> values) {
-      static_cast<void>(all.add(std::string(name), std::move(values))); // symbol names are unique
+    const auto add = [&](std::string name, std::vector<double> values, std::string unit) {
+      static_cast<void>(all.add(std::move(name), std::move(values), std::move(unit))); // names are unique
     };
     const auto add_columns = [&](symbolic::symbol_kind kind, int count, auto entry) {
-      for (int i = 0; i < count; ++i)
-        put(known.names[known.first_of(kind) + i].view(),
-            collect([&](const sample& s) -> double { return entry(s, i); }));
+      for (int i = 0, place = known.first_of(kind); i < count; ++i, ++place)
+        add(std::string(known.names[place].view()),
+            collect([&](const sample& s) -> double { return entry(s, i); }),
+            derivation::unit_label(units, known, place));
     };
     const auto is_taken = [&](const std::string& name) {
       return std::ranges::any_of(known.names, [&](const auto& other) { return other.view() == name; });
     };
-    put(base::name_of_time(is_taken), times());
+    add(base::name_of_time(is_taken), times(), units == nullptr ? "" : "s");
     add_columns(symbolic::symbol_kind::coordinate, known.coordinates,
                 [](const sample& s, int i) { return s.x(i); });
     add_columns(symbolic::symbol_kind::speed, known.speeds,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/compiled/units_of.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/simulations/trajectory/samples.hpp>
 #include <kanexpr/steps/assemble.hpp>
@@ -89,8 +90,10 @@ public:
   }
 
   /// Returns the time, the state and the inputs as named columns; the time is "t", or "time" if the model has
-  /// a symbol t.
-  kanexpr::table table() const { return base::table_of(compiled::survey_of<System>); }
+  /// a symbol t. The columns have the units of the symbols, if the model states any.
+  kanexpr::table table() const {
+    return base::table_of(compiled::survey_of<System>, compiled::stated_units_of<System>());
+  }
 };
 
 } // namespace kanexpr
