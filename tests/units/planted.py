@@ -59,8 +59,10 @@ PLANTED = [
      "F<i> * position_of<Top<i>, Foot<i>>", "the force between Top<0> and Foot<0>", "N m", "N"),
     ("gallery/tippe_top.cpp", "System", "+ s * s", "+ s", "the force at P", "m^2/s^2", "m/s"),
     ("gallery/wheelset.cpp", "System", "v / V - psi", "v / V - y", "the force at G", "1", "m"),
-    ("gallery/wheelset.cpp", "System", "k3 * y * y * y", "k3 * y * y", "the force at G", "N", "N/m"),
+    ("gallery/wheelset.cpp", "System", "k3 * y * y * y", "k3 * y * y", "the force at G", "N rad", "N/m"),
     ("models/chaplygin_sleigh.hpp", "System", "F * A::x", "F * a * A::x", "the force at P", "N m", "N"),
+    ("gallery/quadruped.cpp", "Standing", "stiffness * softplus", "damping * softplus", "the force at LF_Foot",
+     "s", "N"),
     # torques and motors
     ("models/simple_pendulum.hpp", "LagrangeSystem", "c * dot(q)", "c * q", "the torque on A", "N m", "kg m^2/s"),
     ("models/double_pendulum.hpp", "System", "c2 * (u2 - u1)", "c2 * (q2 - u1)", "the torque on A", "rad", "rad/s"),
@@ -99,6 +101,7 @@ PLANTED = [
 # A model that extends another one
 BASES = {
     "controllers/balanced_bicycle.hpp": ("models/bicycle.hpp", "SteeredSystem"),
+    "gallery/quadruped.cpp": ("models/quadruped.hpp", "System"),
     "ensembles/identified_friction.cpp": ("models/simple_pendulum.hpp", "System"),
 }
 
