@@ -4,7 +4,6 @@
 #include <kanexpr/units/si.hpp>
 #include <kanexpr/units/unit.hpp>
 
-#include <optional>
 #include <string_view>
 
 namespace kanexpr::units {
@@ -138,12 +137,6 @@ private:
 /// Returns a unit as text: `N m/rad`, or `1` for a number. A force is written N, a torque and an energy N m.
 constexpr base::name text_of(const unit& u, spelling how = spelling::printed) {
   return detail::unit_writer(how).written(u);
-}
-
-/// The same for a unit that may not be determined.
-constexpr base::name text_of(const std::optional<unit>& u, spelling how = spelling::printed) {
-  if (!u.has_value()) return "not determined";
-  return text_of(*u, how);
 }
 
 } // namespace kanexpr::units

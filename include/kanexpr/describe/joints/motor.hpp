@@ -29,7 +29,7 @@ constexpr load_record load_along_axis(std::string_view word) {
     r.called = type_name<Load>();
     r.instead = "for a joint that turns about one axis or slides along one";
   } else {
-    r.value = phrase_of<value * Joint::template axis_of_child<0>, Joint>;
+    r.value = phrase_of<whole_argument(value) * Joint::template axis_of_child<0>, Joint>;
     if constexpr (effort_of_joint<Joint>() == joint_effort::torque) {
       r.what = load_word::torque;
       r.frame = Joint::child_frame();

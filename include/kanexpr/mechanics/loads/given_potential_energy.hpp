@@ -14,7 +14,8 @@ namespace kanexpr::mechanics {
 /// A potential energy given as an expression of coordinates, parameters, time and inputs.
 struct given_potential_energy {
   expression value{};
-  bool is_elastic = false; ///< the energy of a flexible body, whose numbers may have units
+  bool has_numbers =
+      false; ///< whether it may contain numbers with units, as the energy of a flexible body does
 
   constexpr void act(force_system& on, conservative how) const {
     if (how == conservative::by_forces) on.add_potential_energy(value);
@@ -29,7 +30,7 @@ struct given_potential_energy {
 
   constexpr void state_units(load_units& by, int place) const {
     by.describe({"potential energy ", base::counted(place + 1).view()});
-    if (is_elastic) return by.suggest(value, units::joule);
+    if (has_numbers) return by.suggest(value, units::joule);
     by.expect(value, units::joule);
   }
 };
@@ -37,7 +38,7 @@ struct given_potential_energy {
 /// The energy of a torsional spring that is unloaded at the angle `rest`.
 constexpr given_potential_energy torsional_spring(expression angle, expression stiffness, expression rest) {
   const expression twist = angle - rest;
-  return {stiffness * (twist * twist) / 2};
+  return {stiffness * (twist * twist) / 2, stiffness.is_constant()};
 }
 
 /// The elastic energy ½ q·K·q of a deformation with the amplitudes q and the stiffness K.

@@ -7,6 +7,7 @@
 #include <kanexpr/mechanics/units/unit_inference.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
+#include <kanexpr/units/possible_unit.hpp>
 #include <kanexpr/units/unit.hpp>
 #include <kanexpr/units/unit_text.hpp>
 
@@ -15,8 +16,7 @@
 
 namespace kanexpr::mechanics {
 
-/// The unit of a quantity, or nothing if the model does not determine it.
-using possible_unit = std::optional<units::unit>;
+using units::possible_unit;
 
 /// The units of the symbols and constraints of a system, in order.
 struct unit_table {
