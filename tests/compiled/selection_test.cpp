@@ -175,7 +175,7 @@ TEST(selection, is_a_limit_from_both_sides) {
   struct Symbols {
     symbolic::graph g;
     symbolic::expression x = variable(g, {symbolic::symbol_kind::coordinate, base::name("x"), 0}),
-                         zero = constant(g, symbolic::exactly(0));
+                         zero = symbolic::constant(g, symbolic::exactly(0));
   } s;
   const auto at_zero = [&](symbolic::expression e) {
     symbolic::matrix one(s.g, 1, 1);
