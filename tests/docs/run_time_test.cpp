@@ -9,12 +9,14 @@
 #include <kanexpr/runtime/assemble.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/listing.hpp>
+#include <kanexpr/runtime/print_entries.hpp>
 #include <kanexpr/symbolic.hpp>
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <iostream>
+#include <string>
 
 namespace {
 
@@ -62,6 +64,8 @@ TEST(run_time, lists_operations) {
 #include <docs/guide/run-time/listing.cpp>
   EXPECT_EQ(here.text(), "t1 = u * c\nt2 = T - t1\nt3 = m * l\ns1 = sin(q)\n"
                          "t4 = t3 * s1\nt5 = g * t4\nt6 = t2 - t5\nforcing = t6\n");
+#include <docs/guide/run-time/entries.cpp>
+  EXPECT_NE(here.text().find("mass_matrix(u, u) = l^2*m"), std::string::npos);
 }
 
 TEST(builder, makes_a_pendulum) {

@@ -35,6 +35,11 @@ TEST(boost_units, give_values_in_the_units_of_the_model) {
   EXPECT_EQ(r[T], 3);
   const eom::inputs same{{T, 3. * bsi::joules}};
   EXPECT_EQ(same[T], 3);
+  const eom::parameters damped{{m, 2}, {l, 1}, {g, 9}, {c, 0.1 * bsi::newton_meters * bsi::seconds}};
+  EXPECT_EQ(damped[c], 0.1) << "a unit that the model infers";
+  const bu::quantity<bsi::dimensionless> ratio =
+      boost_quantity(damped, c) / (1. * bsi::newton * bsi::meters * bsi::seconds / bsi::radians);
+  EXPECT_EQ(ratio.value(), 0.1);
 }
 
 TEST(boost_units, do_not_convert_to_another_dimension) {

@@ -45,6 +45,8 @@ TEST(mp_units, do_not_convert_to_another_dimension) {
 TEST(mp_units, are_in_the_guide) {
 #include <docs/guide/quantities/mp_units.cpp>
   EXPECT_DOUBLE_EQ(angle.numerical_value_in(msi::degree), 30);
+  EXPECT_EQ(p[c], 0.1);
+  EXPECT_EQ(rate.numerical_value_in(msi::radian / mp_units::pow<2>(msi::second)), eom::udot(x, p, r)(0));
   EXPECT_EQ(torque.numerical_value_in(msi::newton * msi::metre), 3);
   EXPECT_EQ(p[m], 2.5);
   EXPECT_EQ(p[l], 0.5);

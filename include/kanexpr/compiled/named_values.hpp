@@ -25,7 +25,7 @@ struct named_value {
   named_value(symbol_name of, double number) : what(std::move(of)), value(number) {}
   template <class Symbol, compiled::quantity_of_a_library Quantity>
   named_value(const Symbol& of, const Quantity& quantity)
-      : what(of), value(compiled::number_of<compiled::stated_by<Symbol>>(quantity)) {}
+      : what(of), value(compiled::number_of<void, Symbol>(quantity)) {}
 };
 
 namespace compiled {

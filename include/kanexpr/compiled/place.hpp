@@ -105,7 +105,7 @@ private:
   template <class Symbol = void, class Value>
   static constexpr Scalar taken(const Value& number) {
     if constexpr (quantity_of_a_library<Value>)
-      return lower::scalar_math<Scalar>::from(number_of<stated_by<Symbol>>(number));
+      return lower::scalar_math<Scalar>::from(number_of<System, Symbol>(number));
     else if constexpr (std::convertible_to<Value, Scalar>)
       return static_cast<Scalar>(number);
     else

@@ -11,17 +11,9 @@ struct units_library;
 template <class Value>
 concept quantity_of_a_library = requires { sizeof(units_library<Value>); };
 
-/// Returns a quantity as a number in the unit of a symbol. `Named` has the name of the symbol and the address
-/// of its unit, which is null if it is unknown. See quantities/given_quantity.hpp.
-template <class Named, class Quantity>
+/// Returns a quantity as a number in the unit of a symbol, which the symbol states or which follows from
+/// those that the system states; `System` is void if it is unknown. See quantities/given_quantity.hpp.
+template <class System, class Symbol, class Quantity>
 constexpr double number_of(const Quantity& given);
-
-/// The unit that a symbol states.
-template <class Symbol>
-struct stated_by {
-  static constexpr Symbol symbol{};
-  static constexpr auto called() { return symbol.tokens[0].symbol->called.view(); }
-  static constexpr auto* unit = symbol.tokens[0].symbol->unit;
-};
 
 } // namespace kanexpr::compiled

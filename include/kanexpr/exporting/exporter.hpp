@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/compiled/values_reader.hpp>
+#include <kanexpr/derivation/names_along.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/exporting/differentiated.hpp>
 #include <kanexpr/exporting/export_request.hpp>
@@ -323,25 +324,8 @@ private:
 
   /// The symbols whose rates or forces the rows contain.
   std::vector<std::string> symbols_of_rows(const derivation::request& r) const {
-    using mechanics::extent_by;
     if (r.what != derivation::request::kind::result) return {};
-    const auto pick = [&](bool coordinates, bool speeds, bool only_independent) {
-      std::vector<std::string> names;
-      const int first = coordinates ? 0 : survey_->coordinates;
-      const int end = speeds ? survey_->coordinates + survey_->speeds : survey_->coordinates;
-      for (int i = first; i < end; ++i)
-        if (!only_independent || !survey_->dependent[i]) names.emplace_back(survey_->names[i].view());
-      return names;
-    };
-    switch (mechanics::row_of(r.wanted).rows) {
-    case extent_by::coordinates: return pick(true, false, false);
-    case extent_by::speeds: return pick(false, true, false);
-    case extent_by::coordinates_and_speeds: return pick(true, true, false);
-    case extent_by::independent_speeds: return pick(false, true, true);
-    case extent_by::independent_states: return pick(true, true, true);
-    case extent_by::inputs: return made_.system.inputs;
-    default: return {};
-    }
+    return derivation::names_along(*survey_, mechanics::row_of(r.wanted).rows);
   }
 
   void refuse(std::string because) { made_.mistake = std::move(because); }

@@ -122,8 +122,9 @@ constexpr auto boost_quantity(double number) {
 template <class System, compiled::symbols_of which, class Scalar, class Symbol>
 constexpr auto boost_quantity(const compiled::value_vector<System, which, Scalar>& values,
                               const Symbol& symbol) {
-  if constexpr (quantities::known_unit<compiled::stated_by<Symbol>>::is_known)
-    return boost_quantity<*compiled::stated_by<Symbol>::unit>(static_cast<double>(values[symbol]));
+  using symbol_of_system = quantities::unit_of_symbol<System, Symbol>;
+  if constexpr (symbol_of_system::is_known)
+    return boost_quantity<*symbol_of_system::found>(static_cast<double>(values[symbol]));
 }
 
 } // namespace kanexpr

@@ -7,9 +7,9 @@
 #include <kanexpr/symbolic/graph/compose.hpp>
 #include <kanexpr/symbolic/printing/latex.hpp>
 #include <kanexpr/symbolic/printing/print.hpp>
+#include <kanexpr/symbolic/sizes/equal_units.hpp>
 #include <kanexpr/symbolic/sizes/finiteness.hpp>
 #include <kanexpr/symbolic/sizes/magnitudes.hpp>
-#include <kanexpr/symbolic/sizes/equal_units.hpp>
 
 #include <gtest/gtest.h>
 

@@ -139,13 +139,36 @@ constexpr sentence check_units(const multibody_system& of) {
   return inferred.mistake();
 }
 
+/// The units of the symbols and constraints of a system, from its inferred units.
+constexpr unit_table unit_table_of(const multibody_system& of, unit_inference& inferred) {
+  const mechanism& m = of.mechanism;
+  unit_table table;
+  table.is_stated = !m.stated_units.empty();
+  const sequence<expression>* const symbols[]{&m.coordinates, &m.speeds, &m.parameters, &m.inputs,
+                                              &m.auxiliary_speeds};
+  for (int each = 0; each <= unit_table::auxiliary_speeds; ++each) {
+    const auto to = static_cast<unit_table::list>(each);
+    table.begin(to);
+    for (const expression& e : *symbols[each]) table.put(to, e, inferred);
+  }
+  const given_constraints& c = of.constraints;
+  for (const auto to : {unit_table::configuration_constraints, unit_table::redundant_constraints}) {
+    table.begin(to);
+    for (int i = 0; i < c.on_configuration.size(); ++i)
+      if (c.redundant.contains(i + 1) == (to == unit_table::redundant_constraints))
+        table.put(to, c.on_configuration[i], inferred);
+  }
+  table.begin(unit_table::velocity_constraints);
+  for (const velocity_constraint& each : c.on_velocities)
+    table.put(unit_table::velocity_constraints, each.value, inferred);
+  return table;
+}
+
 /// The units of the symbols and constraints of a system.
 constexpr unit_table unit_table_of(const multibody_system& of) {
   unit_inference inferred(of.mechanism);
   system_units(of, inferred).state();
-  unit_table table;
-  table.fill(of.mechanism, of.constraints, inferred);
-  return table;
+  return unit_table_of(of, inferred);
 }
 
 } // namespace kanexpr::mechanics

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <kanexpr/derivation/names_along.hpp>
+#include <kanexpr/derivation/result_units.hpp>
+#include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/derivation/unit_labels.hpp>
+#include <kanexpr/mechanics/quantity.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
+#include <kanexpr/runtime/model.hpp>
+#include <kanexpr/symbolic/graph/matrix.hpp>
+#include <kanexpr/symbolic/printing/print.hpp>
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace kanexpr {
+
+/// Writes the entries of a result, one per line, with the symbols of their rows and columns, and with their
+/// units if the model states any:
+///
+///     mass_matrix(u, u) = l^2*m  [kg m²]
+///     forcing(u) = T - c*u - g*l*m*sin(q)  [N m]
+///
+/// Rows and columns that belong to no symbol are numbered from 0.
+inline std::string print_entries(model& of, mechanics::quantity wanted) {
+  const mechanics::result_row& result = mechanics::row_of(wanted);
+  const std::shared_ptr<const derivation::survey> known = of.known();
+  const mechanics::unit_table symbols = known->states_units ? of.units() : mechanics::unit_table();
+  const derivation::result_units units(symbols, *known);
+  const symbolic::matrix entries = of.get(wanted);
+  const std::vector<std::string> rows = derivation::names_along(*known, result.rows),
+                                 columns = derivation::names_along(*known, result.columns);
+  const auto called = [](const std::vector<std::string>& names, int place) {
+    return names.empty() ? std::to_string(place) : names[static_cast<std::size_t>(place)];
+  };
+  std::string text;
+  for (int i = 0; i < entries.rows; ++i)
+    for (int j = 0; j < entries.columns; ++j) {
+      text += result.called;
+      if (result.columns != mechanics::extent_by::one && result.columns != mechanics::extent_by::scalar)
+        text += '(' + called(rows, i) + ", " + called(columns, j) + ')';
+      else if (entries.rows > 1 || !rows.empty())
+        text += '(' + called(rows, i) + ')';
+      text += " = " + symbolic::print(entries(i, j));
+      const std::string unit = derivation::is_energy(wanted) && symbols.is_stated
+                                   ? "J"
+                                   : derivation::unit_label(units.of(wanted, i, j));
+      text += unit.empty() ? "\n" : "  [" + unit + "]\n";
+    }
+  return text;
+}
+
+} // namespace kanexpr

@@ -1,0 +1,36 @@
+#include "runtime/cart_with_units.hpp"
+
+#include <kanexpr/runtime/print_entries.hpp>
+#include <kanexpr/symbolic.hpp>
+
+#include <models/simple_pendulum.hpp>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace kanexpr;
+using mechanics::quantity;
+
+TEST(print_entries, writes_units) {
+  model cart = derive(cart_with_units());
+  ASSERT_EQ(cart.mistake(), "");
+  EXPECT_EQ(print_entries(cart, quantity::mass_matrix), "mass_matrix(v, v) = 3*m  [kg]\n"
+                                                        "mass_matrix(v, u) = l*m*cos(q)  [kg m]\n"
+                                                        "mass_matrix(u, v) = l*m*cos(q)  [kg m]\n"
+                                                        "mass_matrix(u, u) = l^2*m  [kg m²]\n");
+  EXPECT_EQ(print_entries(cart, quantity::qdot), "qdot(s) = v  [m/s]\nqdot(q) = u  [rad/s]\n");
+  EXPECT_EQ(print_entries(cart, quantity::center_of_mass),
+            "center_of_mass(0) = l*cos(q)/3  [m]\ncenter_of_mass(1) = (2*m*s + m*(l*sin(q) + s))/(3*m)  [m]\n"
+            "center_of_mass(2) = 0  [m]\n");
+  EXPECT_EQ(print_entries(cart, quantity::potential_energy), "potential_energy = -g*l*m*cos(q)  [J]\n");
+}
+
+TEST(print_entries, writes_none_of_a_model_that_states_none) {
+  model pendulum = derive<simple_pendulum::System>();
+  if (pendulum.known()->states_units) GTEST_SKIP() << "the model states units";
+  EXPECT_EQ(print_entries(pendulum, quantity::forcing), "forcing(u) = T - c*u - g*l*m*sin(q)\n");
+  EXPECT_EQ(print_entries(pendulum, quantity::multipliers), "");
+}
+
+} // namespace
