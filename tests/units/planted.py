@@ -88,7 +88,8 @@ PLANTED = [
     ("../README.md", "System", "T - c*u", "T - m*g", "the torque on A", "N m", "N"),
     # flexible bodies
     ("gallery/spin_up.cpp", "System", "O, Hub::x, L", "O, Hub::x, L * L", "the length of beam Arm", "m^2", "m"),
-    ("gallery/flexible_manipulator.cpp", "System", "B::x, L, rho", "B::x, L, m", "the mass per length of beam Lower", "kg", "kg/m"),
+    ("gallery/flexible_manipulator.cpp", "System", "B::x, L, rho", "B::x, L, m",
+     "the mass per length of beam Lower", "kg", "kg/m"),
     ("gallery/flexible_manipulator.cpp", "System", "bending<A::y, EI,", "bending<A::y, EI * L,",
      "a stiffness of beam Upper", "N m^3", "N m^2"),
     ("gallery/wind_turbine.cpp", "System", "c*(w -", "c*(c * w -", "the force at Outer<1>", "N", "m/s"),
