@@ -88,23 +88,28 @@ struct vehicle_base : builder {
 
 /// A free body that carries a rigid body on a hinge at its node.
 struct vehicle : vehicle_base {
+  explicit vehicle(const mechanics::flexible_data& data) {
+    carry(node("Node", flexible_body("Panel", at, axes, {amplitude(0), amplitude(1)}, data), "12"));
+  }
   vehicle(const lumped::body& b, kind how) {
-    const kanexpr::runtime::section_ids node =
-        how == kind::of_data
-            ? builder::node("Node",
-                            flexible_body("Panel", at, axes, {amplitude(0), amplitude(1)}, data_of(b)), "12")
-            : add_particles(b);
-    const frame_id load = rotated("L", node.frame, q[6], along(node.frame, 0.6, 0, 0.8));
-    rigid_body("Load", offset("C", node.point, along(load, 0.3, 0.1, -0.2)), load, number(0.8),
+    if (how == kind::of_particles)
+      carry(add_particles(b));
+    else
+      carry(node("Node", flexible_body("Panel", at, axes, {amplitude(0), amplitude(1)}, data_of(b)), "12"));
+  }
+
+private:
+  void carry(const kanexpr::runtime::section_ids& on) {
+    const frame_id load = rotated("L", on.frame, q[6], along(on.frame, 0.6, 0, 0.8));
+    rigid_body("Load", offset("C", on.point, along(load, 0.3, 0.1, -0.2)), load, number(0.8),
                inertia(load, 0.3, 0.4, 0.5, 0.02, 0, 0));
     gravity(along(inertial_frame(), 0.3, -9.81, 1));
   }
 
-private:
   kanexpr::runtime::section_ids add_particles(const lumped::body& b) {
     point_id last{};
     for (std::size_t i = 0; i < b.particles.size(); ++i) {
-      last = offset("P" + std::to_string(i), at, position_of(b.particles[i], axes));
+      last = offset("P" + std::to_string(i), at, position_from_reference(b.particles[i]));
       particle("P" + std::to_string(i), last, number(b.particles[i].mass));
     }
     expression energy = number(0.0);
@@ -125,7 +130,7 @@ private:
         energy += number(b.stiffness(k, l) / 2) * (amplitude(k) * amplitude(l));
   }
 
-  mechanics::vector position_of(const lumped::particle& p, frame_id axes) {
+  mechanics::vector position_from_reference(const lumped::particle& p) {
     expression r[3]{number(0.0), number(0.0), number(0.0)};
     for (int i = 0; i < 3; ++i) {
       r[i] += number(p.place[i]);
@@ -253,6 +258,20 @@ TEST(body_of_data, equals_a_beam) {
       expect_equal(found.numbers(by_data.get(each)), expected.numbers(by_shapes.get(each)),
                    std::string(mechanics::row_of(each).called));
   }
+}
+
+TEST(body_of_data, is_loaded_by_reference_stresses) {
+  const lumped::body b = undamped(false);
+  mechanics::flexible_data data = data_of(b);
+  vehicle without(data);
+  data.preload = {2.0, -3.0};
+  vehicle with(data);
+  without.draw(4), with.draw(4);
+  mechanics::equations loaded(with.system()), unloaded(without.system());
+  VectorXd expected = VectorXd::Zero(all);
+  expected.tail(amplitudes) << -2, 3;
+  expect_equal(with.numbers(loaded.get(quantity::forcing)) - without.numbers(unloaded.get(quantity::forcing)),
+               expected, "preload");
 }
 
 TEST(body_of_data, reports_mistakes) {

@@ -114,6 +114,7 @@ const std::string& valid_text() {
 
 TEST(read_sid, completes_matrices_that_others_determine) {
   const mechanics::flexible_data whole = read_sid_text(valid_text()).data;
+  ASSERT_EQ(whole.amplitudes, 2);
   for (const char* section : {"Gr", "Ge", "ksigma", "De"})
     EXPECT_TRUE(read_sid_text(without(valid_text(), section))) << section;
   std::string text = valid_text();
@@ -195,6 +196,15 @@ TEST(read_sid, reports_the_place_of_a_mistake) {
   };
   for (const auto& [broken, expected] : mistakes)
     EXPECT_EQ(read_sid_text(broken, {}, "a.sid").cause(), expected);
+}
+
+TEST(read_sid, limits_the_memory_that_a_file_demands) {
+  std::string nodes = "end frame";
+  for (int i = 0; i < 100; ++i) nodes.insert(0, "new node = n" + std::to_string(i) + "\nend node\n");
+  const std::string text =
+      replaced(replaced(valid_text(), "nelastq = 2", "nelastq = 200"), "end frame", nodes);
+  EXPECT_EQ(read_sid_text(text, {}, "a.sid").cause(),
+            "a.sid: the file has 101 nodes with 200 amplitudes; at most 82 are supported");
 }
 
 TEST(read_sid, compares_matrices_that_determine_each_other) {

@@ -15,8 +15,8 @@ struct System : system_of<bodies<B>> {};
 void f() { use<System>(); }
 } // namespace f2
 
-// expect: flexible body B has by<...> with too few or too many symbols; write a coordinate for each amplitude,
-// expect: followed by a speed for each
+// expect: flexible body B has by<...> with too few or too many symbols; write a coordinate for each
+// expect: amplitude, followed by a speed for each
 namespace f3 {
 struct B : flexible_body<B, O, N, bar, by<q, p, u>> {};
 struct System : system_of<bodies<B>> {};
@@ -69,3 +69,11 @@ struct B : flexible_body<B, O, N, without_mass> {};
 struct System : system_of<bodies<B>> {};
 void f() { use<System>(); }
 } // namespace f9
+
+// expect: flexible body B has more than 99 amplitudes; build such a body at run time
+namespace f10 {
+constexpr flexible_body_data<100, 0> large{.mass = 1};
+struct B : flexible_body<B, O, N, large> {};
+struct System : system_of<bodies<B>> {};
+void f() { use<System>(); }
+} // namespace f10

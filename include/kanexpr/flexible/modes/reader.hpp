@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/flexible/file_report.hpp>
+#include <kanexpr/flexible/limits.hpp>
 #include <kanexpr/flexible/modes/modal_model.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
 
@@ -67,7 +68,6 @@ public:
 private:
   using json = nlohmann::json;
   using vectors = modal_model::vectors;
-  static constexpr int most_amplitudes = 200;
   static constexpr std::array<std::string_view, 17> keys{
       "positions", "masses",       "mass_matrix",          "shapes",    "rotations",   "bends",
       "nodes",     "attachments",  "modal_mass",           "stiffness", "frequencies", "damping",
@@ -268,7 +268,7 @@ private:
            read_matrices_of("rotation", 6, model.by_rotation);
   }
 
-  /// Reads the names of nodes, which are texts or whole numbers; by default, they are the indices.
+  /// Reads the names of nodes, which are texts or integers; by default, they are the indices.
   bool read_names() {
     if (!has("nodes")) {
       for (std::size_t i = 0; i < nodes(); ++i) places_.emplace(std::to_string(i), i);
@@ -286,7 +286,7 @@ private:
   }
   bool read_name(const json& from, std::string& into, const std::string& what) {
     if (!from.is_string() && !from.is_number_integer())
-      return report_.fail(what + " is neither a text nor a whole number");
+      return report_.fail(what + " is neither a text nor an integer");
     into = from.is_string() ? from.get<std::string>() : from.dump();
     return true;
   }
@@ -295,6 +295,9 @@ private:
     if (!has("attachments")) return true;
     const json& list = all_["attachments"];
     if (!list.is_array()) return report_.fail("attachments is not a list of nodes");
+    if (list.size() > most_nodes(model.amplitudes))
+      return report_.fail("attachments has " + counted_entries(list.size()) + "; at most " +
+                          std::to_string(most_nodes(model.amplitudes)) + " are supported");
     for (std::size_t i = 0; i < list.size(); ++i) {
       modal_model::attachment& a = model.attachments.emplace_back();
       if (!read_name(list[i], a.called, index("attachments", i))) return false;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/flexible/file_report.hpp>
+#include <kanexpr/flexible/limits.hpp>
 #include <kanexpr/flexible/sid/document.hpp>
 #include <kanexpr/flexible/sid/line.hpp>
 #include <kanexpr/flexible/sid/numbers.hpp>
@@ -37,7 +38,6 @@ public:
 
 private:
   static constexpr std::array<std::string_view, 4> node_series{"origin", "phi", "psi", "AP"};
-  static constexpr int most_amplitudes = 200;
 
   bool next() {
     line_ = lines_.next();

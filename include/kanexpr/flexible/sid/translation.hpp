@@ -3,6 +3,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/flexible/agreement.hpp>
 #include <kanexpr/flexible/file_report.hpp>
+#include <kanexpr/flexible/limits.hpp>
 #include <kanexpr/flexible/options.hpp>
 #include <kanexpr/flexible/sid/dense.hpp>
 #include <kanexpr/flexible/sid/document.hpp>
@@ -53,6 +54,10 @@ private:
     for (matrix m : {matrix::mdcm, matrix::j, matrix::ct, matrix::cr, matrix::me, matrix::ke})
       if (!from_[m].is_given())
         return report_.fail("the file does not contain " + std::string(from_[m].called));
+    if (from_.nodes.size() > most_nodes(n_))
+      return report_.fail("the file has " + std::to_string(from_.nodes.size()) + " nodes with " +
+                          std::to_string(n_) + " amplitudes; at most " + std::to_string(most_nodes(n_)) +
+                          " are supported");
     data.mass = from_.mass;
     return true;
   }
@@ -78,7 +83,7 @@ private:
   int amplitude_of(std::size_t i) const { return static_cast<int>(i) % n_; }
 
   /// Names an entry of m1 in an n × columns matrix: row by row, with the amplitude last.
-  auto linear_entry_name(std::string called, int columns) const {
+  auto linear_entry_name(const std::string& called, int columns) const {
     return [called, columns, n = n_](std::size_t e) {
       const int l = static_cast<int>(e) % n, row_and_column = static_cast<int>(e) / n;
       return "the coefficient of amplitude " + at(l) + " in " + called +

@@ -26,6 +26,9 @@ public:
   /// States a unit that does not conflict with others: an expression of a flexible body may contain numbers
   /// with units.
   constexpr void suggest(expression e, const units::unit& u) { by_.suggest(e, u); }
+  constexpr void suggest_coefficient(expression e, expression rate, const units::unit& u) {
+    by_.suggest_coefficient(e, rate, u);
+  }
 
 private:
   unit_inference& by_;
