@@ -21,12 +21,14 @@
 namespace {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 using namespace simple_pendulum;
 
 // In addition to viscous friction, dry (Coulomb) friction, which is smoothed near zero speed.
-constexpr parameter<"k"> k;
+constexpr parameter<"k", newton * meter> k;
+constexpr auto slow = constant<0.2, radian / second>;
 struct Rubbing
-    : extended<simple_pendulum::System, parameters<k>, loads<torque<A, -k * tanh(u / 0.2) * N::z>>> {};
+    : extended<simple_pendulum::System, parameters<k>, loads<torque<A, -k * tanh(u / slow) * N::z>>> {};
 
 constexpr double viscous = 0.02, dry = 0.05;                             // N m s, N m
 constexpr double noise = 0.01, first_angle = 1, every = 0.02, last = 10; // rad, rad, s, s
