@@ -35,7 +35,6 @@ public:
     for (const stated_unit& each : m.stated_units) state(each);
     for (const prescribed_rate& p : m.prescribed_rates) {
       const unit_product quantity = of(p.quantity);
-      subject_ = sentence({"the rate of prescribed quantity ", name_of(p.quantity)});
       require(p.rate, quantity / known_unit(units::second));
     }
   }
@@ -164,7 +163,7 @@ private:
     const unit_product ratio = relations_.resolved(right / left);
     const bool are_known = relations_.resolved(left).is_known();
     fail({subject_.view(), how.before, with_unit(a, left).view(), how.between, with_unit(b, right).view(),
-          are_known ? "" : ", whose units differ by ", are_known ? "" : text_of(ratio.known).view(),
+          are_known ? "" : ", whose units differ by a factor of ", are_known ? "" : text_of(ratio.known).view(),
           origin_of_unit(b, a).view()});
   }
 
@@ -191,7 +190,7 @@ private:
       return {};
     const std::string_view reason = reasons_[reason_of_[unknown]].view();
     const unit_product u = relations_.resolved(forms_[id]);
-    if (reason == subject_.view() || !u.is_known()) return {};
+    if (reason.empty() || reason == subject_.view() || !u.is_known()) return {};
     return sentence(
         {"; ", g_.symbol_at(id).called.view(), " is in ", text_of(u.known).view(), " by ", reason});
   }
@@ -225,10 +224,10 @@ private:
     case form::subtract: return of_pair({" subtracts ", " from "}, {n.op, n.b, n.a});
     case form::multiply: return of_product(n, 1);
     case form::divide: return of_product(n, -1);
-    case form::power: return of_power(n);
+    case form::power: return of_power(id, n);
     case form::function: return of_function(id, n);
     case form::binary_function: return of_binary_function(id, n);
-    case form::selection: of(n.a); return of(n.b);
+    case form::selection: compare(n.a); return of(n.b);
     case form::list_operation: break;
     }
     if (n.op == operation::call)
@@ -265,19 +264,26 @@ private:
     return left.fits_all ? right : left;
   }
 
+  /// The condition of a selection, whose sign is that of a difference: max(a, b) compares a and b.
+  constexpr void compare(int condition) {
+    const symbolic::node& n = g_[condition];
+    if (has_form_[condition] == 0 && n.op == operation::subtract) of_pair({" compares ", " and "}, n);
+    of(condition);
+  }
+
   constexpr unit_product of_product(const symbolic::node& n, int sign) {
     const unit_product left = of(n.a), right = of(n.b);
     if (left.fits_all && right.fits_all) return left;
     return times_power(left, right, sign * units::unit::parts);
   }
 
-  constexpr unit_product of_power(const symbolic::node& n) {
+  constexpr unit_product of_power(int id, const symbolic::node& n) {
     const unit_product base = of(n.a);
     of(n.b);
     if (base.fits_all) return base;
     if (!g_.is_constant(n.b)) {
-      must_be(n.a, {}, "the base of a power with a variable exponent");
-      must_be(n.b, {}, "an exponent");
+      argument_is(id, n.a, {});
+      argument_is(id, n.b, {});
       return known_unit({});
     }
     const symbolic::number& exponent = g_.number_at(n.b);
@@ -341,10 +347,6 @@ private:
           origin_of_unit(id).view()});
   }
   constexpr bool must_be(int id, const units::unit& u) { return equate(of(id), known_unit(u)); }
-  constexpr void must_be(int id, const units::unit& u, std::string_view what) {
-    if (!must_be(id, u))
-      fail({subject_.view(), " has ", what, " that is not a number: ", with_unit(id, of(id)).view()});
-  }
 
   const mechanism& m_;
   const symbolic::graph& g_;
