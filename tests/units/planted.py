@@ -52,7 +52,7 @@ PLANTED = [
     ("models/rocket.hpp", "System", "m * g", "m", "the force at P", "N", "kg"),
     ("models/rocket.hpp", "LagrangeSystem", "cd * dot(q) * dot(q)", "cd * dot(q)", "the force at P", "N", "N s/m"),
     ("models/rotating_tube.hpp", "System", "q - q0", "q - theta", "the force at P", "m", "rad"),
-    ("models/rotating_tube.hpp", "System", "c * u", "k * u", "the force at P", "N", "kg m/s^3"),
+    ("models/rotating_tube.hpp", "System", "c * u", "k * u", "the force at P", "N", "N/s"),
     ("models/andrews.hpp", "System", "magnitude(spring)", "dot(spring, spring)", "the force at D", "m^2", "m"),
     ("gallery/foucault.cpp", "System", "-2 * m *", "-2 *", "the force at P", "m rad/s^2", "N"),
     ("gallery/stewart.cpp", "System", "F<i> * normalized(position_of<Top<i>, Foot<i>>)",

@@ -163,16 +163,33 @@ private:
     const unit_product ratio = relations_.resolved(right / left);
     const bool are_known = relations_.resolved(left).is_known();
     fail({subject_.view(), how.before, with_unit(a, left).view(), how.between, with_unit(b, right).view(),
-          are_known ? "" : ", whose units differ by a factor of ", are_known ? "" : text_of(ratio.known).view(),
-          origin_of_unit(b, a).view()});
+          are_known ? "" : ", whose units differ by a factor of ",
+          are_known ? "" : text_of(ratio.known).view(), origin_of_unit(b, a).view()});
   }
 
-  /// Explains the unit of the first parameter or input in some expressions whose unit the model does not
-  /// state: "; c is in N s/m by the force at P". Empty if there is none, or if the present part of the model
-  /// determines it.
+  /// Explains a unit: "; the factor 0.3 has no unit" if an expression has a factor that may be meant to have
+  /// one, otherwise the unit of the first parameter or input whose unit the model does not state: "; c is in
+  /// N s/m by the force at P". Empty if there is none, or if the present part of the model determines it.
   constexpr sentence origin_of_unit(int id, int other = symbolic::graph::zero) const {
+    for (const int each : {id, other})
+      if (const int factor = factor_in(each); factor != none)
+        return sentence({"; the factor ", symbolic::short_text(g_, factor).view(), " has no unit"});
     const sentence found = origin_in(id);
     return found ? found : origin_in(other);
+  }
+  /// The first number among the factors of a product, except ratios such as 1/2 and small integers.
+  constexpr int factor_in(int id) const {
+    const symbolic::node& n = g_[id];
+    if (n.op == operation::negate) return factor_in(n.a);
+    if (n.op == operation::divide) return factor_in(n.a);
+    if (n.op == operation::multiply) {
+      const int found = factor_in(n.a);
+      return found != none ? found : factor_in(n.b);
+    }
+    if (n.op != operation::constant) return none;
+    const symbolic::number& value = g_.number_at(id);
+    if (value.exact() && value.numerator < 5 && value.numerator > -5) return none;
+    return id;
   }
   constexpr sentence origin_in(int id) const {
     const symbolic::node& n = g_[id];
@@ -341,12 +358,11 @@ private:
 
   /// States the unit of the argument of a function.
   constexpr void argument_is(int function, int id, const units::unit& u) {
-    if (must_be(id, u)) return;
+    if (equate(of(id), known_unit(u))) return;
     fail({subject_.view(), " contains ", symbolic::short_text(g_, function).view(), "; ",
           with_unit(id, of(id)).view(), u == units::radian ? " is not an angle" : " is not a number",
           origin_of_unit(id).view()});
   }
-  constexpr bool must_be(int id, const units::unit& u) { return equate(of(id), known_unit(u)); }
 
   const mechanism& m_;
   const symbolic::graph& g_;

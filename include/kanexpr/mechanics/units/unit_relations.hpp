@@ -129,7 +129,8 @@ private:
     return p.power == units::unit::parts || p.power == -units::unit::parts;
   }
 
-  /// Solves the equation `ratio` = 1 for one of its unknown units; returns false if the solution is not exact.
+  /// Solves the equation `ratio` = 1 for one of its unknown units; returns false if the solution is not
+  /// exact.
   constexpr bool solve(const unit_product& ratio, const unknown_power& by) {
     unit_product others = ratio;
     others.unknown.clear();
