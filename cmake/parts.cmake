@@ -73,6 +73,8 @@ set(kanexpr_animate_lacks "")
 if(NOT nlohmann_json_FOUND)
   set(kanexpr_animate_lacks "nlohmann-json 3.2 was not found")
 endif()
+set(kanexpr_flexible_lacks "")
+set(kanexpr_flexible_modes_lacks "${kanexpr_animate_lacks}")
 
 find_package(tinyxml2 QUIET)
 set(kanexpr_robots_lacks "")

@@ -190,7 +190,8 @@ function(kanexpr_headers_together name)
 endfunction()
 
 function(kanexpr_compile_headers name)
-  target_link_libraries(${name} PRIVATE kanexpr kanexpr_hdf5 kanexpr_mpi kanexpr_animate kanexpr_fmi kanexpr_robots_sdf kanexpr_strict)
+  target_link_libraries(${name} PRIVATE kanexpr kanexpr_hdf5 kanexpr_mpi kanexpr_animate kanexpr_fmi kanexpr_robots_sdf
+    kanexpr_flexible_modes kanexpr_strict)
   target_include_directories(${name} SYSTEM PRIVATE ${PROJECT_SOURCE_DIR}/tests/quantities/mp_units)
   target_compile_options(${name} PRIVATE -O0)
 endfunction()

@@ -6,5 +6,6 @@
 
 #include <kanexpr/compiler.hpp>
 
+#include <kanexpr/animate/bent.hpp>
 #include <kanexpr/animate/write_page.hpp>
 #include <kanexpr/version.hpp>

@@ -87,6 +87,40 @@ TEST(picture_check, wants_shapes_within_show) {
   EXPECT_EQ((told<upright, bob, colour<"#ffffff">>()), "colour is not an element of a picture");
 }
 
+using at_pivot = station<A, O, A::x>;
+using at_bob = station<A, P, A::x>;
+
+TEST(picture_check, finds_nothing_wrong_with_sound_curves) {
+  EXPECT_EQ((told<upright, show<cable<l / 50, O, P>>, show<sweep<i_section<0.1, l, 0.01>, at_pivot, at_bob>>,
+                  show<sweep<tapered<airfoil<l, 0.1>, airfoil<l / 2, 0.05>>, at_pivot, at_bob>>>()),
+            "");
+}
+
+TEST(picture_check, wants_curves_through_two_places) {
+  EXPECT_EQ((told<upright, show<cable<0.1, O>>>()), "the cable at O has one point; it needs at least two");
+  EXPECT_EQ((told<upright, show<cable<0.1>>>()), "the cable has no points; it needs at least two");
+  EXPECT_EQ((told<upright, show<sweep<circle<1>, at_bob>>>()),
+            "the sweep at P has one station; it needs at least two");
+  EXPECT_EQ((told<upright, show<sweep<circle<1>>>>()), "the sweep has no stations; it needs at least two");
+  EXPECT_EQ((told<upright, show<sweep<circle<1>, at_pivot, P>>>()),
+            "a sweep passes through P, which is not a station<frame, point, axis>");
+  EXPECT_EQ((told<upright, show<sweep<circle<1>, at_pivot, station<A, P, q>>>>()),
+            "an axis of the sweep from O to P is a scalar; it must be a vector");
+  EXPECT_EQ(
+      (told<upright, show<cable<0.1, P, Z>>>()),
+      "point Z is attached to the origin Z, but P to the origin O; the displacement between them is unknown");
+}
+
+TEST(picture_check, wants_profiles) {
+  EXPECT_EQ((told<upright, show<sweep<A, at_pivot, at_bob>>>()),
+            "the profile of a sweep is A; it must be a profile such as circle<radius>");
+  EXPECT_EQ((told<upright, show<sweep<tapered<circle<1>, rectangle<1, l>>, at_pivot, at_bob>>>()),
+            "the profile of the sweep from O to P changes from circle to rectangle; both ends must have the "
+            "same form");
+  EXPECT_EQ((told<upright, show<sweep<tapered<rectangle<1, l>, rectangle<1, u>>, at_pivot, at_bob>>>()),
+            "the height of the sweep from O to P contains the speed u; it may depend only on parameters");
+}
+
 TEST(picture_check, wants_one_origin) {
   EXPECT_EQ(
       (told<upright, show<rod<Z, P, 0.1>>>()),

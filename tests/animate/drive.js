@@ -8,11 +8,13 @@ import { chromium } from 'playwright-core';
 import { checkControls, checkRuns } from './controls.js';
 import { checkColours, checkLayout, checkPhone } from './layout.js';
 import { assertNear, turned } from './numbers.js';
+import { checkSweeps } from './sweeps.js';
 
 const [browserPath, directory] = process.argv.slice(2);
 const addressOf = (name) => pathToFileURL(join(directory, name)).href;
 const address = addressOf('disc.html');
-const expected = JSON.parse(readFileSync(join(directory, 'disc.json'), 'utf8'));
+const read = (name) => JSON.parse(readFileSync(join(directory, name), 'utf8'));
+const expected = read('disc.json');
 const home = mkdtempSync(join(tmpdir(), 'kanexpr-page-'));
 
 function launch(folder, options) {
@@ -39,7 +41,7 @@ try {
   const troubles = listen(page);
   await page.goto(address);
   await checkTitle(page);
-  await checkPoses(page);
+  await checkPoses(page, expected);
   await checkMeshes(page);
   await checkBetween(page);
   await checkPicture(page);
@@ -57,6 +59,9 @@ try {
   await checkWithoutWebGL(context);
   for (const each of [context, phone]) await withPage(each, 'runs.html', checkRuns);
   await withPage(phone, 'disc.html', checkPhone);
+  const [swept, beam] = [read('swept.json'), read('beam.json')];
+  await withPage(context, 'beam.html', (page) => checkPoses(page, beam));
+  await withPage(context, 'swept.html', (page) => checkSweeps(page, swept));
 } finally {
   await context.close();
   await phone.close();
@@ -95,7 +100,7 @@ async function checkTitle(page) {
   assert.equal(await page.locator('#trouble').isVisible(), false);
 }
 
-async function checkPoses(page) {
+async function checkPoses(page, expected) {
   for (const { t, poses } of expected) {
     const seen = await page.evaluate((time) => {
       const { kanexpr } = window;

@@ -1,4 +1,5 @@
 #include "animate/disc_on_a_circle.hpp"
+#include "animate/swept_shapes.hpp"
 #include "animate/wedge_files.hpp"
 
 #include <kanexpr/animate.hpp>
@@ -6,7 +7,7 @@
 #include <cstdio>
 
 // page DIRECTORY: writes a page with a shape of every kind, and the placements of its shapes at some times; a
-// page with two runs; and one with files that contain no mesh.
+// page with two runs; one with files that contain no mesh; and two with sweeps and cables.
 
 namespace {
 
@@ -25,7 +26,10 @@ using shapes = kanexpr::picture<
     show<ring<R, Beside, R::x, r / 4, r / 15>>, show<cone<R, Above, -N::z, r / 6, r / 2>>,
     show<box<R, Beside, r / 5, r / 6, r / 7>>, show<ellipsoid<R, Above, r / 4, r / 6, r / 8>, opacity<0.6>>,
     show<sphere<Dmc, r / 5>>, show<axes<R, Dmc, r>>, show<rod<Dmc, Beside, r / 20>>,
-    show<coil<Dmc, Above, r / 8, 7>>, show<mesh<R, Beside, "binary.STL", r / 10>, named<"binary STL">>,
+    show<coil<Dmc, Above, r / 8, 7>>, show<cable<r / 30, C, Dmc, Beside, Above>>,
+    show<sweep<tapered<airfoil<r / 3, r / 20>, airfoil<r / 6, r / 30>>, station<R, Dmc, R::z>,
+               station<L, Beside, L::y>>>,
+    show<mesh<R, Beside, "binary.STL", r / 10>, named<"binary STL">>,
     show<mesh<L, Beside, "text.stl", 0.03, 0.05, -0.04>, named<"mirrored STL">>,
     show<mesh<R, Above, "wedge.obj", 0.04>, named<"OBJ">, colour<"#ffffff">>,
     show<mesh<R, Dmc, "wedge.dae", 0.04>, named<"DAE">, opacity<0.5>>,
@@ -47,13 +51,14 @@ nlohmann::json poses_at(const kanexpr::animation& a, std::size_t k) {
   nlohmann::json poses = nlohmann::json::array();
   for (const auto& s : a.shapes) {
     if (s.kind == "trace") continue;
-    const Eigen::Vector3d& p = s.placements[k].position;
-    const Eigen::Matrix3d& r = s.placements[k].orientation;
+    const Eigen::Vector3d& p = s.placement_at(k).position;
+    const Eigen::Matrix3d& r = s.placement_at(k).orientation;
     nlohmann::json one{{"name", s.name}, {"position", {p(0), p(1), p(2)}}};
-    if (s.placed_by == kanexpr::animate::placement_kind::pose)
+    if (s.placed_by == kanexpr::animate::placement_kind::pose && s.places == 1)
       one["axes"] = {{r(0, 0), r(1, 0), r(2, 0)}, {r(0, 1), r(1, 1), r(2, 1)}, {r(0, 2), r(1, 2), r(2, 2)}};
     if (s.kind == "mesh") one["corners"] = corners_of(s, k);
-    if (const Eigen::Vector3d& v = s.placements[k].end; s.kind == "arrow") one["vector"] = {v(0), v(1), v(2)};
+    if (const Eigen::Vector3d& v = s.placement_at(k).end; s.kind == "arrow")
+      one["vector"] = {v(0), v(1), v(2)};
     poses.push_back(one);
   }
   nlohmann::json columns;
@@ -98,6 +103,16 @@ int main(int, char** arguments) {
 
   const auto broken = write_broken(a, {.title = "Broken files", .folder = directory}, directory);
   if (!broken) return std::fprintf(stderr, "%s\n", broken.cause().c_str()), 1;
+  const tests::swept_shapes swept;
+  const auto bent =
+      kanexpr::animate::write_page(directory + "/swept.html", swept.animation, {.title = "Bent shapes"});
+  if (!bent) return std::fprintf(stderr, "%s\n", bent.cause().c_str()), 1;
+  std::ofstream(directory + "/swept.json") << swept.expected;
+  const kanexpr::animation beam = tests::bent_beam();
+  const auto turning = kanexpr::animate::write_page(directory + "/beam.html", beam, {.title = "A bent beam"});
+  if (!turning) return std::fprintf(stderr, "%s\n", turning.cause().c_str()), 1;
+  std::ofstream(directory + "/beam.json")
+      << nlohmann::json{poses_at(beam, 0), poses_at(beam, 17), poses_at(beam, 40)};
   std::ofstream(directory + "/disc.json")
       << nlohmann::json{poses_at(a, 0), poses_at(a, 70), poses_at(a, 300)};
 }

@@ -1,4 +1,5 @@
 #include "animate/samples.hpp"
+#include "animate/swept_shapes.hpp"
 
 #include <kanexpr/animate.hpp>
 #include <models/simple_pendulum.hpp>
@@ -78,6 +79,77 @@ TEST(animation, is_that_of_a_pendulum) {
   EXPECT_EQ(a.up, -Eigen::Vector3d::UnitX());
   EXPECT_EQ(a.ground, -1.4);
   EXPECT_FALSE(a.carried);
+}
+
+struct Middle : offset<Middle, O, l / 2 * A::x + l / 10 * sin(q) * A::y> {};
+struct Turned : rotated<Turned, A, q, A::z> {};
+
+using curved =
+    kanexpr::picture<System, up<-N::x>, show<cable<l / 50, O, Middle, P>>, carried<P>,
+                     show<sweep<tapered<rectangle<l / 5, l / 10>, rectangle<l / 6, 0.1>>, station<A, O, A::x>,
+                                station<Turned, Middle, Turned::x>, station<A, P, A::x>>>>;
+
+/// The places of curves are those of their points and frames, at each time.
+TEST(animation, holds_all_places_of_curves) {
+  tests::samples<System> run = swing({0.3, 0.8});
+  run.all[0].x[u] = run.all[1].x[u] = 0;
+  const kanexpr::animation a = kanexpr::animated<curved>(run);
+  ASSERT_TRUE(a) << a.cause();
+  const kanexpr::animation::shape& rope = *a.find("cable from O to P");
+  const kanexpr::animation::shape& bar = *a.find("sweep from O to P");
+  EXPECT_EQ(rope.profile, "circle");
+  EXPECT_EQ(bar.profile, "rectangle");
+  EXPECT_EQ(bar.sizes, (std::vector<double>{0.7 / 5, 0.7 / 10, 0.7 / 6, 0.1}));
+  ASSERT_EQ(rope.places, 3u);
+  ASSERT_EQ(rope.placements.size(), 6u);
+  ASSERT_EQ(bar.placements.size(), 6u);
+  const double angles[]{0.3, 0.8};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double angle = angles[k];
+    const Eigen::Vector3d along(std::cos(angle), std::sin(angle), 0),
+        across(-std::sin(angle), std::cos(angle), 0);
+    // the origin is carried such that P keeps its initial position, as its velocity is zero
+    const Eigen::Vector3d first(std::cos(0.3), std::sin(0.3), 0), moved = 0.7 * (first - along);
+    const Eigen::Vector3d origin = moved - moved.x() * Eigen::Vector3d::UnitX();
+    const Eigen::Vector3d middle = origin + 0.35 * along + 0.07 * std::sin(angle) * across;
+    const Eigen::Vector3d places[]{origin, middle, origin + 0.7 * along};
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_LT((rope.placement_at(k, i).position - places[i]).norm(), 1e-15);
+      EXPECT_LT((bar.placement_at(k, i).position - places[i]).norm(), 1e-15);
+      const double turned = i == 1 ? 2 * angle : angle;
+      const Eigen::Vector3d tangent(std::cos(turned), std::sin(turned), 0),
+          x(-std::sin(turned), std::cos(turned), 0);
+      EXPECT_LT((bar.placement_at(k, i).orientation.col(0) - x).norm(), 1e-15);
+      EXPECT_LT((bar.placement_at(k, i).orientation.col(2) - tangent).norm(), 1e-15);
+    }
+  }
+}
+
+TEST(animation, tells_what_is_wrong_with_a_curve) {
+  tests::samples<System> run = swing({0.3, 0.8});
+  kanexpr::animation a = kanexpr::animated<curved>(run);
+  a.shapes[0].placements.pop_back();
+  EXPECT_EQ(kanexpr::animate::check_entries(a),
+            "the cable from O to P has 5 placements for 2 times and 3 places");
+  a = kanexpr::animated<curved>(run);
+  a.shapes[0].placements[4].position.x() = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(kanexpr::animate::check_numbers(a),
+            "the position of the cable from O to P is not finite at t = 0.1");
+  using negative = kanexpr::picture<System, up<-N::x>, show<cable<l - 1, O, P>>>;
+  EXPECT_EQ(kanexpr::animated<negative>(run).cause(),
+            "every dimension of the cable from O to P must be positive and finite");
+}
+
+/// The stations that are fixed in one body share its track.
+TEST(animation, finds_the_bodies_of_curves) {
+  const kanexpr::animation a = kanexpr::animated<curved>(swing({0.3, 0.8, 1.5}));
+  const kanexpr::animate::tracks found = kanexpr::animate::tracks_of(a);
+  ASSERT_EQ(found.of_shape.size(), 2u);
+  ASSERT_EQ(found.of_shape[1].size(), 3u);
+  EXPECT_EQ(found.of_shape[1][0].track, found.of_shape[1][2].track);
+  EXPECT_NE(found.of_shape[1][0].track, found.of_shape[1][1].track);
+  EXPECT_NEAR(found.of_shape[1][2].position.norm(), 0.7, 1e-15);
+  EXPECT_EQ(found.of_shape[0][1].track, found.of_shape[1][1].track); // the point Middle of the same frame
 }
 
 TEST(animation, tells_what_is_no_number) {
@@ -204,6 +276,42 @@ TEST(tracks, are_those_of_the_rigid_bodies) {
         EXPECT_LT((here - (end == 0 ? was.position : was.end)).norm(), 1e-14);
       }
     }
+}
+
+/// The stations of a beam that bends in two ways move by two deflections.
+TEST(tracks, of_a_bent_beam_share_deflections) {
+  const kanexpr::animation a = tests::bent_beam();
+  const kanexpr::animate::tracks found = kanexpr::animate::tracks_of(a);
+  const std::vector<kanexpr::animate::bending> bendings = kanexpr::animate::bendings_of(a, found);
+  ASSERT_EQ(bendings.size(), 1u);
+  const kanexpr::animate::bending& b = bendings[0];
+  EXPECT_EQ(b.base, found.of_shape[0][0].track);
+  ASSERT_EQ(b.tracks.size(), 8u);
+  ASSERT_EQ(b.weights.rows(), 2);
+  for (Eigen::Index k = 0; k < 41; ++k) {
+    const double t = a.times[static_cast<std::size_t>(k)], q1 = 0.2 * std::sin(3 * t),
+                 q2 = 0.1 * std::cos(8 * t);
+    const Eigen::VectorXd numbers = b.mean + b.deflections * b.weights.col(k);
+    for (Eigen::Index i = 0; i < 8; ++i) {
+      const double x = static_cast<double>(i + 1) / 8;
+      // the axes of the root: x is normal to the plane of bending, z along the beam
+      const Eigen::Vector3d place = b.size * numbers.segment<3>(6 * i),
+                            turned = numbers.segment<3>(6 * i + 3);
+      const double slope = 2 * x * q1 + 3 * x * x * q2;
+      EXPECT_LT((place - Eigen::Vector3d(0, -x * x * (q1 + x * q2), x)).norm(), 1e-12);
+      EXPECT_LT((turned - Eigen::Vector3d(slope, 0, 0)).norm(), 1e-12);
+    }
+  }
+}
+
+/// A chain whose points move independently has no deflections in common.
+TEST(tracks, of_a_loose_chain_do_not_bend) {
+  kanexpr::animation a = tests::bent_beam();
+  a.shapes.resize(1);
+  double k = 0;
+  for (kanexpr::animate::placement& here : a.shapes[0].placements)
+    here.position += Eigen::Vector3d::Constant(0.1 * std::sin(k * k)), k += 1;
+  EXPECT_TRUE(kanexpr::animate::bendings_of(a, kanexpr::animate::tracks_of(a)).empty());
 }
 
 TEST(tracks, separate_what_moves_by_more_than_the_digits_of_a_page) {

@@ -152,6 +152,73 @@ TEST(picture_of, shows_a_free_body_as_the_solid_with_its_inertia) {
   EXPECT_EQ(a.system, "The model"); // the title of a page
 }
 
+/// A cantilever of length 2 along y that bends along z by q (y/2)², and carries a pendulum at its tip.
+TEST(picture_of, shows_beams_bent) {
+  runtime::builder b("N");
+  const auto N = runtime::builder::inertial_frame();
+  const expression q = b.coordinate("q"), angle = b.coordinate("angle");
+  for (const expression& each : {q, angle})
+    b.kinematic_equation(b.dot(each) - b.speed("v_" + symbolic::print(each)));
+  const auto O = b.origin("O");
+  runtime::beam_data data{.axis = b.along(N, 0, 1, 0), .length = 2.0, .mass_per_length = 1.0};
+  const numeric::beams::shape parabola = numeric::beams::shape::polynomial({0.0, 0.0, 1.0});
+  data.bending.push_back({b.along(N, 0, 0, 1), {.stiffness = 3.0, .shapes = {parabola}}});
+  const auto beam = b.beam("Cantilever", O, N, {q}, data);
+  const auto tip = b.section("Tip", beam, 1);
+  const auto A = b.rotated("A", tip.frame, angle, b.along(N, 1, 0, 0));
+  b.particle("Bob", b.offset("P", tip.point, b.along(A, 0, 0, -0.5)), b.number(1));
+  const model m = derive(b);
+  ASSERT_EQ(m.mistake(), "");
+  const animation a = animated(m, positions(m, {}, {{0, 0}, {0.5, 0}}));
+  ASSERT_TRUE(a) << a.cause();
+  EXPECT_EQ(names_of(a), (std::vector<std::string>{"rod: link of A", "cylinder: pin at Tip", "sphere: Bob",
+                                                   "beam: Cantilever"}));
+  const animation::shape& shown = *a.find("Cantilever");
+  EXPECT_LT((Eigen::Vector2d(shown.sizes.data()) - Eigen::Vector2d(0.16, 0.16 / 3)).norm(), 1e-12);
+  ASSERT_EQ(shown.places, 9u);
+  for (std::size_t i = 0; i < 9; ++i) {
+    const double xi = static_cast<double>(i) / 8, slope = 2 * xi * 0.5 / 2;
+    const Vector3d place(0, 2 * xi - 2 * 0.25 * xi * xi * xi / 3 / 2, 0.5 * xi * xi);
+    const Vector3d tangent(0, std::cos(slope), std::sin(slope));
+    EXPECT_LT((shown.placement_at(1, i).position - place).norm(), 1e-14);
+    EXPECT_LT((shown.placement_at(1, i).orientation.col(2) - tangent).norm(), 1e-14);
+    EXPECT_LT((shown.placement_at(1, i).orientation.col(0) - Vector3d(-1, 0, 0)).norm(), 1e-14);
+  }
+  const Vector3d end = shown.placement_at(1, 8).position;
+  EXPECT_LT((a.find("link of A")->placements[1].position - end).norm(), 1e-14);
+}
+
+/// The nodes are connected along the body, whatever their order.
+TEST(picture_of, shows_flexible_bodies_by_their_nodes) {
+  runtime::builder b("N");
+  const auto N = runtime::builder::inertial_frame();
+  const expression q = b.coordinate("q");
+  b.kinematic_equation(b.dot(q) - b.speed("u"));
+  mechanics::flexible_data data(1);
+  data.mass = 1, data.modal_mass[0] = 1, data.stiffness[0] = 1;
+  for (const int i : {0, 1, 2}) data.inertia.constant(i) = 1;
+  for (const double x : {0.0, 2.0, 1.0}) {
+    mechanics::flexible_node node{.called = base::name(x > 1   ? "far"
+                                                       : x > 0 ? "middle"
+                                                               : "near"),
+                                  .position = mechanics::taylor_series(3, 1, 1)};
+    node.position.constant(0) = x, node.position.linear(0, 1) = x * x;
+    data.nodes.push(node);
+  }
+  b.flexible_body("Arm", b.origin("O"), N, {q}, data);
+  const model m = derive(b);
+  ASSERT_EQ(m.mistake(), "");
+  const animation a = animated(m, positions(m, {}, {{0}, {0.1}}));
+  ASSERT_TRUE(a) << a.cause();
+  EXPECT_EQ(names_of(a), (std::vector<std::string>{"sphere: node near of Arm", "sphere: node far of Arm",
+                                                   "sphere: node middle of Arm", "rod: Arm", "rod: Arm"}));
+  EXPECT_LT((a.find("node far of Arm")->placements[1].position - Vector3d(2, 0.4, 0)).norm(), 1e-14);
+  EXPECT_LT((a.shapes[3].placements[1].position - Vector3d(0, 0, 0)).norm(), 1e-14);
+  EXPECT_LT((a.shapes[3].placements[1].end - Vector3d(1, 0.1, 0)).norm(), 1e-14);
+  EXPECT_LT((a.shapes[4].placements[1].position - Vector3d(1, 0.1, 0)).norm(), 1e-14);
+  EXPECT_LT((a.shapes[4].placements[1].end - Vector3d(2, 0.4, 0)).norm(), 1e-14);
+}
+
 TEST(picture_of, reports_why_there_is_no_picture) {
   runtime::builder b("N");
   const auto O = b.origin("O");

@@ -16,7 +16,9 @@
 #include <docs/tutorials/optimal-control/crane.hpp>
 #include <docs/tutorials/ten-thousand-runs/ball.hpp>
 
+#include <kanexpr/beams.hpp>
 #include <kanexpr/joints.hpp>
+#include <kanexpr/kanexpr.hpp>
 #include <kanexpr/robots.hpp>
 
 #include <gtest/gtest.h>
@@ -33,6 +35,10 @@ using namespace kanexpr;
 namespace arm {
 #include <docs/guide/joints/arm.cpp>
 } // namespace arm
+
+namespace flexible_arm {
+#include <docs/guide/beams/arm.cpp>
+} // namespace flexible_arm
 
 // The committed figure is what the model of its page draws now; if not, the new one is in the folder of this
 // test.
@@ -71,6 +77,12 @@ TEST(figures, are_those_of_the_guide) {
   expect_on_page("guide/kanes-equations/pendulums.svg",
                  draw<pendulums::System>({{"q1", 0.4}, {"q2", 0.9}, {"u1", 0}, {"u2", 0}},
                                          {{"m", 1}, {"l", 1}, {"g", 9.81}}));
+}
+
+TEST(figures, are_those_of_beams) {
+  expect_on_page("guide/beams/arm.svg",
+                 draw<flexible_arm::System>({{"q", 0.3}, {"u", 0}, {"q_Arm", 0.4}, {"u_Arm", 0}},
+                                            {{"L", 2}, {"rho", 1}, {"EI", 1}}, {{"T", 1}}));
 }
 
 TEST(figures, are_those_of_joints) {

@@ -3,6 +3,8 @@
 
 #include <kanexpr/animate.hpp>
 #include <kanexpr/animate/picture_of.hpp>
+#include <kanexpr/beams.hpp>
+#include <kanexpr/kanexpr.hpp>
 #include <kanexpr/simulate.hpp>
 
 #include <gtest/gtest.h>
@@ -20,9 +22,18 @@ using namespace kanexpr;
 #include <docs/pictures/mesh.cpp>
 static_assert(!drawn::mistake);
 
+#include <docs/pictures/curves.cpp>
+static_assert(!rope::mistake && !strip::mistake);
+
 #include <docs/pictures/plots.cpp>
 
 #include <docs/pictures/vectors.cpp>
+
+namespace arm {
+#include <docs/guide/beams/arm.cpp>
+#include <docs/pictures/beam.cpp>
+static_assert(!bent_arm::mistake);
+} // namespace arm
 
 /// The double pendulum, released at some speed of its lower body.
 simulation<System> released(double speed) {

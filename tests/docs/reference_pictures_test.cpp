@@ -11,7 +11,7 @@ using namespace simple_pendulum;
 
 #include <docs/reference/examples/picture.cpp>
 
-static_assert(!shapes::mistake);
+static_assert(!shapes::mistake && !bent_shapes::mistake);
 
 TEST(reference, has_pictures) { EXPECT_EQ(page.title, "A pendulum"); }
 

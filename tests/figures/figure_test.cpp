@@ -293,4 +293,59 @@ TEST(figure, refuses_sizes_that_do_not_fit_into_a_picture) {
             "the radius of gyration of the body Plate is inf, but the size of the model is 1");
 }
 
+/// The points of the paths with a style, in pixels.
+std::vector<std::vector<Eigen::Vector2d>> paths(const std::string& svg, const std::string& style) {
+  static const std::regex number(R"([ML](-?[0-9.]+) (-?[0-9.]+))");
+  std::vector<std::vector<Eigen::Vector2d>> found;
+  const std::string start = "<path class=\"" + style + "\" d=\"";
+  for (std::size_t at = 0; (at = svg.find(start, at)) != std::string::npos; ++at) {
+    const std::string d = svg.substr(at + start.size(), svg.find('"', at + start.size()) - at - start.size());
+    std::vector<Eigen::Vector2d>& points = found.emplace_back();
+    for (std::sregex_iterator each(d.begin(), d.end(), number); each != std::sregex_iterator(); ++each)
+      points.emplace_back(std::stod((*each)[1]), -std::stod((*each)[2]));
+  }
+  return found;
+}
+
+/// A cantilever of length 2 bends by q (x/2)² and carries a particle; another body has two nodes.
+TEST(figure, draws_flexible_bodies_bent) {
+  runtime::builder b("N");
+  const auto N = runtime::builder::inertial_frame();
+  const auto q = b.coordinate("q"), s = b.coordinate("s");
+  for (const auto& each : {q, s}) b.kinematic_equation(b.dot(each) - b.speed("v_" + symbolic::print(each)));
+  const auto O = b.origin("O");
+  runtime::beam_data data{.axis = b.along(N, 1, 0, 0), .length = 2.0, .mass_per_length = 1.0};
+  data.bending.push_back(
+      {b.along(N, 0, 1, 0),
+       {.stiffness = 3.0, .shapes = {numeric::beams::shape::polynomial({0.0, 0.0, 1.0})}}});
+  const auto tip = b.section("Tip", b.beam("Cantilever", O, N, {q}, data), 1);
+  b.particle("Bob", tip.point, b.number(1));
+  mechanics::flexible_data numbers(1);
+  numbers.mass = 1, numbers.modal_mass[0] = 1, numbers.stiffness[0] = 1;
+  for (const int i : {0, 1, 2}) numbers.inertia.constant(i) = 1;
+  for (const double x : {0.0, 1.0}) {
+    mechanics::flexible_node node{.called = base::name(x > 0 ? "b" : "a"),
+                                  .position = mechanics::taylor_series(3, 1, 1)};
+    node.position.constant(0) = x, node.position.linear(0, 1) = -x;
+    numbers.nodes.push(node);
+  }
+  b.flexible_body("Arm", O, N, {s}, numbers);
+  const figure drawn = draw(b, {{"q", 0.5}, {"s", 0.25}, {"v_q", 0.0}, {"v_s", 0.0}}, {}, {},
+                            {.upward = Eigen::Vector3d(0, 1, 0), .eye = Eigen::Vector3d(0, 0, 1)});
+  ASSERT_TRUE(drawn) << drawn.cause();
+  const double tip_at = 2 - 0.25 * 2 / 3.0 / 2, scale = 230 / tip_at; // pixels per meter
+  const auto beams = paths(drawn.svg(), "solid b1"), arms = paths(drawn.svg(), "solid b2");
+  ASSERT_EQ(beams.size(), 1u);
+  ASSERT_EQ(beams[0].size(), 9u);
+  for (std::size_t i = 0; i < 9; ++i) {
+    const double xi = static_cast<double>(i) / 8;
+    const Eigen::Vector2d place(2 * xi - 0.25 * xi * xi * xi / 3, 0.5 * xi * xi);
+    EXPECT_LT((beams[0][i] - scale * place).cwiseAbs().maxCoeff(), 0.051) << i;
+  }
+  ASSERT_EQ(arms.size(), 1u);
+  EXPECT_LT((arms[0][1] - scale * Eigen::Vector2d(1, -0.25)).cwiseAbs().maxCoeff(), 0.051);
+  EXPECT_THAT(without_tags(drawn.svg()), HasSubstr("Tip.x"));
+  EXPECT_THAT(drawn.svg(), Not(HasSubstr("class=\"angle\""))); // of the section
+}
+
 } // namespace

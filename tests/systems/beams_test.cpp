@@ -1,14 +1,11 @@
-// Beams: their integrals, frequencies and sections, from words and from a builder.
-#include <Eigen/Dense>
-#include <Eigen/Eigenvalues>
+// builds: clang++
+// Beams from a builder: their integrals, frequencies and sections.
+#include "systems/beams.hpp"
+
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <gtest/gtest.h>
-#include <kanexpr/beams.hpp>
-#include <kanexpr/joints.hpp>
-#include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/mechanics/model/flexible_body.hpp>
 #include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/interpreter.hpp>
-#include <kanexpr/symbolic.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -20,121 +17,13 @@
 
 namespace {
 
-namespace mechanics = kanexpr::mechanics;
-using Eigen::MatrixXd;
-using Eigen::Vector3d;
-using Eigen::VectorXd;
-using kanexpr::linearization_point;
-using kanexpr::base::sequence;
-using kanexpr::numeric::beams::ends;
+using namespace beams;
 using kanexpr::numeric::beams::shape;
 using kanexpr::runtime::beam_data;
 using kanexpr::runtime::beam_id;
-using kanexpr::runtime::builder;
-using kanexpr::runtime::frame_id;
 using kanexpr::runtime::modes_of_bending;
 using kanexpr::runtime::modes_of_rod;
-using kanexpr::runtime::point_id;
 using kanexpr::runtime::section_ids;
-using kanexpr::symbolic::expression;
-using mechanics::deformation;
-using mechanics::quantity;
-
-// The values of expressions at a state; `by` provides them for coordinates and speeds.
-struct values {
-  VectorXd q, u;
-
-  MatrixXd of(const kanexpr::symbolic::matrix& wanted) const {
-    sequence<int> outputs;
-    for (const expression& e : wanted.entries) outputs.push(e.node());
-    kanexpr::runtime::interpreter<double> code(kanexpr::lower::tape_of(wanted.entries[0].owner(), outputs));
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> result(wanted.rows,
-                                                                                  wanted.columns);
-    const auto value_of = [&](const kanexpr::lower::load& l) {
-      using kanexpr::symbolic::symbol_kind;
-      if (l.from == symbol_kind::coordinate) return q[l.position];
-      if (l.from == symbol_kind::speed) return u[l.position];
-      return std::numeric_limits<double>::quiet_NaN();
-    };
-    code.evaluate(value_of, result.data());
-    return result;
-  }
-  MatrixXd of(const std::vector<expression>& column) const {
-    kanexpr::symbolic::matrix m(column[0].owner(), static_cast<int>(column.size()), 1);
-    for (int i = 0; i < m.rows; ++i) m(i, 0) = column[static_cast<std::size_t>(i)];
-    return of(m);
-  }
-  Vector3d of(const mechanics::components& c) const { return of(std::vector{c.x, c.y, c.z}); }
-};
-
-values random_values(int q, int u, unsigned seed) {
-  std::mt19937 random(seed);
-  std::uniform_real_distribution<double> between(-1, 1);
-  const auto draw = [&](int n) {
-    return VectorXd(VectorXd::NullaryExpr(n, [&] { return between(random); }));
-  };
-  values v;
-  v.q = draw(q), v.u = draw(u);
-  return v;
-}
-
-void expect_equal(const MatrixXd& found, const MatrixXd& expected, const std::string& what,
-                  double tolerance = 1e-12) {
-  ASSERT_EQ(found.rows(), expected.rows()) << what;
-  ASSERT_EQ(found.cols(), expected.cols()) << what;
-  EXPECT_LE((found - expected).cwiseAbs().maxCoeff(), tolerance * (1 + expected.cwiseAbs().maxCoeff()))
-      << what << "\nfound\n"
-      << found << "\nexpected\n"
-      << expected;
-}
-
-// The eigenvalues of a system without parameters, linearized at rest.
-Eigen::VectorXcd eigenvalues_at_rest(kanexpr::model system) {
-  EXPECT_EQ(system.mistake(), "");
-  linearization_point rest;
-  for (const std::string& name : system.linearize().states()) rest.set(name, 0);
-  kanexpr::runtime::linearization linear = system.linearize(rest);
-  const kanexpr::symbolic::matrix a = linear.explicit_form().A;
-  EXPECT_TRUE(linear) << linear.failures().front();
-  return values{}.of(a).eigenvalues();
-}
-
-// The positive natural frequencies of an undamped system, lowest first.
-std::vector<double> frequencies(const kanexpr::model& system) {
-  std::vector<double> found;
-  for (const std::complex<double>& e : eigenvalues_at_rest(system))
-    if (e.imag() > 1e-3) found.push_back(e.imag());
-  std::sort(found.begin(), found.end());
-  return found;
-}
-
-void expect_frequencies(const kanexpr::model& system, const std::vector<double>& expected,
-                        const std::string& what) {
-  const std::vector<double> found = frequencies(system);
-  ASSERT_EQ(found.size(), expected.size()) << what;
-  for (std::size_t i = 0; i < found.size(); ++i)
-    EXPECT_NEAR(found[i] / expected[i], 1, 1e-12) << what << ' ' << i;
-}
-
-// A builder of beams with three coordinates of a plane body.
-struct bench : builder {
-  frame_id n = inertial_frame();
-  point_id o = origin("O");
-  bench() : builder("N") {}
-
-  std::vector<expression> free(const std::string& name, int count) {
-    std::vector<expression> q;
-    for (int i = 0; i < count; ++i) {
-      const std::string index = std::to_string(i + 1);
-      q.push_back(coordinate(name + index));
-      kinematic_equation(dot(q.back()) - speed("u_" + name + index));
-    }
-    return q;
-  }
-};
-
-constexpr double length = 1.7, mass_per_length = 0.6, stiffness = 3.1;
-const double bending_rate = std::sqrt(stiffness / mass_per_length) / (length * length);
 
 // A beam along x that bends along y.
 beam_data plane_beam(bench& b, frame_id frame, const std::vector<shape>& shapes, bool moves_root = false) {
@@ -142,13 +31,6 @@ beam_data plane_beam(bench& b, frame_id frame, const std::vector<shape>& shapes,
   data.bending = {{b.along(frame, 0, 1, 0), {stiffness, shapes}}};
   data.bending[0].by.moves_root = moves_root;
   return data;
-}
-
-std::vector<double> rates_of(ends how, int count, const kanexpr::numeric::beams::tip_load& tip = {}) {
-  std::vector<double> all;
-  for (int n = 1; n <= count; ++n)
-    all.push_back(bending_rate * std::pow(kanexpr::numeric::beams::wave_number_of_bending(how, n, tip), 2));
-  return all;
 }
 
 TEST(beam_frequencies, of_clamped_and_pinned_beams_are_exact_with_their_modes) {
@@ -402,119 +284,59 @@ TEST(beam_sections, lie_on_the_beam_and_their_axes_are_tangent_to_the_second_ord
   EXPECT_NEAR(error(0.2) / error(0.1), 8, 0.3); // of the third order
 }
 
-// ---- words
-
-namespace words {
-using namespace kanexpr;
-
-constexpr coordinate<"q"> q;
-constexpr speed<"u"> u;
-struct N : inertial_frame<N> {};
-struct O : origin<O, N> {};
-struct R : rotated<R, N, q, N::z> {};
-struct Root : offset<Root, O, 0.3 * R::x> {};
-struct Blade : beam<Blade, Root, R::x, 1.7, 0.6, profile<stations<0, 1, 0.4, 0.8, 1, 0.5>>,
-                    bending<R::y, 3.1, clamped_free<2>, profile<polynomial<1, -0.6>>>,
-                    bending<R::z, 2.0, stations<0, 0, 0.3, 0.1, 0.7, 0.5, 1, 1>>,
-                    torsion<7.0, polar_inertia<0.02, profile<polynomial<1, -0.5>>>, clamped_free<1>>,
-                    extension<50.0, polynomial<0, 2, -1>>, proportional_damping<0.1, 0.002>> {};
-struct Middle : section<Middle, Blade, 0.5> {};
-struct Tip : section<Tip, Blade, 1> {};
-struct Second
-    : beam<Second, Tip, Tip::y, 0.9, 0.4, bending<Tip::x, 1.0, stations_with_slopes<0, 0, 0, 1, 1, 1.5>>,
-           modal_damping<0.02>, by<coordinate<"a">{}, speed<"b">{}>> {};
-struct End : section<End, Second, 1> {};
-struct Arm : pin<Arm, Middle, axis<own::y>, body<0.3, 0.2 * own::x>> {};
-struct Load : particle<Load, End, 0.25> {};
-struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, joints<Arm>,
-                            bodies<Blade, Second, Load>, loads<gravity<-9.81 * N::y>>> {};
-} // namespace words
-
-// The same system, built.
-struct built_words : bench {
-  built_words() {
-    const expression q = add("q", "u"), arm = add("q_Arm", "u_Arm");
-    std::vector<expression> blade;
-    for (int i = 1; i <= 5; ++i)
-      blade.push_back(add("q" + std::to_string(i) + "_Blade", "u" + std::to_string(i) + "_Blade"));
-    const expression second = add("a", "b");
-    const frame_id r = rotated("R", n, q, along(n, 0, 0, 1));
-    beam_data data{.axis = along(r, 1, 0, 0), .length = 1.7, .mass_per_length = 0.6};
-    data.mass_profile = kanexpr::numeric::beams::linear_table({0.0, 0.4, 1.0}, {1.0, 0.8, 0.5});
-    const shape splined = kanexpr::numeric::beams::spline({0.0, 0.3, 0.7, 1.0}, {0.0, 0.1, 0.5, 1.0}, true);
-    data.bending = {
-        {along(r, 0, 1, 0), {3.1, modes_of_bending(ends::clamped_free, 2), shape::polynomial({1.0, -0.6})}},
-        {along(r, 0, 0, 1), {2.0, {splined}}}};
-    data.torsion = {.polar_inertia = 0.02,
-                    .by = {7.0, modes_of_rod(ends::clamped_free, 1)},
-                    .profile = shape::polynomial({1.0, -0.5})};
-    data.extension = {50.0, {shape::polynomial({0.0, 2.0, -1.0})}};
-    data.damping_of_mass = 0.1, data.damping_of_stiffness = 0.002;
-    const beam_id first = beam("Blade", offset("Root", o, along(r, 0.3, 0, 0)), r, blade, data);
-    const section_ids middle = section("Middle", first, 0.5), tip = section("Tip", first, 1);
-    const shape cubic = kanexpr::numeric::beams::cubic_table({0.0, 1.0}, {0.0, 1.0}, {0.0, 1.5});
-    beam_data other{.axis = along(tip.frame, 0, 1, 0), .length = 0.9, .mass_per_length = 0.4};
-    other.bending = {{along(tip.frame, 1, 0, 0), {1.0, {cubic}}}};
-    other.damping_ratios = {0.02};
-    const section_ids end = section("End", beam("Second", tip.point, tip.frame, {second}, other), 1);
-    const frame_id turned = rotated("Arm", middle.frame, arm, along(middle.frame, 0, 1, 0));
-    particle("Load", end.point, number(0.25));
-    particle("Arm", offset("C", middle.point, along(turned, 0.2, 0, 0)), number(0.3));
-    gravity(along(n, 0, -9.81, 0));
-  }
-  expression add(const std::string& q, const std::string& u) {
-    const expression e = coordinate(q);
-    kinematic_equation(dot(e) - speed(u));
-    return e;
-  }
-};
-
-TEST(beam_words, describe_the_same_system_as_a_builder) {
-  kanexpr::model found = kanexpr::derive<words::System>();
-  ASSERT_EQ(found.mistake(), "");
-  built_words by_hand;
-  ASSERT_EQ(by_hand.check().view(), "");
-  kanexpr::model expected = kanexpr::derive(by_hand);
-  EXPECT_EQ(found.linearize().states(), expected.linearize().states());
-  for (const unsigned seed : {1u, 2u}) {
-    values now = random_values(8, 8, seed);
-    now.q *= 0.3;
-    for (const quantity each :
-         {quantity::mass_matrix, quantity::forcing, quantity::kinetic_energy, quantity::potential_energy})
-      expect_equal(now.of(found.get(each)), now.of(expected.get(each)),
-                   std::string(mechanics::row_of(each).called));
-  }
+// The mistake after a change of the data of a valid beam.
+std::string mistake_of(const std::function<void(bench&, beam_data&, std::vector<expression>&)>& change) {
+  bench b;
+  std::vector<expression> q = b.free("q", 2);
+  beam_data data = plane_beam(b, b.n, modes_of_bending(ends::clamped_free, 2));
+  change(b, data, q);
+  b.beam("B", b.o, b.n, q, data);
+  return std::string(b.check().view());
 }
 
-TEST(beam_words, name_the_symbols) {
-  const std::vector<std::string> expected{
-      "q", "q_Arm", "q1_Blade", "q2_Blade", "q3_Blade", "q4_Blade", "q5_Blade", "a",
-      "u", "u_Arm", "u1_Blade", "u2_Blade", "u3_Blade", "u4_Blade", "u5_Blade", "b"};
-  EXPECT_EQ(kanexpr::derive<words::System>().linearize().states(), expected);
+TEST(beam_mistakes, of_a_builder_are_sentences) {
+  const auto expect = [](const std::function<void(bench&, beam_data&, std::vector<expression>&)>& change,
+                         const std::string& sentence) { EXPECT_EQ(mistake_of(change), sentence); };
+  using amplitudes = std::vector<expression>;
+  expect([](bench&, beam_data&, amplitudes&) {}, "");
+  expect([](bench&, beam_data& d, amplitudes&) { d.bending[0].by.shapes.clear(); },
+         "beam B has a deformation without a shape");
+  expect([](bench&, beam_data& d, amplitudes&) { d.bending.clear(); }, "beam B has no shapes");
+  expect([](bench&, beam_data&, amplitudes& q) { q.pop_back(); },
+         "expected an amplitude for each of the 2 shapes of beam B, got 1");
+  expect([](bench&, beam_data&, amplitudes& q) { q[1] = q[0]; },
+         "q1 is listed twice among the amplitudes of B");
+  expect([](bench&, beam_data& d, amplitudes&) { d.bending[0].by.shapes[1] = shape::polynomial({0.0, 1.0}); },
+         "beam B has a shape that displaces or turns the root; set moves_root if this is intended");
+  expect([](bench&, beam_data& d, amplitudes&) { d.bending.assign(3, d.bending[0]); },
+         "beam B bends in three directions; a beam bends in one direction or in two perpendicular ones");
+  expect([](bench& b, beam_data& d, amplitudes&) { d.bending[0].direction = b.along(b.n, 1, 1, 0); },
+         "beam B bends in a direction that is not perpendicular to its axis");
+  expect([](bench&, beam_data& d, amplitudes&) { d.bending.push_back(d.bending[0]); },
+         "expected an amplitude for each of the 4 shapes of beam B, got 2");
+  expect([](bench& b, beam_data& d, amplitudes&) { d.axis = b.along(b.n, 0.0, 0.0, 0.0); },
+         "beam B has an axis of zero length");
+  expect([](bench&, beam_data& d, amplitudes&) { d.length = -1; }, "the length of beam B is not positive");
+  expect([](bench&, beam_data& d, amplitudes& q) { d.mass_per_length = q[0]; },
+         "the mass per length of beam B may vary; it may contain only numbers and parameters");
+  expect([](bench&, beam_data& d, amplitudes&) { d.damping_ratios = {0.1, 0.1, 0.1}; },
+         "beam B has neither one damping ratio nor a ratio for each shape");
+  expect([](bench&, beam_data& d, amplitudes&) { d.damping_of_mass = -0.1; },
+         "the damping of beam B is negative");
 }
 
-// Free and pinned modes as words: a beam that floats in the plane.
-namespace floating_beam {
-using namespace kanexpr;
-struct Ground : inertial_ground<Ground> {};
-struct Base : planar<Base, Ground, axis<own::x, own::y>> {};
-struct Rod : beam<Rod, Base, Base::x, 1.7, 0.6, bending<Base::y, 3.1, free_free<2>>> {};
-struct System : kane_system<inertial<Ground>, joints<Base>, bodies<Rod>> {};
-struct ByLagrange : lagrange_system<inertial<Ground>, joints<Base>, bodies<Rod>> {};
-} // namespace floating_beam
-
-TEST(beam_words, describe_a_floating_beam) {
-  expect_frequencies(kanexpr::derive<floating_beam::System>(), rates_of(ends::free_free, 2), "free-free");
-}
-
-TEST(beam_words, give_the_same_equations_by_lagranges_method) {
-  const values now = random_values(5, 5, 4);
-  kanexpr::model kane = kanexpr::derive<floating_beam::System>(),
-                 lagrange = kanexpr::derive<floating_beam::ByLagrange>();
-  ASSERT_EQ(lagrange.mistake(), "");
-  for (const quantity each : {quantity::mass_matrix, quantity::forcing})
-    expect_equal(now.of(lagrange.get(each)), now.of(kane.get(each)),
-                 std::string(mechanics::row_of(each).called));
+TEST(beam_mistakes, in_sections_of_a_builder_are_sentences) {
+  const auto mistake = [](double xi, int beams) {
+    bench b;
+    const std::vector<expression> q = b.free("q", 1);
+    if (beams > 0) b.beam("B", b.o, b.n, q, plane_beam(b, b.n, modes_of_bending(ends::clamped_free, 1)));
+    b.section("S", beam_id{}, xi);
+    return std::string(b.mistake().view());
+  };
+  EXPECT_EQ(mistake(0.5, 1), "");
+  EXPECT_EQ(mistake(1.5, 1),
+            "section S is not on beam B; its place is a fraction of the length, a number from 0 to 1");
+  EXPECT_EQ(mistake(0.5, 0), "section S is placed on a beam that does not exist");
 }
 
 } // namespace

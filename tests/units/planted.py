@@ -172,7 +172,7 @@ def main():
     wrong += [f"{path} {system}: {sentence}" for (path, system, *_), sentence in zip(copies, found[:controls]) if sentence]
     for (path, system, stated, planted, entity, *units), sentence in zip(PLANTED, found[controls:]):
         if not (sentence.startswith(entity + " ") and all(
-                re.search(r"(\[| in | by )%s(\]|,|$)" % re.escape(unit), sentence) for unit in units)):
+                re.search(r"(\[| in | by )%s(\]|[,;]|$)" % re.escape(unit), sentence) for unit in units)):
             wrong.append(f"{path} {system}: {stated} -> {planted}: {sentence or 'not found'}")
     print(f"{len(PLANTED)} mistakes in {len(set(p[0] for p in PLANTED))} examples, {controls} models without one")
     sys.exit("\n".join(wrong) or None)

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,13 +34,19 @@ struct animation {
   struct shape {
     std::string name{}, kind{}; ///< the name and the kind of shape or element, such as "sphere" or "trace"
     std::string colour{};       ///< "#rrggbb"; if empty, the page chooses a colour
+    std::string profile{};      ///< the kind of cross section of a sweep or cable, such as "circle"
     std::string file{};         ///< the mesh file, as specified in the picture
     std::string layer{};        ///< the switch of the page that shows it; if empty, it is always shown
     std::string unit{};         ///< the unit of the vector of an arrow
     double opacity = 1;
     std::vector<double> sizes{};
     animate::placement_kind placed_by = animate::placement_kind::place;
-    std::vector<animate::placement> placements{}; ///< one for each time
+    std::size_t places = 1; ///< the number of placements at each time; a sweep or cable has several
+    std::vector<animate::placement> placements{}; ///< at the first time, then at the second, and so on
+
+    const animate::placement& placement_at(std::size_t time, std::size_t place = 0) const {
+      return placements[time * places + place];
+    }
   };
   /// The values of a coordinate, a speed, an input or another scalar at each time.
   struct column {

@@ -46,7 +46,8 @@ template <class Point>
 struct at {
   static constexpr phrases<1> varying{place<Point>};
   static constexpr placement_kind placed_by = placement_kind::place;
-  static constexpr const describe::point_record* points[]{&describe::point_of<Point>};
+  static constexpr const describe::point_record& point = describe::point_of<Point>;
+  static constexpr const describe::point_record* points[]{&point};
 };
 
 /// Attachment to a point, rotating with a frame.

@@ -60,19 +60,23 @@ inline animation::shape shape_of(const element_record& r, const recorded_numbers
   s.name = r.looks.name.empty() ? r.name.view() : r.looks.name;
   s.kind = r.shape;
   s.colour = r.looks.colour;
+  s.profile = r.profile;
   s.file = r.file;
   s.layer = r.looks.layer;
   s.unit = r.looks.unit.empty() ? r.unit_of_model.view() : r.looks.unit;
   s.opacity = r.looks.opacity;
   s.placed_by = r.placed_by;
   for (int i = 0; i < r.constant; ++i) s.sizes.push_back(recorded.numbers(r.first_constant + i, 0));
-  for (Eigen::Index k = 0; k < recorded.numbers.cols(); ++k) {
-    placement here = placement_from(r, recorded.numbers.col(k).data() + r.first_varying);
-    if (r.rates == 1)
-      here.orientation *=
-          Eigen::AngleAxisd(recorded.integrals(r.first_rate, k), Eigen::Vector3d::UnitZ()).matrix();
-    s.placements.push_back(here);
-  }
+  s.places = r.places;
+  const std::size_t numbers = r.placed_by == placement_kind::place ? 3 : 12; // of a place of several
+  for (Eigen::Index k = 0; k < recorded.numbers.cols(); ++k)
+    for (std::size_t i = 0; i < r.places; ++i) {
+      placement here = placement_from(r, recorded.numbers.col(k).data() + r.first_varying + i * numbers);
+      if (r.rates == 1)
+        here.orientation *=
+            Eigen::AngleAxisd(recorded.integrals(r.first_rate, k), Eigen::Vector3d::UnitZ()).matrix();
+      s.placements.push_back(here);
+    }
   return s;
 }
 
@@ -84,10 +88,12 @@ inline void move_with_origin(animation& a, const element_record& r, const record
                                 triple(recorded.numbers, r.first_varying, k) +
                                 triple(recorded.numbers, r.first_varying, 0);
     const Eigen::Vector3d level = way - way.dot(a.up) * a.up;
-    for (animation::shape& s : a.shapes) {
-      s.placements[static_cast<std::size_t>(k)].position += level;
-      if (s.kind != "arrow") s.placements[static_cast<std::size_t>(k)].end += level;
-    }
+    for (animation::shape& s : a.shapes)
+      for (std::size_t i = 0; i < s.places; ++i) {
+        placement& here = s.placements[static_cast<std::size_t>(k) * s.places + i];
+        here.position += level;
+        if (s.kind != "arrow") here.end += level;
+      }
   }
 }
 

@@ -82,8 +82,9 @@ inline std::string check_entries(const animation& a) {
            std::to_string(a.times.size()) + (a.times.size() == 1 ? " time" : " times");
   };
   for (const animation::shape& s : a.shapes)
-    if (s.placements.size() != a.times.size())
-      return "the " + s.name + " has " + of_times(s.placements.size(), "placement");
+    if (s.placements.size() != s.places * a.times.size())
+      return "the " + s.name + " has " + of_times(s.placements.size(), "placement") +
+             (s.places == 1 ? "" : " and " + std::to_string(s.places) + " places");
   for (const animation::column& c : a.columns)
     if (c.values.size() != a.times.size()) return c.name + " has " + of_times(c.values.size(), "value");
   return {};
@@ -106,7 +107,8 @@ inline std::string check_numbers(const animation& a) {
     for (double size : s.sizes)
       if (std::string cause = check_number(s, size); !cause.empty()) return cause;
     for (std::size_t k = 0; k < s.placements.size(); ++k)
-      if (std::string cause = check_placement(s, s.placements[k], a.times[k]); !cause.empty()) return cause;
+      if (std::string cause = check_placement(s, s.placements[k], a.times[k / s.places]); !cause.empty())
+        return cause;
   }
   return check_smallness(a);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/check_shape.hpp>
+#include <kanexpr/animate/check_sweep.hpp>
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
@@ -55,10 +56,11 @@ struct check_element<show<Shape, Options...>> {
   static constexpr sentence mistake() {
     using shown = show<Shape, Options...>;
     if constexpr (!shape_element<shown>) {
-      return sentence({"the picture shows ", template_name<Shape>(), ", which is not a shape"});
+      return misused_as_shape<Shape>::mistake();
     } else {
       constexpr base::name whom = title_of<shown>();
       sentence found;
+      if constexpr (requires { Shape::places; }) found = check_curve<Shape>(whom.view());
       if constexpr (requires { Shape::file; })
         found = check_mesh(Shape::file, Shape::scale_count, whom.view());
       if constexpr (requires { Shape::size_names; })

@@ -35,11 +35,19 @@ constexpr base::name title_of() {
   base::name title;
   if constexpr (shape_element<Element>) {
     constexpr auto& points = Element::attachment::points;
-    const bool two = std::size(points) == 2;
-    for (std::string_view piece : {kind_of<Element>(), std::string_view(two ? " from " : " at "),
-                                   points[0]->called, std::string_view(two ? " to " : "")})
-      title.append(piece);
-    if (two) title.append(points[std::size(points) - 1]->called);
+    constexpr std::size_t count = std::size(points);
+    title.append(kind_of<Element>());
+    if constexpr (requires { Element::attachment::called; }) {
+      title.append(" ");
+      title.append(Element::attachment::called);
+    } else if constexpr (count > 0) {
+      title.append(count > 1 ? " from " : " at ");
+      title.append(points[0]->called);
+    }
+    if constexpr (count > 1 && !requires { Element::attachment::called; }) {
+      title.append(" to ");
+      title.append(points[count - 1]->called);
+    }
   } else {
     title.append(Element::word);
   }
@@ -105,9 +113,8 @@ constexpr sentence check_mesh(std::string_view file, std::size_t scales, std::st
   return check_file(file, whom);
 }
 
-template <std::size_t size>
-constexpr sentence check_sizes(const phrases<size>& sizes, const std::string_view (&names)[size],
-                               std::string_view whom) {
+template <std::size_t size, class Names>
+constexpr sentence check_sizes(const phrases<size>& sizes, const Names& names, std::string_view whom) {
   sentence found;
   for (std::size_t i = 0; i < size; ++i)
     if (!found) found = check_size(sizes[i], names[i], whom);
@@ -119,6 +126,14 @@ template <class Type>
 constexpr std::string_view template_name() {
   return type_name<Type>().substr(0, type_name<Type>().find('<'));
 }
+
+/// The mistake in something shown that is not a shape.
+template <class Shape>
+struct misused_as_shape {
+  static constexpr sentence mistake() {
+    return sentence({"the picture shows ", template_name<Shape>(), ", which is not a shape"});
+  }
+};
 
 template <class Option, class Shape>
 constexpr sentence check_option(std::string_view whom) {

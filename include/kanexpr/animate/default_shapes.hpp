@@ -3,9 +3,11 @@
 #include <kanexpr/animate/about_axis.hpp>
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/animate/homogeneous_solid.hpp>
+#include <kanexpr/animate/recorded_outlines.hpp>
 #include <kanexpr/animate/recorded_poses.hpp>
 #include <kanexpr/animate/rigid_parts.hpp>
 #include <kanexpr/figures/geometry.hpp>
+#include <kanexpr/figures/outlines.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 
@@ -22,13 +24,15 @@
 namespace kanexpr::animate {
 
 /// Chooses the shapes of a model: links between the places of each rigid part, solids for bodies that have no
-/// other extent, pins and balls at joints, rails along which points slide, spheres for particles, and
-/// springs. All sizes are fractions of the longest link.
+/// other extent, strips for beams, pins and balls at joints, rails along which points slide, spheres for
+/// particles, and springs. All sizes are fractions of the longest link.
 class default_shapes {
 public:
   default_shapes(const mechanics::multibody_system& system, const rigid_parts& parts,
-                 const recorded_poses& poses, const figures::geometry& first)
-      : system_(system), m_(system.mechanism), parts_(parts), poses_(poses), first_(first), length_(unit()) {}
+                 const recorded_poses& poses, const recorded_outlines& flexible,
+                 const figures::geometry& first)
+      : system_(system), m_(system.mechanism), parts_(parts), poses_(poses), flexible_(flexible),
+        deflections_(system.mechanism), first_(first), length_(unit()) {}
 
   /// Adds the shapes, and sets the ground of a model with weight.
   void add_to(animation& a, bool has_ground);
@@ -65,6 +69,20 @@ private:
   /// a rod along the link.
   homogeneous_solid solid_on_link(int body) const;
   double unit() const;
+  /// The largest distance of a node from the first one at the first sample.
+  static double extent_of(const recorded_nodes& body) {
+    double largest = 0;
+    for (std::size_t i = 1; i < body.nodes; ++i)
+      largest = (std::max)(largest, (body.places[i] - body.places[0]).norm());
+    return largest;
+  }
+  /// The length of a beam at the first sample.
+  double length_of(const recorded_beam& beam) const {
+    double sum = 0;
+    for (std::size_t i = 1; i < beam.sections; ++i)
+      sum += (beam.placements[i].position - beam.placements[i - 1].position).norm();
+    return sum;
+  }
   /// The body whose solid contains a link without mass, from the rim to the mass center: a rolling wheel.
   int wheel_around(const straight_piece& l) const;
   bool coincide(int place, int other) const {
@@ -112,6 +130,8 @@ private:
 
   void add_link(const straight_piece& l);
   void add_body(int body);
+  void add_beam(const recorded_beam& beam);
+  void add_nodes(const recorded_nodes& body);
   void add_joint(int part);
   void add_slide(const straight_piece& l);
   void add_springs();
@@ -122,6 +142,8 @@ private:
   const mechanics::mechanism& m_;
   const rigid_parts& parts_;
   const recorded_poses& poses_;
+  const recorded_outlines& flexible_;
+  figures::deflections deflections_;
   const figures::geometry& first_; ///< the geometry at the first sample
   double length_;
   std::vector<animation::shape> made_{};
@@ -141,13 +163,16 @@ inline homogeneous_solid default_shapes::solid_on_link(int body) const {
   return solid_of_body(body);
 }
 
-/// The longest link of a moving part; else the largest body, the longest link, or the extent of the points.
+/// The longest beam or link of a moving part; else the largest body, the longest link, or the extent of the
+/// points.
 inline double default_shapes::unit() const {
   double moving = 0, fixed = 0, solid = 0;
   for (const straight_piece& l : parts_.links()) {
     double& longest = l.part == 0 ? fixed : moving;
     longest = (std::max)(longest, distance(l));
   }
+  for (const recorded_beam& beam : flexible_.beams) moving = (std::max)(moving, length_of(beam));
+  for (const recorded_nodes& body : flexible_.nodes) moving = (std::max)(moving, extent_of(body));
   for (int i = 0; i < m_.bodies.size(); ++i) solid = (std::max)(solid, solid_of_body(i).extent() / 2);
   for (const double each : {moving, solid, fixed})
     if (each > 0) return each;
@@ -217,13 +242,53 @@ inline void default_shapes::add_body(int body) {
   add_solid(name, solid.kind, colour, solid.sizes, b.center, b.frame, in_frame);
 }
 
+/// A beam is a strip that is thin in its first direction of bending.
+inline void default_shapes::add_beam(const recorded_beam& beam) {
+  const double width = 0.08 * length_of(beam);
+  animation::shape s{.name = std::string(m_.flexible_bodies[beam.body].called.view()),
+                     .kind = "beam",
+                     .colour = color_of_body(m_.bodies.size() + beam.body),
+                     .profile = "rectangle",
+                     .sizes = {width, width / 3},
+                     .placed_by = placement_kind::pose,
+                     .places = beam.sections};
+  s.placements = beam.placements;
+  made_.push_back(std::move(s));
+}
+
+/// A flexible body that is given by numbers is shown as its nodes, connected by thin rods.
+inline void default_shapes::add_nodes(const recorded_nodes& body) {
+  const mechanics::flexible_body& f = m_.flexible_bodies[body.body];
+  const std::string name(f.called.view()), colour = color_of_body(m_.bodies.size() + body.body);
+  const auto place = [&](std::size_t k, std::size_t i) { return body.places[k * body.nodes + i]; };
+  for (std::size_t i = 0; i < body.nodes; ++i)
+    add({.name = "node " + std::string(f.nodes.all[static_cast<int>(i)].called.view()) + " of " + name,
+         .kind = "sphere",
+         .colour = colour,
+         .sizes = {0.025 * length_}},
+        [&](std::size_t k) { return placement{.position = place(k, i)}; });
+  const std::vector<Eigen::Vector3d> first(body.places.begin(),
+                                           body.places.begin() + static_cast<std::ptrdiff_t>(body.nodes));
+  for (const auto& ends : figures::shortest_connections(first))
+    add({.name = name,
+         .kind = "rod",
+         .colour = colour,
+         .sizes = {0.012 * length_},
+         .placed_by = placement_kind::ends},
+        [&](std::size_t k) {
+          return placement{.position = place(k, ends.first), .end = place(k, ends.second)};
+        });
+}
+
 /// A rotation by an angle is a pin along its axis, so two successive ones are the cross of a universal joint.
 /// Three successive rotations or another orientation are a ball.
 inline void default_shapes::add_joint(int part) {
   const auto carrier = [&](int p) { return parts_.part_of(m_.frames[p].parent); };
   const auto is_between = [&](int p) {
-    return p != 0 && !parts_.has_links(p) && parts_.body_of(p) == mechanics::none;
+    return p != 0 && !parts_.has_links(p) && parts_.body_of(p) == mechanics::none &&
+           !deflections_.turn(m_.frames[p]);
   };
+  if (deflections_.turn(m_.frames[part])) return;
   std::vector<int> turns{part};
   while (is_between(carrier(turns.back()))) turns.push_back(carrier(turns.back()));
   const int at = parts_.joint_of(part);
@@ -319,6 +384,8 @@ inline void default_shapes::add_to(animation& a, bool has_ground) {
   for (int f = 1; f < m_.frames.size(); ++f)
     if (parts_.part_of(f) == f) add_joint(f);
   for (int i = 0; i < m_.bodies.size(); ++i) add_body(i);
+  for (const recorded_beam& beam : flexible_.beams) add_beam(beam);
+  for (const recorded_nodes& body : flexible_.nodes) add_nodes(body);
   add_springs();
   if (has_ground) add_ground(a);
   a.shapes = std::move(made_);

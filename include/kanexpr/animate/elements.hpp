@@ -2,6 +2,7 @@
 
 #include <kanexpr/animate/attachment.hpp>
 #include <kanexpr/animate/shapes.hpp>
+#include <kanexpr/animate/sweeps.hpp>
 
 #include <string_view>
 

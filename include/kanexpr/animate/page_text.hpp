@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/animate/animation.hpp>
+#include <kanexpr/animate/bent_tracks.hpp>
 #include <kanexpr/animate/tracks.hpp>
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/base/mesh_kind.hpp>
@@ -166,6 +167,28 @@ inline nlohmann::json track_text(const track& t) {
   return {{"turns", t.is_body()}, {"rows", moves ? rows : first}};
 }
 
+/// Returns the tracks that bend relative to a base: the mean and the deflections of each, and the weights of
+/// the deflections at all times, which they share.
+inline nlohmann::json bending_text(const bending& b) {
+  nlohmann::json parts = nlohmann::json::array();
+  for (std::size_t i = 0; i < b.tracks.size(); ++i) {
+    const auto numbers_of_part = [&](const auto& column) {
+      Eigen::VectorXd numbers = column.template segment<6>(6 * static_cast<Eigen::Index>(i));
+      numbers.head<3>() *= b.size;
+      return std::vector<double>(numbers.begin(), numbers.end());
+    };
+    nlohmann::json deflections = nlohmann::json::array();
+    for (Eigen::Index k = 0; k < b.deflections.cols(); ++k)
+      deflections.push_back(list_of(numbers_of_part(b.deflections.col(k))));
+    parts.push_back(
+        {{"track", b.tracks[i]}, {"mean", list_of(numbers_of_part(b.mean))}, {"deflections", deflections}});
+  }
+  const decimals digits(b.weights.size() > 0 ? b.weights.lpNorm<Eigen::Infinity>() : 1);
+  nlohmann::json rows = nlohmann::json::array();
+  for (const double weight : b.weights.reshaped()) rows.push_back(digits.rounded(weight));
+  return {{"base", b.base}, {"rows", rows}, {"parts", parts}};
+}
+
 inline nlohmann::json anchor_text(const anchor& a, bool turns) {
   nlohmann::json one{{"track", a.track}};
   if (!a.position.isZero(0)) one["at"] = list_of(a.position);
@@ -184,13 +207,15 @@ inline nlohmann::json shape_text(const animation::shape& s, const std::vector<an
   for (const anchor& a : anchors)
     one["anchors"].push_back(anchor_text(a, s.placed_by == placement_kind::pose));
   if (!s.colour.empty()) one["colour"] = s.colour;
+  if (!s.profile.empty()) one["profile"] = s.profile;
   if (!s.file.empty()) one["file"] = s.file;
   if (!s.layer.empty()) one["layer"] = s.layer;
   if (!s.unit.empty()) one["unit"] = s.unit;
   return one;
 }
 
-/// Returns the motion of one run: its times, tracks, shapes and columns.
+/// Returns the motion of one run: its times, tracks, shapes and columns. A track that bends is null, and is
+/// given by one of the bendings.
 inline nlohmann::json run_text(const std::string& name, const animation& a) {
   nlohmann::json run{{"name", name},
                      {"times", a.times}, // exactly; the steps may be small compared with them
@@ -199,6 +224,11 @@ inline nlohmann::json run_text(const std::string& name, const animation& a) {
                      {"columns", nlohmann::json::array()}};
   const tracks found = tracks_of(a);
   for (const track& t : found.all) run["tracks"].push_back(track_text(t));
+  run["bendings"] = nlohmann::json::array();
+  for (const bending& b : bendings_of(a, found)) {
+    run["bendings"].push_back(bending_text(b));
+    for (const std::size_t i : b.tracks) run["tracks"][i] = nullptr;
+  }
   for (std::size_t i = 0; i < a.shapes.size(); ++i)
     run["shapes"].push_back(shape_text(a.shapes[i], found.of_shape[i]));
   for (const animation::column& c : a.columns)

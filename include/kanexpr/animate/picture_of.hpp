@@ -4,6 +4,7 @@
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/animate/check_animation.hpp>
 #include <kanexpr/animate/default_shapes.hpp>
+#include <kanexpr/animate/recorded_outlines.hpp>
 #include <kanexpr/animate/recorded_poses.hpp>
 #include <kanexpr/animate/rigid_parts.hpp>
 #include <kanexpr/animate/rolling.hpp>
@@ -27,6 +28,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace kanexpr {
 
@@ -81,7 +83,8 @@ inline void add_default_shapes(animation& a, model& m, const recorded_motion& mo
                                                       motion.parameters, motion.inputs.back());
   const Eigen::Vector3d weight = weight_of(m, first, last);
   choose_view(a, first, weight);
-  default_shapes shapes(m.system(), parts, poses, first);
+  const recorded_outlines flexible = record_outlines(m, motion);
+  default_shapes shapes(m.system(), parts, poses, flexible, first);
   shapes.add_to(a, !weight.isZero());
   if (const straight_piece* const rolling = shapes.rolling_link())
     move_with_rolling(a, m, rolling->to, motion, poses);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/figures/outlines.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -25,7 +26,7 @@ struct straight_piece {
 /// inertial frame.
 class rigid_parts {
 public:
-  explicit rigid_parts(const mechanics::mechanism& m) : m_(m) {
+  explicit rigid_parts(const mechanics::mechanism& m) : m_(m), deflections_(m) {
     for (int f = 0; f < m.frames.size(); ++f)
       part_of_frame_.push_back(f == 0 || turns(f) ? f : part_of(m.frames[f].parent));
     for (int i = 0; i < m.points.size(); ++i) {
@@ -81,6 +82,7 @@ private:
   void add_offset(int point);
 
   const mechanics::mechanism& m_;
+  figures::deflections deflections_;
   std::vector<int> part_of_frame_{};
   std::vector<bool> is_free_{}; ///< for each point, whether it moves in several directions
   std::vector<mechanics::vector> places_{};
@@ -88,8 +90,9 @@ private:
 };
 
 /// Divides the offset of a point into pieces, from the ground outward. If it contains components that vary in
-/// several directions, the point moves freely and there are none.
+/// several directions, the point moves freely and there are none; nor are there any within a flexible body.
 inline void rigid_parts::add_offset(int point) {
+  if (deflections_.move(m_.points[point])) return;
   struct step {
     int frame = mechanics::none;
     mechanics::components along{};

@@ -19,12 +19,14 @@ namespace kanexpr::animate {
 /// An element of a picture as a plain value.
 struct element_record {
   std::string_view word{};
-  base::name name{};        ///< "sphere at P"
-  std::string_view shape{}; ///< "sphere"; empty if it shows no shape
-  std::string_view file{};  ///< mesh file, or the folder for files_in
+  base::name name{};          ///< "sphere at P"
+  std::string_view shape{};   ///< "sphere"; empty if it shows no shape
+  std::string_view profile{}; ///< the cross section of a sweep
+  std::string_view file{};    ///< mesh file, or the folder for files_in
   look looks{};
   placement_kind placed_by = placement_kind::place;
   bool has_axis = false; ///< if true, the shape's axis precedes the frame's axes
+  std::size_t places = 1;
   int first_varying = 0; ///< index of its first number among all numbers
   int first_constant = 0;
   int constant = 0;
@@ -50,6 +52,11 @@ constexpr element_record record_of_element() {
     r.placed_by = attachment::placed_by;
     r.has_axis = requires { attachment::axis; };
     if constexpr (requires { attachment::file; }) r.file = attachment::file;
+    if constexpr (requires { attachment::profile; }) r.profile = attachment::profile;
+    if constexpr (requires { attachment::places; }) {
+      r.places = attachment::places;
+      r.has_axis = r.placed_by == placement_kind::pose;
+    }
     if (r.shape == "arrow") r.quantity = &Element::varying.back();
   }
   if constexpr (Element::word == "plot") r.quantity = &Element::varying.front();

@@ -32,7 +32,7 @@ struct anchor {
   Eigen::Matrix3d orientation = Eigen::Matrix3d::Identity();
 };
 
-/// The tracks of an animation. The anchors of a shape are its place or pose, or its two ends; the second
+/// The tracks of an animation. The anchors of a shape are its places or poses, or its two ends; the second
 /// anchor of an arrow is the track of its vector.
 struct tracks {
   std::vector<track> all{};
@@ -111,25 +111,31 @@ public:
 private:
   static bool is_arrow(const animation::shape& s) { return s.kind == "arrow"; }
 
-  Eigen::Matrix3Xd path_of(const animation::shape& s, Eigen::Vector3d placement::* which) const {
+  Eigen::Matrix3Xd path_of(const animation::shape& s, Eigen::Vector3d placement::* which,
+                           std::size_t place = 0) const {
     Eigen::Matrix3Xd path(3, times_);
-    for (Eigen::Index k = 0; k < times_; ++k) path.col(k) = s.placements[static_cast<std::size_t>(k)].*which;
+    for (Eigen::Index k = 0; k < times_; ++k)
+      path.col(k) = s.placement_at(static_cast<std::size_t>(k), place).*which;
     return path;
   }
-  track pose_of(const animation::shape& s) const {
-    track pose{path_of(s, &placement::position), {}};
-    for (const placement& here : s.placements) pose.orientations.push_back(here.orientation);
+  track pose_of(const animation::shape& s, std::size_t place) const {
+    track pose{path_of(s, &placement::position, place), {}};
+    for (std::size_t k = 0; k < from_.times.size(); ++k)
+      pose.orientations.push_back(s.placement_at(k, place).orientation);
     return pose;
   }
 
   void read(const animation::shape& s) {
-    if (s.placed_by == placement_kind::pose) {
-      track pose = pose_of(s);
-      if (!find_pose(pose)) bodies_.push_back(std::move(pose));
-      return;
-    }
-    add_point(path_of(s, &placement::position));
+    for (std::size_t i = 0; i < s.places; ++i)
+      if (s.placed_by == placement_kind::pose)
+        add_pose(pose_of(s, i));
+      else
+        add_point(path_of(s, &placement::position, i));
     if (s.placed_by == placement_kind::ends && !is_arrow(s)) add_point(path_of(s, &placement::end));
+  }
+
+  void add_pose(track pose) {
+    if (!find_pose(pose)) bodies_.push_back(std::move(pose));
   }
 
   void add_point(Eigen::Matrix3Xd path) {
@@ -195,11 +201,10 @@ private:
 
   void place(const animation::shape& s) {
     std::vector<anchor>& anchors = found_.of_shape.emplace_back();
-    if (s.placed_by == placement_kind::pose) {
-      anchors.push_back(used(*find_pose(pose_of(s))));
-      return;
-    }
-    anchors.push_back(used(*find_point(path_of(s, &placement::position))));
+    for (std::size_t i = 0; i < s.places; ++i)
+      anchors.push_back(used(s.placed_by == placement_kind::pose
+                                 ? *find_pose(pose_of(s, i))
+                                 : *find_point(path_of(s, &placement::position, i))));
     if (s.placed_by != placement_kind::ends) return;
     if (is_arrow(s)) {
       found_.all.push_back({path_of(s, &placement::end), {}});

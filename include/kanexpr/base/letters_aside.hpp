@@ -1,5 +1,6 @@
-// No include guard: every header with one-letter member names, as in ẋ = A x + B r, includes this file to
-// suspend macros with the same names. letters_back.hpp, included at the end of that header, restores them.
+// No include guard: every header with one-letter member names, as in ẋ = A x + B r, or with the unit pascal
+// includes this file to suspend macros with the same names. letters_back.hpp, included at the end of that
+// header, restores them.
 #pragma push_macro("A")
 #undef A
 #pragma push_macro("B")
@@ -22,3 +23,5 @@
 #undef Y
 #pragma push_macro("Z")
 #undef Z
+#pragma push_macro("pascal")
+#undef pascal

@@ -10,3 +10,4 @@
 #pragma pop_macro("X")
 #pragma pop_macro("Y")
 #pragma pop_macro("Z")
+#pragma pop_macro("pascal")

@@ -99,9 +99,9 @@ constexpr bool brings_body(const describe::listing<describe::joint_record>& join
   return false;
 }
 
-constexpr bool has_beam(const describe::listing<describe::body_record>& bodies) {
+constexpr bool has_deforming_body(const describe::listing<describe::body_record>& bodies) {
   for (const describe::body_record& r : bodies)
-    if (r.beam != nullptr) return true;
+    if (r.beam != nullptr || r.flexible != nullptr) return true;
   return false;
 }
 
@@ -159,7 +159,7 @@ constexpr sentence check_words() {
     needs({"inertial"});
     const bool is_kane = System::record.derived_by == describe::method::kane;
     if (lists_joint(System::record.bodies)) return found;
-    if (has_beam(System::record.bodies)) {
+    if (has_deforming_body(System::record.bodies)) {
       // brings symbols and their kinematic equations
     } else if (System::count_of_word("joints") == 0) {
       needs({"coordinates"});

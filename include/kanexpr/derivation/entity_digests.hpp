@@ -6,6 +6,7 @@
 #include <kanexpr/derivation/check_words.hpp>
 #include <kanexpr/describe/beam_record.hpp>
 #include <kanexpr/describe/external.hpp>
+#include <kanexpr/describe/flexible_record.hpp>
 #include <kanexpr/describe/system.hpp>
 
 #include <array>
@@ -110,6 +111,7 @@ private:
     take(r.mass), take(r.inertia_dyadic);
     for (const phrase& each : r.inertia) take(each);
     if (r.beam != nullptr) take(*r.beam);
+    if (r.flexible != nullptr) take(*r.flexible);
     end(r.called);
   }
   constexpr void take(const describe::beam_record& r) {
@@ -121,6 +123,16 @@ private:
     for (int k = 0; k < r.integrals.shapes; ++k) now_.take(r.deformations[k]);
     const int count = r.integrals.numbers == nullptr ? 0 : r.integrals.count(r.integrals.shapes);
     for (int i = 0; i < count; ++i) now_.take(r.integrals.numbers[i]);
+  }
+  constexpr void take(const describe::flexible_record& r) {
+    take(r.coordinates), take(r.speeds), take(r.kinematics);
+    if (r.data == nullptr) return;
+    const mechanics::flexible_data d = r.data();
+    now_.take(d.mass);
+    for (const sequence<double>* each :
+         {&d.first_moment.coefficients, &d.inertia.coefficients, &d.angular.coefficients, &d.modal_mass,
+          &d.stiffness, &d.damping, &d.preload})
+      for (const double number : *each) now_.take(number);
   }
   constexpr void take(const describe::joint_record& r) {
     begin();

@@ -35,9 +35,8 @@ public:
   }
 
   constexpr mechanics::unit_table table() {
-    mechanics::unit_table t;
-    if (inferred_.has_value()) t.fill(system_.mechanism, system_.constraints, *inferred_);
-    return t;
+    if (!inferred_.has_value()) return {};
+    return mechanics::unit_table_of(system_, *inferred_);
   }
 
   /// The unit of a scalar or of the components of a vector; nothing if it is not determined.

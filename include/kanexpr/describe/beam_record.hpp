@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/describe/record.hpp>
 #include <kanexpr/numeric/beams/modal_integrals.hpp>
 
@@ -19,6 +20,7 @@ struct beam_record {
   phrase stiffness[4]{}; ///< by numeric::beams::deformation
   numeric::beams::modal_integrals integrals{};
   const numeric::beams::deformation* deformations = nullptr; ///< by amplitude
+  base::sequence<double> (*sections)(int count) = nullptr;   ///< the values at equally spaced sections
   listing<phrase> coordinates{}, speeds{}, kinematics{};
   phrase damping_of_mass{}, damping_of_stiffness{}; ///< the factors of proportional damping
   listing<phrase> damping_ratios{};                 ///< of all shapes, or one for all

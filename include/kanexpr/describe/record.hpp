@@ -152,6 +152,7 @@ struct list_of {
 enum class orientation_word : unsigned char;
 
 struct beam_record;
+struct flexible_record;
 struct body_record;
 
 /// The properties that all entities have in common.
@@ -176,7 +177,9 @@ struct frame_record : entity_record {
   bool turns_apart = false;   ///< the angular velocity is declared separately from the orientation
   std::string_view its_own{}; ///< the frame of that entity, if it has one
   bool is_of_joint = false;
-  const body_record* on_beam = nullptr; ///< the beam of a section
+  const body_record* on_beam = nullptr;     ///< the beam of a section
+  const body_record* on_flexible = nullptr; ///< the body of a node
+  std::string_view missing_node{};          ///< the name of a node that the body does not have
 
   constexpr bool is_inertial() const { return parent == nullptr; }
 };
@@ -192,9 +195,11 @@ struct point_record : entity_record {
   bool moves_apart = false; ///< declared not to match its position
   bool from_parent =
       false; ///< the velocity is relative to the parent, even if `reference` is the inertial frame
-  std::string_view its_own{};           ///< the point of that entity, if it has one
-  const body_record* on_beam = nullptr; ///< the beam of a section
-  bool is_off_beam = false;             ///< whether the section is not between root and tip
+  std::string_view its_own{};               ///< the point of that entity, if it has one
+  const body_record* on_beam = nullptr;     ///< the beam of a section
+  bool is_off_beam = false;                 ///< whether the section is not between root and tip
+  const body_record* on_flexible = nullptr; ///< the body of a node
+  std::string_view missing_node{};          ///< the name of a node that the body does not have
 
   constexpr bool is_origin() const { return parent == nullptr; }
 };
@@ -212,8 +217,9 @@ struct body_record : entity_record {
   std::string_view instead_of_inertia{}; ///< the type that is passed in its place but is not an inertia
   bool has_whole_zeros = false;          ///< whether all scalars of its inertia are the integer 0
   bool inertia_changes = false;
-  bool effective = false;            ///< the inertia need not correspond to a mass distribution
-  const beam_record* beam = nullptr; ///< null if it is not a beam
+  bool effective = false;                    ///< the inertia need not correspond to a mass distribution
+  const beam_record* beam = nullptr;         ///< null if it is not a beam
+  const flexible_record* flexible = nullptr; ///< null if it is not given by numbers
 };
 
 /// How the values of a load are interpreted; the enumerators are in load.hpp.

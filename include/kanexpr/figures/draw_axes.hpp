@@ -48,7 +48,7 @@ inline void draw_axis(drawing& d, int frame, int axis, const Eigen::Vector2d& or
 inline void draw_axes(drawing& d) {
   for (int f = 0; f < d.mechanism().frames.size(); ++f) {
     const int place = d.place_of_frame[static_cast<std::size_t>(f)];
-    if (place == mechanics::none) continue;
+    if (place == mechanics::none || d.is_within_section(f)) continue;
     for (int axis = 0; axis < 3; ++axis) draw_axis(d, f, axis, d.picture(place), f == 0 || !d.is_crowded());
   }
 }
@@ -97,7 +97,7 @@ inline void draw_angles(drawing& d) {
   for (int f = 1; f < d.mechanism().frames.size(); ++f) {
     const int place = d.place_of_frame[static_cast<std::size_t>(f)];
     if (place == mechanics::none || d.at.rotation_axes[static_cast<std::size_t>(f)].isZero() ||
-        d.mechanism().frames[f].angle.is_constant())
+        d.mechanism().frames[f].angle.is_constant() || d.bent_by.turn(d.mechanism().frames[f]))
       continue;
     draw_angle(d, f, place, 0.55 * detail::axis_length + 9 * arcs[static_cast<std::size_t>(place)]++);
   }

@@ -59,11 +59,37 @@ inline void draw_bodies(drawing& d) {
   }
 }
 
+/// A beam is drawn along its deflected axis.
+inline void draw_beams(drawing& d) {
+  for (std::size_t i = 0; i < d.at.beams.size(); ++i) {
+    std::vector<Eigen::Vector2d> axis;
+    axis.reserve(d.at.beams[i].size());
+    for (const Eigen::Vector3d& place : d.at.beams[i]) axis.push_back(d.picture(place));
+    const int color = d.mechanism().bodies.size() + static_cast<int>(i);
+    d.on.path(layer::bodies, axis, "solid " + d.color_of_body(color));
+    d.on.path(layer::lines, axis, "rod");
+  }
+}
+
+/// A flexible body that is given by numbers is drawn as its nodes, connected by short lines.
+inline void draw_nodes(drawing& d) {
+  for (std::size_t i = 0; i < d.at.nodes.size(); ++i) {
+    const std::vector<Eigen::Vector3d>& places = d.at.nodes[i];
+    const std::string color =
+        d.color_of_body(d.mechanism().bodies.size() + static_cast<int>(d.at.beams.size() + i));
+    for (const auto& [from, to] : shortest_connections(places)) {
+      d.on.line(layer::bodies, d.picture(places[from]), d.picture(places[to]), "solid " + color);
+      d.on.line(layer::lines, d.picture(places[from]), d.picture(places[to]), "rod");
+    }
+    for (const Eigen::Vector3d& place : places) d.on.circle(layer::marks, d.picture(place), 2, "filled");
+  }
+}
+
 inline void draw_links(drawing& d, bool with_lengths) {
   const mechanics::mechanism& m = d.mechanism();
   for (int i = 0; i < m.points.size(); ++i) {
     const mechanics::point& p = m.points[i];
-    if (p.parent == mechanics::none) continue;
+    if (p.parent == mechanics::none || d.bent_by.move(p)) continue;
     const Eigen::Vector2d from = d.picture(p.parent), to = d.picture(i);
     if ((to - from).norm() < 1) continue;
     const int frame = detail::frame_of(p.offset), body = frame > 0 ? d.body_of_frame(frame) : mechanics::none;

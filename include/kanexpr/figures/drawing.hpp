@@ -2,6 +2,7 @@
 
 #include <kanexpr/figures/canvas.hpp>
 #include <kanexpr/figures/geometry.hpp>
+#include <kanexpr/figures/outlines.hpp>
 #include <kanexpr/figures/view.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/vector.hpp>
@@ -57,6 +58,7 @@ struct drawing {
   const mechanics::multibody_system& system;
   const geometry& at;
   const view& seen;
+  deflections bent_by;
   canvas on{};
   double scale;                      ///< pixels per unit of length
   std::vector<int> place_of_frame{}; ///< the point at which the axes of each frame are drawn
@@ -71,6 +73,8 @@ struct drawing {
   int body_of_frame(int frame) const;
   /// Whether the offset between two points is fixed in a frame.
   bool has_links(int frame) const;
+  /// Whether a frame is an intermediate rotation of a section.
+  bool is_within_section(int frame) const;
   /// Whether the names of all axes and points would hide the rest.
   bool is_crowded() const { return mechanism().frames.size() > 9; }
   /// The style of a body's color.
@@ -86,7 +90,7 @@ struct drawing {
 };
 
 inline drawing::drawing(const mechanics::multibody_system& s, const geometry& g, const view& v)
-    : system(s), at(g), seen(v), scale(230 / g.size) {
+    : system(s), at(g), seen(v), bent_by(s.mechanism), scale(230 / g.size) {
   const mechanics::mechanism& m = s.mechanism;
   place_of_frame.assign(static_cast<std::size_t>(m.frames.size()), mechanics::none);
   const auto place = [&](int frame, int point) {
@@ -96,6 +100,9 @@ inline drawing::drawing(const mechanics::multibody_system& s, const geometry& g,
   };
   for (int i = 0; i < m.points.size(); ++i)
     if (m.points[i].parent == mechanics::none) place(mechanics::mechanism::inertial, i);
+  for (int f = 1; f < m.frames.size(); ++f) // the frame of a section has the name of its point
+    for (int i = 0; i < m.points.size() && bent_by.turn(m.frames[f]); ++i)
+      if (m.points[i].called == m.frames[f].called) place(f, i);
   for (const mechanics::point& p : m.points) place(detail::frame_of(p.offset), p.parent);
   for (const mechanics::body& b : m.bodies) place(b.frame, b.center);
   for (int f = m.frames.size() - 1; f > 0;
@@ -115,6 +122,13 @@ inline int drawing::body_of_frame(int frame) const {
 inline bool drawing::has_links(int frame) const {
   for (const mechanics::point& p : mechanism().points)
     if (p.parent != mechanics::none && detail::frame_of(p.offset) == frame) return true;
+  return false;
+}
+
+inline bool drawing::is_within_section(int frame) const {
+  if (!bent_by.turn(mechanism().frames[frame])) return false;
+  for (const mechanics::frame& next : mechanism().frames)
+    if (next.parent == frame && bent_by.turn(next)) return true;
   return false;
 }
 

@@ -175,6 +175,8 @@ inline figure draw(model m, given_state<model> x, given_parameters<model> p, giv
   if (const std::string reason = figures::reason_against_bodies(shown); !reason.empty())
     return figure::refused(reason);
   figures::draw_bodies(shown);
+  figures::draw_beams(shown);
+  figures::draw_nodes(shown);
   figures::draw_links(shown, how.lengths);
   figures::draw_points(shown, how.names);
   if (how.axes) figures::draw_axes(shown);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/figures/outlines.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
@@ -28,6 +29,8 @@ struct geometry {
       rotation_axes{};          ///< the axes about which frames are rotated; zero if a frame has no angle
   std::vector<double> angles{}; ///< relative to the parent frame
   std::vector<Eigen::Vector3d> points{};
+  std::vector<std::vector<Eigen::Vector3d>> beams{}; ///< for each beam, the places along its axis
+  std::vector<std::vector<Eigen::Vector3d>> nodes{}; ///< of each other flexible body
   std::vector<double> masses{};
   std::vector<Eigen::Matrix3d> inertias{}; ///< about the mass centers; zero for particles
   std::vector<Eigen::Vector3d> forces{}, torques{};
@@ -67,6 +70,12 @@ public:
     next_ += 3;
     return v;
   }
+  std::vector<Eigen::Vector3d> vectors(std::size_t count) {
+    std::vector<Eigen::Vector3d> all;
+    all.reserve(count);
+    while (all.size() < count) all.push_back(vector());
+    return all;
+  }
 
 private:
   model& model_;
@@ -101,6 +110,9 @@ inline Eigen::Vector3d finite_or_zero(const Eigen::Vector3d& v) {
 inline double extent(const geometry& g) {
   Eigen::Vector3d least = Eigen::Vector3d::Zero(), most = least;
   for (const Eigen::Vector3d& p : g.points) least = least.cwiseMin(p), most = most.cwiseMax(p);
+  for (const auto* bodies : {&g.beams, &g.nodes})
+    for (const std::vector<Eigen::Vector3d>& body : *bodies)
+      for (const Eigen::Vector3d& p : body) least = least.cwiseMin(p), most = most.cwiseMax(p);
   double size = (most - least).maxCoeff();
   if (size > 0) return size;
   for (std::size_t i = 0; i < g.masses.size(); ++i)
@@ -125,6 +137,11 @@ inline geometry geometry_of(model& m, double t, const Eigen::VectorXd& x, const 
   }
   for (int i = 0; i < mechanism.points.size(); ++i)
     placed.ask(mechanics::position_from(mechanism, mechanics::origin_of(mechanism, i), i));
+  const outlined_mechanism drawn(mechanism);
+  const std::vector<std::vector<int>> beams = drawn.points_of_beams(), nodes = drawn.points_of_nodes();
+  for (const auto* bodies : {&beams, &nodes})
+    for (const std::vector<int>& points : *bodies)
+      for (const int point : points) placed.ask(mechanics::position_from_origin(drawn.mechanism, point));
   for (const mechanics::body& b : mechanism.bodies) {
     placed.ask(b.mass);
     const mechanics::symmetric inertia =
@@ -147,6 +164,8 @@ inline geometry geometry_of(model& m, double t, const Eigen::VectorXd& x, const 
     g.angles.push_back(placed.number());
   }
   for (int i = 0; i < mechanism.points.size(); ++i) g.points.push_back(placed.vector());
+  for (const std::vector<int>& points : beams) g.beams.push_back(placed.vectors(points.size()));
+  for (const std::vector<int>& points : nodes) g.nodes.push_back(placed.vectors(points.size()));
   for (int i = 0; i < mechanism.bodies.size(); ++i) {
     g.masses.push_back(placed.number());
     Eigen::Matrix3d inertia;

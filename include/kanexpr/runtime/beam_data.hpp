@@ -9,6 +9,7 @@
 #include <kanexpr/runtime/builder_checks.hpp>
 #include <kanexpr/runtime/number_or_expression.hpp>
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -62,6 +63,7 @@ struct beam_data {
 inline std::vector<numeric::beams::shape> modes_of_bending(numeric::beams::ends how, int count,
                                                            const numeric::beams::tip_load& tip = {}) {
   std::vector<numeric::beams::shape> all;
+  all.reserve(static_cast<std::size_t>(count > 0 ? count : 0));
   for (int n = 1; n <= count; ++n) all.push_back(numeric::beams::mode_of_bending(how, n, tip));
   return all;
 }
@@ -70,6 +72,7 @@ inline std::vector<numeric::beams::shape> modes_of_bending(numeric::beams::ends 
 inline std::vector<numeric::beams::shape> modes_of_rod(numeric::beams::ends how, int count,
                                                        const numeric::beams::tip_load& tip = {}) {
   std::vector<numeric::beams::shape> all;
+  all.reserve(static_cast<std::size_t>(count > 0 ? count : 0));
   for (int n = 1; n <= count; ++n) all.push_back(numeric::beams::mode_of_rod(how, n, tip));
   return all;
 }

@@ -7,6 +7,8 @@
 #include <kanexpr/mechanics/loads/add_beam.hpp>
 #include <kanexpr/mechanics/model/beam.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/flexible_body.hpp>
+#include <kanexpr/mechanics/model/flexible_data.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/units/unit_table.hpp>
@@ -20,6 +22,7 @@
 
 #include <concepts>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <variant>
@@ -203,6 +206,13 @@ public:
   /// deformation are coordinates of the system and belong to no other body.
   void flexible_body(std::string_view called, point_id reference, frame_id frame,
                      const std::vector<expression>& amplitudes, const flexible_integrals& data);
+  /// The same with numbers, such as those that `flexible::read_sid` reads.
+  flexible_body_id flexible_body(std::string_view called, point_id reference, frame_id frame,
+                                 const std::vector<expression>& amplitudes,
+                                 const mechanics::flexible_data& data);
+  /// The point and the frame of a node of a body that was added with numbers. The frame is rotated by the
+  /// rotation vector that the shapes give at the node, to the second order.
+  section_ids node(std::string_view called, flexible_body_id of, std::string_view node);
   /// A beam that begins at `root` and deforms relative to `frame`. Each shape has one amplitude, a
   /// coordinate: those of the directions of bending come first, then those of torsion and of extension.
   beam_id beam(std::string_view called, point_id root, frame_id frame,
@@ -315,6 +325,12 @@ private:
   mechanics::mechanism& m_ = system_.mechanism;
   builder_checks checks_;
   base::sequence<expression> used_elsewhere_{};
+  /// A flexible body that was added with numbers; its nodes are formed from them.
+  struct body_with_data {
+    mechanics::flexible_body body{};
+    mechanics::flexible_data data{};
+  };
+  std::vector<body_with_data> bodies_with_data_{};
   std::vector<built_beam> beams_{};
 };
 
@@ -325,6 +341,7 @@ private:
 #include <kanexpr/runtime/builder_beam.ipp>
 #include <kanexpr/runtime/builder_constraints.ipp>
 #include <kanexpr/runtime/builder_flexible_body.ipp>
+#include <kanexpr/runtime/builder_flexible_data.ipp>
 #include <kanexpr/runtime/builder_loads.ipp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>

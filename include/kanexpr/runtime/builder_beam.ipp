@@ -80,12 +80,13 @@ KANEXPR_ENGINE beam_id builder::beam(std::string_view called, point_id root, fra
   for (const expression& q : amplitudes) b.amplitudes.push(q);
   if (b.deformations.empty()) checks_.fail({"beam ", called, " has no shapes"});
   if (b.amplitudes.size() != b.deformations.size())
-    checks_.fail({"beam ", called, " has ", base::counted(b.deformations.size()).view(), " shapes, but ",
-                  base::counted(b.amplitudes.size()).view(), " amplitudes"});
+    checks_.fail({"expected an amplitude for each of the ", base::counted(b.deformations.size()).view(),
+                  " shapes of beam ", called, ", got ", base::counted(b.amplitudes.size()).view()});
   const mechanics::beam_damping damped = damping_of(data);
   if (mistake() || !owns_beam(made, damped)) return {};
   const base::sequence<double> integrals = numeric::beams::integrate_modes(made.shapes);
   b.integrals = {integrals.begin(), b.deformations.size()};
+  b.sections = numeric::beams::values_at_sections(made.shapes, mechanics::beam_outline::sections);
   mechanics::add_beam(m_, system_.loads, b, damped);
   b.integrals = {};
   beams_.push_back(made);

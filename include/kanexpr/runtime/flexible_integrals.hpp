@@ -7,6 +7,9 @@
 
 namespace kanexpr::runtime {
 
+/// The index of a flexible body that a builder has formed from numbers.
+enum class flexible_body_id : int {};
+
 /// The data of a flexible body with the amplitudes q_1 … q_n, as numbers or as expressions of the amplitudes
 /// and parameters. A particle of the body is at r(q) from the reference point; its place, and all components,
 /// are measured in the frame relative to which the body deforms. The integrals extend over the mass of the

@@ -2,6 +2,8 @@
 
 #include <kanexpr/units/unit.hpp>
 
+#include <kanexpr/base/letters_aside.hpp>
+
 /// The coherent units of the SI that have names, for `using namespace kanexpr::units;`. All others are
 /// products and powers: `newton*meter/radian`, `meter/pow<2>(second)`. Prefixes and units with a factor, such
 /// as the millimeter or the degree, are not provided: a model computes in coherent units.
@@ -31,3 +33,5 @@ inline constexpr unit tesla = weber / pow<2>(meter);
 inline constexpr unit henry = weber / ampere;
 
 } // namespace kanexpr::units
+
+#include <kanexpr/base/letters_back.hpp>

@@ -6,6 +6,8 @@
 
 #include <string_view>
 
+#include <kanexpr/base/letters_aside.hpp>
+
 namespace kanexpr::units {
 
 /// How a unit is written.
@@ -146,3 +148,5 @@ constexpr base::name text_of(const unit& u, spelling how = spelling::printed) {
 }
 
 } // namespace kanexpr::units
+
+#include <kanexpr/base/letters_back.hpp>

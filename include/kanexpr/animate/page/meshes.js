@@ -1,5 +1,5 @@
 // Meshes from the files that are embedded in the page.
-import { BackSide, Box3, DoubleSide, Group, Mesh, Texture } from 'three';
+import { BackSide, Box3, DoubleSide, Group, Mesh, Texture, Vector3 } from 'three';
 import { ColladaComposer } from 'three/addons/loaders/collada/ColladaComposer.js';
 import { ColladaParser } from 'three/addons/loaders/collada/ColladaParser.js';
 import { OBJLoader } from 'three/addons/loaders/OBJLoader.js';
@@ -38,6 +38,18 @@ const readers = { dae, obj, stl };
 
 export function trianglesIn({ geometry }) {
   return Math.floor((geometry.index ?? geometry.getAttribute('position')).count / 3);
+}
+
+/// The volume enclosed by triangles that face outward.
+export function volumeOf(geometry) {
+  const { index, attributes: { position } } = geometry;
+  const corners = [0, 1, 2].map(() => new Vector3());
+  let sum = 0;
+  for (let k = 0; k < trianglesIn({ geometry }); ++k) {
+    corners.forEach((corner, i) => corner.fromBufferAttribute(position, index ? index.getX(3 * k + i) : 3 * k + i));
+    sum += corners[0].dot(corners[1].cross(corners[2])) / 6;
+  }
+  return sum;
 }
 
 /// The meshes in a file, without its lights, lines and cameras.

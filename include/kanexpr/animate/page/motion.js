@@ -22,7 +22,7 @@ const next = new Vector3();
 const nextTurn = new Quaternion();
 
 /// The path of a point or the poses of a rigid body. `show` sets its position and orientation.
-export class Track {
+class Track {
   #rows;
   #stride;
 
@@ -56,6 +56,57 @@ export class Track {
     if (this.#stride === 7)
       this.turn.slerp(nextTurn.fromArray(this.#rows, at + this.#stride + 3).normalize(), part);
   }
+}
+
+const deflected = [0, 0, 0, 0, 0, 0];
+const axis = new Vector3();
+
+/// The poses of a station that bends relative to another track: its position and its rotation vector, in the axes
+/// of that track, are a mean and a weighted sum of deflections.
+class BentTrack {
+  #base;
+  #rows;
+  #mean;
+  #deflections;
+
+  constructor(base, { rows }, { mean, deflections }) {
+    this.#base = base;
+    this.#rows = rows;
+    this.#mean = mean;
+    this.#deflections = deflections;
+    this.position = new Vector3();
+    this.turn = new Quaternion();
+    this.show({ index: 0, part: 0 });
+  }
+
+  get isFixed() {
+    return false;
+  }
+
+  show(now) {
+    const { index, part } = now;
+    this.#base.show(now);
+    const count = this.#deflections.length;
+    for (let i = 0; i < 6; ++i) deflected[i] = this.#mean[i];
+    for (let k = 0; k < count; ++k) {
+      const here = this.#rows[index * count + k];
+      const weight = part === 0 ? here : here + part * (this.#rows[(index + 1) * count + k] - here);
+      for (let i = 0; i < 6; ++i) deflected[i] += weight * this.#deflections[k][i];
+    }
+    this.position.fromArray(deflected).applyQuaternion(this.#base.turn).add(this.#base.position);
+    const angle = axis.fromArray(deflected, 3).length();
+    if (angle > 0) this.turn.setFromAxisAngle(axis.divideScalar(angle), angle);
+    else this.turn.identity();
+    this.turn.premultiply(this.#base.turn);
+  }
+}
+
+/// The tracks of a run, those that bend among the others.
+export function tracksOf(tracks, bendings) {
+  const all = tracks.map((track) => track && new Track(track));
+  for (const bending of bendings)
+    for (const part of bending.parts) all[part.track] = new BentTrack(all[bending.base], bending, part);
+  return all;
 }
 
 /// A point or a frame that is fixed in the body of a track.

@@ -4,7 +4,7 @@ import { Camera } from './camera.js';
 import { extent } from './extent.js';
 import { ground } from './ground.js';
 import { layers } from './layers.js';
-import { Meshes, trianglesIn } from './meshes.js';
+import { Meshes, trianglesIn, volumeOf } from './meshes.js';
 import { names } from './names.js';
 import { Run } from './run.js';
 import { stage } from './stage.js';
@@ -56,9 +56,10 @@ export function picture(motion, draw, view, changed) {
       const { position, quaternion } = objects[index];
       return { position: position.toArray(), quaternion: quaternion.toArray() };
     },
-    /// The number of triangles, and their bounding box.
+    /// The number of triangles, their bounding box, and the volume that they enclose.
     measure(index) {
       let triangles = 0;
+      let volume = 0;
       const box = new Box3();
       const back = new Matrix4().copy(model.matrixWorld).invert();
       objects[index].updateMatrixWorld(true);
@@ -68,8 +69,9 @@ export function picture(motion, draw, view, changed) {
         const own = part.geometry.clone().applyMatrix4(part.matrixWorld).applyMatrix4(back);
         own.computeBoundingBox();
         box.union(own.boundingBox);
+        volume += volumeOf(own);
       });
-      return { triangles, least: box.min.toArray(), most: box.max.toArray() };
+      return { triangles, volume, least: box.min.toArray(), most: box.max.toArray() };
     },
     show(time) {
       for (const run of runs) run.show(time);

@@ -1,6 +1,6 @@
 // One run: its tracks, and its shapes as objects.
 import { Color, Group } from 'three';
-import { Anchor, moment, Track } from './motion.js';
+import { Anchor, moment, tracksOf } from './motion.js';
 import { paletteColour } from './materials.js';
 import { objectOf } from './shapes.js';
 
@@ -21,11 +21,11 @@ function tint(object, colour) {
 }
 
 export class Run {
-  constructor({ name, times, tracks, shapes }, meshes, number) {
+  constructor({ name, times, tracks, bendings, shapes }, meshes, number) {
     this.name = name;
     this.times = times;
     this.shapes = shapes;
-    this.tracks = tracks.map((track) => new Track(track));
+    this.tracks = tracksOf(tracks, bendings);
     this.objects = shapes.map((shape, index) => this.#object(shape, index, meshes));
     this.solids = this.objects.filter((_, index) => shapes[index].kind !== 'trace' && !shapes[index].layer);
     if (number > 0) for (const object of this.objects) tint(object, colourOfRun(number));

@@ -4,6 +4,7 @@ import * as links from './links.js';
 import { colourOfLayer } from './layers.js';
 import { colourOf } from './materials.js';
 import * as solids from './solids.js';
+import { sweep } from './sweeps.js';
 import { trace } from './trace.js';
 import { arrow, frame } from './vectors.js';
 
@@ -33,12 +34,17 @@ function link(shape, colour) {
   return object;
 }
 
+function objectWithShadow(shape, colour, meshes) {
+  if (shape.profile) return sweep(shape, colour);
+  return shape.placed === 'ends' ? link(shape, colour) : solid(shape, colour, meshes);
+}
+
 export function objectOf(shape, index, meshes) {
   const colour = colourOf(shape, index);
   if (shape.kind === 'trace') return trace(shape, colour);
   if (shape.kind === 'arrow') return arrow(shape, shape.colour ?? colourOfLayer(shape.layer));
   if (shape.kind === 'frame') return frame(shape);
-  const object = shape.placed === 'ends' ? link(shape, colour) : solid(shape, colour, meshes);
+  const object = objectWithShadow(shape, colour, meshes);
   object.traverse((part) => {
     part.castShadow = shape.opacity > 0.5 && !part.userData.flat;
     part.receiveShadow = true;

@@ -64,6 +64,8 @@ public:
       if (!reading_.mistake) b.amplitudes.push(symbols_.symbol(*p.tokens[0].symbol, r.called));
     for (int k = 0; k < from.integrals.shapes; ++k) b.deformations.push(from.deformations[k]);
     b.integrals = from.integrals;
+    if (!std::is_constant_evaluated() && from.sections != nullptr)
+      b.sections = from.sections(mechanics::beam_outline::sections);
     b.axis = direction(from.axis, "the axis of beam ", r);
     for (int i = 0; i < 2; ++i)
       b.across[i] = direction(from.across[i], "the direction of bending of beam ", r);

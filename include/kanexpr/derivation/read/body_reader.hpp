@@ -3,6 +3,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/read/beam_reader.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
+#include <kanexpr/derivation/read/flexible_reader.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -12,7 +13,8 @@ namespace kanexpr::derivation {
 /// Reads the bodies of a model.
 class body_reader : part_reader {
 public:
-  constexpr body_reader(const part_reader& parts, beam_reader& beams) : part_reader(parts), beams_(beams) {}
+  constexpr body_reader(const part_reader& parts, beam_reader& beams, flexible_reader& flexible)
+      : part_reader(parts), beams_(beams), flexible_(flexible) {}
 
   constexpr void read(const body_record& r) {
     if (r.unparsed) return reading_.fail_by_unparsed(r.called, "bodies<...>");
@@ -35,6 +37,7 @@ public:
     }
     read_.push(&r);
     if (r.beam != nullptr) return beams_.read(r);
+    if (r.flexible != nullptr) return flexible_.read(r);
     mechanics::body b;
     b.called = base::name(r.called);
     b.mass = phrases_.scalar_of(r.mass, {"the mass of ", r.called}, r.called);
@@ -72,6 +75,7 @@ private:
   }
 
   beam_reader& beams_;
+  flexible_reader& flexible_;
   sequence<const body_record*> read_{};
 };
 

@@ -147,6 +147,21 @@ private:
     return !reading_.mistake;
   }
 
+  /// Checks the body of a node, and whether the body has the node.
+  constexpr bool is_on_listed_body(std::string_view node, const describe::body_record& body,
+                                   std::string_view missing) {
+    if (body.flexible == nullptr)
+      reading_.fail({"node ", node, " belongs to ", body.called, ", which is not a flexible_body<...>"});
+    bool is_listed = false;
+    for (const describe::body_record& r : reading_.from.bodies) is_listed = is_listed || &r == &body;
+    if (!is_listed)
+      reading_.fail({"flexible body ", body.called, ", to which node ", node,
+                     " belongs, is not listed in bodies<...>"});
+    if (!missing.empty())
+      reading_.fail({"node ", node, " is node ", missing, " of ", body.called, ", which has no such node"});
+    return !reading_.mistake;
+  }
+
   constexpr void forget_after(int frames, int points) {
     for (; !frames_.empty() && places_of_frames_.back() >= frames; frames_.pop()) places_of_frames_.pop();
     while (m_.frames.size() > frames) m_.frames.pop();
@@ -195,6 +210,7 @@ private:
     if (r.is_of_joint && !is_listed(r))
       return reading_.fail({"joint ", r.called, ", which ", whom, " uses, is not listed in joints<...>"});
     if (r.on_beam != nullptr && !is_on_listed_beam(r.called, *r.on_beam, false)) return;
+    if (r.on_flexible != nullptr && !is_on_listed_body(r.called, *r.on_flexible, r.missing_node)) return;
     if (!r.fits) return reading_.fail_by_argument_count("frame ", r.called, r.fits);
     const frame_record* const inertial = reading_.from.inertial;
     if (&r == inertial && r.orientation != describe::orientation_word::inertial)
@@ -212,6 +228,7 @@ private:
   constexpr void check_point(const point_record& r, std::string_view whom) {
     if (!check_kind("point", r, whom)) return;
     if (r.on_beam != nullptr && !is_on_listed_beam(r.called, *r.on_beam, r.is_off_beam)) return;
+    if (r.on_flexible != nullptr && !is_on_listed_body(r.called, *r.on_flexible, r.missing_node)) return;
     if (!r.fits) return reading_.fail_by_argument_count("point ", r.called, r.fits);
     if (r.parent == nullptr && (r.fixed_in != nullptr || r.reference != nullptr))
       reading_.fail(

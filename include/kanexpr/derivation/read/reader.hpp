@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derivation/read/beam_reader.hpp>
 #include <kanexpr/derivation/read/constraint_reader.hpp>
+#include <kanexpr/derivation/read/flexible_reader.hpp>
 #include <kanexpr/derivation/read/joint_reader.hpp>
 #include <kanexpr/derivation/read/lagrange_reader.hpp>
 #include <kanexpr/derivation/read/load_reader.hpp>
@@ -85,7 +86,11 @@ public:
     each(from.joints, [&](const joint_record& r) { joints_.read(r); });
     each(from.loads, [&](const load_record& r) { loads_.read_load(r); });
     each(from.kinematics, [&](const phrase& p) { kinematics_.read(p); });
-    if (!reading_.takes_rates_as_speeds()) joints_.read_kinematics(), beams_.read_kinematics();
+    if (!reading_.takes_rates_as_speeds()) {
+      joints_.read_kinematics();
+      beams_.read_kinematics();
+      flexible_.read_kinematics();
+    }
     kinematics_.add_simple();
     constraints_.visit_constraints();
     each(from.used_elsewhere, [&](const phrase& p) { symbols_.mention_elsewhere(p); });
@@ -129,15 +134,18 @@ private:
     const system_record& from = reading_.from;
     joints_.check_all();
     beams_.check_all();
+    flexible_.check_all();
     if (reading_.mistake) return;
     read_coordinates(from.coordinates);
     for (const joint_record& r : from.joints) read_coordinates(r.coordinates);
     beams_.each([&](const body_record&, const beam_record& b) { read_coordinates(b.coordinates); });
+    flexible_.each([&](const body_record&, const flexible_record& f) { read_coordinates(f.coordinates); });
     lagrange_.read_rates();
     read_speeds(from.speeds);
     if (!reading_.takes_rates_as_speeds()) {
       for (const joint_record& r : from.joints) read_speeds(r.speeds);
       beams_.each([&](const body_record&, const beam_record& b) { read_speeds(b.speeds); });
+      flexible_.each([&](const body_record&, const flexible_record& f) { read_speeds(f.speeds); });
     }
     read_list(from.auxiliary, symbol_kind::speed, symbol_list::auxiliary_speeds,
               [&](const symbol_record& s) { symbols_.place_auxiliary_speed(s); });
@@ -164,7 +172,8 @@ private:
   load_reader loads_{reading_, symbols_, phrases_, entities_};
   kinematics_reader kinematics_{reading_, symbols_, phrases_, entities_};
   beam_reader beams_{{reading_, symbols_, phrases_, entities_}, kinematics_};
-  body_reader bodies_{{reading_, symbols_, phrases_, entities_}, beams_};
+  flexible_reader flexible_{{reading_, symbols_, phrases_, entities_}, kinematics_};
+  body_reader bodies_{{reading_, symbols_, phrases_, entities_}, beams_, flexible_};
   joint_reader joints_{{reading_, symbols_, phrases_, entities_}, bodies_, kinematics_};
   constraint_reader constraints_{reading_, symbols_, phrases_, entities_};
 };

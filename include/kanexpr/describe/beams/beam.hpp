@@ -76,6 +76,12 @@ inline constexpr auto deformations_of_beam = [] {
   return all;
 }();
 
+/// The values of the shapes at equally spaced sections, for pictures of models that are derived at run time.
+template <class Beam>
+constexpr base::sequence<double> sections_of_beam(int count) {
+  return numeric::beams::values_at_sections(Beam::shapes(), count);
+}
+
 template <class Beam, std::size_t index>
 inline constexpr auto amplitude_rate = dot(Beam::template q<index>) == Beam::template u<index>;
 
@@ -98,7 +104,7 @@ template <class Self, class Base, auto along, auto length_given, auto mass_given
 struct beam_of_words : body_words {
 private:
   template <class Visit>
-  static constexpr void each_word(Visit visit) {
+  static constexpr void each_word([[maybe_unused]] Visit visit) {
     (visit(static_cast<const Words*>(nullptr)), ...);
   }
   template <beam_word wanted>
@@ -190,7 +196,8 @@ public:
     r.declared_name = r.called;
     r.center = &point_of<Base>;
     r.frame = frame();
-    r.mass = phrase_of<mass_given * length_given, Self>;
+    if constexpr (is_written())
+      r.mass = phrase_of<constant(integrals_of_beam<Self>.all[0]) * (mass_given * length_given), Self>;
     r.beam = &beam_of<Self>;
     return r;
   }
@@ -208,6 +215,7 @@ public:
     if constexpr (is_written()) {
       r.integrals = {integrals_of_beam<Self>.all, shapes_count};
       r.deformations = deformations_of_beam<Self>.data();
+      r.sections = sections_of_beam<Self>;
     }
     return r;
   }

@@ -97,7 +97,8 @@ constexpr std::string_view mistake_of_stations() {
 
 /// A rigid body at the tip, whose inertia changes the natural modes: its mass divided by the mass of the
 /// uniform beam and, optionally, its moment of inertia about the tip divided by the beam's mass times the
-/// square of its length. The body itself is a separate body of the system, at `section<Tip, Beam, 1>`.
+/// square of its length; in torsion, the first ratio is that of the inertias about the axis. The body itself
+/// is a separate body of the system, at `section<Tip, Beam, 1>`.
 template <auto mass_ratio, auto inertia_ratio = 0.0>
 struct tip_body {
   static constexpr bool is_tip_body = true;

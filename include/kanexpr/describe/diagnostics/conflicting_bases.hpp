@@ -8,8 +8,9 @@ namespace kanexpr::describe {
 struct orientation_words {};
 struct place_words {};
 struct joint_words {};
-struct ground_words {};  // an inertial frame and a point in it
-struct section_words {}; // a frame and a point of a beam
+struct ground_words {};               // an inertial frame and a point in it
+struct section_words {};              // a frame and a point of a beam
+struct node_words : section_words {}; // a frame and a point of a flexible body
 struct body_words {};
 struct angular_velocity_words {};
 struct velocity_words {};
@@ -57,7 +58,8 @@ constexpr base_conflict find_base_conflict_of_joint() {
   if (__is_base_of(load_words, Joint)) return load_as_base;
   if (__is_base_of(angular_velocity_words, Joint) || __is_base_of(velocity_words, Joint) ||
       __is_base_of(fixing_words, Joint))
-    return __is_base_of(section_words, Joint)
+    return __is_base_of(node_words, Joint) ? "a motion is declared for node @, which moves with its body"
+           : __is_base_of(section_words, Joint)
                ? "a motion is declared for section @, which moves with its beam"
                : "a motion is declared for joint @, whose kind determines how it moves";
   if (__is_base_of(inertia_words, Joint)) return inertia_as_base;

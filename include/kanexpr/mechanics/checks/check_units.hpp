@@ -11,7 +11,8 @@
 #include <kanexpr/mechanics/units/unit_inference.hpp>
 #include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
-#include <kanexpr/symbolic/graph/live_nodes.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/units/si.hpp>
 
 #include <string_view>
@@ -34,12 +35,13 @@ class system_units {
   template <class Quantity>
   constexpr void state(std::string_view what, const name& whose, const Quantity& quantity,
                        const units::unit& u) {
-    by_.describe({what, whose.view()});
+    by_.describe(what, whose.view());
     by_.expect(quantity, u);
   }
   template <class Quantity>
   constexpr void state(std::string_view what, const Quantity& quantity, const units::unit& u) {
-    state(what, {}, quantity, u);
+    by_.describe(what, {});
+    by_.expect(quantity, u);
   }
 
 public:
@@ -47,11 +49,12 @@ public:
       : of_(of), m_(of.mechanism), by_(by) {}
 
   constexpr void state() {
+    if (!m_.flexible_bodies.empty()) mark_deformations();
     for (const frame& f : m_.frames) state(f);
     for (const point& p : m_.points) state(p);
     for (const body& b : m_.bodies) state(b);
     for (const expected_unit& e : m_.expected_units) {
-      by_.describe({e.what.view(), e.whose.view()});
+      by_.describe(e.what.view(), e.whose.view());
       by_.expect(e.value, e.unit);
     }
     state_equations("a kinematic differential equation", m_.kinematics);
@@ -71,16 +74,17 @@ private:
   constexpr void state(const frame& f) {
     if (f.is_by_angle() && !holds_amplitude(f.angle)) state("the angle of frame ", f.called, f.angle, radian);
     if (f.kind == orientation::matrix) {
-      by_.describe({"the orientation of frame ", f.called.view()});
+      by_.describe("the orientation of frame ", f.called.view());
       for (const expression& e : f.quaternion) by_.expect(e, units::dimensionless);
-      for (const expression& e : f.scalars()) by_.expect(e, units::dimensionless);
+      for (const expression& e : f.scalars())
+        if (!holds_amplitude(e)) by_.expect(e, units::dimensionless);
     }
     if (f.has_declared_angular_velocity())
       state("the angular velocity of frame ", f.called, f.angular_velocity, radian / second);
   }
 
   constexpr void state(const point& p) {
-    by_.describe({"the offset of point ", p.called.view()});
+    by_.describe("the offset of point ", p.called.view());
     p.offset.each_entry([&](expression e) {
       if (!holds_amplitude(e)) by_.expect(e, meter);
     });
@@ -97,7 +101,7 @@ private:
     state("the mass of ", b.called, b.mass, kilogram);
     for (int k = 0; k < b.amplitudes.size(); ++k) {
       const expression rate = m_.coordinate_rates[m_.coordinates.find(b.amplitudes[k])];
-      by_.suggest(b.modal_mass(k, k) * (rate * rate), joule);
+      by_.suggest_coefficient(b.modal_mass(k, k), rate, joule);
     }
   }
   /// The places and angles that deform with flexible bodies.
@@ -109,17 +113,22 @@ private:
     for (const frame& f : m_.frames)
       if (f.is_by_angle() && holds_amplitude(f.angle)) by_.suggest_amplitude(f.angle, radian);
   }
-  constexpr bool holds_amplitude(expression e) const {
-    if (m_.flexible_bodies.empty()) return false;
-    const sequence<char> live = symbolic::live_nodes(*m_.g, {e.node()});
+  constexpr bool holds_amplitude(expression e) const { return !deforms_.empty() && deforms_[e.node()] != 0; }
+  /// Marks the nodes of the graph that contain an amplitude of a flexible body.
+  constexpr void mark_deformations() {
+    const symbolic::graph& g = *m_.g;
+    deforms_.resize(g.size());
     for (const flexible_body& b : m_.flexible_bodies)
-      for (const expression& q : b.amplitudes)
-        if (q.node() < live.size() && live[q.node()] != 0) return true;
-    return false;
+      for (const expression& q : b.amplitudes) deforms_[q.node()] = 1;
+    for (int id = 0; id < g.size(); ++id) {
+      if (symbolic::is_leaf(g[id].op)) continue;
+      if (deforms_[g[id].a] != 0 || (symbolic::is_binary(g[id].op) && deforms_[g[id].b] != 0))
+        deforms_[id] = 1;
+    }
   }
 
   constexpr void state_equation(std::string_view what, expression difference) {
-    by_.describe({what});
+    by_.describe(what, {});
     by_.expect_equation(difference);
   }
   constexpr void state_equations(std::string_view what, const sequence<expression>& differences) {
@@ -129,6 +138,7 @@ private:
   const multibody_system& of_;
   const mechanism& m_;
   unit_inference& by_;
+  sequence<char> deforms_{}; ///< by node; empty if no body is flexible
 };
 
 /// Reports units that do not fit; empty if there are none, or if the mechanism states no unit.
@@ -139,13 +149,36 @@ constexpr sentence check_units(const multibody_system& of) {
   return inferred.mistake();
 }
 
+/// The units of the symbols and constraints of a system, from its inferred units.
+constexpr unit_table unit_table_of(const multibody_system& of, unit_inference& inferred) {
+  const mechanism& m = of.mechanism;
+  unit_table table;
+  table.is_stated = !m.stated_units.empty();
+  const sequence<expression>* const symbols[]{&m.coordinates, &m.speeds, &m.parameters, &m.inputs,
+                                              &m.auxiliary_speeds};
+  for (int each = 0; each <= unit_table::auxiliary_speeds; ++each) {
+    const auto to = static_cast<unit_table::list>(each);
+    table.begin(to);
+    for (const expression& e : *symbols[each]) table.put(to, e, inferred);
+  }
+  const given_constraints& c = of.constraints;
+  for (const auto to : {unit_table::configuration_constraints, unit_table::redundant_constraints}) {
+    table.begin(to);
+    for (int i = 0; i < c.on_configuration.size(); ++i)
+      if (c.redundant.contains(i + 1) == (to == unit_table::redundant_constraints))
+        table.put(to, c.on_configuration[i], inferred);
+  }
+  table.begin(unit_table::velocity_constraints);
+  for (const velocity_constraint& each : c.on_velocities)
+    table.put(unit_table::velocity_constraints, each.value, inferred);
+  return table;
+}
+
 /// The units of the symbols and constraints of a system.
 constexpr unit_table unit_table_of(const multibody_system& of) {
   unit_inference inferred(of.mechanism);
   system_units(of, inferred).state();
-  unit_table table;
-  table.fill(of.mechanism, of.constraints, inferred);
-  return table;
+  return unit_table_of(of, inferred);
 }
 
 } // namespace kanexpr::mechanics

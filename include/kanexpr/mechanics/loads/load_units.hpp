@@ -27,6 +27,9 @@ public:
   /// States a unit that does not conflict with others: an expression of a flexible body may contain numbers
   /// with units.
   constexpr void suggest(expression e, const units::unit& u) { by_.suggest(e, u); }
+  constexpr void suggest_coefficient(expression e, expression rate, const units::unit& u) {
+    by_.suggest_coefficient(e, rate, u);
+  }
   /// Whether the unit of an expression is known to be the radian.
   constexpr bool is_angle(expression e) const { return by_.unit_of(e) == units::radian; }
 

@@ -2,12 +2,24 @@
 
 #include <kanexpr/base/name.hpp>
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/beam_outline.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/flexible_data.hpp>
 #include <kanexpr/mechanics/model/inertia.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
 
 namespace kanexpr::mechanics {
+
+/// The nodes of a flexible body at which figures and pictures show it. Only models that are derived at run
+/// time have them.
+struct nodes_for_pictures {
+  base::sequence<flexible_node> all{};
+
+  /// A stage of a derivation at compile time does not store them.
+  template <class Self, class Visit>
+  static constexpr void each_member(Self&, Visit&&) {}
+};
 
 /// A body that deforms relative to a frame (floating frame of reference). A particle of the body is at
 /// r(x, q) from the reference point, where x is its place in the undeformed body and q are the amplitudes of
@@ -25,6 +37,8 @@ struct flexible_body {
   symmetric inertia{};                  ///< ∫ (r·r E − r r) dm
   base::sequence<components> angular{}; ///< by amplitude: ∫ r × ∂r/∂q_k dm
   symbolic::matrix modal_mass{};        ///< ∫ ∂r/∂q_k · ∂r/∂q_l dm, constant
+  beam_outline outline{};               ///< of a beam, for pictures
+  nodes_for_pictures nodes{};           ///< of a body that is given by numbers
 };
 
 } // namespace kanexpr::mechanics

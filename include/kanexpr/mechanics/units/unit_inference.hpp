@@ -39,6 +39,9 @@ public:
     }
   }
 
+  unit_inference(const unit_inference&) = delete;
+  unit_inference& operator=(const unit_inference&) = delete;
+
   constexpr const sentence& mistake() const { return mistake_; }
 
   /// The unit of an expression; none if it is not determined. Sums of different units are not reported.
@@ -53,7 +56,16 @@ public:
   }
 
   /// Names the part of the model that the next expressions describe: {"the force at ", "P"}.
-  constexpr void describe(std::initializer_list<std::string_view> subject) { subject_ = sentence(subject); }
+  constexpr void describe(std::initializer_list<std::string_view> subject) {
+    composed_ = sentence(subject);
+    describe(composed_.view(), {});
+  }
+  /// The same with texts that outlive the description: "the mass of " and "B". No sentence is composed,
+  /// because most parts have no mistake.
+  constexpr void describe(std::string_view what, std::string_view whose) {
+    what_ = what, whose_ = whose;
+    ++described_;
+  }
 
   /// States the unit of a quantity of the part described last.
   constexpr void expect(expression e, const units::unit& u) { require(e, known_unit(u)); }
@@ -68,6 +80,14 @@ public:
   constexpr void suggest(expression e, const units::unit& u) {
     if (mistake_ || !e.is_given() || !holds_parameter(e)) return;
     const unit_product found = of(e);
+    if (!mistake_) equate(found, known_unit(u));
+    mistake_ = {};
+  }
+  /// The same for the coefficient of the square of a rate in an energy or a power.
+  constexpr void suggest_coefficient(expression e, expression rate, const units::unit& u) {
+    if (mistake_ || !e.is_given() || !holds_parameter(e)) return;
+    const unit_product coefficient = of(e), velocity = of(rate);
+    const unit_product found = coefficient * velocity * velocity;
     if (!mistake_) equate(found, known_unit(u));
     mistake_ = {};
   }
@@ -133,7 +153,8 @@ private:
     const int solved = relations_.last_solved();
     if (solved == none) return fits;
     if (reason_of_.size() < relations_.size()) reason_of_.resize(relations_.size(), none);
-    if (reasons_.empty() || reasons_.back().view() != subject_.view()) reasons_.push(subject_);
+    if (reason_described_ != described_) reasons_.push(sentence({what_, whose_}));
+    reason_described_ = described_;
     reason_of_[solved] = reasons_.size() - 1;
     return fits;
   }
@@ -142,7 +163,7 @@ private:
     if (mistake_ || !e.is_given()) return;
     const unit_product found = of(e);
     if (!mistake_ && !equate(found, wanted))
-      fail({subject_.view(), " is ", with_unit(e.node(), found).view(), ", but must be in ",
+      fail({what_, whose_, " is ", with_unit(e.node(), found).view(), ", but must be in ",
             text_of(relations_.resolved(wanted).known).view(), origin_of_unit(e.node()).view()});
   }
 
@@ -162,7 +183,7 @@ private:
                               const unit_product& right) {
     const unit_product ratio = relations_.resolved(right / left);
     const bool are_known = relations_.resolved(left).is_known();
-    fail({subject_.view(), how.before, with_unit(a, left).view(), how.between, with_unit(b, right).view(),
+    fail({what_, whose_, how.before, with_unit(a, left).view(), how.between, with_unit(b, right).view(),
           are_known ? "" : ", whose units differ by a factor of ",
           are_known ? "" : text_of(ratio.known).view(), origin_of_unit(b, a).view()});
   }
@@ -207,7 +228,7 @@ private:
       return {};
     const std::string_view reason = reasons_[reason_of_[unknown]].view();
     const unit_product u = relations_.resolved(forms_[id]);
-    if (reason.empty() || reason == subject_.view() || !u.is_known()) return {};
+    if (reason.empty() || reason == sentence({what_, whose_}).view() || !u.is_known()) return {};
     return sentence(
         {"; ", g_.symbol_at(id).called.view(), " is in ", text_of(u.known).view(), " by ", reason});
   }
@@ -359,7 +380,7 @@ private:
   /// States the unit of the argument of a function.
   constexpr void argument_is(int function, int id, const units::unit& u) {
     if (equate(of(id), known_unit(u))) return;
-    fail({subject_.view(), " contains ", symbolic::short_text(g_, function).view(), "; ",
+    fail({what_, whose_, " contains ", symbolic::short_text(g_, function).view(), "; ",
           with_unit(id, of(id)).view(), u == units::radian ? " is not an angle" : " is not a number",
           origin_of_unit(id).view()});
   }
@@ -369,7 +390,10 @@ private:
   unit_relations relations_{};
   sequence<unit_product> forms_{};
   sequence<char> has_form_{};
-  sentence subject_{}, mistake_{};
+  std::string_view what_{}, whose_{}; ///< the part of the model that is described
+  sentence composed_{}, mistake_{};
+  int described_ = 0,
+      reason_described_ = 0;     ///< numbers of descriptions: the present one, that of the last reason
   sequence<sentence> reasons_{}; ///< the parts of the model that determine units
   sequence<int> reason_of_{};    ///< by unknown unit
 };

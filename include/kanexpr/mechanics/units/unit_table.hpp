@@ -1,9 +1,6 @@
 #pragma once
 
 #include <kanexpr/base/name.hpp>
-#include <kanexpr/base/sequence.hpp>
-#include <kanexpr/mechanics/constraints/given_constraints.hpp>
-#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/units/unit_inference.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
@@ -56,29 +53,9 @@ struct unit_table {
   /// The number of symbols whose units are listed.
   constexpr int symbols() const { return first[configuration_constraints]; }
 
-  /// Fills the table; symbols that do not fit are omitted.
-  constexpr void fill(const mechanism& m, const given_constraints& of, unit_inference& inferred) {
-    is_stated = !m.stated_units.empty();
-    put_all(coordinates, m.coordinates, inferred);
-    put_all(speeds, m.speeds, inferred);
-    put_all(parameters, m.parameters, inferred);
-    put_all(inputs, m.inputs, inferred);
-    put_all(auxiliary_speeds, m.auxiliary_speeds, inferred);
-    for (const list each : {configuration_constraints, redundant_constraints}) {
-      first[each + 1] = first[each];
-      for (int i = 0; i < of.on_configuration.size(); ++i)
-        if (of.redundant.contains(i + 1) == (each == redundant_constraints))
-          put(each, of.on_configuration[i], inferred);
-    }
-    first[velocity_constraints + 1] = first[velocity_constraints];
-    for (const velocity_constraint& c : of.on_velocities) put(velocity_constraints, c.value, inferred);
-  }
-
-private:
-  constexpr void put_all(list to, const sequence<expression>& all, unit_inference& inferred) {
-    first[to + 1] = first[to];
-    for (const expression& e : all) put(to, e, inferred);
-  }
+  /// Begins a list; lists must be filled in order.
+  constexpr void begin(list to) { first[to + 1] = first[to]; }
+  /// Appends the unit of an expression to a list; it is omitted if the table is full.
   constexpr void put(list to, expression e, unit_inference& inferred) {
     const int i = first[to + 1];
     if (i == room) return;

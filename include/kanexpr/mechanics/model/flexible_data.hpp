@@ -1,0 +1,64 @@
+#pragma once
+
+#include <kanexpr/base/name.hpp>
+#include <kanexpr/base/sequence.hpp>
+
+namespace kanexpr::mechanics {
+
+/// Quantities as Taylor series of first or second order in the amplitudes q of a flexible body:
+/// f_i(q) = c_i + Σ_k c_k,i q_k + ½ Σ_kl c_kl,i q_k q_l, with c_kl = c_lk.
+struct taylor_series {
+  int quantities = 0;
+  int amplitudes = 0;
+  base::sequence<double> coefficients{}; ///< c, then c_k by amplitude, then c_kl row by row
+
+  constexpr taylor_series() = default;
+  constexpr taylor_series(int quantities_, int amplitudes_, int order = 2)
+      : quantities(quantities_), amplitudes(amplitudes_),
+        coefficients(quantities_ * (1 + amplitudes_ + (order > 1 ? amplitudes_ * amplitudes_ : 0))) {}
+
+  constexpr bool has_quadratic() const { return coefficients.size() > quantities * (1 + amplitudes); }
+  constexpr double& constant(int i) { return coefficients[i]; }
+  constexpr double constant(int i) const { return coefficients[i]; }
+  constexpr double& linear(int k, int i) { return coefficients[(1 + k) * quantities + i]; }
+  constexpr double linear(int k, int i) const { return coefficients[(1 + k) * quantities + i]; }
+  constexpr double& quadratic(int k, int l, int i) {
+    return coefficients[(1 + amplitudes + k * amplitudes + l) * quantities + i];
+  }
+  constexpr double quadratic(int k, int l, int i) const {
+    return coefficients[(1 + amplitudes + k * amplitudes + l) * quantities + i];
+  }
+};
+
+/// A place of a flexible body at which joints, loads and other bodies attach.
+struct flexible_node {
+  base::name called{};
+  taylor_series position{};             ///< from the reference point; 3 components
+  base::sequence<double> orientation{}; ///< row by row: v in body axes = orientation · v in the node's axes
+  base::sequence<double> rotation{};    ///< by amplitude: 3 components of a small rotation in body axes
+};
+
+/// The numbers that define a flexible body, in SI units and in the axes of its frame: the integrals of
+/// `flexible_body` as series in the amplitudes, and its elasticity. r is measured from the reference point.
+/// Definitions: Wallrapp (1994), Standardization of flexible body modeling in multibody system codes, with
+/// the names mdCM and Ct, J and Oe, Cr, Me, ksigma, Ke and De for the members after `mass`.
+struct flexible_data {
+  int amplitudes = 0;
+  double mass = 0;
+  taylor_series first_moment{};        ///< ∫ r dm
+  taylor_series inertia{};             ///< ∫ (r·r E − r r) dm: xx, yy, zz, xy, yz, zx
+  taylor_series angular{};             ///< ∫ r × ∂r/∂q_k dm: 3 components by amplitude; of first order
+  base::sequence<double> modal_mass{}; ///< row by row, as are the following two
+  base::sequence<double> stiffness{};  ///< the elastic energy is f·q + ½ q·K q
+  base::sequence<double> damping{};    ///< the damping forces are −D q̇
+  base::sequence<double> preload{};    ///< f, the generalized forces of reference stresses
+  base::sequence<flexible_node> nodes{};
+
+  constexpr flexible_data() = default;
+  constexpr explicit flexible_data(int amplitudes_)
+      : amplitudes(amplitudes_), first_moment(3, amplitudes_), inertia(6, amplitudes_),
+        angular(3 * amplitudes_, amplitudes_, 1), modal_mass(amplitudes_ * amplitudes_),
+        stiffness(amplitudes_ * amplitudes_), damping(amplitudes_ * amplitudes_), preload(amplitudes_) {}
+};
+
+} // namespace kanexpr::mechanics

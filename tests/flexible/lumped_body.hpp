@@ -1,0 +1,286 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include <array>
+#include <cstdio>
+#include <functional>
+#include <random>
+#include <string>
+#include <vector>
+
+/// Bodies that consist of particles, and their standard input data. Every matrix is formed from its own
+/// definition as an integral, in two notations of real programs.
+namespace lumped {
+
+using Eigen::Vector3d;
+using index = Eigen::Index;
+
+/// A particle at r0 + Σ shape_k q_k + ½ Σ bend_kl q_k q_l.
+struct particle {
+  double mass = 0;
+  Vector3d place = Vector3d::Zero();
+  std::vector<Vector3d> shape{}; ///< by amplitude
+  std::vector<Vector3d> bend{};  ///< row by row; symmetric
+
+  const Vector3d& bend_of(int k, int l) const {
+    return bend[static_cast<std::size_t>(k) * shape.size() + static_cast<std::size_t>(l)];
+  }
+  const Vector3d& shape_of(int k) const { return shape[static_cast<std::size_t>(k)]; }
+};
+
+struct body {
+  int amplitudes = 0;
+  std::vector<particle> particles{};
+  std::vector<Vector3d> turns{}; ///< the rotation of the node at the last particle, by amplitude
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< of the node, in the axes of the body
+  Eigen::MatrixXd stiffness{}, damping{};
+
+  /// Σ m f(particle), an integral over the mass.
+  template <class Value>
+  Value integral(const std::function<Value(const particle&)>& f) const {
+    Value sum = Value::Zero();
+    for (const particle& p : particles) sum += p.mass * f(p);
+    return sum;
+  }
+  double mass() const {
+    double sum = 0;
+    for (const particle& p : particles) sum += p.mass;
+    return sum;
+  }
+};
+
+/// A body with random particles in space; its particles bend if `bends`.
+inline body random_body(int amplitudes, int particles, bool bends, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto vector = [&] {
+    const double x = number(random), y = number(random);
+    return Vector3d(x, y, number(random));
+  };
+  body b;
+  b.amplitudes = amplitudes;
+  for (int i = 0; i < particles; ++i) {
+    particle p;
+    p.mass = 1.2 + number(random);
+    p.place = 2 * vector();
+    for (int k = 0; k < amplitudes; ++k) p.shape.push_back(vector());
+    p.bend.resize(static_cast<std::size_t>(amplitudes * amplitudes), Vector3d::Zero());
+    for (int k = 0; k < amplitudes && bends; ++k)
+      for (int l = 0; l <= k; ++l)
+        p.bend[static_cast<std::size_t>(k * amplitudes + l)] =
+            p.bend[static_cast<std::size_t>(l * amplitudes + k)] = vector();
+    b.particles.push_back(p);
+  }
+  for (int k = 0; k < amplitudes; ++k) b.turns.push_back(vector());
+  b.axes = Eigen::AngleAxisd(0.7, vector().normalized()).toRotationMatrix();
+  const Eigen::MatrixXd root =
+      Eigen::MatrixXd::NullaryExpr(amplitudes, amplitudes, [&] { return number(random); });
+  b.stiffness = 100 * (root * root.transpose() + Eigen::MatrixXd::Identity(amplitudes, amplitudes));
+  b.damping = root.transpose() * root;
+  return b;
+}
+
+inline Eigen::Matrix3d skew(const Vector3d& v) {
+  Eigen::Matrix3d s;
+  s << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  return s;
+}
+
+/// The bilinear form whose diagonal is (a·a E − a a).
+inline Eigen::Matrix3d inertia_form(const Vector3d& a, const Vector3d& b) {
+  return a.dot(b) * Eigen::Matrix3d::Identity() - (a * b.transpose() + b * a.transpose()) / 2;
+}
+
+/// a·(ω × (ω × b)) as coefficients of ωx², ωy², ωz², ωx ωy, ωy ωz, ωz ωx.
+using six_numbers = Eigen::Matrix<double, 6, 1>;
+
+inline six_numbers centrifugal_form(const Vector3d& a, const Vector3d& b) {
+  six_numbers c;
+  c << -a.y() * b.y() - a.z() * b.z(), -a.z() * b.z() - a.x() * b.x(), -a.x() * b.x() - a.y() * b.y(),
+      a.x() * b.y() + a.y() * b.x(), a.y() * b.z() + a.z() * b.y(), a.z() * b.x() + a.x() * b.z();
+  return c;
+}
+
+/// How a program writes a file.
+struct notation {
+  bool amplitude_second = true;  ///< m1(row, amplitude, column) instead of m1(row, column, amplitude)
+  bool fortran = true;           ///< the exponent has the letter D
+  bool inertia_as_vector = true; ///< J has 6 rows: xx, yy, zz, xy, xz, yz
+  bool ge_by_axis = false;       ///< the columns of Ge are ordered by axis
+  bool with_zeros = false;       ///< writes entries that are zero
+  const char* frame = "frame";
+  const char* digits = "%.16E";
+};
+
+inline const notation fembs{};
+inline const notation matlab{.amplitude_second = false,
+                             .fortran = false,
+                             .inertia_as_vector = false,
+                             .with_zeros = true,
+                             .frame = "new frame"};
+
+/// Writes standard input data. The functions `zeroth` and `first` give the entries of a series.
+class sid_writer {
+public:
+  sid_writer(const body& b, const notation& how) : b_(b), how_(how), n_(b.amplitudes) {}
+
+  std::string write() {
+    text_ = " 1 " + std::to_string(n_) + " : No. nodes, No. modes : a test\n part\n  new modal =\n";
+    line("refmod"), line("mass = " + number(b_.mass())), line("nelastq = " + std::to_string(n_));
+    for (int k = 1; k <= n_; ++k) line("ielastq ( " + std::to_string(k) + ") = Eigen Mode : 1.0 Hz");
+    line("end refmod"), line(how_.frame);
+    write_node();
+    line("end frame");
+    write_integrals();
+    write_rates();
+    write_elasticity();
+    text_ += "  end modal\n end part\n";
+    return text_;
+  }
+
+private:
+  using entry = std::function<double(int, int)>;
+  using linear_entry = std::function<double(int, int, int)>;
+
+  void line(const std::string& what) { text_ += "     " + what + "\n"; }
+  std::string number(double x) const {
+    std::array<char, 40> letters{};
+    std::snprintf(letters.data(), letters.size(), how_.digits, x);
+    std::string written = letters.data();
+    if (const std::size_t e = written.find('E'); how_.fortran && e != written.npos) written[e] = 'D';
+    return written;
+  }
+  static std::string index_text(int i, int j) { return std::to_string(i + 1) + ", " + std::to_string(j + 1); }
+
+  void series(const std::string& called, int rows, int columns, const entry& zeroth,
+              const linear_entry& first = {}, int structure = 3) {
+    line(called);
+    line("order = " + std::to_string(first ? 1 : 0));
+    line("nrow = " + std::to_string(rows)), line("ncol = " + std::to_string(columns));
+    line("nq = " + std::to_string(n_)), line("nqn = 0");
+    line("structure = " + std::to_string(structure));
+    for (int i = 0; i < rows; ++i)
+      for (int j = 0; j < (structure == 2 ? i + 1 : columns); ++j)
+        if (zeroth(i, j) != 0 || how_.with_zeros)
+          line("m0( " + index_text(i, j) + ") = " + number(zeroth(i, j)));
+    for (int i = 0; i < rows && first; ++i)
+      for (int j = 0; j < columns; ++j)
+        for (int k = 0; k < n_; ++k) {
+          if (first(i, j, k) == 0 && !how_.with_zeros) continue;
+          line("m1( " + index_text(i, how_.amplitude_second ? k : j) + ", " +
+               std::to_string((how_.amplitude_second ? j : k) + 1) + ") = " + number(first(i, j, k)));
+        }
+    line("end " + called);
+  }
+
+  void write_node() {
+    const particle& p = b_.particles.back();
+    line("new node = 12"), line("rframe = body ref");
+    series(
+        "origin", 3, 1, [&](int i, int) { return p.place[i]; },
+        [&](int i, int, int k) { return p.shape_of(k)[i]; });
+    series(
+        "phi", 3, n_, [&](int i, int k) { return p.shape_of(k)[i]; },
+        [&](int i, int k, int l) { return p.bend_of(k, l)[i]; });
+    series("psi", 3, n_, [&](int i, int k) { return b_.turns[static_cast<std::size_t>(k)][i]; });
+    series(
+        "AP", 3, 3, [&](int i, int j) { return b_.axes(i, j); },
+        [&](int i, int j, int k) {
+          const Eigen::Matrix3d rate = skew(b_.turns[static_cast<std::size_t>(k)]) * b_.axes;
+          return rate(i, j);
+        });
+    line("end node");
+  }
+
+  void write_integrals() {
+    const Vector3d moment = b_.integral<Vector3d>([](const particle& p) -> Vector3d { return p.place; });
+    series(
+        "mdCM", 3, 1, [&](int i, int) { return moment[i]; },
+        [&](int i, int, int k) { return translation(k)[i]; });
+    const Eigen::Matrix3d inertia = b_.integral<Eigen::Matrix3d>(
+        [](const particle& p) -> Eigen::Matrix3d { return inertia_form(p.place, p.place); });
+    const auto rate = [&](int k) -> Eigen::Matrix3d {
+      return b_.integral<Eigen::Matrix3d>(
+          [&](const particle& p) -> Eigen::Matrix3d { return 2 * inertia_form(p.place, p.shape_of(k)); });
+    };
+    static constexpr int rows[6]{0, 1, 2, 0, 0, 1}, columns[6]{0, 1, 2, 1, 2, 2};
+    if (how_.inertia_as_vector)
+      series(
+          "J", 6, 1, [&](int e, int) { return inertia(rows[e], columns[e]); },
+          [&](int e, int, int k) { return rate(k)(rows[e], columns[e]); });
+    else
+      series(
+          "J", 3, 3, [&](int i, int j) { return inertia(i, j); },
+          [&](int i, int j, int k) { return rate(k)(i, j); }, 2);
+    series(
+        "Ct", n_, 3, [&](int k, int i) { return translation(k)[i]; },
+        [&](int k, int i, int l) {
+          return b_.integral<Vector3d>([&](const particle& p) -> Vector3d { return p.bend_of(k, l); })[i];
+        });
+    series(
+        "Cr", n_, 3,
+        [&](int k, int i) {
+          return b_.integral<Vector3d>(
+              [&](const particle& p) -> Vector3d { return p.place.cross(p.shape_of(k)); })[i];
+        },
+        [&](int k, int i, int l) {
+          return b_.integral<Vector3d>([&](const particle& p) -> Vector3d {
+            return p.shape_of(l).cross(p.shape_of(k)) + p.place.cross(p.bend_of(k, l));
+          })[i];
+        });
+  }
+  Vector3d translation(int k) const {
+    return b_.integral<Vector3d>([&](const particle& p) -> Vector3d { return p.shape_of(k); });
+  }
+
+  void write_rates() {
+    series(
+        "Me", n_, n_,
+        [&](int k, int l) {
+          double sum = 0;
+          for (const particle& p : b_.particles) sum += p.mass * p.shape_of(k).dot(p.shape_of(l));
+          return sum;
+        },
+        {}, 2);
+    series("Gr", 3, 3 * n_, [&](int i, int column) {
+      return b_.integral<Eigen::Matrix3d>([&](const particle& p) -> Eigen::Matrix3d {
+        return -2 * skew(p.place) * skew(p.shape_of(column / 3));
+      })(i, column % 3);
+    });
+    series("Ge", n_, 3 * n_, [&](int k, int column) {
+      const int l = how_.ge_by_axis ? column % n_ : column / 3,
+                i = how_.ge_by_axis ? column / n_ : column % 3;
+      return b_.integral<Vector3d>(
+          [&](const particle& p) -> Vector3d { return 2 * p.shape_of(l).cross(p.shape_of(k)); })[i];
+    });
+    series(
+        "Oe", n_, 6,
+        [&](int k, int e) {
+          return b_.integral<six_numbers>(
+              [&](const particle& p) -> six_numbers { return centrifugal_form(p.shape_of(k), p.place); })[e];
+        },
+        [&](int k, int e, int l) {
+          return b_.integral<six_numbers>([&](const particle& p) -> six_numbers {
+            return centrifugal_form(p.shape_of(k), p.shape_of(l)) +
+                   centrifugal_form(p.bend_of(k, l), p.place);
+          })[e];
+        });
+  }
+
+  void write_elasticity() {
+    series("ksigma", n_, 1, [](int, int) { return 0; });
+    series("Ke", n_, n_, [&](int k, int l) { return b_.stiffness(k, l); }, {}, 2);
+    series("De", n_, n_, [&](int k, int l) { return b_.damping(k, l); });
+  }
+
+  const body& b_;
+  const notation& how_;
+  int n_;
+  std::string text_{};
+};
+
+inline std::string sid_text(const body& b, const notation& how) { return sid_writer(b, how).write(); }
+
+} // namespace lumped
