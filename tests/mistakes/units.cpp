@@ -62,3 +62,10 @@ namespace u10 {
 struct System : pendulum<force<P, clamp(k * q, -1, l) * N::x>> {};
 void f() { use<System>(); }
 } // namespace u10
+
+// expect: the mass of Bob2 is k [N/m], but must be in kg
+namespace u11 {
+struct Bob2 : particle<Bob2, P, k> {};
+struct System : extended<pendulum<gravity<g * N::x>>, bodies<Bob2>> {};
+constexpr auto units = units_of<System>();
+} // namespace u11
