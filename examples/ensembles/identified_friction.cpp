@@ -177,8 +177,8 @@ int main(int count, char** words) {
     table limit;
     const bool left = limit.add("c", {viscous}) && limit.add("k", {dry}) && limit.add("cc", {bound(0, 0)}) &&
                       limit.add("ck", {bound(0, 1)}) && limit.add("kk", {bound(1, 1)}) &&
-                      write_csv(found.runs, file) && write_csv(limit, file + ".bound") &&
-                      write_csv(first_record(found), file + ".record");
+                      write_csv(found.runs, file, {.with_units = false}) &&
+                      write_csv(limit, file + ".bound") && write_csv(first_record(found), file + ".record");
     if (!left) return std::fprintf(stderr, "%s could not be written\n", words[2]), 1;
   }
   return is_as_expected ? 0 : 1;

@@ -34,8 +34,8 @@ void f() { use<System>(); }
 
 // expect: a configuration constraint equates position_of<P>.x - position_of<O>.x [m] and k [N/m]
 namespace u6 {
-struct System : extended<pendulum<gravity<g * N::x>>,
-                         configuration_constraints<dot(position_of<P, O>, N::x) == k>> {};
+struct System
+    : extended<pendulum<gravity<g * N::x>>, configuration_constraints<dot(position_of<P, O>, N::x) == k>> {};
 void f() { use<System>(); }
 } // namespace u6
 

@@ -1,4 +1,4 @@
-// Natural frequencies of beams at rest, in rotation and under axial loads.
+// Natural frequencies of beams at rest, in rotation and under axial loads, and the equation of a tower.
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/beams/modes.hpp>
 #include <kanexpr/runtime/builder.hpp>
@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,6 @@ using kanexpr::runtime::modes_of_bending;
 using kanexpr::runtime::point_id;
 using kanexpr::runtime::section_ids;
 using kanexpr::symbolic::expression;
-using vector_of_model = kanexpr::mechanics::vector;
 using numbers = std::vector<double>;
 
 constexpr double length = 1.7, stiffness = 2.5, mass_per_length = 0.8, mass = mass_per_length * length;

@@ -86,6 +86,13 @@ PLANTED = [
      "the damping between C and W", "N/m", "N s/m"),
     ("../docs/guide/forces.md", "System", "force<P, F*N::x>", "force<P, T*N::x>", "the force at P", "N m", "N"),
     ("../README.md", "System", "T - c*u", "T - m*g", "the torque on A", "N m", "N"),
+    # flexible bodies
+    ("gallery/spin_up.cpp", "System", "O, Hub::x, L", "O, Hub::x, L * L", "the length of beam Arm", "m^2", "m"),
+    ("gallery/flexible_manipulator.cpp", "System", "B::x, L, rho", "B::x, L, m",
+     "the mass per length of beam Lower", "kg", "kg/m"),
+    ("gallery/flexible_manipulator.cpp", "System", "bending<A::y, EI,", "bending<A::y, EI * L,",
+     "a stiffness of beam Upper", "N m^3", "N m^2"),
+    ("gallery/wind_turbine.cpp", "System", "c*(w -", "c*(c * w -", "the force at Outer<1>", "N", "m/s"),
     # potential energies
     ("gallery/wilberforce.cpp", "System", "k * z * z", "k * z", "potential energy 1", "N", "N m rad"),
     ("gallery/wilberforce.cpp", "System", "epsilon * z * theta", "epsilon * theta", "potential energy 1", "N m", "N"),
@@ -133,9 +140,11 @@ def without_units(examples):
     return [f"{p}: {s} states no unit" for p in sources for s in symbol.findall(p.read_text(encoding="utf-8"))]
 
 
-HEAD = """#include <kanexpr/joints.hpp>
+HEAD = """#include <kanexpr/beams.hpp>
+#include <kanexpr/joints.hpp>
 #include <kanexpr/kanexpr.hpp>
 #include <cstdio>
+#include <numbers>
 #include <utility>
 
 template <class System>

@@ -57,8 +57,10 @@ public:
 
   /// The units of the state; empty if none is known.
   std::vector<exported_unit> of_states() const {
+    const int states = known_->coordinates + known_->speeds;
     std::vector<exported_unit> all;
-    for (int i = 0; i < known_->coordinates + known_->speeds; ++i) all.push_back(of_symbol(i));
+    all.reserve(static_cast<std::size_t>(states));
+    for (int i = 0; i < states; ++i) all.push_back(of_symbol(i));
     return any_known(std::move(all));
   }
 
