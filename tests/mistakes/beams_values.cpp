@@ -123,3 +123,16 @@ namespace v17 {
 struct System : system_of<bodies<Rod>, loads<potential_energy<q_of<Rod, 2> * q_of<Rod, 1>>>> {};
 void f() { use<System>(); }
 } // namespace v17
+
+// expect: joint J is attached to Rod, which is a beam; name a place on it by section<Self, Beam, place>
+namespace v18 {
+struct J : pin<J, Rod, axis<own::z>, body<1>> {};
+struct System : system_of<bodies<Rod>, joints<J>> {};
+void f() { use<System>(); }
+} // namespace v18
+
+// expect: Rod, which a force uses as a point, is a beam; name a place on it by section<Self, Beam, place>
+namespace v19 {
+struct System : system_of<bodies<Rod>, loads<force<Rod, F * N::y>>> {};
+void f() { use<System>(); }
+} // namespace v19

@@ -214,3 +214,11 @@ struct B : beam<B, O, N::x, L, m, bends, modal_damping<0.1, 0.2>> {};
 struct System : system_of<bodies<B>> {};
 void f() { use<System>(); }
 } // namespace b29
+
+// expect: beam B has polar_inertia<...> with an argument other than the inertia per length and one
+// expect: profile<...>
+namespace b30 {
+struct B : beam<B, O, N::x, L, m, torsion<1, polar_inertia<m, clamped_free<1>>, clamped_free<1>>> {};
+struct System : system_of<bodies<B>> {};
+void f() { use<System>(); }
+} // namespace b30

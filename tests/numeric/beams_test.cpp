@@ -331,14 +331,37 @@ TEST(section_values, are_those_of_the_shapes) {
       EXPECT_NEAR(at.slope(k), b.all[k].of.at(xi).slope, 1e-13);
       for (int l = 0; l < n; ++l) {
         const beam_shape &a = b.all[k], &c = b.all[l];
-        const bool shortens = a.what == c.what && is_bending(a.what);
-        const auto slopes = [&](double x) { return x < xi ? a.of.at(x).slope * c.of.at(x).slope : 0; };
+        const bool shortens = a.what == c.what && is_bending(a.what),
+                   twists = a.what == deformation::first_bending && c.what == deformation::second_bending;
+        const auto integrand = [&](double x) {
+          return (twists ? a.of.at(x).curvature : a.of.at(x).slope) * c.of.at(x).slope;
+        };
         double expected = 0;
         for (const auto& [from, to] : {std::pair{0.0, 0.4}, std::pair{0.4, 0.8}, std::pair{0.8, 1.0}})
-          if (xi > from) expected += integral(slopes, from, (std::min)(xi, to), 4);
-        expect_near(at.shortening(k, l), shortens ? expected : 0, 1e-13, "G");
+          if (xi > from) expected += integral(integrand, from, (std::min)(xi, to), 4);
+        expect_near(twists ? at.twist(k, l) : at.shortening(k, l), shortens || twists ? expected : 0, 1e-13,
+                    "G");
       }
     }
+  }
+}
+
+// The modes of a free beam, which is symmetric about its middle here, leave its mass center in place.
+TEST(section_values, of_free_beams_are_measured_from_the_mass_center) {
+  beam_shapes b;
+  for (int n = 1; n <= 2; ++n) b.all.push({deformation::first_bending, mode_of_bending(ends::free_free, n)});
+  const sequence<double> numbers = integrate_modes(b), at_root = values_at(b, 0), at_tip = values_at(b, 1);
+  const modal_integrals found{numbers.begin(), 2};
+  const section_values root{at_root.begin(), 2}, tip{at_tip.begin(), 2};
+  for (int k = 0; k < 2; ++k) {
+    EXPECT_EQ(found.shortening(k, k), 0);
+    const auto slopes = [&](double x) { return b.all[k].of.at(x).slope * b.all[k].of.at(x).slope; };
+    const double half = integral(slopes, 0, 0.5, 4);
+    EXPECT_NEAR(root.shortening(k, k), -half, 1e-13 * half);
+    EXPECT_NEAR(tip.shortening(k, k), half, 1e-13 * half);
+    const auto moment = [&](double x) { return slopes(x) * (x < 0.5 ? x * x : 1 - x * x) / 2; };
+    const double expected = integral(moment, 0.5, 1, 4) - integral(moment, 0, 0.5, 4);
+    EXPECT_NEAR(found.shortening_moment(k, k), expected, 1e-13 * half);
   }
 }
 

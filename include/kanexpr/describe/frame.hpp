@@ -26,8 +26,9 @@ constexpr frame_record record_frame() {
   } else { // not a frame
     r.unparsed = is_unparsed<Frame>();
     if constexpr (requires { Frame::content(); }) {
-      r.instead = "a body";
-      if (Frame::content().frame != nullptr) r.its_own = Frame::content().frame->called;
+      const body_record body = Frame::content();
+      r.instead = body.beam != nullptr ? a_beam : "a body";
+      if (body.beam == nullptr && body.frame != nullptr) r.its_own = body.frame->called;
     } else if constexpr (requires { Frame::place(); }) {
       r.instead = "a point";
     }

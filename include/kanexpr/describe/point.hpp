@@ -14,8 +14,9 @@ constexpr point_record record_point() {
   } else { // not a point
     r.unparsed = is_unparsed<Point>();
     if constexpr (requires { Point::content(); }) {
-      r.instead = "a body";
-      r.its_own = Point::content().center->called;
+      const body_record body = Point::content();
+      r.instead = body.beam != nullptr ? a_beam : "a body";
+      if (body.beam == nullptr) r.its_own = body.center->called;
     } else if constexpr (requires { Point::orientation(); }) {
       r.instead = "a frame";
     }

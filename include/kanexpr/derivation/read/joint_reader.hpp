@@ -72,7 +72,7 @@ private:
       return reading_.fail({"joint ", r.called, " is attached to ", short_name(parent).view(),
                             ", which is not a joint, or is defined later"});
     reading_.fail({"joint ", r.called, " is attached to ", parent, ", which is ", instead,
-                   "; write frame_and_point<frame, point>"});
+                   instead == describe::a_beam ? "" : "; write frame_and_point<frame, point>"});
   }
 
   constexpr void check_axes(const joint_record& r) {

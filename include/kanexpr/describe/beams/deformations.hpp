@@ -144,6 +144,14 @@ struct bending : describe::deformation_words<describe::beam_word::bending, true,
 template <auto value, class... Profile>
 struct polar_inertia {
   static constexpr describe::beam_part beam_part = describe::beam_part::polar_inertia;
+  static constexpr std::string_view mistake = [] {
+    for (const std::string_view m : {std::string_view(), describe::mistake_of_part<Profile>()...})
+      if (!m.empty()) return m;
+    if (sizeof...(Profile) > 1 || !(describe::is_beam_part<Profile, describe::beam_part::profile> && ...))
+      return std::string_view(
+          "has polar_inertia<...> with an argument other than the inertia per length and one profile<...>");
+    return std::string_view();
+  }();
   static constexpr const describe::phrase& given = describe::phrase_of<value>;
   static constexpr numeric::beams::shape factor() { return describe::profile_among<Profile...>(); }
 };

@@ -97,17 +97,24 @@ public:
     }
   }
 
-  /// The slope in a direction of bending or the angle of torsion.
+  /// The slope in a direction of bending or the angle about the axis; see mechanics::beam_expressions::angle.
   static constexpr void write_angle(token_writer& to, numeric::beams::deformation what) {
-    const bool is_slope = numeric::beams::is_bending(what);
-    const bool turns =
-        write_linear(to, what, [=](int k) { return is_slope ? values.slope(k) : values.value(k); });
-    if (!turns) {
-      to.write_number(0);
-    } else if (is_slope) {
-      to.write_all(operand(Beam::length));
-      to.write(token_kind::divide);
+    written_sum sum(to);
+    if (numeric::beams::is_bending(what)) {
+      if (write_linear(to, what, [](int k) { return values.slope(k); })) {
+        divide_by_length(to);
+        sum.add_term();
+      }
+      const auto slopes = [](int k, int l) { return values.slope(k) * values.slope(l); };
+      if (write_bilinear(to, what, deformation::extension, slopes)) {
+        divide_by_length(to), divide_by_length(to);
+        sum.subtract_term();
+      }
+    } else {
+      if (write_linear(to, what, [](int k) { return values.value(k); })) sum.add_term();
+      if (write_twist(to)) sum.subtract_term();
     }
+    if (sum.is_empty()) to.write_number(0);
   }
 
 private:
@@ -134,6 +141,43 @@ private:
       sum.add_term();
     }
     return !sum.is_empty();
+  }
+
+  static constexpr void divide_by_length(token_writer& to) {
+    to.write_all(operand(Beam::length));
+    to.write(token_kind::divide);
+  }
+
+  /// Writes Σ c_kl q_k q_l over the amplitudes of two deformations; returns false and writes nothing if it
+  /// vanishes.
+  template <class Number>
+  static constexpr bool write_bilinear(token_writer& to, deformation one, deformation other, Number c) {
+    written_sum sum(to);
+    for (int k = 0; k < shapes; ++k)
+      for (int l = 0; l < shapes; ++l) {
+        if (deforms(k) != one || deforms(l) != other || is_zero(c(k, l))) continue;
+        to.write_number(c(k, l));
+        to.write(amplitude(k));
+        to.write(token_kind::multiply);
+        to.write(amplitude(l));
+        to.write(token_kind::multiply);
+        sum.add_term();
+      }
+    return !sum.is_empty();
+  }
+
+  /// Writes a·(b×c) ∫ v'' w' dx with the directions b and c of bending; returns false and writes nothing if
+  /// it vanishes.
+  static constexpr bool write_twist(token_writer& to) {
+    const auto twist = [](int k, int l) { return values.twist(k, l); };
+    if (!write_bilinear(to, deformation::first_bending, deformation::second_bending, twist)) return false;
+    if constexpr (Beam::bendings == 2) {
+      to.write_all(dot(unit_along(Beam::direction_of_axis), cross(unit_along(Beam::template across<0>()),
+                                                                  unit_along(Beam::template across<1>()))));
+      to.write(token_kind::multiply);
+    }
+    divide_by_length(to), divide_by_length(to);
+    return true;
   }
 
   /// Writes ½ Σ G_kl q_k q_l; returns false and writes nothing if it vanishes.
@@ -164,8 +208,7 @@ private:
     }
     if (write_linear(to, deformation::extension, [](int k) { return values.value(k); })) sum.add_term();
     if (write_shortening(to)) {
-      to.write_all(operand(Beam::length));
-      to.write(token_kind::divide);
+      divide_by_length(to);
       sum.subtract_term();
     }
     return !sum.is_empty();
@@ -194,14 +237,14 @@ constexpr phrase written_phrase(shape kind) {
 template <class Section, std::size_t stage>
 inline constexpr frame_record bent_frame_of_section = Section::template record_of_turn<stage>();
 
-/// The rotation of a section, one simple rotation for each direction of bending and one for torsion: first by
-/// the slopes, about axes perpendicular to the axis of the beam, then by the angle of torsion about the axis.
+/// The rotation of a section: first by the slopes, about axes perpendicular to the axis of the beam, then
+/// about the axis by the angle of torsion and the twist that bending in two directions causes.
 template <class Self, class Beam, auto xi>
 struct turns_of_section {
   using place = place_on_beam<Beam, xi>;
   using deformation = numeric::beams::deformation;
   static constexpr std::size_t bends = Beam::bendings;
-  static constexpr bool twists = Beam::twists;
+  static constexpr bool twists = Beam::twists || bends == 2;
   static constexpr std::size_t count = bends + (twists ? 1 : 0);
 
   static constexpr deformation deformation_of(std::size_t stage) {
@@ -257,8 +300,9 @@ concept beam_without_mistake = requires { requires Beam::is_written(); };
 ///
 /// The section has moved by the deflections, the extension and the foreshortening. Its axes, those of the
 /// beam's frame before the deformation, are rotated by the slope in the first direction of bending, then by
-/// the slope in the second one, then by the angle of torsion; each rotation is exact, and the axis of the
-/// rotated section is tangent to the beam to the second order in the amplitudes.
+/// the slope in the second one, then about the axis by the angle of torsion and by −∫ v'' w' dx, which a beam
+/// that bends in two directions turns without torsion. Each rotation is exact, and the axes are those of the
+/// bent beam to the second order in the amplitudes.
 template <class Self, class Beam, auto... fraction>
 struct section : describe::axes<Self>, describe::place_words, describe::section_words {
   static constexpr describe::frame_record orientation() {

@@ -7,6 +7,8 @@
 namespace kanexpr::describe {
 
 inline constexpr std::string_view joint_out_of_place = "a joint; list it in joints<...>";
+/// A beam in place of a frame or a point.
+inline constexpr std::string_view a_beam = "a beam; name a place on it by section<Self, Beam, place>";
 
 /// Describes a type for a message about a misplaced type; empty if the type is not a word of a model.
 template <class Type>

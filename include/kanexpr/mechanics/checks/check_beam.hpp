@@ -29,34 +29,36 @@ constexpr bool is_not_positive(const expression& e) {
 
 /// Checks the directions and the properties of a beam. The second bending stiffness belongs to the second
 /// direction of bending.
-constexpr sentence check_beam(const beam& b) {
+constexpr base::sentence check_beam(const beam& b) {
   const std::string_view called = b.called.view();
   for (const components& each : {b.axis, b.across[0], b.across[1]})
     if (!is_fixed(each))
-      return sentence(
+      return base::sentence(
           {"beam ", called, " has an axis or a direction of bending that is not fixed in its frame"});
-  if (b.axis.is_zero()) return sentence({"beam ", called, " has an axis of zero length"});
+  if (b.axis.is_zero()) return base::sentence({"beam ", called, " has an axis of zero length"});
   for (const components& each : b.across)
     if (!detail::are_perpendicular(b.axis, each))
-      return sentence({"beam ", called, " bends in a direction that is not perpendicular to its axis"});
+      return base::sentence({"beam ", called, " bends in a direction that is not perpendicular to its axis"});
   if (!detail::are_perpendicular(b.across[0], b.across[1]))
-    return sentence({"beam ", called, " bends in two directions that are not perpendicular to each other"});
+    return base::sentence(
+        {"beam ", called, " bends in two directions that are not perpendicular to each other"});
   const auto check_property = [&](const expression& e, std::string_view what) {
     if (!is_fixed(e))
-      return sentence(
+      return base::sentence(
           {"the ", what, " of beam ", called, " may vary; it may contain only numbers and parameters"});
-    return detail::is_not_positive(e) ? sentence({"the ", what, " of beam ", called, " is not positive"})
-                                      : sentence();
+    return detail::is_not_positive(e)
+               ? base::sentence({"the ", what, " of beam ", called, " is not positive"})
+               : base::sentence();
   };
-  if (const sentence found = check_property(b.length, "length")) return found;
-  if (const sentence found = check_property(b.mass_per_length, "mass per length")) return found;
+  if (const base::sentence found = check_property(b.length, "length")) return found;
+  if (const base::sentence found = check_property(b.mass_per_length, "mass per length")) return found;
   constexpr std::string_view stiffness_names[]{"bending stiffness", "second bending stiffness",
                                                "torsional stiffness", "axial stiffness"};
   for (const deformation d : b.deformations) {
     const int i = static_cast<int>(d);
-    if (const sentence found = check_property(b.stiffness[i], stiffness_names[i])) return found;
+    if (const base::sentence found = check_property(b.stiffness[i], stiffness_names[i])) return found;
     if (d != deformation::torsion) continue;
-    if (const sentence found = check_property(b.polar_inertia, "polar inertia")) return found;
+    if (const base::sentence found = check_property(b.polar_inertia, "polar inertia")) return found;
   }
   return {};
 }

@@ -16,7 +16,10 @@
 ///
 ///     r = (x + s − ½ ∫₀ˣ (v'² + w'²)) a + v b + w c.
 ///
-/// The integral is the foreshortening of a beam whose length does not change as it bends, to second order.
+/// The integral is the foreshortening of a beam whose length does not change as it bends, to second order. If
+/// the beam bends in the natural modes of a free beam, its frame moves freely, and the foreshortening is
+/// measured from the mass center: the axial motion that results at the root would otherwise make the kinetic
+/// energy, which is truncated, indefinite for amplitudes of a few percent of the length.
 /// The rotary inertia of bending and the deformation by shear are neglected. Torsion turns the sections about
 /// a; their polar inertia counts about the undeformed axis. Kane, Ryan & Banerjee (1987), J. Guidance 10(2).
 namespace kanexpr::mechanics {
@@ -114,10 +117,31 @@ public:
                   linear(deformation::first_bending, value), linear(deformation::second_bending, value));
   }
 
-  /// The angle by which a deformation rotates a section: the slope of bending or the angle of torsion.
+  /// The angle by which a deformation rotates a section, to the second order: the slope of bending, v'(1 −
+  /// s') with the extension s, or the angle about the axis. Without torsion, a section that is rotated by v'
+  /// and then by w' must also be rotated about the axis by −∫ v'' w' dx, if the axis, v and w are
+  /// right-handed.
   constexpr expression angle(const numeric::beams::section_values& at, deformation what) const {
-    if (what == deformation::torsion) return linear(what, [&](int k) { return at.value(k); });
-    return linear(what, [&](int k) { return at.slope(k); }) / b_.length;
+    if (what == deformation::torsion) {
+      const expression twist = bilinear(deformation::first_bending, deformation::second_bending,
+                                        [&](int k, int l) { return at.twist(k, l); });
+      const expression torsion = linear(what, [&](int k) { return at.value(k); });
+      if (twist.is_zero()) return torsion;
+      const expression hand = dot(b_.axis, cross(b_.across[0], b_.across[1]));
+      return torsion - hand * twist / (b_.length * b_.length);
+    }
+    const expression slope = linear(what, [&](int k) { return at.slope(k); }) / b_.length;
+    const expression stretched =
+        bilinear(what, deformation::extension, [&](int k, int l) { return at.slope(k) * at.slope(l); });
+    return stretched.is_zero() ? slope : slope - stretched / (b_.length * b_.length);
+  }
+  /// Whether a deformation rotates sections; bending in two directions also twists them.
+  constexpr bool rotates(deformation what) const {
+    const base::sequence<deformation>& all = b_.deformations;
+    const bool is_bent_twice =
+        all.contains(deformation::first_bending) && all.contains(deformation::second_bending);
+    return what != deformation::extension &&
+           (all.contains(what) || (what == deformation::torsion && is_bent_twice));
   }
 
 private:

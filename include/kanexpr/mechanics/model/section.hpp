@@ -21,20 +21,19 @@ constexpr int add_point_of_section(mechanism& m, const name& called, const beam&
 }
 
 /// Adds a frame that turns with a section: rotated by the slope in the first direction of bending, then by
-/// the slope in the second one, then by the angle of torsion. The intermediate frames are named after the
-/// last one.
+/// the slope in the second one, then about the axis. The intermediate frames are named after the last one.
 constexpr int add_frame_of_section(mechanism& m, const name& called, const beam& b,
                                    const numeric::beams::section_values& at) {
   constexpr deformation turns[]{deformation::first_bending, deformation::second_bending,
                                 deformation::torsion};
   int left = 0;
-  for (const deformation d : turns) left += b.deformations.contains(d) ? 1 : 0;
-  if (left == 0) return add_rotated_frame(m, called, b.frame, m.zero(), b.axis);
   const beam_expressions of(b);
+  for (const deformation d : turns) left += of.rotates(d) ? 1 : 0;
+  if (left == 0) return add_rotated_frame(m, called, b.frame, m.zero(), b.axis);
   int last = b.frame;
   bool is_first = true;
   for (const deformation d : turns) {
-    if (!b.deformations.contains(d)) continue;
+    if (!of.rotates(d)) continue;
     name own = called;
     if (--left > 0) own.append(is_first ? "_bent" : "_bent_twice");
     is_first = false;

@@ -93,6 +93,41 @@ constexpr double without_rounding(double value, double bound_squared) {
   return value * value <= 1e-26 * bound_squared ? 0.0 : value;
 }
 
+/// The entries of `section_values` that are integrals from 0 to ξ, row by row.
+constexpr base::sequence<double> integrals_to(const beam_shapes& b, double xi) {
+  const int n = b.all.size();
+  base::sequence<double> found(n * n, 0.0);
+  const integrator by(b);
+  for (int i = 0; i + 1 < by.ends().size(); ++i) {
+    const double from = by.ends()[i], to = by.ends()[i + 1] < xi ? by.ends()[i + 1] : xi;
+    for (int j = 0; j < by.rule().size() && from < to; ++j) {
+      const double place = from + (to - from) * by.rule().nodes[j];
+      base::sequence<deflection> at;
+      at.reserve(n);
+      for (const beam_shape& each : b.all) at.push(each.of.at(place));
+      for (int k = 0; k < n; ++k)
+        for (int l = 0; l < n; ++l) {
+          const deformation what = b.all[k].what, other = b.all[l].what;
+          const bool twists = what == deformation::first_bending && other == deformation::second_bending;
+          if (!twists && (what != other || !is_bending(what))) continue;
+          found[k * n + l] +=
+              (to - from) * by.rule().weights[j] * (twists ? at[k].curvature : at[k].slope) * at[l].slope;
+        }
+    }
+  }
+  return found;
+}
+
+/// Whether the beam bends in natural modes of a free beam, which alone deflect the root.
+constexpr bool is_free(const beam_shapes& b) {
+  bool found = false;
+  for (const beam_shape& s : b.all) {
+    const double root = s.of.clean_at(0).value;
+    found = found || (is_bending(s.what) && s.of.is_wave() && root * root > 0);
+  }
+  return found;
+}
+
 } // namespace detail
 
 /// Sums the integrals.
@@ -112,6 +147,7 @@ public:
       }
       beyond.add(b.mass, from, to, by.tail_rule());
     }
+    if (detail::is_free(b)) keep_mass_center();
     drop_rounding();
   }
 
@@ -142,6 +178,18 @@ private:
         entry(3, k, l) += weight * rest.first * slopes;
       }
     }
+  }
+
+  /// Measures the foreshortening from the mass center instead of the root.
+  constexpr void keep_mass_center() {
+    const base::sequence<double> there = detail::integrals_to(beam_, sums_[1] / sums_[0]);
+    for (int which = 2; which < 4; ++which)
+      for (int k = 0; k < n_; ++k)
+        for (int l = 0; l < n_; ++l) {
+          if (beam_.all[k].what != beam_.all[l].what) continue;
+          const double mass = sums_[which - 2], bound = mass * mass * there[k * n_ + k] * there[l * n_ + l];
+          entry(which, k, l) = detail::without_rounding(entry(which, k, l) - mass * there[k * n_ + l], bound);
+        }
   }
 
   constexpr double& entry(int which, int k, int l) { return sums_[4 + 2 * n_ + (which * n_ + k) * n_ + l]; }
@@ -179,21 +227,11 @@ constexpr base::sequence<double> values_at(const beam_shapes& b, double xi) {
   found.push(xi);
   for (const beam_shape& s : b.all) found.push(s.of.clean_at(xi).value);
   for (const beam_shape& s : b.all) found.push(s.of.clean_at(xi).slope);
-  found.resize(section_values::count(n));
-  const detail::integrator by(b);
-  for (int i = 0; i + 1 < by.ends().size(); ++i) {
-    const double from = by.ends()[i], to = by.ends()[i + 1] < xi ? by.ends()[i + 1] : xi;
-    for (int j = 0; j < by.rule().size() && from < to; ++j) {
-      base::sequence<double> slopes;
-      slopes.reserve(n);
-      for (const beam_shape& each : b.all)
-        slopes.push(each.of.at(from + (to - from) * by.rule().nodes[j]).slope);
-      for (int k = 0; k < n; ++k)
-        for (int l = 0; l < n; ++l)
-          if (b.all[k].what == b.all[l].what && is_bending(b.all[k].what))
-            found[1 + (2 + k) * n + l] += (to - from) * by.rule().weights[j] * slopes[k] * slopes[l];
-    }
-  }
+  for (const double each : detail::integrals_to(b, xi)) found.push(each);
+  if (!detail::is_free(b)) return found;
+  const base::sequence<double> sums = integrate_modes(b);
+  const base::sequence<double> there = detail::integrals_to(b, sums[1] / sums[0]);
+  for (int i = 0; i < n * n; ++i) found[1 + 2 * n + i] -= there[i];
   return found;
 }
 

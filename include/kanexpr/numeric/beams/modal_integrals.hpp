@@ -35,7 +35,8 @@ struct modal_integrals {
   constexpr double product(int k, int l) const { return table(0, k, l); }
   /// ∫ s φ''_k φ''_l in bending, ∫ s φ'_k φ'_l in torsion and extension, with the factor s of the stiffness.
   constexpr double stiffness(int k, int l) const { return table(1, k, l); }
-  /// ∫ μ G_kl with the foreshortening G_kl(ξ) = ∫₀^ξ φ'_k φ'_l of bending in one direction.
+  /// ∫ μ G_kl with the foreshortening G_kl(ξ) = ∫ φ'_k φ'_l of bending in one direction, from the root to ξ
+  /// or, for modes of a free beam, from the mass center.
   constexpr double shortening(int k, int l) const { return table(2, k, l); }
   /// ∫ μ ξ G_kl.
   constexpr double shortening_moment(int k, int l) const { return table(3, k, l); }
@@ -56,8 +57,14 @@ struct section_values {
   constexpr double xi() const { return numbers[0]; }
   constexpr double value(int k) const { return numbers[1 + k]; }          ///< φ_k
   constexpr double slope(int k) const { return numbers[1 + shapes + k]; } ///< dφ_k/dξ
-  /// G_kl(ξ) = ∫₀^ξ φ'_k φ'_l of bending in one direction.
-  constexpr double shortening(int k, int l) const { return numbers[1 + (2 + k) * shapes + l]; }
+  /// G_kl(ξ) = ∫ φ'_k φ'_l of bending in one direction, as in `modal_integrals`.
+  constexpr double shortening(int k, int l) const { return table(k, l); }
+  /// ∫ φ''_k φ'_l, from the same place, for a shape k of bending in the first direction and a shape l in the
+  /// second one.
+  constexpr double twist(int k, int l) const { return table(k, l); }
+
+private:
+  constexpr double table(int k, int l) const { return numbers[1 + (2 + k) * shapes + l]; }
 };
 
 } // namespace kanexpr::numeric::beams

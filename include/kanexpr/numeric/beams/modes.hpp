@@ -205,9 +205,8 @@ constexpr double wave_number_of_rod(ends how, int n, const tip_load& tip = {}) {
 constexpr shape mode_of_rod(ends how, int n, const tip_load& tip = {}) {
   const double beta = wave_number_of_rod(how, n, tip);
   if (how == ends::free_free) return shape::wave(beta, 0, n % 2 == 0 ? 1 : -1, 0, 0);
-  const shape sine = shape::wave(beta, 1, 0, 0, 0);
-  if (how == ends::clamped_free || how == ends::pinned_free) return normalized(sine, true);
-  return sine;
+  const bool tip_moves = how == ends::clamped_free || how == ends::pinned_free;
+  return shape::wave(beta, tip_moves ? 1 / elementary::sin(beta) : 1, 0, 0, 0);
 }
 
 } // namespace kanexpr::numeric::beams
