@@ -7,6 +7,7 @@ set_target_properties(kanexpr_flexible PROPERTIES EXPORT_NAME flexible)
 target_link_libraries(kanexpr_flexible INTERFACE kanexpr)
 install(TARGETS kanexpr_flexible EXPORT kanexpr-flexible-targets)
 install(EXPORT kanexpr-flexible-targets NAMESPACE kanexpr:: DESTINATION ${kanexpr_package_dir})
+kanexpr_pkgconfig(flexible "Flexible bodies from files" REQUIRES kanexpr)
 
 if(kanexpr_flexible_modes_lacks)
   message(STATUS "kanexpr::flexible_modes is disabled: ${kanexpr_flexible_modes_lacks}")

@@ -51,5 +51,5 @@ function(kanexpr_find_flexible_body_command command)
   file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/kanexpr_flexible_body.cpp CONTENT
     "#include <kanexpr/flexible/kanexpr_flexible_body.cpp>\n" @ONLY)
   add_executable(kanexpr-flexible-body ${CMAKE_CURRENT_BINARY_DIR}/kanexpr_flexible_body.cpp)
-  target_link_libraries(kanexpr-flexible-body PRIVATE kanexpr::flexible CLI11::CLI11)
+  target_link_libraries(kanexpr-flexible-body PRIVATE kanexpr::flexible $<TARGET_NAME_IF_EXISTS:kanexpr::flexible_modes> CLI11::CLI11)
 endfunction()

@@ -43,6 +43,8 @@ PAGES = [
     ("animation", "Animation", "Animated pictures on a page that a browser can open.",
      "animate/write_page.hpp animate/animated.hpp animate/*.hpp"),
     ("robots", "Robots", "Robots from URDF and SDF files.", "robots/*.hpp robots/*/*.hpp"),
+    ("flexible-bodies", "Flexible bodies", "Flexible bodies given by numbers, from files.",
+     "describe/flexible/*.hpp flexible/*.hpp flexible/*/*.hpp"),
     ("run-time", "At run time", "Models derived at run time, which can be printed and evaluated, and models without types.",
      "runtime/model.hpp runtime/builder.hpp runtime/*.hpp symbolic/printing/*.hpp symbolic/*.hpp symbolic/*/*.hpp mechanics/*/*.hpp"),
     ("export", "Export", "Models as C, CasADi functions and FMUs.", "exporting/*.hpp exporting/*/*.hpp"),

@@ -6,3 +6,4 @@
 #include <kanexpr/describe/flexible/flexible_body.hpp>
 #include <kanexpr/describe/flexible/flexible_body_data.hpp>
 #include <kanexpr/describe/flexible/node.hpp>
+#include <kanexpr/describe/joints/joints.hpp>

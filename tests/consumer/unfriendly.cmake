@@ -3,7 +3,8 @@
 set(folder ${CMAKE_CURRENT_BINARY_DIR}/unfriendly)
 file(GLOB headers RELATIVE ${KANEXPR_SOURCE}/include ${KANEXPR_SOURCE}/include/kanexpr/*.hpp)
 list(TRANSFORM headers REPLACE "(.+)" "#include <\\1>\n")
-list(APPEND headers "#include <kanexpr/robots/read_sdf.hpp>\n" "#include <kanexpr/animate/picture_of.hpp>\n")
+list(APPEND headers "#include <kanexpr/robots/read_sdf.hpp>\n" "#include <kanexpr/animate/picture_of.hpp>\n"
+  "#include <kanexpr/flexible/read_sid.hpp>\n" "#include <kanexpr/flexible/read_modes.hpp>\n")
 list(JOIN headers "" headers)
 file(WRITE ${folder}/every_header.hpp "${headers}")
 
@@ -32,7 +33,7 @@ file(WRITE ${folder}/others_headers.hpp "${others}\n")
 
 add_library(consumer OBJECT unfriendly.cpp)
 target_include_directories(consumer PRIVATE ${folder})
-target_link_libraries(consumer PRIVATE kanexpr::hdf5 kanexpr::mpi kanexpr::animate kanexpr::fmi kanexpr::robots_sdf)
+target_link_libraries(consumer PRIVATE kanexpr::hdf5 kanexpr::mpi kanexpr::animate kanexpr::fmi kanexpr::robots_sdf kanexpr::flexible_modes)
 set_target_properties(consumer PROPERTIES CXX_STANDARD 20 CXX_EXTENSIONS OFF)
 target_compile_options(consumer PRIVATE -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wsign-conversion
   -Wdouble-promotion -Wold-style-cast -Wfloat-equal -Weffc++ -Werror

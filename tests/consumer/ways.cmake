@@ -4,7 +4,7 @@ set(prefix ${CMAKE_CURRENT_BINARY_DIR}/prefix)
 add_test(NAME consumer_install COMMAND ${CMAKE_COMMAND} --install ${PROJECT_BINARY_DIR} --prefix ${prefix})
 set_tests_properties(consumer_install PROPERTIES FIXTURES_SETUP installed)
 foreach(installed IN ITEMS kanexpr_engine kanexpr_simulate_engine kanexpr_ensemble_engine kanexpr_hdf5_engine
-    kanexpr_mpi_engine kanexpr_animate_engine kanexpr-robot kanexpr-export)
+    kanexpr_mpi_engine kanexpr_animate_engine kanexpr-robot kanexpr-flexible-body kanexpr-export)
   if(TARGET ${installed})
     kanexpr_of_room(consumer ${installed})
   endif()

@@ -104,7 +104,7 @@ private:
   kanexpr::runtime::section_ids add_particles(const lumped::body& b) {
     point_id last{};
     for (std::size_t i = 0; i < b.particles.size(); ++i) {
-      last = offset("P" + std::to_string(i), at, position_of(b.particles[i], axes));
+      last = offset("P" + std::to_string(i), at, position_from_reference(b.particles[i]));
       particle("P" + std::to_string(i), last, number(b.particles[i].mass));
     }
     expression energy = number(0.0);
@@ -125,7 +125,7 @@ private:
         energy += number(b.stiffness(k, l) / 2) * (amplitude(k) * amplitude(l));
   }
 
-  mechanics::vector position_of(const lumped::particle& p, frame_id axes) {
+  mechanics::vector position_from_reference(const lumped::particle& p) {
     expression r[3]{number(0.0), number(0.0), number(0.0)};
     for (int i = 0; i < 3; ++i) {
       r[i] += number(p.place[i]);

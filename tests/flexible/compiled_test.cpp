@@ -1,11 +1,13 @@
 // Bodies from headers that the command kanexpr-flexible-body has written, compared with run-time models.
 #include <kanexpr/flexible.hpp>
 #include <kanexpr/flexible/header_writer.hpp>
+#include <kanexpr/flexible/read_modes.hpp>
 #include <kanexpr/flexible/read_sid.hpp>
 #include <kanexpr/kanexpr.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/model.hpp>
 
+#include <boom.hpp>
 #include <cantilever.hpp>
 #include <panel.hpp>
 
@@ -84,6 +86,23 @@ TEST(flexible_compiled, equals_the_run_time_model) {
   const Eigen::VectorXd expected = at_run_time.function(at_run_time.rhs())(x, p);
   ASSERT_EQ(found.size(), 10);
   EXPECT_EQ(found, expected);
+  model of_types = derive<System>();
+  EXPECT_EQ(of_types.function(of_types.rhs())(x, p), expected);
+}
+
+struct Lagrange_system
+    : lagrange_system<inertial<N>, coordinates<q>, bodies<Panel, Rod, Bob>, loads<gravity<-g * N::y>>> {};
+
+TEST(flexible_compiled, agrees_with_lagranges_method) {
+  model by_kane = derive<System>(), by_lagrange = derive<Lagrange_system>();
+  ASSERT_EQ(by_lagrange.mistake(), "");
+  Eigen::VectorXd x(10);
+  x << 0.3, 0.02, -0.05, 0.04, 0.01, 1.3, 0.7, -0.4, 0.2, -0.9;
+  const Eigen::VectorXd p = Eigen::VectorXd::Constant(1, 9.81);
+  const Eigen::VectorXd found = by_lagrange.function(by_lagrange.rhs())(x, p),
+                        expected = by_kane.function(by_kane.rhs())(x, p);
+  ASSERT_EQ(found.size(), expected.size());
+  EXPECT_LE((found - expected).norm(), 1e-12 * expected.norm());
 }
 
 bool are_equal(const base::sequence<double>& a, const base::sequence<double>& b) {
@@ -113,6 +132,9 @@ TEST(flexible_compiled, headers_contain_the_numbers_of_the_files) {
   };
   expect_same(panel::data.values(), data_in("panel.SID_FEM"));
   expect_same(cantilever::data.values(), data_in("cantilever.SID_FEM"));
+  const flexible::read_body read = flexible::read_modes(std::string(KANEXPR_FLEXIBLE_FILES) + "/boom.json");
+  ASSERT_TRUE(read) << read.cause();
+  expect_same(boom::data.values(), read.data);
 }
 
 TEST(flexible_compiled, a_header_may_describe_any_name) {

@@ -114,6 +114,7 @@ const std::string& valid_text() {
 
 TEST(read_sid, completes_matrices_that_others_determine) {
   const mechanics::flexible_data whole = read_sid_text(valid_text()).data;
+  ASSERT_EQ(whole.amplitudes, 2);
   for (const char* section : {"Gr", "Ge", "ksigma", "De"})
     EXPECT_TRUE(read_sid_text(without(valid_text(), section))) << section;
   std::string text = valid_text();

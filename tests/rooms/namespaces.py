@@ -13,7 +13,7 @@ import sys
 COMMENT_OR_LITERAL = re.compile(r'R"([^()\\ ]*)\(.*?\)\1"|//[^\n]*|/\*.*?\*/|"(?:\\.|[^"\\\n])*"|\'(?:\\.|[^\'\\\n])\'', re.S)
 BRACE = re.compile(r"\bnamespace\s+(\w+(?:::\w+)*)?\s*\{|[{}]")
 FORWARD = re.compile(r"(?:template <[^;{}()]*>\s*)?(?:struct|class|enum class) \w+;")
-FORMATS = {"robots/urdf", "robots/sdf"} # parallel folders, in which files of one purpose have one name
+FORMATS = {"robots/urdf", "robots/sdf", "flexible/sid", "flexible/modes"} # parallel folders, in which files of one purpose have one name
 
 
 def opened(text):

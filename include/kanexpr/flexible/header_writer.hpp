@@ -56,7 +56,6 @@ private:
   std::string nodes_text() const {
     std::string text;
     for (const mechanics::flexible_node& n : data_.nodes) {
-      const std::string indent(8, ' ');
       text += (text.empty() ? "{" : ",\n              {") + (".called = " + literal(n.called.view())) +
               ",\n" + std::string(15, ' ') + ".position = " + list(n.position.coefficients, 28) + ",\n" +
               std::string(15, ' ') + ".orientation = " + list(n.orientation, 31) + ",\n" +

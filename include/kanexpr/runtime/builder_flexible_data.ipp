@@ -23,8 +23,7 @@ KANEXPR_ENGINE flexible_body_id builder::flexible_body(std::string_view called, 
                                                        frame_id frame,
                                                        const std::vector<expression>& amplitudes,
                                                        const mechanics::flexible_data& data) {
-  if (!checks_.is_new("bodies", called, m_.bodies) || !checks_.is_new("bodies", called, m_.flexible_bodies))
-    return flexible_body_id{-1};
+  if (!is_new_body(called)) return flexible_body_id{-1};
   if (amplitudes.empty() || static_cast<int>(amplitudes.size()) != data.amplitudes) {
     checks_.fail({"expected ", base::counted(data.amplitudes).view(), " amplitudes of ", called, ", got ",
                   base::counted(static_cast<int>(amplitudes.size())).view()});

@@ -31,19 +31,20 @@ struct flexible_body_of_words : body_words {
   using base_frame = Frame;
   static constexpr bool has_data = is_flexible_body_data<std::remove_cvref_t<decltype(given)>>;
   static constexpr const auto& data = given;
-  static constexpr std::size_t count = [] {
+  static constexpr std::size_t coordinates_count = [] {
     if constexpr (has_data)
       return static_cast<std::size_t>(given.amplitudes_count);
     else
       return std::size_t{0};
   }();
+  static constexpr std::size_t speeds_count = coordinates_count;
 
 private:
   using symbols_given = typename joint_word_among<joint_word::by, Words...>::type;
   static constexpr bool has_symbols = !std::is_void_v<symbols_given>;
   static constexpr bool has_all_symbols = [] {
     if constexpr (requires { symbols_given::count; })
-      return symbols_given::count == 2 * count;
+      return symbols_given::count == 2 * coordinates_count;
     else
       return false;
   }();
@@ -55,14 +56,14 @@ public:
     if constexpr (has_all_symbols)
       return symbols_given::template symbol<index>;
     else
-      return coordinate<joint_name<numbered_letter<'q', index + 1, count == 1>, Self>>{};
+      return coordinate<joint_name<numbered_letter<'q', index + 1, coordinates_count == 1>, Self>>{};
   }();
   template <std::size_t index>
   static constexpr auto u = [] {
     if constexpr (has_all_symbols)
-      return symbols_given::template symbol<count + index>;
+      return symbols_given::template symbol<coordinates_count + index>;
     else
-      return speed<joint_name<numbered_letter<'u', index + 1, count == 1>, Self>>{};
+      return speed<joint_name<numbered_letter<'u', index + 1, coordinates_count == 1>, Self>>{};
   }();
 
   static constexpr body_record content() {
@@ -79,7 +80,7 @@ public:
     flexible_record r;
     r.mistake = mistake_of_words();
     if constexpr (has_data) {
-      list_symbols(r, std::make_index_sequence<count>());
+      list_symbols(r, std::make_index_sequence<coordinates_count>());
       r.data = [] { return given.values(); };
     }
     return r;

@@ -4,6 +4,8 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/model/flexible_data.hpp>
 
+#include <cstddef>
+
 namespace kanexpr {
 
 namespace describe {
@@ -21,24 +23,26 @@ constexpr void copy_numbers(const double* from, base::sequence<double>& to) {
 template <int amplitudes, int nodes_count>
 struct flexible_body_data {
   static constexpr int amplitudes_count = amplitudes;
-  static constexpr int second_order = 1 + amplitudes + amplitudes * amplitudes;
+  /// The numbers of amplitudes and of coefficients of a series of second order.
+  static constexpr std::size_t count = static_cast<std::size_t>(amplitudes);
+  static constexpr std::size_t second_order = 1 + count + count * count;
 
   struct node {
     base::name called{};
     double position[3 * second_order]{};
     double orientation[9]{1, 0, 0, 0, 1, 0, 0, 0, 1};
-    double rotation[3 * amplitudes]{};
+    double rotation[3 * count]{};
   };
 
   double mass = 0;
   double first_moment[3 * second_order]{};
   double inertia[6 * second_order]{};
-  double angular[3 * amplitudes * (1 + amplitudes)]{};
-  double modal_mass[amplitudes * amplitudes]{};
-  double stiffness[amplitudes * amplitudes]{};
-  double damping[amplitudes * amplitudes]{};
-  double preload[amplitudes]{};
-  node nodes[nodes_count == 0 ? 1 : nodes_count]{};
+  double angular[3 * count * (1 + count)]{};
+  double modal_mass[count * count]{};
+  double stiffness[count * count]{};
+  double damping[count * count]{};
+  double preload[count]{};
+  node nodes[nodes_count == 0 ? 1 : static_cast<std::size_t>(nodes_count)]{};
 
   /// The same numbers as the readers of files return them.
   constexpr mechanics::flexible_data values() const {

@@ -33,8 +33,8 @@ template <class Body, int index>
 class place_of_node {
   static constexpr auto amplitudes = []<std::size_t... k>(std::index_sequence<k...>) {
     return std::array<token, sizeof...(k)>{Body::template q<k>.tokens[0]...};
-  }(std::make_index_sequence<Body::count>());
-  static constexpr int count = static_cast<int>(Body::count);
+  }(std::make_index_sequence<Body::coordinates_count>());
+  static constexpr int count = static_cast<int>(Body::coordinates_count);
   static constexpr const auto& node = Body::data.nodes[index];
 
   static constexpr bool is_zero(double value) { return value * value <= 0; }

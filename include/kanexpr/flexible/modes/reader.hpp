@@ -268,7 +268,7 @@ private:
            read_matrices_of("rotation", 6, model.by_rotation);
   }
 
-  /// Reads the names of nodes, which are texts or whole numbers; by default, they are the indices.
+  /// Reads the names of nodes, which are texts or integers; by default, they are the indices.
   bool read_names() {
     if (!has("nodes")) {
       for (std::size_t i = 0; i < nodes(); ++i) places_.emplace(std::to_string(i), i);
@@ -286,7 +286,7 @@ private:
   }
   bool read_name(const json& from, std::string& into, const std::string& what) {
     if (!from.is_string() && !from.is_number_integer())
-      return report_.fail(what + " is neither a text nor a whole number");
+      return report_.fail(what + " is neither a text nor an integer");
     into = from.is_string() ? from.get<std::string>() : from.dump();
     return true;
   }

@@ -42,9 +42,10 @@ inline std::optional<double> number_in(std::string_view word) {
 /// The value of a word if the whole word is a count, that is, an integer from 0 to 10⁹.
 inline std::optional<int> count_in(std::string_view word) {
   int value = 0;
-  const char* const end = word.data() + word.size();
-  const auto [rest, error] = std::from_chars(word.data(), end, value);
-  if (word.empty() || rest != end || error != std::errc() || value < 0 || value > 1'000'000'000) return {};
+  const auto [rest, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (word.empty() || rest != word.data() + word.size() || error != std::errc() || value < 0 ||
+      value > 1'000'000'000)
+    return {};
   return value;
 }
 

@@ -78,7 +78,7 @@ private:
   int amplitude_of(std::size_t i) const { return static_cast<int>(i) % n_; }
 
   /// Names an entry of m1 in an n × columns matrix: row by row, with the amplitude last.
-  auto linear_entry_name(std::string called, int columns) const {
+  auto linear_entry_name(const std::string& called, int columns) const {
     return [called, columns, n = n_](std::size_t e) {
       const int l = static_cast<int>(e) % n, row_and_column = static_cast<int>(e) / n;
       return "the coefficient of amplitude " + at(l) + " in " + called +
