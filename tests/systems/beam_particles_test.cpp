@@ -9,6 +9,7 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -179,11 +180,15 @@ const Vector3d load_moments{0.02, 0.03, 0.01}, free_fall{0.4, -9.81, 2};
 
 constexpr double hub_radius = 0.2;
 
-// A free beam; with a body at its tip; with a beam in its middle too, which carries a particle; or a turbine:
-// on the tip of the first beam, a rotor with two other beams.
-enum class system_of { one_beam, body_on_a_beam, two_beams, turbine };
+// A free beam; with a body at its tip; the same with its directions of bending exchanged; with a beam in its
+// middle too, which carries a particle; or a turbine: on the tip of the first beam, a rotor with two other
+// beams.
+enum class system_of { one_beam, body_on_a_beam, with_directions_exchanged, two_beams, turbine };
 int count_of(system_of what) {
   return what == system_of::turbine ? 17 : what == system_of::two_beams ? 14 : 12;
+}
+bool has_one_body(system_of what) {
+  return what == system_of::body_on_a_beam || what == system_of::with_directions_exchanged;
 }
 // The coordinates of the base and of the rotor.
 std::vector<int> rigid_coordinates(system_of what) {
@@ -206,7 +211,7 @@ cloud particles_of(system_of what, const jets& q) {
   const place end = root + axes * on_axis(first, q, 1);
   all.add(load_mass, end);
   all.add_pairs(load_moments, end, axes * section_axes(first, q, 1));
-  if (what == system_of::body_on_a_beam) return all;
+  if (has_one_body(what)) return all;
   if (what == system_of::turbine) {
     matrix rotor = axes * section_axes(first, q, 1) * hand_written::turn_z(q[16]);
     for (const beam_shapes& blade : {second, third}) {
@@ -275,7 +280,8 @@ void add_elastic_forces(const beam_shapes& b, const VectorXd& q, VectorXd& to) {
 struct model_of_beams : builder {
   std::vector<expression> q;
 
-  model_of_beams(system_of what, method by) : builder("N") {
+  model_of_beams(system_of what, method by)
+      : builder("N"), is_exchanged(what == system_of::with_directions_exchanged) {
     for (int i = 0; i < count_of(what); ++i) {
       q.push_back(coordinate("q" + std::to_string(i)));
       if (by == method::kane) kinematic_equation(dot(q.back()) - speed("u" + std::to_string(i)));
@@ -289,7 +295,7 @@ struct model_of_beams : builder {
     const section_ids end = section("End", carrier, 1), middle = section("Middle", carrier, place_of_second);
     const Vector3d i = Vector3d::Constant(load_moments.sum()) - load_moments;
     rigid_body("Load", end.point, end.frame, number(load_mass), inertia(end.frame, i.x(), i.y(), i.z()));
-    if (what == system_of::body_on_a_beam) return;
+    if (has_one_body(what)) return;
     if (what == system_of::turbine) {
       const frame_id rotor = rotated("R", end.frame, q[16], along(end.frame, 0, 0, 1)),
                      opposite = rotated("S", rotor, number(M_PI), along(rotor, 0, 0, 1));
@@ -302,6 +308,8 @@ struct model_of_beams : builder {
   }
 
 private:
+  bool is_exchanged;
+
   static std::vector<shape> given(const std::vector<cubic>& all) {
     std::vector<shape> shapes;
     for (const cubic& each : all) shapes.push_back(each.given());
@@ -316,7 +324,13 @@ private:
       data.torsion = {.polar_inertia = b.polar_inertia, .by = {torsional_stiffness, given(b.torsion)}};
     if (!b.extension.empty()) data.extension = {axial_stiffness, given(b.extension)};
     const auto from = q.begin() + static_cast<std::ptrdiff_t>(b.first);
-    return beam(called, root, frame, {from, from + static_cast<std::ptrdiff_t>(b.size())}, data);
+    std::vector<expression> amplitudes(from, from + static_cast<std::ptrdiff_t>(b.size()));
+    if (is_exchanged) { // the deflections along z first, which makes the directions left-handed
+      std::swap(data.bending[0], data.bending[1]);
+      const auto end_of_v = amplitudes.begin() + static_cast<std::ptrdiff_t>(b.v.size());
+      std::rotate(amplitudes.begin(), end_of_v, end_of_v + static_cast<std::ptrdiff_t>(b.w.size()));
+    }
+    return beam(called, root, frame, amplitudes, data);
   }
 };
 
@@ -380,7 +394,8 @@ TEST_P(beams_of_particles, have_the_same_equations_by_lagranges_method) {
 }
 
 INSTANTIATE_TEST_SUITE_P(systems, beams_of_particles,
-                         testing::Values(system_of::one_beam, system_of::body_on_a_beam, system_of::two_beams,
+                         testing::Values(system_of::one_beam, system_of::body_on_a_beam,
+                                         system_of::with_directions_exchanged, system_of::two_beams,
                                          system_of::turbine));
 
 } // namespace
