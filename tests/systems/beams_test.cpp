@@ -345,6 +345,27 @@ TEST(beam_mistakes, of_a_builder_are_sentences) {
          "the damping of beam B is negative");
 }
 
+// With its first mode, an arm on a hub without inertia has a positive kinetic energy up to a deflection of
+// 0.446 L, where (1/3 − 0.0483 q²)/4 = 0.2844².
+TEST(beam_status, reports_a_deflection_beyond_which_the_kinetic_energy_is_not_positive) {
+  bench b;
+  const std::vector<expression> q = b.free("q", 2);
+  const frame_id r = b.rotated("R", b.n, q[0], b.along(b.n, 0, 0, 1));
+  b.beam("B", b.o, r, {q[1]}, plane_beam(b, r, modes_of_bending(ends::clamped_free, 1)));
+  kanexpr::model m = kanexpr::derive(b);
+  auto udot = m.function(m.udot());
+  const auto status_at = [&](double deflection) {
+    udot(Eigen::Vector4d(0.3, deflection * length, 0, 0), VectorXd(0));
+    return std::string(udot.status().view());
+  };
+  EXPECT_EQ(status_at(0.44), "");
+  for (const double deflection : {0.45, -0.5, 3.0, 10.0})
+    EXPECT_EQ(
+        status_at(deflection),
+        "the mass matrix is not positive definite at this state: its elimination fails at the speed u_q1; "
+        "a flexible body may be deformed too much");
+}
+
 TEST(beam_mistakes, in_sections_of_a_builder_are_sentences) {
   const auto mistake = [](const kanexpr::runtime::given_number& xi, int beams) {
     bench b;
