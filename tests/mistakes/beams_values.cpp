@@ -144,7 +144,8 @@ struct System : system_of<bodies<B>> {};
 void f() { use<System>(); }
 } // namespace v20
 
-// expect: section S of beam Rod is at 0, which is also the value of 1/2 in C++; write 0.5, or 0.0 for the root
+// expect: section S of beam Rod is at 0, which is also the value of 1/2 in C++; write 0.5, or 0.0 for the
+// expect: root
 namespace v21 {
 struct S : section<S, Rod, 1/2> {};
 struct P : particle<P, S, m> {};
