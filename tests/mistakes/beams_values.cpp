@@ -136,3 +136,26 @@ namespace v19 {
 struct System : system_of<bodies<Rod>, loads<force<Rod, F * N::y>>> {};
 void f() { use<System>(); }
 } // namespace v19
+
+// expect: the direction of bending of beam B normalizes a vector of zero length
+namespace v20 {
+struct B : beam<B, O, N::x, L, m, bending<0.0*N::y, EI, clamped_free<1>>> {};
+struct System : system_of<bodies<B>> {};
+void f() { use<System>(); }
+} // namespace v20
+
+// expect: section S of beam Rod is at 0, which is also the value of 1/2 in C++; write 0.5, or 0.0 for the
+// expect: root
+namespace v21 {
+struct S : section<S, Rod, 1/2> {};
+struct P : particle<P, S, m> {};
+struct System : system_of<bodies<Rod, P>> {};
+void f() { use<System>(); }
+} // namespace v21
+
+// expect: beam B has a profile<...> that is negative at some place, or nowhere positive
+namespace v22 {
+struct B : beam<B, O, N::x, L, m, bending<N::y, EI, clamped_free<1>, profile<polynomial<1, -2>>>> {};
+struct System : system_of<bodies<B>> {};
+void f() { use<System>(); }
+} // namespace v22
