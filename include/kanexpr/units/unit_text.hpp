@@ -42,9 +42,15 @@ struct product {
 inline constexpr product products[]{
     {newton * second / meter, {newton, "N"}},          // damping
     {newton * meter * second / radian, {newton, "N"}}, // torsional damping
+    {newton * second / radian, {newton, "N"}},
+    {newton / second, {newton, "N"}},
+    {newton * radian / second, {newton, "N"}},
     {newton / ampere, {newton, "N"}},
     {newton * meter / ampere, {newton, "N"}},
     {volt * second / radian, {volt, "V"}}, // the constant of a motor
+    {volt / radian, {volt, "V"}},          // gains of a controller
+    {volt / meter, {volt, "V"}},
+    {volt * second / meter, {volt, "V"}},
     {watt / kelvin, {watt, "W"}},
     {watt / meter / kelvin, {watt, "W"}},
     {pascal * second, {pascal, "Pa"}},

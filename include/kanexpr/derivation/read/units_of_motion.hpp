@@ -9,7 +9,9 @@
 #include <kanexpr/mechanics/model/vector.hpp>
 #include <kanexpr/symbolic/graph/composition.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/symbolic/printing/short_text.hpp>
 #include <kanexpr/units/si.hpp>
 #include <kanexpr/units/unit.hpp>
 
@@ -72,11 +74,14 @@ constexpr void divide_by(expression symbol, value& of) {
 }
 
 /// Replaces a number that is a whole quantity by a symbol, because it has the unit that is expected there.
+/// The symbol is named by the number; spaces distinguish it from the same number elsewhere.
 constexpr expression as_symbol(reading& in, expression e) {
   if (!e.is_constant() || e.is_zero()) return e;
-  base::name called = "number ";
-  called.append(in.into.mechanism.g->symbols().size());
-  return symbolic::variable(*in.into.mechanism.g, {symbolic::symbol_kind::parameter, called, none});
+  symbolic::graph& g = *in.into.mechanism.g;
+  base::name called = symbolic::short_text(g, e.node()).view();
+  for (int i = 0; i < g.symbols().size(); ++i)
+    if (g.symbols()[i].called == called) called.append(" "), i = -1;
+  return symbolic::variable(g, {symbolic::symbol_kind::parameter, called, none});
 }
 
 /// Replaces the numbers among the operands of a composed function by symbols: the width in smooth_abs(x,
