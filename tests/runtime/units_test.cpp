@@ -13,7 +13,7 @@
 
 namespace {
 
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 using kanexpr::derive;
 using kanexpr::runtime::builder;
 using kanexpr::runtime::frame_id;

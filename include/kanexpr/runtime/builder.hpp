@@ -86,7 +86,7 @@ public:
 
   // ---- scalars
 
-  // Each symbol may be given with its unit, such as `units::newton*units::meter`.
+  // Each symbol may be given with its unit, such as `units::si::newton*units::si::meter`.
 
   expression coordinate(std::string_view q) { return checks_.is_new_symbol(q), m_.coordinate(q); }
   expression coordinate(std::string_view q, const units::unit& u) { return with_unit(coordinate(q), u); }

@@ -20,6 +20,8 @@ enum class spelling : unsigned char {
 
 namespace detail {
 
+using namespace si;
+
 struct symbol {
   unit of{};
   std::string_view called{};

@@ -46,7 +46,7 @@ constexpr mechanics::vector vector_of_unit(reading& in, std::string_view word, s
 /// The motion that a token denotes.
 constexpr mechanics::vector motion_of_unit(reading& in, const describe::token& t) {
   using describe::token_kind;
-  const units::unit meter = units::meter, hertz = units::hertz, radian = units::radian;
+  const units::unit meter = units::si::meter, hertz = units::si::hertz, radian = units::si::radian;
   switch (t.what) {
   case token_kind::position: return vector_of_unit(in, "position_of", t.point->called, meter);
   case token_kind::velocity: return vector_of_unit(in, "velocity_of", t.point->called, meter * hertz);
@@ -60,7 +60,7 @@ constexpr mechanics::vector motion_of_unit(reading& in, const describe::token& t
 
 /// A quantity with the unit of the derivative of another with respect to time.
 constexpr void divide_by_second(reading& in, value& of) {
-  const expression per_second = symbol_of_unit(in, "d/dt", units::hertz);
+  const expression per_second = symbol_of_unit(in, "d/dt", units::si::hertz);
   if (of.kind == shape::scalar) of.scalar = per_second * of.scalar;
   for (mechanics::vector::part& p : of.vector.parts)
     for (int i = 0; i < 3; ++i) p.value[i] = per_second * p.value[i];

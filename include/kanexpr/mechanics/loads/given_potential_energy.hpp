@@ -35,11 +35,11 @@ struct given_potential_energy {
     if (angle.is_given()) {
       const symbolic::short_text whose(angle.owner(), angle.node());
       by.describe({"the stiffness of the torsional spring with ", whose.view()});
-      if (by.is_angle(angle)) by.expect(stiffness, units::newton * units::meter / units::radian);
+      if (by.is_angle(angle)) by.expect(stiffness, units::si::newton * units::si::meter / units::si::radian);
       by.describe({"the torsional spring with ", whose.view()});
     }
-    if (has_numbers) return by.suggest(value, units::joule);
-    by.expect(value, units::joule);
+    if (has_numbers) return by.suggest(value, units::si::joule);
+    by.expect(value, units::si::joule);
   }
 };
 

@@ -31,7 +31,7 @@ public:
     by_.suggest_coefficient(e, rate, u);
   }
   /// Whether the unit of an expression is known to be the radian.
-  constexpr bool is_angle(expression e) const { return by_.unit_of(e) == units::radian; }
+  constexpr bool is_angle(expression e) const { return by_.unit_of(e) == units::si::radian; }
 
 private:
   unit_inference& by_;

@@ -35,7 +35,7 @@ public:
     for (const stated_unit& each : m.stated_units) state(each);
     for (const prescribed_rate& p : m.prescribed_rates) {
       const unit_product quantity = of(p.quantity);
-      require(p.rate, quantity / known_unit(units::second));
+      require(p.rate, quantity / known_unit(units::si::second));
     }
   }
 
@@ -278,9 +278,9 @@ private:
     using symbolic::symbol_kind;
     const symbolic::symbol& s = g_.symbol_at(id);
     switch (s.kind) {
-    case symbol_kind::time: return known_unit(units::second);
-    case symbol_kind::coordinate_rate: return of(m_.coordinates[s.position]) / known_unit(units::second);
-    case symbol_kind::speed_rate: return of(m_.speeds[s.position]) / known_unit(units::second);
+    case symbol_kind::time: return known_unit(units::si::second);
+    case symbol_kind::coordinate_rate: return of(m_.coordinates[s.position]) / known_unit(units::si::second);
+    case symbol_kind::speed_rate: return of(m_.speeds[s.position]) / known_unit(units::si::second);
     case symbol_kind::coordinate:
     case symbol_kind::speed:
     case symbol_kind::parameter:
@@ -352,7 +352,7 @@ private:
   constexpr unit_product of_numbers(int id, const symbolic::node& n, symbolic::angle_rule angle) {
     using symbolic::angle_rule;
     const auto radian_if = [&](angle_rule is) {
-      return angle == is || angle == angle_rule::both ? units::radian : units::dimensionless;
+      return angle == is || angle == angle_rule::both ? units::si::radian : units::dimensionless;
     };
     argument_is(id, n.a, radian_if(angle_rule::argument));
     return known_unit(radian_if(angle_rule::value));
@@ -371,7 +371,7 @@ private:
       break;
     case binary_unit_rule::ratio:
       of_pair({" takes the atan2 of ", " and "}, n);
-      return known_unit(units::radian);
+      return known_unit(units::si::radian);
     case binary_unit_rule::kept: return of_pair({" compares ", " and "}, n);
     }
     return known_unit({});
@@ -381,7 +381,7 @@ private:
   constexpr void argument_is(int function, int id, const units::unit& u) {
     if (equate(of(id), known_unit(u))) return;
     fail({what_, whose_, " contains ", symbolic::short_text(g_, function).view(), "; ",
-          with_unit(id, of(id)).view(), u == units::radian ? " is not an angle" : " is not a number",
+          with_unit(id, of(id)).view(), u == units::si::radian ? " is not an angle" : " is not a number",
           origin_of_unit(id).view()});
   }
 
