@@ -9,7 +9,7 @@ namespace balanced_bicycle {
 
 using namespace bicycle;
 
-constexpr input<"D"> D; // between rear wheel and frame
+constexpr input<"D", newton * meter> D; // between rear wheel and frame
 struct Driven : extended<SteeredSystem, inputs<D>, loads<torque_between<WR, Frame, D * Frame::y>>> {};
 
 constexpr double rear_radius = 0.3, front_radius = 0.35;  // m

@@ -46,8 +46,9 @@ const char* sentence_of(ending e) {
 
 bool leave(const ride& r, const std::string& files, const std::string& title) {
   const std::string text = std::string("No one steers. ") + sentence_of(ending_of(r));
-  for (const std::string& failure : {kanexpr::write_csv(r.trajectory.table(), files + ".csv").cause(),
-                                     write_page_of(r, files + ".html", title, text)}) {
+  for (const std::string& failure :
+       {kanexpr::write_csv(r.trajectory.table(), files + ".csv", {.with_units = false}).cause(),
+        write_page_of(r, files + ".html", title, text)}) {
     if (failure.empty()) continue;
     std::fprintf(stderr, "%s\n", failure.c_str());
     return false;

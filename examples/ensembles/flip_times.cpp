@@ -112,7 +112,7 @@ int main(int count, char** words) {
   const bool agree = apart(found.runs, 3) < 1e-4;
 
   if (count > 2)
-    if (const outcome left = write_csv(found.runs, words[2]); !left)
+    if (const outcome left = write_csv(found.runs, words[2], {.with_units = false}); !left)
       return std::fprintf(stderr, "%s\n", left.cause().c_str()), 1;
   return without_energy == 0 && agree ? 0 : 1;
 }

@@ -21,12 +21,14 @@
 namespace {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 using namespace simple_pendulum;
 
 // In addition to viscous friction, dry (Coulomb) friction, which is smoothed near zero speed.
-constexpr parameter<"k"> k;
+constexpr parameter<"k", newton * meter> k;
+constexpr auto slow = constant<0.2, radian / second>;
 struct Rubbing
-    : extended<simple_pendulum::System, parameters<k>, loads<torque<A, -k * tanh(u / 0.2) * N::z>>> {};
+    : extended<simple_pendulum::System, parameters<k>, loads<torque<A, -k * tanh(u / slow) * N::z>>> {};
 
 constexpr double viscous = 0.02, dry = 0.05;                             // N m s, N m
 constexpr double noise = 0.01, first_angle = 1, every = 0.02, last = 10; // rad, rad, s, s
@@ -175,8 +177,8 @@ int main(int count, char** words) {
     table limit;
     const bool left = limit.add("c", {viscous}) && limit.add("k", {dry}) && limit.add("cc", {bound(0, 0)}) &&
                       limit.add("ck", {bound(0, 1)}) && limit.add("kk", {bound(1, 1)}) &&
-                      write_csv(found.runs, file) && write_csv(limit, file + ".bound") &&
-                      write_csv(first_record(found), file + ".record");
+                      write_csv(found.runs, file, {.with_units = false}) &&
+                      write_csv(limit, file + ".bound") && write_csv(first_record(found), file + ".record");
     if (!left) return std::fprintf(stderr, "%s could not be written\n", words[2]), 1;
   }
   return is_as_expected ? 0 : 1;

@@ -61,7 +61,7 @@ int main(int count, char** words) {
   std::printf("after a push of %.3f rad/s it is upright again from %.2f to %.2f m/s\n", push[0], from, to);
 
   if (count < 3) return 0;
-  if (const outcome left = write_csv(found.runs, words[2]); !left)
+  if (const outcome left = write_csv(found.runs, words[2], {.with_units = false}); !left)
     return std::fprintf(stderr, "%s\n", left.cause().c_str()), 1;
   table critical;
   if (!critical.add("weave", {weave}) || !critical.add("capsize", {capsize})) return 1;

@@ -8,16 +8,17 @@
 namespace crane {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"x"> x;
-constexpr coordinate<"theta"> theta;
+constexpr coordinate<"x", meter> x;
+constexpr coordinate<"theta", radian> theta;
 constexpr speed<"v"> v;
 constexpr speed<"omega"> omega;
-constexpr parameter<"m1"> m1; // trolley
-constexpr parameter<"m2"> m2; // load
-constexpr parameter<"l"> l;
-constexpr parameter<"g"> g;
-constexpr input<"F"> F;
+constexpr parameter<"m1", kilogram> m1; // trolley
+constexpr parameter<"m2", kilogram> m2; // load
+constexpr parameter<"l", meter> l;
+constexpr parameter<"g", meter / pow<2>(second)> g;
+constexpr input<"F", newton> F;
 
 struct N : inertial_frame<N> {};          // y points up
 struct A : rotated<A, N, theta, N::z> {}; // the rope

@@ -6,13 +6,14 @@
 namespace differential {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr parameter<"J"> J;    // of the cage
-constexpr parameter<"J_w"> Jw; // of a wheel with its shaft
-constexpr parameter<"J_p"> Jp; // of the planet gear about its axis
-constexpr parameter<"c_l"> cl; // resistance of the left wheel
-constexpr parameter<"c_r"> cr; // and of the right one
-constexpr input<"T"> T;        // of the engine, on the cage
+constexpr parameter<"J", kilogram * pow<2>(meter)> J;            // of the cage
+constexpr parameter<"J_w", kilogram * pow<2>(meter)> Jw;         // of a wheel with its shaft
+constexpr parameter<"J_p", kilogram * pow<2>(meter)> Jp;         // of the planet gear about its axis
+constexpr parameter<"c_l", newton * meter * second / radian> cl; // resistance of the left wheel
+constexpr parameter<"c_r", newton * meter * second / radian> cr; // and of the right one
+constexpr input<"T", newton * meter> T;                          // of the engine, on the cage
 
 struct Car : inertial_ground<Car> {}; // y along the axle, to the left
 struct Cage : pin<Cage, Car, axis<Car::y>, body<5, 0.0 * own::x, inertia<own, 0, J, 0>>> {};

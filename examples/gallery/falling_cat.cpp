@@ -6,10 +6,11 @@
 namespace falling_cat {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"x"> x; // of the waist
-constexpr coordinate<"y"> y;
-constexpr coordinate<"z"> z;
+constexpr coordinate<"x", meter> x; // of the waist
+constexpr coordinate<"y", meter> y;
+constexpr coordinate<"z", meter> z;
 constexpr coordinate<"e1"> e1; // orientation of the rear half, a unit quaternion
 constexpr coordinate<"e2"> e2;
 constexpr coordinate<"e3"> e3;
@@ -20,13 +21,13 @@ constexpr speed<"v3"> v3;
 constexpr speed<"w1"> w1; // angular velocity of the rear half, in its axes
 constexpr speed<"w2"> w2;
 constexpr speed<"w3"> w3;
-constexpr prescribed<"beta"> beta; // how far the waist is bent
-constexpr prescribed<"psi"> psi;   // in which direction
-constexpr parameter<"m"> m;        // of each half
-constexpr parameter<"h"> h;        // from the waist to its mass center
-constexpr parameter<"I"> I;        // moment of inertia about the spine
-constexpr parameter<"J"> J;        // and across it
-constexpr parameter<"g"> g;
+constexpr prescribed<"beta", radian> beta;            // how far the waist is bent
+constexpr prescribed<"psi", radian> psi;              // in which direction
+constexpr parameter<"m", kilogram> m;                 // of each half
+constexpr parameter<"h", meter> h;                    // from the waist to its mass center
+constexpr parameter<"I", kilogram * pow<2>(meter)> I; // moment of inertia about the spine
+constexpr parameter<"J", kilogram * pow<2>(meter)> J; // and across it
+constexpr parameter<"g", meter / pow<2>(second)> g;
 
 struct N : inertial_frame<N> {}; // z points up
 struct A : quaternion<A, N, e0, e1, e2, e3>, angular_velocity<N, w1 * own::x + w2 * own::y + w3 * own::z> {};

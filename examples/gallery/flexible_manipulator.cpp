@@ -10,20 +10,21 @@
 namespace flexible_manipulator {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr parameter<"L"> L;     // length of each link
-constexpr parameter<"rho"> rho; // mass per length
-constexpr parameter<"EI"> EI;   // bending stiffness
-constexpr parameter<"J"> J;     // of each motor
-constexpr parameter<"m"> m;     // of the motor at the elbow
-constexpr parameter<"M"> M;     // of the load
-constexpr input<"T1"> T1;
-constexpr input<"T2"> T2;
+constexpr parameter<"L", meter> L;                    // length of each link
+constexpr parameter<"rho", kilogram / meter> rho;     // mass per length
+constexpr parameter<"EI", newton * pow<2>(meter)> EI; // bending stiffness
+constexpr parameter<"J", kilogram * pow<2>(meter)> J; // of each motor
+constexpr parameter<"m", kilogram> m;                 // of the motor at the elbow
+constexpr parameter<"M", kilogram> M;                 // of the load
+constexpr input<"T1", newton * meter> T1;
+constexpr input<"T2", newton * meter> T2;
 
 struct N : inertial_frame<N> {}; // the arm moves in a horizontal plane
 struct O : origin<O, N> {};
-constexpr coordinate<"q1"> q1;
-constexpr coordinate<"q2"> q2;
+constexpr coordinate<"q1", radian> q1;
+constexpr coordinate<"q2", radian> q2;
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
 

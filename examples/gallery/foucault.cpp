@@ -5,18 +5,19 @@
 namespace foucault {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"x"> x; // east
-constexpr coordinate<"y"> y; // north
-constexpr coordinate<"z"> z;
+constexpr coordinate<"x", meter> x; // east
+constexpr coordinate<"y", meter> y; // north
+constexpr coordinate<"z", meter> z;
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
 constexpr speed<"u3"> u3;
-constexpr parameter<"m"> m;
-constexpr parameter<"l"> l;
-constexpr parameter<"g"> g;
-constexpr parameter<"Omega"> Omega;   // of the Earth
-constexpr parameter<"lambda"> lambda; // latitude
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"l", meter> l;
+constexpr parameter<"g", meter / pow<2>(second)> g;
+constexpr parameter<"Omega", radian / second> Omega; // of the Earth
+constexpr parameter<"lambda", radian> lambda;        // latitude
 
 struct N : inertial_frame<N> {}; // east, north, up: the Coriolis force stands for the Earth's rotation
 struct O : origin<O, N> {};      // the suspension

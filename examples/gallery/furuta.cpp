@@ -8,18 +8,19 @@
 namespace furuta {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"phi"> phi;     // of the arm
-constexpr coordinate<"theta"> theta; // of the pendulum, zero where it stands
+constexpr coordinate<"phi", radian> phi;     // of the arm
+constexpr coordinate<"theta", radian> theta; // of the pendulum, zero where it stands
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
-constexpr parameter<"J"> J; // of the arm and the motor about the vertical
-constexpr parameter<"m"> m;
-constexpr parameter<"r"> r; // length of the arm
-constexpr parameter<"d"> d; // from the joint to the pendulum's mass center
-constexpr parameter<"I"> I; // of the pendulum about it
-constexpr parameter<"g"> g;
-constexpr input<"T"> T;
+constexpr parameter<"J", kilogram * pow<2>(meter)> J; // of the arm and the motor about the vertical
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"r", meter> r;                    // length of the arm
+constexpr parameter<"d", meter> d;                    // from the joint to the pendulum's mass center
+constexpr parameter<"I", kilogram * pow<2>(meter)> I; // of the pendulum about it
+constexpr parameter<"g", meter / pow<2>(second)> g;
+constexpr input<"T", newton * meter> T;
 
 struct N : inertial_frame<N> {}; // z points up
 struct A : rotated<A, N, phi, N::z> {};

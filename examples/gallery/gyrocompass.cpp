@@ -5,16 +5,17 @@
 namespace gyrocompass {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"alpha"> alpha; // from north to the axis of the rotor, toward west
+constexpr coordinate<"alpha", radian> alpha; // from north to the axis of the rotor, toward west
 constexpr speed<"u"> u;
-constexpr speed<"s"> s;               // spin of the rotor relative to its gimbal
-constexpr parameter<"Omega"> Omega;   // of the Earth
-constexpr parameter<"lambda"> lambda; // latitude
-constexpr parameter<"m"> m;
-constexpr parameter<"A"> A; // moment of inertia of the rotor across its axis
-constexpr parameter<"C"> C; // and about it
-constexpr parameter<"c"> c; // damping of the gimbal
+constexpr speed<"s", radian / second> s;             // spin of the rotor relative to its gimbal
+constexpr parameter<"Omega", radian / second> Omega; // of the Earth
+constexpr parameter<"lambda", radian> lambda;        // latitude
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"A", kilogram * pow<2>(meter)> A; // moment of inertia of the rotor across its axis
+constexpr parameter<"C", kilogram * pow<2>(meter)> C; // and about it
+constexpr parameter<"c", newton * meter * second / radian> c; // damping of the gimbal
 constexpr time_variable t;
 
 struct N : inertial_frame<N> {};                                                 // at t = 0: east, north, up

@@ -6,14 +6,15 @@
 namespace kapitza {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"theta"> theta; // zero where the pendulum hangs
+constexpr coordinate<"theta", radian> theta; // zero where the pendulum hangs
 constexpr speed<"u"> u;
-constexpr prescribed<"y"> y; // height of the pivot
-constexpr parameter<"m"> m;
-constexpr parameter<"l"> l;
-constexpr parameter<"g"> g;
-constexpr parameter<"c"> c;
+constexpr prescribed<"y", meter> y; // height of the pivot
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"l", meter> l;
+constexpr parameter<"g", meter / pow<2>(second)> g;
+constexpr parameter<"c", newton * meter * second / radian> c;
 
 struct N : inertial_frame<N> {}; // y points up
 struct A : rotated<A, N, theta, N::z> {};

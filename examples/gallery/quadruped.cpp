@@ -16,7 +16,9 @@ struct RH_Foot : offset<RH_Foot, RH_Shank_joint,
                         -0.08795 * RH_Shank::x + 0.33797 * RH_Shank::y - 0.01305 * RH_Shank::z> {};
 
 // The ground is a stiff spring with a damper that pushes only, and rubbing feet stick smoothly.
-constexpr double radius = 0.03, stiffness = 2e4, damping = 1.0, friction = 0.8; // m, N/m, s/m
+constexpr double radius = 0.03, friction = 0.8; // m, 1
+constexpr auto stiffness = constant<2e4, newton / meter>;
+constexpr auto damping = constant<1.0, second / meter>;
 template <class Foot>
 constexpr auto height = dot(position_of<Foot, O>, N::z);
 template <class Foot>

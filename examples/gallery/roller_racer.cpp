@@ -6,20 +6,21 @@
 namespace roller_racer {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"x"> x;
-constexpr coordinate<"y"> y;
-constexpr coordinate<"theta"> theta;
+constexpr coordinate<"x", meter> x;
+constexpr coordinate<"y", meter> y;
+constexpr coordinate<"theta", radian> theta;
 constexpr speed<"u1"> u1; // of the joint, along the seat
 constexpr speed<"u2"> u2; // and across it
 constexpr speed<"u3"> u3;
-constexpr prescribed<"beta"> beta; // the handlebars, relative to the seat
-constexpr parameter<"m1"> m1;
-constexpr parameter<"m2"> m2;
-constexpr parameter<"I1"> I1;
-constexpr parameter<"I2"> I2;
-constexpr parameter<"d1"> d1; // from the joint back to the rear axle
-constexpr parameter<"d2"> d2; // from the joint ahead to the front axle; negative if it trails
+constexpr prescribed<"beta", radian> beta; // the handlebars, relative to the seat
+constexpr parameter<"m1", kilogram> m1;
+constexpr parameter<"m2", kilogram> m2;
+constexpr parameter<"I1", kilogram * pow<2>(meter)> I1;
+constexpr parameter<"I2", kilogram * pow<2>(meter)> I2;
+constexpr parameter<"d1", meter> d1; // from the joint back to the rear axle
+constexpr parameter<"d2", meter> d2; // from the joint ahead to the front axle; negative if it trails
 
 struct N : inertial_frame<N> {}; // z points up
 struct A : rotated<A, N, theta, N::z>, angular_velocity<N, u3 * N::z> {};

@@ -5,6 +5,7 @@
 namespace satellite {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
 constexpr coordinate<"e1"> e1; // the orientation, a unit quaternion
 constexpr coordinate<"e2"> e2;
@@ -13,16 +14,16 @@ constexpr coordinate<"e0"> e0;
 constexpr speed<"w1"> w1; // angular velocity, in the satellite's axes
 constexpr speed<"w2"> w2;
 constexpr speed<"w3"> w3;
-constexpr speed<"s1"> s1; // spin of the wheels relative to the satellite
-constexpr speed<"s2"> s2;
-constexpr speed<"s3"> s3;
-constexpr parameter<"I1"> I1;
-constexpr parameter<"I2"> I2;
-constexpr parameter<"I3"> I3;
-constexpr parameter<"J"> J; // of a wheel about its axis
-constexpr input<"T1"> T1;
-constexpr input<"T2"> T2;
-constexpr input<"T3"> T3;
+constexpr speed<"s1", radian / second> s1; // spin of the wheels relative to the satellite
+constexpr speed<"s2", radian / second> s2;
+constexpr speed<"s3", radian / second> s3;
+constexpr parameter<"I1", kilogram * pow<2>(meter)> I1;
+constexpr parameter<"I2", kilogram * pow<2>(meter)> I2;
+constexpr parameter<"I3", kilogram * pow<2>(meter)> I3;
+constexpr parameter<"J", kilogram * pow<2>(meter)> J; // of a wheel about its axis
+constexpr input<"T1", newton * meter> T1;
+constexpr input<"T2", newton * meter> T2;
+constexpr input<"T3", newton * meter> T3;
 
 struct N : inertial_frame<N> {};
 struct B : quaternion<B, N, e0, e1, e2, e3>, angular_velocity<N, w1 * own::x + w2 * own::y + w3 * own::z> {};

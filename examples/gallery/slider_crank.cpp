@@ -5,18 +5,19 @@
 namespace slider_crank {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"q1"> q1; // of the crank
-constexpr coordinate<"q2"> q2; // of the rod, relative to the crank
+constexpr coordinate<"q1", radian> q1; // of the crank
+constexpr coordinate<"q2", radian> q2; // of the rod, relative to the crank
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
-constexpr parameter<"r"> r; // crank
-constexpr parameter<"l"> l; // rod
-constexpr parameter<"J"> J; // flywheel
-constexpr parameter<"m"> m;
-constexpr parameter<"I"> I;
-constexpr parameter<"M"> M; // piston
-constexpr parameter<"g"> g;
+constexpr parameter<"r", meter> r;                    // crank
+constexpr parameter<"l", meter> l;                    // rod
+constexpr parameter<"J", kilogram * pow<2>(meter)> J; // flywheel
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"I", kilogram * pow<2>(meter)> I;
+constexpr parameter<"M", kilogram> M; // piston
+constexpr parameter<"g", meter / pow<2>(second)> g;
 
 struct N : inertial_frame<N> {}; // x points up, along the cylinder
 struct A : rotated<A, N, q1, N::z> {};

@@ -6,20 +6,21 @@
 namespace snakeboard {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"x"> x;
-constexpr coordinate<"y"> y;
-constexpr coordinate<"theta"> theta;
+constexpr coordinate<"x", meter> x;
+constexpr coordinate<"y", meter> y;
+constexpr coordinate<"theta", radian> theta;
 constexpr speed<"u1"> u1; // along the board
 constexpr speed<"u2"> u2; // across it
 constexpr speed<"u3"> u3;
-constexpr prescribed<"psi"> psi; // the rider's body, relative to the board
-constexpr prescribed<"phi"> phi; // the front wheels; the rear ones turn the other way
-constexpr parameter<"m"> m;
-constexpr parameter<"l"> l; // half of the board's length
-constexpr parameter<"J"> J;
-constexpr parameter<"J_r"> Jr; // of the rider
-constexpr parameter<"J_w"> Jw; // of the wheels at one end
+constexpr prescribed<"psi", radian> psi; // the rider's body, relative to the board
+constexpr prescribed<"phi", radian> phi; // the front wheels; the rear ones turn the other way
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"l", meter> l; // half of the board's length
+constexpr parameter<"J", kilogram * pow<2>(meter)> J;
+constexpr parameter<"J_r", kilogram * pow<2>(meter)> Jr; // of the rider
+constexpr parameter<"J_w", kilogram * pow<2>(meter)> Jw; // of the wheels at one end
 
 struct N : inertial_frame<N> {}; // z points up
 struct A : rotated<A, N, theta, N::z>, angular_velocity<N, u3 * N::z> {};

@@ -5,14 +5,15 @@
 namespace spherical_pendulum {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"theta"> theta;
-constexpr coordinate<"phi"> phi;
+constexpr coordinate<"theta", radian> theta;
+constexpr coordinate<"phi", radian> phi;
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
-constexpr parameter<"m"> m;
-constexpr parameter<"l"> l;
-constexpr parameter<"g"> g;
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"l", meter> l;
+constexpr parameter<"g", meter / pow<2>(second)> g;
 
 struct N : inertial_frame<N> {}; // z points up
 struct Y : rotated<Y, N, phi, N::z> {};

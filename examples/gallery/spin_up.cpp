@@ -8,11 +8,12 @@
 namespace spin_up {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr prescribed<"theta"> theta; // angle of the hub
-constexpr parameter<"L"> L;          // length of the arm
-constexpr parameter<"rho"> rho;      // mass per length
-constexpr parameter<"EI"> EI;        // bending stiffness
+constexpr prescribed<"theta", radian> theta;          // angle of the hub
+constexpr parameter<"L", meter> L;                    // length of the arm
+constexpr parameter<"rho", kilogram / meter> rho;     // mass per length
+constexpr parameter<"EI", newton * pow<2>(meter)> EI; // bending stiffness
 
 struct N : inertial_frame<N> {};
 struct Hub : rotated<Hub, N, theta, N::z> {};

@@ -6,25 +6,26 @@
 namespace stewart {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"x"> x;
-constexpr coordinate<"y"> y;
-constexpr coordinate<"z"> z;
-constexpr coordinate<"a"> a; // roll, pitch and yaw
-constexpr coordinate<"b"> b;
-constexpr coordinate<"c"> c;
+constexpr coordinate<"x", meter> x;
+constexpr coordinate<"y", meter> y;
+constexpr coordinate<"z", meter> z;
+constexpr coordinate<"a", radian> a; // roll, pitch and yaw
+constexpr coordinate<"b", radian> b;
+constexpr coordinate<"c", radian> c;
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
 constexpr speed<"u3"> u3;
 constexpr speed<"u4"> u4;
 constexpr speed<"u5"> u5;
 constexpr speed<"u6"> u6;
-constexpr parameter<"m"> m;
-constexpr parameter<"I"> I;
-constexpr parameter<"J"> J;
-constexpr parameter<"g"> g;
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"I", kilogram * pow<2>(meter)> I;
+constexpr parameter<"J", kilogram * pow<2>(meter)> J;
+constexpr parameter<"g", meter / pow<2>(second)> g;
 template <int i>
-constexpr input<"F", i> F; // along leg i
+constexpr input<"F", i, newton> F; // along leg i
 
 struct N : inertial_frame<N> {}; // z points up
 struct P : body_fixed<P, N, "xyz", a, b, c> {};

@@ -5,9 +5,10 @@
 namespace tippe_top {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"x"> x;
-constexpr coordinate<"y"> y;
+constexpr coordinate<"x", meter> x;
+constexpr coordinate<"y", meter> y;
 constexpr coordinate<"e1"> e1; // the orientation, a unit quaternion
 constexpr coordinate<"e2"> e2;
 constexpr coordinate<"e3"> e3;
@@ -17,14 +18,14 @@ constexpr speed<"v2"> v2;
 constexpr speed<"w1"> w1; // angular velocity, in the axes of the top
 constexpr speed<"w2"> w2;
 constexpr speed<"w3"> w3;
-constexpr parameter<"m"> m;
-constexpr parameter<"R"> R; // radius of the sphere
-constexpr parameter<"a"> a; // from its center down to the mass center
-constexpr parameter<"A"> A; // moment of inertia across the stem
-constexpr parameter<"C"> C; // and about it
-constexpr parameter<"g"> g;
-constexpr parameter<"mu"> mu;
-constexpr parameter<"s"> s; // the sliding speed below which friction becomes viscous
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"R", meter> R;                    // radius of the sphere
+constexpr parameter<"a", meter> a;                    // from its center down to the mass center
+constexpr parameter<"A", kilogram * pow<2>(meter)> A; // moment of inertia across the stem
+constexpr parameter<"C", kilogram * pow<2>(meter)> C; // and about it
+constexpr parameter<"g", meter / pow<2>(second)> g;
+constexpr parameter<"mu", dimensionless> mu;
+constexpr parameter<"s", meter / second> s; // the sliding speed below which friction becomes viscous
 
 struct N : inertial_frame<N> {}; // z points up
 struct B : quaternion<B, N, e0, e1, e2, e3>, angular_velocity<N, w1 * own::x + w2 * own::y + w3 * own::z> {};

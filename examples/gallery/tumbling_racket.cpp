@@ -6,6 +6,7 @@
 namespace tumbling_racket {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
 constexpr coordinate<"e1"> e1; // the orientation, a unit quaternion
 constexpr coordinate<"e2"> e2;
@@ -14,10 +15,10 @@ constexpr coordinate<"e0"> e0;
 constexpr speed<"w1"> w1; // the angular velocity, in the axes of the body
 constexpr speed<"w2"> w2;
 constexpr speed<"w3"> w3;
-constexpr parameter<"m"> m;
-constexpr parameter<"A"> A;
-constexpr parameter<"B"> B;
-constexpr parameter<"C"> C;
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"A", kilogram * pow<2>(meter)> A;
+constexpr parameter<"B", kilogram * pow<2>(meter)> B;
+constexpr parameter<"C", kilogram * pow<2>(meter)> C;
 
 struct N : inertial_frame<N> {};
 struct F : quaternion<F, N, e0, e1, e2, e3>, angular_velocity<N, w1 * own::x + w2 * own::y + w3 * own::z> {};

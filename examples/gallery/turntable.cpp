@@ -5,18 +5,19 @@
 namespace turntable {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"x"> x;
-constexpr coordinate<"y"> y;
-constexpr coordinate<"phi"> phi; // of the table
+constexpr coordinate<"x", meter> x;
+constexpr coordinate<"y", meter> y;
+constexpr coordinate<"phi", radian> phi; // of the table
 constexpr speed<"v1"> v1;
 constexpr speed<"v2"> v2;
-constexpr speed<"w1"> w1; // angular velocity of the ball, in axes that do not turn
-constexpr speed<"w2"> w2;
-constexpr speed<"w3"> w3;
-constexpr parameter<"Omega"> Omega;
-constexpr parameter<"m"> m;
-constexpr parameter<"r"> r;
+constexpr speed<"w1", radian / second> w1; // angular velocity of the ball, in axes that do not turn
+constexpr speed<"w2", radian / second> w2;
+constexpr speed<"w3", radian / second> w3;
+constexpr parameter<"Omega", radian / second> Omega;
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"r", meter> r;
 
 struct N : inertial_frame<N> {}; // z points up
 struct T : rotated<T, N, phi, N::z>, angular_velocity<N, Omega * N::z> {};

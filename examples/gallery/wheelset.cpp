@@ -5,21 +5,22 @@
 namespace wheelset {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"y"> y;     // across the track
-constexpr coordinate<"psi"> psi; // yaw
+constexpr coordinate<"y", meter> y;      // across the track
+constexpr coordinate<"psi", radian> psi; // yaw
 constexpr speed<"v"> v;
 constexpr speed<"omega"> omega;
-constexpr parameter<"m"> m;
-constexpr parameter<"I"> I;
-constexpr parameter<"V"> V; // speed of the vehicle
-constexpr parameter<"b"> b; // half of the distance between the rails
-constexpr parameter<"r"> r; // radius of the wheels
-constexpr parameter<"gamma"> conicity;
-constexpr parameter<"f"> f;    // creep coefficient
-constexpr parameter<"k_y"> ky; // suspension
-constexpr parameter<"k_psi"> kpsi;
-constexpr parameter<"k_3"> k3; // flanges
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"I", kilogram * pow<2>(meter)> I;
+constexpr parameter<"V", meter / second> V; // speed of the vehicle
+constexpr parameter<"b", meter> b;          // half of the distance between the rails
+constexpr parameter<"r", meter> r;          // radius of the wheels
+constexpr parameter<"gamma", dimensionless> conicity;
+constexpr parameter<"f", newton> f;            // creep coefficient
+constexpr parameter<"k_y", newton / meter> ky; // suspension
+constexpr parameter<"k_psi", newton * meter / radian> kpsi;
+constexpr parameter<"k_3", newton / pow<3>(meter)> k3; // flanges
 
 struct N : inertial_frame<N> {}; // moves with the vehicle; x points ahead, z up
 struct A : rotated<A, N, psi, N::z> {};

@@ -6,16 +6,17 @@
 namespace wilberforce {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"z"> z;
-constexpr coordinate<"theta"> theta;
+constexpr coordinate<"z", meter> z;
+constexpr coordinate<"theta", radian> theta;
 constexpr speed<"v"> v;
 constexpr speed<"omega"> omega;
-constexpr parameter<"m"> m;
-constexpr parameter<"I"> I;
-constexpr parameter<"k"> k;             // stiffness against stretching
-constexpr parameter<"delta"> delta;     // and against twisting
-constexpr parameter<"epsilon"> epsilon; // their coupling
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"I", kilogram * pow<2>(meter)> I;
+constexpr parameter<"k", newton / meter> k;                  // stiffness against stretching
+constexpr parameter<"delta", newton * meter / radian> delta; // and against twisting
+constexpr parameter<"epsilon", newton / radian> epsilon;     // their coupling
 
 struct N : inertial_frame<N> {}; // z points up; z = 0 where the weight is balanced
 struct B : rotated<B, N, theta, N::z> {};

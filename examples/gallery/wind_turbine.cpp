@@ -7,14 +7,15 @@
 namespace wind_turbine {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"psi"> psi; // azimuth of the rotor
-constexpr speed<"omega"> omega;  // speed of the rotor
-constexpr parameter<"g"> g;
-constexpr parameter<"c"> c;       // thrust on a blade per speed of the air
-constexpr parameter<"zeta"> zeta; // ratio of structural damping
-constexpr input<"w"> w;           // speed of the wind
-constexpr input<"T"> T;           // torque on the rotor, of the air minus the generator's
+constexpr coordinate<"psi", radian> psi; // azimuth of the rotor
+constexpr speed<"omega"> omega;          // speed of the rotor
+constexpr parameter<"g", meter / pow<2>(second)> g;
+constexpr parameter<"c", newton * second / meter> c; // thrust on a blade per speed of the air
+constexpr parameter<"zeta", dimensionless> zeta;     // ratio of structural damping
+constexpr input<"w", meter / second> w;              // speed of the wind
+constexpr input<"T", newton * meter> T;              // torque on the rotor, of the air minus the generator's
 
 struct N : inertial_frame<N> {}; // x downwind, z up
 struct O : origin<O, N> {};

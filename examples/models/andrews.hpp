@@ -7,14 +7,15 @@
 namespace andrews {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"beta"> be;
-constexpr coordinate<"Theta"> th;
-constexpr coordinate<"gamma"> ga;
-constexpr coordinate<"Phi"> ph;
-constexpr coordinate<"delta"> de;
-constexpr coordinate<"Omega"> om;
-constexpr coordinate<"epsilon"> ep;
+constexpr coordinate<"beta", radian> be;
+constexpr coordinate<"Theta", radian> th;
+constexpr coordinate<"gamma", radian> ga;
+constexpr coordinate<"Phi", radian> ph;
+constexpr coordinate<"delta", radian> de;
+constexpr coordinate<"Omega", radian> om;
+constexpr coordinate<"epsilon", radian> ep;
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
 constexpr speed<"u3"> u3;
@@ -25,10 +26,13 @@ constexpr speed<"u7"> u7;
 
 // Lengths in meters, with the names used in the books.
 constexpr double d = 0.028, da = 0.0115, e = 0.02, ea = 0.01421, rr = 0.007, ra = 0.00092, ss = 0.035,
-                 sa = 0.01874, sb = 0.01043, sc = 0.018, sd = 0.02, ta = 0.02308, tb = 0.00916, u = 0.04,
-                 ua = 0.01228, ub = 0.00449, zf = 0.02, zt = 0.04, fa = 0.01421;
-constexpr double c0 = 4530, l0 = 0.07785; // spring
-constexpr double mom = 0.033;             // torque of the motor
+                 sa = 0.01874, sb = 0.01043, ta = 0.02308, tb = 0.00916, u = 0.04, ua = 0.01228, ub = 0.00449,
+                 zf = 0.02, zt = 0.04, fa = 0.01421;
+constexpr double mom = 0.033; // torque of the motor, N m
+
+// The force of the spring combines quantities with several units.
+constexpr auto c0 = constant<4530, newton / meter>;
+constexpr auto l0 = constant<0.07785, meter>, sc = constant<0.018, meter>, sd = constant<0.02, meter>;
 
 struct N : inertial_frame<N> {};
 struct K1 : rotated<K1, N, be, N::z> {};
@@ -55,7 +59,7 @@ struct E6 : offset<E6, H, zf * K6::x> {};
 
 // A spring from the ground to a point of K3.
 constexpr auto arm = sd * K3::x - sc * K3::y;
-constexpr auto spring = arm - 0.05035 * N::x - 0.03927 * N::y;
+constexpr auto spring = arm - constant<0.05035, meter> * N::x - constant<0.03927, meter> * N::y;
 struct D : offset<D, B, arm> {};
 
 struct C1 : offset<C1, O, ra * K1::x> {};

@@ -6,41 +6,42 @@
 namespace arm3 {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
 template <int i>
-constexpr coordinate<"q", i> q;
+constexpr coordinate<"q", i, radian> q;
 template <int i>
 constexpr speed<"u", i> u;
 template <int i>
-constexpr input<"T", i> T;
+constexpr input<"T", i, newton * meter> T;
 
 template <int i>
-constexpr parameter<"m", i> m;
+constexpr parameter<"m", i, kilogram> m;
 template <int i>
-constexpr parameter<"cx", i> cx; // from the joint to the mass center
+constexpr parameter<"cx", i, meter> cx; // from the joint to the mass center
 template <int i>
-constexpr parameter<"cy", i> cy;
+constexpr parameter<"cy", i, meter> cy;
 template <int i>
-constexpr parameter<"cz", i> cz;
+constexpr parameter<"cz", i, meter> cz;
 template <int i>
-constexpr parameter<"Ixx", i> Ixx;
+constexpr parameter<"Ixx", i, kilogram * pow<2>(meter)> Ixx;
 template <int i>
-constexpr parameter<"Iyy", i> Iyy;
+constexpr parameter<"Iyy", i, kilogram * pow<2>(meter)> Iyy;
 template <int i>
-constexpr parameter<"Izz", i> Izz;
+constexpr parameter<"Izz", i, kilogram * pow<2>(meter)> Izz;
 template <int i>
-constexpr parameter<"Ixy", i> Ixy;
+constexpr parameter<"Ixy", i, kilogram * pow<2>(meter)> Ixy;
 template <int i>
-constexpr parameter<"Iyz", i> Iyz;
+constexpr parameter<"Iyz", i, kilogram * pow<2>(meter)> Iyz;
 template <int i>
-constexpr parameter<"Izx", i> Izx;
+constexpr parameter<"Izx", i, kilogram * pow<2>(meter)> Izx;
 template <int i>
-constexpr parameter<"lx", i> lx; // from the joint to the next one
+constexpr parameter<"lx", i, meter> lx; // from the joint to the next one
 template <int i>
-constexpr parameter<"ly", i> ly;
+constexpr parameter<"ly", i, meter> ly;
 template <int i>
-constexpr parameter<"lz", i> lz;
-constexpr parameter<"g"> g;
+constexpr parameter<"lz", i, meter> lz;
+constexpr parameter<"g", meter / pow<2>(second)> g;
 
 struct N : inertial_frame<N> {}; // z points up
 struct B1 : rotated<B1, N, q<1>, N::z> {};

@@ -9,41 +9,42 @@
 namespace arm6 {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
 template <int i>
-constexpr coordinate<"q", i> q;
+constexpr coordinate<"q", i, radian> q;
 template <int i>
 constexpr speed<"u", i> u;
 template <int i>
-constexpr input<"T", i> T;
-constexpr parameter<"g"> g;
+constexpr input<"T", i, newton * meter> T;
+constexpr parameter<"g", meter / pow<2>(second)> g;
 
 template <int i>
-constexpr parameter<"m", i> m;
+constexpr parameter<"m", i, kilogram> m;
 template <int i>
-constexpr parameter<"x", i> x; // of the mass center, in the link's axes
+constexpr parameter<"x", i, meter> x; // of the mass center, in the link's axes
 template <int i>
-constexpr parameter<"y", i> y;
+constexpr parameter<"y", i, meter> y;
 template <int i>
-constexpr parameter<"z", i> z;
+constexpr parameter<"z", i, meter> z;
 template <int i>
-constexpr parameter<"Ixx", i> Ixx;
+constexpr parameter<"Ixx", i, kilogram * pow<2>(meter)> Ixx;
 template <int i>
-constexpr parameter<"Iyy", i> Iyy;
+constexpr parameter<"Iyy", i, kilogram * pow<2>(meter)> Iyy;
 template <int i>
-constexpr parameter<"Izz", i> Izz;
+constexpr parameter<"Izz", i, kilogram * pow<2>(meter)> Izz;
 template <int i>
-constexpr parameter<"Ixy", i> Ixy;
+constexpr parameter<"Ixy", i, kilogram * pow<2>(meter)> Ixy;
 template <int i>
-constexpr parameter<"Iyz", i> Iyz;
+constexpr parameter<"Iyz", i, kilogram * pow<2>(meter)> Iyz;
 template <int i>
-constexpr parameter<"Izx", i> Izx;
+constexpr parameter<"Izx", i, kilogram * pow<2>(meter)> Izx;
 template <int i>
-constexpr parameter<"a", i> a; // of the next joint, in the link's axes
+constexpr parameter<"a", i, meter> a; // of the next joint, in the link's axes
 template <int i>
-constexpr parameter<"b", i> b;
+constexpr parameter<"b", i, meter> b;
 template <int i>
-constexpr parameter<"d", i> d;
+constexpr parameter<"d", i, meter> d;
 
 struct N : inertial_frame<N> {}; // z points up
 struct O : origin<O, N> {};

@@ -7,18 +7,19 @@
 namespace chaplygin_sleigh {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"q1"> q1;
-constexpr coordinate<"q2"> q2;
-constexpr coordinate<"q3"> q3;
+constexpr coordinate<"q1", meter> q1;
+constexpr coordinate<"q2", meter> q2;
+constexpr coordinate<"q3", radian> q3;
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
 constexpr speed<"u3"> u3;
-constexpr parameter<"m"> m;
-constexpr parameter<"I"> I;
-constexpr parameter<"a"> a; // from the blade to the mass center
-constexpr input<"F"> F;
-constexpr input<"T"> T;
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"I", kilogram * pow<2>(meter)> I;
+constexpr parameter<"a", meter> a; // from the blade to the mass center
+constexpr input<"F", newton> F;
+constexpr input<"T", newton * meter> T;
 
 struct N : inertial_frame<N> {};
 struct A : rotated<A, N, q3, N::z> {};

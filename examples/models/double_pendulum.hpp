@@ -7,23 +7,24 @@
 namespace double_pendulum {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"q1"> q1;
-constexpr coordinate<"q2"> q2;
+constexpr coordinate<"q1", radian> q1;
+constexpr coordinate<"q2", radian> q2;
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
-constexpr parameter<"m1"> m1;
-constexpr parameter<"m2"> m2;
-constexpr parameter<"d1"> d1; // from a bar's joint to its mass center
-constexpr parameter<"d2"> d2;
-constexpr parameter<"l1"> l1;
-constexpr parameter<"I1"> I1;
-constexpr parameter<"I2"> I2;
-constexpr parameter<"g"> g;
-constexpr parameter<"c1"> c1;
-constexpr parameter<"c2"> c2;
-constexpr input<"T1"> T1;
-constexpr input<"T2"> T2;
+constexpr parameter<"m1", kilogram> m1;
+constexpr parameter<"m2", kilogram> m2;
+constexpr parameter<"d1", meter> d1; // from a bar's joint to its mass center
+constexpr parameter<"d2", meter> d2;
+constexpr parameter<"l1", meter> l1;
+constexpr parameter<"I1", kilogram * pow<2>(meter)> I1;
+constexpr parameter<"I2", kilogram * pow<2>(meter)> I2;
+constexpr parameter<"g", meter / pow<2>(second)> g;
+constexpr parameter<"c1", newton * meter * second / radian> c1;
+constexpr parameter<"c2", newton * meter * second / radian> c2;
+constexpr input<"T1", newton * meter> T1;
+constexpr input<"T2", newton * meter> T2;
 
 struct N : inertial_frame<N> {}; // y points up
 struct A : rotated<A, N, q1, N::z>, angular_velocity<N, u1 * N::z> {};

@@ -7,28 +7,29 @@
 namespace four_bar {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"q1"> q1;
-constexpr coordinate<"q2"> q2;
-constexpr coordinate<"q3"> q3;
+constexpr coordinate<"q1", radian> q1;
+constexpr coordinate<"q2", radian> q2;
+constexpr coordinate<"q3", radian> q3;
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
 constexpr speed<"u3"> u3;
-constexpr parameter<"l0"> l0;
-constexpr parameter<"l1"> l1;
-constexpr parameter<"l2"> l2;
-constexpr parameter<"l3"> l3;
-constexpr parameter<"d1"> d1; // from a bar's joint to its mass center
-constexpr parameter<"d2"> d2;
-constexpr parameter<"d3"> d3;
-constexpr parameter<"m1"> m1;
-constexpr parameter<"m2"> m2;
-constexpr parameter<"m3"> m3;
-constexpr parameter<"I1"> I1;
-constexpr parameter<"I2"> I2;
-constexpr parameter<"I3"> I3;
-constexpr parameter<"g"> g;
-constexpr input<"T"> T;
+constexpr parameter<"l0", meter> l0;
+constexpr parameter<"l1", meter> l1;
+constexpr parameter<"l2", meter> l2;
+constexpr parameter<"l3", meter> l3;
+constexpr parameter<"d1", meter> d1; // from a bar's joint to its mass center
+constexpr parameter<"d2", meter> d2;
+constexpr parameter<"d3", meter> d3;
+constexpr parameter<"m1", kilogram> m1;
+constexpr parameter<"m2", kilogram> m2;
+constexpr parameter<"m3", kilogram> m3;
+constexpr parameter<"I1", kilogram * pow<2>(meter)> I1;
+constexpr parameter<"I2", kilogram * pow<2>(meter)> I2;
+constexpr parameter<"I3", kilogram * pow<2>(meter)> I3;
+constexpr parameter<"g", meter / pow<2>(second)> g;
+constexpr input<"T", newton * meter> T;
 
 struct N : inertial_frame<N> {}; // y points up
 struct A : rotated<A, N, q1, N::z> {};

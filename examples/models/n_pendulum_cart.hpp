@@ -9,17 +9,18 @@
 namespace n_pendulum_cart {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
 template <int i>
-constexpr coordinate<"q", i> q; // q<0> is the position of the cart
+constexpr coordinate<"q", i, i == 0 ? meter : radian> q; // q<0> is the position of the cart
 template <int i>
 constexpr speed<"u", i> u;
 template <int i>
-constexpr parameter<"m", i> m;
+constexpr parameter<"m", i, kilogram> m;
 template <int i>
-constexpr parameter<"l", i> l;
-constexpr parameter<"g"> g;
-constexpr input<"F"> F;
+constexpr parameter<"l", i, meter> l;
+constexpr parameter<"g", meter / pow<2>(second)> g;
+constexpr input<"F", newton> F;
 
 struct N : inertial_frame<N> {}; // y points up
 struct O : origin<O, N> {};

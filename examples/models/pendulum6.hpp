@@ -7,9 +7,10 @@
 namespace pendulum6 {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
 template <int i>
-constexpr coordinate<"q", i> q;
+constexpr coordinate<"q", i, radian> q;
 template <int i>
 constexpr speed<"u", i> u;
 

@@ -6,14 +6,15 @@
 namespace pendulum_nonminimal {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"q1"> q1;
-constexpr coordinate<"q2"> q2;
+constexpr coordinate<"q1", meter> q1;
+constexpr coordinate<"q2", meter> q2;
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
-constexpr parameter<"m"> m;
-constexpr parameter<"L"> L;
-constexpr parameter<"g"> g;
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"L", meter> L;
+constexpr parameter<"g", meter / pow<2>(second)> g;
 
 struct N : inertial_frame<N> {}; // x points down
 

@@ -7,6 +7,7 @@
 namespace pivot_body {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
 constexpr coordinate<"e0"> e0;
 constexpr coordinate<"e1"> e1;
@@ -15,18 +16,18 @@ constexpr coordinate<"e3"> e3;
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
 constexpr speed<"u3"> u3;
-constexpr parameter<"m"> m;
-constexpr parameter<"Ixx"> Ixx;
-constexpr parameter<"Iyy"> Iyy;
-constexpr parameter<"Izz"> Izz;
-constexpr parameter<"Ixy"> Ixy;
-constexpr parameter<"g"> g;
-constexpr parameter<"a"> a; // from the joint to the mass center
-constexpr parameter<"b"> b;
-constexpr parameter<"c"> c;
-constexpr input<"T1"> T1;
-constexpr input<"T2"> T2;
-constexpr input<"T3"> T3;
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"Ixx", kilogram * pow<2>(meter)> Ixx;
+constexpr parameter<"Iyy", kilogram * pow<2>(meter)> Iyy;
+constexpr parameter<"Izz", kilogram * pow<2>(meter)> Izz;
+constexpr parameter<"Ixy", kilogram * pow<2>(meter)> Ixy;
+constexpr parameter<"g", meter / pow<2>(second)> g;
+constexpr parameter<"a", meter> a; // from the joint to the mass center
+constexpr parameter<"b", meter> b;
+constexpr parameter<"c", meter> c;
+constexpr input<"T1", newton * meter> T1;
+constexpr input<"T2", newton * meter> T2;
+constexpr input<"T3", newton * meter> T3;
 
 struct N : inertial_frame<N> {}; // z points up
 struct B : quaternion<B, N, e0, e1, e2, e3>, angular_velocity<N, u1 * own::x + u2 * own::y + u3 * own::z> {};

@@ -8,13 +8,14 @@
 namespace puma {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
 template <int i>
-constexpr coordinate<"q", i> q;
+constexpr coordinate<"q", i, radian> q;
 template <int i>
 constexpr speed<"u", i> u;
 template <int i>
-constexpr input<"T", i> T;
+constexpr input<"T", i, newton * meter> T;
 
 struct N : inertial_frame<N> {};
 struct O : origin<O, N> {};

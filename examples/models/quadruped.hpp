@@ -7,17 +7,18 @@
 namespace quadruped {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
 template <int i>
-constexpr coordinate<"q", i> q;
+constexpr coordinate<"q", i, radian> q;
 template <int i>
 constexpr speed<"u", i> u;
 template <int i>
-constexpr input<"T", i> T;
+constexpr input<"T", i, newton * meter> T;
 
-constexpr coordinate<"px"> px; // the base in the ground frame
-constexpr coordinate<"py"> py;
-constexpr coordinate<"pz"> pz;
+constexpr coordinate<"px", meter> px; // the base in the ground frame
+constexpr coordinate<"py", meter> py;
+constexpr coordinate<"pz", meter> pz;
 constexpr coordinate<"e1"> e1; // its orientation, a unit quaternion
 constexpr coordinate<"e2"> e2;
 constexpr coordinate<"e3"> e3;

@@ -8,24 +8,26 @@
 namespace rattleback {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"q1"> q1; // yaw
-constexpr coordinate<"q2"> q2; // roll
-constexpr coordinate<"q3"> q3; // pitch
+constexpr coordinate<"q1", radian> q1; // yaw
+constexpr coordinate<"q2", radian> q2; // roll
+constexpr coordinate<"q3", radian> q3; // pitch
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
 constexpr speed<"u3"> u3;
-constexpr parameter<"a"> a; // semi-axes of the ellipsoid
-constexpr parameter<"b"> b;
-constexpr parameter<"c"> c;
-constexpr parameter<"h"> h; // from its center down to the mass center
-constexpr parameter<"m"> m;
-constexpr parameter<"Ixx"> Ixx;
-constexpr parameter<"Iyy"> Iyy;
-constexpr parameter<"Izz"> Izz;
-constexpr parameter<"Ixy"> Ixy;
-constexpr parameter<"g"> g;
-constexpr parameter<"sigma"> sigma; // friction: torque over angular velocity
+constexpr parameter<"a", meter> a; // semi-axes of the ellipsoid
+constexpr parameter<"b", meter> b;
+constexpr parameter<"c", meter> c;
+constexpr parameter<"h", meter> h; // from its center down to the mass center
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"Ixx", kilogram * pow<2>(meter)> Ixx;
+constexpr parameter<"Iyy", kilogram * pow<2>(meter)> Iyy;
+constexpr parameter<"Izz", kilogram * pow<2>(meter)> Izz;
+constexpr parameter<"Ixy", kilogram * pow<2>(meter)> Ixy;
+constexpr parameter<"g", meter / pow<2>(second)> g;
+constexpr parameter<"sigma", newton * meter * second / radian>
+    sigma; // friction: torque over angular velocity
 
 struct N : inertial_frame<N> {}; // z points up
 struct B : body_fixed<B, N, "zxy", q1, q2, q3>,

@@ -7,13 +7,14 @@
 namespace rocket {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"q"> q;
+constexpr coordinate<"q", meter> q;
 constexpr speed<"u"> u;
-constexpr parameter<"g"> g;
-constexpr parameter<"cd"> cd; // drag divided by the square of the speed
-constexpr prescribed<"m"> m;  // mass, a known function of time
-constexpr input<"T"> T;
+constexpr parameter<"g", meter / pow<2>(second)> g;
+constexpr parameter<"cd", kilogram / meter> cd; // drag divided by the square of the speed
+constexpr prescribed<"m", kilogram> m;          // mass, a known function of time
+constexpr input<"T", newton> T;
 
 struct N : inertial_frame<N> {}; // z points up
 

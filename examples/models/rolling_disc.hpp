@@ -7,16 +7,17 @@
 namespace rolling_disc {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"q1"> q1;
-constexpr coordinate<"q2"> q2;
-constexpr coordinate<"q3"> q3;
+constexpr coordinate<"q1", radian> q1;
+constexpr coordinate<"q2", radian> q2;
+constexpr coordinate<"q3", radian> q3;
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
 constexpr speed<"u3"> u3;
-constexpr parameter<"r"> r;
-constexpr parameter<"m"> m;
-constexpr parameter<"g"> g;
+constexpr parameter<"r", meter> r;
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"g", meter / pow<2>(second)> g;
 
 struct N : inertial_frame<N> {};
 struct Y : rotated<Y, N, q1, N::z> {}; // yaw

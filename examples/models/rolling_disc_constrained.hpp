@@ -7,20 +7,21 @@
 namespace rolling_disc_constrained {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"q1"> q1;
-constexpr coordinate<"q2"> q2;
-constexpr coordinate<"q3"> q3;
-constexpr coordinate<"q4"> q4;
-constexpr coordinate<"q5"> q5;
+constexpr coordinate<"q1", radian> q1;
+constexpr coordinate<"q2", radian> q2;
+constexpr coordinate<"q3", radian> q3;
+constexpr coordinate<"q4", meter> q4;
+constexpr coordinate<"q5", meter> q5;
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
 constexpr speed<"u3"> u3;
 constexpr speed<"u4"> u4;
 constexpr speed<"u5"> u5;
-constexpr parameter<"r"> r;
-constexpr parameter<"m"> m;
-constexpr parameter<"g"> g;
+constexpr parameter<"r", meter> r;
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"g", meter / pow<2>(second)> g;
 
 struct N : inertial_frame<N> {};
 struct Y : rotated<Y, N, q1, N::z> {}; // yaw

@@ -7,17 +7,18 @@
 namespace rolling_torus {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"q1"> q1;
-constexpr coordinate<"q2"> q2;
-constexpr coordinate<"q3"> q3;
+constexpr coordinate<"q1", radian> q1;
+constexpr coordinate<"q2", radian> q2;
+constexpr coordinate<"q3", radian> q3;
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
 constexpr speed<"u3"> u3;
-constexpr parameter<"R"> R; // from the center to the middle of the tube
-constexpr parameter<"a"> a; // radius of the tube
-constexpr parameter<"m"> m;
-constexpr parameter<"g"> g;
+constexpr parameter<"R", meter> R; // from the center to the middle of the tube
+constexpr parameter<"a", meter> a; // radius of the tube
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"g", meter / pow<2>(second)> g;
 
 struct N : inertial_frame<N> {};
 struct Y : rotated<Y, N, q1, N::z> {}; // yaw
@@ -40,8 +41,8 @@ struct System : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u1, u2,
 /// The same torus, with the position of its center among the coordinates and rolling as a constraint.
 namespace by_rates {
 
-constexpr coordinate<"q4"> q4;
-constexpr coordinate<"q5"> q5;
+constexpr coordinate<"q4", meter> q4;
+constexpr coordinate<"q5", meter> q5;
 
 struct B : rotated<B, L, q3, L::y> {};
 

@@ -6,15 +6,16 @@
 namespace rotating_tube {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"q"> q; // along the tube
+constexpr coordinate<"q", meter> q; // along the tube
 constexpr speed<"u"> u;
-constexpr parameter<"m"> m;
-constexpr parameter<"k"> k;
-constexpr parameter<"q0"> q0; // unstretched length of the spring
-constexpr parameter<"g"> g;
-constexpr parameter<"c"> c;
-constexpr prescribed<"theta"> theta; // angle of the tube, a known function of time
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"k", newton / meter> k;
+constexpr parameter<"q0", meter> q0; // unstretched length of the spring
+constexpr parameter<"g", meter / pow<2>(second)> g;
+constexpr parameter<"c", newton * second / meter> c;
+constexpr prescribed<"theta", radian> theta; // angle of the tube, a known function of time
 
 struct N : inertial_frame<N> {}; // y points up
 struct A : rotated<A, N, theta, N::z> {};

@@ -6,14 +6,15 @@
 namespace simple_pendulum {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"q"> q;
+constexpr coordinate<"q", radian> q;
 constexpr speed<"u"> u;
-constexpr parameter<"m"> m;
-constexpr parameter<"l"> l;
-constexpr parameter<"g"> g;
-constexpr parameter<"c"> c;
-constexpr input<"T"> T;
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"l", meter> l;
+constexpr parameter<"g", meter / pow<2>(second)> g;
+constexpr parameter<"c", newton * meter * second / radian> c;
+constexpr input<"T", newton * meter> T;
 
 struct N : inertial_frame<N> {}; // x points down
 struct A : rotated<A, N, q, N::z> {};

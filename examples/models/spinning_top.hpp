@@ -7,18 +7,19 @@
 namespace spinning_top {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"q1"> q1;
-constexpr coordinate<"q2"> q2;
-constexpr coordinate<"q3"> q3;
+constexpr coordinate<"q1", radian> q1;
+constexpr coordinate<"q2", radian> q2;
+constexpr coordinate<"q3", radian> q3;
 constexpr speed<"u1"> u1;
 constexpr speed<"u2"> u2;
 constexpr speed<"u3"> u3;
-constexpr parameter<"m"> m;
-constexpr parameter<"l"> l;
-constexpr parameter<"g"> g;
-constexpr parameter<"A"> A; // moment of inertia about a transverse axis
-constexpr parameter<"C"> C; // and about the spin axis
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"l", meter> l;
+constexpr parameter<"g", meter / pow<2>(second)> g;
+constexpr parameter<"A", kilogram * pow<2>(meter)> A; // moment of inertia about a transverse axis
+constexpr parameter<"C", kilogram * pow<2>(meter)> C; // and about the spin axis
 
 struct N : inertial_frame<N> {};
 struct F1 : rotated<F1, N, q1, N::z> {};   // precession

@@ -10,14 +10,15 @@
 namespace {
 
 using namespace kanexpr;
+using namespace kanexpr::units;
 
-constexpr coordinate<"x"> x;
-constexpr coordinate<"h"> h; // height of its lowest point
+constexpr coordinate<"x", meter> x;
+constexpr coordinate<"h", meter> h; // height of its lowest point
 constexpr speed<"vx"> vx;
 constexpr speed<"vh"> vh;
-constexpr parameter<"m"> m;
-constexpr parameter<"R"> R;
-constexpr parameter<"g"> g;
+constexpr parameter<"m", kilogram> m;
+constexpr parameter<"R", meter> R;
+constexpr parameter<"g", meter / pow<2>(second)> g;
 
 struct N : inertial_frame<N> {}; // z points up
 struct O : origin<O, N> {};

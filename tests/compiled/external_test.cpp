@@ -40,12 +40,15 @@ constexpr auto tyre_in_words(const S& slip, const auto& load) {
   return load * slip / (slip * slip + 2) - load * load * slip / 8;
 }
 
+constexpr parameter<"c"> c;
+constexpr auto rate = constant<1, radian / second>;
+
 template <auto force>
 struct with
     : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<m, l, g, c>,
                   inputs<T>, bodies<Bob>, loads<gravity<g * N::x>, torque<A, (T - c * force) * N::z>>> {};
 using Called = with<tyre(u, 1 + q * q)>;
-using Written = with<tyre_in_words(u, 1 + q * q)>;
+using Written = with<tyre_in_words(u / rate, 1 + q * q)>;
 
 template <class System, class S>
 auto accelerations(const S& angle, const S& speed) {

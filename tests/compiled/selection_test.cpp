@@ -23,13 +23,14 @@ using namespace simple_pendulum;
 constexpr parameter<"T0"> T0;
 constexpr parameter<"k"> k;
 constexpr parameter<"b"> b;
+constexpr auto rate = constant<1, radian / second>;
 
 struct Limited
     : kane_system<
           inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<m, l, g, c, T0, k, b>,
           inputs<T>, bodies<Bob>,
           loads<gravity<g * N::x>, torque<A, (clamp(T - c * u, -T0, T0) + (min)(-k * (q - 1), 0)) * N::z>,
-                torque<A, if_positive(u, -b* sqrt(u), b* u / hypot(u, 0.5)) * N::z>>> {};
+                torque<A, if_positive(u, -b* sqrt(u / rate), b* u / hypot(u, 0.5)) * N::z>>> {};
 
 using eom = equations_of_motion<Limited>;
 
@@ -174,7 +175,7 @@ TEST(selection, is_a_limit_from_both_sides) {
   struct Symbols {
     symbolic::graph g;
     symbolic::expression x = variable(g, {symbolic::symbol_kind::coordinate, base::name("x"), 0}),
-                         zero = constant(g, symbolic::exactly(0));
+                         zero = symbolic::constant(g, symbolic::exactly(0));
   } s;
   const auto at_zero = [&](symbolic::expression e) {
     symbolic::matrix one(s.g, 1, 1);

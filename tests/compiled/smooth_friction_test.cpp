@@ -19,6 +19,7 @@ namespace {
 
 using namespace simple_pendulum;
 
+constexpr parameter<"c"> c; // the largest torque of the friction
 constexpr parameter<"v"> v;
 
 struct Rubbed

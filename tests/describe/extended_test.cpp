@@ -130,8 +130,9 @@ TEST(extended, has_symbols_that_are_used_elsewhere) {
 }
 
 /// By Lagrange's method, with constraints.
+constexpr auto brake = constant<2, units::newton * units::meter * units::second>;
 struct Braked : extended<four_bar::LagrangeSystem,
-                         loads<torque<four_bar::C, -2 * dot(four_bar::q1) * four_bar::N::z>>> {};
+                         loads<torque<four_bar::C, -brake * dot(four_bar::q1) * four_bar::N::z>>> {};
 
 TEST(extended, keeps_the_method_and_the_constraints) {
   using eom = equations_of_motion<Braked>;

@@ -248,13 +248,16 @@ TEST(loads, of_systems_with_constraints) {
   using four_bar::G2;
   using four_bar::G3;
   constexpr auto apart = position_of<G3, four_bar::O>;
-  constexpr auto pull = -3 * (magnitude(apart) - 0.2) * normalized(apart);
+  constexpr auto stiff = constant<3, units::newton / units::meter>;
+  constexpr auto viscous = constant<0.7, units::newton * units::second / units::meter>;
+  constexpr auto twisting = constant<0.4, units::newton * units::meter * units::second>;
+  constexpr auto pull = -stiff * (magnitude(apart) - 0.2) * normalized(apart);
   constexpr auto q = four_bar::u1 + four_bar::u2;
   constexpr auto v = four_bar::l1 * four_bar::u1 * four_bar::A::y + four_bar::d2 * q * four_bar::B::y;
-  using first = linkage<spring<G3, four_bar::O, 3, 0.2>, force<G2, -0.7 * velocity_of<G2>>,
+  using first = linkage<spring<G3, four_bar::O, 3, 0.2>, force<G2, -viscous * velocity_of<G2>>,
                         torsional_damper<four_bar::C, four_bar::B, 0.4>>;
-  using second = linkage<force_between<G3, four_bar::O, pull>, force<G2, -0.7 * v>,
-                         torque_between<four_bar::C, four_bar::B, -0.4 * four_bar::u3 * four_bar::N::z>>;
+  using second = linkage<force_between<G3, four_bar::O, pull>, force<G2, -viscous * v>,
+                         torque_between<four_bar::C, four_bar::B, -twisting * four_bar::u3 * four_bar::N::z>>;
   using mechanics::quantity;
   expect_equal(numbers<first>(13, 0.4, quantity::udot, quantity::multipliers, quantity::forcing),
                numbers<second>(13, 0.4, quantity::udot, quantity::multipliers, quantity::forcing));
@@ -263,10 +266,10 @@ TEST(loads, of_systems_with_constraints) {
   constexpr auto swing = pendulum_nonminimal::u1 * pendulum_nonminimal::N::x +
                          pendulum_nonminimal::u2 * pendulum_nonminimal::N::y;
   struct Hook : offset<Hook, pendulum_nonminimal::O, 0.3 * pendulum_nonminimal::N::y> {};
-  using third = string_pendulum<spring<bob, Hook, 3, 0.2>, force<bob, -0.7 * velocity_of<bob>>>;
+  using third = string_pendulum<spring<bob, Hook, 3, 0.2>, force<bob, -viscous * velocity_of<bob>>>;
   constexpr auto string = position_of<bob, Hook>;
   using fourth =
-      string_pendulum<force<bob, -3 * (magnitude(string) - 0.2) * normalized(string) - 0.7 * swing>>;
+      string_pendulum<force<bob, -stiff*(magnitude(string) - 0.2) * normalized(string) - viscous * swing>>;
   expect_equal(numbers<third>(2, 0.4, quantity::udot, quantity::multipliers, quantity::active_forces),
                numbers<fourth>(2, 0.4, quantity::udot, quantity::multipliers, quantity::active_forces));
 }

@@ -32,15 +32,16 @@ TEST(reference, has_statuses) {
   EXPECT_THROW(require(eom::udot(x, eom::parameters(0, 0.5, 9.81, 0.1), r)), std::runtime_error);
 }
 
+constexpr coordinate<"s"> s;
 constexpr coordinate<"w"> w;
-struct On_arc : offset<On_arc, O, q * N::x + w * N::y> {};
+struct On_arc : offset<On_arc, O, s * N::x + w * N::y> {};
 constexpr speed<"v"> v;
 struct Pearl : particle<Pearl, On_arc, 1> {};
-struct Bead : kane_system<inertial<N>, coordinates<q, w>, speeds<u, v>, kinematics<dot(q) == u, dot(w) == v>,
-                          bodies<Pearl>, configuration_constraints<q * q + w * w == 1>> {};
+struct Bead : kane_system<inertial<N>, coordinates<s, w>, speeds<u, v>, kinematics<dot(s) == u, dot(w) == v>,
+                          bodies<Pearl>, configuration_constraints<s * s + w * w == 1>> {};
 
 TEST(reference, has_assembled_states) {
-  equations_of_motion<Bead>::state x{{q, 0.6}, {w, 0.7}, {u, 0.1}, {v, 0.2}};
+  equations_of_motion<Bead>::state x{{s, 0.6}, {w, 0.7}, {u, 0.1}, {v, 0.2}};
 #include <docs/reference/examples/assembled.cpp>
   EXPECT_TRUE(done && checked && rows);
 }

@@ -107,9 +107,10 @@ TEST(model, tells_in_the_status_what_was_not_given) {
   EXPECT_EQ(mass.status().cause(), "the parameter vector has 0 entries, but none for r");
 }
 
+constexpr coordinate<"x"> position;
 constexpr parameter<"kappa"> pull;
-struct ByLagrangian
-    : lagrange_system<inertial<N>, coordinates<q1>, lagrangian<pow(dot(q1), 2) / 2 - pull * q1>> {};
+struct ByLagrangian : lagrange_system<inertial<N>, coordinates<position>,
+                                      lagrangian<pow(dot(position), 2) / 2 - pull * position>> {};
 
 TEST(model, of_a_whole_lagrangian_goes_on_after_an_energy_was_asked_for) {
   auto derived = derive<ByLagrangian>();
@@ -121,7 +122,7 @@ TEST(model, of_a_whole_lagrangian_goes_on_after_an_energy_was_asked_for) {
   EXPECT_EQ(derived.mistake(), "");
   EXPECT_EQ(derived.get<mechanics::quantity::potential_energy>().entries.size(), 0);
   EXPECT_EQ(derived.mistake(), refused);
-  EXPECT_TRUE(derived.linearize({{q1, 0}, {dot(q1), 0}, {pull, 0}}));
+  EXPECT_TRUE(derived.linearize({{position, 0}, {dot(position), 0}, {pull, 0}}));
   EXPECT_EQ(symbolic::print(derived.mass_matrix()), "[1]");
 }
 

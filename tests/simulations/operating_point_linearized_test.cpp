@@ -25,12 +25,13 @@ TEST(operating_point, is_linearized) {
 }
 
 // A spring that becomes stiffer: the equations are linearized at the time of the operating point.
+constexpr parameter<"k"> k; // stiffness over time
 struct Stiffening
-    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<m, l, c>,
-                  inputs<T>, bodies<Bob>, loads<torque<A, (T - c * time_variable() * q) * N::z>>> {};
+    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, parameters<m, l, k>,
+                  inputs<T>, bodies<Bob>, loads<torque<A, (T - k * time_variable() * q) * N::z>>> {};
 
 TEST(operating_point, is_linearized_at_its_time) {
-  const kanexpr::operating_point<Stiffening> held({{q, 0.3}}, {{m, 2}, {l, 0.5}, {c, 0.1}},
+  const kanexpr::operating_point<Stiffening> held({{q, 0.3}}, {{m, 2}, {l, 0.5}, {k, 0.1}},
                                                   {.held = {q}, .t = 1.7});
   ASSERT_TRUE(held) << held.cause();
   EXPECT_EQ(held.t, 1.7);

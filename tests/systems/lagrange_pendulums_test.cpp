@@ -62,7 +62,7 @@ namespace off_the_circle {
 
 using namespace pendulum_nonminimal;
 
-constexpr auto k = 5;
+constexpr auto k = constant<5, hertz>;
 constexpr auto apart = q1 * q1 + q2 * q2 - L * L;
 constexpr auto rate = 2 * q1 * dot(q1) + 2 * q2 * dot(q2);
 constexpr auto second = 2 * (q1 * dot(dot(q1)) + q2 * dot(dot(q2)) + dot(q1) * dot(q1) + dot(q2) * dot(q2));
