@@ -21,7 +21,7 @@
 namespace {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 using namespace simple_pendulum;
 
 // In addition to viscous friction, dry (Coulomb) friction, which is smoothed near zero speed.

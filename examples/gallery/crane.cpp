@@ -8,7 +8,7 @@
 namespace crane {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"x", meter> x;
 constexpr coordinate<"theta", radian> theta;

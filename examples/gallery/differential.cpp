@@ -6,7 +6,7 @@
 namespace differential {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr parameter<"J", kilogram * pow<2>(meter)> J;            // of the cage
 constexpr parameter<"J_w", kilogram * pow<2>(meter)> Jw;         // of a wheel with its shaft

@@ -6,7 +6,7 @@
 namespace falling_cat {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"x", meter> x; // of the waist
 constexpr coordinate<"y", meter> y;

@@ -10,7 +10,7 @@
 namespace flexible_manipulator {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr parameter<"L", meter> L;                    // length of each link
 constexpr parameter<"rho", kilogram / meter> rho;     // mass per length

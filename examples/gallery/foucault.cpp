@@ -5,7 +5,7 @@
 namespace foucault {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"x", meter> x; // east
 constexpr coordinate<"y", meter> y; // north

@@ -8,7 +8,7 @@
 namespace furuta {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"phi", radian> phi;     // of the arm
 constexpr coordinate<"theta", radian> theta; // of the pendulum, zero where it stands

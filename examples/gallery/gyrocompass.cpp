@@ -5,7 +5,7 @@
 namespace gyrocompass {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"alpha", radian> alpha; // from north to the axis of the rotor, toward west
 constexpr speed<"u"> u;

@@ -6,7 +6,7 @@
 namespace kapitza {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"theta", radian> theta; // zero where the pendulum hangs
 constexpr speed<"u"> u;

@@ -5,7 +5,7 @@
 namespace satellite {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"e1"> e1; // the orientation, a unit quaternion
 constexpr coordinate<"e2"> e2;

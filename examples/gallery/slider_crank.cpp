@@ -5,7 +5,7 @@
 namespace slider_crank {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"q1", radian> q1; // of the crank
 constexpr coordinate<"q2", radian> q2; // of the rod, relative to the crank

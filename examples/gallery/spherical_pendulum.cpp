@@ -5,7 +5,7 @@
 namespace spherical_pendulum {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"theta", radian> theta;
 constexpr coordinate<"phi", radian> phi;

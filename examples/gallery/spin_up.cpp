@@ -8,7 +8,7 @@
 namespace spin_up {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr prescribed<"theta", radian> theta;          // angle of the hub
 constexpr parameter<"L", meter> L;                    // length of the arm

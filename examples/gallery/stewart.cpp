@@ -6,7 +6,7 @@
 namespace stewart {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"x", meter> x;
 constexpr coordinate<"y", meter> y;

@@ -6,7 +6,7 @@
 namespace tumbling_racket {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"e1"> e1; // the orientation, a unit quaternion
 constexpr coordinate<"e2"> e2;

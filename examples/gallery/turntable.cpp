@@ -5,7 +5,7 @@
 namespace turntable {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"x", meter> x;
 constexpr coordinate<"y", meter> y;

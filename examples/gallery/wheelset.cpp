@@ -5,7 +5,7 @@
 namespace wheelset {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"y", meter> y;      // across the track
 constexpr coordinate<"psi", radian> psi; // yaw

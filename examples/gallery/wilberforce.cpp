@@ -6,7 +6,7 @@
 namespace wilberforce {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"z", meter> z;
 constexpr coordinate<"theta", radian> theta;

@@ -7,7 +7,7 @@
 namespace wind_turbine {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"psi", radian> psi; // azimuth of the rotor
 constexpr speed<"omega"> omega;          // speed of the rotor

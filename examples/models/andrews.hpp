@@ -7,7 +7,7 @@
 namespace andrews {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"beta", radian> be;
 constexpr coordinate<"Theta", radian> th;

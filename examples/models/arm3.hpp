@@ -6,7 +6,7 @@
 namespace arm3 {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 template <int i>
 constexpr coordinate<"q", i, radian> q;

@@ -9,7 +9,7 @@
 namespace arm6 {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 template <int i>
 constexpr coordinate<"q", i, radian> q;

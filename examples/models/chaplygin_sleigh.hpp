@@ -7,7 +7,7 @@
 namespace chaplygin_sleigh {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"q1", meter> q1;
 constexpr coordinate<"q2", meter> q2;

@@ -7,7 +7,7 @@
 namespace iiwa {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 template <int i>
 constexpr coordinate<"q", i, radian> q;

@@ -9,7 +9,7 @@
 namespace n_pendulum_cart {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 template <int i>
 constexpr coordinate<"q", i, i == 0 ? meter : radian> q; // q<0> is the position of the cart

@@ -7,7 +7,7 @@
 namespace pendulum6 {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 template <int i>
 constexpr coordinate<"q", i, radian> q;

@@ -7,7 +7,7 @@
 namespace pivot_body {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"e0"> e0;
 constexpr coordinate<"e1"> e1;

@@ -7,7 +7,7 @@
 namespace quadruped {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 template <int i>
 constexpr coordinate<"q", i, radian> q;

@@ -8,7 +8,7 @@
 namespace rattleback {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"q1", radian> q1; // yaw
 constexpr coordinate<"q2", radian> q2; // roll

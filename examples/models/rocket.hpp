@@ -7,7 +7,7 @@
 namespace rocket {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"q", meter> q;
 constexpr speed<"u"> u;

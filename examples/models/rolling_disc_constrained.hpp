@@ -7,7 +7,7 @@
 namespace rolling_disc_constrained {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"q1", radian> q1;
 constexpr coordinate<"q2", radian> q2;

@@ -6,7 +6,7 @@
 namespace rotating_tube {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"q", meter> q; // along the tube
 constexpr speed<"u"> u;

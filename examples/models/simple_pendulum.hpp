@@ -6,7 +6,7 @@
 namespace simple_pendulum {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"q", radian> q;
 constexpr speed<"u"> u;

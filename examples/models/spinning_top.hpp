@@ -7,7 +7,7 @@
 namespace spinning_top {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"q1", radian> q1;
 constexpr coordinate<"q2", radian> q2;

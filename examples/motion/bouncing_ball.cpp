@@ -10,7 +10,7 @@
 namespace {
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"x", meter> x;
 constexpr coordinate<"h", meter> h; // height of its lowest point

@@ -204,8 +204,9 @@ TEST(page_text, holds_everything_to_seven_digits) {
   ASSERT_EQ(text["runs"].size(), 1u);
   const auto& run = text["runs"][0];
   EXPECT_EQ(run["times"], nlohmann::json({0.0, 0.1}));
-  EXPECT_EQ(run["columns"][0],
-            nlohmann::json({{"name", "q"}, {"group", "Coordinates"}, {"unit", ""}, {"values", {0.3, -1.2}}}));
+  EXPECT_EQ(
+      run["columns"][0],
+      nlohmann::json({{"name", "q"}, {"group", "Coordinates"}, {"unit", "rad"}, {"values", {0.3, -1.2}}}));
   ASSERT_EQ(run["shapes"].size(), 4u);
   const auto &rod = run["shapes"][1], &sphere = run["shapes"][2], &axes = run["shapes"][3];
   EXPECT_EQ(sphere["sizes"], nlohmann::json::array({0.07}));

@@ -130,7 +130,7 @@ TEST(extended, has_symbols_that_are_used_elsewhere) {
 }
 
 /// By Lagrange's method, with constraints.
-constexpr auto brake = constant<2, units::newton * units::meter * units::second>;
+constexpr auto brake = constant<2, units::si::newton * units::si::meter * units::si::second>;
 struct Braked : extended<four_bar::LagrangeSystem,
                          loads<torque<four_bar::C, -brake * dot(four_bar::q1) * four_bar::N::z>>> {};
 

@@ -248,9 +248,9 @@ TEST(loads, of_systems_with_constraints) {
   using four_bar::G2;
   using four_bar::G3;
   constexpr auto apart = position_of<G3, four_bar::O>;
-  constexpr auto stiff = constant<3, units::newton / units::meter>;
-  constexpr auto viscous = constant<0.7, units::newton * units::second / units::meter>;
-  constexpr auto twisting = constant<0.4, units::newton * units::meter * units::second>;
+  constexpr auto stiff = constant<3, units::si::newton / units::si::meter>;
+  constexpr auto viscous = constant<0.7, units::si::newton * units::si::second / units::si::meter>;
+  constexpr auto twisting = constant<0.4, units::si::newton * units::si::meter * units::si::second>;
   constexpr auto pull = -stiff * (magnitude(apart) - 0.2) * normalized(apart);
   constexpr auto q = four_bar::u1 + four_bar::u2;
   constexpr auto v = four_bar::l1 * four_bar::u1 * four_bar::A::y + four_bar::d2 * q * four_bar::B::y;

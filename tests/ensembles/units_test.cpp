@@ -1,13 +1,12 @@
 // The units of a model in tables, CSV files and the columns of studies.
 #include "runtime/cart_with_units.hpp"
+#include "simulations/falling_ball.hpp"
 #include "units/pendulum_on_cart.hpp"
 
 #include <kanexpr/ensemble.hpp>
 #include <kanexpr/ensembles/study_columns.hpp>
 #include <kanexpr/simulate.hpp>
 #include <kanexpr/simulations/trajectory/model_trajectory.hpp>
-
-#include <models/simple_pendulum.hpp>
 
 #include <gtest/gtest.h>
 
@@ -38,7 +37,7 @@ TEST(units, are_those_of_the_columns_of_a_trajectory) {
   EXPECT_EQ(cart.names(), (names{"t", "s", "q", "v", "u", "F"}));
   EXPECT_EQ(cart.units(), (names{"s", "m", "rad", "m/s", "rad/s", "N"}));
   EXPECT_EQ(header_of(cart), "t [s],s [m],q [rad],v [m/s],u [rad/s],F [N]");
-  EXPECT_EQ(header_of(two_samples<simple_pendulum::System>().table()), "t,q,u,T") << "no units";
+  EXPECT_EQ(header_of(two_samples<falling_ball::System>().table()), "t,h,v") << "no units";
 }
 
 TEST(units, are_those_of_a_model_that_a_builder_built) {
@@ -73,8 +72,8 @@ TEST(units, are_those_of_the_columns_of_a_study) {
   EXPECT_EQ(constants, (names{"m", "radian", "m/s", "rad/s", "kg", "m/s²", "N/m", "N"}));
   EXPECT_TRUE(all.has_units());
 
-  using plain = ensembles::study_columns<ensembles::simulation_kind<simple_pendulum::System>>;
-  const study_layout none = plain::layout_of({.runs = grid({{simple_pendulum::l, {0.5, 1}}})});
+  using plain = ensembles::study_columns<ensembles::simulation_kind<falling_ball::System>>;
+  const study_layout none = plain::layout_of({.runs = grid({{falling_ball::m, {0.5, 1}}})});
   EXPECT_EQ(units_of(none.columns), (names{"", "", "s", ""}));
   EXPECT_FALSE(none.has_units());
 }

@@ -116,7 +116,7 @@ bool write_ball_fmu(const char* folder) {
 /// long internal steps.
 bool write_lift_fmu(const char* folder) {
   kanexpr::runtime::builder b("N");
-  const auto h = b.coordinate("h", kanexpr::units::meter), v = b.speed("v");
+  const auto h = b.coordinate("h", kanexpr::units::si::meter), v = b.speed("v");
   b.kinematic_equation(b.dot(h) - v);
   const auto N = b.inertial_frame();
   b.particle("Lift", b.offset("P", b.origin("O"), b.along(N, h, 0, 0)), b.number(1));

@@ -1,11 +1,10 @@
 // Units in exported files.
 #include "runtime/cart_with_units.hpp"
+#include "simulations/falling_ball.hpp"
 #include "units/pendulum_on_cart.hpp"
 
 #include <kanexpr/export.hpp>
 #include <kanexpr/fmi.hpp>
-
-#include <models/simple_pendulum.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -110,7 +109,7 @@ TEST_F(units_in_files, are_inferred_for_a_model_given_as_types) {
   EXPECT_EQ(texts(cart.function("mass_matrix")->results[0].units), "kg kg.m kg.m kg.m2");
   EXPECT_EQ(texts(cart.function("moment")->results[0].units), "kg.m");
 
-  const exported_system plain = exported_from<simple_pendulum::System>("plain").system;
+  const exported_system plain = exported_from<falling_ball::System>("plain").system;
   EXPECT_FALSE(plain.states_units);
   EXPECT_THAT(plain.units_of_states, testing::IsEmpty());
   for (const exported_function& f : plain.functions) EXPECT_THAT(f.results[0].units, testing::IsEmpty());

@@ -274,6 +274,25 @@ TEST(body_of_data, is_loaded_by_reference_stresses) {
                expected, "preload");
 }
 
+TEST(body_of_data, reports_incomplete_numbers) {
+  const auto mistake_after = [](const auto& change) {
+    mechanics::flexible_data data = data_of(undamped(false));
+    change(data);
+    builder b("N");
+    const expression first = b.coordinate("q1"), second = b.coordinate("q2");
+    b.flexible_body("Panel", b.origin("O"), b.inertial_frame(), {first, second}, data);
+    return std::string(b.mistake().view());
+  };
+  const auto no_change = [](const mechanics::flexible_data&) {};
+  EXPECT_EQ(mistake_after(no_change), "");
+  const std::string incomplete =
+      "the numbers of Panel are incomplete: a list has a length that does not fit the number of amplitudes";
+  EXPECT_EQ(mistake_after([](auto& d) { d.first_moment.coefficients = {1.0, 2.0}; }), incomplete);
+  EXPECT_EQ(mistake_after([](auto& d) { d.stiffness = {}; }), incomplete);
+  EXPECT_EQ(mistake_after([](auto& d) { d.stiffness[3] = std::numeric_limits<double>::quiet_NaN(); }),
+            "Panel contains a number that is not finite");
+}
+
 TEST(body_of_data, reports_mistakes) {
   const mechanics::flexible_data data = data_of(undamped(false));
   builder b("N");

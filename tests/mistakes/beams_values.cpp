@@ -17,7 +17,7 @@ void f() { use<System>(); }
 
 // expect: beam B has an axis or a direction of bending that is not fixed in its frame
 namespace v3 {
-struct B : beam<B, O, cos(q)*N::x + sin(q)*N::z, L, m, bends> {};
+struct B : beam<B, O, cos(q) * N::x + sin(q) * N::z, L, m, bends> {};
 struct System : system_of<coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<B>> {};
 void f() { use<System>(); }
 } // namespace v3
@@ -38,21 +38,21 @@ void f() { use<System>(); }
 
 // expect: the bending stiffness of beam B is not positive
 namespace v6 {
-struct B : beam<B, O, N::x, L, m, bending<N::y, -EI*0.0, clamped_free<1>>> {};
+struct B : beam<B, O, N::x, L, m, bending<N::y, -EI * 0.0, clamped_free<1>>> {};
 struct System : system_of<bodies<B>> {};
 void f() { use<System>(); }
 } // namespace v6
 
 // expect: the bending stiffness of beam B may vary; it may contain only numbers and parameters
 namespace v7 {
-struct B : beam<B, O, N::x, L, m, bending<N::y, EI*F, clamped_free<1>>> {};
+struct B : beam<B, O, N::x, L, m, bending<N::y, EI * F, clamped_free<1>>> {};
 struct System : system_of<bodies<B>> {};
 void f() { use<System>(); }
 } // namespace v7
 
 // expect: the length of beam B is a vector; it must be a scalar
 namespace v8 {
-struct B : beam<B, O, N::x, L*N::x, m, bends> {};
+struct B : beam<B, O, N::x, L * N::x, m, bends> {};
 struct System : system_of<bodies<B>> {};
 void f() { use<System>(); }
 } // namespace v8
@@ -99,7 +99,7 @@ void f() { use<System>(); }
 
 // expect: a motion is declared for section S, which moves with its beam
 namespace v14 {
-struct S : section<S, Rod, 1>, velocity<N, u*N::x> {};
+struct S : section<S, Rod, 1>, velocity<N, u * N::x> {};
 struct P : particle<P, S, m> {};
 struct System : system_of<bodies<Rod, P>> {};
 void f() { use<System>(); }
@@ -136,3 +136,26 @@ namespace v19 {
 struct System : system_of<bodies<Rod>, loads<force<Rod, F * N::y>>> {};
 void f() { use<System>(); }
 } // namespace v19
+
+// expect: the direction of bending of beam B normalizes a vector of zero length
+namespace v20 {
+struct B : beam<B, O, N::x, L, m, bending<0.0*N::y, EI, clamped_free<1>>> {};
+struct System : system_of<bodies<B>> {};
+void f() { use<System>(); }
+} // namespace v20
+
+// expect: section S of beam Rod is at 0, which is also the value of 1/2 in C++; write 0.5, or 0.0 for the
+// expect: root
+namespace v21 {
+struct S : section<S, Rod, 1/2> {};
+struct P : particle<P, S, m> {};
+struct System : system_of<bodies<Rod, P>> {};
+void f() { use<System>(); }
+} // namespace v21
+
+// expect: beam B has a profile<...> that is negative at some place, or nowhere positive
+namespace v22 {
+struct B : beam<B, O, N::x, L, m, bending<N::y, EI, clamped_free<1>, profile<polynomial<1, -2>>>> {};
+struct System : system_of<bodies<B>> {};
+void f() { use<System>(); }
+} // namespace v22

@@ -158,7 +158,8 @@ void f() { use<System>(); }
 
 // expect: beam B has a deformation with two profiles
 namespace b22 {
-struct B : beam<B, O, N::x, L, m, bending<N::y, EI, clamped_free<1>, profile<polynomial<1>>, profile<polynomial<1>>>> {};
+struct B : beam<B, O, N::x, L, m,
+                bending<N::y, EI, clamped_free<1>, profile<polynomial<1>>, profile<polynomial<1>>>> {};
 struct System : system_of<bodies<B>> {};
 void f() { use<System>(); }
 } // namespace b22

@@ -15,8 +15,8 @@ struct System : system_of<bodies<B>> {};
 void f() { use<System>(); }
 } // namespace f2
 
-// expect: flexible body B has by<...> with too few or too many symbols; write a coordinate for each amplitude,
-// expect: followed by a speed for each
+// expect: flexible body B has by<...> with too few or too many symbols; write a coordinate for each
+// expect: amplitude, followed by a speed for each
 namespace f3 {
 struct B : flexible_body<B, O, N, bar, by<q, p, u>> {};
 struct System : system_of<bodies<B>> {};

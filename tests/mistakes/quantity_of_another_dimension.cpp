@@ -6,7 +6,7 @@ using namespace kanexpr;
 
 constexpr coordinate<"q"> q;
 constexpr speed<"u"> u;
-constexpr parameter<"m", units::kilogram> m;
+constexpr parameter<"m", units::si::kilogram> m;
 constexpr parameter<"k"> k;
 
 struct N : inertial_frame<N> {};

@@ -26,7 +26,7 @@ struct System : extended<pendulum<gravity<g * N::x>>, bodies<Bob2>, values<l == 
 void f() { use<System>(); }
 } // namespace u4
 
-// expect: the force at P is -k*velocity_of<P>.x [kg m/s^3], but must be in N
+// expect: the force at P is -k*velocity_of<P>.x [N/s], but must be in N
 namespace u5 {
 struct System : pendulum<force<P, -k * velocity_of<P>>> {};
 void f() { use<System>(); }
@@ -34,8 +34,8 @@ void f() { use<System>(); }
 
 // expect: a configuration constraint equates position_of<P>.x - position_of<O>.x [m] and k [N/m]
 namespace u6 {
-struct System : extended<pendulum<gravity<g * N::x>>,
-                         configuration_constraints<dot(position_of<P, O>, N::x) == k>> {};
+struct System
+    : extended<pendulum<gravity<g * N::x>>, configuration_constraints<dot(position_of<P, O>, N::x) == k>> {};
 void f() { use<System>(); }
 } // namespace u6
 
@@ -56,3 +56,16 @@ namespace u9 {
 struct System : pendulum<force<P, constant<2, newton * meter> * N::x>> {};
 void f() { use<System>(); }
 } // namespace u9
+
+// expect: the force at P compares l [m] and if_positive(k*q - -1, k*q, 0) + if_positive(k*q - -1, -1, 0)
+namespace u10 {
+struct System : pendulum<force<P, clamp(k * q, -1, l) * N::x>> {};
+void f() { use<System>(); }
+} // namespace u10
+
+// expect: the mass of Bob2 is k [N/m], but must be in kg
+namespace u11 {
+struct Bob2 : particle<Bob2, P, k> {};
+struct System : extended<pendulum<gravity<g * N::x>>, bodies<Bob2>> {};
+constexpr auto units = units_of<System>();
+} // namespace u11

@@ -5,7 +5,7 @@
 // The common part of the programs about units.
 
 using namespace kanexpr;
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 constexpr coordinate<"q"> q;
 constexpr speed<"u"> u;

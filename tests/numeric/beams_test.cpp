@@ -165,6 +165,24 @@ TEST(beam_modes, are_scaled_to_1_at_a_free_tip_and_by_the_greatest_deflection_ot
   }
 }
 
+TEST(beam_modes, with_a_heavy_tip_body_are_static_deflections) {
+  for (const double ratio : {1e10, 1e13, 1e16, 1e300}) {
+    const shape mode = kanexpr::numeric::beams::mode_of_bending(ends::clamped_free, 1, {ratio, 0});
+    for (const double xi : {0.2, 0.5, 0.8}) // 3/2 ξ² − 1/2 ξ³
+      EXPECT_NEAR(mode.at(xi).value, xi * xi * (3 - xi) / 2, 1e-7) << ratio;
+  }
+}
+
+TEST(beam_modes, of_impossible_numbers_and_tip_bodies_are_empty) {
+  using kanexpr::numeric::beams::mode_of_bending, kanexpr::numeric::beams::mode_of_rod;
+  for (const ends how : {ends::clamped_free, ends::clamped_clamped, ends::pinned_free}) {
+    EXPECT_FALSE(mode_of_bending(how, 0).is_complete());
+    EXPECT_FALSE(mode_of_rod(how, -1).is_complete());
+    EXPECT_TRUE(mode_of_bending(how, 60).is_complete());
+  }
+  EXPECT_FALSE(mode_of_bending(ends::clamped_free, 1, {-0.5, 0}).is_complete());
+}
+
 TEST(rod_modes, satisfy_their_boundary_conditions) {
   for (int n = 1; n <= 5; ++n) {
     EXPECT_NEAR(mode_of_rod(ends::clamped_free, n).at(1).slope, 0, 1e-13);

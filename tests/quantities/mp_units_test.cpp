@@ -31,7 +31,7 @@ TEST(mp_units, give_values_in_the_units_of_the_model) {
   EXPECT_EQ(r[T], 3);
 }
 
-template <si::unit in, class Quantity>
+template <kanexpr::units::unit in, class Quantity>
 constexpr bool converts(const Quantity&) {
   return compiled::units_library<Quantity>::template converts<in>;
 }

@@ -6,7 +6,7 @@
 namespace pendulum_with_units {
 
 using namespace kanexpr;
-namespace si = kanexpr::units;
+namespace si = kanexpr::units::si;
 
 #include <docs/guide/quantities/model.cpp>
 

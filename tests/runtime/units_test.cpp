@@ -1,4 +1,5 @@
 #include <kanexpr/mechanics/motion/known_motion.hpp>
+#include <kanexpr/mechanics/motion/observe.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/symbolic/graph/composed.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
@@ -12,7 +13,7 @@
 
 namespace {
 
-using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 using kanexpr::derive;
 using kanexpr::runtime::builder;
 using kanexpr::runtime::frame_id;
@@ -59,6 +60,30 @@ TEST(units, follow_from_others) {
     EXPECT_EQ(s.unit_of(symbol), unit) << symbol;
   EXPECT_EQ(s.b.unit_of(s.l * s.u), meter * radian / second);
   EXPECT_EQ(s.b.unit_of(s.b.number(2)), std::nullopt);
+}
+
+TEST(units, are_written_as_engineers_do) {
+  cart s;
+  s.b.torsional_spring(s.q, s.w);
+  kanexpr::mechanics::known_motion known(s.b.mechanism());
+  s.b.force(s.P, s.c * kanexpr::mechanics::velocity_of_point(known.moving(), place(s.P)));
+  s.b.force(s.C, s.b.along(s.N, s.g * s.u, 0, 0));
+  EXPECT_EQ(std::string((s.b.check)().view()), "");
+  EXPECT_EQ(s.unit_of("w"), "N m/rad");
+  EXPECT_EQ(s.unit_of("c"), "N s/m");
+  EXPECT_EQ(s.unit_of("g"), "N s/rad");
+}
+
+TEST(units, of_coordinates_follow_from_angles_also_in_energies) {
+  builder b("N");
+  const expression q = b.coordinate("q"), x = b.coordinate("x", meter);
+  b.rates_as_speeds();
+  const expression m = b.parameter("m", kilogram), I = b.parameter("I"), l = b.parameter("l"),
+                   g = b.parameter("g"), v = b.dot(x), u = b.dot(q);
+  b.lagrangian(m * v * v / 2 + I * u * u / 2 + m * l * cos(q) * u * v + m * g * l * cos(q));
+  EXPECT_EQ(std::string((b.check)().view()), "");
+  for (const auto& [symbol, unit] : {std::pair{"q", "rad"}, {"I", "kg m²"}, {"l", "m"}, {"g", "m/s²"}})
+    EXPECT_EQ(std::string(text_of(b.units().of(symbol)).view()), unit) << symbol;
 }
 
 TEST(units, stay_open_where_nothing_determines_them) {
@@ -135,9 +160,10 @@ const wrong mistakes[]{
      "the damping between O and P is k [N/m], but must be in N s/m"},
     {[](cart& s) { s.b.torsional_damper(s.A, s.N, s.k); },
      "the torsional damping between A and N is k [N/m], but must be in N m s/rad"},
-    {[](cart& s) { s.b.torsional_spring(s.q, s.T, s.l); }, "potential energy 1 subtracts l [m] from q [rad]"},
+    {[](cart& s) { s.b.torsional_spring(s.q, s.T, s.l); },
+     "the torsional spring with q subtracts l [m] from q [rad]"},
     {[](cart& s) { s.b.torsional_spring(s.q, s.k); },
-     "potential energy 1 is k*q^2/2 [N rad^2/m], but must be in N m"},
+     "the stiffness of the torsional spring with q is k [N/m], but must be in N m/rad"},
     {[](cart& s) { s.b.potential_energy(s.m * s.l); },
      "potential energy 1 is l*m [kg m], but must be in N m"},
     {[](cart& s) { s.b.particle("Third", s.P, s.l); }, "the mass of Third is l [m], but must be in kg"},
@@ -155,19 +181,21 @@ const wrong mistakes[]{
     {[](cart& s) { push(s, s.F * tanh(s.v)); }, "the force at C contains tanh(v); v [m/s] is not a number"},
     {[](cart& s) { push(s, s.k * sqrt(s.x)); }, "the force at C is k*sqrt(x) [N/m^(1/2)], but must be in N"},
     {[](cart& s) { push(s, s.F * abs(s.x)); }, "the force at C is F*abs(x) [N m], but must be in N"},
-    {[](cart& s) { push(s, (kanexpr::symbolic::max)(s.F, s.x)); },
-     "the force at C subtracts x [m] from F [N]"},
+    {[](cart& s) { push(s, (kanexpr::symbolic::max)(s.F, s.x)); }, "the force at C compares F [N] and x [m]"},
     {[](cart& s) { push(s, s.F * s.b.time()); }, "the force at C is F*t [kg m/s], but must be in N"},
-    {[](cart& s) { push(s, s.F * power(s.x, s.w)); },
-     "the force at C has the base of a power with a variable exponent that is not a number: x [m]"},
+    {[](cart& s) { push(s, s.F * power(s.x, s.w)); }, "the force at C contains x^w; x [m] is not a number"},
     {[](cart& s) { push(s, s.c * s.x), push(s, s.c * s.v); },
-     "the force at C is c*v [kg m/s^3], but must be in N"},
+     "the force at C is c*v [N/s], but must be in N"},
     {[](cart& s) { push(s, s.c), turn(s, s.c); },
      "the torque on A is c [N], but must be in N m; c is in N by the force at C"},
     {[](cart& s) { push(s, s.F * (s.c + s.c * s.l)); },
-     "the force at C adds c and c*l, whose units differ by m"},
+     "the force at C adds c and c*l, whose units differ by a factor of m"},
     {[](cart& s) { push(s, s.F * s.b.prescribed("h", meter) / s.b.prescribed("p", second)); },
      "the force at C is F*h/p [W], but must be in N"},
+    {[](cart& s) { push(s, s.m * 9.81); },
+     "the force at C is 9.81*m [kg], but must be in N; the factor 9.81 has no unit"},
+    {[](cart& s) { push(s, s.k * s.b.dot(s.b.prescribed("h", meter))); },
+     "the force at C is k*h' [N/s], but must be in N"},
     {[](cart& s) { s.b.configuration_constraint(s.x - s.m); },
      "a configuration constraint equates x [m] and m [kg]"},
     {[](cart& s) { s.b.configuration_constraint(s.x - s.l * s.l); },

@@ -304,7 +304,7 @@ TEST(beam_frequencies, vanish_at_greenhills_torque) {
     b.add(b.o, b.ground, {b.plane(b.ground, 1, 0, shapes, true), b.plane(b.ground, 0, 1, shapes, true)});
     const auto about_axis = [&](double t) { return b.along(b.ground, t * stiffness / length, 0.0, 0.0); };
     b.torque(b.tip.frame, about_axis(torque));
-    b.torque(b.section("Root", b.made, 0).frame, about_axis(-torque));
+    b.torque(b.section("Root", b.made, 0.0).frame, about_axis(-torque));
     return squares(b)[0];
   };
   EXPECT_NEAR(lowest(2 * M_PI), 0, 1e-7 * lowest(0));

@@ -316,6 +316,26 @@ TEST(beam_mistakes, of_a_builder_are_sentences) {
          "expected an amplitude for each of the 4 shapes of beam B, got 2");
   expect([](bench& b, beam_data& d, amplitudes&) { d.axis = b.along(b.n, 0.0, 0.0, 0.0); },
          "beam B has an axis of zero length");
+  expect([](bench&, beam_data& d, amplitudes&) { d.bending[0].direction = {}; },
+         "beam B bends in a direction of zero length");
+  const std::string incomplete = "beam B has a shape that is not given on the whole beam, by finite numbers "
+                                 "and stations in increasing order from 0 to 1";
+  const double not_a_number = std::numeric_limits<double>::quiet_NaN();
+  for (const shape& each : {shape{}, shape::polynomial({}), shape::polynomial({0.0, 0.0, not_a_number}),
+                            shape::piecewise({0.0, 2.0}, 2, {0.0, 0.0, 1.0}),
+                            shape::piecewise({0.0, 0.5, 1.0}, 2, {0.0, 0.0, 1.0}),
+                            kanexpr::numeric::beams::mode_of_bending(ends::clamped_free, 0),
+                            kanexpr::numeric::beams::mode_of_bending(ends::clamped_free, 1, {-0.5, 0})})
+    expect([&](bench&, beam_data& d, amplitudes&) { d.bending[0].by.shapes[1] = each; }, incomplete);
+  expect(
+      [](bench&, beam_data& d, amplitudes&) {
+        d.bending[0].by.shapes[1] = shape::piecewise({0.0, 0.5, 1.0}, 1, {0.0, 0.0, 0.0, 1.0});
+      },
+      "beam B has a shape with a jump or a kink at a station");
+  const std::string negative = "beam B has a profile that is negative at some place, or nowhere positive";
+  expect([](bench&, beam_data& d, amplitudes&) { d.mass_profile = shape::polynomial({1.0, -1.5}); },
+         negative);
+  expect([](bench&, beam_data& d, amplitudes&) { d.bending[0].by.profile = shape{}; }, negative);
   expect([](bench&, beam_data& d, amplitudes&) { d.length = -1; }, "the length of beam B is not positive");
   expect([](bench&, beam_data& d, amplitudes& q) { d.mass_per_length = q[0]; },
          "the mass per length of beam B may vary; it may contain only numbers and parameters");
@@ -325,8 +345,29 @@ TEST(beam_mistakes, of_a_builder_are_sentences) {
          "the damping of beam B is negative");
 }
 
+// With its first mode, an arm on a hub without inertia has a positive kinetic energy up to a deflection of
+// 0.446 L, where (1/3 − 0.0483 q²)/4 = 0.2844².
+TEST(beam_status, reports_a_deflection_beyond_which_the_kinetic_energy_is_not_positive) {
+  bench b;
+  const std::vector<expression> q = b.free("q", 2);
+  const frame_id r = b.rotated("R", b.n, q[0], b.along(b.n, 0, 0, 1));
+  b.beam("B", b.o, r, {q[1]}, plane_beam(b, r, modes_of_bending(ends::clamped_free, 1)));
+  kanexpr::model m = kanexpr::derive(b);
+  auto udot = m.function(m.udot());
+  const auto status_at = [&](double deflection) {
+    udot(Eigen::Vector4d(0.3, deflection * length, 0, 0), VectorXd(0));
+    return std::string(udot.status().view());
+  };
+  EXPECT_EQ(status_at(0.44), "");
+  for (const double deflection : {0.45, -0.5, 3.0, 10.0})
+    EXPECT_EQ(
+        status_at(deflection),
+        "the mass matrix is not positive definite at this state: its elimination fails at the speed u_q1; "
+        "a flexible body may be deformed too much");
+}
+
 TEST(beam_mistakes, in_sections_of_a_builder_are_sentences) {
-  const auto mistake = [](double xi, int beams) {
+  const auto mistake = [](const kanexpr::runtime::given_number& xi, int beams) {
     bench b;
     const std::vector<expression> q = b.free("q", 1);
     if (beams > 0) b.beam("B", b.o, b.n, q, plane_beam(b, b.n, modes_of_bending(ends::clamped_free, 1)));
@@ -336,6 +377,10 @@ TEST(beam_mistakes, in_sections_of_a_builder_are_sentences) {
   EXPECT_EQ(mistake(0.5, 1), "");
   EXPECT_EQ(mistake(1.5, 1),
             "section S is not on beam B; its place is a fraction of the length, a number from 0 to 1");
+  EXPECT_EQ(
+      mistake(0, 1),
+      "section S of beam B is at 0, which is also the value of 1/2 in C++; write 0.5, or 0.0 for the root");
+  EXPECT_EQ(mistake(0.0, 1), "");
   EXPECT_EQ(mistake(0.5, 0), "section S is placed on a beam that does not exist");
 }
 

@@ -9,14 +9,14 @@ namespace pendulum_on_cart {
 using namespace kanexpr;
 
 constexpr coordinate<"s"> s;
-constexpr coordinate<"q", units::radian> q;
+constexpr coordinate<"q", units::si::radian> q;
 constexpr speed<"v"> v;
 constexpr speed<"u"> u;
-constexpr parameter<"m", units::kilogram> m;
+constexpr parameter<"m", units::si::kilogram> m;
 constexpr parameter<"l"> l;
 constexpr parameter<"g"> g;
 constexpr parameter<"k"> k;
-constexpr input<"F", units::newton> F;
+constexpr input<"F", units::si::newton> F;
 
 struct N : inertial_frame<N> {};
 struct A : rotated<A, N, q, N::z> {};

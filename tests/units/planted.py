@@ -52,7 +52,7 @@ PLANTED = [
     ("models/rocket.hpp", "System", "m * g", "m", "the force at P", "N", "kg"),
     ("models/rocket.hpp", "LagrangeSystem", "cd * dot(q) * dot(q)", "cd * dot(q)", "the force at P", "N", "N s/m"),
     ("models/rotating_tube.hpp", "System", "q - q0", "q - theta", "the force at P", "m", "rad"),
-    ("models/rotating_tube.hpp", "System", "c * u", "k * u", "the force at P", "N", "kg m/s^3"),
+    ("models/rotating_tube.hpp", "System", "c * u", "k * u", "the force at P", "N", "N/s"),
     ("models/andrews.hpp", "System", "magnitude(spring)", "dot(spring, spring)", "the force at D", "m^2", "m"),
     ("gallery/foucault.cpp", "System", "-2 * m *", "-2 *", "the force at P", "m rad/s^2", "N"),
     ("gallery/stewart.cpp", "System", "F<i> * normalized(position_of<Top<i>, Foot<i>>)",
@@ -181,7 +181,7 @@ def main():
     wrong += [f"{path} {system}: {sentence}" for (path, system, *_), sentence in zip(copies, found[:controls]) if sentence]
     for (path, system, stated, planted, entity, *units), sentence in zip(PLANTED, found[controls:]):
         if not (sentence.startswith(entity + " ") and all(
-                re.search(r"(\[| in | by )%s(\]|,|$)" % re.escape(unit), sentence) for unit in units)):
+                re.search(r"(\[| in | by )%s(\]|[,;]|$)" % re.escape(unit), sentence) for unit in units)):
             wrong.append(f"{path} {system}: {stated} -> {planted}: {sentence or 'not found'}")
     print(f"{len(PLANTED)} mistakes in {len(set(p[0] for p in PLANTED))} examples, {controls} models without one")
     sys.exit("\n".join(wrong) or None)

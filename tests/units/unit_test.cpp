@@ -9,6 +9,7 @@
 namespace {
 
 using namespace kanexpr::units;
+using namespace kanexpr::units::si;
 
 std::string written(const unit& u, spelling how = spelling::printed) {
   return std::string(text_of(u, how).view());

@@ -107,6 +107,8 @@ struct records_in<System, element_list<Elements...>> {
 class scene {
 public:
   virtual ~scene() = default;
+  scene(const scene&) = delete;
+  scene& operator=(const scene&) = delete;
 
   const derivation::survey& known;
   const mechanics::unit_table* units; ///< null if the model states none

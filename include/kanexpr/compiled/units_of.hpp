@@ -49,6 +49,7 @@ constexpr int place_of(mechanics::extent_by extent, const scalar<1>& symbol) {
 /// Printed, the table names those that are not determined.
 template <class System>
 constexpr const mechanics::unit_table& units_of() {
+  static_cast<void>(compiled::survey_of<System>); // reports a mistake in the system
   return compiled::unit_table_of<System>;
 }
 
@@ -56,6 +57,7 @@ constexpr const mechanics::unit_table& units_of() {
 /// `units_of<System>(magnitude(velocity_of<P>))`.
 template <class System, describe::shape kind, int size>
 constexpr mechanics::possible_unit units_of(const postfix_expression<kind, size>& e) {
+  static_cast<void>(compiled::survey_of<System>);
   return derivation::unit_of(System::record, {kind, e.tokens, size});
 }
 

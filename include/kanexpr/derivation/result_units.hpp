@@ -44,7 +44,7 @@ public:
     switch (wanted) {
     case q::mass_matrix:
     case q::unreduced_mass_matrix:
-      return force(r.rows, row) / without_angle(speed(r.columns, column)) * units::second;
+      return force(r.rows, row) / without_angle(speed(r.columns, column)) * units::si::second;
     case q::coriolis: return force(r.rows, row) / without_angle(speed(r.columns, column));
     case q::forcing:
     case q::active_forces:
@@ -56,22 +56,22 @@ public:
     case q::load_compensation: return force(r.rows, row);
     case q::qdot:
     case q::udot:
-    case q::rhs: return state(r.rows, row) / units::second;
+    case q::rhs: return state(r.rows, row) / units::si::second;
     case q::required_inputs: return input(row);
     case q::kinetic_energy:
-    case q::potential_energy: return units::joule;
-    case q::linear_momentum: return units::newton * units::second;
-    case q::angular_momentum: return units::newton * units::meter * units::second;
-    case q::center_of_mass: return units::meter;
-    case q::generalized_momenta: return force(r.rows, row) * units::second;
+    case q::potential_energy: return units::si::joule;
+    case q::linear_momentum: return units::si::newton * units::si::second;
+    case q::angular_momentum: return units::si::newton * units::si::meter * units::si::second;
+    case q::center_of_mass: return units::si::meter;
+    case q::generalized_momenta: return force(r.rows, row) * units::si::second;
     case q::configuration_residual:
     case q::configuration_terms: return residual(row);
     case q::redundant_residual:
     case q::redundant_terms: return redundant(row);
     case q::redundant_rate:
-    case q::redundant_rate_terms: return redundant(row) / units::second;
-    case q::redundant_bias: return redundant(row) / units::second / units::second;
-    case q::redundant_jacobian: return redundant(row) / units::second / speed(r.columns, column);
+    case q::redundant_rate_terms: return redundant(row) / units::si::second;
+    case q::redundant_bias: return redundant(row) / units::si::second / units::si::second;
+    case q::redundant_jacobian: return redundant(row) / units::si::second / speed(r.columns, column);
     case q::configuration_jacobian_by_dependent:
       return residual(row) / chosen(0, s_.coordinates, column, true, coordinates);
     case q::configuration_jacobian_by_all: return residual(row) / state(by::coordinates, column);
@@ -81,19 +81,19 @@ public:
     case q::constraint_residual:
       if (row < s_.configuration_constraints) return residual(row);
       return rate(row - s_.configuration_constraints);
-    case q::constraint_bias: return rate(row) / units::second;
+    case q::constraint_bias: return rate(row) / units::si::second;
     case q::constraint_jacobian: return rate(row) / speed(r.columns, column);
-    case q::multipliers: return possible_unit(units::watt) / without_angle(rate(row));
+    case q::multipliers: return possible_unit(units::si::watt) / without_angle(rate(row));
     case q::noncontributing_forces:
-      return possible_unit(units::watt) /
+      return possible_unit(units::si::watt) /
              without_angle(table_.at(mechanics::unit_table::auxiliary_speeds, row));
     case q::dependent_speeds: return dependent_speed(row);
-    case q::acceleration_bias: return dependent_speed(row) / units::second;
+    case q::acceleration_bias: return dependent_speed(row) / units::si::second;
     case q::dependency: return dependent_speed(row) / speed(r.columns, column);
     case q::state_matrix:
-    case q::state_jacobian: return state(r.rows, row) / units::second / state(r.columns, column);
+    case q::state_jacobian: return state(r.rows, row) / units::si::second / state(r.columns, column);
     case q::input_matrix:
-    case q::input_jacobian: return state(r.rows, row) / units::second / input(column);
+    case q::input_jacobian: return state(r.rows, row) / units::si::second / input(column);
     case q::mass_matrix_full: // rows of different kinds
     case q::forcing_full:
     case q::regressor:
@@ -152,7 +152,7 @@ private:
 
   /// The generalized force of a speed; a torque is written N m, not N m/rad.
   constexpr possible_unit force(mechanics::extent_by rows, int row) const {
-    return possible_unit(units::watt) / without_angle(speed(rows, row));
+    return possible_unit(units::si::watt) / without_angle(speed(rows, row));
   }
 
   /// The unit of entry `place` among the dependent or independent symbols of a list.
@@ -192,7 +192,7 @@ private:
   constexpr possible_unit rate(int place) const {
     const int given = table_.size(mechanics::unit_table::velocity_constraints);
     if (place < given) return table_.at(mechanics::unit_table::velocity_constraints, place);
-    return residual(place - given) / units::second;
+    return residual(place - given) / units::si::second;
   }
 
   const mechanics::unit_table& table_;

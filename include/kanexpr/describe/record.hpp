@@ -198,6 +198,7 @@ struct point_record : entity_record {
   std::string_view its_own{};               ///< the point of that entity, if it has one
   const body_record* on_beam = nullptr;     ///< the beam of a section
   bool is_off_beam = false;                 ///< whether the section is not between root and tip
+  bool is_at_whole_zero = false;            ///< whether its place is the integer 0, such as 1/2
   const body_record* on_flexible = nullptr; ///< the body of a node
   std::string_view missing_node{};          ///< the name of a node that the body does not have
 

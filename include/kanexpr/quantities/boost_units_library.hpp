@@ -21,35 +21,35 @@ template <class Dimension>
 struct base_of;
 template <>
 struct base_of<boost::units::mass_base_dimension> {
-  static constexpr units::unit unit = units::kilogram;
+  static constexpr units::unit unit = units::si::kilogram;
 };
 template <>
 struct base_of<boost::units::length_base_dimension> {
-  static constexpr units::unit unit = units::meter;
+  static constexpr units::unit unit = units::si::meter;
 };
 template <>
 struct base_of<boost::units::time_base_dimension> {
-  static constexpr units::unit unit = units::second;
+  static constexpr units::unit unit = units::si::second;
 };
 template <>
 struct base_of<boost::units::current_base_dimension> {
-  static constexpr units::unit unit = units::ampere;
+  static constexpr units::unit unit = units::si::ampere;
 };
 template <>
 struct base_of<boost::units::temperature_base_dimension> {
-  static constexpr units::unit unit = units::kelvin;
+  static constexpr units::unit unit = units::si::kelvin;
 };
 template <>
 struct base_of<boost::units::amount_base_dimension> {
-  static constexpr units::unit unit = units::mole;
+  static constexpr units::unit unit = units::si::mole;
 };
 template <>
 struct base_of<boost::units::luminous_intensity_base_dimension> {
-  static constexpr units::unit unit = units::candela;
+  static constexpr units::unit unit = units::si::candela;
 };
 template <>
 struct base_of<boost::units::plane_angle_base_dimension> {
-  static constexpr units::unit unit = units::radian;
+  static constexpr units::unit unit = units::si::radian;
 };
 
 /// The coherent unit of a list of dimensions.

@@ -12,6 +12,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/units/unit_table.hpp>
+#include <kanexpr/numeric/beams/shape.hpp>
 #include <kanexpr/runtime/beam_data.hpp>
 #include <kanexpr/runtime/builder_checks.hpp>
 #include <kanexpr/runtime/flexible_integrals.hpp>
@@ -85,7 +86,7 @@ public:
 
   // ---- scalars
 
-  // Each symbol may be given with its unit, such as `units::newton*units::meter`.
+  // Each symbol may be given with its unit, such as `units::si::newton*units::si::meter`.
 
   expression coordinate(std::string_view q) { return checks_.is_new_symbol(q), m_.coordinate(q); }
   expression coordinate(std::string_view q, const units::unit& u) { return with_unit(coordinate(q), u); }
@@ -217,8 +218,8 @@ public:
   /// coordinate: those of the directions of bending come first, then those of torsion and of extension.
   beam_id beam(std::string_view called, point_id root, frame_id frame,
                const std::vector<expression>& amplitudes, const beam_data& data);
-  /// The section of a beam at the fraction ξ of its length.
-  section_ids section(std::string_view called, beam_id on, double xi);
+  /// The section of a beam at the fraction ξ of its length; write 0.0 for the root.
+  section_ids section(std::string_view called, beam_id on, given_number xi);
   /// Declares that the inertia of a rigid body intentionally varies in body-fixed axes.
   void changing_inertia(std::string_view body);
   /// Declares that the inertia of a body is intentionally not that of a mass distribution.
@@ -298,6 +299,7 @@ private:
   };
   void deform(built_beam& to, mechanics::deformation what, const beam_deformation& by);
   void deform(built_beam& to, const beam_data& data);
+  void check_profile(std::string_view beam, const numeric::beams::shape& profile);
   mechanics::components unit_direction(const vector& given, int frame);
   mechanics::beam_damping damping_of(const beam_data& data);
   bool owns_beam(const built_beam& made, const mechanics::beam_damping& damped);

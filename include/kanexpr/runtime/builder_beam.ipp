@@ -13,6 +13,7 @@
 #include <kanexpr/numeric/beams/modal_integrals.hpp>
 #include <kanexpr/runtime/beam_data.hpp>
 #include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/runtime/number_or_expression.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <cstddef>
@@ -26,14 +27,30 @@ KANEXPR_ENGINE void builder::deform(built_beam& to, mechanics::deformation what,
   to.beam.stiffness[static_cast<int>(what)] = as_expression(by.stiffness);
   to.shapes.stiffness[static_cast<int>(what)] = by.profile;
   const std::string_view called = to.beam.called.view();
+  check_profile(called, by.profile);
   if (by.shapes.empty()) checks_.fail({"beam ", called, " has a deformation without a shape"});
   for (const numeric::beams::shape& each : by.shapes) {
+    if (!each.is_complete()) {
+      checks_.fail({"beam ", called,
+                    " has a shape that is not given on the whole beam, by finite numbers and stations in "
+                    "increasing order from 0 to 1"});
+      return;
+    }
+    if (!each.is_smooth(numeric::beams::is_bending(what)))
+      checks_.fail({"beam ", called, " has a shape with a jump",
+                    numeric::beams::is_bending(what) ? " or a kink" : "", " at a station"});
     to.shapes.all.push({what, each});
     to.beam.deformations.push(what);
     if (!by.moves_root && !numeric::beams::fits_clamped_root(each, numeric::beams::is_bending(what)))
       checks_.fail({"beam ", called,
                     " has a shape that displaces or turns the root; set moves_root if this is intended"});
   }
+}
+
+/// Reports a profile that is not the factor of a property.
+KANEXPR_ENGINE void builder::check_profile(std::string_view beam, const numeric::beams::shape& profile) {
+  if (!profile.is_complete() || !numeric::beams::is_factor(profile))
+    checks_.fail({"beam ", beam, " has a profile that is negative at some place, or nowhere positive"});
 }
 
 KANEXPR_ENGINE void builder::deform(built_beam& to, const beam_data& data) {
@@ -48,6 +65,7 @@ KANEXPR_ENGINE void builder::deform(built_beam& to, const beam_data& data) {
   if (data.torsion) {
     to.beam.polar_inertia = as_expression(data.torsion->polar_inertia);
     to.shapes.polar = data.torsion->profile;
+    check_profile(to.beam.called.view(), data.torsion->profile);
     deform(to, deformation::torsion, data.torsion->by);
   }
   if (data.extension) deform(to, deformation::extension, *data.extension);
@@ -76,6 +94,7 @@ KANEXPR_ENGINE beam_id builder::beam(std::string_view called, point_id root, fra
   b.axis = unit_direction(data.axis, b.frame);
   b.length = as_expression(data.length), b.mass_per_length = as_expression(data.mass_per_length);
   made.shapes.mass = data.mass_profile;
+  check_profile(called, data.mass_profile);
   deform(made, data);
   for (const expression& q : amplitudes) b.amplitudes.push(q);
   if (b.deformations.empty()) checks_.fail({"beam ", called, " has no shapes"});
@@ -117,7 +136,8 @@ KANEXPR_ENGINE bool builder::owns_beam(const built_beam& made, const mechanics::
   return !found || checks_.fail({found.view()});
 }
 
-KANEXPR_ENGINE section_ids builder::section(std::string_view called, beam_id on, double xi) {
+KANEXPR_ENGINE section_ids builder::section(std::string_view called, beam_id on, given_number at) {
+  const double xi = at.value();
   const auto index = static_cast<std::size_t>(on);
   if (index >= beams_.size()) {
     checks_.fail({"section ", called, " is placed on a beam that does not exist"});
@@ -128,6 +148,11 @@ KANEXPR_ENGINE section_ids builder::section(std::string_view called, beam_id on,
   if (!(xi >= 0 && xi <= 1)) {
     checks_.fail({"section ", called, " is not on beam ", b.called.view(),
                   "; its place is a fraction of the length, a number from 0 to 1"});
+    return {};
+  }
+  if (at.is_whole_zero()) {
+    checks_.fail({"section ", called, " of beam ", b.called.view(),
+                  " is at 0, which is also the value of 1/2 in C++; write 0.5, or 0.0 for the root"});
     return {};
   }
   if (!checks_.is_new("frames", called, m_.frames) || !checks_.is_new("points", called, m_.points)) return {};

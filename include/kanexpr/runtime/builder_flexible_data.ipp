@@ -29,6 +29,17 @@ KANEXPR_ENGINE flexible_body_id builder::flexible_body(std::string_view called, 
                   base::counted(static_cast<int>(amplitudes.size())).view()});
     return flexible_body_id{-1};
   }
+  if (!data.is_complete()) {
+    checks_.fail({"the numbers of ", called,
+                  " are incomplete: a list has a length that does not fit the number of amplitudes"});
+    return flexible_body_id{-1};
+  }
+  for (const base::sequence<double>* each : {&data.stiffness, &data.damping, &data.preload})
+    for (const double number : *each)
+      if (!(number - number <= 0)) {
+        checks_.fail({called, " contains a number that is not finite"});
+        return flexible_body_id{-1};
+      }
   base::sequence<expression> q;
   for (const expression& each : amplitudes) q.push(each);
   if (!checks_.owns(called, frame, reference, q)) return flexible_body_id{-1};

@@ -4,10 +4,12 @@
 
 #include <kanexpr/base/letters_aside.hpp>
 
-/// The coherent units of the SI that have names, for `using namespace kanexpr::units;`. All others are
+/// The coherent units of the SI that have names, for `using namespace kanexpr::units::si;`. All others are
 /// products and powers: `newton*meter/radian`, `meter/pow<2>(second)`. Prefixes and units with a factor, such
 /// as the millimeter or the degree, are not provided: a model computes in coherent units.
-namespace kanexpr::units {
+namespace kanexpr::units::si {
+
+using units::dimensionless;
 
 inline constexpr unit kilogram = only(base_unit::kilogram);
 inline constexpr unit meter = only(base_unit::meter);
@@ -32,6 +34,6 @@ inline constexpr unit weber = volt * second;
 inline constexpr unit tesla = weber / pow<2>(meter);
 inline constexpr unit henry = weber / ampere;
 
-} // namespace kanexpr::units
+} // namespace kanexpr::units::si
 
 #include <kanexpr/base/letters_back.hpp>

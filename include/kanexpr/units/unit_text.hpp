@@ -20,6 +20,8 @@ enum class spelling : unsigned char {
 
 namespace detail {
 
+using namespace si;
+
 struct symbol {
   unit of{};
   std::string_view called{};
@@ -42,9 +44,15 @@ struct product {
 inline constexpr product products[]{
     {newton * second / meter, {newton, "N"}},          // damping
     {newton * meter * second / radian, {newton, "N"}}, // torsional damping
+    {newton * second / radian, {newton, "N"}},
+    {newton / second, {newton, "N"}},
+    {newton * radian / second, {newton, "N"}},
     {newton / ampere, {newton, "N"}},
     {newton * meter / ampere, {newton, "N"}},
     {volt * second / radian, {volt, "V"}}, // the constant of a motor
+    {volt / radian, {volt, "V"}},          // gains of a controller
+    {volt / meter, {volt, "V"}},
+    {volt * second / meter, {volt, "V"}},
     {watt / kelvin, {watt, "W"}},
     {watt / meter / kelvin, {watt, "W"}},
     {pascal * second, {pascal, "Pa"}},

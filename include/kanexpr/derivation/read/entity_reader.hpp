@@ -133,7 +133,7 @@ private:
 
   /// Checks the beam and the place of a section.
   constexpr bool is_on_listed_beam(std::string_view section, const describe::body_record& beam,
-                                   bool is_off_beam) {
+                                   bool is_off_beam, bool is_at_whole_zero) {
     if (beam.beam == nullptr)
       reading_.fail({"section ", section, " is placed on ", beam.called, ", which is not a beam"});
     bool is_listed = false;
@@ -144,6 +144,9 @@ private:
     if (is_off_beam)
       reading_.fail({"section ", section, " is not on beam ", beam.called,
                      "; its place is a fraction of the length, a number from 0 to 1"});
+    if (is_at_whole_zero)
+      reading_.fail({"section ", section, " of beam ", beam.called,
+                     " is at 0, which is also the value of 1/2 in C++; write 0.5, or 0.0 for the root"});
     return !reading_.mistake;
   }
 
@@ -209,7 +212,7 @@ private:
     if (!check_kind("frame", r, whom)) return;
     if (r.is_of_joint && !is_listed(r))
       return reading_.fail({"joint ", r.called, ", which ", whom, " uses, is not listed in joints<...>"});
-    if (r.on_beam != nullptr && !is_on_listed_beam(r.called, *r.on_beam, false)) return;
+    if (r.on_beam != nullptr && !is_on_listed_beam(r.called, *r.on_beam, false, false)) return;
     if (r.on_flexible != nullptr && !is_on_listed_body(r.called, *r.on_flexible, r.missing_node)) return;
     if (!r.fits) return reading_.fail_by_argument_count("frame ", r.called, r.fits);
     const frame_record* const inertial = reading_.from.inertial;
@@ -227,7 +230,8 @@ private:
 
   constexpr void check_point(const point_record& r, std::string_view whom) {
     if (!check_kind("point", r, whom)) return;
-    if (r.on_beam != nullptr && !is_on_listed_beam(r.called, *r.on_beam, r.is_off_beam)) return;
+    if (r.on_beam != nullptr && !is_on_listed_beam(r.called, *r.on_beam, r.is_off_beam, r.is_at_whole_zero))
+      return;
     if (r.on_flexible != nullptr && !is_on_listed_body(r.called, *r.on_flexible, r.missing_node)) return;
     if (!r.fits) return reading_.fail_by_argument_count("point ", r.called, r.fits);
     if (r.parent == nullptr && (r.fixed_in != nullptr || r.reference != nullptr))

@@ -9,7 +9,9 @@
 #include <kanexpr/mechanics/model/vector.hpp>
 #include <kanexpr/symbolic/graph/composition.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/symbolic/printing/short_text.hpp>
 #include <kanexpr/units/si.hpp>
 #include <kanexpr/units/unit.hpp>
 
@@ -44,7 +46,7 @@ constexpr mechanics::vector vector_of_unit(reading& in, std::string_view word, s
 /// The motion that a token denotes.
 constexpr mechanics::vector motion_of_unit(reading& in, const describe::token& t) {
   using describe::token_kind;
-  const units::unit meter = units::meter, hertz = units::hertz, radian = units::radian;
+  const units::unit meter = units::si::meter, hertz = units::si::hertz, radian = units::si::radian;
   switch (t.what) {
   case token_kind::position: return vector_of_unit(in, "position_of", t.point->called, meter);
   case token_kind::velocity: return vector_of_unit(in, "velocity_of", t.point->called, meter * hertz);
@@ -58,7 +60,7 @@ constexpr mechanics::vector motion_of_unit(reading& in, const describe::token& t
 
 /// A quantity with the unit of the derivative of another with respect to time.
 constexpr void divide_by_second(reading& in, value& of) {
-  const expression per_second = symbol_of_unit(in, "d/dt", units::hertz);
+  const expression per_second = symbol_of_unit(in, "d/dt", units::si::hertz);
   if (of.kind == shape::scalar) of.scalar = per_second * of.scalar;
   for (mechanics::vector::part& p : of.vector.parts)
     for (int i = 0; i < 3; ++i) p.value[i] = per_second * p.value[i];
@@ -72,11 +74,14 @@ constexpr void divide_by(expression symbol, value& of) {
 }
 
 /// Replaces a number that is a whole quantity by a symbol, because it has the unit that is expected there.
+/// The symbol is named by the number; spaces distinguish it from the same number elsewhere.
 constexpr expression as_symbol(reading& in, expression e) {
   if (!e.is_constant() || e.is_zero()) return e;
-  base::name called = "number ";
-  called.append(in.into.mechanism.g->symbols().size());
-  return symbolic::variable(*in.into.mechanism.g, {symbolic::symbol_kind::parameter, called, none});
+  symbolic::graph& g = *in.into.mechanism.g;
+  base::name called = symbolic::short_text(g, e.node()).view();
+  for (int i = 0; i < g.symbols().size(); ++i)
+    if (g.symbols()[i].called == called) called.append(" "), i = -1;
+  return symbolic::variable(g, {symbolic::symbol_kind::parameter, called, none});
 }
 
 /// Replaces the numbers among the operands of a composed function by symbols: the width in smooth_abs(x,

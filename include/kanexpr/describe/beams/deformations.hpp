@@ -116,9 +116,11 @@ struct profile {
   static constexpr describe::beam_word beam_word = describe::beam_word::profile;
   static constexpr describe::beam_part beam_part = describe::beam_part::profile;
   static constexpr std::string_view mistake = [] {
-    if constexpr (requires { Function::as_profile(); })
-      return Function::mistake;
-    else
+    if constexpr (requires { Function::as_profile(); }) {
+      if (!Function::mistake.empty() || numeric::beams::is_factor(Function::as_profile()))
+        return Function::mistake;
+      return std::string_view("has a profile<...> that is negative at some place, or nowhere positive");
+    } else
       return std::string_view("has a profile that is neither a polynomial<...> nor stations<...>");
   }();
   static constexpr numeric::beams::shape factor() {

@@ -295,8 +295,9 @@ concept beam_without_mistake = requires { requires Beam::is_written(); };
 } // namespace describe
 
 /// A place on a beam, as a fraction of its length from 0 at the root to 1 at the tip, with the axes of the
-/// section there: `struct Tip : section<Tip, Blade, 1> {};` A section is a frame and a point: joints are
-/// attached to it, loads act on it, and other beams begin at it.
+/// section there: `struct Tip : section<Tip, Blade, 1> {};` The root is 0.0, because the integer 0 is also
+/// the value of 1/2 in C++. A section is a frame and a point: joints are attached to it, loads act on it, and
+/// other beams begin at it.
 ///
 /// The section has moved by the deflections, the extension and the foreshortening. Its axes, those of the
 /// beam's frame before the deformation, are rotated by the slope in the first direction of bending, then by
@@ -327,6 +328,7 @@ struct section : describe::axes<Self>, describe::place_words, describe::section_
     r.declared_name = type_name<Self>();
     r.on_beam = &describe::body_of<Beam>;
     r.is_off_beam = !is_on_beam;
+    r.is_at_whole_zero = (describe::is_whole_zero(fraction) || ...);
     if constexpr (is_written) {
       constexpr auto write = [](describe::token_writer& to) {
         describe::place_on_beam<Beam, fraction...>::write_offset(to);

@@ -162,7 +162,7 @@ private:
     const exported_system& s = f.system;
     for (std::size_t i = 0; i < f.states.size(); ++i) {
       const exported_unit& unit = f.states[i].unit = s.units_of_states[i];
-      if (unit.is_known()) f.rates_of_states[i].unit = written_unit(unit.unit / units::second);
+      if (unit.is_known()) f.rates_of_states[i].unit = written_unit(unit.unit / units::si::second);
     }
     for (std::size_t i = 0; i < f.parameters.size(); ++i) f.parameters[i].unit = s.units_of_parameters[i];
     for (std::size_t i = 0; i < f.inputs.size(); ++i) f.inputs[i].unit = s.units_of_inputs[i];

@@ -98,7 +98,7 @@ private:
   /// Defines the units of the variables, in terms of base units; FMI knows only their integer powers.
   void define_units() {
     if (!of_.system.states_units) return;
-    std::map<std::string, units::unit> all{{"s", units::second}};
+    std::map<std::string, units::unit> all{{"s", units::si::second}};
     for (const auto* list :
          {&of_.states, &of_.rates_of_states, &of_.parameters, &of_.inputs, &of_.outputs, &of_.indicators})
       for (const fmu_variable& each : *list)
@@ -153,7 +153,7 @@ private:
 
   void add_variables() {
     fmu_variable time{.name = of_.time};
-    if (of_.system.states_units) time.unit = written_unit(units::second);
+    if (of_.system.states_units) time.unit = written_unit(units::si::second);
     add(time, {.causality = "independent"});
     for (const fmu_variable& v : of_.states)
       add(v, {.causality = "output", .initial = v.is_dependent ? "approx" : "exact", .has_start = true});

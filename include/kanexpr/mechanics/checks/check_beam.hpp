@@ -36,6 +36,9 @@ constexpr base::sentence check_beam(const beam& b) {
       return base::sentence(
           {"beam ", called, " has an axis or a direction of bending that is not fixed in its frame"});
   if (b.axis.is_zero()) return base::sentence({"beam ", called, " has an axis of zero length"});
+  for (const deformation d : b.deformations)
+    if (numeric::beams::is_bending(d) && b.across[static_cast<int>(d)].is_zero())
+      return base::sentence({"beam ", called, " bends in a direction of zero length"});
   for (const components& each : b.across)
     if (!detail::are_perpendicular(b.axis, each))
       return base::sentence({"beam ", called, " bends in a direction that is not perpendicular to its axis"});

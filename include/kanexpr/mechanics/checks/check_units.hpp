@@ -24,8 +24,8 @@ namespace kanexpr::mechanics {
 class system_units {
   // The templates precede their callers, because clang++ does not instantiate a template for a constant
   // expression if it is declared later in the class.
-  static constexpr units::unit meter = units::meter, second = units::second, joule = units::joule,
-                               kilogram = units::kilogram, radian = units::radian;
+  static constexpr units::unit meter = units::si::meter, second = units::si::second, joule = units::si::joule,
+                               kilogram = units::si::kilogram, radian = units::si::radian;
 
   template <int exponent>
   static constexpr units::unit pow(const units::unit& u) {

@@ -6,6 +6,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/linear/solve.hpp>
@@ -66,7 +67,10 @@ constexpr sequence<singularity_check> checks_of_speeds(const mechanism& m, const
   });
 }
 
-/// Checks for the pivots of a mass matrix, one for each pivot.
+/// Checks for the pivots of a mass matrix, one for each pivot. The kinetic energy of flexible bodies is
+/// truncated after the second order in the amplitudes; it becomes negative for some motion if they are large.
+/// For a system with such bodies, a pivot must therefore be positive: its measure, x + |x|, vanishes if it is
+/// negative.
 constexpr sequence<singularity_check> checks_of_mass(const mechanism& m, const partition& speeds,
                                                      const sequence<symbolic::pivot>& pivots) {
   sequence<singularity_check> checks;
@@ -75,9 +79,15 @@ constexpr sequence<singularity_check> checks_of_mass(const mechanism& m, const p
     for (const singularity_check& g : checks) is_new = is_new && g.key != p.key;
     if (!is_new) continue;
     const sentence which = speeds_called(m, {speeds.independent[p.place]});
-    checks.push({p.key, p.value, p.entry,
-                 sentence({"the mass matrix is singular at this state: its elimination fails at the ",
-                           which.view()})});
+    if (m.flexible_bodies.empty())
+      checks.push({p.key, p.value, p.entry,
+                   sentence({"the mass matrix is singular at this state: its elimination fails at the ",
+                             which.view()})});
+    else
+      checks.push({p.key, p.value + abs(p.value), p.entry,
+                   sentence({"the mass matrix is not positive definite at this state: its elimination fails "
+                             "at the ",
+                             which.view(), "; a flexible body may be deformed too much"})});
   }
   return checks;
 }

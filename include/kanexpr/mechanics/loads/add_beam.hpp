@@ -50,7 +50,7 @@ constexpr sentence check_damping(const beam_damping& by, std::string_view beam) 
 
 /// States the units of the properties of a beam.
 constexpr void expect_units_of(mechanism& m, const beam& b) {
-  const units::unit meter = units::meter, kilogram = units::kilogram, newton = units::newton;
+  const units::unit meter = units::si::meter, kilogram = units::si::kilogram, newton = units::si::newton;
   m.expected_units.push({b.length, meter, "the length of beam ", b.called});
   m.expected_units.push({b.mass_per_length, kilogram / meter, "the mass per length of beam ", b.called});
   m.expected_units.push({b.polar_inertia, kilogram * meter, "the polar inertia of beam ", b.called});

@@ -26,7 +26,7 @@ struct force {
 
   constexpr void state_units(load_units& by, int) const {
     by.describe({"the force ", by.place_of(*this).view()});
-    by.expect(value, units::newton);
+    by.expect(value, units::si::newton);
   }
 };
 
@@ -44,7 +44,7 @@ struct torque {
 
   constexpr void state_units(load_units& by, int) const {
     by.describe({"the torque ", by.place_of(*this).view()});
-    by.expect(value, units::newton * units::meter);
+    by.expect(value, units::si::newton * units::si::meter);
   }
 };
 

@@ -7,6 +7,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
+#include <kanexpr/symbolic/printing/short_text.hpp>
 #include <kanexpr/units/si.hpp>
 
 namespace kanexpr::mechanics {
@@ -16,6 +17,7 @@ struct given_potential_energy {
   expression value{};
   bool has_numbers =
       false; ///< whether it may contain numbers with units, as the energy of a flexible body does
+  expression angle{}, stiffness{}; ///< of a torsional spring; otherwise not given
 
   constexpr void act(force_system& on, conservative how) const {
     if (how == conservative::by_forces) on.add_potential_energy(value);
@@ -30,15 +32,21 @@ struct given_potential_energy {
 
   constexpr void state_units(load_units& by, int place) const {
     by.describe({"potential energy ", base::counted(place + 1).view()});
-    if (has_numbers) return by.suggest(value, units::joule);
-    by.expect(value, units::joule);
+    if (angle.is_given()) {
+      const symbolic::short_text whose(angle.owner(), angle.node());
+      by.describe({"the stiffness of the torsional spring with ", whose.view()});
+      if (by.is_angle(angle)) by.expect(stiffness, units::si::newton * units::si::meter / units::si::radian);
+      by.describe({"the torsional spring with ", whose.view()});
+    }
+    if (has_numbers) return by.suggest(value, units::si::joule);
+    by.expect(value, units::si::joule);
   }
 };
 
 /// The energy of a torsional spring that is unloaded at the angle `rest`.
 constexpr given_potential_energy torsional_spring(expression angle, expression stiffness, expression rest) {
   const expression twist = angle - rest;
-  return {stiffness * (twist * twist) / 2, stiffness.is_constant()};
+  return {stiffness * (twist * twist) / 2, stiffness.is_constant(), angle, stiffness};
 }
 
 /// The elastic energy ½ q·K·q of a deformation with the amplitudes q and the stiffness K.

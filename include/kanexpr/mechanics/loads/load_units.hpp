@@ -4,6 +4,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/units/unit_inference.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/units/si.hpp>
 #include <kanexpr/units/unit.hpp>
 
 #include <initializer_list>
@@ -29,6 +30,8 @@ public:
   constexpr void suggest_coefficient(expression e, expression rate, const units::unit& u) {
     by_.suggest_coefficient(e, rate, u);
   }
+  /// Whether the unit of an expression is known to be the radian.
+  constexpr bool is_angle(expression e) const { return by_.unit_of(e) == units::si::radian; }
 
 private:
   unit_inference& by_;

@@ -42,7 +42,7 @@ struct modal_damping {
     const mechanism& m = by.mechanism_used();
     for (int i = 0; i < amplitudes.size(); ++i) {
       const expression rate = m.coordinate_rates[m.coordinates.find(amplitudes[i])];
-      by.suggest_coefficient(damping(i, i), rate, units::watt);
+      by.suggest_coefficient(damping(i, i), rate, units::si::watt);
     }
   }
 };

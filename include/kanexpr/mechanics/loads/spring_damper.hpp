@@ -77,11 +77,11 @@ struct spring_damper {
   constexpr void state_units(load_units& by, int) const {
     const sentence names = by.ends_of(*this);
     by.describe({"the stiffness of the spring between ", names.view()});
-    by.expect(stiffness, units::newton / units::meter);
+    by.expect(stiffness, units::si::newton / units::si::meter);
     by.describe({"the natural length of the spring between ", names.view()});
-    by.expect(length, units::meter);
+    by.expect(length, units::si::meter);
     by.describe({"the damping between ", names.view()});
-    by.expect(damping, units::newton * units::second / units::meter);
+    by.expect(damping, units::si::newton * units::si::second / units::si::meter);
   }
 
 private:
@@ -144,7 +144,7 @@ struct torsional_damper {
 
   constexpr void state_units(load_units& by, int) const {
     by.describe({"the torsional damping between ", by.ends_of(*this).view()});
-    by.expect(damping, units::newton * units::meter * units::second / units::radian);
+    by.expect(damping, units::si::newton * units::si::meter * units::si::second / units::si::radian);
   }
 };
 

@@ -20,8 +20,8 @@ struct beam_outline {
 
   constexpr bool is_given() const { return !numbers.empty(); }
   constexpr numeric::beams::section_values section(int i) const {
-    const int shapes = deformations.size();
-    return {numbers.begin() + i * numeric::beams::section_values::count(shapes), shapes};
+    const int shapes = deformations.size(), first = i * numeric::beams::section_values::count(shapes);
+    return {numbers.begin() + first, shapes};
   }
 
   /// A stage of a derivation at compile time does not store outlines.

@@ -59,6 +59,19 @@ struct flexible_data {
       : amplitudes(amplitudes_), first_moment(3, amplitudes_), inertia(6, amplitudes_),
         angular(3 * amplitudes_, amplitudes_, 1), modal_mass(amplitudes_ * amplitudes_),
         stiffness(amplitudes_ * amplitudes_), damping(amplitudes_ * amplitudes_), preload(amplitudes_) {}
+
+  /// Whether all lists have the lengths that belong to the number of amplitudes.
+  constexpr bool is_complete() const {
+    const int n = amplitudes;
+    const auto fits = [&](const taylor_series& s, int quantities) {
+      const int size = s.coefficients.size();
+      return s.quantities == quantities && s.amplitudes == n &&
+             (size == quantities * (1 + n) || size == quantities * (1 + n + n * n));
+    };
+    return n > 0 && fits(first_moment, 3) && fits(inertia, 6) && fits(angular, 3 * n) &&
+           modal_mass.size() == n * n && stiffness.size() == n * n && damping.size() == n * n &&
+           preload.size() == n;
+  }
 };
 
 } // namespace kanexpr::mechanics

@@ -35,8 +35,7 @@ public:
     for (const stated_unit& each : m.stated_units) state(each);
     for (const prescribed_rate& p : m.prescribed_rates) {
       const unit_product quantity = of(p.quantity);
-      describe("the rate of prescribed quantity ", name_of(p.quantity));
-      require(p.rate, quantity / known_unit(units::second));
+      require(p.rate, quantity / known_unit(units::si::second));
     }
   }
 
@@ -182,16 +181,33 @@ private:
     const unit_product ratio = relations_.resolved(right / left);
     const bool are_known = relations_.resolved(left).is_known();
     fail({what_, whose_, how.before, with_unit(a, left).view(), how.between, with_unit(b, right).view(),
-          are_known ? "" : ", whose units differ by ", are_known ? "" : text_of(ratio.known).view(),
-          origin_of_unit(b, a).view()});
+          are_known ? "" : ", whose units differ by a factor of ",
+          are_known ? "" : text_of(ratio.known).view(), origin_of_unit(b, a).view()});
   }
 
-  /// Explains the unit of the first parameter or input in some expressions whose unit the model does not
-  /// state: "; c is in N s/m by the force at P". Empty if there is none, or if the present part of the model
-  /// determines it.
+  /// Explains a unit: "; the factor 0.3 has no unit" if an expression has a factor that may be meant to have
+  /// one, otherwise the unit of the first parameter or input whose unit the model does not state: "; c is in
+  /// N s/m by the force at P". Empty if there is none, or if the present part of the model determines it.
   constexpr sentence origin_of_unit(int id, int other = symbolic::graph::zero) const {
+    for (const int each : {id, other})
+      if (const int factor = factor_in(each); factor != none)
+        return sentence({"; the factor ", symbolic::short_text(g_, factor).view(), " has no unit"});
     const sentence found = origin_in(id);
     return found ? found : origin_in(other);
+  }
+  /// The first number among the factors of a product, except ratios such as 1/2 and small integers.
+  constexpr int factor_in(int id) const {
+    const symbolic::node& n = g_[id];
+    if (n.op == operation::negate) return factor_in(n.a);
+    if (n.op == operation::divide) return factor_in(n.a);
+    if (n.op == operation::multiply) {
+      const int found = factor_in(n.a);
+      return found != none ? found : factor_in(n.b);
+    }
+    if (n.op != operation::constant) return none;
+    const symbolic::number& value = g_.number_at(id);
+    if (value.exact() && value.numerator < 5 && value.numerator > -5) return none;
+    return id;
   }
   constexpr sentence origin_in(int id) const {
     const symbolic::node& n = g_[id];
@@ -209,7 +225,7 @@ private:
       return {};
     const std::string_view reason = reasons_[reason_of_[unknown]].view();
     const unit_product u = relations_.resolved(form_at(id));
-    if (reason == sentence({what_, whose_}).view() || !u.is_known()) return {};
+    if (reason.empty() || reason == sentence({what_, whose_}).view() || !u.is_known()) return {};
     return sentence(
         {"; ", g_.symbol_at(id).called.view(), " is in ", text_of(u.known).view(), " by ", reason});
   }
@@ -237,10 +253,10 @@ private:
     case form::subtract: return of_pair({" subtracts ", " from "}, {n.op, n.b, n.a});
     case form::multiply: return of_product(n, 1);
     case form::divide: return of_product(n, -1);
-    case form::power: return of_power(n);
+    case form::power: return of_power(id, n);
     case form::function: return of_function(id, n);
     case form::binary_function: return of_binary_function(id, n);
-    case form::selection: of(n.a); return of(n.b);
+    case form::selection: compare(n.a); return of(n.b);
     case form::list_operation: break;
     }
     if (n.op == operation::call)
@@ -253,9 +269,9 @@ private:
     using symbolic::symbol_kind;
     const symbolic::symbol& s = g_.symbol_at(id);
     switch (s.kind) {
-    case symbol_kind::time: return known_unit(units::second);
-    case symbol_kind::coordinate_rate: return of(m_.coordinates[s.position]) / known_unit(units::second);
-    case symbol_kind::speed_rate: return of(m_.speeds[s.position]) / known_unit(units::second);
+    case symbol_kind::time: return known_unit(units::si::second);
+    case symbol_kind::coordinate_rate: return of(m_.coordinates[s.position]) / known_unit(units::si::second);
+    case symbol_kind::speed_rate: return of(m_.speeds[s.position]) / known_unit(units::si::second);
     case symbol_kind::coordinate:
     case symbol_kind::speed:
     case symbol_kind::parameter:
@@ -277,19 +293,26 @@ private:
     return left.fits_all ? right : left;
   }
 
+  /// The condition of a selection, whose sign is that of a difference: max(a, b) compares a and b.
+  constexpr void compare(int condition) {
+    const symbolic::node& n = g_[condition];
+    if (!has_form(condition) && n.op == operation::subtract) of_pair({" compares ", " and "}, n);
+    of(condition);
+  }
+
   constexpr unit_product of_product(const symbolic::node& n, int sign) {
-    const unit_product left = of(n.a), right = of(n.b);
+    unit_product left = of(n.a), right = of(n.b);
     if (left.fits_all && right.fits_all) return left;
     return times_power(left, right, sign * units::unit::parts);
   }
 
-  constexpr unit_product of_power(const symbolic::node& n) {
-    const unit_product base = of(n.a);
+  constexpr unit_product of_power(int id, const symbolic::node& n) {
+    unit_product base = of(n.a);
     of(n.b);
     if (base.fits_all) return base;
     if (!g_.is_constant(n.b)) {
-      must_be(n.a, {}, "the base of a power with a variable exponent");
-      must_be(n.b, {}, "an exponent");
+      argument_is(id, n.a, {});
+      argument_is(id, n.b, {});
       return known_unit({});
     }
     const symbolic::number& exponent = g_.number_at(n.b);
@@ -307,7 +330,7 @@ private:
 
   constexpr unit_product of_function(int id, const symbolic::node& n) {
     using symbolic::unit_rule;
-    const unit_product argument = of(n.a);
+    unit_product argument = of(n.a);
     switch (symbolic::properties_of(n.op).unit) {
     case unit_rule::numbers: return of_numbers(id, n, symbolic::properties_of(n.op).angle);
     case unit_rule::kept: return argument;
@@ -320,7 +343,7 @@ private:
   constexpr unit_product of_numbers(int id, const symbolic::node& n, symbolic::angle_rule angle) {
     using symbolic::angle_rule;
     const auto radian_if = [&](angle_rule is) {
-      return angle == is || angle == angle_rule::both ? units::radian : units::dimensionless;
+      return angle == is || angle == angle_rule::both ? units::si::radian : units::dimensionless;
     };
     argument_is(id, n.a, radian_if(angle_rule::argument));
     return known_unit(radian_if(angle_rule::value));
@@ -339,7 +362,7 @@ private:
       break;
     case binary_unit_rule::ratio:
       of_pair({" takes the atan2 of ", " and "}, n);
-      return known_unit(units::radian);
+      return known_unit(units::si::radian);
     case binary_unit_rule::kept: return of_pair({" compares ", " and "}, n);
     }
     return known_unit({});
@@ -347,15 +370,10 @@ private:
 
   /// States the unit of the argument of a function.
   constexpr void argument_is(int function, int id, const units::unit& u) {
-    if (must_be(id, u)) return;
+    if (equate(of(id), known_unit(u))) return;
     fail({what_, whose_, " contains ", symbolic::short_text(g_, function).view(), "; ",
-          with_unit(id, of(id)).view(), u == units::radian ? " is not an angle" : " is not a number",
+          with_unit(id, of(id)).view(), u == units::si::radian ? " is not an angle" : " is not a number",
           origin_of_unit(id).view()});
-  }
-  constexpr bool must_be(int id, const units::unit& u) { return equate(of(id), known_unit(u)); }
-  constexpr void must_be(int id, const units::unit& u, std::string_view what) {
-    if (!must_be(id, u))
-      fail({what_, whose_, " has ", what, " that is not a number: ", with_unit(id, of(id)).view()});
   }
 
   const mechanism& m_;

@@ -98,37 +98,52 @@ public:
   }
 
   /// States that two quantities have the same unit; returns false if they do not. If this determines an
-  /// unknown unit, `last_solved` is its number. An equation that cannot be solved exactly is omitted.
+  /// unknown unit, `last_solved` is its number; units that need no root are preferred, so that those of
+  /// coordinates, which are squared in energies, are found elsewhere. An equation that cannot be solved
+  /// exactly is omitted.
   constexpr bool equate(const unit_product& a, const unit_product& b) {
     last_solved_ = none;
     if (a.fits_all || b.fits_all) return true;
     if (a.unknown.empty() && b.unknown.empty()) return units::fits(a.known, b.known);
     const unit_product ratio = resolved(a / b);
     if (ratio.is_known()) return units::fits(ratio.known, {});
-    for (const unknown_power& each : ratio.unknown) {
-      unit_product others = ratio;
-      others.unknown.clear();
-      for (const unknown_power& other : ratio.unknown)
-        if (other.of != each.of) others.unknown.push(other);
-      if (!mechanics::has_power(others, -units::unit::parts, each.power)) continue;
-      solutions_[each.of] = mechanics::power(others, -units::unit::parts, each.power);
-      if (solutions_[each.of].is_known()) drop_angle_of_length(solutions_[each.of].known);
-      is_solved_[each.of] = 1;
-      last_solved_ = each.of;
-      break;
-    }
+    for (const bool with_root : {false, true})
+      for (const unknown_power& each : ratio.unknown)
+        if (is_simple(each) != with_root && solve(ratio, each)) return true;
     return true;
   }
   constexpr int last_solved() const { return last_solved_; }
 
-  /// Drops the radian from a unit in which nothing turns: a radius is in m although ω r is in m/s, and an
-  /// inertia in kg m². Angles, and all units that contain the second, keep it.
+  /// Drops the radian from a unit in which nothing turns: a radius is in m although ω r is in m/s, an inertia
+  /// in kg m², and the damping of a point in N s/m = kg/s. Angles, their rates and what multiplies them to a
+  /// force or a torque keep it.
   static constexpr void drop_angle_of_length(units::unit& u) {
+    using enum units::base_unit;
     const units::unit plain = units::without_angle(u);
-    if (!(plain == units::dimensionless) && u[units::base_unit::second] == 0) u = plain;
+    if (plain == units::dimensionless) return;
+    if (u[second] == 0 || (u[meter] > 0 && u[radian] > 0) || (u[kilogram] != 0 && u[meter] == 0)) u = plain;
   }
 
 private:
+  static constexpr bool is_simple(const unknown_power& p) {
+    return p.power == units::unit::parts || p.power == -units::unit::parts;
+  }
+
+  /// Solves the equation `ratio` = 1 for one of its unknown units; returns false if the solution is not
+  /// exact.
+  constexpr bool solve(const unit_product& ratio, const unknown_power& by) {
+    unit_product others = ratio;
+    others.unknown.clear();
+    for (const unknown_power& other : ratio.unknown)
+      if (other.of != by.of) others.unknown.push(other);
+    if (!mechanics::has_power(others, -units::unit::parts, by.power)) return false;
+    solutions_[by.of] = mechanics::power(others, -units::unit::parts, by.power);
+    if (solutions_[by.of].is_known()) drop_angle_of_length(solutions_[by.of].known);
+    is_solved_[by.of] = 1;
+    last_solved_ = by.of;
+    return true;
+  }
+
   sequence<unit_product> solutions_{}; ///< in terms of the unknowns that are not solved yet
   sequence<char> is_solved_{};
   int last_solved_ = none;

@@ -19,9 +19,14 @@ enum class ends : unsigned char {
 
 /// A rigid body at the tip: its mass divided by the mass of the beam, and its moment of inertia about the tip
 /// divided by the mass times the square of the length of the beam. For a rod, `mass` is the ratio of the
-/// inertias about its axis if it twists.
+/// inertias about its axis if it twists. Ratios above 1e10 count as 1e10, which changes the modes by less
+/// than 1e-10.
 struct tip_load {
   double mass = 0, inertia = 0;
+
+  /// Whether the ratios are numbers and not negative.
+  constexpr bool is_given() const { return mass >= 0 && inertia >= 0; }
+  constexpr tip_load limited() const { return {mass < 1e10 ? mass : 1e10, inertia < 1e10 ? inertia : 1e10}; }
 };
 
 namespace detail {
@@ -140,10 +145,12 @@ constexpr double root_of_determinant(ends how, const tip_load& tip, double low, 
 
 } // namespace detail
 
-/// β_n L of the n-th natural mode of bending, counted from 1 without the rigid motions: ω = (β_n L)² √(EI/(m
-/// L⁴)). Blevins, Formulas for Natural Frequency and Mode Shape (1979), table 8-1. A load at the tip lowers
-/// the frequencies so that they interlace with those without it, which brackets each.
-constexpr double wave_number_of_bending(ends how, int n, const tip_load& tip = {}) {
+/// β_n L of the n-th natural mode of bending, counted from 1 without the rigid motions; 0 if n < 1: ω = (β_n
+/// L)² √(EI/(m L⁴)). Blevins, Formulas for Natural Frequency and Mode Shape (1979), table 8-1. A load at the
+/// tip lowers the frequencies so that they interlace with those without it, which brackets each.
+constexpr double wave_number_of_bending(ends how, int n, const tip_load& given = {}) {
+  if (n < 1 || !given.is_given()) return 0;
+  const tip_load tip = given.limited();
   const double turns = detail::pi * static_cast<double>(n);
   switch (how) {
   case ends::pinned_pinned: return turns;
@@ -182,8 +189,10 @@ constexpr shape normalized(const shape& given, bool tip_moves) {
   return given.scaled(1 / given.at(where).value);
 }
 
-/// The n-th natural mode of bending.
-constexpr shape mode_of_bending(ends how, int n, const tip_load& tip = {}) {
+/// The n-th natural mode of bending; an empty shape if n < 1 or a ratio of the tip load is negative.
+constexpr shape mode_of_bending(ends how, int n, const tip_load& given = {}) {
+  if (n < 1 || !given.is_given()) return {};
+  const tip_load tip = given.limited();
   const double beta = wave_number_of_bending(how, n, tip);
   if (how == ends::pinned_pinned) return shape::wave(beta, 1, 0, 0, 0);
   const bool tip_moves = how == ends::clamped_free || how == ends::pinned_free || how == ends::free_free;
@@ -193,6 +202,7 @@ constexpr shape mode_of_bending(ends how, int n, const tip_load& tip = {}) {
 /// β_n L of the n-th natural mode of a rod in torsion or extension, ω = β_n √(GJ/I) or β_n √(EA/m). A held
 /// end is clamped or pinned. With a tip load of ratio μ: cot βL = μ βL.
 constexpr double wave_number_of_rod(ends how, int n, const tip_load& tip = {}) {
+  if (n < 1 || !tip.is_given()) return 0;
   const double turns = detail::pi * static_cast<double>(n);
   if (how != ends::clamped_free && how != ends::pinned_free) return turns;
   if (!(tip.mass > 0)) return turns - detail::pi / 2;
@@ -201,8 +211,10 @@ constexpr double wave_number_of_rod(ends how, int n, const tip_load& tip = {}) {
   });
 }
 
-/// The n-th natural mode of a rod in torsion or extension, scaled like those of bending.
+/// The n-th natural mode of a rod in torsion or extension, scaled like those of bending; an empty shape as
+/// above.
 constexpr shape mode_of_rod(ends how, int n, const tip_load& tip = {}) {
+  if (n < 1 || !tip.is_given()) return {};
   const double beta = wave_number_of_rod(how, n, tip);
   if (how == ends::free_free) return shape::wave(beta, 0, n % 2 == 0 ? 1 : -1, 0, 0);
   const bool tip_moves = how == ends::clamped_free || how == ends::pinned_free;

@@ -63,6 +63,31 @@ public:
   constexpr double wave_number() const { return wave_number_; }
   constexpr bool is_wave() const { return wave_number_ > 0; }
 
+  /// Whether the function is given by finite numbers on the whole beam: stations in increasing order from 0
+  /// to 1, and all coefficients of each interval.
+  constexpr bool is_complete() const {
+    const int intervals = stations_.size() - 1;
+    if (intervals < 1 || degree_ < 0) return false;
+    bool holds = elementary::abs(stations_[0]) <= 0 && elementary::abs(stations_.back() - 1) <= 0;
+    for (int i = 0; i < intervals; ++i) holds = holds && stations_[i] < stations_[i + 1];
+    for (const double c : coefficients_) holds = holds && elementary::abs(c) < 1e300;
+    return holds && coefficients_.size() == (is_wave() ? 4 : intervals * (degree_ + 1));
+  }
+
+  /// Whether the function, and its slope if the beam bends, are continuous at the stations, within a
+  /// millionth of the coefficients.
+  constexpr bool is_smooth(bool bends) const {
+    double size = 0;
+    for (const double c : coefficients_) size += elementary::abs(c);
+    bool holds = true;
+    for (int i = 1; i + 1 < stations_.size() && !is_wave(); ++i) {
+      const deflection before = at(stations_[i]), after = piece_at(i, 0);
+      holds = holds && elementary::abs(after.value - before.value) <= 1e-6 * size &&
+              (!bends || elementary::abs(after.slope - before.slope) <= 1e-6 * size);
+    }
+    return holds;
+  }
+
   constexpr shape scaled(double factor) const {
     shape s = *this;
     for (double& c : s.coefficients_) c *= factor;
@@ -84,7 +109,11 @@ private:
   constexpr deflection polynomial_at(double xi) const {
     int piece = 0;
     while (piece + 2 < stations_.size() && xi > stations_[piece + 1]) ++piece;
-    const double t = xi - stations_[piece];
+    return piece_at(piece, xi - stations_[piece]);
+  }
+
+  /// The polynomial of one interval, at t from its beginning.
+  constexpr deflection piece_at(int piece, double t) const {
     deflection d;
     for (int i = degree_; i >= 0; --i) {
       d.curvature = d.curvature * t + 2 * d.slope;
@@ -99,6 +128,18 @@ private:
   int degree_ = 0;
   double wave_number_ = 0;
 };
+
+/// Whether a function can be the factor of a mass or of a stiffness: nowhere negative, and positive at some
+/// of 65 places.
+constexpr bool is_factor(const shape& s) {
+  double least = 0, greatest = 0;
+  for (int i = 0; i <= 64; ++i) {
+    const double value = s.at(i / 64.0).value;
+    least = value < least ? value : least;
+    greatest = value > greatest ? value : greatest;
+  }
+  return greatest > 0 && least >= -1e-12 * greatest;
+}
 
 /// Whether a shape leaves a clamped root at rest, including its slope if the beam bends.
 constexpr bool fits_clamped_root(const shape& s, bool bends) {

@@ -19,7 +19,9 @@ constexpr base::name decimal_text(const number& n) {
     return text;
   }
   if (!(size.value() < 1e9)) return "...";
-  auto millionths = static_cast<std::int64_t>(size.value() * 1e6 + 0.5);
+  const double scaled = size.value() * 1e6;
+  auto millionths = static_cast<std::int64_t>(scaled);
+  if (scaled - static_cast<double>(millionths) >= 0.5) ++millionths;
   text.append(static_cast<int>(millionths / most));
   millionths %= most;
   if (millionths > 0) text.append(".");
