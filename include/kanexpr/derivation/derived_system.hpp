@@ -51,7 +51,8 @@ public:
   constexpr void check_model() {
     if (!mistake()) mistake_ = mechanics::check_system(system_);
     if (!mistake()) reader_.check_listed_are_used();
-    if (!mistake() && reader_.states_units()) mistake_ = model_units(reader_.record()).mistake();
+    if (!mistake() && reader_.states_units()) check_units();
+    system_.mechanism.stated_units.clear(); // the derivation does not depend on them
   }
 
   /// Reads the loads that depend on motion and the constraints, and forms the starting point of the
@@ -94,6 +95,23 @@ public:
   constexpr mechanics::equations& equations() { return *equations_; }
 
 private:
+  /// Infers the units of the model from what was read, if this contains all units. What depends on motion is
+  /// read for this purpose only, and is then discarded.
+  constexpr void check_units() {
+    if (reader_.hides_units()) {
+      mistake_ = model_units(reader_.record()).mistake();
+      return;
+    }
+    const symbolic::graph::extent before = graph_.present();
+    mechanics::loads loads = system_.loads;
+    mechanics::given_constraints constraints = system_.constraints;
+    reader_.read_moving_for_units();
+    if (!reader_.mistake()) mistake_ = mechanics::check_units(system_);
+    system_.loads = std::move(loads);
+    system_.constraints = std::move(constraints);
+    graph_.forget_after(before);
+  }
+
   symbolic::graph graph_{};
   mechanics::multibody_system system_;
   derivation::reader reader_;

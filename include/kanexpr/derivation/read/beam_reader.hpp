@@ -90,6 +90,7 @@ private:
   constexpr expression scalar(const phrase& p, std::string_view what, const body_record& r) {
     if (p.kind == shape::nothing || reading_.mistake) return m_.zero();
     const expression given = phrases_.scalar_of(p, {what, r.called}, r.called);
+    reading_.hides_units |= given.is_constant();
     return reading_.for_units ? as_symbol(reading_, given) : given;
   }
 

@@ -36,6 +36,7 @@ public:
       return reading_.fail(
           {reading_.part, whom, " contains clamp with limits out of order; write clamp(x, least, most)"});
     for (int i = 0; i < given; ++i) stack.pop();
+    reading_.hides_units = true;
     if (reading_.for_units && f.operands == symbolic::variadic)
       return static_cast<void>(stack.push(value::of(value_of_table(reading_, operands))));
     if (reading_.for_units) replace_numbers(reading_, operands);

@@ -83,6 +83,7 @@ public:
 
   /// Evaluates a phrase that must be a scalar; `what` names it, as in {"the mass of ", "B"}.
   constexpr expression scalar_of(const phrase& p, text_pieces what, std::string_view whom) {
+    if (is_one_scalar(p) && !reading_.mistake) return one_scalar(*what.begin(), p.tokens[0], whom);
     const value v = evaluate_part(*what.begin(), p, whom);
     if (reading_.mistake) return m_.zero();
     if (p.kind == shape::scalar) return v.scalar;
@@ -154,15 +155,34 @@ private:
     }
   }
 
+  /// Whether a phrase is a number or a symbol alone, as most masses and moments of inertia are. These are
+  /// read without a stack.
+  static constexpr bool is_one_scalar(const phrase& p) {
+    using describe::token_kind;
+    return p.size == 1 && p.kind == shape::scalar &&
+           (p.tokens[0].what == token_kind::number || p.tokens[0].what == token_kind::symbol);
+  }
+  constexpr expression one_scalar(std::string_view part, const describe::token& t, std::string_view whom) {
+    const std::string_view before = reading_.part;
+    reading_.part = part;
+    const int known = m_.g->size();
+    const expression e = t.symbol != nullptr ? symbols_.symbol(*t.symbol, whom) : number(t);
+    if (m_.g->size() != known) check_constants(known, t, whom);
+    reading_.part = before;
+    return reading_.mistake ? m_.zero() : e;
+  }
+
+  constexpr expression number(const describe::token& t) {
+    const expression e = symbolic::constant(*m_.g, t.number);
+    if (t.index != describe::whole_quantity) return e;
+    reading_.hides_units = true;
+    return reading_.for_units ? as_symbol(reading_, e) : e;
+  }
+
   constexpr void step(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     using describe::token_kind;
     switch (t.what) {
-    case token_kind::number: {
-      const expression number = symbolic::constant(*m_.g, t.number);
-      const bool has_unit = reading_.for_units && t.index == describe::whole_quantity;
-      stack.push(value::of(has_unit ? as_symbol(reading_, number) : number));
-      break;
-    }
+    case token_kind::number: stack.push(value::of(number(t))); break;
     case token_kind::symbol: stack.push(value::of(symbols_.symbol(*t.symbol, whom))); break;
     case token_kind::basis: return basis_vector(t, stack, whom);
     case token_kind::scalar_function:
@@ -181,6 +201,7 @@ private:
     case token_kind::external: return calls_.call(t, stack, whom);
     case token_kind::partial: {
       const expression by = symbols_.symbol(*t.symbol, whom);
+      reading_.hides_units = true;
       return reading_.for_units ? divide_by(by, stack.back()) : differentiate(by, stack.back());
     }
     case token_kind::in_axes: return express(frame(t.frame, whom), stack.back().vector);
@@ -254,6 +275,7 @@ private:
   constexpr void motion(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     using describe::token_kind;
     if (reading_.for_units) return unit_of_motion(t, stack, whom);
+    reading_.hides_units = true;
     if (t.what == token_kind::position) {
       const int at = point(t.point, whom);
       const describe::token* const before = &t == phrase_->tokens ? nullptr : &t - 1;

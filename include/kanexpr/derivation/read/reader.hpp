@@ -53,13 +53,20 @@ public:
   /// Whether the model states the unit of any symbol.
   constexpr bool states_units() const { return reading_.states_units; }
 
+  /// Whether `read` replaced any quantity by something without its unit.
+  constexpr bool hides_units() const { return reading_.hides_units; }
   /// Reads the whole model without its motion, to infer units; `read` need not be called.
   constexpr void read_for_units() {
     reading_.for_units = true;
     read();
-    lagrange_.read_lagrangian();
-    loads_.read_moving_loads();
-    constraints_.read_constraints();
+    read_moving();
+  }
+  /// Reads what depends on motion, with symbols in its place, to infer units. Requires that `read` was called
+  /// and hides no units.
+  constexpr void read_moving_for_units() {
+    reading_.for_units = true;
+    read_moving();
+    reading_.for_units = false;
   }
   /// Whether the mistake concerns a type about which the compiler has already reported an error.
   constexpr bool follows_from_unparsed() const { return reading_.follows_from_unparsed; }
@@ -120,6 +127,11 @@ public:
   constexpr void add_parameter(const symbol_record& r) { symbols_.add_parameter(r); }
 
 private:
+  constexpr void read_moving() {
+    lagrange_.read_lagrangian();
+    loads_.read_moving_loads();
+    constraints_.read_constraints();
+  }
   constexpr void read_coordinates(const describe::listing<phrase>& listed) {
     read_list(listed, symbolic::symbol_kind::coordinate, symbol_list::coordinates,
               [&](const symbol_record& s) { m_.coordinate(s.called); });

@@ -32,6 +32,9 @@ struct reading {
   int describing = none;                          ///< the frame that `own` denotes
   bool for_units = false;    ///< whether the model is read to infer units (units_of_motion.hpp)
   bool states_units = false; ///< whether any symbol has a stated unit
+  /// Whether something was read that has a different value if the model is read to infer units: a number in
+  /// place of a symbol, or a motion.
+  bool hides_units = false;
   sentence mistake{};
   /// Whether the compiler has already reported an error about the type that contains the mistake.
   bool follows_from_unparsed = false;
@@ -39,10 +42,10 @@ struct reading {
   constexpr reading(const system_record& records, mechanics::multibody_system& system)
       : from(records), into(system) {}
 
-  /// Registers the unit that the model states for a symbol; it is stored only if units are to be inferred.
+  /// Registers the unit that the model states for a symbol.
   constexpr void state_unit(expression symbol, const units::unit& u) {
     states_units = true;
-    if (!for_units || mistake) return;
+    if (mistake) return;
     for (const mechanics::stated_unit& before : into.mechanism.stated_units)
       if (before.symbol == symbol && before.unit == u) return;
     into.mechanism.stated_units.push({symbol, u});

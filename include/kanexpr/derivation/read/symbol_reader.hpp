@@ -146,6 +146,7 @@ public:
 
   /// Binds a parameter to a number. If the model is read for its units, the parameter stays a symbol.
   constexpr void bind(const symbol_record& r, expression number) {
+    reading_.hides_units = true;
     bound_.push(r.called);
     bound_values_.push(reading_.for_units ? symbolic::variable(*m_.g, {r.kind, r.called, none}) : number);
     bound_is_used_.push(0);
@@ -192,6 +193,7 @@ private:
   /// A number with a unit, which is a symbol if the model is read for its units.
   constexpr expression constant_of(const symbol_record& r) {
     if (reading_.for_units) return symbolic::variable(*m_.g, {r.kind, r.called, none});
+    reading_.hides_units = true;
     return symbolic::constant(*m_.g, *r.value);
   }
 

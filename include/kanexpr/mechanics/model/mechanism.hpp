@@ -91,7 +91,7 @@ struct mechanism {
   sequence<body> bodies{};
   sequence<flexible_body> flexible_bodies{};
   method derived_by = method::kane;
-  sequence<stated_unit> stated_units{}; ///< empty if the model states no unit, or is not read for its units
+  sequence<stated_unit> stated_units{}; ///< empty if the model states no unit, and once they are checked
 
   sequence<expected_unit> expected_units{};
 

@@ -50,7 +50,7 @@ public:
     unit_product u = relations_.resolved(of(e));
     mistake_ = before;
     if (u.fits_all || !u.is_known()) return std::nullopt;
-    const bool is_inferred = !forms_[e.node()].is_known();
+    const bool is_inferred = !form_at(e.node()).is_known();
     if (is_inferred && g_[e.node()].op == operation::symbol) unit_relations::drop_angle_of_length(u.known);
     return u.known;
   }
@@ -116,15 +116,12 @@ private:
   using operation = symbolic::operation;
 
   constexpr void state(const stated_unit& s) {
-    unit_product& now = form_at(s.symbol.node());
-    if (has_form_[s.symbol.node()] != 0) {
-      if (!(now.known == s.unit))
-        fail({"two units are stated for ", name_of(s.symbol), ": ", text_of(now.known).view(), " and ",
-              text_of(s.unit).view()});
-      return;
-    }
-    has_form_[s.symbol.node()] = 1;
-    now = known_unit(s.unit);
+    const int id = s.symbol.node();
+    if (!has_form(id)) return set_form(id, known_unit(s.unit));
+    const units::unit& before = form_at(id).known;
+    if (!(before == s.unit))
+      fail({"two units are stated for ", name_of(s.symbol), ": ", text_of(before).view(), " and ",
+            text_of(s.unit).view()});
   }
 
   constexpr bool holds_parameter(expression e) const {
@@ -222,35 +219,29 @@ private:
     }
     const symbolic::symbol_kind kind = g_.symbol_at(id).kind;
     if (kind != symbolic::symbol_kind::parameter && kind != symbolic::symbol_kind::input) return {};
-    if (has_form_[id] == 0 || forms_[id].unknown.size() != 1) return {};
-    const int unknown = forms_[id].unknown[0].of;
+    if (!has_form(id) || form_at(id).unknown.size() != 1) return {};
+    const int unknown = form_at(id).unknown[0].of;
     if (!relations_.is_solved(unknown) || unknown >= reason_of_.size() || reason_of_[unknown] == none)
       return {};
     const std::string_view reason = reasons_[reason_of_[unknown]].view();
-    const unit_product u = relations_.resolved(forms_[id]);
+    const unit_product u = relations_.resolved(form_at(id));
     if (reason.empty() || reason == sentence({what_, whose_}).view() || !u.is_known()) return {};
     return sentence(
         {"; ", g_.symbol_at(id).called.view(), " is in ", text_of(u.known).view(), " by ", reason});
   }
 
-  /// The forms of the nodes, which grow with the graph.
-  constexpr unit_product& form_at(int id) {
-    if (id >= forms_.size()) {
-      forms_.resize(g_.size());
-      has_form_.resize(g_.size());
-    }
-    return forms_[id];
+  constexpr bool has_form(int id) const { return id < place_of_form_.size() && place_of_form_[id] != none; }
+  /// The form of a node that has one.
+  constexpr const unit_product& form_at(int id) const { return forms_[place_of_form_[id]]; }
+  constexpr void set_form(int id, unit_product&& form) {
+    if (id >= place_of_form_.size()) place_of_form_.resize(g_.size(), none);
+    place_of_form_[id] = forms_.push(static_cast<unit_product&&>(form));
   }
 
   constexpr unit_product of(expression e) { return of(e.node()); }
   constexpr unit_product of(int id) {
-    form_at(id);
-    if (has_form_[id] == 0) {
-      unit_product found = found_for(id, g_[id]);
-      form_at(id) = static_cast<unit_product&&>(found);
-      has_form_[id] = 1;
-    }
-    return forms_[id];
+    if (!has_form(id)) set_form(id, found_for(id, g_[id]));
+    return form_at(id);
   }
 
   constexpr unit_product found_for(int id, const symbolic::node& n) {
@@ -305,7 +296,7 @@ private:
   /// The condition of a selection, whose sign is that of a difference: max(a, b) compares a and b.
   constexpr void compare(int condition) {
     const symbolic::node& n = g_[condition];
-    if (has_form_[condition] == 0 && n.op == operation::subtract) of_pair({" compares ", " and "}, n);
+    if (!has_form(condition) && n.op == operation::subtract) of_pair({" compares ", " and "}, n);
     of(condition);
   }
 
@@ -389,7 +380,7 @@ private:
   const symbolic::graph& g_;
   unit_relations relations_{};
   sequence<unit_product> forms_{};
-  sequence<char> has_form_{};
+  sequence<int> place_of_form_{};     ///< by node
   std::string_view what_{}, whose_{}; ///< the part of the model that is described
   sentence composed_{}, mistake_{};
   int described_ = 0,

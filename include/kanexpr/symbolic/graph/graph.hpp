@@ -118,6 +118,28 @@ public:
     return size_++;
   }
 
+  /// What a graph contains at some time.
+  struct extent {
+    int nodes, numbers, symbols, externals;
+    bool has_lists;
+  };
+  constexpr extent present() const {
+    return {size_, numbers_.size(), symbols_.size(), externals_.size(), has_lists_};
+  }
+  /// Discards everything that was added since; no expression may refer to it any more.
+  constexpr void forget_after(const extent& kept) {
+    for (; size_ > kept.nodes; --size_) { // the last node first, so that the slots of all others stay valid
+      const node& last = nodes_[size_ - 1];
+      unsigned place = (last.op == operation::constant ? hash(numbers_[last.a]) : hash(last)) & hash_mask_;
+      while (table_[place] != size_ - 1) place = (place + 1) & hash_mask_;
+      table_[place] = -1;
+    }
+    while (numbers_.size() > kept.numbers) numbers_.pop();
+    while (symbols_.size() > kept.symbols) symbols_.pop();
+    while (externals_.size() > kept.externals) externals_.pop();
+    has_lists_ = kept.has_lists;
+  }
+
   /// Restores a stored graph from arrays of its nodes in order.
   constexpr void restore(sequence<number>&& numbers, sequence<symbol>&& symbols, const operation* op,
                          const int* a, const int* b, int nodes) {
