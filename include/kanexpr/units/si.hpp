@@ -9,7 +9,7 @@
 /// as the millimeter or the degree, are not provided: a model computes in coherent units.
 namespace kanexpr::units::si {
 
-using units::dimensionless;
+using units::dimensionless, units::pow;
 
 inline constexpr unit kilogram = only(base_unit::kilogram);
 inline constexpr unit meter = only(base_unit::meter);
