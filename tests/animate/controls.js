@@ -46,8 +46,8 @@ async function checkPanels(page) {
 async function checkValues(page, expected) {
   await open(page, 'Values');
   const units = {
-    q1: 'rad', q2: 'rad', q3: 'rad', 'kinetic energy': 'J', 'potential energy': 'J', 'total energy': 'J',
-    'height of Dmc': 'm',
+    q1: 'rad', q2: 'rad', q3: 'rad', u1: 'rad/s', u2: 'rad/s', u3: 'rad/s', 'kinetic energy': 'J',
+    'potential energy': 'J', 'total energy': 'J', 'height of Dmc': 'm',
   };
   for (const { t, columns } of expected) {
     await seek(page, t);
