@@ -19,7 +19,7 @@ using eom = equations_of_motion<System>;
 many_results<decltype(eom::udot)> results(4);
 rollout<runge_kutta_4<System>> ahead(4, {});
 many<eom::state> x(4);
-const many<eom::state> constant(4);
+const many<eom::state> read_only(4);
 many<state<System, float>> of_less_precision(4);
 const many<parameter_values<System, float>> p_of_less_precision(4);
 const eom::state one = eom::state::Zero();
@@ -36,7 +36,7 @@ const status of_one = results.evaluate(one, p, r);
 const status by_float = ahead.run(x, p_of_less_precision, r);
 
 // expect: run requires non-const `many` states of its system and precision
-const status of_constant = ahead.run(constant, p, r);
+const status of_constant = ahead.run(read_only, p, r);
 
 // expect: run takes `many` states; for one state, call the step itself
 const status moved_one = ahead.run(one, p, r);
