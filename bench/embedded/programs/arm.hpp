@@ -7,7 +7,7 @@
 #include <array>
 
 /// A motor with a flexible arm, where its programs are called.
-namespace embedded::flexible_arm {
+namespace embedded::arm {
 
 using namespace kanexpr;
 
@@ -36,4 +36,4 @@ struct calls {
   static constexpr double spread = 0.01;
 };
 
-} // namespace embedded::flexible_arm
+} // namespace embedded::arm
