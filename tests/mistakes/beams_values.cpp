@@ -139,7 +139,7 @@ void f() { use<System>(); }
 
 // expect: the direction of bending of beam B normalizes a vector of zero length
 namespace v20 {
-struct B : beam<B, O, N::x, L, m, bending<0.0*N::y, EI, clamped_free<1>>> {};
+struct B : beam<B, O, N::x, L, m, bending<0.0 * N::y, EI, clamped_free<1>>> {};
 struct System : system_of<bodies<B>> {};
 void f() { use<System>(); }
 } // namespace v20
@@ -147,7 +147,7 @@ void f() { use<System>(); }
 // expect: section S of beam Rod is at 0, which is also the value of 1/2 in C++; write 0.5, or 0.0 for the
 // expect: root
 namespace v21 {
-struct S : section<S, Rod, 1/2> {};
+struct S : section<S, Rod, 1 / 2> {};
 struct P : particle<P, S, m> {};
 struct System : system_of<bodies<Rod, P>> {};
 void f() { use<System>(); }

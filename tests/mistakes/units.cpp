@@ -59,7 +59,7 @@ void f() { use<System>(); }
 
 // expect: the force at P compares l [m] and if_positive(k*q - -1, k*q, 0) + if_positive(k*q - -1, -1, 0)
 namespace u10 {
-struct System : pendulum<force<P, clamp(k * q, -1, l) * N::x>> {};
+struct System : pendulum<force<P, clamp(k* q, -1, l) * N::x>> {};
 void f() { use<System>(); }
 } // namespace u10
 

@@ -7,9 +7,10 @@
 /// most others follow.
 struct cart_with_units : kanexpr::runtime::builder {
   using expression = kanexpr::symbolic::expression;
-  expression s = coordinate("s"), q = coordinate("q", kanexpr::units::si::radian), v = speed("v"), u = speed("u"),
-             m = parameter("m", kanexpr::units::si::kilogram), l = parameter("l"), g = parameter("g"),
-             k = parameter("k"), c = parameter("c"), w = parameter("w"), force_on_cart = input("F");
+  expression s = coordinate("s"), q = coordinate("q", kanexpr::units::si::radian), v = speed("v"),
+             u = speed("u"), m = parameter("m", kanexpr::units::si::kilogram), l = parameter("l"),
+             g = parameter("g"), k = parameter("k"), c = parameter("c"), w = parameter("w"),
+             force_on_cart = input("F");
   kanexpr::runtime::frame_id n = inertial_frame(), rod{};
   kanexpr::runtime::point_id bob{};
 
