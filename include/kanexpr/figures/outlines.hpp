@@ -5,6 +5,8 @@
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/flexible_body.hpp>
+#include <kanexpr/mechanics/model/flexible_data.hpp>
+#include <kanexpr/mechanics/model/flexible_expressions.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/section.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>

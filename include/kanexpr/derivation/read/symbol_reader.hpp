@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/read/reading.hpp>
+#include <kanexpr/derivation/read/symbol_uses.hpp>
 #include <kanexpr/mechanics/checks/check_name.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -241,24 +242,6 @@ private:
     return m_.zero();
   }
 
-  /// Records which symbols of a list were mentioned, by position.
-  class uses {
-  public:
-    constexpr int size() const { return mentioned_.size(); }
-    constexpr bool operator[](int place) const { return mentioned_[place] != 0; }
-    /// Registers a listed symbol, which may follow unlisted ones.
-    constexpr void expect(int place) {
-      while (mentioned_.size() < place) mentioned_.push(1);
-      mentioned_.push(0);
-    }
-    constexpr void mark(int place) {
-      if (place < mentioned_.size()) mentioned_[place] = 1;
-    }
-
-  private:
-    sequence<char> mentioned_{};
-  };
-
   constexpr void fail_by_unused(std::string_view kind, const expression& symbol) {
     const std::string_view called = m_.g->symbol_at(symbol.node()).called.view();
     reading_.fail({kind, " ", called,
@@ -358,7 +341,7 @@ private:
     return m_.zero();
   }
 
-  constexpr expression mentioned(const sequence<expression>& known, uses& used, const symbol_record& r,
+  constexpr expression mentioned(const sequence<expression>& known, symbol_uses& used, const symbol_record& r,
                                  bool complete, std::string_view kind, std::string_view whom) {
     for (int i = 0; i < known.size(); ++i)
       if (m_.g->symbol_at(known[i].node()).called == r.called) {
@@ -403,7 +386,7 @@ private:
   sequence<expression> bound_values_{};
   sequence<char> bound_is_used_{};
   sequence<claimed> claimed_{};
-  uses used_parameters_{}, used_inputs_{}, used_auxiliary_{}; ///< unused after a model has been read
+  symbol_uses used_parameters_{}, used_inputs_{}, used_auxiliary_{}; ///< unused after a model has been read
   bool is_time_claimed_ = false;
 };
 

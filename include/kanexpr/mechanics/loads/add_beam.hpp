@@ -6,6 +6,7 @@
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/loads/modal_damping.hpp>
 #include <kanexpr/mechanics/model/beam.hpp>
+#include <kanexpr/mechanics/model/beam_expressions.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/name.hpp>
 #include <kanexpr/mechanics/model/beam.hpp>
+#include <kanexpr/mechanics/model/beam_expressions.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/frames.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
