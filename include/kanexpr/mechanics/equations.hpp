@@ -150,11 +150,16 @@ public:
     return m;
   }
 
-  /// Substitutes the dependent speeds from the constraints into an expression.
+  /// Substitutes the dependent speeds from the constraints into an expression. Those that are solutions of
+  /// nonlinear constraints remain.
   constexpr expression imposed(expression e) {
     symbolic::substitution bound(*m_->g);
     const sequence<expression> given = dynamics_.speeds_by_constraints();
-    for (int d = 0; d < given.size(); ++d) bound.replace(m_->speeds[speeds_.dependent[d]], given[d]);
+    sequence<int> dependent;
+    for (const int d : speeds_.dependent) dependent.push(m_->speeds[d].node());
+    for (int d = 0; d < given.size(); ++d)
+      if (constraints_.nonlinear == 0 || !depends_on(*m_->g, {given[d].node()}, dependent))
+        bound.replace(m_->speeds[speeds_.dependent[d]], given[d]);
     return bound.in(without_auxiliary_speeds(*m_).in(known_rates(*m_, s_.coordinate_rates).in(e)));
   }
 

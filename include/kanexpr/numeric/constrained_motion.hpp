@@ -25,6 +25,9 @@ namespace kanexpr::numeric {
 ///     configuration(x, left, by_coordinates)   the residual and its derivatives
 ///     velocities(x, left, by_speeds)
 ///     motion(x, qdot, mass, force, bias)       a status
+///
+/// and, for `find`, whether the velocity constraints are linear in the speeds: `velocities_are_linear()`, and
+/// the constant `only_linear` if this is so for all systems of the type.
 template <class Equations>
 class constrained_motion {
 public:
@@ -238,6 +241,9 @@ private:
     found.x = given;
     if (const status s = place(found.x); !s) return s;
     if (const status s = of_.motion(found.x, qdot_, mass_, force_, bias_); !s) return s;
+    if constexpr (!Equations::only_linear)
+      if (!of_.velocities_are_linear())
+        if (const status s = move(found.x); !s) return s;
     const rows_of_speeds left = velocities(found.x); // J u + c
     const singular_values<by_speeds> j(scaled_by_u());
     distinct_ = distinctness_of(j);
@@ -256,6 +262,27 @@ private:
     for (int i = 0; i < first; ++i) found.rates(i) = qdot_(i);
     for (int i = 0; i < of_.speeds(); ++i) found.rates(first + i) = udot(i) * sizes_(first + i);
     return {};
+  }
+
+  /// Moves the speeds of x to those that satisfy constraints that are not linear in them, by Newton steps of
+  /// least kinetic energy. `motion` was evaluated at the coordinates of x.
+  status move(state& x) {
+    const int first = of_.coordinates();
+    const masses mass = scaled_mass();
+    number last = std::numeric_limits<number>::infinity();
+    for (int steps = 0; steps < most_steps; ++steps) {
+      const rows_of_speeds left = velocities(x);
+      const singular_values<by_speeds> j(scaled_by_u());
+      const constrained_minimum<masses, by_speeds> bound(mass, j, j.rank(rank_tolerance * j[0]));
+      if (!bound.is_regular()) return no_kinetic_energy();
+      const speeds change = bound.solve(speeds::Zero(of_.speeds()), -left);
+      const number size = change.norm();
+      if (!(size < max_move)) break;
+      for (int i = 0; i < of_.speeds(); ++i) x(first + i) += change(i) * sizes_(first + i);
+      if (size <= close_enough || (size <= 1e-4 && size > last / 4)) return {};
+      last = size;
+    }
+    return inconsistent();
   }
 
   masses scaled_mass() const {

@@ -43,7 +43,7 @@ constexpr sentence check_velocity_constraint(const mechanism& m, const contents&
   if (const sentence rate = symbol_in(m, held, v, {kind::speed_rate}))
     return sentence({which.view(), " contains the ", rate.view()});
   if (const sentence found = check_prescribed(m, held, v, 1, which.view())) return found;
-  if (held.holds_any(v, {kind::speed, kind::coordinate_rate})) return check_linear(m, held, v, which.view());
+  if (held.holds_any(v, {kind::speed, kind::coordinate_rate})) return {};
   const sentence coordinate = symbol_in(m, held, v, {kind::coordinate});
   if (!coordinate) return sentence({which.view(), " contains no ", a_speed(m)});
   return sentence({which.view(), " contains the ", coordinate.view(), " but no ", a_speed(m),

@@ -22,9 +22,10 @@ public:
                               const constraints& c, int velocities, const sequence<expression>& wanted,
                               bool has_rates = false)
       : s_(s), m_(*s.model), by_u_(c.jacobian), sizes_(*m_.g), symbols_(m_.g->size()), has_rates_(has_rates),
-        places_(first(configurations, c.on_configuration)), moves_(first(velocities, c.velocity_residual())),
-        configurations_(m_, configuration, places_), evaluate_(*m_.g, outputs(wanted)),
-        rates_(*m_.g, outputs_with_rates()), generic_(*m_.g, evaluate_.live(), &m_, 1.0) {}
+        are_linear_(c.nonlinear == 0), places_(first(configurations, c.on_configuration)),
+        moves_(first(velocities, c.velocity_residual())), configurations_(m_, configuration, places_),
+        evaluate_(*m_.g, outputs(wanted)), rates_(*m_.g, outputs_with_rates()),
+        generic_(*m_.g, evaluate_.live(), &m_, 1.0) {}
 
   /// Finds another state from a new random start; returns false if the iteration does not converge.
   constexpr bool next() {
@@ -78,10 +79,22 @@ private:
 
   constexpr bool move() {
     if (moves_.empty()) return true;
-    sequence<double> residual;
-    for (const expression& v : moves_) residual.push(value(v));
-    if (!change(m_.speeds, residual)) return false;
-    evaluate();
+    constexpr int most_steps = 30;
+    for (int steps = 0; steps < most_steps; ++steps) {
+      sequence<double> residual;
+      for (const expression& v : moves_) residual.push(value(v));
+      if (!change(m_.speeds, residual)) return false;
+      evaluate();
+      if (are_linear_ || speeds_satisfy()) return true;
+    }
+    return false;
+  }
+
+  /// Whether the velocity constraints hold up to rounding.
+  constexpr bool speeds_satisfy() const {
+    const symbolic::magnitudes terms(*m_.g, evaluate_);
+    for (const expression& v : moves_)
+      if (!(numeric::elementary::abs(value(v)) <= 1e-12 * terms[v.node()])) return false;
     return true;
   }
 
@@ -132,7 +145,7 @@ private:
   const symbolic::matrix& by_u_;
   symbolic::typical_sizes sizes_;
   sequence<symbolic::value_and_rate> symbols_;
-  bool has_rates_;
+  bool has_rates_, are_linear_;
   sequence<expression> places_, moves_;
   consistent_configurations configurations_;
   symbolic::evaluation evaluate_;
