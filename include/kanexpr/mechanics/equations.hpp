@@ -150,16 +150,13 @@ public:
     return m;
   }
 
-  /// Substitutes the dependent speeds from the constraints into an expression. Those that are solutions of
-  /// nonlinear constraints remain.
+  /// Substitutes the dependent speeds from the constraints into an expression, unless a constraint is not
+  /// linear in the speeds.
   constexpr expression imposed(expression e) {
     symbolic::substitution bound(*m_->g);
     const sequence<expression> given = dynamics_.speeds_by_constraints();
-    sequence<int> dependent;
-    for (const int d : speeds_.dependent) dependent.push(m_->speeds[d].node());
-    for (int d = 0; d < given.size(); ++d)
-      if (constraints_.nonlinear == 0 || !depends_on(*m_->g, {given[d].node()}, dependent))
-        bound.replace(m_->speeds[speeds_.dependent[d]], given[d]);
+    for (int d = 0; d < given.size() && constraints_.nonlinear == 0; ++d)
+      bound.replace(m_->speeds[speeds_.dependent[d]], given[d]);
     return bound.in(without_auxiliary_speeds(*m_).in(known_rates(*m_, s_.coordinate_rates).in(e)));
   }
 

@@ -147,25 +147,97 @@ void expect_least_constraint(bool by_lagrange, bool has_linear) {
     const by_hand expected{at.p, has_linear};
     const VectorXd found = udot(at.t, at.x, at.p, at.r), wanted = expected.accelerations(at.t, at.q, at.u);
     ASSERT_TRUE(udot.status());
-    if (wanted.norm() > 1e4) continue; // the constraints are nearly dependent
-    const double size = wanted.norm() * jacobian(at.t, at.x, at.p, at.r).norm();
-    EXPECT_LE((found - wanted).norm(), 1e-12 * (1 + size) * (1 + wanted.norm()));
-    EXPECT_LE((jacobian(at.t, at.x, at.p, at.r) - expected.jacobian(at.t, at.q, at.u)).norm(), 1e-13 * (1 + size));
-    EXPECT_LE((bias(at.t, at.x, at.p, at.r) - expected.bias(at.t, at.q, at.u)).norm(), 1e-12 * (1 + size));
+    EXPECT_LE((found - wanted).norm(), 1e-12 * wanted.norm());
+    const MatrixXd j = expected.jacobian(at.t, at.q, at.u);
+    const VectorXd gamma = expected.bias(at.t, at.q, at.u);
+    EXPECT_LE((jacobian(at.t, at.x, at.p, at.r) - j).norm(), 1e-14 * j.norm());
+    EXPECT_LE((bias(at.t, at.x, at.p, at.r) - gamma).norm(), 1e-13 * (gamma.norm() + j.norm()));
     EXPECT_LE((left(at.t, at.x, at.p, at.r) - expected.residual(at.t, at.q, at.u).real()).norm(),
-              1e-12 * (1 + size));
+              1e-14 * (1 + j.norm() * at.u.norm()));
     // Chetaev's condition: the forces of the constraints act along ∂φ/∂u
-    const VectorXd forces = expected.jacobian(at.t, at.q, at.u).transpose() * lambda(at.t, at.x, at.p, at.r);
-    const VectorXd inertia = expected.mass(at.q) * found - expected.force(at.q, at.u);
-    EXPECT_LE((forces - inertia).norm(), 1e-11 * (1 + inertia.norm()) * (1 + wanted.norm()));
-    const VectorXd rates = full(at.t, at.x, at.p, at.r).fullPivLu().solve(VectorXd(right(at.t, at.x, at.p, at.r)));
-    EXPECT_LE((rates.tail(3) - found).norm(), 1e-11 * (1 + found.norm()));
+    const VectorXd forces = j.transpose() * lambda(at.t, at.x, at.p, at.r),
+                   inertia = expected.mass(at.q) * found - expected.force(at.q, at.u);
+    EXPECT_LE((forces - inertia).norm(), 1e-12 * (inertia.norm() + expected.force(at.q, at.u).norm()));
+    const VectorXd rates =
+        full(at.t, at.x, at.p, at.r).fullPivLu().solve(VectorXd(right(at.t, at.x, at.p, at.r)));
+    EXPECT_LE((rates.tail(3) - found).norm(), 1e-12 * found.norm());
   }
 }
 
 TEST(nonlinear_constraints, agree_with_the_principle_of_least_constraint) {
   for (const bool by_lagrange : {false, true})
     for (const bool has_linear : {false, true}) expect_least_constraint(by_lagrange, has_linear);
+}
+
+// The dependent speeds of a state by Newton's method in complex numbers.
+Eigen::VectorXcd on_constraints(const by_hand& of, double t, Eigen::VectorXcd x,
+                                const std::vector<Index>& dependent) {
+  for (int steps = 0; steps < 60; ++steps) {
+    Eigen::MatrixXcd slope(of.rows(), of.rows());
+    for (Index i = 0; i < of.rows(); ++i) { // exact, because the constraints are quadratic in the speeds
+      Eigen::VectorXcd ahead = x.tail(3), back = ahead;
+      ahead(dependent[static_cast<std::size_t>(i)] - 3) += 1,
+          back(dependent[static_cast<std::size_t>(i)] - 3) -= 1;
+      slope.col(i) = (of.residual(t, x.head(3), ahead) - of.residual(t, x.head(3), back)) / 2.0;
+    }
+    const Eigen::VectorXcd change = slope.fullPivLu().solve(of.residual(t, x.head(3), x.tail(3)));
+    for (Index i = 0; i < of.rows(); ++i) x(dependent[static_cast<std::size_t>(i)]) -= change(i);
+  }
+  return x;
+}
+
+// A along the constraints, compared with complex steps of the rates; the dependent speeds follow.
+void expect_linearization(bool by_lagrange, bool has_linear) {
+  SCOPED_TRACE(std::string(by_lagrange ? "Lagrange" : "Kane") + (has_linear ? ", with a linear one" : ""));
+  model m = derive(pendulums_on_cart(by_lagrange, has_linear));
+  auto rhs = m.function<complex>(m.rhs());
+  auto matrix = m.function(m.get(quantity::state_matrix)),
+       implicit_mass = m.function(m.get(quantity::implicit_mass_matrix)),
+       implicit_state = m.function(m.get(quantity::implicit_state_matrix));
+  ASSERT_EQ(m.mistake(), "");
+  std::vector<Index> dependent, independent;
+  for (int i = 0; i < 6; ++i) (m.known()->dependent[i] ? dependent : independent).push_back(i);
+  const auto states = static_cast<Index>(independent.size());
+  random_states at;
+  int compared = 0;
+  for (int tried = 0; tried < 200 && compared < 40; ++tried) {
+    at.draw();
+    const by_hand of{at.p, has_linear};
+    const Eigen::VectorXcd point = on_constraints(of, at.t, at.x, dependent);
+    const VectorXd x = point.real();
+    if (!(of.residual(at.t, x.head(3), x.tail(3)).norm() < 1e-13)) continue; // there is no such state
+    MatrixXd by_steps(states, states);
+    for (Index j = 0; j < states; ++j) {
+      Eigen::VectorXcd moved = x;
+      moved(independent[static_cast<std::size_t>(j)]) += complex(0, to_second_order::step);
+      const Eigen::VectorXcd rates = rhs(at.t, on_constraints(of, at.t, moved, dependent), at.p, at.r);
+      for (Index i = 0; i < states; ++i)
+        by_steps(i, j) = rates(independent[static_cast<std::size_t>(i)]).imag() / to_second_order::step;
+    }
+    if (by_steps.norm() > 1e5) continue; // nearly singular
+    ++compared;
+    const MatrixXd found = matrix(at.t, x, at.p, at.r);
+    EXPECT_LE((found - by_steps).norm(), 1e-11 * by_steps.norm());
+    const MatrixXd all =
+        implicit_mass(at.t, x, at.p, at.r).fullPivLu().solve(MatrixXd(implicit_state(at.t, x, at.p, at.r)));
+    for (Index i = 0; i < states; ++i)
+      EXPECT_LE((all.row(independent[static_cast<std::size_t>(i)]) - found.row(i)).norm(),
+                1e-10 * found.norm());
+  }
+  EXPECT_EQ(compared, 40);
+}
+
+TEST(nonlinear_constraints, are_linearized_along_themselves) {
+  for (const bool by_lagrange : {false, true})
+    for (const bool has_linear : {false, true}) expect_linearization(by_lagrange, has_linear);
+}
+
+TEST(nonlinear_constraints, have_second_derivatives) {
+  using to_second_order::derivatives;
+  for (const bool has_linear : {false, true}) {
+    to_second_order::expect_second_order(derivatives(derive(pendulums_on_cart(false, has_linear))), 3);
+    to_second_order::expect_second_order(derivatives(derive(pendulums_on_cart(true, has_linear))), 3);
+  }
 }
 
 } // namespace

@@ -44,6 +44,14 @@ public:
            numeric::elementary::abs(value) <= 1e-7 * symbolic::magnitudes(*m_.g, evaluate_)[e.node()];
   }
 
+  /// After `next`, the first velocity constraint whose derivatives with respect to the speeds vanished while
+  /// the state approached it; none if there is no such constraint.
+  constexpr int row_that_vanished() const {
+    for (int i = 0; i < sizes_at_start_.size(); ++i)
+      if (size_of_row(i) < 1e-6 * sizes_at_start_[i]) return i;
+    return none;
+  }
+
 private:
   static constexpr sequence<expression> first(int count, const sequence<expression>& all) {
     sequence<expression> some;
@@ -79,7 +87,9 @@ private:
 
   constexpr bool move() {
     if (moves_.empty()) return true;
-    constexpr int most_steps = 30;
+    constexpr int most_steps = 30; // for a double root, each step halves the distance
+    sizes_at_start_.clear();
+    for (int i = 0; i < moves_.size() && !are_linear_; ++i) sizes_at_start_.push(size_of_row(i));
     for (int steps = 0; steps < most_steps; ++steps) {
       sequence<double> residual;
       for (const expression& v : moves_) residual.push(value(v));
@@ -88,6 +98,16 @@ private:
       if (are_linear_ || speeds_satisfy()) return true;
     }
     return false;
+  }
+
+  /// The largest derivative of a velocity constraint with respect to a speed, in units of the speed.
+  constexpr double size_of_row(int i) const {
+    double largest = 0;
+    for (int j = 0; j < by_u_.columns; ++j) {
+      const double entry = numeric::elementary::abs(value(by_u_(i, j))) * sizes_[m_.speeds[j].node()];
+      if (entry > largest) largest = entry;
+    }
+    return largest;
   }
 
   /// Whether the velocity constraints hold up to rounding.
@@ -151,6 +171,7 @@ private:
   symbolic::evaluation evaluate_;
   symbolic::rate_evaluation rates_;
   detail::generic_values generic_;
+  sequence<double> sizes_at_start_{}; ///< of the rows of nonlinear constraints
 };
 
 /// The number of states to check, the number of attempts to find them, and the number that must be found.

@@ -19,10 +19,8 @@ namespace kanexpr::mechanics {
 /// All constraints of a mechanism. The constraints on its speeds are J u + J_a u_a + c = 0: the velocity
 /// constraints of the model, followed by the rates of its configuration constraints.
 ///
-/// A velocity constraint φ that is not linear in the speeds has J = ∂φ/∂u and c = φ − J u, which depend on
-/// the speeds. J u + c is then φ itself, J u̇ + γ is its rate, and the solution of J u + c = 0 for other
-/// speeds is a Newton step. The forces of the constraint act along J (Chetaev's condition), as for linear
-/// ones.
+/// A velocity constraint φ that is not linear in the speeds has the row J = ∂φ/∂u, which depends on them, and
+/// no c. Its rate is J u̇ + γ, and its forces act along J (Chetaev's condition), like those of linear ones.
 struct constraints {
   sequence<expression> on_configuration{};       ///< as given
   sequence<int> numbers{};                       ///< their numbers in the model, starting at 1
@@ -36,7 +34,7 @@ struct constraints {
                                     ///< it is, or none
   symbolic::matrix jacobian{};      ///< J, a column for each speed
   symbolic::matrix by_auxiliary{};  ///< J_a, a column for each auxiliary speed
-  sequence<expression> remainder{}; ///< c, the part without speeds
+  sequence<expression> remainder{}; ///< c, the part without speeds, of linear constraints
   int nonlinear = 0;                ///< the number of velocity constraints that are not linear in the speeds
   sequence<expression> repeated{};  ///< omitted rates; empty if no constraint has a part without speeds
   sequence<int> repeats{};          ///< the configuration constraints of these rates
@@ -122,14 +120,6 @@ constexpr sequence<char> nonlinear_rows(const mechanism& m, const symbolic::matr
   return marks;
 }
 
-/// φ − J u, at zero auxiliary speeds.
-constexpr expression remainder_of_nonlinear(const mechanism& m, without_auxiliary_speeds& drop,
-                                            expression value, const symbolic::matrix& jacobian, int row) {
-  expression remainder = drop.in(value);
-  for (int j = 0; j < m.speeds.size(); ++j) remainder -= drop.in(jacobian(row, j))*m.speeds[j];
-  return remainder;
-}
-
 } // namespace detail
 
 /// Forms the constraints of a mechanism. Omits the rate of a configuration constraint if the velocity
@@ -171,11 +161,7 @@ constexpr constraints form_constraints(motion& k, const given_constraints& from)
   bool is_all_by_speeds = true;
   for (int i = 0; i < all.size(); ++i) {
     const bool is_linear = is_nonlinear[i] == 0;
-    expression remainder;
-    if (is_linear)
-      remainder = at_rest.in(all[i].value);
-    else
-      remainder = detail::remainder_of_nonlinear(m, drop, all[i].value, jacobian, i);
+    const expression remainder = is_linear ? at_rest.in(all[i].value) : m.zero();
     is_all_by_speeds = is_all_by_speeds && remainder.is_zero();
     if (kept[i] == 0) {
       out.repeated.push(drop.in(all[i].value));
