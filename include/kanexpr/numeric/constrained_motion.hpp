@@ -80,8 +80,10 @@ public:
   status find(const state& given, motion& found) {
     status s = find_at_nearest(given, found);
     if (!s || distinct_ >= min_distinctness) return s;
-    const Eigen::Index rank = usual_rank_;
+    const Eigen::Index rank = usual_rank_, here = rank_;
     if (const status passing = interpolate(found); passing) return passing;
+    if constexpr (!Equations::only_linear) // the speeds, not the position, make rows of J vanish
+      if (!of_.velocities_are_linear() && here < rank) return inconsistent();
     return usual_rank_ == rank ? s : find_at_nearest(given, found);
   }
 
@@ -248,7 +250,8 @@ private:
     const singular_values<by_speeds> j(scaled_by_u());
     distinct_ = distinctness_of(j);
     const masses mass = scaled_mass();
-    const constrained_minimum<masses, by_speeds> bound(mass, j, j.rank(rank_tolerance * j[0]));
+    rank_ = j.rank(rank_tolerance * j[0]);
+    const constrained_minimum<masses, by_speeds> bound(mass, j, rank_);
     if (!bound.is_regular()) return no_kinetic_energy();
     const speeds change = bound.solve(speeds::Zero(of_.speeds()), -left);
     for (int i = 0; i < of_.speeds(); ++i) found.x(first + i) += change(i) * sizes_(first + i);
@@ -385,7 +388,8 @@ private:
   rows_of_speeds row_sizes_u_;
   number usual_ = 0; ///< the largest value found for the smallest singular value that is not identically zero
   Eigen::Index usual_rank_ = 0; ///< the usual rank of J
-  number distinct_ = 0;         ///< the distinctness at the last state evaluated
+  Eigen::Index rank_ = 0;       ///< the rank of J at the last state evaluated
+  number distinct_ = 0;         ///< the distinctness there
 };
 
 } // namespace kanexpr::numeric

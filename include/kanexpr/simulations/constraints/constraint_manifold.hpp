@@ -89,6 +89,14 @@ public:
     return s;
   }
 
+  status multipliers(double t, const vector& x, const vector& r, double* lambda) override {
+    vector udot(o_), found(by_u_.rows());
+    const auto all = [](const matrix& rows) { return rows.rows(); };
+    const status s = motion_at(t, x, r).find_at(x, all, udot, found);
+    if (s) std::copy_n(found.data(), found.size(), lambda);
+    return s;
+  }
+
   bool project(double t, const vector& x, const vector& r, const vector& weights) override {
     units_ = weights.cwiseAbs2().cwiseInverse();
     correction_.setZero();
