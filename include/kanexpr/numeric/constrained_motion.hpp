@@ -112,21 +112,10 @@ public:
 
   /// Moves x to the nearest configuration that satisfies the constraints.
   status place(state& x) {
-    if (by_q_.rows() == 0) return {};
-    number last = std::numeric_limits<number>::infinity();
-    for (int steps = 0; steps < most_steps; ++steps) {
-      const rows_of_coordinates left = configuration(x);
-      const coordinates step = step_of(singular_values<by_coordinates>(scaled_by_q()), left);
-      const number size = step.norm();
-      if (!(size < max_move)) break;
-      for (int i = 0; i < of_.coordinates(); ++i) x(i) += step(i) * sizes_(i);
-      if (size <= close_enough || (size <= 1e-4 && size > last / 4)) {
-        const rows_of_coordinates rest = configuration(x);
-        return rest.norm() <= residual_tolerance ? status() : inconsistent();
-      }
-      last = size;
-    }
-    return inconsistent();
+    if constexpr (l == 0) // singular values require rows
+      return {};
+    else
+      return by_q_.rows() == 0 ? status() : place_by_steps(x);
   }
 
 private:
@@ -234,6 +223,23 @@ private:
       step -= (j.left_vector(i).dot(left) / j[i]) * j.right_vector(i);
     }
     return step;
+  }
+
+  status place_by_steps(state& x) {
+    number last = std::numeric_limits<number>::infinity();
+    for (int steps = 0; steps < most_steps; ++steps) {
+      const rows_of_coordinates left = configuration(x);
+      const coordinates step = step_of(singular_values<by_coordinates>(scaled_by_q()), left);
+      const number size = step.norm();
+      if (!(size < max_move)) break;
+      for (int i = 0; i < of_.coordinates(); ++i) x(i) += step(i) * sizes_(i);
+      if (size <= close_enough || (size <= 1e-4 && size > last / 4)) {
+        const rows_of_coordinates rest = configuration(x);
+        return rest.norm() <= residual_tolerance ? status() : inconsistent();
+      }
+      last = size;
+    }
+    return inconsistent();
   }
 
   /// Finds the motion at the nearest state that satisfies the constraints, from the constraints at that state
