@@ -147,11 +147,11 @@ base::sentence find_speeds(Constraints& c, State& placed, const newton_options& 
   }
   if (c.velocities_hold(placed)) return {};
   report.velocity_residual = found.residual;
-  return with_number(found.singular
-                         ? "the search for the dependent speeds ended at a singularity of the velocity "
-                           "constraints, with a residual of "
-                         : "the search for the dependent speeds did not converge; it ended with a residual of ",
-                     found.residual);
+  return with_number(
+      found.singular ? "the search for the dependent speeds ended at a singularity of the velocity "
+                       "constraints, with a residual of "
+                     : "the search for the dependent speeds did not converge; it ended with a residual of ",
+      found.residual);
 }
 
 /// Solves the velocity constraints for the dependent speeds of a state; returns a message if this fails.

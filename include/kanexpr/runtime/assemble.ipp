@@ -58,8 +58,8 @@ public:
         jacobian(m.function(m.get(quantity::configuration_jacobian_by_all))),
         velocity_residual(of(m, quantity::velocity_residual)),
         velocity_terms(of(m, quantity::velocity_terms)), speeds_solved(of(m, quantity::dependent_speeds)),
-        by_speeds(m.function(velocities_are_linear_ ? symbolic::matrix{}
-                                                    : m.get(quantity::constraint_jacobian))) {}
+        by_speeds(
+            m.function(velocities_are_linear_ ? symbolic::matrix{} : m.get(quantity::constraint_jacobian))) {}
 
   // formed in this order, which determines their rounding
   function_of_state residual, configuration_terms, redundant_residual, redundant_terms, redundant_rate,

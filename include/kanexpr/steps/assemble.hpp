@@ -199,7 +199,8 @@ private:
 
 /// Normalizes the quaternions, solves the configuration constraints for the dependent coordinates by Newton's
 /// method, starting from their values in `x`, then solves the velocity constraints for the dependent speeds,
-/// also by Newton's method from their values in `x` if the constraints are not linear in the speeds. On failure, `x` is unchanged and the report contains the cause. The function neither allocates nor throws.
+/// also by Newton's method from their values in `x` if the constraints are not linear in the speeds. On
+/// failure, `x` is unchanged and the report contains the cause. The function neither allocates nor throws.
 template <class System, class Number = double, class Parameters = parameter_values<System, Number>,
           class Inputs = input_values<System, Number>>
 assembly assemble(state<System, Number>& x, const Parameters& p = {}, const Inputs& r = {},
