@@ -34,6 +34,30 @@ class axial_displacements : beam_forms {
     return sum.is_zero() ? x : x - sum / b_.length;
   }
 
+  /// An entry of E − a a.
+  constexpr expression across(int i, int k) const {
+    const expression along = b_.axis[i] * b_.axis[k];
+    return i == k ? 1 - along : -along;
+  }
+
+  /// ∫ ψ (2 s (E − a a) − v (a b + b a) − w (a c + c a)) dm from the numbers ∫ ψ φ_k.
+  template <class Number>
+  constexpr symmetric inertia(Number with) const {
+    const expression stretched = (2 * mass_) * linear(deformation::extension, with);
+    const expression bent[2]{mass_ * linear(deformation::first_bending, with),
+                             mass_ * linear(deformation::second_bending, with)};
+    symmetric j(g_);
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k <= i; ++k) {
+        expression moment = across(i, k) * stretched;
+        for (int n = 0; n < 2; ++n)
+          if (!bent[n].is_zero())
+            moment -= (b_.axis[i] * b_.across[n][k] + b_.axis[k] * b_.across[n][i]) * bent[n];
+        j(i, k) = moment;
+      }
+    return j;
+  }
+
 public:
   constexpr explicit axial_displacements(const beam& of) : beam_forms(of) {}
 
@@ -73,30 +97,6 @@ private:
       y.coupling.push(d == deformation::extension ? times(with(k), mass_) : zero());
     }
     return y;
-  }
-
-  /// ∫ ψ (2 s (E − a a) − v (a b + b a) − w (a c + c a)) dm from the numbers ∫ ψ φ_k.
-  template <class Number>
-  constexpr symmetric inertia(Number with) const {
-    const expression stretched = (2 * mass_) * linear(deformation::extension, with);
-    const expression bent[2]{mass_ * linear(deformation::first_bending, with),
-                             mass_ * linear(deformation::second_bending, with)};
-    symmetric j(g_);
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k <= i; ++k) {
-        expression moment = across(i, k) * stretched;
-        for (int n = 0; n < 2; ++n)
-          if (!bent[n].is_zero())
-            moment -= (b_.axis[i] * b_.across[n][k] + b_.axis[k] * b_.across[n][i]) * bent[n];
-        j(i, k) = moment;
-      }
-    return j;
-  }
-
-  /// An entry of E − a a.
-  constexpr expression across(int i, int k) const {
-    const expression along = b_.axis[i] * b_.axis[k];
-    return i == k ? 1 - along : -along;
   }
 };
 
