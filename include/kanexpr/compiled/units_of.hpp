@@ -87,4 +87,11 @@ constexpr mechanics::possible_unit units_of(const Result<System, wanted>&, const
   return compiled::unit_of<System>(wanted, i, j);
 }
 
+/// The unit of the entry of a result by its row and column, counted from 0, for rows and columns that belong
+/// to no symbol: `units_of(regressor<System>::matrix, 1, 10)`.
+template <template <class, auto...> class Result, class System, mechanics::quantity wanted>
+constexpr mechanics::possible_unit units_of(const Result<System, wanted>&, int row, int column = 0) {
+  return compiled::unit_of<System>(wanted, row, column);
+}
+
 } // namespace kanexpr

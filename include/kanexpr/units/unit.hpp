@@ -68,6 +68,14 @@ private:
   }
 };
 
+/// A unit that follows from the definition of a quantity, for example in a file of a robot. It is shown like
+/// one that the model states, but a model is not checked because of it.
+struct implied_unit {
+  unit of{};
+
+  constexpr bool operator==(const implied_unit&) const = default;
+};
+
 constexpr base_unit base_unit_at(int place) { return static_cast<base_unit>(place); }
 
 /// The unit of the numbers, 1.

@@ -53,10 +53,11 @@ struct prescribed_rate {
   expression rate{};
 };
 
-/// The unit that a model states for a symbol.
+/// The unit that a model states for a symbol, or that the definition of the symbol implies.
 struct stated_unit {
   expression symbol{};
   units::unit unit{};
+  bool is_implied = false; ///< the unit alone is no reason to check the units of the model
 };
 
 /// A quantity of a part of the system that is not stored as given, with the unit that it must have: "the
@@ -92,7 +93,6 @@ struct mechanism {
   sequence<flexible_body> flexible_bodies{};
   method derived_by = method::kane;
   sequence<stated_unit> stated_units{}; ///< empty if the model states no unit, and once they are checked
-
   sequence<expected_unit> expected_units{};
 
   static constexpr int inertial = 0;
@@ -107,6 +107,13 @@ struct mechanism {
           self.speed_rates, self.time, self.prescribed_rates, self.kinematics, self.auxiliary_speeds,
           self.frames, self.points, self.bodies, self.flexible_bodies, self.derived_by, self.stated_units,
           self.expected_units);
+  }
+
+  /// Whether the model itself states a unit, so that all units are inferred and must fit.
+  constexpr bool checks_units() const {
+    for (const stated_unit& s : stated_units)
+      if (!s.is_implied) return true;
+    return false;
   }
 
   constexpr expression zero() const { return {*g, graph::zero}; }
