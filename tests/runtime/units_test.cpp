@@ -128,6 +128,21 @@ TEST(units, are_not_inferred_unless_one_is_stated) {
   EXPECT_EQ(derive(b).unit_of(quantity::udot), std::nullopt);
 }
 
+// Powers that are no multiples of 1/60 are rounded to compare them, but not shown.
+TEST(units, of_any_power_are_compared) {
+  cart s;
+  const expression eighth = power(s.x / s.l, s.b.number(0.125)), h = s.b.parameter("h");
+  s.b.used_elsewhere(h);
+  s.b.force(s.C, s.b.along(s.N, h * power(s.x, s.b.number(2.37)), 0, 0));
+  s.b.force(s.C, s.b.along(s.N, s.F * eighth * power(s.x, s.b.number(1.234)) * power(s.x, s.b.number(-1.234)),
+                           0, 0));
+  expression x_by_roots = power(s.x, s.b.number(0.125));
+  for (int i = 1; i < 8; ++i) x_by_roots = x_by_roots * power(s.x + i * s.l, s.b.number(0.125));
+  s.b.force(s.C, s.b.along(s.N, s.k * x_by_roots, 0, 0));
+  EXPECT_EQ(std::string((s.b.check)().view()), "");
+  EXPECT_EQ(s.unit_of("h"), "not determined");
+}
+
 /// A wrong model: the mistake and its sentence.
 struct wrong {
   void (*is_made)(cart&);
@@ -202,6 +217,14 @@ const wrong mistakes[]{
      "a configuration constraint equates x [m] and l^2 [m^2]"},
     {[](cart& s) { s.b.velocity_constraint(s.v - s.u); },
      "a velocity constraint equates v [m/s] and u [rad/s]"},
+    {[](cart& s) { push(s, s.F * kanexpr::symbolic::smooth_abs(s.v, s.b.number(0.01)) / s.v); },
+     "the force at C contains tanh(100*v); 100*v [m/s] is not a number; the factor 100 has no unit"},
+    {[](cart& s) { push(s, s.k * power(s.x, s.b.number(2.37))); },
+     "the force at C is k*x^2.37 [N m^(41/30)], but must be in N"},
+    {[](cart& s) { push(s, s.b.parameter("h", pow<1, 60>(pow<1, 60>(meter))) * s.F); },
+     "the unit stated for h is out of range; its powers must be multiples of 1/60 between -273 and 273"},
+    {[](cart& s) { s.b.modified_rodrigues("B", s.N, s.l, s.b.number(0.0), s.b.number(0.0)); },
+     "a modified Rodrigues parameter of frame B is l [m], but must be a number"},
     {[](cart& s) { s.b.acceleration_constraint(s.b.dot(s.v) - s.u); },
      "an acceleration constraint equates v' [m/s^2] and u [rad/s]"},
 };

@@ -3,6 +3,7 @@
 #include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/derivation/model_units.hpp>
 #include <kanexpr/derivation/result_units.hpp>
+#include <kanexpr/derivation/stages.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/describe/operand.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
@@ -15,9 +16,19 @@ namespace kanexpr {
 
 namespace compiled {
 
-/// The units of the symbols and constraints of a system, inferred once.
+/// The units of the symbols and equations of a system, inferred once. Units that are only implied are not
+/// inferred, so the model need not be read again.
 template <class System>
-inline constexpr mechanics::unit_table unit_table_of = derivation::unit_table_of(System::record);
+inline constexpr mechanics::unit_table unit_table_of = [] {
+  if constexpr (requires { surveyed<System>::is_linked; } || !survey_of<System>.states_units ||
+                survey_of<System>.checks_units) {
+    return derivation::unit_table_of(System::record);
+  } else {
+    const derivation::derived_system system(System::record,
+                                            derivation::stages_of<System>::constrained.stored);
+    return mechanics::unit_table_of(system.system());
+  }
+}();
 
 /// The address of this table; null if the model states no units, which are then not inferred.
 template <class System>

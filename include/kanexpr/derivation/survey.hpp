@@ -39,6 +39,7 @@ struct survey {
   int quaternion_of[room]{};  ///< for each coordinate: the number of its quaternion, counted from 1; 0 if
                               ///< there is none
   bool states_units = false;  ///< whether the unit of any symbol is stated or implied
+  bool checks_units = false;  ///< whether the model states the unit of any symbol
 
   /// The number of independent coordinates and speeds.
   constexpr int states() const { return coordinates - configuration_constraints + speeds - constraints; }

@@ -87,6 +87,9 @@ private:
   constexpr void state(const frame& f) {
     if (f.is_by_angle() && !holds_amplitude(f.angle)) state("the angle of frame ", f.called, f.angle, radian);
     if (f.kind == orientation::matrix) {
+      if (f.quaternion.empty())
+        for (const parameter_rate& r : f.rates)
+          state("a modified Rodrigues parameter of frame ", f.called, r.parameter, units::dimensionless);
       by_.describe("the orientation of frame ", f.called.view());
       for (const expression& e : f.quaternion) by_.expect(e, units::dimensionless);
       for (const expression& e : f.scalars())

@@ -4,6 +4,7 @@
 #include <kanexpr/mechanics/model/flexible_body.hpp>
 #include <kanexpr/mechanics/model/frame.hpp>
 #include <kanexpr/mechanics/model/vector.hpp>
+#include <kanexpr/symbolic/graph/composition.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
@@ -68,6 +69,14 @@ struct expected_unit {
   name what{}, whose{};
 };
 
+/// The value of a function of several operands in a model that is read for its units. The symbol denotes it
+/// by the words of the model.
+struct function_value {
+  expression symbol{};
+  symbolic::composition function{};
+  sequence<expression> operands{};
+};
+
 /// The method by which the equations of motion are derived.
 enum class method : unsigned char {
   kane,
@@ -94,6 +103,7 @@ struct mechanism {
   method derived_by = method::kane;
   sequence<stated_unit> stated_units{}; ///< empty if the model states no unit, and once they are checked
   sequence<expected_unit> expected_units{};
+  sequence<function_value> function_values{}; ///< only while the model is read for its units
 
   static constexpr int inertial = 0;
 
@@ -109,6 +119,11 @@ struct mechanism {
           self.expected_units);
   }
 
+  /// Discards what was read only for units, after the given number of expected units.
+  constexpr void forget_units_after(int expected) {
+    while (expected_units.size() > expected) expected_units.pop();
+    function_values.clear();
+  }
   /// Whether the model itself states a unit, so that all units are inferred and must fit.
   constexpr bool checks_units() const {
     for (const stated_unit& s : stated_units)
