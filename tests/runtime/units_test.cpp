@@ -1,5 +1,7 @@
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
+#include <kanexpr/numeric/beams/modes.hpp>
+#include <kanexpr/runtime/beam_data.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/symbolic/graph/composed.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
@@ -10,6 +12,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -126,6 +129,42 @@ TEST(units, are_not_inferred_unless_one_is_stated) {
   b.force(P, b.along(builder::inertial_frame(), sin(q) + q * q, 0, 0));
   EXPECT_EQ(std::string((b.check)().view()), "");
   EXPECT_EQ(derive(b).unit_of(quantity::udot), std::nullopt);
+}
+
+TEST(units, of_amplitudes_are_lengths_and_angles) {
+  using namespace kanexpr::runtime;
+  using kanexpr::numeric::beams::ends;
+  for (const bool has_torsion_unit : {false, true}) {
+    builder b("N");
+    const point_id O = b.origin("O");
+    const frame_id N = builder::inertial_frame();
+    std::vector<expression> q;
+    for (const char* name : {"bending", "torsion", "extension"}) {
+      const bool has_unit = has_torsion_unit && name[0] == 't';
+      q.push_back(has_unit ? b.coordinate(name, meter) : b.coordinate(name));
+    }
+    const expression EI = b.parameter("EI"), GJ = b.parameter("GJ"), EA = b.parameter("EA"),
+                     L = b.parameter("L"), density = b.parameter("density", kilogram / meter),
+                     polar = b.parameter("polar");
+    for (const char* name : {"u1", "u2", "u3"}) b.speed(name);
+    for (int i = 0; i < 3; ++i)
+      b.kinematic_equation(b.dot(q[static_cast<std::size_t>(i)]) - b.mechanism().speeds[i]);
+    beam_data data{.axis = b.along(N, 1, 0, 0), .length = L, .mass_per_length = density};
+    data.bending = {{b.along(N, 0, 1, 0), {EI, modes_of_bending(ends::clamped_free, 1)}}};
+    data.torsion = {.polar_inertia = polar, .by = {GJ, modes_of_rod(ends::clamped_free, 1)}};
+    data.extension = {EA, modes_of_rod(ends::clamped_free, 1)};
+    b.beam("B", O, N, q, data);
+    const std::string mistake((b.check)().view());
+    EXPECT_EQ(mistake, has_torsion_unit ? "an amplitude of beam B is torsion [m], but must be in rad" : "");
+    if (has_torsion_unit) continue;
+    for (const auto& [symbol, unit] : {std::pair{"bending", "m"},
+                                       {"torsion", "rad"},
+                                       {"extension", "m"},
+                                       {"u1", "m/s"},
+                                       {"u2", "rad/s"},
+                                       {"GJ", "N m²"}})
+      EXPECT_EQ(std::string(text_of(b.units().of(symbol)).view()), unit) << symbol;
+  }
 }
 
 // Powers that are no multiples of 1/60 are rounded to compare them, but not shown.
