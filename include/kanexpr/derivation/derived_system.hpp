@@ -52,7 +52,7 @@ public:
     if (!mistake()) mistake_ = mechanics::check_system(system_);
     if (!mistake()) reader_.check_listed_are_used();
     if (!mistake() && reader_.checks_units()) check_units();
-    if (reader_.checks_units()) system_.mechanism.stated_units.clear(); // they are inferred anew
+    if (reader_.checks_units()) system_.mechanism.stated_units.clear(); // they are inferred separately
   }
 
   /// Reads the loads that depend on motion and the constraints, and forms the starting point of the

@@ -41,7 +41,7 @@ public:
   }
 
 private:
-  using quantity = physical_quantity;
+  using kind = physical_quantity;
 
   /// The coordinate and the speed of a joint with one coordinate, as expressions.
   struct motion {
@@ -52,27 +52,27 @@ private:
   std::string& type(int link) { return entry(types_, link); }
 
   /// Returns a number from the file, or the name of a parameter with that value.
-  std::string value(const std::string& called, double in_file, quantity q) {
+  std::string value(const std::string& called, double in_file, kind q) {
     if (plan_.binds_numbers()) return cpp::number(in_file);
     values_.push_back({{called, q}, in_file});
     return called;
   }
   /// The same for a value that is a factor: a number is written with its unit.
-  std::string factor(const std::string& called, double in_file, quantity q) {
+  std::string factor(const std::string& called, double in_file, kind q) {
     if (plan_.binds_numbers()) return with_unit(in_file, q);
     return value(called, in_file, q);
   }
-  std::string with_unit(double number, quantity q) const {
+  std::string with_unit(double number, kind q) const {
     return "constant<" + cpp::number(number) + ", " + unit(q) + ">";
   }
-  std::string unit(quantity q) const { return units_ + std::string(name_of(q)); }
+  std::string unit(kind q) const { return units_ + std::string(name_of(q)); }
 
   /// Returns a vector from the file, as an expression in `axes`.
   std::string vector(const std::string& axes, const std::string& called, const vector3& v) {
     if (plan_.binds_numbers()) return cpp::along(axes, v);
-    const std::string x = value("x_" + called, v[0], quantity::length),
-                      y = value("y_" + called, v[1], quantity::length),
-                      z = value("z_" + called, v[2], quantity::length);
+    const std::string x = value("x_" + called, v[0], kind::length),
+                      y = value("y_" + called, v[1], kind::length),
+                      z = value("z_" + called, v[2], kind::length);
     return x + " * " + axes + "::x + " + y + " * " + axes + "::y + " + z + " * " + axes + "::z";
   }
 
@@ -94,9 +94,9 @@ private:
   motion motion_of(int joint) const {
     const mimic_rule rule = resolved_mimic(source_, joint);
     const planned_joint& leader = *plan_.joint_by(rule.leader);
-    const quantity multiplier = plan_.multiplier_of(joint);
+    const kind multiplier = plan_.multiplier_of(joint);
     const auto times = [&](const planned_symbol& e) {
-      if (multiplier != quantity::ratio) return with_unit(rule.multiplier, multiplier) + " * " + e.called;
+      if (multiplier != kind::ratio) return with_unit(rule.multiplier, multiplier) + " * " + e.called;
       return rule.multiplier == 1 ? e.called : cpp::number(rule.multiplier) + " * " + e.called;
     };
     std::string offset;
@@ -158,14 +158,14 @@ private:
                        ">");
   }
 
-  static quantity damping_of(const joint& j) {
-    return j.kind == joint_kind::prismatic ? quantity::damping : quantity::angular_damping;
+  static kind damping_of(const joint& j) {
+    return j.kind == joint_kind::prismatic ? kind::damping : kind::angular_damping;
   }
 
   std::string friction(const moving_body& b, const std::string& speed) {
     const joint& j = plan_.joint_of_body(b);
     if (!plan_.options.friction || !(j.friction > 0)) return {};
-    const quantity q = j.kind == joint_kind::prismatic ? quantity::force : quantity::torque;
+    const kind q = j.kind == joint_kind::prismatic ? kind::force : kind::torque;
     return factor("f_" + plan_.name(b.link), j.friction, q) + " * sign(" + speed + ")";
   }
 
@@ -199,12 +199,12 @@ private:
 
   std::string body_of(const moving_body& b) {
     const std::string& called = plan_.name(b.link);
-    const std::string mass = value("m_" + called, b.mass, quantity::mass),
+    const std::string mass = value("m_" + called, b.mass, kind::mass),
                       center = vector("own", called, b.center);
     const inertia_matrix& i = b.inertia;
     std::vector<std::string> scalars{"own"};
     const auto add = [&](const char* prefix, double e) {
-      scalars.push_back(value(prefix + called, e, quantity::moment_of_inertia));
+      scalars.push_back(value(prefix + called, e, kind::moment_of_inertia));
     };
     add("ixx_", i.xx), add("iyy_", i.yy), add("izz_", i.zz);
     if (!plan_.binds_numbers() || i.xy != 0 || i.yz != 0 || i.zx != 0)
@@ -220,7 +220,7 @@ private:
     if (!(j.reflected_inertia() > 0) || !has_one_coordinate(j.kind)) return;
     const std::string &link = plan_.name(b.link), called = link + "_rotor";
     write_struct(called, "rotated", {"N", motion_of(b.joint).q, "N::z"});
-    const std::string own = value("j_" + link, j.reflected_inertia(), quantity::moment_of_inertia);
+    const std::string own = value("j_" + link, j.reflected_inertia(), kind::moment_of_inertia);
     write_struct(called + "_body", "rigid_body",
                  {"N", called, "0", "inertia<" + called + ", 0, 0, " + own + ">"});
     bodies_.push_back(called + "_body");
@@ -254,7 +254,7 @@ private:
   /// The free-fall acceleration, as an expression.
   std::string free_fall(const vector3& g) {
     const vector3 direction = direction_of_gravity(g);
-    const std::string size = value("g", std::hypot(g[0], g[1], g[2]), quantity::acceleration);
+    const std::string size = value("g", std::hypot(g[0], g[1], g[2]), kind::acceleration);
     if (plan_.binds_numbers() && is_zero(g)) return cpp::along("N", {});
     if (direction == vector3{0, 0, -1}) return "-" + size + " * N::z";
     return plan_.binds_numbers() ? cpp::along("N", g)
@@ -265,7 +265,7 @@ private:
   std::string with_units(const vector3& g) const {
     std::vector<std::string> terms;
     for (std::size_t i = 0; i < 3; ++i)
-      if (g[i] != 0) terms.push_back(with_unit(g[i], quantity::acceleration) + " * N::" + "xyz"[i]);
+      if (g[i] != 0) terms.push_back(with_unit(g[i], kind::acceleration) + " * N::" + "xyz"[i]);
     return cpp::list(terms, " + ");
   }
 
@@ -275,7 +275,7 @@ private:
     const std::string &on = type(b.link), called = plan_.name(b.link) + "_weightless";
     const std::string symbols = b.is_weightless() ? plan_.name(b.link) : called;
     const auto known = values_.size();
-    const std::string mass = factor("m_" + symbols, b.weightless_mass, quantity::mass),
+    const std::string mass = factor("m_" + symbols, b.weightless_mass, kind::mass),
                       center = vector(on, symbols, b.weightless_center);
     if (b.is_weightless()) values_.resize(known);
     write_struct(called, "offset", {on, center});

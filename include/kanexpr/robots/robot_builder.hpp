@@ -66,7 +66,7 @@ public:
 private:
   using expression = symbolic::expression;
   using vector = mechanics::vector;
-  using quantity = physical_quantity;
+  using kind = physical_quantity;
 
   /// The coordinates and speeds of a joint, or the expressions that determine them, and its input.
   struct motion {
@@ -88,12 +88,12 @@ private:
 
   vector along_numbers(frame_id axes, const vector3& v) { return along(axes, v[0], v[1], v[2]); }
 
-  expression with_unit(expression e, quantity q) {
+  expression with_unit(expression e, kind q) {
     imply_unit(e, robots::unit_of(q));
     return e;
   }
   /// Returns a number from the file, or a parameter with that value.
-  expression value(const std::string& called, double in_file, quantity q) {
+  expression value(const std::string& called, double in_file, kind q) {
     if (plan_.binds_numbers()) return number(in_file);
     values_.emplace_back(called, in_file);
     return with_unit(parameter(called), q);
@@ -113,9 +113,9 @@ private:
   }
 
   vector symbols_along(const std::string& called, frame_id axes, const vector3& v) {
-    const expression x = value("x_" + called, v[0], quantity::length),
-                     y = value("y_" + called, v[1], quantity::length),
-                     z = value("z_" + called, v[2], quantity::length);
+    const expression x = value("x_" + called, v[0], kind::length),
+                     y = value("y_" + called, v[1], kind::length),
+                     z = value("z_" + called, v[2], kind::length);
     return along(axes, x, y, z);
   }
 
@@ -141,14 +141,14 @@ private:
     if (rule.leader == joint) return leader;
     const motion made{
         {rule.multiplier * leader.q[0] + rule.offset}, {rule.multiplier * leader.u[0]}, mechanism().zero()};
-    if (rule.multiplier != 1 && plan_.multiplier_of(joint) != quantity::ratio) imply_units(made, joint);
+    if (rule.multiplier != 1 && plan_.multiplier_of(joint) != kind::ratio) imply_units(made, joint);
     return made;
   }
   /// Gives the units of the motion of a joint that turns as another slides, or slides as it turns.
   void imply_units(const motion& m, int joint) {
     const bool slides = entry(robot_.joints, joint).kind == joint_kind::prismatic;
-    with_unit(m.q[0], slides ? quantity::length : quantity::angle);
-    with_unit(m.u[0], slides ? quantity::velocity : quantity::angular_velocity);
+    with_unit(m.q[0], slides ? kind::length : kind::angle);
+    with_unit(m.u[0], slides ? kind::velocity : kind::angular_velocity);
   }
 
   void add_root() {
@@ -216,12 +216,12 @@ private:
     const bool slides = j.kind == joint_kind::prismatic;
     expression drive = m.drive;
     if (plan_.options.damping && j.damping > 0)
-      drive = drive - value("c_" + plan_.name(b.link), j.damping,
-                            slides ? quantity::damping : quantity::angular_damping) *
-                          m.u[0];
+      drive = drive -
+              value("c_" + plan_.name(b.link), j.damping, slides ? kind::damping : kind::angular_damping) *
+                  m.u[0];
     if (plan_.options.friction && j.friction > 0) {
       const expression force =
-          value("f_" + plan_.name(b.link), j.friction, slides ? quantity::force : quantity::torque);
+          value("f_" + plan_.name(b.link), j.friction, slides ? kind::force : kind::torque);
       drive = drive - force * sign(m.u[0]);
     }
     return drive;
@@ -232,10 +232,10 @@ private:
     const std::string& called = plan_.name(b.link);
     const frame_id axes = frame(b.link);
     const inertia_matrix& i = b.inertia;
-    const expression m = value("m_" + called, b.mass, quantity::mass);
+    const expression m = value("m_" + called, b.mass, kind::mass);
     const vector to_center = symbols_along(called, axes, b.center);
     const auto inertia_value = [&](const char* prefix, double e) {
-      return value(prefix + called, e, quantity::moment_of_inertia);
+      return value(prefix + called, e, kind::moment_of_inertia);
     };
     const expression xx = inertia_value("ixx_", i.xx), yy = inertia_value("iyy_", i.yy),
                      zz = inertia_value("izz_", i.zz), xy = inertia_value("ixy_", i.xy),
@@ -255,16 +255,14 @@ private:
     const std::string called = plan_.name(b.link) + "_rotor";
     const vector axis = along(inertial_frame(), 0, 0, 1);
     const frame_id axes = rotated(called, inertial_frame(), motion_of(b.joint).q[0], axis);
-    const expression own =
-        value("j_" + plan_.name(b.link), j.reflected_inertia(), quantity::moment_of_inertia);
+    const expression own = value("j_" + plan_.name(b.link), j.reflected_inertia(), kind::moment_of_inertia);
     rigid_body(called, origins_.back(), axes, number(0.0), inertia(axes, 0, 0, own));
   }
 
   void add_gravity(const vector3& g) {
     const bool numbers = plan_.binds_numbers();
     const vector to = along_numbers(inertial_frame(), numbers ? g : direction_of_gravity(g));
-    const vector free_fall =
-        numbers ? to : value("g", std::hypot(g[0], g[1], g[2]), quantity::acceleration) * to;
+    const vector free_fall = numbers ? to : value("g", std::hypot(g[0], g[1], g[2]), kind::acceleration) * to;
     gravity(free_fall);
     if (numbers && is_zero(g)) return;
     expression energy{}; // one sum, because the wheels of an axle have equal terms
@@ -283,7 +281,7 @@ private:
       lifted = weights_.at(b.link);
     } else {
       const std::string called = plan_.name(b.link) + "_weightless";
-      lifted.mass = value("m_" + called, b.weightless_mass, quantity::mass);
+      lifted.mass = value("m_" + called, b.weightless_mass, kind::mass);
       lifted.center =
           offset(called, origin(b.link), symbols_along(called, frame(b.link), b.weightless_center));
     }

@@ -66,7 +66,7 @@ struct unit {
     };
     return fits(kg_m_s_a) && fits(k_mol_cd_rad);
   }
-  /// A unit that stands for those that cannot be represented; it stays out of range in products.
+  /// Represents all units that cannot be stored; it stays out of range in products.
   static constexpr unit out_of_range() { return {0x6000600060006000, 0x6000600060006000}; }
 
 private:
