@@ -38,7 +38,8 @@ struct survey {
   int quaternions = 0;        ///< unit quaternions, whose norm the motion preserves
   int quaternion_of[room]{};  ///< for each coordinate: the number of its quaternion, counted from 1; 0 if
                               ///< there is none
-  bool states_units = false;  ///< whether the model states the unit of any symbol
+  bool states_units = false;  ///< whether the unit of any symbol is stated or implied
+  bool checks_units = false;  ///< whether the model states the unit of any symbol
 
   /// The number of independent coordinates and speeds.
   constexpr int states() const { return coordinates - configuration_constraints + speeds - constraints; }

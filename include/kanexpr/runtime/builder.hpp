@@ -278,6 +278,13 @@ public:
     system_.constraints.redundant.push(configuration_constraint);
   }
 
+protected:
+  /// Gives the unit of an expression that follows from its definition; the units of the system are not
+  /// checked because of it.
+  void imply_unit(expression e, const units::unit& u) { m_.stated_units.push({e, u, true}); }
+  /// Declares that the quantities of all parts built so far are in SI units by definition.
+  void trust_units_of_present_parts() { system_.trust_units_of_present_parts(); }
+
 private:
   friend model kanexpr::derive(const builder& built);
 

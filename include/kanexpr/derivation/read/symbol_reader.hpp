@@ -21,7 +21,7 @@ public:
 
   constexpr expression symbol(const symbol_record& r, std::string_view whom) {
     const expression found = known_symbol(r, whom);
-    if (r.unit != nullptr) reading_.state_unit(found, *r.unit);
+    if (r.unit != nullptr) reading_.state_unit({found, *r.unit, r.is_unit_implied});
     return found;
   }
 
