@@ -161,6 +161,7 @@ constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::
   }
   if (derived == nullptr) return;
   constraints = derived->constraints_used().size();
+  nonlinear_constraints = derived->constraints_used().nonlinear;
   configuration_constraints = derived->constraints_used().on_configuration.size();
   redundant_constraints = derived->constraints_used().redundant.size();
   for (int i : derived->coordinates().dependent) dependent[i] = true;

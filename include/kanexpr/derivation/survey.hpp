@@ -27,6 +27,7 @@ struct survey {
   int inputs = 0;
   int auxiliary_speeds = 0;
   int constraints = 0; ///< constraints on the speeds, including the rates of configuration constraints
+  int nonlinear_constraints = 0; ///< constraints on the speeds that are not linear in them
   int configuration_constraints = 0;
   int redundant_constraints = 0;
   int inertial_parameters = 0;

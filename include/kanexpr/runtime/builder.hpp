@@ -262,7 +262,8 @@ public:
   void configuration_constraint(expression vanishes);
   /// Requires the components of a position along given directions to vanish; see `zero_along`.
   void configuration_constraint(const zero_components& v);
-  /// An expression that must vanish and is linear in the speeds or the rates of the coordinates.
+  /// An expression that must vanish; it depends on the speeds or the rates of the coordinates, linearly or
+  /// not.
   void velocity_constraint(expression vanishes);
   /// Requires the component of a velocity along `direction` to vanish.
   void velocity_constraint(const vector& vanishes, const vector& direction);
