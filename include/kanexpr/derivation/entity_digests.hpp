@@ -95,9 +95,9 @@ private:
     now_.take(r.derived_by);
     mention(r.inertial);
     for (const listing<phrase>* each :
-         {&r.coordinates, &r.speeds, &r.parameters, &r.inputs, &r.added_inputs, &r.kinematics,
-          &r.configuration_constraints, &r.velocity_constraints, &r.acceleration_constraints, &r.dependent,
-          &r.auxiliary, &r.values, &r.used_elsewhere, &r.lagrangian})
+         {&r.coordinates, &r.speeds, &r.parameters, &r.inputs, &r.added_inputs, &r.kinematics, &r.states,
+          &r.dynamics, &r.configuration_constraints, &r.velocity_constraints, &r.acceleration_constraints,
+          &r.dependent, &r.auxiliary, &r.values, &r.used_elsewhere, &r.lagrangian})
       take(*each);
     for (const int number : r.redundant) now_.take(number);
     for (int each : {r.bodies.size, r.joints.size, r.loads.size, r.reactions.size}) now_.take(each);
@@ -146,7 +146,7 @@ private:
     begin();
     now_.take(r.what);
     mention(r.point), mention(r.other_point), mention(r.frame), mention(r.other_frame);
-    take(r.value), take(r.angle), take(r.rest);
+    take(r.value), take(r.angle), take(r.rest), take(r.states), take(r.dynamics);
     end("", "loads with the same name");
   }
   constexpr void take(const frame_record& r) {

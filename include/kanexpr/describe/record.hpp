@@ -238,7 +238,8 @@ struct load_record {
   phrase value{};                            ///< a force or torque, energy, stiffness or damping
   phrase angle{};                            ///< the angle of a torsional spring
   phrase rest{};                             ///< the length or angle of a spring at rest
-  phrase known_by{}; ///< the expression that identifies it, if points or frames do not
+  phrase known_by{};                    ///< the expression that identifies it, if points or frames do not
+  listing<phrase> states{}, dynamics{}; ///< its state variables, and the equations for their rates
   std::string_view called{};
   std::string_view instead{}; ///< the actual kind, if it is not a load
   base_conflict conflict = nullptr;

@@ -23,6 +23,7 @@ struct system_record {
   listing<phrase> coordinates{}, speeds{}, parameters{}, inputs{};
   listing<phrase> added_inputs{}; ///< in a model without a list of inputs, they follow those that it mentions
   listing<phrase> kinematics{};
+  listing<phrase> states{}, dynamics{};
   listing<phrase> configuration_constraints{}, velocity_constraints{}, acceleration_constraints{};
   listing<phrase> dependent{}, auxiliary{};
   listing<int> redundant{}; ///< numbers of configuration constraints
@@ -81,6 +82,16 @@ struct coordinates : describe::phrase_list<"coordinates", &describe::system_reco
 /// The generalized speeds, in the order of the state; they follow the coordinates.
 template <auto... symbols>
 struct speeds : describe::phrase_list<"speeds", &describe::system_record::speeds, symbols...> {};
+
+/// The state variables, which follow the speeds in the state.
+template <auto... symbols>
+struct states : describe::phrase_list<"states", &describe::system_record::states, symbols...> {};
+
+/// An equation for the rate of each state variable, which must be linear in this rate:
+/// `dynamics<L * dot(i) == V - R * i - k * u>`. The rates may depend on everything except the rates of the
+/// speeds.
+template <auto... equations>
+struct dynamics : describe::phrase_list<"dynamics", &describe::system_record::dynamics, equations...> {};
 
 /// The order of the parameter vector; by default, the order of first mention in the model.
 template <auto... symbols>
