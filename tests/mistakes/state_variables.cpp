@@ -25,8 +25,8 @@ struct System : moved<loads<force<P, z * N::x>>> {};
 void f() { use<System>(); }
 } // namespace s4
 
-// expect: an equation of dynamics<...> contains the rate of speed u, but the rate of no state variable; declare
-// expect: it as state_variable<...>
+// expect: an equation of dynamics<...> contains the rate of speed u, but the rate of no state variable;
+// expect: declare it as state_variable<...>
 namespace s5 {
 struct System : moved<states<z>, dynamics<dot(u) == -z>> {};
 void f() { use<System>(); }

@@ -73,7 +73,7 @@ KANEXPR_ENGINE expression builder::prescribed(std::string_view r) {
 
 KANEXPR_ENGINE void builder::rates_as_speeds() {
   m_.derived_by = mechanics::method::lagrange;
-  checks_.is_before_state_variables("the rates of the coordinates");
+  checks_.is_before_state_variables("the rates of the coordinates are");
   m_.take_rates_as_speeds();
 }
 

@@ -62,7 +62,7 @@ public:
     return is_valid_name("symbols", called) && is_unused(called);
   }
   bool is_new_speed(std::string_view called) {
-    return is_new_symbol(called) && is_before_state_variables("a speed");
+    return is_new_symbol(called) && is_before_state_variables("a speed is");
   }
   /// Checks that no state variable was declared yet, because these follow all speeds.
   bool is_before_state_variables(std::string_view what) {
