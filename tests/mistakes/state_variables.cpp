@@ -13,13 +13,14 @@ struct System : moved<states<z>, dynamics<dot(z) == -z, dot(z) == q>> {};
 void f() { use<System>(); }
 } // namespace s2
 
-// expect: state variable y, which an equation of dynamics<...> contains, is not in states<...>
+// expect: state variable y, which an equation of dynamics<...> contains, is not in states<...> or in a
+// expect: listed block
 namespace s3 {
 struct System : moved<states<z>, dynamics<dot(z) == -z, dot(y) == q>> {};
 void f() { use<System>(); }
 } // namespace s3
 
-// expect: state variable z, which the force at P contains, is not in states<...>
+// expect: state variable z, which the force at P contains, is not in states<...> or in a listed block
 namespace s4 {
 struct System : moved<loads<force<P, z * N::x>>> {};
 void f() { use<System>(); }

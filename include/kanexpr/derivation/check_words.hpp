@@ -58,6 +58,8 @@ constexpr kind_and_hint kind_of_misplaced() {
     return {"joint ", "; write joints<", ">"};
   else if constexpr (requires { Type::content(); })
     return {"body ", "; write bodies<", ">"};
+  else if constexpr (requires { Type::block.dynamics; })
+    return {"block ", "; write blocks<", ">"};
   else if constexpr (requires { Type::orientation(); })
     return {"frame ", "; write inertial<", ">"};
   else if constexpr (requires { Type::place(); })
@@ -178,6 +180,7 @@ constexpr sentence check_words() {
                                   "auxiliary",
                                   "kinematics",
                                   "dynamics",
+                                  "blocks",
                                   "configuration_constraints",
                                   "velocity_constraints",
                                   "acceleration_constraints",

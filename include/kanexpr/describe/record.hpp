@@ -247,6 +247,12 @@ struct load_record {
   bool once = false; ///< listing the same load again is a mistake
 };
 
+/// The state variables of a block and the equations for their rates.
+struct block_record : entity_record {
+  arguments fits{};
+  listing<phrase> states{}, dynamics{};
+};
+
 /// The contributions of a joint to a system in addition to its frame and its point.
 struct joint_record : entity_record {
   std::string_view mistake{}; ///< the end of a sentence, such as "has two homes"

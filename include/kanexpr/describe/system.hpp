@@ -32,6 +32,7 @@ struct system_record {
   listing<phrase> lagrangian{};
   listing<body_record> bodies{};
   listing<load_record> loads{};
+  listing<block_record> blocks{};
   listing<joint_record> joints{};
   listing<reaction_record> reactions{};
 };
@@ -144,6 +145,35 @@ struct loads : describe::system_words {
   static constexpr std::string_view word = "loads";
   static constexpr void add_to(describe::system_record& r) {
     r.loads = describe::list_of<describe::load_record, &describe::load_of<Loads>...>::all;
+  }
+};
+
+namespace describe {
+
+template <class Block>
+constexpr block_record record_block() {
+  if constexpr (requires { Block::block.dynamics; }) {
+    return Block::block;
+  } else {
+    block_record r;
+    r.called = type_name<Block>();
+    r.instead = describe_kind<Block>().empty() ? "not a block" : describe_kind<Block>();
+    r.unparsed = is_unparsed<Block>();
+    return r;
+  }
+}
+
+template <class Block>
+inline constexpr block_record block_of = record_block<Block>();
+
+} // namespace describe
+
+/// Filters, delays and controllers, which have state variables of their own (`<kanexpr/blocks.hpp>`).
+template <class... Blocks>
+struct blocks : describe::system_words {
+  static constexpr std::string_view word = "blocks";
+  static constexpr void add_to(describe::system_record& r) {
+    r.blocks = describe::list_of<describe::block_record, &describe::block_of<Blocks>...>::all;
   }
 };
 

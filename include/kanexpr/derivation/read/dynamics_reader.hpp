@@ -14,8 +14,56 @@ namespace kanexpr::derivation {
 /// Reads the equations for the rates of the state variables. Each belongs to the state variable whose rate it
 /// contains first. Equations that depend on motion are evaluated once velocities are known.
 class dynamics_reader : part_reader {
+  // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
+  // declared later in the class
+  template <class Visit>
+  constexpr void each_listing(const Visit& visit) const {
+    visit(reading_.from.dynamics);
+    for (const describe::block_record& r : reading_.from.blocks) visit(r.dynamics);
+    for (const describe::load_record& r : reading_.from.loads) visit(r.dynamics);
+  }
+
 public:
   using part_reader::part_reader;
+
+  /// Reports an entry of `blocks<…>` that is not a block, is listed twice or has the wrong number of
+  /// arguments.
+  constexpr void check_blocks() {
+    const describe::listing<describe::block_record>& all = reading_.from.blocks;
+    for (int i = 0; i < all.size; ++i) {
+      const describe::block_record& r = all[i];
+      if (r.unparsed) return reading_.fail_by_unparsed(r.called, "blocks<...>");
+      if (!r.instead.empty())
+        return reading_.fail({"blocks<...> lists ", short_name(r.called).view(), ", which is ", r.instead});
+      if (!r.fits) return reading_.fail_by_argument_count("block ", r.called, r.fits);
+      for (int j = 0; j < i; ++j)
+        if (&all[j] == &r) return reading_.fail({"block ", r.called, " is listed twice"});
+    }
+  }
+
+  constexpr void read() {
+    each_listing([&](const describe::listing<phrase>& equations) {
+      for (const phrase& p : equations)
+        if (!reading_.mistake) read(p);
+    });
+  }
+
+  /// Reads the equations that depend on motion; returns whether there are any. Requires that
+  /// `set_known_motion` was called.
+  constexpr bool read_moving() {
+    bool is_any = false;
+    each_listing([&](const describe::listing<phrase>& equations) {
+      for (const phrase& p : equations) {
+        if (reading_.mistake || !moves(p)) continue;
+        is_any = true;
+        evaluate(p);
+      }
+    });
+    return is_any;
+  }
+
+private:
+  static constexpr std::string_view whom = "an equation of dynamics<...>";
 
   constexpr void read(const phrase& p) {
     if (p.kind != shape::equation)
@@ -25,28 +73,6 @@ public:
     if (!moves(p)) return evaluate(p);
     phrases_.check_misuse(p, whom);
     mention(p, whom);
-  }
-
-  /// Reads the equations that depend on motion; returns whether there are any. Requires that
-  /// `set_known_motion` was called.
-  constexpr bool read_moving() {
-    bool is_any = read_moving(reading_.from.dynamics);
-    for (const describe::load_record& r : reading_.from.loads)
-      if (read_moving(r.dynamics)) is_any = true;
-    return is_any;
-  }
-
-private:
-  static constexpr std::string_view whom = "an equation of dynamics<...>";
-
-  constexpr bool read_moving(const describe::listing<phrase>& equations) {
-    bool is_any = false;
-    for (const phrase& p : equations) {
-      if (reading_.mistake || !moves(p)) continue;
-      is_any = true;
-      evaluate(p);
-    }
-    return is_any;
   }
 
   constexpr bool moves(const phrase& p) const {

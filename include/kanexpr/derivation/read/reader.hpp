@@ -93,8 +93,7 @@ public:
     each(from.bodies, [&](const body_record& r) { bodies_.read(r); });
     each(from.joints, [&](const joint_record& r) { joints_.read(r); });
     each(from.loads, [&](const load_record& r) { loads_.read_load(r); });
-    each(from.dynamics, [&](const phrase& p) { dynamics_.read(p); });
-    for (const load_record& r : from.loads) each(r.dynamics, [&](const phrase& p) { dynamics_.read(p); });
+    dynamics_.read();
     each(from.kinematics, [&](const phrase& p) { kinematics_.read(p); });
     if (!reading_.takes_rates_as_speeds()) {
       joints_.read_kinematics();
@@ -172,6 +171,8 @@ private:
       flexible_.each([&](const body_record&, const flexible_record& f) { read_speeds(f.speeds); });
     }
     read_states(from.states);
+    dynamics_.check_blocks();
+    for (const describe::block_record& r : from.blocks) read_states(r.states);
     for (const describe::load_record& r : from.loads) read_states(r.states);
     read_list(from.auxiliary, symbol_kind::speed, symbol_list::auxiliary_speeds,
               [&](const symbol_record& s) { symbols_.place_auxiliary_speed(s); });

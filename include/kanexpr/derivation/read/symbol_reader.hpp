@@ -339,7 +339,7 @@ private:
       if (mechanics::called(m_, m_.speeds[i]) == r.called.view())
         return is_the_same(r, "state variable"), wanted[i];
     reading_.fail({"state variable ", r.called.view(), ", which ", reading_.part, whom,
-                   " contains, is not in states<...>"});
+                   " contains, is not in states<...> or in a listed block"});
     return m_.zero();
   }
 
