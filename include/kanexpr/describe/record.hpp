@@ -247,11 +247,18 @@ struct load_record {
   phrase rest{};                             ///< the length or angle of a spring at rest
   phrase known_by{}; ///< the expression that identifies it, if points or frames do not
   const coefficient_record* coefficient = nullptr; ///< of a force
+  listing<phrase> states{}, dynamics{};            ///< its state variables, and the equations for their rates
   std::string_view called{};
   std::string_view instead{}; ///< the actual kind, if it is not a load
   base_conflict conflict = nullptr;
   bool unparsed = false;
   bool once = false; ///< listing the same load again is a mistake
+};
+
+/// The state variables of a block and the equations for their rates.
+struct block_record : entity_record {
+  arguments fits{};
+  listing<phrase> states{}, dynamics{};
 };
 
 /// The contributions of a joint to a system in addition to its frame and its point.
