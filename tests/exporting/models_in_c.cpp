@@ -9,9 +9,11 @@
 #include <models/appell_hamel.hpp>
 #include <models/four_bar.hpp>
 #include <models/iiwa.hpp>
+#include <models/motor_arm.hpp>
 #include <models/n_pendulum_cart.hpp>
 #include <models/rolling_disc.hpp>
 #include <models/simple_pendulum.hpp>
+#include <runtime/slewing_arm.hpp>
 #include <simulations/falling_ball.hpp>
 #include <steps/quaternions.hpp>
 
@@ -68,7 +70,8 @@ bool write_for_casadi(const char* folder, const casadi_options& bound) {
 #include <docs/export/casadi/write.cpp>
   return written && write_driven(folder) && write_awkward(folder) &&
          write_casadi<simple_pendulum::System>(folder, "bound_pendulum", bound) &&
-         write_casadi<rolling_disc::System>(folder, "disc", {.step = "semi_implicit_euler"});
+         write_casadi<rolling_disc::System>(folder, "disc", {.step = "semi_implicit_euler"}) &&
+         write_casadi<motor_arm::System>(folder, "motor_arm", {.step = "runge_kutta_4"});
 }
 
 bool is_whole(const kanexpr::exporting::written_fmu& written) {
@@ -130,6 +133,16 @@ bool write_lift_fmu(const char* folder) {
                           .step = 1}));
 }
 
+/// An arm with a motor and a controller, whose states are state variables.
+bool write_motor_arm_fmu(const char* folder) {
+  using namespace motor_arm;
+  fmu_options chosen{.outputs = {expression<voltage>("voltage")}};
+  chosen.start = {{"m", 2},    {"l", 0.5}, {"g", 9.81}, {"n", 20},     {"k", 0.05}, {"R", 0.8},
+                  {"L", 0.01}, {"kp", 30}, {"ki", 20},  {"tau", 0.25}, {"i", 0.3},  {"r", 1}};
+  chosen.step = 1.0 / 1024;
+  return is_whole(kanexpr::write_fmu<System>(folder, "motor_arm", chosen));
+}
+
 bool write_fmus(const char* folder, const options& of_bound) {
   const fmu_options bound{.outputs = of_bound.functions,
                           .bound = of_bound.bound,
@@ -150,7 +163,7 @@ bool write_fmus(const char* folder, const options& of_bound) {
          write_lift_fmu(folder) &&
          is_whole(kanexpr::write_fmu<four_bar::System>(folder, "four_bar", linked)) &&
          is_whole(kanexpr::write_fmu<appell_hamel::System>(folder, "appell_hamel", on_cone)) &&
-         is_whole(kanexpr::write_fmu<bead::System>(folder, "bead", beaded)) &&
+         is_whole(kanexpr::write_fmu<bead::System>(folder, "bead", beaded)) && write_motor_arm_fmu(folder) &&
          is_whole(kanexpr::write_fmu<quaternions::Sliding>(folder, "sliding", sliding));
 }
 
@@ -181,10 +194,12 @@ int main(int, char** arguments) {
                  write_fmus(folder, bound) && write<quaternions::Sliding>(folder, "sliding", steps) &&
                  write<bead::System>(folder, "bead", steps) &&
                  write<appell_hamel::System>(folder, "appell_hamel", steps) &&
+                 write<motor_arm::System>(folder, "motor_arm", {}) &&
                  write<iiwa::System>(folder, "iiwa", dynamics) &&
                  write<four_bar::System>(folder, "four_bar", with_python) &&
                  write<rolling_disc::System>(folder, "disc", {}) &&
-                 write<curved::System>(folder, "curved", {})
+                 write<curved::System>(folder, "curved", {}) &&
+                 write<slewing_arm::System>(folder, "slewing_arm", {})
              ? 0
              : 1;
 }

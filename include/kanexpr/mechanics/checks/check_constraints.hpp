@@ -42,6 +42,7 @@ constexpr sentence check_velocity_constraint(const mechanism& m, const contents&
   const sentence which({"velocity constraint ", base::counted(i + 1).view()});
   if (const sentence rate = symbol_in(m, held, v, {kind::speed_rate}))
     return sentence({which.view(), " contains the ", rate.view()});
+  if (const sentence found = check_no_state_variable(m, held, v, which.view())) return found;
   if (const sentence found = check_prescribed(m, held, v, 1, which.view())) return found;
   if (held.holds_any(v, {kind::speed, kind::coordinate_rate})) return {};
   const sentence coordinate = symbol_in(m, held, v, {kind::coordinate});
@@ -166,7 +167,7 @@ constexpr sentence check_constraints(const skeleton& s, const constraints& c,
                                      const symbolic::matrix& configuration, const sequence<numbers>& by_q,
                                      const sequence<numbers>& by_u) {
   const mechanism& m = *s.model;
-  const int speeds = m.speeds.size(), coordinates = m.coordinates.size();
+  const int speeds = m.speeds_of_motion(), coordinates = m.coordinates.size();
   if (configuration.rows > coordinates)
     return sentence({"there are ", several(configuration.rows, "configuration constraint").view(), " for ",
                      several(coordinates, "coordinate").view(),
