@@ -167,6 +167,27 @@ TEST(units, of_amplitudes_are_lengths_and_angles) {
   }
 }
 
+// Numbers by which amplitudes are multiplied are slopes and other values of shapes, which have units.
+TEST(units, of_amplitudes_fit_in_angles_of_sections) {
+  using namespace kanexpr::runtime;
+  using kanexpr::numeric::beams::ends;
+  builder b("N");
+  const frame_id N = builder::inertial_frame();
+  const expression q = b.coordinate("q"), u = b.speed("u"), F = b.input("F", newton), k = b.parameter("k");
+  b.kinematic_equation(b.dot(q) - u);
+  beam_data data{.axis = b.along(N, 1, 0, 0), .length = 2.5, .mass_per_length = 3.0};
+  data.bending = {{b.along(N, 0, 1, 0), {70.0, modes_of_bending(ends::clamped_free, 1)}}};
+  const section_ids tip = b.section("Tip", b.beam("B", b.origin("O"), N, {q}, data), 1);
+  const expression turned = b.dot(b.along(tip.frame, 1, 0, 0), b.along(N, 1, 0, 0));
+  b.force(tip.point, b.along(N, 0, F * turned - k * q, 0));
+  EXPECT_EQ(std::string((b.check)().view()), "");
+  EXPECT_EQ(b.units().of("q"), meter);
+  EXPECT_EQ(b.units().of("u"), meter / second);
+  EXPECT_EQ(b.units().of("k"), newton / meter);
+  b.force(tip.point, b.along(N, 0, F * q, 0));
+  EXPECT_EQ(std::string((b.check)().view()), "the force at Tip is F*q [N m], but must be in N");
+}
+
 // Powers that are no multiples of 1/60 are rounded to compare them, but not shown.
 TEST(units, of_any_power_are_compared) {
   cart s;
