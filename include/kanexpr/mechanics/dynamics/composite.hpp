@@ -51,6 +51,7 @@ public:
     }
     for (int i = 0; i < result_.rows; ++i)
       for (int j = 0; j < i; ++j) result_(j, i) = result_(i, j);
+    for (int i = m_.speeds_of_motion(); i < m_.speeds.size(); ++i) result_(i, i) = m_.one();
     return result_;
   }
 
