@@ -6,6 +6,7 @@
 #include <models/motor_arm.hpp>
 #include <models/rolling_disc.hpp>
 #include <models/simple_pendulum.hpp>
+#include <runtime/slewing_arm.hpp>
 
 #include "curved.hpp"
 
@@ -20,6 +21,8 @@
 #include <motor_arm.h>
 #include <motor_arm_in_float.h>
 #include <pendulum.h>
+#include <slewing_arm.h>
+#include <slewing_arm_in_float.h>
 
 #include <gtest/gtest.h>
 
@@ -129,12 +132,14 @@ TEST(C, HasTheBitsOfTheCompiledFunctions) {
   expect_same_udot<double, iiwa::System>(iiwa_udot);
   expect_same_udot<double, four_bar::System>(four_bar_udot);
   expect_same_udot<double, rolling_disc::System>(disc_udot);
+  expect_same_udot<double, slewing_arm::System>(slewing_arm_udot);
   expect_same_udot<double, motor_arm::System>(motor_arm_udot);
 }
 
 TEST(C, HasTheBitsOfTheCompiledFunctionsInSinglePrecision) {
   expect_same_udot<float, iiwa::System>(iiwa_in_float_udot);
   expect_same_udot<float, rolling_disc::System>(disc_in_float_udot);
+  expect_same_udot<float, slewing_arm::System>(slewing_arm_in_float_udot);
   expect_same_udot<float, motor_arm::System>(motor_arm_in_float_udot);
 }
 

@@ -482,6 +482,20 @@ one.set({"l1": 1.0})
 assert one.get("q1", "q2", "q3") == before, "nothing has moved"
 one.free()
 
+# A constraint that is not linear in the speeds: the dependent speed starts at its guess, which selects the solution.
+cone = Fmu("appell_hamel")
+one = Instance(cone, "ModelExchange")
+assert one.enter_initialization() == OK
+near(one.get("w"), [2], 1e-14)
+one.set({"w": -0.3})
+one.ExitInitializationMode()
+near(one.get("u", "v", "w"), [0.6, -0.8, -2], 1e-14)
+one.free()
+one = Instance(cone, "CoSimulation").initialize()
+assert one.step(0, 0.1)[0] == OK
+near(one.get("w"), [2 - 0.1 * 9.81 / 1.25], 1e-9)
+one.free()
+
 # A step across a position where the height cannot be solved for e2 is discarded.
 one = Instance(slider, "CoSimulation").initialize()
 statuses = [one.step(k / 8, 1 / 8)[0] for k in range(10)]

@@ -110,6 +110,14 @@ constexpr bool has_deforming_body(const describe::listing<describe::body_record>
   return false;
 }
 
+/// Whether a body is placed on a body that deforms, which must be listed too.
+constexpr bool is_on_deforming_body(const describe::listing<describe::body_record>& bodies) {
+  for (const describe::body_record& r : bodies)
+    for (const describe::point_record* p = r.center; p != nullptr; p = p->parent)
+      if (p->on_beam != nullptr || p->on_flexible != nullptr) return true;
+  return false;
+}
+
 constexpr bool lists_joint(const describe::listing<describe::body_record>& bodies) {
   for (const describe::body_record& r : bodies)
     if (r.instead == describe::joint_out_of_place) return true; // reported later
@@ -164,7 +172,7 @@ constexpr sentence check_words() {
     needs({"inertial"});
     const bool is_kane = System::record.derived_by == describe::method::kane;
     if (lists_joint(System::record.bodies)) return found;
-    if (has_deforming_body(System::record.bodies)) {
+    if (has_deforming_body(System::record.bodies) || is_on_deforming_body(System::record.bodies)) {
       // brings symbols and their kinematic equations
     } else if (System::count_of_word("joints") == 0) {
       needs({"coordinates"});

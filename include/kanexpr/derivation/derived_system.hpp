@@ -51,8 +51,8 @@ public:
   constexpr void check_model() {
     if (!mistake()) mistake_ = mechanics::check_system(system_);
     if (!mistake()) reader_.check_listed_are_used();
-    if (!mistake() && reader_.states_units()) check_units();
-    system_.mechanism.stated_units.clear(); // the derivation does not depend on them
+    if (!mistake() && reader_.checks_units()) check_units();
+    if (reader_.checks_units()) system_.mechanism.stated_units.clear(); // they are inferred separately
   }
 
   /// Reads the loads that depend on motion and the constraints, and forms the starting point of the
@@ -107,10 +107,12 @@ private:
     const symbolic::graph::extent before = graph_.present();
     mechanics::loads loads = system_.loads;
     mechanics::given_constraints constraints = system_.constraints;
+    const int expected = system_.mechanism.expected_units.size();
     reader_.read_moving_for_units();
     if (!reader_.mistake()) mistake_ = mechanics::check_units(system_);
     system_.loads = std::move(loads);
     system_.constraints = std::move(constraints);
+    system_.mechanism.forget_units_after(expected);
     graph_.forget_after(before);
   }
 
@@ -131,6 +133,7 @@ constexpr bool is_moment_of(const mechanics::body& b, const expression& paramete
 constexpr void survey::take(derived_system& system) {
   take(system.mechanism(), !system.mistake(), system.is_derived() ? &system.equations() : nullptr);
   states_units = system.reader().states_units();
+  checks_units = system.reader().checks_units();
 }
 
 constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::equations* derived) {
@@ -161,6 +164,7 @@ constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::
   }
   if (derived == nullptr) return;
   constraints = derived->constraints_used().size();
+  nonlinear_constraints = derived->constraints_used().nonlinear;
   configuration_constraints = derived->constraints_used().on_configuration.size();
   redundant_constraints = derived->constraints_used().redundant.size();
   for (int i : derived->coordinates().dependent) dependent[i] = true;

@@ -28,6 +28,7 @@ struct survey {
   int inputs = 0;
   int auxiliary_speeds = 0;
   int constraints = 0; ///< constraints on the speeds, including the rates of configuration constraints
+  int nonlinear_constraints = 0; ///< constraints on the speeds that are not linear in them
   int configuration_constraints = 0;
   int redundant_constraints = 0;
   int inertial_parameters = 0;
@@ -39,7 +40,8 @@ struct survey {
   int quaternions = 0;        ///< unit quaternions, whose norm the motion preserves
   int quaternion_of[room]{};  ///< for each coordinate: the number of its quaternion, counted from 1; 0 if
                               ///< there is none
-  bool states_units = false;  ///< whether the model states the unit of any symbol
+  bool states_units = false;  ///< whether the unit of any symbol is stated or implied
+  bool checks_units = false;  ///< whether the model states the unit of any symbol
 
   /// The number of independent coordinates and speeds.
   constexpr int states() const { return coordinates - configuration_constraints + speeds - constraints; }

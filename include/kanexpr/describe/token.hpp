@@ -44,6 +44,7 @@ struct symbol_record {
   bool is_named = true; ///< whether the name is valid for a symbol
   const units::unit* unit = nullptr;       ///< null if the model does not state it here
   const symbolic::number* value = nullptr; ///< the number that it denotes, if it is a constant with a unit
+  bool is_unit_implied = false; ///< whether the unit alone is no reason to check the units of the model
 };
 
 enum class token_kind : unsigned char {

@@ -270,7 +270,8 @@ public:
   void configuration_constraint(expression vanishes);
   /// Requires the components of a position along given directions to vanish; see `zero_along`.
   void configuration_constraint(const zero_components& v);
-  /// An expression that must vanish and is linear in the speeds or the rates of the coordinates.
+  /// An expression that must vanish; it depends on the speeds or the rates of the coordinates, linearly or
+  /// not.
   void velocity_constraint(expression vanishes);
   /// Requires the component of a velocity along `direction` to vanish.
   void velocity_constraint(const vector& vanishes, const vector& direction);
@@ -285,6 +286,13 @@ public:
   void redundant(int configuration_constraint) {
     system_.constraints.redundant.push(configuration_constraint);
   }
+
+protected:
+  /// Gives the unit of an expression that follows from its definition; the units of the system are not
+  /// checked because of it.
+  void imply_unit(expression e, const units::unit& u) { m_.stated_units.push({e, u, true}); }
+  /// Declares that the quantities of all parts built so far are in SI units by definition.
+  void trust_units_of_present_parts() { system_.trust_units_of_present_parts(); }
 
 private:
   friend model kanexpr::derive(const builder& built);

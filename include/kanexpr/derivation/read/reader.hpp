@@ -51,9 +51,10 @@ public:
 
   constexpr const sentence& mistake() const { return reading_.mistake; }
   constexpr const system_record& record() const { return reading_.from; }
-  /// Whether the model states the unit of any symbol.
+  /// Whether the unit of any symbol is stated or implied.
   constexpr bool states_units() const { return reading_.states_units; }
-
+  /// Whether the model states the unit of any symbol, so that its units must fit.
+  constexpr bool checks_units() const { return reading_.checks_units; }
   /// Whether `read` replaced any quantity by something without its unit.
   constexpr bool hides_units() const { return reading_.hides_units; }
   /// Reads the whole model without its motion, to infer units; `read` need not be called.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/derivation/read/listed_by.hpp>
 #include <kanexpr/derivation/read/reading.hpp>
 #include <kanexpr/derivation/read/symbol_uses.hpp>
 #include <kanexpr/mechanics/checks/check_name.hpp>
@@ -21,7 +22,7 @@ public:
 
   constexpr expression symbol(const symbol_record& r, std::string_view whom) {
     const expression found = known_symbol(r, whom);
-    if (r.unit != nullptr) reading_.state_unit(found, *r.unit);
+    if (r.unit != nullptr) reading_.state_unit({found, *r.unit, r.is_unit_implied});
     return found;
   }
 
@@ -136,7 +137,8 @@ public:
         if (other.list == list && other.mark != mark)
           reading_.fail({"two of the ", derivation::called(list), " are called ", called.view()});
         else if (other.list == list)
-          reading_.fail({called.view(), " is listed twice among the ", derivation::called(list)});
+          reading_.fail({called.view(), " is listed twice among the ", derivation::called(list),
+                         listed_by(reading_.from, called).ending()});
         else if (other.list == symbol_list::values)
           reading_.fail(
               {"parameter ", called.view(), " is bound to a value, but is also in the list of parameters"});

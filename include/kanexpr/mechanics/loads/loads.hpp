@@ -26,18 +26,19 @@ struct loads {
   bool has_lagrangian = false;
   expression lagrangian{}; ///< replaces the energies of the bodies
 
-  /// Calls `visit` for each load except gravity, with the load and its index among the loads of its kind.
+  /// Calls `visit` with the list of each kind of loads.
   template <class Visit>
-  constexpr void each(Visit&& visit) const {
-    const auto visit_all = [&](const auto&... kinds) { (visit_kind(kinds, visit), ...); };
+  constexpr void each_kind(Visit&& visit) const {
+    const auto visit_all = [&](const auto&... kinds) { (visit(kinds), ...); };
     visit_all(forces, torques, spring_dampers, torsional_dampers, potential_energies, modal_dampings,
               state_rates);
   }
-
-private:
-  template <class Kind, class Visit>
-  static constexpr void visit_kind(const sequence<Kind>& all, Visit& visit) {
-    for (int i = 0; i < all.size(); ++i) visit(all[i], i);
+  /// Calls `visit` for each load except gravity, with the load and its index among the loads of its kind.
+  template <class Visit>
+  constexpr void each(Visit&& visit) const {
+    each_kind([&](const auto& all) {
+      for (int i = 0; i < all.size(); ++i) visit(all[i], i);
+    });
   }
 };
 

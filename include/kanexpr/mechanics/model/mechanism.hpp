@@ -4,6 +4,7 @@
 #include <kanexpr/mechanics/model/flexible_body.hpp>
 #include <kanexpr/mechanics/model/frame.hpp>
 #include <kanexpr/mechanics/model/vector.hpp>
+#include <kanexpr/symbolic/graph/composition.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
@@ -53,10 +54,11 @@ struct prescribed_rate {
   expression rate{};
 };
 
-/// The unit that a model states for a symbol.
+/// The unit that a model states for a symbol, or that the definition of the symbol implies.
 struct stated_unit {
   expression symbol{};
   units::unit unit{};
+  bool is_implied = false; ///< the unit alone is no reason to check the units of the model
 };
 
 /// A quantity of a part of the system that is not stored as given, with the unit that it must have: "the
@@ -65,6 +67,14 @@ struct expected_unit {
   expression value{};
   units::unit unit{};
   name what{}, whose{};
+};
+
+/// The value of a function of several operands in a model that is read for its units. The symbol denotes it
+/// by the words of the model.
+struct function_value {
+  expression symbol{};
+  symbolic::composition function{};
+  sequence<expression> operands{};
 };
 
 /// The method by which the equations of motion are derived.
@@ -93,8 +103,8 @@ struct mechanism {
   sequence<flexible_body> flexible_bodies{};
   method derived_by = method::kane;
   sequence<stated_unit> stated_units{}; ///< empty if the model states no unit, and once they are checked
-
   sequence<expected_unit> expected_units{};
+  sequence<function_value> function_values{}; ///< only while the model is read for its units
 
   static constexpr int inertial = 0;
 
@@ -108,6 +118,18 @@ struct mechanism {
           self.speed_rates, self.time, self.prescribed_rates, self.kinematics, self.auxiliary_speeds,
           self.state_variables, self.frames, self.points, self.bodies, self.flexible_bodies, self.derived_by,
           self.stated_units, self.expected_units);
+  }
+
+  /// Discards what was read only for units, after the given number of expected units.
+  constexpr void forget_units_after(int expected) {
+    while (expected_units.size() > expected) expected_units.pop();
+    function_values.clear();
+  }
+  /// Whether the model itself states a unit, so that all units are inferred and must fit.
+  constexpr bool checks_units() const {
+    for (const stated_unit& s : stated_units)
+      if (!s.is_implied) return true;
+    return false;
   }
 
   constexpr expression zero() const { return {*g, graph::zero}; }
