@@ -117,8 +117,8 @@ public:
   /// Reads the loads, and the dynamics of state variables, that depend on motion; returns whether there are
   /// any.
   constexpr bool read_moving_loads() {
-    const bool is_any_load = loads_.read_moving_loads(), is_any_rate = dynamics_.read_moving();
-    return is_any_load || is_any_rate;
+    const bool is_any_load = loads_.read_moving_loads();
+    return (m_.state_variables != 0 && dynamics_.read_moving()) || is_any_load;
   }
   constexpr void read_constraints() { constraints_.read_constraints(); }
 
@@ -174,7 +174,8 @@ private:
     read_states(from.states);
     dynamics_.check_blocks();
     for (const describe::block_record& r : from.blocks) read_states(r.states);
-    for (const describe::load_record& r : from.loads) read_states(r.states);
+    for (const describe::load_record& r : from.loads)
+      if (r.states.size != 0) read_states(r.states);
     read_list(from.auxiliary, symbol_kind::speed, symbol_list::auxiliary_speeds,
               [&](const symbol_record& s) { symbols_.place_auxiliary_speed(s); });
     for (const describe::reaction_record& r : from.reactions)
