@@ -111,14 +111,14 @@ private:
 
   void add_rotary_inertias(mechanics::flexible_data& d) const {
     const auto at_node = [](const vectors& of, std::size_t node) {
-      return rotary::vector{of[3 * node], of[3 * node + 1], of[3 * node + 2]};
+      return rotary_inertia::vector{of[3 * node], of[3 * node + 1], of[3 * node + 2]};
     };
     for (std::size_t node = 0; node < of_.inertias.size(); ++node) {
-      if (of_.inertias[node] == modal_model::matrix3{}) continue;
+      if (of_.inertias[node] == modal_model::tensor{}) continue;
       add_rotary_inertia(
           d, of_.inertias[node], [&](int k) { return at_node(of_.rotations[at(k)], node); },
           [&](int k, int l) {
-            return of_.rotation_bends.empty() ? rotary::vector{}
+            return of_.rotation_bends.empty() ? rotary_inertia::vector{}
                                               : at_node(of_.rotation_bends[at(k * n_ + l)], node);
           });
     }

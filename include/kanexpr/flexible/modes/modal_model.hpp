@@ -12,7 +12,7 @@ namespace kanexpr::flexible::modes {
 struct modal_model {
   using vectors = std::vector<double>; ///< three components for each node
   using matrix = std::vector<double>;  ///< an entry for each pair of amplitudes, row by row
-  using matrix3 = std::array<std::array<double, 3>, 3>;
+  using tensor = std::array<std::array<double, 3>, 3>;
 
   /// An entry of the mass matrix, which is the same in all three directions.
   struct mass_entry {
@@ -32,7 +32,7 @@ struct modal_model {
   std::vector<vectors> rotations{}; ///< by amplitude: the rotation vectors; empty: the nodes do not rotate
   std::vector<vectors> bends{};     ///< by pair of amplitudes: ∂²r/∂q_k∂q_l; empty: zero
   std::vector<vectors> rotation_bends{}; ///< the second derivatives of the rotation vectors; empty: zero
-  std::vector<matrix3> inertias{};       ///< by node: about the node, in the axes of the body; empty: zero
+  std::vector<tensor> inertias{};        ///< by node: about the node, in the axes of the body; empty: zero
   std::vector<attachment> attachments{};
   matrix modal_mass{}; ///< empty: that of the shapes
   matrix stiffness{}, damping{};

@@ -241,7 +241,7 @@ private:
   }
   bool read_inertia(const json& from, const std::string& what) {
     if (!has_size(from, 3, what)) return false;
-    modal_model::matrix3& into = model.inertias.emplace_back();
+    modal_model::tensor& into = model.inertias.emplace_back();
     double largest = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       std::vector<double> row(3, 0.0);
@@ -264,7 +264,7 @@ private:
            report_.fail(what + " has a negative moment of inertia about some axis");
   }
   /// Whether a symmetric matrix is positive semidefinite, except for rounding.
-  static bool has_no_negative_moment(const modal_model::matrix3& m, double largest) {
+  static bool has_no_negative_moment(const modal_model::tensor& m, double largest) {
     double determinant = 0;
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;

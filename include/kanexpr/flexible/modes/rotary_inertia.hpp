@@ -11,7 +11,7 @@
 /// ½ (ω + Ω)·R I Rᵀ·(ω + Ω), with the angular velocity Ω = θ̇ + ½ θ × θ̇ + …, contributes to J, H_k and M_kl.
 namespace kanexpr::flexible::modes {
 
-namespace rotary {
+namespace rotary_inertia {
 
 using vector = std::array<double, 3>;
 using matrix = std::array<vector, 3>; ///< rows
@@ -42,14 +42,14 @@ inline matrix with_transpose(const matrix& a) {
   return sum;
 }
 
-} // namespace rotary
+} // namespace rotary_inertia
 
 /// Adds the rotary inertia of one node to the integrals of a body. `rotation(k)` and `second_rotation(k, l)`
 /// return the vectors ψ_k and ψ_kl.
 template <class Rotation, class SecondRotation>
-void add_rotary_inertia(mechanics::flexible_data& d, const rotary::matrix& inertia, const Rotation& rotation,
-                        const SecondRotation& second_rotation) {
-  using namespace rotary;
+void add_rotary_inertia(mechanics::flexible_data& d, const rotary_inertia::matrix& inertia,
+                        const Rotation& rotation, const SecondRotation& second_rotation) {
+  using namespace rotary_inertia;
   const int n = d.amplitudes;
   const auto add_inertia = [&](const auto& entry, const matrix& m, double factor) {
     for (int e = 0; e < 6; ++e) {
