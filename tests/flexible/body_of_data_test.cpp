@@ -547,7 +547,8 @@ TEST(body_of_data, reports_incomplete_numbers) {
             incomplete_node);
   EXPECT_EQ(mistake_after([](auto& d) { d.nodes[0].rotation = {1.0, 0.0}; }), incomplete_node);
   EXPECT_EQ(mistake_after([](auto& d) { d.nodes[0].second_rotation = {1.0}; }), incomplete_node);
-  EXPECT_EQ(mistake_after([](auto& d) { d.nodes[0].orientation = {}; }), incomplete_node);
+  EXPECT_EQ(mistake_after([](auto& d) { d.nodes[0].orientation = {1.0}; }), incomplete_node);
+  EXPECT_EQ(mistake_after([](auto& d) { d.nodes[0].orientation = {}, d.nodes[0].rotation = {}; }), "");
   EXPECT_EQ(mistake_after([](auto& d) { d.stiffness[3] = -1; }),
             "the stiffness of q2, an amplitude of Panel, is negative");
   EXPECT_EQ(mistake_after([](auto& d) { d.damping[0] = -1; }),

@@ -40,18 +40,22 @@ struct taylor_series {
 /// A place of a flexible body at which joints, loads and other bodies attach.
 struct flexible_node {
   base::name called{};
-  taylor_series position{};             ///< from the reference point; 3 components
-  base::sequence<double> orientation{}; ///< row by row: v in body axes = orientation · v in the node's axes
+  taylor_series position{}; ///< from the reference point; 3 components
+  /// Row by row: v in body axes = orientation · v in the node's axes. Empty: the axes are those of the body.
+  base::sequence<double> orientation{};
   /// The rotation vector in body axes: its derivatives with respect to the amplitudes, 3 components each.
+  /// Empty: zero.
   base::sequence<double> rotation{};
   /// Its second derivatives, row by row; they are symmetric. Empty: zero.
   base::sequence<double> second_rotation{};
 
   /// Whether all lists have the lengths that belong to the number of amplitudes.
   constexpr bool is_complete(int amplitudes) const {
-    return position.is_complete(3, amplitudes) && orientation.size() == 9 &&
-           rotation.size() == 3 * amplitudes &&
-           (second_rotation.empty() || second_rotation.size() == 3 * amplitudes * amplitudes);
+    const auto has_size = [](const base::sequence<double>& list, int size) {
+      return list.empty() || list.size() == size;
+    };
+    return position.is_complete(3, amplitudes) && has_size(orientation, 9) &&
+           has_size(rotation, 3 * amplitudes) && has_size(second_rotation, 3 * amplitudes * amplitudes);
   }
 };
 

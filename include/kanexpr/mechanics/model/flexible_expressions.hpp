@@ -60,7 +60,8 @@ public:
   constexpr components turn(const flexible_node& node) const {
     components quarter(g_);
     for (int i = 0; i < 3; ++i) {
-      for (int k = 0; k < size(); ++k) quarter[i] += number(node.rotation[3 * k + i] / 4) * q_[k];
+      for (int k = 0; k < size() && !node.rotation.empty(); ++k)
+        quarter[i] += number(node.rotation[3 * k + i] / 4) * q_[k];
       for (int k = 0; k < size() && !node.second_rotation.empty(); ++k)
         for (int l = 0; l <= k; ++l) {
           const double second = node.second_rotation[3 * (k * size() + l) + i];
@@ -74,7 +75,8 @@ public:
   constexpr matrix3 orientation(const flexible_node& node) const {
     matrix3 cosines;
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) cosines(i, j) = number(node.orientation[3 * i + j]);
+      for (int j = 0; j < 3; ++j)
+        cosines(i, j) = number(node.orientation.empty() ? i == j : node.orientation[3 * i + j]);
     return cosines;
   }
 
