@@ -306,6 +306,8 @@ private:
   mechanics::components as_components(const flexible_integrals::vector_entries& given);
   symbolic::matrix as_matrix(const flexible_integrals::matrix& given);
   bool has_shapes_of(std::string_view body, std::size_t amplitudes, const flexible_integrals& data);
+  bool has_elasticity(std::string_view called, const base::sequence<expression>& amplitudes,
+                      const symbolic::matrix& stiffness, const symbolic::matrix& damping);
   bool owns_flexible_body(const mechanics::flexible_body& b);
 
   /// A beam and its shapes, from which its sections are formed.
@@ -317,7 +319,7 @@ private:
   void deform(built_beam& to, const beam_data& data);
   void check_profile(std::string_view beam, const numeric::beams::shape& profile);
   mechanics::components unit_direction(const vector& given, int frame);
-  mechanics::beam_damping damping_of(const beam_data& data);
+  mechanics::beam_damping damping_of(std::string_view beam, const beam_data& data);
   bool owns_beam(const built_beam& made, const mechanics::beam_damping& damped);
   /// Whether at least one of the arguments is not the integer 0.
   bool not_all_zero(std::initializer_list<const number_or_expression*> given, std::string_view whose);
