@@ -1,4 +1,5 @@
 // Contacts and friction, compared with closed forms, and their energy on random motions.
+#include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/mechanics/loads/contact.hpp>
 #include <kanexpr/mechanics/loads/friction_law.hpp>
 #include <kanexpr/mechanics/loads/restitution.hpp>
@@ -140,8 +141,12 @@ TEST(contact, never_pulls_and_only_takes_energy) {
     const double rate = 1e-3 * i, factor = pressed(rate, 1)[5]; // c = 2
     EXPECT_GE(factor, before < 0 ? 0 : before);
     EXPECT_GE((factor - 1) * rate, 0);
-    if (rate >= -0.375) EXPECT_NEAR(factor, 1 + 2 * rate, 1e-15 * (1 + std::abs(factor)));
-    if (rate <= -0.625) EXPECT_EQ(factor, 0);
+    if (rate >= -0.375) {
+      EXPECT_NEAR(factor, 1 + 2 * rate, 1e-15 * (1 + std::abs(factor)));
+    }
+    if (rate <= -0.625) {
+      EXPECT_EQ(factor, 0);
+    }
     before = factor;
   }
   EXPECT_EQ(pressed(0, 1)[5], 1);
@@ -342,10 +347,11 @@ TEST(contact, creates_no_energy_whatever_the_motion) {
         const auto& found = function(x);
         const double elastic = found(1, 0) - 9.81 * (1.3 * x[2] + 2 * x[6]);
         if (std::abs(elastic) > 0.5) ++touching;
-        if (is_rough)
+        if (is_rough) {
           EXPECT_LE(found(0, 0), 1e-11);
-        else
+        } else {
           EXPECT_NEAR(found(0, 0), 0, 1e-11);
+        }
       }
       EXPECT_GT(touching, 100);
     }
