@@ -114,6 +114,22 @@ TEST(contact_words, of_spheres) {
   expect_same(derive<words>(), derive(s));
 }
 
+TEST(contact_words, of_a_surface) {
+  using words =
+      thrown<contact<point_on_surface<C, Fixed, N, surface::z - r * sin(surface::x) + 0.2 * surface::y>,
+                     elastic<k, 1.5>, smoothed_over<0.3>, coulomb_friction<mu, 0.1>>>;
+  built s;
+  runtime::contact_data data{.stiffness = s.stiffness, .exponent = 1.5, .width = 0.3};
+  data.friction = friction_law::coulomb(s.coefficient, s.number(0.1));
+  s.point_on_surface(
+      s.c, s.fixed, s.n,
+      [&](mechanics::expression x_, mechanics::expression y_, mechanics::expression z_) {
+        return z_ - s.radius * sin(x_) + 0.2 * y_;
+      },
+      data);
+  expect_same(derive<words>(), derive(s));
+}
+
 struct Ground : inertial_ground<Ground> {};
 using load = body<2.5, 0.2 * own::y, inertia<own, 0.4, 0.5, 0.6>>;
 struct Crank : pin<Crank, Ground, axis<own::z>, load> {};

@@ -6,6 +6,7 @@
 #include <kanexpr/fmi.hpp>
 #include <kanexpr/units/si.hpp>
 
+#include <models/bouncing_ball.hpp>
 #include <models/four_bar.hpp>
 #include <models/iiwa.hpp>
 #include <models/n_pendulum_cart.hpp>
@@ -182,7 +183,8 @@ int main(int, char** arguments) {
                  write<four_bar::System>(folder, "four_bar", with_python) &&
                  write<rolling_disc::System>(folder, "disc", {}) &&
                  write<curved::System>(folder, "curved", {}) &&
-                 write<slewing_arm::System>(folder, "slewing_arm", {})
+                 write<slewing_arm::System>(folder, "slewing_arm", {}) &&
+                 write<bouncing_ball::System>(folder, "bouncing_ball", {})
              ? 0
              : 1;
 }

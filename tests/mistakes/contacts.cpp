@@ -54,8 +54,8 @@ struct System : jointed<joints<Arm>, loads<contact<above, firm, thin, gravity<Gr
 void f() { use<System>(); }
 } // namespace n7
 
-// expect: the contact begins with neither sphere_on_plane<...>, point_on_plane<...>, torus_on_plane<...>
-// expect: nor sphere_on_sphere<...>
+// expect: the contact begins with neither sphere_on_plane<...>, point_on_plane<...>, torus_on_plane<...>,
+// expect: sphere_on_sphere<...> nor point_on_surface<...>
 namespace n8 {
 struct System : jointed<joints<Arm>, loads<contact<firm, thin>>> {};
 void f() { use<System>(); }
@@ -111,3 +111,17 @@ namespace n16 {
 struct System : jointed<joints<Arm>, loads<contact<above, firm, smoothed_over<-1.0>>>> {};
 void f() { use<System>(); }
 } // namespace n16
+
+// expect: the surface of the contact between Arm and Ground contains the coordinate q_Arm; it may contain
+// expect: only parameters, inputs and time
+namespace n17 {
+struct System : jointed<joints<Arm>, loads<contact<point_on_surface<Arm, Ground, Ground, surface::z - q_of<Arm>>,
+                                                   firm, thin>>> {};
+void f() { use<System>(); }
+} // namespace n17
+
+// expect: contains surface::x, which is valid only in point_on_surface<...>
+namespace n18 {
+struct System : jointed<joints<Arm>, loads<motor<Arm, T * surface::x>>> {};
+void f() { use<System>(); }
+} // namespace n18

@@ -286,7 +286,7 @@ struct two_bodies : builder {
   }
 };
 
-enum class shape { point, sphere, torus, ball };
+enum class shape { point, sphere, torus, ball, hill };
 
 void touch(two_bodies& b, shape s, const contact_data& data) {
   const auto normal = b.along(b.plate, 0.1, 0.2, 0.9), axis = b.along(b.body, 0, 1, 0.1);
@@ -294,6 +294,11 @@ void touch(two_bodies& b, shape s, const contact_data& data) {
   case shape::point: return b.point_on_plane(b.center, b.place, normal, data);
   case shape::sphere: return b.sphere_on_plane(b.center, b.body, 0.4, b.place, normal, data);
   case shape::torus: return b.torus_on_plane(b.center, b.body, axis, 0.3, 0.1, b.place, normal, data);
+  case shape::hill:
+    return b.point_on_surface(
+        b.center, b.place, b.plate,
+        [](expression x, expression y, expression z) { return 2 * z - 0.3 * sin(2 * x) + 0.4 * y * y; },
+        data);
   case shape::ball: return b.sphere_on_sphere(b.center, b.body, 0.4, b.place, b.plate, 0.3, data);
   }
 }
@@ -310,7 +315,7 @@ VectorXd state_near_contact(shape s, std::mt19937& random) {
   std::uniform_real_distribution<double> between(-1, 1);
   VectorXd x = VectorXd::NullaryExpr(18, [&] { return between(random); });
   x.head(2) *= 0.2, x.segment(7, 2) *= 0.3, x[6] *= 0.2;
-  const double reach = s == shape::point ? 0 : s == shape::ball ? 0.65 : 0.35;
+  const double reach = s == shape::point || s == shape::hill ? 0 : s == shape::ball ? 0.65 : 0.35;
   x[2] = x[6] + reach + 0.15 * x[2];
   return x;
 }
@@ -327,12 +332,12 @@ expression rate_of_energy(model& m) {
 }
 
 TEST(contact, creates_no_energy_whatever_the_motion) {
-  for (const shape s : {shape::point, shape::sphere, shape::torus, shape::ball})
+  for (const shape s : {shape::point, shape::sphere, shape::torus, shape::ball, shape::hill})
     for (const bool is_rough : {false, true}) {
       two_bodies b;
       contact_data data = rough(b);
       if (!is_rough) data = {.stiffness = 300, .exponent = 1.5, .width = 0.05};
-      if (is_rough && s != shape::point) data.rolling = {b.number(0.01), b.number(0.1)};
+      if (is_rough && s != shape::point && s != shape::hill) data.rolling = {b.number(0.01), b.number(0.1)};
       touch(b, s, data);
       model m = derive(b);
       ASSERT_EQ(m.mistake(), "");
@@ -469,6 +474,33 @@ TEST(contact, torus_touches_at_its_lowest_point) {
     const Eigen::Vector3d arm(number(t.arm.x), number(t.arm.y), number(t.arm.z));
     EXPECT_NEAR(normal.dot(line + arm), -number(t.penetration), 1e-14);
     EXPECT_NEAR((arm + 0.1 * normal).dot(axis), 0, 1e-14);
+  }
+}
+
+// A ball is a surface, too: on its surface, a point is pushed as by a sphere.
+TEST(contact, of_a_point_and_a_curved_surface) {
+  const auto model_with = [](bool is_surface) {
+    two_bodies b;
+    contact_data data = rough(b);
+    if (is_surface)
+      b.point_on_surface(
+          b.center, b.place, b.plate,
+          [](expression x, expression y, expression z) { return x * x + y * y + z * z - 0.09; }, data);
+    else
+      b.sphere_on_sphere(b.center, b.body, 0.0, b.place, b.plate, 0.3, data);
+    return derive(b);
+  };
+  model surface = model_with(true), sphere = model_with(false);
+  ASSERT_EQ(surface.mistake(), "");
+  auto first = surface.function(surface.rhs()), second = sphere.function(sphere.rhs());
+  std::mt19937 random(9);
+  for (int i = 0; i < 20; ++i) {
+    VectorXd x = state_near_contact(shape::point, random);
+    const Eigen::Vector3d place(0.1, 0.2, x[6]);
+    Eigen::Vector3d line = x.head(3) - place;
+    if (line.z() < 0) line.z() -= 0.1;
+    x.head(3) = place + 0.3 * line.normalized();
+    EXPECT_LT((first(x) - second(x)).norm(), 1e-11 * (1 + second(x).norm()));
   }
 }
 

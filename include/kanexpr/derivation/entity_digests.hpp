@@ -159,8 +159,9 @@ private:
   constexpr void take(const describe::contact_record& r) {
     now_.take(static_cast<int>(r.shapes));
     mention(r.frame), mention(r.other_frame);
-    for (const phrase* each : {&r.normal, &r.axis, &r.radius, &r.other_radius, &r.stiffness, &r.exponent,
-                               &r.width, &r.damping, &r.approach_speed, &r.lever, &r.rolling_rate})
+    for (const phrase* each :
+         {&r.normal, &r.axis, &r.radius, &r.other_radius, &r.level, &r.stiffness, &r.exponent, &r.width,
+          &r.damping, &r.approach_speed, &r.lever, &r.rolling_rate})
       take(*each);
     now_.take(r.restitution);
     if (r.friction != nullptr) take(*r.friction);

@@ -4,7 +4,9 @@
 #include <kanexpr/describe/friction.hpp>
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/describe/point.hpp>
+#include <kanexpr/describe/symbol.hpp>
 #include <kanexpr/mechanics/loads/contact_shapes.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <string_view>
 #include <type_traits>
@@ -64,8 +66,8 @@ constexpr contact_record record_contact() {
   if constexpr (requires { Geometry::lay_out(r); })
     Geometry::lay_out(r);
   else
-    r.mistake = "begins with neither sphere_on_plane<...>, point_on_plane<...>, torus_on_plane<...> nor "
-                "sphere_on_sphere<...>";
+    r.mistake = "begins with neither sphere_on_plane<...>, point_on_plane<...>, torus_on_plane<...>, "
+                "sphere_on_sphere<...> nor point_on_surface<...>";
   if (r.mistake.empty()) r.mistake = mistake_of_contact_words<Words...>();
   if constexpr ((word_of_a_contact<Words> && ...)) {
     (add_to_contact<Words>(r), ...);
@@ -153,6 +155,32 @@ struct sphere_on_sphere {
       r.mistake = "has a sphere_on_sphere<...> with neither no frame nor two";
     r.radius = describe::phrase_of<radius>;
     r.other_radius = describe::phrase_of<other_radius>;
+  }
+};
+
+/// The coordinates of a point near a surface, in the function that describes the surface.
+struct surface {
+  static constexpr scalar<1> x =
+      describe::symbol_token<symbolic::symbol_kind::direction, "surface::x", unnumbered>();
+  static constexpr scalar<1> y =
+      describe::symbol_token<symbolic::symbol_kind::direction, "surface::y", unnumbered>();
+  static constexpr scalar<1> z =
+      describe::symbol_token<symbolic::symbol_kind::direction, "surface::z", unnumbered>();
+};
+
+/// A point above a smooth surface, as the first argument of a contact. The surface is where a function of the
+/// coordinates vanishes, which are measured from a point in the axes of a frame; the function is positive on
+/// the side of the point: `point_on_surface<P, O, N, surface::z - h*sin(k*surface::x)>`. The distance from
+/// the surface is taken to the first order, φ/|∇φ|, so it is exact at the surface.
+template <class Point, class Place, class Frame, auto level>
+struct point_on_surface {
+  static constexpr void lay_out(describe::contact_record& r) {
+    r.shapes = mechanics::contact_shapes::point_on_surface;
+    r.point = &describe::point_of<Point>;
+    r.other_point = &describe::point_of<Place>;
+    r.other_frame = &describe::frame_of<Frame>;
+    r.level = describe::phrase_of<level>;
+    r.radius = describe::no_phrase;
   }
 };
 

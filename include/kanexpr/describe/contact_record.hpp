@@ -24,6 +24,7 @@ struct contact_record {
   const frame_record* frame = nullptr;       ///< null if the first body is a point
   const frame_record* other_frame = nullptr; ///< null for a plane, whose frame is that of its normal
   phrase normal{}, axis{}, radius{}, other_radius{};
+  phrase level{}; ///< of a surface
   phrase stiffness{}, exponent{}, width{}, damping{}, approach_speed{};
   double restitution = 1; ///< the damping follows from it if there is an approach speed
   const friction_record* friction = nullptr;

@@ -266,6 +266,17 @@ public:
                         point_id other_center, frame_id other, const number_or_expression& other_radius,
                         const contact_data& data);
 
+  /// A contact of a point with a surface that is fixed in a frame. `level` is a function of three
+  /// coordinates, which are measured from `origin` in the axes of the frame; it vanishes on the surface and
+  /// is positive on the side of the point: `[&](expression x, expression y, expression z) { return z - h *
+  /// sin(x); }`.
+  template <class Level>
+  void point_on_surface(point_id point, point_id origin, frame_id of, const Level& level,
+                        const contact_data& data) {
+    const mechanics::components at = mechanics::surface_coordinates(*graph_);
+    add_surface_contact(point, origin, of, level(at.x, at.y, at.z), data);
+  }
+
   // ---- constraints; their expressions may contain velocities of a `mechanics::known_motion`
 
   /// A vector whose components along the given directions vanish, with one constraint per direction:
@@ -322,6 +333,8 @@ private:
   mechanics::beam_damping damping_of(const beam_data& data);
   bool owns_beam(const built_beam& made, const mechanics::beam_damping& damped);
   bool set_direction(mechanics::components& unit, int& frame, const vector& given);
+  void add_surface_contact(point_id point, point_id origin, frame_id of, expression level,
+                           const contact_data& data);
   void add_contact(const mechanics::contact_geometry& between, const contact_data& data);
   /// Whether at least one of the arguments is not the integer 0.
   bool not_all_zero(std::initializer_list<const number_or_expression*> given, std::string_view whose);

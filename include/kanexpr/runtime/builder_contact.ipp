@@ -65,6 +65,15 @@ KANEXPR_ENGINE void builder::sphere_on_sphere(point_id center, frame_id of,
   if (checks_.owns("a contact", center, of, other_center, other)) add_contact(g, data);
 }
 
+KANEXPR_ENGINE void builder::add_surface_contact(point_id point, point_id origin, frame_id of,
+                                                 expression level, const contact_data& data) {
+  mechanics::contact_geometry g;
+  g.shapes = mechanics::contact_shapes::point_on_surface;
+  g.point = place(point), g.against = place(origin), g.other = place(of);
+  g.level = level, g.radius = m_.zero();
+  if (checks_.owns("a contact", point, origin, of, level)) add_contact(g, data);
+}
+
 KANEXPR_ENGINE bool builder::set_direction(mechanics::components& unit, int& frame, const vector& given) {
   if (!checks_.owns("a contact", given)) return false;
   const mechanics::contact_direction d = mechanics::contact_direction_of(m_, given);

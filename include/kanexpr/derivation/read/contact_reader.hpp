@@ -80,6 +80,11 @@ private:
     int frame_of_axis = g.frame;
     if (r.axis.tokens != nullptr) g.axis = direction(r.axis, "the axis of ", whom, frame_of_axis);
     g.axis_frame = frame_of_axis;
+    if (r.level.tokens != nullptr) {
+      reading_.is_on_surface = true;
+      g.level = scalar(r.level, "the surface of ", whom);
+      reading_.is_on_surface = false;
+    }
     g.radius = scalar(r.radius, "the radius of ", whom);
     if (r.other_radius.tokens != nullptr)
       g.other_radius = scalar(r.other_radius, "the second radius of ", whom);

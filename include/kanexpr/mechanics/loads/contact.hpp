@@ -46,15 +46,15 @@ struct contact {
     const touching at = between.at(*s.model);
     motion& k = on.moving();
     const components slip = relative_velocity(k, at);
-    const expression approach = -dot(at.normal, slip), elastic = law.elastic_force(at.penetration);
+    const expression approach = -dot(at.push, slip), elastic = law.elastic_force(at.penetration);
     const expression normal_force = elastic * law.dissipation(approach);
     const expression pressing = how == conservative::by_energy ? normal_force - elastic : normal_force;
     components tangential(*s.model->g);
     if (friction) {
-      const components tangent = slip + approach * at.normal;
+      const components tangent = slip - dot(at.normal, slip) * at.normal;
       tangential = -((normal_force * friction.over_slip(dot(tangent, tangent))) * tangent);
     }
-    add_force(on, at, pressing * at.normal, tangential);
+    add_force(on, at, pressing * at.push, tangential);
     if (rolling) add_rolling_resistance(on, at, normal_force);
   }
 
@@ -126,7 +126,9 @@ constexpr void contact::check_with(load_check& by, int) const {
   if (origin != other)
     return by.fail({"the contact between ", names.view(), " has points measured from two origins, ",
                     by.point(origin), " and ", by.point(other), ", whose distance is not known"});
-  if (between.shapes != contact_shapes::sphere_on_sphere && !is_fixed(between.normal))
+  const bool has_plane =
+      between.shapes == contact_shapes::sphere_on_plane || between.shapes == contact_shapes::torus_on_plane;
+  if (has_plane && !is_fixed(between.normal))
     return by.fail({"the normal of the contact between ", names.view(), " is not fixed in ",
                     by.frame(between.other), "; its components may contain only numbers and parameters"});
   if (between.shapes == contact_shapes::torus_on_plane && !is_fixed(between.axis))
@@ -138,6 +140,7 @@ constexpr void contact::check_with(load_check& by, int) const {
     by.check_constant(e, what, names.view());
     if (is_positive) by.check_positive(e, what, names.view());
   };
+  constant(between.level, "the surface of the contact between ", false);
   constant(law.stiffness, "the stiffness of the contact between ", true);
   constant(law.width, "the width of the contact between ", true);
   constant(law.damping, "the damping of the contact between ", false);
@@ -159,6 +162,10 @@ constexpr void contact::state_units(load_units& by, int) const {
   state(between.radius, "the radius of the contact between ", si::meter);
   state(between.other_radius, "the second radius of the contact between ", si::meter);
   state(law.width, "the width of the contact between ", si::meter);
+  if (between.level.is_given()) {
+    const components place = surface_coordinates(between.level.owner());
+    for (int i = 0; i < 3; ++i) state(place[i], "a coordinate of the surface between ", si::meter);
+  }
   const expression n = law.exponent;
   state(law.stiffness * power(law.width, n), "the stiffness of the contact between ", si::newton);
   state(law.damping, "the damping of the contact between ", si::second / si::meter);

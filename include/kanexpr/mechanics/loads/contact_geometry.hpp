@@ -5,8 +5,12 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
 #include <kanexpr/mechanics/model/position.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/substitute.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <string_view>
 
@@ -37,9 +41,18 @@ constexpr contact_direction contact_direction_of(const mechanism& m, const vecto
   return d;
 }
 
+/// The coordinates of a point, as symbols in the function that describes a surface.
+constexpr components surface_coordinates(graph& g) {
+  const auto along = [&](const char* called, int i) {
+    return symbolic::variable(g, {symbolic::symbol_kind::direction, name(called), i});
+  };
+  return {along("surface::x", 0), along("surface::y", 1), along("surface::z", 2)};
+}
+
 /// Two bodies at their closest points, in the axes of the second body.
 struct touching {
   expression penetration{}; ///< δ, negative if there is a gap
+  components push{};        ///< −∂δ/∂P for the point P of the first body, or the contact if it turns
   components normal{};      ///< the unit vector from the second body to the first
   components line{};        ///< from the point of the second body to that of the first
   components arm{};         ///< from the point of the first body to the contact
@@ -58,11 +71,12 @@ struct contact_geometry {
   int axis_frame = none;     ///< a frame in which the axis of the torus is fixed
   expression radius{};       ///< of the sphere, or of the tube of a torus
   expression other_radius{}; ///< of the other sphere, or of the circle around the axis of a torus
+  expression level{};        ///< of a surface: φ in terms of `surface_coordinates`, positive outside
 
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.shapes, self.point, self.against, self.frame, self.other, self.normal, self.axis,
-          self.axis_frame, self.radius, self.other_radius);
+          self.axis_frame, self.radius, self.other_radius, self.level);
   }
 
   constexpr touching at(const mechanism& m) const {
@@ -70,19 +84,20 @@ struct contact_geometry {
     t.line = express(m, position_from(m, against, point), other);
     switch (shapes) {
     case contact_shapes::sphere_on_plane:
-      t.normal = normal;
+      t.push = t.normal = normal;
       t.penetration = radius - dot(normal, t.line);
       t.arm = -(radius * normal);
       return t;
     case contact_shapes::torus_on_plane: lay_torus(t, express_axis(m)); return t;
     case contact_shapes::sphere_on_sphere: {
       const expression distance = sqrt(dot(t.line, t.line)), inverse = 1 / distance;
-      t.normal = inverse * t.line;
+      t.push = t.normal = inverse * t.line;
       const expression reach = radius + other_radius;
       t.penetration = reach - distance;
       t.arm = -(radius * t.normal);
       return t;
     }
+    case contact_shapes::point_on_surface: approach_surface(t); return t;
     }
     __builtin_unreachable();
   }
@@ -92,6 +107,27 @@ struct contact_geometry {
   constexpr bool is_round() const { return shapes != contact_shapes::torus_on_plane; }
 
 private:
+  /// The distance of a point from a surface is φ/|∇φ| to the first order. The elastic force is the derivative
+  /// of this, so that it has a potential energy; on the surface itself, it is along the normal ∇φ/|∇φ|.
+  constexpr void approach_surface(touching& t) const {
+    graph& g = level.owner();
+    const components place = surface_coordinates(g), gradient = gradient_of(level, place);
+    const expression inverse = 1 / sqrt(dot(gradient, gradient)), distance = level * inverse;
+    const components push = gradient_of(distance, place);
+    symbolic::substitution there(g);
+    for (int i = 0; i < 3; ++i) there.replace(place[i], t.line[i]);
+    t.penetration = -there.in(distance);
+    const expression scale = there.in(inverse);
+    for (int i = 0; i < 3; ++i) t.push[i] = there.in(push[i]);
+    t.normal = components(g), t.arm = components(g);
+    for (int i = 0; i < 3; ++i) t.normal[i] = scale * there.in(gradient[i]);
+  }
+  static constexpr components gradient_of(expression e, const components& place) {
+    components d;
+    for (int i = 0; i < 3; ++i) d[i] = symbolic::differentiate(e, place[i]);
+    return d;
+  }
+
   constexpr components express_axis(const mechanism& m) const {
     vector along;
     along.add(axis_frame, axis);
@@ -105,7 +141,7 @@ private:
     const components across = cross(normal, a);
     const expression sine = sqrt(dot(across, across));
     const components down = cosine * a - normal; // e sine
-    t.normal = normal;
+    t.push = t.normal = normal;
     const expression height = dot(normal, t.line), reach = radius + other_radius * sine;
     t.penetration = reach - height;
     t.arm = (other_radius / sine) * down - radius * normal;
