@@ -77,3 +77,11 @@ struct B : flexible_body<B, O, N, large> {};
 struct System : system_of<bodies<B>> {};
 void f() { use<System>(); }
 } // namespace f10
+
+// expect: flexible body Bar, to which node Tip belongs, is not listed in bodies<...>
+namespace f11 {
+struct Tip : node<Tip, Bar, 12> {};
+struct Bob : particle<Bob, Tip, 0.5> {};
+struct System : system_of<bodies<Bob>> {};
+void f() { use<System>(); }
+} // namespace f11

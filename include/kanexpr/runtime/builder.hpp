@@ -92,8 +92,14 @@ public:
 
   expression coordinate(std::string_view q) { return checks_.is_new_symbol(q), m_.coordinate(q); }
   expression coordinate(std::string_view q, const units::unit& u) { return with_unit(coordinate(q), u); }
-  expression speed(std::string_view u) { return checks_.is_new_symbol(u), m_.speed(u); }
+  expression speed(std::string_view u) { return checks_.is_new_speed(u), m_.speed(u); }
   expression speed(std::string_view u, const units::unit& of) { return with_unit(speed(u), of); }
+  /// A scalar that is neither a coordinate nor a speed; `dynamics` gives its rate. State variables follow all
+  /// speeds.
+  expression state_variable(std::string_view z) { return checks_.is_new_symbol(z), m_.state_variable(z); }
+  expression state_variable(std::string_view z, const units::unit& u) {
+    return with_unit(state_variable(z), u);
+  }
   expression parameter(std::string_view p) { return checks_.is_new_symbol(p), m_.parameter(p); }
   expression parameter(std::string_view p, const units::unit& u) { return with_unit(parameter(p), u); }
   expression input(std::string_view r) { return checks_.is_new_symbol(r), m_.input(r); }
@@ -118,7 +124,7 @@ public:
   /// A constant; write zero as 0.0.
   expression number(given_number value);
 
-  /// The rate of a coordinate, speed or prescribed quantity.
+  /// The rate of a coordinate, speed, state variable or prescribed quantity.
   expression dot(expression e);
 
   /// A kinematic differential equation: an expression that vanishes and is linear in the rates of the
@@ -126,6 +132,8 @@ public:
   void kinematic_equation(expression vanishes) {
     if (checks_.owns("a kinematic differential equation", vanishes)) m_.kinematics.push(vanishes);
   }
+  /// The rate of a state variable. It may depend on everything except the rates of the speeds.
+  void dynamics(expression state_variable, expression rate);
   /// The equations that equate the angular velocity derived from the orientation of a frame with the declared
   /// one.
   void kinematics_of(frame_id frame, frame_id reference);
@@ -291,7 +299,8 @@ public:
   void configuration_constraint(expression vanishes);
   /// Requires the components of a position along given directions to vanish; see `zero_along`.
   void configuration_constraint(const zero_components& v);
-  /// An expression that must vanish and is linear in the speeds or the rates of the coordinates.
+  /// An expression that must vanish; it depends on the speeds or the rates of the coordinates, linearly or
+  /// not.
   void velocity_constraint(expression vanishes);
   /// Requires the component of a velocity along `direction` to vanish.
   void velocity_constraint(const vector& vanishes, const vector& direction);
@@ -306,6 +315,13 @@ public:
   void redundant(int configuration_constraint) {
     system_.constraints.redundant.push(configuration_constraint);
   }
+
+protected:
+  /// Gives the unit of an expression that follows from its definition; the units of the system are not
+  /// checked because of it.
+  void imply_unit(expression e, const units::unit& u) { m_.stated_units.push({e, u, true}); }
+  /// Declares that the quantities of all parts built so far are in SI units by definition.
+  void trust_units_of_present_parts() { system_.trust_units_of_present_parts(); }
 
 private:
   friend model kanexpr::derive(const builder& built);

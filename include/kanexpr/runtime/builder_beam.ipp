@@ -30,6 +30,13 @@ KANEXPR_ENGINE void builder::deform(built_beam& to, mechanics::deformation what,
   check_profile(called, by.profile);
   if (by.shapes.empty()) checks_.fail({"beam ", called, " has a deformation without a shape"});
   for (const numeric::beams::shape& each : by.shapes) {
+    if (each.is_empty()) {
+      checks_.fail(
+          {"beam ", called,
+           " has an empty shape; natural modes are empty if their number is less than 1, or if a ratio "
+           "of the body at the tip is negative or not finite"});
+      return;
+    }
     if (!each.is_complete()) {
       checks_.fail({"beam ", called,
                     " has a shape that is not given on the whole beam, by finite numbers and stations in "

@@ -82,6 +82,7 @@ private:
     case load_word::force: {
       const auto [at, other] = points_of(r, r.other_point != nullptr ? whom.view() : "a force");
       const mechanics::vector v = effort_of(r, whom.view(), " at ");
+      if (reading_.for_units && r.coefficient != nullptr) expect_unit(*r.coefficient, *r.point);
       if (!reading_.mistake) into.forces.push({at, v, other});
       return;
     }
@@ -149,6 +150,13 @@ private:
     const std::string_view on = r.point != nullptr ? r.point->called : r.frame->called;
     const sentence load({r.word, place});
     return phrases_.vector_of(r.value, {load.view(), on}, on);
+  }
+  /// Names a coefficient if its unit does not fit.
+  constexpr void expect_unit(const describe::coefficient_record& c, const point_record& at) {
+    const expression value = phrases_.scalar_of(c.value, {"", c.word}, c.word);
+    base::name word = c.word;
+    word.append(" at ");
+    if (!reading_.mistake) m_.expected_units.push({value, c.unit, word, at.called});
   }
   constexpr expression part_of(const phrase& p, std::string_view part, std::string_view whom) {
     return phrases_.scalar_of(p, {part, whom}, whom);
