@@ -64,6 +64,8 @@ public:
     reader_.read_lagrangian();
     if (reader_.read_moving_loads() && !mistake())
       mistake_ = mechanics::check_loads(system_.mechanism, system_.loads, mechanics::contents(graph_));
+    if (!mistake() && system_.mechanism.state_variables != 0)
+      mistake_ = mechanics::check_state_rates(system_.mechanism, system_.loads.state_rates);
     reader_.read_constraints();
     equations_.emplace(system_, std::move(known));
     reader_.set_known_motion(equations_->known());
@@ -138,6 +140,7 @@ constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::
   takes_rates_as_speeds = m.derived_by == mechanics::method::lagrange;
   coordinates = m.coordinates.size();
   speeds = m.speeds.size();
+  state_variables = m.state_variables;
   parameters = m.parameters.size();
   inputs = m.inputs.size();
   auxiliary_speeds = m.auxiliary_speeds.size();
@@ -161,6 +164,7 @@ constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::
   }
   if (derived == nullptr) return;
   constraints = derived->constraints_used().size();
+  nonlinear_constraints = derived->constraints_used().nonlinear;
   configuration_constraints = derived->constraints_used().on_configuration.size();
   redundant_constraints = derived->constraints_used().redundant.size();
   for (int i : derived->coordinates().dependent) dependent[i] = true;

@@ -197,8 +197,11 @@ private:
   static constexpr auto coordinates = mechanics::unit_table::coordinates;
   static constexpr auto speeds = mechanics::unit_table::speeds;
 
-  /// The generalized force of a speed; a torque is written N m, not N m/rad.
+  /// The generalized force of a speed; a torque is written N m, not N m/rad. That of a state variable is its
+  /// rate.
   constexpr possible_unit force(mechanics::extent_by rows, int row) const {
+    const bool is_rate = row >= s_.count(rows) - s_.state_variables; // of a state variable
+    if (is_rate) return speed(rows, row) / units::si::second;
     return possible_unit(units::si::watt) / without_angle(speed(rows, row));
   }
 

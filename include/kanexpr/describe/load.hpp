@@ -14,6 +14,8 @@ enum class describe::load_word : unsigned char {
   damper,
   torsional_spring,
   torsional_damper,
+  friction,
+  contact,
   none,
 };
 
@@ -193,10 +195,17 @@ constexpr load_record record_load() {
 
 template <class Load>
 constexpr bool is_load_of_one_file() {
-  if constexpr (requires { Load::load; })
+  if constexpr (requires { Load::load; }) {
+    const auto is_of_one_file = [](const phrase& p) {
+      for (const token& t : p)
+        if (t.is_of_one_file) return true;
+      return false;
+    };
     for (const phrase* each : {&Load::load.value, &Load::load.angle, &Load::load.rest})
-      for (int i = 0; i < each->size; ++i)
-        if (each->tokens[i].is_of_one_file) return true;
+      if (is_of_one_file(*each)) return true;
+    for (const phrase& each : Load::load.dynamics)
+      if (is_of_one_file(each)) return true;
+  }
   return false;
 }
 

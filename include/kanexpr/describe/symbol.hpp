@@ -128,6 +128,12 @@ template <text called, auto... index_and_unit>
 using speed = typename describe::symbol_with<symbolic::symbol_kind::speed, called, describe::unprescribed,
                                              index_and_unit...>::type;
 
+/// A state variable: a scalar that is neither a coordinate nor a speed, such as the current of a motor or the
+/// memory of a filter. `dynamics` gives its rate, `dot(z)`.
+template <text called, auto... index_and_unit>
+using state_variable = typename describe::symbol_with<symbolic::symbol_kind::speed, called,
+                                                      describe::of_state_variable, index_and_unit...>::type;
+
 /// A constant of the system, passed to each evaluation or bound in the type by `values`.
 template <text called, auto... index_and_unit>
 using parameter = typename describe::symbol_with<symbolic::symbol_kind::parameter, called,
@@ -188,6 +194,14 @@ template <text called, int index, auto... stated>
 constexpr scalar<1>
 dot(const describe::symbol<symbolic::symbol_kind::speed, called, index, describe::unprescribed, stated...>&) {
   return describe::symbol_token<symbolic::symbol_kind::speed_rate, called, index>();
+}
+
+/// The rate dz/dt of a state variable.
+template <text called, int index, units::unit... stated>
+constexpr scalar<1> dot(const describe::symbol<symbolic::symbol_kind::speed, called, index,
+                                               describe::of_state_variable, stated...>&) {
+  return describe::symbol_token<symbolic::symbol_kind::speed_rate, called, index,
+                                describe::of_state_variable>();
 }
 
 } // namespace kanexpr

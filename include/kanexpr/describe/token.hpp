@@ -28,6 +28,8 @@ struct external_record;
 
 /// Denotes "not prescribed" as the order of a derivative.
 inline constexpr int unprescribed = -1;
+/// In place of an order: the symbol is a state variable, which is kept as a further speed.
+inline constexpr int of_state_variable = -2;
 
 /// The `index` of a number that is the integer 0.
 inline constexpr int whole_zero = 1;

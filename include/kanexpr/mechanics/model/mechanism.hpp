@@ -96,6 +96,7 @@ struct mechanism {
   sequence<expression> kinematics{};       ///< expressions that vanish, linear in the coordinate rates
   sequence<expression> auxiliary_speeds{}; ///< zero at all times; they bring into evidence forces that do no
                                            ///< work
+  int state_variables = 0;                 ///< the last of the speeds that are state variables
   sequence<frame> frames{};
   sequence<point> points{};
   sequence<body> bodies{};
@@ -115,8 +116,8 @@ struct mechanism {
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.coordinates, self.speeds, self.parameters, self.inputs, self.coordinate_rates,
           self.speed_rates, self.time, self.prescribed_rates, self.kinematics, self.auxiliary_speeds,
-          self.frames, self.points, self.bodies, self.flexible_bodies, self.derived_by, self.stated_units,
-          self.expected_units);
+          self.state_variables, self.frames, self.points, self.bodies, self.flexible_bodies, self.derived_by,
+          self.stated_units, self.expected_units);
   }
 
   /// Discards what was read only for units, after the given number of expected units.
@@ -147,6 +148,15 @@ struct mechanism {
     speed_rates.push(symbolic::variable(*g, {symbolic::symbol_kind::speed_rate, called, i}));
     return speeds[i];
   }
+  /// Adds a state variable z, a scalar with a rate ż that is neither a coordinate nor a speed. It is kept as
+  /// a further speed that moves nothing and has the mass 1, so that its equation of motion is ż = f (see
+  /// `state_rate`). State variables follow all speeds.
+  constexpr expression state_variable(const name& called) {
+    ++state_variables;
+    return speed(called);
+  }
+  /// The number of speeds that are not state variables; these come first.
+  constexpr int speeds_of_motion() const { return speeds.size() - state_variables; }
   /// Makes the rate of each coordinate a speed, named after the coordinate with a prime appended.
   constexpr void take_rates_as_speeds() {
     for (int i = 0; i < coordinates.size(); ++i) {
