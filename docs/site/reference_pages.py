@@ -21,6 +21,8 @@ PAGES = [
     ("loads", "Forces and torques", "Forces, torques, springs, dampers and gravity.", "describe/load.hpp"),
     ("blocks", "Blocks", "Filters, delays and controllers with state variables of their own, and DC motors.",
      "describe/blocks/lag.hpp describe/blocks/delay.hpp describe/blocks/pid.hpp describe/blocks/dc_motor.hpp describe/blocks/*.hpp"),
+    ("contact", "Contact and friction", "Contacts between bodies, and laws of friction.",
+     "describe/contact.hpp describe/friction.hpp describe/joints/friction_in_joint.hpp"),
     ("systems", "Systems", "Systems for Kane's method and for Lagrange's.", "describe/system.hpp describe/extended.hpp"),
     ("constraints", "Constraints", "Configuration and velocity constraints, and auxiliary speeds.", "describe/constraint.hpp"),
     ("results", "Results", "The equations of motion as compiled functions, their arguments and their status.",

@@ -5,6 +5,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/check_words.hpp>
 #include <kanexpr/describe/beam_record.hpp>
+#include <kanexpr/describe/contact_record.hpp>
 #include <kanexpr/describe/external.hpp>
 #include <kanexpr/describe/flexible_record.hpp>
 #include <kanexpr/describe/system.hpp>
@@ -149,6 +150,8 @@ private:
     now_.take(r.what);
     mention(r.point), mention(r.other_point), mention(r.frame), mention(r.other_frame);
     take(r.value), take(r.angle), take(r.rest), take(r.states), take(r.dynamics);
+    if (r.friction != nullptr) take(*r.friction);
+    if (r.contact != nullptr) take(*r.contact);
     end("", "loads with the same name");
   }
   constexpr void take(const describe::block_record& r) {
@@ -156,6 +159,20 @@ private:
     now_.take(r.called);
     take(r.states), take(r.dynamics);
     end(r.called);
+  }
+  constexpr void take(const describe::friction_record& r) {
+    now_.take(static_cast<int>(r.kind));
+    take(r.sliding), take(r.sticking), take(r.slip_speed), take(r.viscous);
+  }
+  constexpr void take(const describe::contact_record& r) {
+    now_.take(static_cast<int>(r.shapes));
+    mention(r.frame), mention(r.other_frame);
+    for (const phrase* each :
+         {&r.normal, &r.axis, &r.radius, &r.other_radius, &r.level, &r.stiffness, &r.exponent, &r.width,
+          &r.damping, &r.approach_speed, &r.lever, &r.rolling_rate})
+      take(*each);
+    now_.take(r.restitution);
+    if (r.friction != nullptr) take(*r.friction);
   }
   constexpr void take(const frame_record& r) {
     begin();

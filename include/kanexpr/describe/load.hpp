@@ -14,6 +14,8 @@ enum class describe::load_word : unsigned char {
   damper,
   torsional_spring,
   torsional_damper,
+  friction,
+  contact,
   none,
 };
 

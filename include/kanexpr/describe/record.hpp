@@ -223,6 +223,9 @@ struct body_record : entity_record {
   const flexible_record* flexible = nullptr; ///< null if it is not given by numbers
 };
 
+struct friction_record;
+struct contact_record;
+
 /// How the values of a load are interpreted; the enumerators are in load.hpp.
 enum class load_word : unsigned char;
 
@@ -246,6 +249,8 @@ struct load_record {
   phrase angle{};                            ///< the angle of a torsional spring
   phrase rest{};                             ///< the length or angle of a spring at rest
   phrase known_by{}; ///< the expression that identifies it, if points or frames do not
+  const friction_record* friction = nullptr; ///< the law of a friction in a joint
+  const contact_record* contact = nullptr;   ///< null if it is not a contact
   const coefficient_record* coefficient = nullptr; ///< of a force
   listing<phrase> states{}, dynamics{};            ///< its state variables, and the equations for their rates
   std::string_view called{};

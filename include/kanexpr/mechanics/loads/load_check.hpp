@@ -57,6 +57,12 @@ public:
       fail({of, whose, " contains the ", symbol.view(), "; it may contain only parameters, inputs and time"});
   }
 
+  /// Reports a number that is not positive.
+  constexpr void check_positive(expression e, std::string_view of, std::string_view whose) {
+    if (e.is_constant() && !(e.owner().number_at(e.node()).value() > 0))
+      fail({of, whose, " is not positive"});
+  }
+
 private:
   using kind = symbolic::symbol_kind;
 

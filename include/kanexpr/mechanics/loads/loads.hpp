@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/loads/contact.hpp>
 #include <kanexpr/mechanics/loads/force_and_torque.hpp>
 #include <kanexpr/mechanics/loads/given_potential_energy.hpp>
 #include <kanexpr/mechanics/loads/modal_damping.hpp>
@@ -20,6 +21,7 @@ struct loads {
   sequence<torsional_damper> torsional_dampers{};
   sequence<given_potential_energy> potential_energies{};
   sequence<modal_damping> modal_dampings{};
+  sequence<contact> contacts{};
   sequence<state_rate> state_rates{};
   bool has_gravity = false;
   vector gravity{}; ///< free-fall acceleration, applied to every body
@@ -31,7 +33,7 @@ struct loads {
   constexpr void each_kind(Visit&& visit) const {
     const auto visit_all = [&](const auto&... kinds) { (visit(kinds), ...); };
     visit_all(forces, torques, spring_dampers, torsional_dampers, potential_energies, modal_dampings,
-              state_rates);
+              contacts, state_rates);
   }
   /// Calls `visit` for each load except gravity, with the load and its index among the loads of its kind.
   template <class Visit>
