@@ -7,6 +7,7 @@
 #include <kanexpr/describe/beam_record.hpp>
 #include <kanexpr/describe/external.hpp>
 #include <kanexpr/describe/flexible_record.hpp>
+#include <kanexpr/describe/pathway.hpp>
 #include <kanexpr/describe/system.hpp>
 
 #include <array>
@@ -147,7 +148,17 @@ private:
     now_.take(r.what);
     mention(r.point), mention(r.other_point), mention(r.frame), mention(r.other_frame);
     take(r.value), take(r.angle), take(r.rest);
+    for (int i = 0; i < r.terms_given; ++i) take(r.terms[i]);
+    if (r.path != nullptr) take(*r.path);
     end("", "loads with the same name");
+  }
+  constexpr void take(const describe::path_record& r) {
+    now_.take(4 * static_cast<int>(r.what) + 2 * r.first_is_on_surface + r.last_is_on_surface);
+    now_.take(r.sense);
+    now_.take(r.points.size);
+    for (const point_record& p : r.points) mention(&p);
+    mention(r.center), mention(r.frame);
+    take(r.length), take(r.axis), take(r.size);
   }
   constexpr void take(const frame_record& r) {
     begin();

@@ -14,6 +14,11 @@ enum class describe::load_word : unsigned char {
   damper,
   torsional_spring,
   torsional_damper,
+  path_force,
+  path_spring,
+  path_cubic_spring,
+  path_damper,
+  path_stop,
   none,
 };
 
@@ -188,11 +193,14 @@ constexpr load_record record_load() {
 
 template <class Load>
 constexpr bool is_load_of_one_file() {
-  if constexpr (requires { Load::load; })
-    for (const phrase* each : {&Load::load.value, &Load::load.angle, &Load::load.rest})
-      for (int i = 0; i < each->size; ++i)
-        if (each->tokens[i].is_of_one_file) return true;
-  return false;
+  bool found = false;
+  if constexpr (requires { Load::load; }) {
+    for (const phrase* each : {&Load::load.value, &Load::load.angle, &Load::load.rest, &Load::load.known_by})
+      found = found || is_of_one_file_only(*each);
+    for (int i = 0; i < Load::load.terms_given; ++i)
+      found = found || is_of_one_file_only(Load::load.terms[i]);
+  }
+  return found;
 }
 
 template <class Load, class Where = typename known_in<is_load_of_one_file<Load>()>::type>

@@ -76,6 +76,13 @@ inline constexpr bool is_of_one_file = [] {
   return false;
 }();
 
+/// The same for a stored expression.
+constexpr bool is_of_one_file_only(const phrase& p) {
+  for (const token& t : p)
+    if (t.is_of_one_file) return true;
+  return false;
+}
+
 /// Two source files may each have entities with the same name in an unnamed namespace. g++ does not
 /// distinguish template arguments by the objects to which they point, so the linker could confuse the
 /// expressions of the two files. A type that is local to the file distinguishes them.
@@ -226,6 +233,8 @@ struct body_record : entity_record {
 /// How the values of a load are interpreted; the enumerators are in load.hpp.
 enum class load_word : unsigned char;
 
+struct path_record;
+
 struct load_record {
   load_word what{};
   std::string_view
@@ -238,7 +247,10 @@ struct load_record {
   phrase value{};                            ///< a force or torque, energy, stiffness or damping
   phrase angle{};                            ///< the angle of a torsional spring
   phrase rest{};                             ///< the length or angle of a spring at rest
-  phrase known_by{}; ///< the expression that identifies it, if points or frames do not
+  phrase known_by{};                 ///< the expression that identifies it, if points or frames do not
+  const path_record* path = nullptr; ///< the pathway along which it acts
+  const phrase* terms = nullptr;     ///< the arguments of its law, followed by zeros
+  int terms_given = 0;
   std::string_view called{};
   std::string_view instead{}; ///< the actual kind, if it is not a load
   base_conflict conflict = nullptr;

@@ -4,6 +4,7 @@
 #include <kanexpr/mechanics/loads/force_and_torque.hpp>
 #include <kanexpr/mechanics/loads/given_potential_energy.hpp>
 #include <kanexpr/mechanics/loads/modal_damping.hpp>
+#include <kanexpr/mechanics/loads/path_load.hpp>
 #include <kanexpr/mechanics/loads/spring_damper.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -19,6 +20,7 @@ struct loads {
   sequence<torsional_damper> torsional_dampers{};
   sequence<given_potential_energy> potential_energies{};
   sequence<modal_damping> modal_dampings{};
+  sequence<path_load> path_loads{};
   bool has_gravity = false;
   vector gravity{}; ///< free-fall acceleration, applied to every body
   bool has_lagrangian = false;
@@ -28,7 +30,8 @@ struct loads {
   template <class Visit>
   constexpr void each(Visit&& visit) const {
     const auto visit_all = [&](const auto&... kinds) { (visit_kind(kinds, visit), ...); };
-    visit_all(forces, torques, spring_dampers, torsional_dampers, potential_energies, modal_dampings);
+    visit_all(forces, torques, spring_dampers, torsional_dampers, potential_energies, modal_dampings,
+              path_loads);
   }
 
 private:
