@@ -9,6 +9,8 @@
 #include <kanexpr/describe/joints/joints.hpp>
 #include <kanexpr/describe/joints/motor.hpp>
 #include <kanexpr/describe/joints/reactions.hpp>
+#include <kanexpr/describe/joints/rotor.hpp>
+#include <kanexpr/describe/joints/stops.hpp>
 
 // The joints
 #include <kanexpr/describe/joints/floating.hpp>

@@ -140,8 +140,10 @@ private:
     now_.take(r.called);
     mention(r.frame), mention(r.point), mention(r.home), mention(r.parent_frame), mention(r.parent_point);
     take(r.axes), take(r.coordinates), take(r.speeds), take(r.kinematics), take(r.place);
+    for (int i = 0; i < 2 && r.rotor != nullptr; ++i) take(r.rotor[i]);
     end(r.called);
     if (r.body != nullptr) take(*r.body);
+    if (r.stops != nullptr) take(*r.stops);
   }
   constexpr void take(const describe::load_record& r) {
     begin();

@@ -271,6 +271,9 @@ struct joint_record : entity_record {
   phrase place{};         ///< its location in the parent, if it is given along axes other than the parent's
   listing<phrase> coordinates{}, speeds{}, kinematics{};
   const body_record* body = nullptr; ///< null if it has no mass
+  const load_record* stops = nullptr;
+  const phrase* rotor = nullptr; ///< its inertia and its gear ratio
+  bool has_gear_ratio = false;
 };
 
 /// A joint whose frame and point have auxiliary speeds, which bring its reactions into evidence.

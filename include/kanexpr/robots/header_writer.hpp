@@ -3,6 +3,7 @@
 #include <kanexpr/robots/cpp.hpp>
 #include <kanexpr/robots/plan.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -137,6 +138,17 @@ private:
     loads_.push_back("motor<" + called + ", " + drive + ">");
     if (plan_.options.damping && j.damping > 0)
       loads_.push_back("joint_friction<" + called + ", " + value("c_" + called, j.damping) + ">");
+    if (plan_.has_stops(j)) loads_.push_back(stop_of(called, j, *plan_.options.stops));
+  }
+
+  static std::string stop_of(const std::string& called, const joint& j, const limit_stops& by) {
+    const double stiffness = j.kind == joint_kind::prismatic ? by.sliding : by.turning;
+    const double least = (std::max)(j.limits.lower, -by.no_limit),
+                 greatest = (std::min)(j.limits.upper, by.no_limit);
+    std::vector<std::string> arguments{called};
+    for (const double each : {least, greatest, stiffness, by.damping, by.width})
+      arguments.push_back(cpp::number(each));
+    return "stop<" + cpp::list(arguments) + ">";
   }
 
   std::string friction(const moving_body& b, const std::string& speed) {
@@ -252,7 +264,7 @@ private:
         "at axis bodies body by coordinate dot effective_inertia floating force_between gravity home inertia "
         "inertial inertial_ground input inputs joint_friction joints kane_system loads motor offset own "
         "parameter parameter_values parameters pin planar position_of potential_energy prismatic rigid_body "
-        "rotated sign speed state torque_between weld";
+        "rotated sign speed state stop torque_between weld";
     const std::size_t links = source_.links.size(), joints = plan_.tree.joints.size();
     return "#pragma once\n\n" + cpp::include("kanexpr/joints.hpp") + cpp::include("kanexpr/kanexpr.hpp") +
            "\n" + cpp::include("limits") + "\n/// The robot " + cpp::comment(source_.name) + " from " +
