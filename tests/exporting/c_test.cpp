@@ -5,6 +5,7 @@
 #include <models/iiwa.hpp>
 #include <models/rolling_disc.hpp>
 #include <models/simple_pendulum.hpp>
+#include <runtime/slewing_arm.hpp>
 
 #include "curved.hpp"
 
@@ -17,6 +18,8 @@
 #include <iiwa.h>
 #include <iiwa_in_float.h>
 #include <pendulum.h>
+#include <slewing_arm.h>
+#include <slewing_arm_in_float.h>
 
 #include <gtest/gtest.h>
 
@@ -126,11 +129,13 @@ TEST(C, HasTheBitsOfTheCompiledFunctions) {
   expect_same_udot<double, iiwa::System>(iiwa_udot);
   expect_same_udot<double, four_bar::System>(four_bar_udot);
   expect_same_udot<double, rolling_disc::System>(disc_udot);
+  expect_same_udot<double, slewing_arm::System>(slewing_arm_udot);
 }
 
 TEST(C, HasTheBitsOfTheCompiledFunctionsInSinglePrecision) {
   expect_same_udot<float, iiwa::System>(iiwa_in_float_udot);
   expect_same_udot<float, rolling_disc::System>(disc_in_float_udot);
+  expect_same_udot<float, slewing_arm::System>(slewing_arm_in_float_udot);
 }
 
 TEST(C, HasTheBitsOfFunctionsInBothPrecisions) {

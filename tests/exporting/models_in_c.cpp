@@ -11,6 +11,7 @@
 #include <models/n_pendulum_cart.hpp>
 #include <models/rolling_disc.hpp>
 #include <models/simple_pendulum.hpp>
+#include <runtime/slewing_arm.hpp>
 #include <simulations/falling_ball.hpp>
 #include <steps/quaternions.hpp>
 
@@ -180,7 +181,8 @@ int main(int, char** arguments) {
                  write<iiwa::System>(folder, "iiwa", dynamics) &&
                  write<four_bar::System>(folder, "four_bar", with_python) &&
                  write<rolling_disc::System>(folder, "disc", {}) &&
-                 write<curved::System>(folder, "curved", {})
+                 write<curved::System>(folder, "curved", {}) &&
+                 write<slewing_arm::System>(folder, "slewing_arm", {})
              ? 0
              : 1;
 }
