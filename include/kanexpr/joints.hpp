@@ -5,6 +5,7 @@
 
 #include <kanexpr/describe.hpp>
 
+#include <kanexpr/describe/joints/bushing.hpp>
 #include <kanexpr/describe/joints/constraints.hpp>
 #include <kanexpr/describe/joints/joints.hpp>
 #include <kanexpr/describe/joints/motor.hpp>

@@ -79,6 +79,27 @@ TEST(pathways, are_valid) {
       >>>();
 }
 
+namespace mount {
+
+constexpr parameter<"I"> I;
+constexpr parameter<"g"> g;
+struct C : offset<C, N, 0.5 * N::y> {};
+
+#include <docs/guide/pathways/mount.cpp>
+
+// The body hangs below its foot by m g / (2 k).
+TEST(pathways, bushing_carries_a_weight) {
+  expect_no_mistake<System>();
+  using eom = equations_of_motion<System>;
+  const eom::parameters p{{m, 3}, {I, 0.2}, {g, 9.81}, {k, 1000}, {c, 10}};
+  eom::state x = eom::state::Zero();
+  x(1) = 0.5 - 3 * 9.81 / 2000;
+  x(6) = 1;
+  EXPECT_LT(eom::udot(x, p).norm(), 1e-11);
+}
+
+} // namespace mount
+
 TEST(pathways, are_built) {
   runtime::builder b("N");
   const auto q = b.coordinate("q");
@@ -87,7 +108,7 @@ TEST(pathways, are_built) {
   const auto center = b.origin("C"), P = b.offset("P", center, b.along(A, 0.3, 0.0, 0.1)),
              Q = b.offset("Q", center, b.along(b.inertial_frame(), 1.0, 0.2, 0.0));
   b.particle("Bob", P, b.number(1));
-  const auto radius = b.number(0.3), k = b.number(100);
+  const auto radius = b.number(0.3), k = b.number(100), turning = b.number(5);
 #include <docs/guide/pathways/builder.cpp>
   const auto model = derive(b);
   EXPECT_EQ(model.mistake(), "");

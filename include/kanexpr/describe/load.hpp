@@ -19,6 +19,7 @@ enum class describe::load_word : unsigned char {
   path_cubic_spring,
   path_damper,
   path_stop,
+  bushing,
   none,
 };
 

@@ -301,6 +301,12 @@ public:
   void stop(const pathway& along, expression least, expression greatest, expression stiffness,
             expression damping, expression width);
 
+  /// An elastic mount between the frame `on` at the point `at` and the frame `base` at the point
+  /// `base_point`, with stiffnesses along and about the axes of `base`, as `bushing<Body, Base, …>`; dampings
+  /// may be omitted.
+  void bushing(frame_id on, point_id at, frame_id base, point_id base_point,
+               const std::vector<expression>& stiffnesses, const std::vector<expression>& dampings = {});
+
   // ---- constraints; their expressions may contain velocities of a `mechanics::known_motion`
 
   /// A vector whose components along the given directions vanish, with one constraint per direction:

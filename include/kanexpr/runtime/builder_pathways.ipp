@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/add_path_load.hpp>
+#include <kanexpr/mechanics/loads/bushing.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
@@ -109,6 +110,23 @@ KANEXPR_ENGINE void builder::stop(const pathway& along, expression least, expres
                                   expression stiffness, expression damping, expression width) {
   if (owns_path_load("a stop", along, {least, greatest, stiffness, damping, width}))
     mechanics::add_stop(system_.loads, along, {least, greatest, stiffness, damping, width});
+}
+
+KANEXPR_ENGINE void builder::bushing(frame_id on, point_id at, frame_id base, point_id base_point,
+                                     const std::vector<expression>& stiffnesses,
+                                     const std::vector<expression>& dampings) {
+  if (!checks_.owns("a bushing", on, at, base, base_point)) return;
+  if (stiffnesses.size() != 6 || (dampings.size() != 6 && !dampings.empty())) {
+    checks_.fail({"expected six stiffnesses and six dampings or none of a bushing, got ",
+                  base::counted(static_cast<int>(stiffnesses.size())).view(), " and ",
+                  base::counted(static_cast<int>(dampings.size())).view()});
+    return;
+  }
+  mechanics::bushing b;
+  b.frame = place(on), b.against = place(base), b.place = place(at), b.base = place(base_point);
+  for (const expression& k : stiffnesses) b.stiffness.push(k);
+  for (std::size_t i = 0; i < 6; ++i) b.damping.push(dampings.empty() ? m_.zero() : dampings[i]);
+  if (checks_.owns("a bushing", b.stiffness, b.damping)) system_.loads.bushings.push(b);
 }
 
 } // namespace kanexpr::runtime

@@ -6,6 +6,7 @@
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
 #include <kanexpr/mechanics/loads/add_path_load.hpp>
+#include <kanexpr/mechanics/loads/bushing.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -133,6 +134,21 @@ private:
     case load_word::path_cubic_spring:
     case load_word::path_damper:
     case load_word::path_stop: return evaluate_path_load(r, whom.view());
+    case load_word::bushing: {
+      mechanics::bushing b;
+      const auto [on, other] = frames_of(r, whom.view());
+      const auto [at, base] = points_of(r, whom.view());
+      b.frame = on, b.against = other, b.place = at, b.base = base;
+      for (int i = 0; i < 12; ++i) {
+        const bool is_given = i < r.terms_given && !reading_.mistake;
+        const expression term =
+            is_given ? part_of(r.terms[i], i < 6 ? "a stiffness of " : "a damping of ", whom.view())
+                     : m_.zero();
+        (i < 6 ? b.stiffness : b.damping).push(term);
+      }
+      if (!reading_.mistake) into.bushings.push(b);
+      return;
+    }
     case load_word::none:
       if (r.unparsed) return reading_.fail_by_unparsed(r.called, "loads<...>");
       return reading_.fail({"loads<...> lists ", short_name(r.called).view(), ", which is ",

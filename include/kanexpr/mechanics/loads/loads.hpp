@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/loads/bushing.hpp>
 #include <kanexpr/mechanics/loads/force_and_torque.hpp>
 #include <kanexpr/mechanics/loads/given_potential_energy.hpp>
 #include <kanexpr/mechanics/loads/modal_damping.hpp>
@@ -21,6 +22,7 @@ struct loads {
   sequence<given_potential_energy> potential_energies{};
   sequence<modal_damping> modal_dampings{};
   sequence<path_load> path_loads{};
+  sequence<bushing> bushings{};
   bool has_gravity = false;
   vector gravity{}; ///< free-fall acceleration, applied to every body
   bool has_lagrangian = false;
@@ -31,7 +33,7 @@ struct loads {
   constexpr void each(Visit&& visit) const {
     const auto visit_all = [&](const auto&... kinds) { (visit_kind(kinds, visit), ...); };
     visit_all(forces, torques, spring_dampers, torsional_dampers, potential_energies, modal_dampings,
-              path_loads);
+              path_loads, bushings);
   }
 
 private:
