@@ -71,7 +71,7 @@ KANEXPR_ENGINE pathway builder::around_cone(frame_id in, point_id tip, const vec
 
 KANEXPR_ENGINE expression builder::length_of(const pathway& along) {
   if (mistake()) return m_.zero();
-  if (const sentence found = along.check(m_, "pathway")) checks_.fail({found.view()});
+  if (const sentence found = along.find_mistake(m_, "pathway")) checks_.fail({found.view()});
   return mistake() ? m_.zero() : along.length_in(m_);
 }
 

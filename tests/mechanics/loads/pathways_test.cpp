@@ -7,6 +7,7 @@
 #include <kanexpr/runtime/builder.hpp>
 
 #include <cmath>
+#include <complex>
 #include <functional>
 #include <numbers>
 #include <random>
@@ -148,6 +149,40 @@ TEST(pathways, agree_with_lagrange) {
         EXPECT_LT((accelerations - qddot).norm(), 1e-11 * (1 + qddot.norm())) << k;
       }
     }
+}
+
+// The linearization agrees with complex steps, in which the pathways are evaluated with complex lengths.
+TEST(pathways, have_derivatives) {
+  for (std::size_t i = 0; i < arm().pathways().size(); ++i) {
+    arm b;
+    const auto [name, path] = b.pathways()[i];
+    SCOPED_TRACE(name);
+    b.cubic_spring(path, b.number(3), b.number(0.7), b.number(0.3));
+    b.linear_damper(path, b.number(0.4));
+    b.stop(path, b.number(0.6), b.number(0.9), b.number(50), b.number(0.3), b.number(0.4));
+    auto model = kanexpr::derive(b);
+    ASSERT_EQ(model.mistake(), "");
+    auto jacobian = model.function(model.get(quantity::state_jacobian));
+    auto rhs = model.function<std::complex<double>>(model.get(quantity::rhs));
+    auto in_float = model.function<float>(model.get(quantity::rhs));
+    auto in_double = model.function(model.get(quantity::rhs));
+    std::mt19937_64 source(21);
+    for (int k = 0; k < 10; ++k) {
+      const VectorXd x = random_state(source);
+      const MatrixXd exact = jacobian(x);
+      if (!exact.allFinite()) continue;
+      MatrixXd by_steps(8, 8);
+      for (int j = 0; j < 8; ++j) {
+        Eigen::VectorXcd moved = x;
+        moved(j) += std::complex<double>(0, 1e-30);
+        by_steps.col(j) = Eigen::VectorXcd(rhs(moved)).imag() / 1e-30;
+      }
+      EXPECT_LT((exact - by_steps).norm(), 1e-10 * exact.norm()) << k;
+      const VectorXd rates = in_double(x);
+      EXPECT_LT((Eigen::VectorXf(in_float(Eigen::VectorXf(x.cast<float>()))).cast<double>() - rates).norm(),
+                3e-4 * (1 + rates.norm()));
+    }
+  }
 }
 
 // A surface f = 0 with its gradient and its second derivative along a direction.
@@ -312,8 +347,8 @@ TEST(pathways, lift_off_smoothly) {
 }
 
 // A length and its rate, and the generalized forces of a spring of Duffing and of a damper on two speeds, as
-// printed by sympy_pathways.py. Around a surface, SymPy 1.14 takes a positive force as a tension, unlike along
-// its other pathways: its damper there has the power +c (dl/dt)², and its spring pushes.
+// printed by sympy_pathways.py. Around a surface, SymPy 1.14 takes a positive force as a tension, unlike
+// along its other pathways: its damper there has the power +c (dl/dt)², and its spring pushes.
 struct reference {
   std::string name;
   std::vector<double> values;

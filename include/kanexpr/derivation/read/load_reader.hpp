@@ -36,7 +36,7 @@ public:
   constexpr void read_load(const load_record& r) {
     if (!reading_.check_base_conflict(r.conflict, r.called)) return;
     if (!r.fits) return reading_.fail_by_argument_count("", name_of(r).view(), r.fits);
-    if (r.path != nullptr && !path_reader(*this).check(*r.path, r.word)) return;
+    if (r.path != nullptr && !path_reader(*this).is_pathway(*r.path, r.word)) return;
     if (r.once && is_listed_twice(r)) return reading_.fail({name_of(r).view(), " is listed twice"});
     if (!moves(r)) return evaluate_load(r);
     phrases_.check_misuse(r.value, name_of(r).view());

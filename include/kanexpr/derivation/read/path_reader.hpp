@@ -22,7 +22,7 @@ public:
 
   /// Reports a type that is not a pathway, or a pathway with the wrong number of arguments; `whom` names the
   /// load.
-  constexpr bool check(const path_record& r, std::string_view word) {
+  constexpr bool is_pathway(const path_record& r, std::string_view word) {
     if (r.what == path_word::none) {
       const bool is_kind = !r.instead.empty();
       reading_.fail({word, " acts along ", short_name(r.called).view(), ", which is ",

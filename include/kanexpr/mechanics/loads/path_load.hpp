@@ -54,7 +54,8 @@ struct path_load {
   }
 
   constexpr void check_with(load_check& by, int) const {
-    if (const sentence found = along.check(by.mechanism_used(), called())) return by.fail({found.view()});
+    if (const sentence found = along.find_mistake(by.mechanism_used(), called()))
+      return by.fail({found.view()});
     const sentence place = along.place(by), whose({called(), " ", place.view()});
     check_pathway(by, whose.view());
     switch (law) {

@@ -72,10 +72,10 @@ struct pathway {
   }
 
   /// Reports a pathway whose length is not known; `what` names the load, as in "linear spring".
-  constexpr sentence check(const mechanism& m, std::string_view what) const {
+  constexpr sentence find_mistake(const mechanism& m, std::string_view what) const {
     if (form == pathway_form::through_points) {
       for (int i = 1; i < points.size(); ++i)
-        if (const sentence found = segment{points[i - 1], points[i]}.check(m, what)) return found;
+        if (const sentence found = segment{points[i - 1], points[i]}.find_mistake(m, what)) return found;
     } else if (is_around_surface()) {
       for (const int end : {points[0], points.back()})
         if (const sentence found = check_position(m, end, center)) return found;

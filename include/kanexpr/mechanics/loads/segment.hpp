@@ -65,7 +65,7 @@ struct segment {
   }
 
   /// Reports a segment whose length is not known or always zero; `what` names the load, as in "spring".
-  constexpr sentence check(const mechanism& m, std::string_view what) const {
+  constexpr sentence find_mistake(const mechanism& m, std::string_view what) const {
     const std::string_view first = m.points[point].called.view(), other = m.points[against].called.view();
     if (point == against) return sentence({"a ", what, " acts between point ", first, " and itself"});
     const int origin = origin_of(m, point), of_other = origin_of(m, against);

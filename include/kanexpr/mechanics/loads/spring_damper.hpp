@@ -50,7 +50,8 @@ struct spring_damper {
   }
 
   constexpr void check_with(load_check& by, int) const {
-    const sentence found = between().check(by.mechanism_used(), stiffness.is_zero() ? "damper" : "spring");
+    const sentence found =
+        between().find_mistake(by.mechanism_used(), stiffness.is_zero() ? "damper" : "spring");
     if (found) return by.fail({found.view()});
     const sentence names = by.ends_of(*this);
     by.check_constant(stiffness, "the stiffness of the spring between ", names.view());
