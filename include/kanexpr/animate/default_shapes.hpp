@@ -139,6 +139,12 @@ private:
   void add_slide(const straight_piece& l);
   void add_springs();
   void add_pathways();
+  /// Whether a frame belongs to a body without mass, such as the rotor of a motor, which has no place.
+  bool turns_rotor(int frame) const {
+    bool found = false;
+    for (const mechanics::body& b : m_.bodies) found = found || (b.frame == frame && b.mass.is_zero());
+    return found;
+  }
   void add_ground(animation& a) const;
   double lowest(const Eigen::Vector3d& up) const;
 
@@ -401,8 +407,9 @@ inline void default_shapes::add_to(animation& a, bool has_ground) {
   for (const straight_piece& l : parts_.slides()) add_slide(l);
   for (const straight_piece& l : parts_.links()) add_link(l);
   for (int f = 1; f < m_.frames.size(); ++f)
-    if (parts_.part_of(f) == f) add_joint(f);
-  for (int i = 0; i < m_.bodies.size(); ++i) add_body(i);
+    if (parts_.part_of(f) == f && !turns_rotor(f)) add_joint(f);
+  for (int i = 0; i < m_.bodies.size(); ++i)
+    if (!m_.bodies[i].mass.is_zero()) add_body(i);
   for (const recorded_beam& beam : flexible_.beams) add_beam(beam);
   for (const recorded_nodes& body : flexible_.nodes) add_nodes(body);
   add_springs();
