@@ -166,6 +166,8 @@ TEST(pathways, have_derivatives) {
     auto rhs = model.function<std::complex<double>>(model.get(quantity::rhs));
     auto in_float = model.function<float>(model.get(quantity::rhs));
     auto in_double = model.function(model.get(quantity::rhs));
+    auto elsewhere = kanexpr::runtime::derive_in_own_graph(b);
+    auto copied = elsewhere.function(elsewhere.get(quantity::rhs));
     std::mt19937_64 source(21);
     for (int k = 0; k < 10; ++k) {
       const VectorXd x = random_state(source);
@@ -179,6 +181,7 @@ TEST(pathways, have_derivatives) {
       }
       EXPECT_LT((exact - by_steps).norm(), 1e-10 * exact.norm()) << k;
       const VectorXd rates = in_double(x);
+      EXPECT_LT((VectorXd(copied(x)) - rates).norm(), 1e-12 * (1 + rates.norm()));
       EXPECT_LT((Eigen::VectorXf(in_float(Eigen::VectorXf(x.cast<float>()))).cast<double>() - rates).norm(),
                 3e-4 * (1 + rates.norm()));
     }
