@@ -20,6 +20,8 @@ enum class describe::load_word : unsigned char {
   path_damper,
   path_stop,
   bushing,
+  friction,
+  contact,
   none,
 };
 
@@ -41,6 +43,10 @@ inline constexpr phrase drag_on[]{
     phrase_of<-(whole_argument(coefficient) * magnitude(velocity_of<Point>)) * velocity_of<Point>>...,
     no_phrase};
 
+template <auto... coefficient>
+inline constexpr coefficient_record drag_coefficient{
+    "the drag coefficient", units::si::kilogram / units::si::meter, given_phrases<coefficient...>[0]};
+
 } // namespace describe
 
 /// A force that opposes the velocity of a point and is quadratic in it: `drag<P, c>` is −c |v| v. For a body
@@ -52,7 +58,8 @@ struct drag : describe::load_words {
       .word = "the drag",
       .fits = describe::arguments_of("drag<Point, coefficient>", sizeof...(coefficient), 1),
       .point = &describe::point_of<Point>,
-      .value = describe::drag_on<Point, coefficient...>[0]};
+      .value = describe::drag_on<Point, coefficient...>[0],
+      .coefficient = &describe::drag_coefficient<coefficient...>};
 };
 
 /// A torque acting on everything that is fixed in a frame: `torque<A, T*N::z>`.
@@ -200,6 +207,7 @@ constexpr bool is_load_of_one_file() {
       found = found || is_of_one_file_only(*each);
     for (int i = 0; i < Load::load.terms_given; ++i)
       found = found || is_of_one_file_only(Load::load.terms[i]);
+    for (const phrase& each : Load::load.dynamics) found = found || is_of_one_file_only(each);
   }
   return found;
 }

@@ -36,35 +36,42 @@ inline constexpr symbol base_symbols[base_units]{{kilogram, "kg"}, {meter, "m"},
 inline constexpr symbol named[]{{newton, "N"}, {watt, "W"},  {pascal, "Pa"}, {volt, "V"}, {ohm, "Ohm"},
                                 {farad, "F"},  {henry, "H"}, {coulomb, "C"}, {tesla, "T"}};
 
-/// Units that are written as products with a named unit.
+/// Units that are written as products or quotients with named units.
 struct product {
   unit of{};
-  symbol factor{};
+  symbol above{}, below{};
 };
 inline constexpr product products[]{
-    {newton * second / meter, {newton, "N"}},          // damping
-    {newton * meter * second / radian, {newton, "N"}}, // torsional damping
-    {newton * second / radian, {newton, "N"}},
-    {newton / second, {newton, "N"}},
-    {newton * radian / second, {newton, "N"}},
-    {newton / ampere, {newton, "N"}},
-    {newton * meter / ampere, {newton, "N"}},
-    {volt * second / radian, {volt, "V"}}, // the constant of a motor
-    {volt / radian, {volt, "V"}},          // gains of a controller
-    {volt / meter, {volt, "V"}},
-    {volt * second / meter, {volt, "V"}},
-    {watt / kelvin, {watt, "W"}},
-    {watt / meter / kelvin, {watt, "W"}},
-    {pascal * second, {pascal, "Pa"}},
+    {newton * second / meter, {newton, "N"}, {}},          // damping
+    {newton * meter * second / radian, {newton, "N"}, {}}, // torsional damping
+    {newton * second / radian, {newton, "N"}, {}},
+    {newton / second, {newton, "N"}, {}},
+    {newton * radian / second, {newton, "N"}, {}},
+    {newton / ampere, {newton, "N"}, {}},
+    {newton * meter / ampere, {newton, "N"}, {}},
+    {newton / volt, {newton, "N"}, {volt, "V"}}, // gains of actuators and their inverse
+    {volt / newton, {volt, "V"}, {newton, "N"}},
+    {radian / volt, {}, {volt, "V"}},
+    {radian / second / volt, {}, {volt, "V"}},
+    {meter / volt, {}, {volt, "V"}},
+    {meter / second / volt, {}, {volt, "V"}},
+    {volt * second / radian, {volt, "V"}, {}}, // the constant of a motor
+    {volt / radian, {volt, "V"}, {}},          // gains of a controller
+    {volt / meter, {volt, "V"}, {}},
+    {volt * second / meter, {volt, "V"}, {}},
+    {watt / kelvin, {watt, "W"}, {}},
+    {watt / meter / kelvin, {watt, "W"}, {}},
+    {pascal * second, {pascal, "Pa"}, {}},
 };
 
-/// The named unit in the text of a unit; the unit 1 and no symbol if there is none. Forces times lengths,
+/// A unit with the named units in its text; the unit 1 and no symbol if there are none. Forces times lengths,
 /// angles and powers of them are written with the newton.
-constexpr symbol named_factor(const unit& u) {
+constexpr product product_of(const unit& u) {
   for (const product& p : products)
-    if (p.of == u) return p.factor;
-  if (u[base_unit::kilogram] == unit::parts && u[base_unit::second] == -2 * unit::parts) return {newton, "N"};
-  return {};
+    if (p.of == u) return p;
+  if (u[base_unit::kilogram] == unit::parts && u[base_unit::second] == -2 * unit::parts)
+    return {u, {newton, "N"}, {}};
+  return {u, {}, {}};
 }
 
 /// Writes the factors of a unit one after the other.
@@ -75,15 +82,16 @@ public:
   constexpr base::name written(const unit& u) {
     for (const symbol& s : named)
       if (s.of == u) return around(sign_of(s));
-    const symbol leading = named_factor(u);
-    const unit rest = u / leading.of;
-    if (!leading.called.empty()) put(leading.called);
+    const product named_in = product_of(u);
+    const unit rest = u / named_in.above.of * named_in.below.of;
+    if (!named_in.above.called.empty()) put(named_in.above.called);
     for (int i = 0; i < base_units; ++i) factor(i, rest[base_unit_at(i)]);
-    int below = 0;
+    int below = named_in.below.called.empty() ? 0 : 1;
     for (int i = 0; i < base_units; ++i) below += rest[base_unit_at(i)] < 0 ? 1 : 0;
     if (is_first_) text_.append("1");
     if (below > 0) text_.append(below > 1 ? "/(" : "/");
     is_first_ = true;
+    if (!named_in.below.called.empty()) put(named_in.below.called);
     for (const int i : {7, 0, 1, 2, 3, 4, 5, 6}) factor(i, -rest[base_unit_at(i)]);
     if (below > 1) text_.append(")");
     return around(text_.view());

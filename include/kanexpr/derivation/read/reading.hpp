@@ -7,7 +7,6 @@
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
-#include <kanexpr/units/unit.hpp>
 
 #include <string_view>
 
@@ -30,8 +29,10 @@ struct reading {
   std::string_view part{}; ///< the part of an entity that is being read: "the offset of point "
   const describe::frame_record* parent = nullptr; ///< the parent of the frame whose orientation is being read
   int describing = none;                          ///< the frame that `own` denotes
+  bool is_on_surface = false;                     ///< whether the coordinates of a surface may occur
   bool for_units = false;    ///< whether the model is read to infer units (units_of_motion.hpp)
-  bool states_units = false; ///< whether any symbol has a stated unit
+  bool states_units = false; ///< whether any symbol has a stated or implied unit
+  bool checks_units = false; ///< whether any symbol has a stated unit
   /// Whether something was read that has a different value if the model is read to infer units: a number in
   /// place of a symbol, or a motion.
   bool hides_units = false;
@@ -43,12 +44,16 @@ struct reading {
       : from(records), into(system) {}
 
   /// Registers the unit that the model states for a symbol.
-  constexpr void state_unit(expression symbol, const units::unit& u) {
+  constexpr void state_unit(const mechanics::stated_unit& s) {
     states_units = true;
+    if (!s.is_implied) checks_units = true;
     if (mistake) return;
-    for (const mechanics::stated_unit& before : into.mechanism.stated_units)
-      if (before.symbol == symbol && before.unit == u) return;
-    into.mechanism.stated_units.push({symbol, u});
+    for (mechanics::stated_unit& before : into.mechanism.stated_units)
+      if (before.symbol == s.symbol && before.unit == s.unit) {
+        if (!s.is_implied) before.is_implied = false;
+        return;
+      }
+    into.mechanism.stated_units.push(s);
   }
 
   /// True for Lagrange's method.

@@ -11,21 +11,22 @@
 /// and with continuous second derivatives everywhere.
 namespace kanexpr::mechanics {
 
-/// g(x), with the width w over which it is rounded.
+/// g(x), with the width w over which it is rounded. The rounded part is selected at x = w itself, where its
+/// derivatives are those of both sides.
 constexpr expression one_sided(expression x, expression width) {
-  const expression zero = x.number(symbolic::exactly(0)), one = x.number(symbolic::exactly(1));
-  const expression t = symbolic::clamp(x / width, zero, one), cube = t * t * t;
-  const expression beyond = (symbolic::max)(x - width, zero);
-  return width * (cube * (1 - t / 2)) + beyond;
+  const expression zero = x.number(symbolic::exactly(0)), half = width / 2;
+  const expression t = (symbolic::max)(x / width, zero), cube = t * t * t;
+  const expression rounded = width * (cube * (1 - t / 2));
+  return symbolic::if_positive(x - width, x - half, rounded);
 }
 
-/// The integral of g from 0 to x: w² (t⁴/4 − t⁵/10) + w b/2 + b²/2 with b = max(x − w, 0).
+/// The integral of g from 0 to x: w² (t⁴/4 − t⁵/10) up to x = w, and (x − w/2)²/2 + w²/40 beyond.
 constexpr expression one_sided_energy(expression x, expression width) {
-  const expression zero = x.number(symbolic::exactly(0)), one = x.number(symbolic::exactly(1));
-  const expression t = symbolic::clamp(x / width, zero, one), square = t * t;
-  const expression beyond = (symbolic::max)(x - width, zero);
-  const expression rounded = width * width * (square * square * (5 - 2 * t) / 20);
-  return rounded + beyond * (width + beyond) / 2;
+  const expression zero = x.number(symbolic::exactly(0)), half = width / 2, area = width * width;
+  const expression t = (symbolic::max)(x / width, zero), square = t * t;
+  const expression rounded = area * (square * square * (5 - 2 * t) / 20);
+  const expression beyond = x - half, energy = beyond * beyond / 2 + area / 40;
+  return symbolic::if_positive(x - width, energy, rounded);
 }
 
 /// The factor of an elastic force by Hunt & Crossley (1975), 1 + c v, without the tension that it predicts
