@@ -259,6 +259,37 @@ TEST(nonlinear_constraints, are_linearized_along_themselves) {
     for (const bool has_linear : {false, true}) expect_linearization(by_lagrange, has_linear);
 }
 
+// The gradient and the Hessian of weighted rates, compared with complex steps of the rates and of the
+// gradient.
+TEST(nonlinear_constraints, have_second_derivatives) {
+  for (const bool by_lagrange : {false, true}) {
+    model m = derive(pendulums_on_cart(by_lagrange, true));
+    auto hessian = m.function(m.get(quantity::weighted_hessian));
+    auto gradient = m.function<complex>(m.get(quantity::weighted_gradient)),
+         rhs = m.function<complex>(m.rhs());
+    ASSERT_EQ(m.mistake(), "");
+    random_states at;
+    for (int state = 0; state < 20; ++state) {
+      at.draw();
+      const VectorXd w = random_numbers(at.source, 6, 1);
+      const Eigen::VectorXcd weights = w;
+      const MatrixXd found = hessian(at.t, at.x, at.p, at.r, w);
+      MatrixXd by_steps(6, 6);
+      VectorXd slopes(6);
+      for (Index j = 0; j < 6; ++j) {
+        Eigen::VectorXcd moved = at.x;
+        moved(j) += complex(0, step);
+        by_steps.col(j) = gradient(at.t, moved, at.p, at.r, weights).imag() / step;
+        slopes(j) = (w.transpose() * rhs(at.t, moved, at.p, at.r).imag())(0) / step;
+      }
+      if (slopes.norm() > 1e4) continue; // nearly singular
+      const Eigen::VectorXcd x = at.x;
+      EXPECT_LE((gradient(at.t, x, at.p, at.r, weights).real() - slopes).norm(), 1e-11 * slopes.norm());
+      EXPECT_LE((found - by_steps).norm(), 1e-11 * by_steps.norm());
+    }
+  }
+}
+
 // A particle of constant speed c in space, with an auxiliary speed along x.
 struct constant_speed : builder {
   expression x = coordinate("x"), y = coordinate("y"), u = speed("u"), v = speed("v"),
