@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/robots/physical_quantity.hpp>
