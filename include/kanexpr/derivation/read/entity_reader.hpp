@@ -49,6 +49,9 @@ public:
     if (reading_.mistake) forget_after(frames, points);
   }
 
+  constexpr const sequence<const frame_record*>& frames_read() const { return frames_; }
+  constexpr const sequence<const point_record*>& points_read() const { return points_; }
+
   /// The state that is kept if there is no mistake and nothing is being read.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {

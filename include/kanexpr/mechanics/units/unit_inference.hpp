@@ -35,7 +35,7 @@ public:
     for (const stated_unit& each : m.stated_units) state(each);
     for (const prescribed_rate& p : m.prescribed_rates) {
       const unit_product quantity = of(p.quantity);
-      require(p.rate, quantity / known_unit(units::si::second));
+      require(p.rate, relations_.quotient(quantity, known_unit(units::si::second)));
     }
   }
 
@@ -87,7 +87,7 @@ public:
   constexpr void suggest_coefficient(expression e, expression rate, const units::unit& u) {
     if (mistake_ || !e.is_given() || !holds_parameter(e)) return;
     const unit_product coefficient = of(e), velocity = of(rate);
-    const unit_product found = coefficient * velocity * velocity;
+    const unit_product found = relations_.product(relations_.product(coefficient, velocity), velocity);
     if (!mistake_) equate(found, known_unit(u));
     mistake_ = {};
   }
@@ -95,7 +95,7 @@ public:
   constexpr void suggest_amplitude(expression e, const units::unit& u) {
     if (mistake_) return;
     const unit_product found = relations_.resolved(of(e));
-    if (found.unknown.size() == 1 && found.unknown[0].power == units::unit::parts)
+    if (found.unknowns == 1 && relations_.unknown(found, 0).power == units::unit::parts)
       equate(found, known_unit(u));
     mistake_ = {};
   }
@@ -165,7 +165,7 @@ private:
   }
 
   /// An expression with its unit in brackets; without one if its unit is not known.
-  constexpr sentence with_unit(int id, const unit_product& u) const {
+  constexpr sentence with_unit(int id, const unit_product& u) {
     const unit_product found = relations_.resolved(u);
     const symbolic::short_text text(g_, id);
     if (!found.is_known()) return sentence({text.view()});
@@ -178,7 +178,7 @@ private:
   };
   constexpr void fail_by_pair(const wording& how, int a, const unit_product& left, int b,
                               const unit_product& right) {
-    const unit_product ratio = relations_.resolved(right / left);
+    const unit_product ratio = relations_.resolved(relations_.quotient(right, left));
     const bool are_known = relations_.resolved(left).is_known();
     fail({what_, whose_, how.before, with_unit(a, left).view(), how.between, with_unit(b, right).view(),
           are_known ? "" : ", whose units differ by a factor of ",
@@ -188,7 +188,7 @@ private:
   /// Explains a unit: "; the factor 0.3 has no unit" if an expression has a factor that may be meant to have
   /// one, otherwise the unit of the first parameter or input whose unit the model does not state: "; c is in
   /// N s/m by the force at P". Empty if there is none, or if the present part of the model determines it.
-  constexpr sentence origin_of_unit(int id, int other = symbolic::graph::zero) const {
+  constexpr sentence origin_of_unit(int id, int other = symbolic::graph::zero) {
     for (const int each : {id, other})
       if (const int factor = factor_in(each); factor != none)
         return sentence({"; the factor ", symbolic::short_text(g_, factor).view(), " has no unit"});
@@ -209,7 +209,7 @@ private:
     if (value.exact() && value.numerator < 5 && value.numerator > -5) return none;
     return id;
   }
-  constexpr sentence origin_in(int id) const {
+  constexpr sentence origin_in(int id) {
     const symbolic::node& n = g_[id];
     if (n.op == operation::constant) return {};
     if (n.op != operation::symbol) {
@@ -219,8 +219,8 @@ private:
     }
     const symbolic::symbol_kind kind = g_.symbol_at(id).kind;
     if (kind != symbolic::symbol_kind::parameter && kind != symbolic::symbol_kind::input) return {};
-    if (!has_form(id) || form_at(id).unknown.size() != 1) return {};
-    const int unknown = form_at(id).unknown[0].of;
+    if (!has_form(id) || form_at(id).unknowns != 1) return {};
+    const int unknown = relations_.unknown(form_at(id), 0).of;
     if (!relations_.is_solved(unknown) || unknown >= reason_of_.size() || reason_of_[unknown] == none)
       return {};
     const std::string_view reason = reasons_[reason_of_[unknown]].view();
@@ -233,9 +233,9 @@ private:
   constexpr bool has_form(int id) const { return id < place_of_form_.size() && place_of_form_[id] != none; }
   /// The form of a node that has one.
   constexpr const unit_product& form_at(int id) const { return forms_[place_of_form_[id]]; }
-  constexpr void set_form(int id, unit_product&& form) {
+  constexpr void set_form(int id, const unit_product& form) {
     if (id >= place_of_form_.size()) place_of_form_.resize(g_.size(), none);
-    place_of_form_[id] = forms_.push(static_cast<unit_product&&>(form));
+    place_of_form_[id] = forms_.push(form);
   }
 
   constexpr unit_product of(expression e) { return of(e.node()); }
@@ -265,13 +265,13 @@ private:
   }
 
   constexpr unit_product of_leaf(int id, const symbolic::node& n) {
-    if (n.op == operation::constant) return {{}, {}, true};
+    if (n.op == operation::constant) return unit_of_number;
     using symbolic::symbol_kind;
     const symbolic::symbol& s = g_.symbol_at(id);
     switch (s.kind) {
     case symbol_kind::time: return known_unit(units::si::second);
-    case symbol_kind::coordinate_rate: return of(m_.coordinates[s.position]) / known_unit(units::si::second);
-    case symbol_kind::speed_rate: return of(m_.speeds[s.position]) / known_unit(units::si::second);
+    case symbol_kind::coordinate_rate: return rate_of(m_.coordinates[s.position]);
+    case symbol_kind::speed_rate: return rate_of(m_.speeds[s.position]);
     case symbol_kind::coordinate:
     case symbol_kind::speed:
     case symbol_kind::parameter:
@@ -284,6 +284,10 @@ private:
     for (const stated_unit& each : m_.stated_units) // a symbol may be added later
       if (each.symbol.node() == id) return known_unit(each.unit);
     return relations_.add_unknown();
+  }
+
+  constexpr unit_product rate_of(expression symbol) {
+    return relations_.quotient(of(symbol), known_unit(units::si::second));
   }
 
   /// The unit of a sum or difference: that of both operands.
@@ -303,7 +307,7 @@ private:
   constexpr unit_product of_product(const symbolic::node& n, int sign) {
     unit_product left = of(n.a), right = of(n.b);
     if (left.fits_all && right.fits_all) return left;
-    return times_power(left, right, sign * units::unit::parts);
+    return sign > 0 ? relations_.product(left, right) : relations_.quotient(left, right);
   }
 
   constexpr unit_product of_power(int id, const symbolic::node& n) {
@@ -321,8 +325,8 @@ private:
     if (scaled < 30'000 && scaled > -30'000) {
       const auto whole = static_cast<std::int64_t>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
       const double rest = scaled - static_cast<double>(whole);
-      if (rest < 1e-9 && rest > -1e-9 && mechanics::has_power(base, whole, parts))
-        return mechanics::power(base, whole, parts);
+      if (rest < 1e-9 && rest > -1e-9 && relations_.has_power(base, whole, parts))
+        return relations_.power(base, whole, parts);
     }
     if (base.is_known() && base.known == units::dimensionless) return base;
     return relations_.add_unknown();
@@ -349,7 +353,7 @@ private:
     return known_unit(radian_if(angle_rule::value));
   }
   constexpr unit_product root_of(const unit_product& u, int order) {
-    if (u.fits_all || mechanics::has_power(u, 1, order)) return mechanics::power(u, 1, order);
+    if (u.fits_all || relations_.has_power(u, 1, order)) return relations_.power(u, 1, order);
     return relations_.add_unknown();
   }
 
