@@ -96,8 +96,10 @@ constexpr bool has_power(const unit& of, std::int64_t numerator, std::int64_t de
 
 /// The power numerator/denominator of a unit. Requires `has_power`.
 constexpr unit power(const unit& of, std::int64_t numerator, std::int64_t denominator = 1) {
-  if (numerator == denominator) return of;
-  if (numerator == -denominator) return dimensionless / of;
+  if (numerator % denominator == 0) { // all digits at a time
+    const std::int64_t whole = numerator / denominator;
+    return {of.kg_m_s_a * whole, of.k_mol_cd_rad * whole};
+  }
   unit raised{};
   for (int i = 0; i < base_units; ++i)
     raised = raised * unit::power_of(base_unit_at(i), of[base_unit_at(i)] * numerator / denominator);

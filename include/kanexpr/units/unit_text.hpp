@@ -22,9 +22,10 @@ namespace detail {
 
 using namespace si;
 
+/// A unit and its symbol, in an array, which costs the compiler less than a string of any length.
 struct symbol {
   unit of{};
-  std::string_view called{};
+  char called[4]{};
 };
 
 inline constexpr symbol base_symbols[base_units]{{kilogram, "kg"}, {meter, "m"},   {second, "s"},
@@ -36,34 +37,35 @@ inline constexpr symbol base_symbols[base_units]{{kilogram, "kg"}, {meter, "m"},
 inline constexpr symbol named[]{{newton, "N"}, {watt, "W"},  {pascal, "Pa"}, {volt, "V"}, {ohm, "Ohm"},
                                 {farad, "F"},  {henry, "H"}, {coulomb, "C"}, {tesla, "T"}};
 
-/// Units that are written as products with a named unit.
+/// Units that are written as products of a named unit with another one.
 struct product {
-  unit of{};
-  symbol factor{};
+  char named;
+  unit rest;
 };
 inline constexpr product products[]{
-    {newton * second / meter, {newton, "N"}},          // damping
-    {newton * meter * second / radian, {newton, "N"}}, // torsional damping
-    {newton * second / radian, {newton, "N"}},
-    {newton / second, {newton, "N"}},
-    {newton * radian / second, {newton, "N"}},
-    {newton / ampere, {newton, "N"}},
-    {newton * meter / ampere, {newton, "N"}},
-    {volt * second / radian, {volt, "V"}}, // the constant of a motor
-    {volt / radian, {volt, "V"}},          // gains of a controller
-    {volt / meter, {volt, "V"}},
-    {volt * second / meter, {volt, "V"}},
-    {watt / kelvin, {watt, "W"}},
-    {watt / meter / kelvin, {watt, "W"}},
-    {pascal * second, {pascal, "Pa"}},
+    {'N', second / meter},         // damping
+    {'N', meter* second / radian}, // torsional damping
+    {'N', second / radian},
+    {'N', hertz},
+    {'N', radian / second},
+    {'N', dimensionless / ampere},
+    {'N', meter / ampere},
+    {'V', second / radian},        // the constant of a motor
+    {'V', dimensionless / radian}, // gains of a controller
+    {'V', dimensionless / meter},
+    {'V', second / meter},
+    {'W', dimensionless / kelvin},
+    {'W', dimensionless / meter / kelvin},
+    {'P', second},
 };
 
 /// The named unit in the text of a unit; the unit 1 and no symbol if there is none. Forces times lengths,
 /// angles and powers of them are written with the newton.
 constexpr symbol named_factor(const unit& u) {
   for (const product& p : products)
-    if (p.of == u) return p.factor;
-  if (u[base_unit::kilogram] == unit::parts && u[base_unit::second] == -2 * unit::parts) return {newton, "N"};
+    for (const symbol& s : named)
+      if (s.called[0] == p.named && u == s.of * p.rest) return s;
+  if (u[base_unit::kilogram] == unit::parts && u[base_unit::second] == -2 * unit::parts) return named[0];
   return {};
 }
 
@@ -77,7 +79,7 @@ public:
       if (s.of == u) return around(sign_of(s));
     const symbol leading = named_factor(u);
     const unit rest = u / leading.of;
-    if (!leading.called.empty()) put(leading.called);
+    if (leading.called[0] != '\0') put(leading.called);
     for (int i = 0; i < base_units; ++i) factor(i, rest[base_unit_at(i)]);
     int below = 0;
     for (int i = 0; i < base_units; ++i) below += rest[base_unit_at(i)] < 0 ? 1 : 0;
@@ -91,7 +93,7 @@ public:
 
 private:
   constexpr std::string_view sign_of(const symbol& s) const {
-    if (s.called != "Ohm" || how_ == spelling::plain || how_ == spelling::message) return s.called;
+    if (s.called[0] != 'O' || how_ == spelling::plain || how_ == spelling::message) return s.called;
     return how_ == spelling::latex ? "\\Omega" : "Ω";
   }
   constexpr base::name around(std::string_view text) const {

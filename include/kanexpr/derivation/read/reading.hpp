@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/read/wording.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -30,8 +31,9 @@ struct reading {
   std::string_view part{}; ///< the part of an entity that is being read: "the offset of point "
   const describe::frame_record* parent = nullptr; ///< the parent of the frame whose orientation is being read
   int describing = none;                          ///< the frame that `own` denotes
-  bool for_units = false;    ///< whether the model is read to infer units (units_of_motion.hpp)
-  bool states_units = false; ///< whether any symbol has a stated unit
+  bool for_units = false;           ///< whether the model is read to infer units (units_of_motion.hpp)
+  bool states_units = false;        ///< whether any symbol has a stated unit
+  sequence<int> nodes_with_units{}; ///< the nodes of the mechanism's stated units, to find them quickly
   /// Whether something was read that has a different value if the model is read to infer units: a number in
   /// place of a symbol, or a motion.
   bool hides_units = false;
@@ -46,9 +48,13 @@ struct reading {
   constexpr void state_unit(expression symbol, const units::unit& u) {
     states_units = true;
     if (mistake) return;
-    for (const mechanics::stated_unit& before : into.mechanism.stated_units)
-      if (before.symbol == symbol && before.unit == u) return;
-    into.mechanism.stated_units.push({symbol, u});
+    sequence<mechanics::stated_unit>& all = into.mechanism.stated_units;
+    const int id = symbol.node();
+    const int* const nodes = nodes_with_units.begin(); // compilers interpret every call to operator[]
+    for (int i = all.size() - 1; i >= 0; --i)
+      if (nodes[i] == id && all[i].unit == u) return;
+    nodes_with_units.push(id);
+    all.push({symbol, u});
   }
 
   /// True for Lagrange's method.

@@ -28,7 +28,7 @@ public:
     const system_record& from = reading_.from;
     for (const frame_record* r : entities_.frames_read()) read(*r);
     for (const point_record* r : entities_.points_read()) read(*r);
-    for (const body_record& r : from.bodies) read(r);
+    for (const describe::body_record& r : from.bodies) read(r);
     for (const describe::joint_record& r : from.joints) read(r);
     for (const load_record& r : from.loads) read(r);
     for (const phrase& p : from.lagrangian) units_.expect(p, joule);
@@ -59,7 +59,7 @@ private:
     units_.expect(r.velocity, meter / second);
   }
 
-  constexpr void read(const body_record& r) {
+  constexpr void read(const describe::body_record& r) {
     if (r.beam != nullptr || r.flexible != nullptr) return units_.fail(); // their amplitudes have any unit
     units_.expect(r.mass, kilogram);
     if (!r.rigid) return;

@@ -49,6 +49,7 @@ public:
       : of_(of), m_(of.mechanism), by_(by) {}
 
   constexpr void state() {
+    by_.take_stated_units();
     if (!m_.flexible_bodies.empty()) mark_deformations();
     for (const frame& f : m_.frames) state(f);
     for (const point& p : m_.points) state(p);

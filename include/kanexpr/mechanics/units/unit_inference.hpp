@@ -14,11 +14,11 @@
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/printing/short_text.hpp>
+#include <kanexpr/units/possible_unit.hpp>
 #include <kanexpr/units/si.hpp>
 #include <kanexpr/units/unit.hpp>
 #include <kanexpr/units/unit_text.hpp>
 
-#include <optional>
 #include <string_view>
 
 namespace kanexpr::mechanics {
@@ -31,9 +31,12 @@ namespace kanexpr::mechanics {
 /// has the unit that is expected there.
 class unit_inference {
 public:
-  constexpr explicit unit_inference(const mechanism& m) : m_(m), g_(*m.g) {
-    for (const stated_unit& each : m.stated_units) state(each);
-    for (const prescribed_rate& p : m.prescribed_rates) {
+  constexpr explicit unit_inference(const mechanism& m) : m_(m), g_(*m.g) {}
+
+  /// Takes the units that the mechanism states, first of all.
+  constexpr void take_stated_units() {
+    for (const stated_unit& each : m_.stated_units) state(each);
+    for (const prescribed_rate& p : m_.prescribed_rates) {
       const unit_product quantity = of(p.quantity);
       require(p.rate, relations_.quotient(quantity, known_unit(units::si::second)));
     }
@@ -45,11 +48,11 @@ public:
   constexpr const sentence& mistake() const { return mistake_; }
 
   /// The unit of an expression; none if it is not determined. Sums of different units are not reported.
-  constexpr std::optional<units::unit> unit_of(expression e) {
+  constexpr units::possible_unit unit_of(expression e) {
     const sentence before = mistake_;
     unit_product u = relations_.resolved(of(e));
     mistake_ = before;
-    if (u.fits_all || !u.is_known()) return std::nullopt;
+    if (u.fits_all || !u.is_known()) return {};
     const bool is_inferred = !form_at(e.node()).is_known();
     if (is_inferred && g_[e.node()].op == operation::symbol) unit_relations::drop_angle_of_length(u.known);
     return u.known;
