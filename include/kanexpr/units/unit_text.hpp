@@ -134,7 +134,7 @@ private:
     if (how_ == spelling::latex) text_.append("}");
   }
   constexpr void raised(int digits) {
-    constexpr std::string_view high[]{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    constexpr const char* high[]{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     if (digits >= 10) raised(digits / 10);
     text_.append(high[digits % 10]);
   }

@@ -325,7 +325,7 @@ private:
     }
   }
 
-  static constexpr std::string_view axis_names = "xyz";
+  static constexpr std::string_view axis_names = "xyz"sv;
 
   constexpr int frame(const frame_record* r, std::string_view whom) {
     return entities_.frame(entities_.with, r, whom);

@@ -88,7 +88,7 @@ public:
     if (from.inertial == nullptr) return reading_.fail({"inertial<...> takes one frame"});
     read_lists();
     if (reading_.mistake) return;
-    entities_.frame(from.inertial, "the system");
+    entities_.frame(from.inertial, "the system"sv);
     lagrange_.visit_lagrangian();
     each(from.bodies, [&](const body_record& r) { bodies_.read(r); });
     each(from.joints, [&](const joint_record& r) { joints_.read(r); });

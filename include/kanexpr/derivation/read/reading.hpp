@@ -14,6 +14,8 @@
 
 namespace kanexpr::derivation {
 
+using std::string_view_literals::operator""sv; // compilers need not count the letters
+
 using base::sentence;
 using base::sequence;
 using describe::point_record;
