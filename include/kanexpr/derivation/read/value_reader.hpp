@@ -38,8 +38,8 @@ public:
                               t.symbol->called.view()});
     for (const describe::token& t : right)
       if (t.what == describe::token_kind::number && t.index == describe::whole_zero)
-        return reading_.fail(
-            {"the value of parameter ", s->called.view(), describe::misuse_message(describe::misuse::zero)});
+        return reading_.fail({"the value of parameter ", s->called.view(),
+                              describe::misuse_message(describe::misuse::zero).view()});
     const value number = phrases_.evaluate_part("the value of parameter "sv, right, s->called.view());
     if (!reading_.mistake && (number.kind != shape::scalar || !number.scalar.is_constant()))
       reading_.fail({"the value of parameter ", s->called.view(), " is not a number"});
