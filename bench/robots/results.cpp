@@ -37,7 +37,7 @@ public:
     return x;
   }
   Eigen::VectorXd inputs(const robots::plan& p) {
-    return vector([](const auto& j) { return j.input.empty() ? 0u : 1u; }, p);
+    return vector([](const auto& j) { return j.input.called.empty() ? 0u : 1u; }, p);
   }
 
 private:
@@ -55,7 +55,7 @@ void print_joints(const robots::robot& r, const robots::plan& p) {
   std::size_t q = 0, u = 0;
   for (const robots::planned_joint& j : p.joints) {
     const std::string called = j.joint < 0 ? "root_joint" : r.joints[static_cast<std::size_t>(j.joint)].name;
-    std::cout << "joint " << static_cast<int>(j.kind) << ' ' << q << ' ' << u << ' ' << !j.input.empty()
+    std::cout << "joint " << static_cast<int>(j.kind) << ' ' << q << ' ' << u << ' ' << !j.input.called.empty()
               << ' ' << called << '\n';
     q += j.coordinates.size(), u += j.speeds.size();
   }

@@ -19,6 +19,8 @@ PAGES = [
     ("beams", "Beams", "Bodies that bend, twist and stretch, and places on them.",
      "describe/beams/beam.hpp describe/beams/section.hpp describe/beams/deformations.hpp describe/beams/shapes.hpp"),
     ("loads", "Forces and torques", "Forces, torques, springs, dampers and gravity.", "describe/load.hpp"),
+    ("contact", "Contact and friction", "Contacts between bodies, and laws of friction.",
+     "describe/contact.hpp describe/friction.hpp describe/joints/friction_in_joint.hpp"),
     ("systems", "Systems", "Systems for Kane's method and for Lagrange's.", "describe/system.hpp describe/extended.hpp"),
     ("constraints", "Constraints", "Configuration and velocity constraints, and auxiliary speeds.", "describe/constraint.hpp"),
     ("results", "Results", "The equations of motion as compiled functions, their arguments and their status.",

@@ -6,6 +6,7 @@
 #include <kanexpr/describe.hpp>
 
 #include <kanexpr/describe/joints/constraints.hpp>
+#include <kanexpr/describe/joints/friction_in_joint.hpp>
 #include <kanexpr/describe/joints/joints.hpp>
 #include <kanexpr/describe/joints/motor.hpp>
 #include <kanexpr/describe/joints/reactions.hpp>

@@ -186,6 +186,12 @@ TEST(picture_of, shows_beams_bent) {
   }
   const Vector3d end = shown.placement_at(1, 8).position;
   EXPECT_LT((a.find("link of A")->placements[1].position - end).norm(), 1e-14);
+  ASSERT_EQ(shown.undeformed.size(), 18u);
+  for (std::size_t i = 0; i < 18; ++i)
+    EXPECT_LT((shown.undeformed[i].position - Vector3d(0, 0.25 * static_cast<double>(i % 9), 0)).norm(),
+              1e-14);
+  EXPECT_LT((a.find("link of A")->undeformed[1].position - Vector3d(0, 2, 0)).norm(), 1e-14);
+  EXPECT_LT((a.find("Bob")->undeformed[1].position - Vector3d(0, 2, -0.5)).norm(), 1e-14);
 }
 
 /// The nodes are connected along the body, whatever their order.

@@ -120,6 +120,23 @@ struct System : kane_system<inertial<Ground>, joints<Base>, bodies<Rod>> {};
 struct ByLagrange : lagrange_system<inertial<Ground>, joints<Base>, bodies<Rod>> {};
 } // namespace floating_beam
 
+// Beams of a template, whose arguments differ only in sign.
+namespace panels {
+using namespace kanexpr;
+struct N : inertial_frame<N> {};
+struct O : origin<O, N> {};
+template <int side>
+struct Panel : beam<Panel<side>, O, side * N::x, 1.7, 0.6, bending<N::y, 3.1, clamped_free<1>>> {};
+struct System : kane_system<inertial<N>, bodies<Panel<1>, Panel<-1>>> {};
+} // namespace panels
+
+TEST(beam_words, name_the_amplitudes_of_templates_by_their_arguments) {
+  kanexpr::model m = kanexpr::derive<panels::System>();
+  ASSERT_EQ(m.mistake(), "");
+  const std::vector<std::string> expected{"q_Panel_1", "q_Panel_minus1", "u_Panel_1", "u_Panel_minus1"};
+  EXPECT_EQ(m.linearize().states(), expected);
+}
+
 TEST(beam_words, describe_a_floating_beam) {
   expect_frequencies(kanexpr::derive<floating_beam::System>(), rates_of(ends::free_free, 2), "free-free");
 }

@@ -1,6 +1,7 @@
 // Constraints: docs/guide/constraints.md.
 #include "docs/complete.hpp"
 #include "docs/printed.hpp"
+#include "models/appell_hamel.hpp"
 #include "models/four_bar.hpp"
 
 #include <kanexpr/assemble.hpp>
@@ -95,6 +96,48 @@ TEST(constraints, are_assembled) {
 }
 
 } // namespace linkage
+
+namespace nonlinear {
+
+using namespace appell_hamel;
+
+constexpr parameter<"c"> c;
+constexpr parameter<"d"> d;
+constexpr parameter<"power"> power;
+
+template <class Words>
+struct with : kane_system<inertial<N>, coordinates<x, y, z>, speeds<u, v, w>,
+                          kinematics<dot(x) == u, dot(y) == v, dot(z) == w>, bodies<Weight>, Words> {};
+using on_cone = with<
+#include <docs/guide/constraints/nonlinear.cpp>
+    >;
+using at_speed = with<
+#include <docs/guide/constraints/nonlinear_speed.cpp>
+    >;
+using at_power = with<
+#include <docs/guide/constraints/nonlinear_power.cpp>
+    >;
+
+TEST(constraints, need_not_be_linear) {
+  for (auto model : {derive<on_cone>(), derive<at_speed>(), derive<at_power>()}) {
+    EXPECT_EQ(model.udot().rows, 3);
+    EXPECT_EQ(model.mistake(), "");
+  }
+}
+
+TEST(constraints, have_speeds_near_the_guess) {
+  const parameter_values<System> p{{m, 1}, {a, 0.7}, {g, 9.81}};
+  const input_values<System> r{{F, 0}};
+#include <docs/guide/constraints/nonlinear_assembled.cpp>
+  EXPECT_TRUE(solved) << solved.cause();
+  EXPECT_NEAR(x[w], 1 / 0.7, 1e-15);
+  x[w] = 0;
+  EXPECT_EQ(assemble<System>(x, p, r).cause(),
+            "the search for the dependent speeds ended at a singularity of the velocity constraints, with a "
+            "residual of 1");
+}
+
+} // namespace nonlinear
 
 namespace pivot {
 

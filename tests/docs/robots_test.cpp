@@ -1,4 +1,4 @@
-// Robots from files: docs/robots.md.
+// Robots from files: docs/robots.md, and their units: docs/guide/units.md.
 #include <arm_picture.hpp>
 
 #include <kanexpr/animate/page_text.hpp>
@@ -27,6 +27,14 @@ TEST(robots, are_controlled) {
   EXPECT_EQ(meshes.all.size(), 1u);
   EXPECT_LT(v.norm(), 0.05);
   EXPECT_EQ(equations_of_motion<Pushed>::inputs::RowsAtCompileTime, 4);
+}
+
+TEST(robots, know_their_units) {
+  using namespace units::si;
+  constexpr input<"push", newton> push;
+  constexpr parameter<"k"> k;
+#include <docs/guide/units/robot.cpp>
+  EXPECT_EQ(units_of<Pushed>().of("T_elbow"), newton * meter);
 }
 
 TEST(robots, are_read_while_the_program_runs) {

@@ -8,6 +8,7 @@
 #include <kanexpr/mechanics/motion/observe.hpp>
 #include <kanexpr/runtime/assemble.hpp>
 #include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/runtime/latex_symbols.hpp>
 #include <kanexpr/runtime/listing.hpp>
 #include <kanexpr/runtime/print_entries.hpp>
 #include <kanexpr/symbolic.hpp>
@@ -66,6 +67,8 @@ TEST(run_time, lists_operations) {
                          "t4 = t3 * s1\nt5 = g * t4\nt6 = t2 - t5\nforcing = t6\n");
 #include <docs/guide/run-time/entries.cpp>
   EXPECT_NE(here.text().find("mass_matrix(u, u) = l^2*m"), std::string::npos);
+#include <docs/guide/run-time/symbols.cpp>
+  EXPECT_NE(here.text().find("$q$ & coordinate & $\\mathrm{rad}$ \\\\\n"), std::string::npos);
 }
 
 TEST(builder, makes_a_pendulum) {

@@ -13,6 +13,7 @@ namespace {
 namespace pendulum {
 
 #include <docs/guide/units/model.cpp>
+#include <docs/guide/units/numbered.cpp>
 #include <docs/guide/units/results.cpp>
 
 TEST(units, of_a_pendulum_are_inferred) {

@@ -3,8 +3,11 @@
 #include "bead.hpp"
 
 #include <kanexpr/fixed_step.hpp>
+#include <models/appell_hamel.hpp>
 #include <steps/quaternions.hpp>
 
+#include <appell_hamel.h>
+#include <appell_hamel_in_float.h>
 #include <bead.h>
 #include <bead_in_float.h>
 #include <sliding.h>
@@ -75,6 +78,20 @@ TEST(StepsInC, ReturnToConstraintsAndNorms) {
   EXPECT_GT(by_runge_kutta, 40);
   EXPECT_LT(by_runge_kutta, 300) << "some norms are far from 1, some steps pass a singular position";
   EXPECT_GT(by_euler, 30);
+}
+
+// Two Newton steps for the dependent speed.
+TEST(StepsInC, ReturnToConstraintsThatAreNotLinear) {
+  using appell_hamel::System;
+  EXPECT_GT((steps_made<System, double>(appell_hamel_runge_kutta_4, appell_hamel_runge_kutta_4_causes,
+                                        runge_kutta_4<System>{})),
+            100);
+  EXPECT_GT((steps_made<System, double>(appell_hamel_euler, appell_hamel_euler_causes,
+                                        semi_implicit_euler<System, 2>{})),
+            100);
+  EXPECT_GT((steps_made<System, float>(appell_hamel_in_float_euler, appell_hamel_in_float_euler_causes,
+                                       semi_implicit_euler<System, 2>{})),
+            100);
 }
 
 } // namespace

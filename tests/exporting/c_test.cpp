@@ -1,13 +1,18 @@
 // builds: all
 // The code of tests/exporting/models_in_c.cpp, compiled as C, compared with the compiled functions.
 #include <kanexpr/kanexpr.hpp>
+#include <models/bouncing_ball.hpp>
 #include <models/four_bar.hpp>
 #include <models/iiwa.hpp>
+#include <models/motor_arm.hpp>
 #include <models/rolling_disc.hpp>
 #include <models/simple_pendulum.hpp>
+#include <runtime/slewing_arm.hpp>
 
 #include "curved.hpp"
 
+#include <bouncing_ball.h>
+#include <bouncing_ball_in_float.h>
 #include <bound_pendulum.h>
 #include <curved.h>
 #include <curved_in_float.h>
@@ -16,7 +21,11 @@
 #include <four_bar.h>
 #include <iiwa.h>
 #include <iiwa_in_float.h>
+#include <motor_arm.h>
+#include <motor_arm_in_float.h>
 #include <pendulum.h>
+#include <slewing_arm.h>
+#include <slewing_arm_in_float.h>
 
 #include <gtest/gtest.h>
 
@@ -126,11 +135,17 @@ TEST(C, HasTheBitsOfTheCompiledFunctions) {
   expect_same_udot<double, iiwa::System>(iiwa_udot);
   expect_same_udot<double, four_bar::System>(four_bar_udot);
   expect_same_udot<double, rolling_disc::System>(disc_udot);
+  expect_same_udot<double, slewing_arm::System>(slewing_arm_udot);
+  expect_same_udot<double, bouncing_ball::System>(bouncing_ball_udot);
+  expect_same_udot<double, motor_arm::System>(motor_arm_udot);
 }
 
 TEST(C, HasTheBitsOfTheCompiledFunctionsInSinglePrecision) {
   expect_same_udot<float, iiwa::System>(iiwa_in_float_udot);
   expect_same_udot<float, rolling_disc::System>(disc_in_float_udot);
+  expect_same_udot<float, slewing_arm::System>(slewing_arm_in_float_udot);
+  expect_same_udot<float, bouncing_ball::System>(bouncing_ball_in_float_udot);
+  expect_same_udot<float, motor_arm::System>(motor_arm_in_float_udot);
 }
 
 TEST(C, HasTheBitsOfFunctionsInBothPrecisions) {
@@ -177,6 +192,7 @@ TEST(C, NamesPlacesAndCauses) {
                 four_bar_l0 == four_bar_parameters - 1);
   static_assert(four_bar_explicit_form_A_rows == 2 && four_bar_explicit_form_B_columns == 1 &&
                 four_bar_udot_rows == 3);
+  static_assert(motor_arm_i == 2 && motor_arm_states == 5 && motor_arm_explicit_form_A_rows == 5);
   calls<four_bar::System, double> at;
   at.next();
   at.x.setZero(); // all bars along one line

@@ -367,6 +367,23 @@ assert bounces == 3
 near(x, bounced(2), 1e-9)
 one.free()
 
+# State variables are states like coordinates and speeds.
+arm = Fmu("motor_arm")
+assert arm.states == ["q", "u", "i", "f", "e"] and arm.unit["der(i)"] == "A/s" and arm.start["i"] == 0.3
+one = exchange(arm)
+one.at(0, [0.4, 0.7, 0.9, 1.1, -0.2])
+voltage = 30 * (1.1 - 0.4) + 20 * -0.2
+near(one.rates(), [0.7, (20 * 0.05 * 0.9 - 2 * 9.81 * 0.5 * math.sin(0.4)) / (2 * 0.5 * 0.5),
+                   (voltage - 0.8 * 0.9 - 20 * 0.05 * 0.7) / 0.01, (1 - 1.1) / 0.25, 1.1 - 0.4], 1e-14)
+near(one.get("voltage"), [voltage], 1e-14)
+near(one.product("Directional", ["der(i)", "der(f)"], ["i", "f", "r"], [1.0, 2.0, 3.0]), [(30 * 2 - 0.8) / 0.01, 4], 1e-13)
+one.free()
+one = Instance(arm, "CoSimulation").initialize()
+for k in range(8):
+    assert one.step(k / 8, 1 / 8)[0] == OK
+near(one.get("f"), [1 - math.exp(-4)], 1e-11)
+one.free()
+
 # Steps of a co-simulation are those of the module in C, to the last bit: with the time and an input, and with a
 # constraint and a quaternion.
 x, motion = [0.4, -0.2], []
@@ -463,6 +480,20 @@ assert one.step(0.101, 1e-3)[0] == DISCARD
 assert one.told[-1][0] == DISCARD
 one.set({"l1": 1.0})
 assert one.get("q1", "q2", "q3") == before, "nothing has moved"
+one.free()
+
+# A constraint that is not linear in the speeds: the dependent speed starts at its guess, which selects the solution.
+cone = Fmu("appell_hamel")
+one = Instance(cone, "ModelExchange")
+assert one.enter_initialization() == OK
+near(one.get("w"), [2], 1e-14)
+one.set({"w": -0.3})
+one.ExitInitializationMode()
+near(one.get("u", "v", "w"), [0.6, -0.8, -2], 1e-14)
+one.free()
+one = Instance(cone, "CoSimulation").initialize()
+assert one.step(0, 0.1)[0] == OK
+near(one.get("w"), [2 - 0.1 * 9.81 / 1.25], 1e-9)
 one.free()
 
 # A step across a position where the height cannot be solved for e2 is discarded.

@@ -6,11 +6,15 @@
 #include <kanexpr/fmi.hpp>
 #include <kanexpr/units/si.hpp>
 
+#include <models/appell_hamel.hpp>
+#include <models/bouncing_ball.hpp>
 #include <models/four_bar.hpp>
 #include <models/iiwa.hpp>
+#include <models/motor_arm.hpp>
 #include <models/n_pendulum_cart.hpp>
 #include <models/rolling_disc.hpp>
 #include <models/simple_pendulum.hpp>
+#include <runtime/slewing_arm.hpp>
 #include <simulations/falling_ball.hpp>
 #include <steps/quaternions.hpp>
 
@@ -67,7 +71,8 @@ bool write_for_casadi(const char* folder, const casadi_options& bound) {
 #include <docs/export/casadi/write.cpp>
   return written && write_driven(folder) && write_awkward(folder) &&
          write_casadi<simple_pendulum::System>(folder, "bound_pendulum", bound) &&
-         write_casadi<rolling_disc::System>(folder, "disc", {.step = "semi_implicit_euler"});
+         write_casadi<rolling_disc::System>(folder, "disc", {.step = "semi_implicit_euler"}) &&
+         write_casadi<motor_arm::System>(folder, "motor_arm", {.step = "runge_kutta_4"});
 }
 
 bool is_whole(const kanexpr::exporting::written_fmu& written) {
@@ -129,17 +134,28 @@ bool write_lift_fmu(const char* folder) {
                           .step = 1}));
 }
 
+/// An arm with a motor and a controller, whose states are state variables.
+bool write_motor_arm_fmu(const char* folder) {
+  using namespace motor_arm;
+  fmu_options chosen{.outputs = {expression<voltage>("voltage")}};
+  chosen.start = {{"m", 2},    {"l", 0.5}, {"g", 9.81}, {"n", 20},     {"k", 0.05}, {"R", 0.8},
+                  {"L", 0.01}, {"kp", 30}, {"ki", 20},  {"tau", 0.25}, {"i", 0.3},  {"r", 1}};
+  chosen.step = 1.0 / 1024;
+  return is_whole(kanexpr::write_fmu<System>(folder, "motor_arm", chosen));
+}
+
 bool write_fmus(const char* folder, const options& of_bound) {
   const fmu_options bound{.outputs = of_bound.functions,
                           .bound = of_bound.bound,
                           .start = {{"q", 0.3}, {"l", 0.5}, {"c", 0.1}},
                           .step = 0.01,
                           .method = "ralston_3"};
-  fmu_options beaded, sliding, linked;
+  fmu_options beaded, sliding, linked, on_cone;
   linked.start = {{"q1", 0.3}, {"q2", 0.5}, {"q3", -1.8}, {"u1", 1},   {"g", 9.81}, {"l0", 4},
                   {"l1", 1},   {"l2", 3},   {"l3", 2.5},  {"d1", 0.5}, {"d2", 1.5}, {"d3", 1.2},
                   {"m1", 1},   {"m2", 2},   {"m3", 1.5},  {"I1", 0.1}, {"I2", 0.5}, {"I3", 0.3}};
   beaded.start = {{"s", 0.4}, {"m", 2}, {"w", 1.5}, {"g", 9.81}, {"push", 0.7}};
+  on_cone.start = {{"u", 0.6}, {"v", -0.8}, {"w", 1}, {"m", 1.3}, {"a", 0.5}, {"g", 9.81}}; // w is a guess
   sliding.method = "ralston_3";
   beaded.step = sliding.step = 0.125; // all sums of them are exact
   sliding.start = {{"e0", 0.6}, {"e1", 0.5}, {"e2", 0.3}, {"e3", 0.4}, {"u1", 0.3}, {"h", -0.2}};
@@ -147,7 +163,8 @@ bool write_fmus(const char* folder, const options& of_bound) {
          write_pendulum_fmu(folder) && write_ball_fmu(folder) && write_strange_fmu(folder) &&
          write_lift_fmu(folder) &&
          is_whole(kanexpr::write_fmu<four_bar::System>(folder, "four_bar", linked)) &&
-         is_whole(kanexpr::write_fmu<bead::System>(folder, "bead", beaded)) &&
+         is_whole(kanexpr::write_fmu<appell_hamel::System>(folder, "appell_hamel", on_cone)) &&
+         is_whole(kanexpr::write_fmu<bead::System>(folder, "bead", beaded)) && write_motor_arm_fmu(folder) &&
          is_whole(kanexpr::write_fmu<quaternions::Sliding>(folder, "sliding", sliding));
 }
 
@@ -177,10 +194,14 @@ int main(int, char** arguments) {
   return is_bound_written && write_for_casadi(folder, {bound.bound, "ralston_3"}) &&
                  write_fmus(folder, bound) && write<quaternions::Sliding>(folder, "sliding", steps) &&
                  write<bead::System>(folder, "bead", steps) &&
+                 write<appell_hamel::System>(folder, "appell_hamel", steps) &&
+                 write<motor_arm::System>(folder, "motor_arm", {}) &&
                  write<iiwa::System>(folder, "iiwa", dynamics) &&
                  write<four_bar::System>(folder, "four_bar", with_python) &&
                  write<rolling_disc::System>(folder, "disc", {}) &&
-                 write<curved::System>(folder, "curved", {})
+                 write<curved::System>(folder, "curved", {}) &&
+                 write<slewing_arm::System>(folder, "slewing_arm", {}) &&
+                 write<bouncing_ball::System>(folder, "bouncing_ball", {})
              ? 0
              : 1;
 }

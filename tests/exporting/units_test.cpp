@@ -5,6 +5,7 @@
 
 #include <kanexpr/export.hpp>
 #include <kanexpr/fmi.hpp>
+#include <kanexpr/robots/robot_builder.hpp>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -109,10 +110,41 @@ TEST_F(units_in_files, are_inferred_for_a_model_given_as_types) {
   EXPECT_EQ(texts(cart.function("mass_matrix")->results[0].units), "kg kg.m kg.m kg.m2");
   EXPECT_EQ(texts(cart.function("moment")->results[0].units), "kg.m");
 
+  const requested_function residual{
+      .name = "residual",
+      .results = {{.name = "residual",
+                   .request = {.what = derivation::request::kind::result, .wanted = mechanics::quantity::rhs},
+                   .is_residual = true}}};
+  EXPECT_EQ(texts(exported_from<System>("cart", {{residual}}).system.function("residual")->results[0].units),
+            "m/s rad/s N N.m");
+
   const exported_system plain = exported_from<falling_ball::System>("plain").system;
   EXPECT_FALSE(plain.states_units);
   EXPECT_THAT(plain.units_of_states, testing::IsEmpty());
   for (const exported_function& f : plain.functions) EXPECT_THAT(f.results[0].units, testing::IsEmpty());
+}
+
+// The formats of robots define the units.
+TEST_F(units_in_files, are_those_of_a_robot) {
+  robots::robot arm;
+  arm.links = {{.name = "ground"},
+               {.name = "upper", .inertial = robots::inertial{2, {}, {1, 1, 1}}},
+               {.name = "slider", .inertial = robots::inertial{1, {}, {1, 1, 1}}}};
+  arm.joints.resize(2);
+  arm.joints[0].name = "turn", arm.joints[0].kind = robots::joint_kind::continuous;
+  arm.joints[0].parent = 0, arm.joints[0].child = 1, arm.joints[0].damping = 0.1;
+  arm.joints[1].name = "slide", arm.joints[1].kind = robots::joint_kind::prismatic;
+  arm.joints[1].parent = 1, arm.joints[1].child = 2;
+  arm.root = 0;
+  const robots::robot_builder built(arm, {.bind = robots::binding::parameters});
+  ASSERT_EQ(built.cause(), "");
+  ASSERT_TRUE(write_c(built, folder, "arm"));
+  const std::string header = text_of(folder / "arm.h");
+  for (const char* line :
+       {"  arm_q_turn = 0, /* rad */\n", "  arm_q_slide = 1, /* m */\n", "/* rad/s */\n",
+        "  arm_T_turn = 0, /* N.m */\n", "  arm_F_slide = 1, /* N */\n", "_m_Upper = 1, /* kg */\n"})
+    EXPECT_THAT(header, HasSubstr(line));
+  EXPECT_THAT(header, HasSubstr("forcing: 2, of u_turn, u_slide; in N.m, N."));
 }
 
 TEST_F(units_in_files, are_those_of_variables_in_an_fmu) {

@@ -159,3 +159,11 @@ struct B : beam<B, O, N::x, L, m, bending<N::y, EI, clamped_free<1>, profile<pol
 struct System : system_of<bodies<B>> {};
 void f() { use<System>(); }
 } // namespace v22
+
+// expect: the numbers of beam B are too large or too small: its mass or its stiffness is not a finite number
+// expect: greater than 0
+namespace v23 {
+struct B : beam<B, O, N::x, 1e-300, m, bends> {};
+struct System : system_of<bodies<B>> {};
+void f() { use<System>(); }
+} // namespace v23

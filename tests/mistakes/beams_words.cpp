@@ -223,3 +223,26 @@ struct B : beam<B, O, N::x, L, m, torsion<1, polar_inertia<m, clamped_free<1>>, 
 struct System : system_of<bodies<B>> {};
 void f() { use<System>(); }
 } // namespace b30
+
+// expect: q is listed twice among the coordinates: by beam B and by beam C
+namespace b31 {
+struct B : beam<B, O, N::x, L, m, bends, by<q, u>> {};
+struct C : beam<C, O, N::x, L, m, bends, by<q, u>> {};
+struct System : system_of<bodies<B, C>> {};
+void f() { use<System>(); }
+} // namespace b31
+
+// expect: q is listed twice among the coordinates: by the system and by beam B
+namespace b32 {
+struct B : beam<B, O, N::x, L, m, bends, by<q, u>> {};
+struct System : system_of<coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<B>> {};
+void f() { use<System>(); }
+} // namespace b32
+
+// expect: beam Rod, on which section Tip is placed, is not listed in bodies<...>
+namespace b33 {
+struct Tip : section<Tip, Rod, 1> {};
+struct Bob : particle<Bob, Tip, m> {};
+struct System : system_of<bodies<Bob>> {};
+void f() { use<System>(); }
+} // namespace b33

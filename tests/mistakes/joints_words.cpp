@@ -298,7 +298,7 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n41
 
-// expect: q is listed twice among the coordinates
+// expect: q is listed twice among the coordinates: by joint Link and by joint Next
 namespace n42 {
 struct Link : pin<Link, Ground, up, by<q, u>, mass> {};
 struct Next : pin<Next, Link, up, by<q, v>, mass> {};

@@ -52,7 +52,9 @@ TEST(header_writer, writes_numbers_with_all_their_digits) {
 TEST(header_writer, writes_what_a_person_can_read) {
   const std::string header = header_of(robot_of("arm.urdf"));
   EXPECT_THAT(header, HasSubstr("namespace arm {"));
-  EXPECT_THAT(header, HasSubstr("constexpr coordinate<\"q_shoulder_pitch\"> q_shoulder_pitch;"));
+  EXPECT_THAT(
+      header,
+      HasSubstr("constexpr coordinate<\"q_shoulder_pitch\", units::implied::angle> q_shoulder_pitch;"));
   EXPECT_THAT(header, HasSubstr("// shoulder-pitch: from shoulder to upper arm"));
   EXPECT_THAT(header, HasSubstr("struct Shoulder : pin<Shoulder, N, axis<own::z>, at<0.4 * N::z>, "
                                 "by<q_waist, u_waist>,\n"));
@@ -62,20 +64,25 @@ TEST(header_writer, writes_what_a_person_can_read) {
   EXPECT_THAT(header, HasSubstr("  static constexpr double upper[]{2.5, no_limit, 2.1};"));
   EXPECT_THAT(header_of(robot_of("arm.urdf"), {.damping = false}), Not(HasSubstr("joint_friction")));
   EXPECT_THAT(header_of(robot_of("arm.urdf"), {.friction = true}),
-              HasSubstr("motor<Shoulder, T_waist - 0.2 * sign(u_waist)>"));
+              HasSubstr("motor<Shoulder, T_waist - constant<0.2, units::implied::torque> * sign(u_waist)>"));
+  EXPECT_THAT(header_writer(robot_of("arm.urdf"), {}).write("units", ""),
+              HasSubstr("constexpr input<\"T_waist\", kanexpr::units::implied::torque> T_waist;"));
 }
 
 // A mimic joint has no coordinate: its leader determines its location.
 TEST(header_writer, writes_joints_that_follow_others) {
   const std::string header = header_of(robot_of("gripper.urdf"));
   EXPECT_THAT(header, HasSubstr("at<(1.2 * q_left_slide + 0.004) * Right_finger_start::y>"));
-  EXPECT_THAT(header, HasSubstr("home<-2.04 * q_left_slide + 0.3432, 0.6 * Thumb_start::x + "));
+  EXPECT_THAT(header,
+              HasSubstr("home<constant<-2.04, units::implied::angle_per_length> * q_left_slide + 0.3432,\n"));
   EXPECT_THAT(header, HasSubstr("joints<Hand, Left_finger, Right_finger_start, Right_finger, "));
 }
 
 TEST(header_writer, writes_parameters_and_their_values) {
   const std::string header = header_of(robot_of("arm.urdf"), {.bind = binding::parameters});
-  EXPECT_THAT(header, HasSubstr("constexpr parameter<\"ixx_Shoulder\"> ixx_Shoulder;"));
+  EXPECT_THAT(
+      header,
+      HasSubstr("constexpr parameter<\"ixx_Shoulder\", units::implied::moment_of_inertia> ixx_Shoulder;"));
   EXPECT_THAT(header, HasSubstr("  p[m_Shoulder] = 3.7;"));
   EXPECT_THAT(header, HasSubstr("gravity<-g * N::z>"));
 }

@@ -3,6 +3,7 @@
 
 #include <kanexpr/robots/read_urdf.hpp>
 #include <kanexpr/robots/robot_builder.hpp>
+#include <kanexpr/units/si.hpp>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -213,6 +214,43 @@ TEST(robot_builder, floats_off_a_slide) {
   EXPECT_NEAR(of_all(0, 0), 5, 1e-12);
   const Eigen::RowVector3d coupled = 3 * turn.toRotationMatrix().row(0);
   EXPECT_TRUE((of_all.block<1, 3>(0, 1).isApprox(coupled, 1e-12))) << of_all;
+}
+
+// Only the words of the user are checked, because a file defines the units of its numbers.
+TEST(robot_builder, knows_its_units) {
+  using namespace units::si;
+  robot r = robot_of("gripper.urdf");
+  for (joint& j : r.joints) {
+    j.damping = j.friction = 1; // factors that are not visible in a product
+    if (j.name == "thumb_turn") j.mimic->multiplier = 1;
+  }
+  for (const binding bind : {binding::numbers, binding::parameters}) {
+    robot_builder built(r, {.bind = bind, .friction = true});
+    const auto units = built.units();
+    EXPECT_EQ(units.of("q_lift"), meter);
+    EXPECT_EQ(units.of("u_left_slide"), meter / second);
+    EXPECT_EQ(units.of("F_lift"), newton);
+    EXPECT_EQ(units.of("izz_Hand"), bind == binding::parameters
+                                        ? mechanics::possible_unit(kilogram * pow<2>(meter))
+                                        : std::nullopt);
+    EXPECT_EQ(derive(built).unit_of(quantity::udot, 1), meter / pow<2>(second));
+    const auto thumb = built.frame_of("thumb");
+    const auto push = built.input("push"), slide = built.mechanism().coordinates[1], k = built.parameter("k");
+    built.torque(thumb, built.along(thumb, 3 * slide, 0, 0));
+    built.force(built.origin_of("hand"), built.along(built.frame_of("hand"), push, k * slide, 0));
+    EXPECT_EQ(built.cause(), ""); // nothing states a unit
+    EXPECT_EQ(built.units().of("k"), std::nullopt);
+    const auto m = built.input("M", newton * meter);
+    built.used_elsewhere(m);
+    EXPECT_EQ(built.cause(), "the torque on Thumb is 3*q_left_slide [m], but must be in N m");
+  }
+  robot_builder right(r, {.friction = true});
+  const auto k = right.parameter("k"), push = right.input("push", newton);
+  const auto thumb = right.frame_of("thumb");
+  right.force(right.origin_of("thumb"),
+              right.along(thumb, push - k * right.mechanism().coordinates[0], 0, 0));
+  EXPECT_EQ(right.cause(), "");
+  EXPECT_EQ(right.units().of("k"), newton / meter);
 }
 
 TEST(robot_builder, survives_broken_files) {

@@ -1,9 +1,10 @@
 // builds: clang++
-// A beam with a rigid body at its end: compiled and interpreted code, batches, linearization and fixed steps.
-#include "runtime/agreement.hpp"
+// A beam with a rigid body at its end: compiled and interpreted code, batches, linearization, second order
+// and fixed steps.
+#include "runtime/second_order.hpp"
+#include "runtime/slewing_arm.hpp"
 
 #include <kanexpr/batch.hpp>
-#include <kanexpr/beams.hpp>
 #include <kanexpr/fixed_step.hpp>
 #include <kanexpr/kanexpr.hpp>
 
@@ -12,29 +13,6 @@
 namespace {
 
 using namespace kanexpr;
-
-namespace slewing_arm {
-
-constexpr coordinate<"q"> q;
-constexpr speed<"u"> u;
-constexpr input<"T"> T;
-constexpr parameter<"L"> L;
-constexpr parameter<"rho"> rho;
-constexpr parameter<"EI"> EI;
-constexpr parameter<"m"> m;
-
-struct N : inertial_frame<N> {};
-struct O : origin<O, N> {};
-struct Hub : rotated<Hub, N, q, N::z> {};
-struct Root : offset<Root, O, 0.1 * Hub::x> {};
-struct Arm : beam<Arm, Root, Hub::x, L, rho, bending<Hub::y, EI, clamped_free<2>>> {};
-struct Tip : section<Tip, Arm, 1> {};
-struct Center : offset<Center, Tip, 0.2 * Tip::x> {};
-struct Load : rigid_body<Load, Center, Tip, m, inertia<Tip, 0, 0, 0.03 * m>> {};
-struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>,
-                            bodies<Arm, Load>, loads<torque<Hub, T * N::z>, gravity<-9.81 * N::y>>> {};
-
-} // namespace slewing_arm
 
 using System = slewing_arm::System;
 using eom = equations_of_motion<System>;
@@ -70,6 +48,11 @@ TEST(agreement, linearization_of_a_flexible_arm) {
     const eom::state difference = (eom::rhs(after, p, r) - eom::rhs(before, p, r)) / (2 * h);
     EXPECT_LE((a.col(j) - difference).norm(), 1e-7 * (1 + a.norm()));
   }
+}
+
+TEST(agreement, second_order_of_a_flexible_arm) {
+  using namespace to_second_order;
+  expect_second_order(derivatives(derive<System>()), 0.3);
 }
 
 // The arm swings freely, and its energy is constant.

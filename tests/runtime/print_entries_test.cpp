@@ -1,10 +1,13 @@
 #include "runtime/cart_with_units.hpp"
 #include "simulations/falling_ball.hpp"
 
+#include <kanexpr/runtime/latex_symbols.hpp>
 #include <kanexpr/runtime/print_entries.hpp>
 #include <kanexpr/symbolic.hpp>
 
 #include <gtest/gtest.h>
+
+#include <string>
 
 namespace {
 
@@ -29,6 +32,29 @@ TEST(print_entries, writes_none_of_a_model_that_states_none) {
   model ball = derive<falling_ball::System>();
   EXPECT_EQ(print_entries(ball, quantity::forcing), "forcing(v) = -g*m\n");
   EXPECT_EQ(print_entries(ball, quantity::multipliers), "");
+}
+
+TEST(latex_symbols, writes_units) {
+  const model cart = derive(cart_with_units());
+  EXPECT_EQ(latex_symbols(cart), R"($s$ & coordinate & $\mathrm{m}$ \\
+$q$ & coordinate & $\mathrm{rad}$ \\
+$v$ & speed & $\mathrm{m/s}$ \\
+$u$ & speed & $\mathrm{rad/s}$ \\
+$m$ & parameter & $\mathrm{kg}$ \\
+$l$ & parameter & $\mathrm{m}$ \\
+$g$ & parameter & $\mathrm{m/s^{2}}$ \\
+$k$ & parameter & $\mathrm{N/m}$ \\
+$c$ & parameter & $\mathrm{N\,m\,s/rad}$ \\
+$w$ & parameter & \\
+$F$ & input & $\mathrm{N}$ \\
+)");
+}
+
+TEST(latex_symbols, writes_no_units_of_a_model_that_states_none) {
+  const model ball = derive<falling_ball::System>();
+  const std::string text = latex_symbols(ball);
+  EXPECT_NE(text.find("$v$ & speed \\\\\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("mathrm"), std::string::npos);
 }
 
 } // namespace

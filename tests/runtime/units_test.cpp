@@ -1,5 +1,7 @@
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
+#include <kanexpr/numeric/beams/modes.hpp>
+#include <kanexpr/runtime/beam_data.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/symbolic/graph/composed.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
@@ -10,6 +12,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -128,6 +131,57 @@ TEST(units, are_not_inferred_unless_one_is_stated) {
   EXPECT_EQ(derive(b).unit_of(quantity::udot), std::nullopt);
 }
 
+TEST(units, of_amplitudes_are_lengths_and_angles) {
+  using namespace kanexpr::runtime;
+  using kanexpr::numeric::beams::ends;
+  for (const bool has_torsion_unit : {false, true}) {
+    builder b("N");
+    const point_id O = b.origin("O");
+    const frame_id N = builder::inertial_frame();
+    std::vector<expression> q;
+    for (const char* name : {"bending", "torsion", "extension"}) {
+      const bool has_unit = has_torsion_unit && name[0] == 't';
+      q.push_back(has_unit ? b.coordinate(name, meter) : b.coordinate(name));
+    }
+    const expression EI = b.parameter("EI"), GJ = b.parameter("GJ"), EA = b.parameter("EA"),
+                     L = b.parameter("L"), density = b.parameter("density", kilogram / meter),
+                     polar = b.parameter("polar");
+    for (const char* name : {"u1", "u2", "u3"}) b.speed(name);
+    for (int i = 0; i < 3; ++i)
+      b.kinematic_equation(b.dot(q[static_cast<std::size_t>(i)]) - b.mechanism().speeds[i]);
+    beam_data data{.axis = b.along(N, 1, 0, 0), .length = L, .mass_per_length = density};
+    data.bending = {{b.along(N, 0, 1, 0), {EI, modes_of_bending(ends::clamped_free, 1)}}};
+    data.torsion = {.polar_inertia = polar, .by = {GJ, modes_of_rod(ends::clamped_free, 1)}};
+    data.extension = {EA, modes_of_rod(ends::clamped_free, 1)};
+    b.beam("B", O, N, q, data);
+    const std::string mistake((b.check)().view());
+    EXPECT_EQ(mistake, has_torsion_unit ? "an amplitude of beam B is torsion [m], but must be in rad" : "");
+    if (has_torsion_unit) continue;
+    for (const auto& [symbol, unit] : {std::pair{"bending", "m"},
+                                       {"torsion", "rad"},
+                                       {"extension", "m"},
+                                       {"u1", "m/s"},
+                                       {"u2", "rad/s"},
+                                       {"GJ", "N m²"}})
+      EXPECT_EQ(std::string(text_of(b.units().of(symbol)).view()), unit) << symbol;
+  }
+}
+
+// Powers that are no multiples of 1/60 are rounded to compare them, but not shown.
+TEST(units, of_any_power_are_compared) {
+  cart s;
+  const expression eighth = power(s.x / s.l, s.b.number(0.125)), h = s.b.parameter("h");
+  s.b.used_elsewhere(h);
+  s.b.force(s.C, s.b.along(s.N, h * power(s.x, s.b.number(2.37)), 0, 0));
+  s.b.force(s.C, s.b.along(s.N, s.F * eighth * power(s.x, s.b.number(1.234)) * power(s.x, s.b.number(-1.234)),
+                           0, 0));
+  expression x_by_roots = power(s.x, s.b.number(0.125));
+  for (int i = 1; i < 8; ++i) x_by_roots = x_by_roots * power(s.x + i * s.l, s.b.number(0.125));
+  s.b.force(s.C, s.b.along(s.N, s.k * x_by_roots, 0, 0));
+  EXPECT_EQ(std::string((s.b.check)().view()), "");
+  EXPECT_EQ(s.unit_of("h"), "not determined");
+}
+
 /// A wrong model: the mistake and its sentence.
 struct wrong {
   void (*is_made)(cart&);
@@ -202,6 +256,14 @@ const wrong mistakes[]{
      "a configuration constraint equates x [m] and l^2 [m^2]"},
     {[](cart& s) { s.b.velocity_constraint(s.v - s.u); },
      "a velocity constraint equates v [m/s] and u [rad/s]"},
+    {[](cart& s) { push(s, s.F * kanexpr::symbolic::smooth_abs(s.v, s.b.number(0.01)) / s.v); },
+     "the force at C contains tanh(100*v); 100*v [m/s] is not a number; the factor 100 has no unit"},
+    {[](cart& s) { push(s, s.k * power(s.x, s.b.number(2.37))); },
+     "the force at C is k*x^2.37 [N m^(41/30)], but must be in N"},
+    {[](cart& s) { push(s, s.b.parameter("h", pow<1, 60>(pow<1, 60>(meter))) * s.F); },
+     "the unit stated for h is out of range; its powers must be multiples of 1/60 between -273 and 273"},
+    {[](cart& s) { s.b.modified_rodrigues("B", s.N, s.l, s.b.number(0.0), s.b.number(0.0)); },
+     "a modified Rodrigues parameter of frame B is l [m], but must be a number"},
     {[](cart& s) { s.b.acceleration_constraint(s.b.dot(s.v) - s.u); },
      "an acceleration constraint equates v' [m/s^2] and u [rad/s]"},
 };

@@ -1,6 +1,7 @@
 // builds: g++
 // Compares second derivatives of steps with complex-step differentiation of the first ones.
 #include "compiled/complex_steps.hpp"
+#include "compiled/stirred_slider.hpp"
 
 #include <kanexpr/steps/second_order_step.hpp>
 
@@ -101,6 +102,13 @@ TEST(second_order_step, of_semi_implicit_euler) {
 TEST(second_order_step, of_rates_as_speeds) {
   expect_second_derivatives<kanexpr::semi_implicit_euler<simple_pendulum::System, 0>>(
       step_checks::plain_point<simple_pendulum::System>(), 0.1);
+}
+
+TEST(second_order_step, of_state_variables) {
+  using stirred_slider::FreeSystem;
+  const auto around = step_checks::plain_point<FreeSystem>();
+  expect_second_derivatives<kanexpr::runge_kutta_4<FreeSystem, 0>>(around, 0.1);
+  expect_second_derivatives<kanexpr::semi_implicit_euler<FreeSystem, 0>>(around, 0.1);
 }
 
 TEST(second_order_step, tells_what_is_not_finite) {

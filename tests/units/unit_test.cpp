@@ -47,6 +47,10 @@ TEST(unit, has_a_power_if_it_is_exact) {
   static_assert(has_power(meter, 1, 60) && !has_power(meter, 1, 7) && has_power(pow<7>(meter), 1, 7));
   static_assert(!has_power(meter, 1000, 1) && !has_power(meter, 1, 0) && has_power(dimensionless, 1, 7));
   static_assert(power(meter, 3, 2) == pow<3, 2>(meter));
+  static_assert(pow<200>(meter).is_in_range() && !pow<600>(meter).is_in_range());
+  static_assert(pow<-273>(second).is_in_range() && !pow<274>(second).is_in_range());
+  static_assert(!pow<1, 60>(pow<1, 60>(meter)).is_in_range());
+  static_assert(!(pow<600>(meter) * newton / pow<100>(second)).is_in_range());
 }
 
 TEST(unit, is_written_as_in_mechanics) {
@@ -74,6 +78,10 @@ TEST(unit, is_written_as_in_mechanics) {
       {kilogram / pow<3>(meter), "kg/m³", "kg/m3"},
       {hertz, "1/s", "1/s"},
       {volt * second / radian, "V s/rad", "V.s/rad"},
+      {radian / volt / second, "rad/(V s)", "rad/(V.s)"},
+      {newton / volt, "N/V", "N/V"},
+      {volt / newton, "V/N", "V/N"},
+      {meter / second / volt, "m/(V s)", "m/(V.s)"},
       {newton * meter / ampere, "N m/A", "N.m/A"},
       {ohm, "Ω", "Ohm"},
       {henry, "H", "H"},

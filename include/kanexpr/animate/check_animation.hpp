@@ -119,11 +119,14 @@ inline std::vector<animation::column> columns_of(const derivation::survey& known
   std::vector<animation::column> columns;
   for (int i = 0; i < known.coordinates + known.speeds; ++i) {
     std::string name(known.names[i].view());
-    if (known.takes_rates_as_speeds && i >= known.coordinates)
+    const bool is_state_variable = i >= known.first_state_variable();
+    if (known.takes_rates_as_speeds && i >= known.coordinates && !is_state_variable)
       name = std::string(known.names[i - known.coordinates].view()) + '\'';
     columns.push_back({name,
                        {},
-                       i < known.coordinates ? "Coordinates" : "Speeds",
+                       i < known.coordinates ? "Coordinates"
+                       : is_state_variable   ? "State variables"
+                                             : "Speeds",
                        derivation::unit_label(units, known, i)});
   }
   const int first = known.first_of(symbolic::symbol_kind::input);

@@ -119,6 +119,7 @@ constexpr bool is_up_to_date() {
                            &derived = derivation::stages_of<System>::constrained.known;
   bool same = written.takes_rates_as_speeds == derived.takes_rates_as_speeds &&
               written.coordinates == derived.coordinates && written.speeds == derived.speeds &&
+              written.state_variables == derived.state_variables &&
               written.parameters == derived.parameters && written.inputs == derived.inputs &&
               written.auxiliary_speeds == derived.auxiliary_speeds &&
               written.constraints == derived.constraints &&

@@ -19,7 +19,10 @@ struct named_results {
   using of = Function<System, wanted>;
 
   static constexpr int coordinates = survey_of<System>.coordinates;
+  /// The number of speeds, including state variables: in all results these are further unknowns behind the
+  /// speeds, with a 1 on the diagonal of M and their rates in f.
   static constexpr int speeds = survey_of<System>.speeds;
+  static constexpr int state_variables = survey_of<System>.state_variables;
 
   /// Whether the constraints are solved for a coordinate or speed, as chosen by the model or by the library:
   /// `eom::is_dependent(u4)`.

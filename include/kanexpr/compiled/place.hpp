@@ -63,6 +63,12 @@ template <class System, text called, int index>
 struct place_in<System, symbols_of::state, describe::symbol<symbolic::symbol_kind::speed, called, index>>
     : placed<System, symbolic::symbol_kind::speed, called, index, survey_of<System>.coordinates> {};
 
+template <class System, text called, int index>
+struct place_in<System, symbols_of::state,
+                describe::symbol<symbolic::symbol_kind::speed, called, index, describe::of_state_variable>>
+    : placed<System, symbolic::symbol_kind::speed, called, index, survey_of<System>.coordinates,
+             describe::of_state_variable> {};
+
 /// With Lagrange's method, the rates of the coordinates are in the state: `x[dot(q1)]`.
 template <class System, text called, int index>
 struct place_in<System, symbols_of::state, coordinate_rate<called, index>>

@@ -2,9 +2,11 @@
 
 #include <kanexpr/compiled/function.hpp>
 #include <kanexpr/compiled/survey_of.hpp>
+#include <kanexpr/compiled/units_of.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/model/inertial_parameter.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 
 #include <Eigen/Core>
 #include <array>
@@ -53,6 +55,15 @@ struct regressor {
       for (const base::name& each : mechanics::names_of_inertial_parameters(system.mechanism()))
         all[next++] = each;
     }
+    return all;
+  }();
+
+  /// The units of the entries of π: kg, kg m or kg m²; none if the system states no units.
+  static constexpr std::array<mechanics::possible_unit, static_cast<std::size_t>(size)> units = [] {
+    std::array<mechanics::possible_unit, static_cast<std::size_t>(size)> all{};
+    if constexpr (compiled::stated_units_of<System>() != nullptr)
+      for (int i = 0; i < size; ++i)
+        all[static_cast<std::size_t>(i)] = compiled::unit_table_of<System>.inertial_parameter(i);
     return all;
   }();
 

@@ -5,19 +5,23 @@
 
 namespace kanexpr {
 
-/// The state [q; u] of a system, or [q; dq/dt] with Lagrange's method: a fixed-size Eigen vector with access
-/// by name, `x[q1]`, and with Lagrange's method also `x[dot(q1)]`. It is initialized to zero.
+/// The state [q; u; z] of a system, or [q; dq/dt; z] with Lagrange's method, where z are the state variables:
+/// a fixed-size Eigen vector with access by name, `x[q1]`, and with Lagrange's method also `x[dot(q1)]`. It
+/// is initialized to zero.
 template <class System, class Scalar = double>
 class state : public compiled::value_vector<System, compiled::symbols_of::state, Scalar> {
 public:
   static constexpr int coordinates = compiled::survey_of<System>.coordinates;
-  static constexpr int speeds = compiled::survey_of<System>.speeds;
+  static constexpr int state_variables = compiled::survey_of<System>.state_variables;
+  static constexpr int speeds = compiled::survey_of<System>.speeds - state_variables;
   using state::value_vector::value_vector;
 
   auto q() { return this->template head<coordinates>(); }
   auto q() const { return this->template head<coordinates>(); }
-  auto u() { return this->template tail<speeds>(); }
-  auto u() const { return this->template tail<speeds>(); }
+  auto u() { return this->template segment<speeds>(coordinates); }
+  auto u() const { return this->template segment<speeds>(coordinates); }
+  auto z() { return this->template tail<state_variables>(); }
+  auto z() const { return this->template tail<state_variables>(); }
 };
 
 /// The parameters of a system that are not bound in its type, with access by name, `p[m]`. Unset parameters

@@ -27,6 +27,10 @@ constexpr symbol_range range_of(symbols_of which, const derivation::survey& s) {
   case symbols_of::inputs: return {s.first_of(symbol_kind::input), s.inputs, "input", "input"};
   case symbols_of::state: break;
   }
+  if (s.state_variables != 0)
+    return {0, s.coordinates + s.speeds, "state",
+            s.takes_rates_as_speeds ? "coordinate, rate or state variable"
+                                    : "coordinate, speed or state variable"};
   return {0, s.coordinates + s.speeds, "state",
           s.takes_rates_as_speeds ? "coordinate or rate" : "coordinate or speed"};
 }
@@ -39,6 +43,7 @@ constexpr base::sentence symbol_called(const derivation::survey& known, int plac
   if (place >= known.first_of(symbol_kind::input)) return base::sentence({"input ", name});
   if (place >= known.first_of(symbol_kind::parameter)) return base::sentence({"parameter ", name});
   if (place < known.coordinates) return base::sentence({"coordinate ", name});
+  if (place >= known.first_state_variable()) return base::sentence({"state variable ", name});
   if (!known.takes_rates_as_speeds) return base::sentence({"speed ", name});
   return base::sentence({"the rate of coordinate ", name.substr(0, name.size() - 1)});
 }

@@ -3,6 +3,7 @@
 #include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/derivation/model_units.hpp>
 #include <kanexpr/derivation/result_units.hpp>
+#include <kanexpr/derivation/stages.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/describe/operand.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
@@ -15,9 +16,19 @@ namespace kanexpr {
 
 namespace compiled {
 
-/// The units of the symbols and constraints of a system, inferred once.
+/// The units of the symbols and equations of a system, inferred once. Units that are only implied are not
+/// inferred, so the model need not be read again.
 template <class System>
-inline constexpr mechanics::unit_table unit_table_of = derivation::unit_table_of(System::record);
+inline constexpr mechanics::unit_table unit_table_of = [] {
+  if constexpr (requires { surveyed<System>::is_linked; } || !survey_of<System>.states_units ||
+                survey_of<System>.checks_units) {
+    return derivation::unit_table_of(System::record);
+  } else {
+    const derivation::derived_system system(System::record,
+                                            derivation::stages_of<System>::constrained.stored);
+    return mechanics::unit_table_of(system.system());
+  }
+}();
 
 /// The address of this table; null if the model states no units, which are then not inferred.
 template <class System>
@@ -85,6 +96,13 @@ constexpr mechanics::possible_unit units_of(const Result<System, wanted>&, const
   const int j = compiled::place_of<System>(mechanics::row_of(wanted).columns, column);
   if (i < 0 || j < 0) return std::nullopt;
   return compiled::unit_of<System>(wanted, i, j);
+}
+
+/// The unit of the entry of a result by its row and column, counted from 0, for rows and columns that belong
+/// to no symbol: `units_of(regressor<System>::matrix, 1, 10)`.
+template <template <class, auto...> class Result, class System, mechanics::quantity wanted>
+constexpr mechanics::possible_unit units_of(const Result<System, wanted>&, int row, int column = 0) {
+  return compiled::unit_of<System>(wanted, row, column);
 }
 
 } // namespace kanexpr

@@ -43,6 +43,7 @@ private:
     set("takes_rates_as_speeds", known.takes_rates_as_speeds);
     set("coordinates", known.coordinates);
     set("speeds", known.speeds);
+    if (known.state_variables != 0) set("state_variables", known.state_variables);
     set("parameters", known.parameters);
     set("inputs", known.inputs);
     set("auxiliary_speeds", known.auxiliary_speeds);

@@ -13,6 +13,9 @@ namespace kanexpr::derivation {
 constexpr sentence check_symbol_among_words(const describe::token& t, std::string_view system) {
   using symbolic::symbol_kind;
   const symbol_kind kind = t.symbol != nullptr ? t.symbol->kind : symbol_kind::time;
+  if (kind == symbol_kind::speed && t.symbol->order == describe::of_state_variable)
+    return sentence(
+        {"state_variable<...> is among the words of ", system, ", but is a symbol; the word is states<...>"});
   const std::string_view list = kind == symbol_kind::coordinate  ? "coordinates"
                                 : kind == symbol_kind::speed     ? "speeds"
                                 : kind == symbol_kind::parameter ? "parameters"
@@ -55,6 +58,8 @@ constexpr kind_and_hint kind_of_misplaced() {
     return {"joint ", "; write joints<", ">"};
   else if constexpr (requires { Type::content(); })
     return {"body ", "; write bodies<", ">"};
+  else if constexpr (requires { Type::block.dynamics; })
+    return {"block ", "; write blocks<", ">"};
   else if constexpr (requires { Type::orientation(); })
     return {"frame ", "; write inertial<", ">"};
   else if constexpr (requires { Type::place(); })
@@ -102,6 +107,14 @@ constexpr bool brings_body(const describe::listing<describe::joint_record>& join
 constexpr bool has_deforming_body(const describe::listing<describe::body_record>& bodies) {
   for (const describe::body_record& r : bodies)
     if (r.beam != nullptr || r.flexible != nullptr) return true;
+  return false;
+}
+
+/// Whether a body is placed on a body that deforms, which must be listed too.
+constexpr bool is_on_deforming_body(const describe::listing<describe::body_record>& bodies) {
+  for (const describe::body_record& r : bodies)
+    for (const describe::point_record* p = r.center; p != nullptr; p = p->parent)
+      if (p->on_beam != nullptr || p->on_flexible != nullptr) return true;
   return false;
 }
 
@@ -159,7 +172,7 @@ constexpr sentence check_words() {
     needs({"inertial"});
     const bool is_kane = System::record.derived_by == describe::method::kane;
     if (lists_joint(System::record.bodies)) return found;
-    if (has_deforming_body(System::record.bodies)) {
+    if (has_deforming_body(System::record.bodies) || is_on_deforming_body(System::record.bodies)) {
       // brings symbols and their kinematic equations
     } else if (System::count_of_word("joints") == 0) {
       needs({"coordinates"});
@@ -168,13 +181,17 @@ constexpr sentence check_words() {
       needs({"bodies"});
     }
     if (found) return found;
-    for (std::string_view word :
-         {"inertial", "coordinates", "speeds", "auxiliary", "kinematics", "configuration_constraints",
+    const auto once = [&](std::initializer_list<std::string_view> words) {
+      for (std::string_view word : words)
+        if (!found && System::count_of_word(word) > 1)
+          found = sentence({"the system ", called, " lists ", word, "<...> twice; write one list"});
+    };
+    once({"inertial", "coordinates", "speeds", "auxiliary", "kinematics", "configuration_constraints",
           "velocity_constraints", "acceleration_constraints", "dependent", "redundant", "bodies",
-          "lagrangian", "loads", "joints", "reactions", "parameters", "inputs", "values", "used_elsewhere"})
-      if (System::count_of_word(word) > 1)
-        return sentence({"the system ", called, " lists ", word, "<...> twice; write one list"});
-    return {};
+          "lagrangian", "loads", "joints", "reactions", "parameters", "inputs", "values", "used_elsewhere"});
+    if (System::record.states.size + System::record.dynamics.size + System::record.blocks.size != 0)
+      once({"states", "dynamics", "blocks"}); // counting takes long
+    return found;
   }
 }
 

@@ -51,8 +51,8 @@ public:
   constexpr void check_model() {
     if (!mistake()) mistake_ = mechanics::check_system(system_);
     if (!mistake()) reader_.check_listed_are_used();
-    if (!mistake() && reader_.states_units() && !reader_.units_fit()) check_units();
-    system_.mechanism.stated_units.clear(); // the derivation does not depend on them
+    if (!mistake() && reader_.checks_units() && !reader_.units_fit()) check_units();
+    if (reader_.checks_units()) system_.mechanism.stated_units.clear(); // they are inferred separately
   }
 
   /// Reads the loads that depend on motion and the constraints, and forms the starting point of the
@@ -64,6 +64,8 @@ public:
     reader_.read_lagrangian();
     if (reader_.read_moving_loads() && !mistake())
       mistake_ = mechanics::check_loads(system_.mechanism, system_.loads, mechanics::contents(graph_));
+    if (!mistake() && system_.mechanism.state_variables != 0)
+      mistake_ = mechanics::check_state_rates(system_.mechanism, system_.loads.state_rates);
     reader_.read_constraints();
     equations_.emplace(system_, std::move(known));
     reader_.set_known_motion(equations_->known());
@@ -105,10 +107,12 @@ private:
     const symbolic::graph::extent before = graph_.present();
     mechanics::loads loads = system_.loads;
     mechanics::given_constraints constraints = system_.constraints;
+    const int expected = system_.mechanism.expected_units.size();
     reader_.read_moving_for_units();
     if (!reader_.mistake()) mistake_ = mechanics::check_units(system_);
     system_.loads = std::move(loads);
     system_.constraints = std::move(constraints);
+    system_.mechanism.forget_units_after(expected);
     graph_.forget_after(before);
   }
 
@@ -129,12 +133,14 @@ constexpr bool is_moment_of(const mechanics::body& b, const expression& paramete
 constexpr void survey::take(derived_system& system) {
   take(system.mechanism(), !system.mistake(), system.is_derived() ? &system.equations() : nullptr);
   states_units = system.reader().states_units();
+  checks_units = system.reader().checks_units();
 }
 
 constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::equations* derived) {
   takes_rates_as_speeds = m.derived_by == mechanics::method::lagrange;
   coordinates = m.coordinates.size();
   speeds = m.speeds.size();
+  state_variables = m.state_variables;
   parameters = m.parameters.size();
   inputs = m.inputs.size();
   auxiliary_speeds = m.auxiliary_speeds.size();
@@ -158,6 +164,7 @@ constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::
   }
   if (derived == nullptr) return;
   constraints = derived->constraints_used().size();
+  nonlinear_constraints = derived->constraints_used().nonlinear;
   configuration_constraints = derived->constraints_used().on_configuration.size();
   redundant_constraints = derived->constraints_used().redundant.size();
   for (int i : derived->coordinates().dependent) dependent[i] = true;

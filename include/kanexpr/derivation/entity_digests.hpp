@@ -5,6 +5,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/check_words.hpp>
 #include <kanexpr/describe/beam_record.hpp>
+#include <kanexpr/describe/contact_record.hpp>
 #include <kanexpr/describe/external.hpp>
 #include <kanexpr/describe/flexible_record.hpp>
 #include <kanexpr/describe/system.hpp>
@@ -30,14 +31,15 @@ class entity_digests {
   using sequence = base::sequence<Content>;
 
 public:
-  /// The order is: the system, bodies, joints and loads, then the entities that these mention, in order of
-  /// first mention. Therefore the first difference between two descriptions identifies an entity that is
-  /// itself described differently.
+  /// The order is: the system, bodies, joints, loads and blocks, then the entities that these mention, in
+  /// order of first mention. Therefore the first difference between two descriptions identifies an entity
+  /// that is itself described differently.
   constexpr explicit entity_digests(const describe::system_record& of) {
     take_system(of);
     for (const describe::body_record& r : of.bodies) take(r);
     for (const describe::joint_record& r : of.joints) take(r);
     for (const describe::load_record& r : of.loads) take(r);
+    for (const describe::block_record& r : of.blocks) take(r);
     for (int f = 0, p = 0; f < frames_.size() || p < points_.size();) {
       while (f < frames_.size()) take(*frames_[f++]);
       while (p < points_.size()) take(*points_[p++]);
@@ -95,12 +97,13 @@ private:
     now_.take(r.derived_by);
     mention(r.inertial);
     for (const listing<phrase>* each :
-         {&r.coordinates, &r.speeds, &r.parameters, &r.inputs, &r.added_inputs, &r.kinematics,
-          &r.configuration_constraints, &r.velocity_constraints, &r.acceleration_constraints, &r.dependent,
-          &r.auxiliary, &r.values, &r.used_elsewhere, &r.lagrangian})
+         {&r.coordinates, &r.speeds, &r.parameters, &r.inputs, &r.added_inputs, &r.kinematics, &r.states,
+          &r.dynamics, &r.configuration_constraints, &r.velocity_constraints, &r.acceleration_constraints,
+          &r.dependent, &r.auxiliary, &r.values, &r.used_elsewhere, &r.lagrangian})
       take(*each);
     for (const int number : r.redundant) now_.take(number);
-    for (int each : {r.bodies.size, r.joints.size, r.loads.size, r.reactions.size}) now_.take(each);
+    for (int each : {r.bodies.size, r.joints.size, r.loads.size, r.reactions.size, r.blocks.size})
+      now_.take(each);
     end("", "systems with the same name");
   }
   constexpr void take(const describe::body_record& r) {
@@ -146,8 +149,30 @@ private:
     begin();
     now_.take(r.what);
     mention(r.point), mention(r.other_point), mention(r.frame), mention(r.other_frame);
-    take(r.value), take(r.angle), take(r.rest);
+    take(r.value), take(r.angle), take(r.rest), take(r.states), take(r.dynamics);
+    if (r.friction != nullptr) take(*r.friction);
+    if (r.contact != nullptr) take(*r.contact);
     end("", "loads with the same name");
+  }
+  constexpr void take(const describe::block_record& r) {
+    begin();
+    now_.take(r.called);
+    take(r.states), take(r.dynamics);
+    end(r.called);
+  }
+  constexpr void take(const describe::friction_record& r) {
+    now_.take(static_cast<int>(r.kind));
+    take(r.sliding), take(r.sticking), take(r.slip_speed), take(r.viscous);
+  }
+  constexpr void take(const describe::contact_record& r) {
+    now_.take(static_cast<int>(r.shapes));
+    mention(r.frame), mention(r.other_frame);
+    for (const phrase* each :
+         {&r.normal, &r.axis, &r.radius, &r.other_radius, &r.level, &r.stiffness, &r.exponent, &r.width,
+          &r.damping, &r.approach_speed, &r.lever, &r.rolling_rate})
+      take(*each);
+    now_.take(r.restitution);
+    if (r.friction != nullptr) take(*r.friction);
   }
   constexpr void take(const frame_record& r) {
     begin();

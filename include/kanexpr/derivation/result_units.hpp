@@ -83,7 +83,7 @@ public:
       return rate(row - s_.configuration_constraints);
     case q::constraint_bias: return rate(row) / units::si::second;
     case q::constraint_jacobian: return rate(row) / speed(r.columns, column);
-    case q::multipliers: return possible_unit(units::si::watt) / without_angle(rate(row));
+    case q::multipliers: return multiplier(row);
     case q::noncontributing_forces:
       return possible_unit(units::si::watt) /
              without_angle(table_.at(mechanics::unit_table::auxiliary_speeds, row));
@@ -94,20 +94,31 @@ public:
     case q::state_jacobian: return state(r.rows, row) / units::si::second / state(r.columns, column);
     case q::input_matrix:
     case q::input_jacobian: return state(r.rows, row) / units::si::second / input(column);
-    case q::mass_matrix_full: // rows of different kinds
-    case q::forcing_full:
-    case q::regressor:
-    case q::inertial_parameters:
-    case q::constraint_pivots:
-    case q::implicit_mass_matrix:
-    case q::implicit_state_matrix:
-    case q::implicit_input_matrix:
+    case q::regressor: return force(r.rows, row) / table_.inertial_parameter(column);
+    case q::inertial_parameters: return table_.inertial_parameter(row);
+    case q::mass_matrix_full: return of_all(row).entry / of_all(row).rate_at(*this, column);
+    case q::forcing_full: return of_all(row).entry;
+    case q::implicit_mass_matrix: return implicit(row).entry / implicit(row).rate_at(*this, column);
+    case q::implicit_state_matrix: return implicit(row).entry / state(r.columns, column);
+    case q::implicit_input_matrix: return implicit(row).entry / input(column);
+    case q::constraint_pivots: // products of several units
     case q::weighted_gradient: // depend on the weights or the direction
     case q::directional_derivative:
     case q::weighted_hessian:
     case q::weighted_hessian_product: break;
     }
     return std::nullopt;
+  }
+
+  /// The unit of a row of the residual of the equations of motion, which has the order of the state: q̇, and M
+  /// u̇ − f in the rows of the independent speeds and the constraints in those of the dependent ones.
+  constexpr possible_unit of_residual(int row) const {
+    if (!table_.is_stated) return std::nullopt;
+    const int speed = row - s_.coordinates;
+    if (speed < 0) return state(mechanics::extent_by::coordinates, row) / units::si::second;
+    const int place = ordinal(s_.coordinates, speed);
+    if (s_.dependent[row]) return acceleration(place);
+    return force(mechanics::extent_by::independent_speeds, place);
   }
 
   /// The row or column of a symbol in a result; -1 if it has none.
@@ -139,19 +150,58 @@ public:
   }
 
 private:
-  /// The index of an independent symbol among the independent ones.
+  /// The index of an independent symbol among the independent ones; -1 for a dependent one.
   constexpr int independent(int from, int place) const {
-    if (s_.dependent[from + place]) return -1;
+    return s_.dependent[from + place] ? -1 : ordinal(from, place);
+  }
+  /// The index of a symbol among those that are independent, or dependent, like it.
+  constexpr int ordinal(int from, int place) const {
     int before = 0;
-    for (int i = 0; i < place; ++i) before += s_.dependent[from + i] ? 0 : 1;
+    for (int i = 0; i < place; ++i) before += s_.dependent[from + i] == s_.dependent[from + place] ? 1 : 0;
     return before;
+  }
+
+  /// A row of equations that are linear in the rates. A mass is in kg m² instead of kg m²/rad.
+  struct row_units {
+    possible_unit entry{};
+    bool is_dynamic = false;
+
+    constexpr possible_unit rate_at(const result_units& all, int column) const {
+      const possible_unit rate = all.unknown(column);
+      return is_dynamic ? without_angle(rate) : rate;
+    }
+  };
+  /// A row of M_full [q̇; u̇] = f_full.
+  constexpr row_units of_all(int row) const {
+    if (row < s_.coordinates) return {table_.at(coordinates, row) / units::si::second};
+    const int dynamic = row - s_.coordinates, independent = s_.speeds - s_.constraints;
+    if (dynamic < independent) return {force(mechanics::extent_by::independent_speeds, dynamic), true};
+    return {dependent_speed(dynamic - independent) / units::si::second};
+  }
+  /// A row of the implicit form: kinematic differential equations, rates of the constraints, dynamics.
+  constexpr row_units implicit(int row) const {
+    if (row < s_.coordinates) return {table_.at(mechanics::unit_table::kinematic_equations, row)};
+    const int constraint = row - s_.coordinates, dynamic = constraint - s_.constraints;
+    if (dynamic < 0) return {acceleration(constraint)};
+    const bool is_full = s_.takes_rates_as_speeds;
+    return {force(is_full ? mechanics::extent_by::speeds : mechanics::extent_by::independent_speeds, dynamic),
+            true};
+  }
+  /// An entry of [q̇; u̇; λ].
+  constexpr possible_unit unknown(int place) const {
+    const int rates = s_.coordinates + s_.speeds;
+    if (place < rates) return state(mechanics::extent_by::coordinates_and_speeds, place) / units::si::second;
+    return multiplier(place - rates);
   }
 
   static constexpr auto coordinates = mechanics::unit_table::coordinates;
   static constexpr auto speeds = mechanics::unit_table::speeds;
 
-  /// The generalized force of a speed; a torque is written N m, not N m/rad.
+  /// The generalized force of a speed; a torque is written N m, not N m/rad. That of a state variable is its
+  /// rate.
   constexpr possible_unit force(mechanics::extent_by rows, int row) const {
+    const bool is_rate = row >= s_.count(rows) - s_.state_variables; // of a state variable
+    if (is_rate) return speed(rows, row) / units::si::second;
     return possible_unit(units::si::watt) / without_angle(speed(rows, row));
   }
 
@@ -193,6 +243,16 @@ private:
     const int given = table_.size(mechanics::unit_table::velocity_constraints);
     if (place < given) return table_.at(mechanics::unit_table::velocity_constraints, place);
     return residual(place - given) / units::si::second;
+  }
+
+  /// The rate of constraint `place` on the speeds, or the given constraint on accelerations.
+  constexpr possible_unit acceleration(int place) const {
+    if (table_.size(mechanics::unit_table::acceleration_constraints) != 0)
+      return table_.at(mechanics::unit_table::acceleration_constraints, place);
+    return rate(place) / units::si::second;
+  }
+  constexpr possible_unit multiplier(int constraint) const {
+    return possible_unit(units::si::watt) / without_angle(rate(constraint));
   }
 
   const mechanics::unit_table& table_;

@@ -22,11 +22,13 @@ struct survey {
   base::sentence mistake{};
   bool takes_rates_as_speeds = false; ///< as in Lagrange's method
   int coordinates = 0;
-  int speeds = 0;
+  int speeds = 0;          ///< including state variables
+  int state_variables = 0; ///< the last of the speeds
   int parameters = 0;
   int inputs = 0;
   int auxiliary_speeds = 0;
   int constraints = 0; ///< constraints on the speeds, including the rates of configuration constraints
+  int nonlinear_constraints = 0; ///< constraints on the speeds that are not linear in them
   int configuration_constraints = 0;
   int redundant_constraints = 0;
   int inertial_parameters = 0;
@@ -38,10 +40,13 @@ struct survey {
   int quaternions = 0;        ///< unit quaternions, whose norm the motion preserves
   int quaternion_of[room]{};  ///< for each coordinate: the number of its quaternion, counted from 1; 0 if
                               ///< there is none
-  bool states_units = false;  ///< whether the model states the unit of any symbol
+  bool states_units = false;  ///< whether the unit of any symbol is stated or implied
+  bool checks_units = false;  ///< whether the model states the unit of any symbol
 
   /// The number of independent coordinates and speeds.
   constexpr int states() const { return coordinates - configuration_constraints + speeds - constraints; }
+  /// The index of the first state variable in the state.
+  constexpr int first_state_variable() const { return coordinates + speeds - state_variables; }
   /// The number of rates and multipliers in the linearized equations.
   constexpr int unknowns() const { return coordinates + speeds + (takes_rates_as_speeds ? constraints : 0); }
   constexpr int symbols() const { return coordinates + speeds + parameters + inputs; }

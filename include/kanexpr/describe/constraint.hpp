@@ -43,8 +43,9 @@ struct configuration_constraints
     : describe::phrase_list<"configuration_constraints", &describe::system_record::configuration_constraints,
                             constraints...> {};
 
-/// Conditions that the speeds satisfy at all times, such as rolling. They are linear in the speeds or the
-/// coordinate rates. The rates of the configuration constraints need not be repeated.
+/// Conditions that the speeds or coordinate rates satisfy at all times, such as rolling or, if they are not
+/// linear in the speeds, a constant speed. The forces of the latter act along their derivatives with respect
+/// to the speeds (Chetaev's condition). The rates of the configuration constraints need not be repeated.
 template <auto... constraints>
 struct velocity_constraints
     : describe::phrase_list<"velocity_constraints", &describe::system_record::velocity_constraints,

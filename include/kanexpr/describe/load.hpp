@@ -14,6 +14,8 @@ enum class describe::load_word : unsigned char {
   damper,
   torsional_spring,
   torsional_damper,
+  friction,
+  contact,
   none,
 };
 
@@ -35,6 +37,10 @@ inline constexpr phrase drag_on[]{
     phrase_of<-(whole_argument(coefficient) * magnitude(velocity_of<Point>)) * velocity_of<Point>>...,
     no_phrase};
 
+template <auto... coefficient>
+inline constexpr coefficient_record drag_coefficient{
+    "the drag coefficient", units::si::kilogram / units::si::meter, given_phrases<coefficient...>[0]};
+
 } // namespace describe
 
 /// A force that opposes the velocity of a point and is quadratic in it: `drag<P, c>` is −c |v| v. For a body
@@ -46,7 +52,8 @@ struct drag : describe::load_words {
       .word = "the drag",
       .fits = describe::arguments_of("drag<Point, coefficient>", sizeof...(coefficient), 1),
       .point = &describe::point_of<Point>,
-      .value = describe::drag_on<Point, coefficient...>[0]};
+      .value = describe::drag_on<Point, coefficient...>[0],
+      .coefficient = &describe::drag_coefficient<coefficient...>};
 };
 
 /// A torque acting on everything that is fixed in a frame: `torque<A, T*N::z>`.
@@ -188,10 +195,17 @@ constexpr load_record record_load() {
 
 template <class Load>
 constexpr bool is_load_of_one_file() {
-  if constexpr (requires { Load::load; })
+  if constexpr (requires { Load::load; }) {
+    const auto is_of_one_file = [](const phrase& p) {
+      for (const token& t : p)
+        if (t.is_of_one_file) return true;
+      return false;
+    };
     for (const phrase* each : {&Load::load.value, &Load::load.angle, &Load::load.rest})
-      for (int i = 0; i < each->size; ++i)
-        if (each->tokens[i].is_of_one_file) return true;
+      if (is_of_one_file(*each)) return true;
+    for (const phrase& each : Load::load.dynamics)
+      if (is_of_one_file(each)) return true;
+  }
   return false;
 }
 

@@ -228,8 +228,18 @@ struct body_record : entity_record {
   const flexible_record* flexible = nullptr; ///< null if it is not given by numbers
 };
 
+struct friction_record;
+struct contact_record;
+
 /// How the values of a load are interpreted; the enumerators are in load.hpp.
 enum class load_word : unsigned char;
+
+/// An argument of a load whose value contains more than this argument.
+struct coefficient_record {
+  std::string_view word{}; ///< its name in messages, such as "the drag coefficient"
+  units::unit unit{};
+  phrase value{};
+};
 
 struct load_record {
   load_word what{};
@@ -244,11 +254,21 @@ struct load_record {
   phrase angle{};                            ///< the angle of a torsional spring
   phrase rest{};                             ///< the length or angle of a spring at rest
   phrase known_by{}; ///< the expression that identifies it, if points or frames do not
+  const friction_record* friction = nullptr; ///< the law of a friction in a joint
+  const contact_record* contact = nullptr;   ///< null if it is not a contact
+  const coefficient_record* coefficient = nullptr; ///< of a force
+  listing<phrase> states{}, dynamics{};            ///< its state variables, and the equations for their rates
   std::string_view called{};
   std::string_view instead{}; ///< the actual kind, if it is not a load
   base_conflict conflict = nullptr;
   bool unparsed = false;
   bool once = false; ///< listing the same load again is a mistake
+};
+
+/// The state variables of a block and the equations for their rates.
+struct block_record : entity_record {
+  arguments fits{};
+  listing<phrase> states{}, dynamics{};
 };
 
 /// The contributions of a joint to a system in addition to its frame and its point.

@@ -9,6 +9,7 @@
 #include <kanexpr/units/unit_text.hpp>
 
 #include <concepts>
+#include <type_traits>
 
 namespace kanexpr {
 
@@ -37,9 +38,18 @@ constexpr scalar<1> symbol_token() {
   return {{t}};
 }
 
-/// A symbol of a model; `stated` is its unit, if the model states one.
-template <symbolic::symbol_kind represented, text called, int index, int order = unprescribed,
-          units::unit... stated>
+/// The unit of a symbol or a constant.
+constexpr const units::unit& unit_in(const units::unit& stated) { return stated; }
+constexpr const units::unit& unit_in(const units::implied_unit& implied) { return implied.of; }
+
+template <auto stated>
+inline constexpr bool is_implied = std::same_as<std::remove_cv_t<decltype(stated)>, units::implied_unit>;
+
+template <auto stated>
+concept stated_unit = is_implied<stated> || std::same_as<std::remove_cv_t<decltype(stated)>, units::unit>;
+
+/// A symbol of a model; `stated` is its unit, if the model states or implies one.
+template <symbolic::symbol_kind represented, text called, int index, int order = unprescribed, auto... stated>
 struct symbol;
 
 template <symbolic::symbol_kind represented, text called, int index, int order>
@@ -54,14 +64,14 @@ struct symbol<represented, called, index, order> : scalar<1> {
 
 /// It is derived from the same symbol without a unit, so that both have the same rate and the same place in a
 /// vector of values.
-template <symbolic::symbol_kind represented, text called, int index, int order, units::unit stated>
+template <symbolic::symbol_kind represented, text called, int index, int order, auto stated>
 struct symbol<represented, called, index, order, stated> : symbol<represented, called, index, order> {
   using without_unit = symbol<represented, called, index, order>;
 
-  static constexpr units::unit stated_unit = stated;
+  static constexpr units::unit stated_unit = unit_in(stated);
   static constexpr symbol_record record = [] {
     symbol_record r = symbol_storage<represented, called, index, order>::record;
-    r.unit = &stated_unit;
+    r.unit = &stated_unit, r.is_unit_implied = is_implied<stated>;
     return r;
   }();
 
@@ -70,14 +80,14 @@ struct symbol<represented, called, index, order, stated> : symbol<represented, c
 };
 
 /// A constant with a unit, as a symbol that denotes a number.
-template <auto value, units::unit stated>
+template <auto value, auto stated>
 struct constant_storage {
   static constexpr symbolic::number number = constant(value).tokens[0].number;
-  static constexpr units::unit unit = stated;
+  static constexpr units::unit unit = unit_in(stated);
   static constexpr symbol_record record = [] {
     symbol_record r{symbolic::symbol_kind::parameter, symbolic::decimal_text(number)};
-    r.called.append(" "), r.called.append(units::text_of(stated, units::spelling::message).view());
-    r.unit = &unit, r.value = &number;
+    r.called.append(" "), r.called.append(units::text_of(unit, units::spelling::message).view());
+    r.unit = &unit, r.value = &number, r.is_unit_implied = is_implied<stated>;
     return r;
   }();
 };
@@ -94,12 +104,13 @@ template <symbolic::symbol_kind represented, text called, int order, auto index>
 struct symbol_with<represented, called, order, index> {
   using type = symbol<represented, called, static_cast<int>(index), order>;
 };
-template <symbolic::symbol_kind represented, text called, int order, units::unit stated>
+template <symbolic::symbol_kind represented, text called, int order, auto stated>
+  requires stated_unit<stated>
 struct symbol_with<represented, called, order, stated> {
   using type = symbol<represented, called, unnumbered, order, stated>;
 };
-template <symbolic::symbol_kind represented, text called, int order, auto index, units::unit stated>
-  requires std::convertible_to<decltype(index), int>
+template <symbolic::symbol_kind represented, text called, int order, auto index, auto stated>
+  requires(std::convertible_to<decltype(index), int> && stated_unit<stated>)
 struct symbol_with<represented, called, order, index, stated> {
   using type = symbol<represented, called, static_cast<int>(index), order, stated>;
 };
@@ -116,6 +127,12 @@ using coordinate = typename describe::symbol_with<symbolic::symbol_kind::coordin
 template <text called, auto... index_and_unit>
 using speed = typename describe::symbol_with<symbolic::symbol_kind::speed, called, describe::unprescribed,
                                              index_and_unit...>::type;
+
+/// A state variable: a scalar that is neither a coordinate nor a speed, such as the current of a motor or the
+/// memory of a filter. `dynamics` gives its rate, `dot(z)`.
+template <text called, auto... index_and_unit>
+using state_variable = typename describe::symbol_with<symbolic::symbol_kind::speed, called,
+                                                      describe::of_state_variable, index_and_unit...>::type;
 
 /// A constant of the system, passed to each evaluation or bound in the type by `values`.
 template <text called, auto... index_and_unit>
@@ -135,8 +152,8 @@ using prescribed =
 
 /// A number with a unit: `constant<9.81, meter/pow<2>(second)>`. A plain number has no unit if it is a
 /// factor.
-template <auto value, units::unit u>
-  requires describe::plain_number<decltype(value)>
+template <auto value, auto u>
+  requires(describe::plain_number<decltype(value)> && describe::stated_unit<u>)
 inline constexpr scalar<1> constant = [] {
   describe::token t{};
   t.what = describe::token_kind::symbol;
@@ -151,7 +168,7 @@ using time_variable = describe::symbol<symbolic::symbol_kind::time, "t", unnumbe
 template <text called, int index = unnumbered>
 using coordinate_rate = describe::symbol<symbolic::symbol_kind::coordinate_rate, called, index>;
 
-template <text called, int index, units::unit... stated>
+template <text called, int index, auto... stated>
 constexpr coordinate_rate<called, index>
 dot(const describe::symbol<symbolic::symbol_kind::coordinate, called, index, describe::unprescribed,
                            stated...>&) {
@@ -165,7 +182,7 @@ constexpr scalar<1> dot(const coordinate_rate<called, index>&) {
 }
 
 /// The derivative of a prescribed quantity.
-template <text called, int index, int order, units::unit... stated>
+template <text called, int index, int order, auto... stated>
   requires(order != describe::unprescribed)
 constexpr describe::symbol<symbolic::symbol_kind::input, called, index, order + 1>
 dot(const describe::symbol<symbolic::symbol_kind::input, called, index, order, stated...>&) {
@@ -173,10 +190,18 @@ dot(const describe::symbol<symbolic::symbol_kind::input, called, index, order, s
 }
 
 /// The rate du/dt of a speed.
-template <text called, int index, units::unit... stated>
+template <text called, int index, auto... stated>
 constexpr scalar<1>
 dot(const describe::symbol<symbolic::symbol_kind::speed, called, index, describe::unprescribed, stated...>&) {
   return describe::symbol_token<symbolic::symbol_kind::speed_rate, called, index>();
+}
+
+/// The rate dz/dt of a state variable.
+template <text called, int index, units::unit... stated>
+constexpr scalar<1> dot(const describe::symbol<symbolic::symbol_kind::speed, called, index,
+                                               describe::of_state_variable, stated...>&) {
+  return describe::symbol_token<symbolic::symbol_kind::speed_rate, called, index,
+                                describe::of_state_variable>();
 }
 
 } // namespace kanexpr

@@ -23,6 +23,7 @@ struct system_record {
   listing<phrase> coordinates{}, speeds{}, parameters{}, inputs{};
   listing<phrase> added_inputs{}; ///< in a model without a list of inputs, they follow those that it mentions
   listing<phrase> kinematics{};
+  listing<phrase> states{}, dynamics{};
   listing<phrase> configuration_constraints{}, velocity_constraints{}, acceleration_constraints{};
   listing<phrase> dependent{}, auxiliary{};
   listing<int> redundant{}; ///< numbers of configuration constraints
@@ -31,6 +32,7 @@ struct system_record {
   listing<phrase> lagrangian{};
   listing<body_record> bodies{};
   listing<load_record> loads{};
+  listing<block_record> blocks{};
   listing<joint_record> joints{};
   listing<reaction_record> reactions{};
 };
@@ -81,6 +83,16 @@ struct coordinates : describe::phrase_list<"coordinates", &describe::system_reco
 /// The generalized speeds, in the order of the state; they follow the coordinates.
 template <auto... symbols>
 struct speeds : describe::phrase_list<"speeds", &describe::system_record::speeds, symbols...> {};
+
+/// The state variables, which follow the speeds in the state.
+template <auto... symbols>
+struct states : describe::phrase_list<"states", &describe::system_record::states, symbols...> {};
+
+/// An equation for the rate of each state variable, which must be linear in this rate:
+/// `dynamics<L * dot(i) == V - R * i - k * u>`. The rates may depend on everything except the rates of the
+/// speeds.
+template <auto... equations>
+struct dynamics : describe::phrase_list<"dynamics", &describe::system_record::dynamics, equations...> {};
 
 /// The order of the parameter vector; by default, the order of first mention in the model.
 template <auto... symbols>
@@ -133,6 +145,35 @@ struct loads : describe::system_words {
   static constexpr std::string_view word = "loads";
   static constexpr void add_to(describe::system_record& r) {
     r.loads = describe::list_of<describe::load_record, &describe::load_of<Loads>...>::all;
+  }
+};
+
+namespace describe {
+
+template <class Block>
+constexpr block_record record_block() {
+  if constexpr (requires { Block::block.dynamics; }) {
+    return Block::block;
+  } else {
+    block_record r;
+    r.called = type_name<Block>();
+    r.instead = describe_kind<Block>().empty() ? "not a block" : describe_kind<Block>();
+    r.unparsed = is_unparsed<Block>();
+    return r;
+  }
+}
+
+template <class Block>
+inline constexpr block_record block_of = record_block<Block>();
+
+} // namespace describe
+
+/// Filters, delays and controllers, which have state variables of their own (`<kanexpr/blocks.hpp>`).
+template <class... Blocks>
+struct blocks : describe::system_words {
+  static constexpr std::string_view word = "blocks";
+  static constexpr void add_to(describe::system_record& r) {
+    r.blocks = describe::list_of<describe::block_record, &describe::block_of<Blocks>...>::all;
   }
 };
 

@@ -28,6 +28,8 @@ struct external_record;
 
 /// Denotes "not prescribed" as the order of a derivative.
 inline constexpr int unprescribed = -1;
+/// In place of an order: the symbol is a state variable, which is kept as a further speed.
+inline constexpr int of_state_variable = -2;
 
 /// The `index` of a number that is the integer 0.
 inline constexpr int whole_zero = 1;
@@ -42,6 +44,7 @@ struct symbol_record {
   bool is_named = true; ///< whether the name is valid for a symbol
   const units::unit* unit = nullptr;       ///< null if the model does not state it here
   const symbolic::number* value = nullptr; ///< the number that it denotes, if it is a constant with a unit
+  bool is_unit_implied = false; ///< whether the unit alone is no reason to check the units of the model
 };
 
 enum class token_kind : unsigned char {

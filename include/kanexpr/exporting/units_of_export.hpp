@@ -41,11 +41,12 @@ public:
   /// The units of the entries of a result `found` in a model; empty if none is known.
   std::vector<exported_unit> of_result(const model& from, const requested_result& wanted,
                                        const symbolic::matrix& found) const {
-    if (!are_stated() || wanted.derivative.type != requested_derivative::kind::none || !wanted.part.empty() ||
-        wanted.is_residual)
+    if (!are_stated() || wanted.derivative.type != requested_derivative::kind::none || !wanted.part.empty())
       return {};
     std::vector<exported_unit> all;
-    if (wanted.written.is_given())
+    if (wanted.is_residual)
+      all = of_residual(found.rows);
+    else if (wanted.written.is_given())
       all.assign(1, exported_as(from.unit_of(found.entries[0])));
     else if (wanted.request.what == derivation::request::kind::result)
       all = of_quantity(wanted.request.wanted, found.rows, found.columns);
@@ -73,6 +74,14 @@ private:
 
   static exported_unit exported_as(const mechanics::possible_unit& u) {
     return u ? written_unit(*u) : exported_unit();
+  }
+
+  std::vector<exported_unit> of_residual(int rows) const {
+    const derivation::result_units results(symbols_, *known_);
+    std::vector<exported_unit> all;
+    all.reserve(static_cast<std::size_t>(rows));
+    for (int i = 0; i < rows; ++i) all.push_back(exported_as(results.of_residual(i)));
+    return all;
   }
 
   std::vector<exported_unit> of_quantity(mechanics::quantity of, int rows, int columns) const {

@@ -125,6 +125,8 @@ public:
     return false;
   }
 
+  bool velocities_are_linear() const { return survey_.nonlinear_constraints == 0; }
+
   int dependent(int i) const {
     for (int at = 0; at < survey_.coordinates + survey_.speeds; ++at)
       if (survey_.dependent[at] && i-- == 0) return at;

@@ -150,11 +150,13 @@ public:
     return m;
   }
 
-  /// Substitutes the dependent speeds from the constraints into an expression.
+  /// Substitutes the dependent speeds from the constraints into an expression, unless a constraint is not
+  /// linear in the speeds.
   constexpr expression imposed(expression e) {
     symbolic::substitution bound(*m_->g);
     const sequence<expression> given = dynamics_.speeds_by_constraints();
-    for (int d = 0; d < given.size(); ++d) bound.replace(m_->speeds[speeds_.dependent[d]], given[d]);
+    for (int d = 0; d < given.size() && constraints_.nonlinear == 0; ++d)
+      bound.replace(m_->speeds[speeds_.dependent[d]], given[d]);
     return bound.in(without_auxiliary_speeds(*m_).in(known_rates(*m_, s_.coordinate_rates).in(e)));
   }
 

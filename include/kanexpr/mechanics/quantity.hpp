@@ -51,7 +51,8 @@ enum class quantity : unsigned char {
   velocity_terms,         ///< magnitude of the terms of this residual, m
   constraint_residual,    ///< both residuals, l+m
   constraint_jacobian,    ///< J in J u + c = 0, m×p
-  dependent_speeds,       ///< u_d in terms of the independent speeds, m
+  dependent_speeds,       ///< u_d in terms of the independent speeds, m; if a constraint is not linear in the
+                          ///< speeds, u_d after one Newton step
   dependency,             ///< A in u̇_d = A u̇_i + b, m×(p−m)
   acceleration_bias,      ///< b in u̇_d = A u̇_i + b, m
   constraint_pivots,      ///< the determinants of the blocks that are solved for the dependent speeds, m

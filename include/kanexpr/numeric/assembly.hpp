@@ -125,14 +125,54 @@ base::sentence violated_redundant_rate(Constraints& c, const State& x, double to
       c.all_coordinates(), nearly_dependent * tolerance, "the rate of redundant constraint ");
 }
 
+/// Sets the dependent speeds of a state so that constraints that are not linear in them hold, by Newton's
+/// method from the given values; returns a message if this fails.
+template <class Constraints, class State>
+base::sentence find_speeds(Constraints& c, State& placed, const newton_options& options, assembly& report) {
+  using vector = typename Constraints::speed_vector;
+  vector u(c.dependent_speeds());
+  for (int i = 0; i < c.dependent_speeds(); ++i) u(i) = placed(c.place_of_speed(i));
+  State tried = placed;
+  const auto at = [&](const vector& speeds) -> const State& {
+    for (int i = 0; i < c.dependent_speeds(); ++i) tried(c.place_of_speed(i)) = speeds(i);
+    return tried;
+  };
+  const newton_report found = newton(
+      u, [&](const vector& speeds) -> vector { return c.velocity_residual(at(speeds)); },
+      [&](const vector& speeds) { return c.velocity_jacobian_by_dependent(at(speeds)); }, options);
+  report.steps += found.steps;
+  if (found.converged || c.velocities_hold(at(u))) {
+    placed = at(u);
+    return {};
+  }
+  if (c.velocities_hold(placed)) return {};
+  report.velocity_residual = found.residual;
+  return with_number(
+      found.singular ? "the search for the dependent speeds ended at a singularity of the velocity "
+                       "constraints, with a residual of "
+                     : "the search for the dependent speeds did not converge; it ended with a residual of ",
+      found.residual);
+}
+
+/// Solves the velocity constraints for the dependent speeds of a state; returns a message if this fails.
+template <class Constraints, class State>
+base::sentence place_speeds(Constraints& c, State& placed, const newton_options& options, assembly& report) {
+  if constexpr (!Constraints::only_linear)
+    if (!c.velocities_are_linear()) return find_speeds(c, placed, options, report);
+  const status solved = c.solve_speeds(placed);
+  if (solved || c.velocities_hold(placed)) return {};
+  return base::sentence({solved.view()});
+}
+
 /// Normalizes the quaternions, solves the configuration constraints for the dependent coordinates, starting
-/// from those of `x`, then solves the velocity constraints for the dependent speeds. On failure, `x` is
-/// unchanged. If the constraints cannot be solved, a state that satisfies them up to rounding is accepted
-/// without changes.
+/// from those of `x`, then solves the velocity constraints for the dependent speeds, starting from those of
+/// `x` if the constraints are not linear in them. On failure, `x` is unchanged. If the constraints cannot be
+/// solved, a state that satisfies them up to rounding is accepted without changes.
 ///
 /// `Constraints` provides the residuals at a state, the Jacobian with respect to the dependent coordinates,
 /// the dependent speeds, the indices of the dependent entries, and whether the constraints hold up to
-/// rounding.
+/// rounding; unless `only_linear`, also whether the velocity constraints are linear, and their Jacobian with
+/// respect to the dependent speeds.
 template <class Constraints, class State>
 assembly assemble(Constraints& c, State& x, const newton_options& options) {
   using vector = typename Constraints::coordinate_vector;
@@ -176,10 +216,7 @@ assembly assemble(Constraints& c, State& x, const newton_options& options) {
   }
   at(q);
   c.normalize_quaternions(placed);
-  if (const status solved = c.solve_speeds(placed); !solved && !c.velocities_hold(placed)) {
-    report.failure = base::sentence({solved.view()});
-    return report;
-  }
+  if (report.failure = place_speeds(c, placed, options, report); report.failure) return report;
   report.velocity_residual = largest(c.velocity_residual(placed));
   if (!is_finite(report.velocity_residual)) {
     report.failure = base::sentence({"the velocity constraints are not finite at this state"});

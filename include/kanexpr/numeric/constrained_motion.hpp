@@ -25,6 +25,9 @@ namespace kanexpr::numeric {
 ///     configuration(x, left, by_coordinates)   the residual and its derivatives
 ///     velocities(x, left, by_speeds)
 ///     motion(x, qdot, mass, force, bias)       a status
+///
+/// and, for `find`, whether the velocity constraints are linear in the speeds: `velocities_are_linear()`, and
+/// the constant `only_linear` if this is so for all systems of the type.
 template <class Equations>
 class constrained_motion {
 public:
@@ -77,8 +80,10 @@ public:
   status find(const state& given, motion& found) {
     status s = find_at_nearest(given, found);
     if (!s || distinct_ >= min_distinctness) return s;
-    const Eigen::Index rank = usual_rank_;
+    const Eigen::Index rank = usual_rank_, here = rank_;
     if (const status passing = interpolate(found); passing) return passing;
+    if constexpr (!Equations::only_linear) // the speeds, not the position, make rows of J vanish
+      if (!of_.velocities_are_linear() && here < rank) return inconsistent();
     return usual_rank_ == rank ? s : find_at_nearest(given, found);
   }
 
@@ -107,21 +112,10 @@ public:
 
   /// Moves x to the nearest configuration that satisfies the constraints.
   status place(state& x) {
-    if (by_q_.rows() == 0) return {};
-    number last = std::numeric_limits<number>::infinity();
-    for (int steps = 0; steps < most_steps; ++steps) {
-      const rows_of_coordinates left = configuration(x);
-      const coordinates step = step_of(singular_values<by_coordinates>(scaled_by_q()), left);
-      const number size = step.norm();
-      if (!(size < max_move)) break;
-      for (int i = 0; i < of_.coordinates(); ++i) x(i) += step(i) * sizes_(i);
-      if (size <= close_enough || (size <= 1e-4 && size > last / 4)) {
-        const rows_of_coordinates rest = configuration(x);
-        return rest.norm() <= residual_tolerance ? status() : inconsistent();
-      }
-      last = size;
-    }
-    return inconsistent();
+    if constexpr (l == 0) // singular values require rows
+      return {};
+    else
+      return by_q_.rows() == 0 ? status() : place_by_steps(x);
   }
 
 private:
@@ -231,6 +225,23 @@ private:
     return step;
   }
 
+  status place_by_steps(state& x) {
+    number last = std::numeric_limits<number>::infinity();
+    for (int steps = 0; steps < most_steps; ++steps) {
+      const rows_of_coordinates left = configuration(x);
+      const coordinates step = step_of(singular_values<by_coordinates>(scaled_by_q()), left);
+      const number size = step.norm();
+      if (!(size < max_move)) break;
+      for (int i = 0; i < of_.coordinates(); ++i) x(i) += step(i) * sizes_(i);
+      if (size <= close_enough || (size <= 1e-4 && size > last / 4)) {
+        const rows_of_coordinates rest = configuration(x);
+        return rest.norm() <= residual_tolerance ? status() : inconsistent();
+      }
+      last = size;
+    }
+    return inconsistent();
+  }
+
   /// Finds the motion at the nearest state that satisfies the constraints, from the constraints at that state
   /// only.
   status find_at_nearest(const state& given, motion& found) {
@@ -238,11 +249,15 @@ private:
     found.x = given;
     if (const status s = place(found.x); !s) return s;
     if (const status s = of_.motion(found.x, qdot_, mass_, force_, bias_); !s) return s;
+    if constexpr (!Equations::only_linear)
+      if (!of_.velocities_are_linear())
+        if (const status s = move(found.x); !s) return s;
     const rows_of_speeds left = velocities(found.x); // J u + c
     const singular_values<by_speeds> j(scaled_by_u());
     distinct_ = distinctness_of(j);
     const masses mass = scaled_mass();
-    const constrained_minimum<masses, by_speeds> bound(mass, j, j.rank(rank_tolerance * j[0]));
+    rank_ = j.rank(rank_tolerance * j[0]);
+    const constrained_minimum<masses, by_speeds> bound(mass, j, rank_);
     if (!bound.is_regular()) return no_kinetic_energy();
     const speeds change = bound.solve(speeds::Zero(of_.speeds()), -left);
     for (int i = 0; i < of_.speeds(); ++i) found.x(first + i) += change(i) * sizes_(first + i);
@@ -256,6 +271,27 @@ private:
     for (int i = 0; i < first; ++i) found.rates(i) = qdot_(i);
     for (int i = 0; i < of_.speeds(); ++i) found.rates(first + i) = udot(i) * sizes_(first + i);
     return {};
+  }
+
+  /// Moves the speeds of x to those that satisfy constraints that are not linear in them, by Newton steps of
+  /// least kinetic energy. `motion` was evaluated at the coordinates of x.
+  status move(state& x) {
+    const int first = of_.coordinates();
+    const masses mass = scaled_mass();
+    number last = std::numeric_limits<number>::infinity();
+    for (int steps = 0; steps < most_steps; ++steps) {
+      const rows_of_speeds left = velocities(x);
+      const singular_values<by_speeds> j(scaled_by_u());
+      const constrained_minimum<masses, by_speeds> bound(mass, j, j.rank(rank_tolerance * j[0]));
+      if (!bound.is_regular()) return no_kinetic_energy();
+      const speeds change = bound.solve(speeds::Zero(of_.speeds()), -left);
+      const number size = change.norm();
+      if (!(size < max_move)) break;
+      for (int i = 0; i < of_.speeds(); ++i) x(first + i) += change(i) * sizes_(first + i);
+      if (size <= close_enough || (size <= 1e-4 && size > last / 4)) return {};
+      last = size;
+    }
+    return inconsistent();
   }
 
   masses scaled_mass() const {
@@ -358,7 +394,8 @@ private:
   rows_of_speeds row_sizes_u_;
   number usual_ = 0; ///< the largest value found for the smallest singular value that is not identically zero
   Eigen::Index usual_rank_ = 0; ///< the usual rank of J
-  number distinct_ = 0;         ///< the distinctness at the last state evaluated
+  Eigen::Index rank_ = 0;       ///< the rank of J at the last state evaluated
+  number distinct_ = 0;         ///< the distinctness there
 };
 
 } // namespace kanexpr::numeric

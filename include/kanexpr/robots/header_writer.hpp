@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/robots/cpp.hpp>
+#include <kanexpr/robots/physical_quantity.hpp>
 #include <kanexpr/robots/plan.hpp>
 
 #include <cmath>
@@ -25,6 +26,7 @@ public:
 
   /// Returns the header of a model in the namespace `called`; the robot was read from the file `from`.
   std::string write(const std::string& called, std::string_view from) {
+    if (called == "units") units_ = "kanexpr::units::implied::"; // the namespace hides the other
     write_root();
     for (const moving_body& b : plan_.tree.bodies) {
       if (b.joint >= 0) write_joint(b);
@@ -39,6 +41,8 @@ public:
   }
 
 private:
+  using kind = physical_quantity;
+
   /// The coordinate and the speed of a joint with one coordinate, as expressions.
   struct motion {
     std::string q{}, u{};
@@ -48,17 +52,27 @@ private:
   std::string& type(int link) { return entry(types_, link); }
 
   /// Returns a number from the file, or the name of a parameter with that value.
-  std::string value(const std::string& called, double in_file) {
+  std::string value(const std::string& called, double in_file, kind q) {
     if (plan_.binds_numbers()) return cpp::number(in_file);
-    values_.emplace_back(called, in_file);
+    values_.push_back({{called, q}, in_file});
     return called;
   }
+  /// The same for a value that is a factor: a number is written with its unit.
+  std::string factor(const std::string& called, double in_file, kind q) {
+    if (plan_.binds_numbers()) return with_unit(in_file, q);
+    return value(called, in_file, q);
+  }
+  std::string with_unit(double number, kind q) const {
+    return "constant<" + cpp::number(number) + ", " + unit(q) + ">";
+  }
+  std::string unit(kind q) const { return units_ + std::string(name_of(q)); }
 
   /// Returns a vector from the file, as an expression in `axes`.
   std::string vector(const std::string& axes, const std::string& called, const vector3& v) {
     if (plan_.binds_numbers()) return cpp::along(axes, v);
-    const std::string x = value("x_" + called, v[0]), y = value("y_" + called, v[1]),
-                      z = value("z_" + called, v[2]);
+    const std::string x = value("x_" + called, v[0], kind::length),
+                      y = value("y_" + called, v[1], kind::length),
+                      z = value("z_" + called, v[2], kind::length);
     return x + " * " + axes + "::x + " + y + " * " + axes + "::y + " + z + " * " + axes + "::z";
   }
 
@@ -80,8 +94,10 @@ private:
   motion motion_of(int joint) const {
     const mimic_rule rule = resolved_mimic(source_, joint);
     const planned_joint& leader = *plan_.joint_by(rule.leader);
-    const auto times = [&](const std::string& e) {
-      return rule.multiplier == 1 ? e : cpp::number(rule.multiplier) + " * " + e;
+    const kind multiplier = plan_.multiplier_of(joint);
+    const auto times = [&](const planned_symbol& e) {
+      if (multiplier != kind::ratio) return with_unit(rule.multiplier, multiplier) + " * " + e.called;
+      return rule.multiplier == 1 ? e.called : cpp::number(rule.multiplier) + " * " + e.called;
     };
     std::string offset;
     if (rule.offset != 0) offset = (rule.offset < 0 ? " - " : " + ") + cpp::number(std::abs(rule.offset));
@@ -97,8 +113,9 @@ private:
   /// Writes a joint as one declaration with its symbols and its body.
   void write_joint_by(const moving_body& b, const std::string& word, std::vector<std::string> words,
                       const planned_joint& j) {
-    std::vector<std::string> symbols = j.coordinates;
-    symbols.insert(symbols.end(), j.speeds.begin(), j.speeds.end());
+    std::vector<std::string> symbols;
+    for (const auto* all : {&j.coordinates, &j.speeds})
+      for (const planned_symbol& each : *all) symbols.push_back(each.called);
     words.push_back("by<" + cpp::list(symbols) + ">");
     if (b.has_mass()) words.push_back(body_of(b));
     type(b.link) = plan_.name(b.link);
@@ -132,17 +149,24 @@ private:
     const joint& j = plan_.joint_of_body(b);
     const std::string& called = plan_.name(b.link);
     const planned_joint& planned = *plan_.joint_by(b.joint);
-    std::string drive = planned.input;
-    if (const std::string rubbed = friction(b, planned.speeds[0]); !rubbed.empty()) drive += " - " + rubbed;
+    std::string drive = planned.input.called;
+    if (const std::string rubbed = friction(b, planned.speeds[0].called); !rubbed.empty())
+      drive += " - " + rubbed;
     loads_.push_back("motor<" + called + ", " + drive + ">");
     if (plan_.options.damping && j.damping > 0)
-      loads_.push_back("joint_friction<" + called + ", " + value("c_" + called, j.damping) + ">");
+      loads_.push_back("joint_friction<" + called + ", " + value("c_" + called, j.damping, damping_of(j)) +
+                       ">");
+  }
+
+  static kind damping_of(const joint& j) {
+    return j.kind == joint_kind::prismatic ? kind::damping : kind::angular_damping;
   }
 
   std::string friction(const moving_body& b, const std::string& speed) {
     const joint& j = plan_.joint_of_body(b);
     if (!plan_.options.friction || !(j.friction > 0)) return {};
-    return value("f_" + plan_.name(b.link), j.friction) + " * sign(" + speed + ")";
+    const kind q = j.kind == joint_kind::prismatic ? kind::force : kind::torque;
+    return factor("f_" + plan_.name(b.link), j.friction, q) + " * sign(" + speed + ")";
   }
 
   /// Writes a mimic joint as a weld whose location depends on the coordinate of its leader.
@@ -160,7 +184,7 @@ private:
     write_weld(called, words);
     std::string drag;
     if (plan_.options.damping && j.damping > 0)
-      drag += "-" + value("c_" + called, j.damping) + " * " + cpp::factor(m.u);
+      drag += "-" + factor("c_" + called, j.damping, damping_of(j)) + " * " + cpp::factor(m.u);
     if (const std::string rubbed = friction(b, m.u); !rubbed.empty())
       drag += (drag.empty() ? "-" : " - ") + rubbed;
     if (!drag.empty())
@@ -175,10 +199,13 @@ private:
 
   std::string body_of(const moving_body& b) {
     const std::string& called = plan_.name(b.link);
-    const std::string mass = value("m_" + called, b.mass), center = vector("own", called, b.center);
+    const std::string mass = value("m_" + called, b.mass, kind::mass),
+                      center = vector("own", called, b.center);
     const inertia_matrix& i = b.inertia;
     std::vector<std::string> scalars{"own"};
-    const auto add = [&](const char* prefix, double e) { scalars.push_back(value(prefix + called, e)); };
+    const auto add = [&](const char* prefix, double e) {
+      scalars.push_back(value(prefix + called, e, kind::moment_of_inertia));
+    };
     add("ixx_", i.xx), add("iyy_", i.yy), add("izz_", i.zz);
     if (!plan_.binds_numbers() || i.xy != 0 || i.yz != 0 || i.zx != 0)
       add("ixy_", i.xy), add("iyz_", i.yz), add("izx_", i.zx);
@@ -193,7 +220,7 @@ private:
     if (!(j.reflected_inertia() > 0) || !has_one_coordinate(j.kind)) return;
     const std::string &link = plan_.name(b.link), called = link + "_rotor";
     write_struct(called, "rotated", {"N", motion_of(b.joint).q, "N::z"});
-    const std::string own = value("j_" + link, j.reflected_inertia());
+    const std::string own = value("j_" + link, j.reflected_inertia(), kind::moment_of_inertia);
     write_struct(called + "_body", "rigid_body",
                  {"N", called, "0", "inertia<" + called + ", 0, 0, " + own + ">"});
     bodies_.push_back(called + "_body");
@@ -219,7 +246,7 @@ private:
     std::vector<std::string> energies;
     for (const moving_body& b : plan_.tree.bodies)
       if (b.weightless_mass > 0 && !plan_.is_on_ground(b))
-        energies.push_back(weight_cancelling_energy(b, gravity));
+        energies.push_back(weight_cancelling_energy(b, plan_.binds_numbers() ? with_units(g) : gravity));
     if (!energies.empty()) // one sum, because the wheels of an axle have equal terms
       loads_.push_back("potential_energy<" + cpp::list(energies, " + ") + ">");
   }
@@ -227,11 +254,19 @@ private:
   /// The free-fall acceleration, as an expression.
   std::string free_fall(const vector3& g) {
     const vector3 direction = direction_of_gravity(g);
-    const std::string size = value("g", std::hypot(g[0], g[1], g[2]));
+    const std::string size = value("g", std::hypot(g[0], g[1], g[2]), kind::acceleration);
     if (plan_.binds_numbers() && is_zero(g)) return cpp::along("N", {});
     if (direction == vector3{0, 0, -1}) return "-" + size + " * N::z";
     return plan_.binds_numbers() ? cpp::along("N", g)
                                  : size + " * " + cpp::factor(cpp::along("N", direction));
+  }
+
+  /// The free-fall acceleration as a factor.
+  std::string with_units(const vector3& g) const {
+    std::vector<std::string> terms;
+    for (std::size_t i = 0; i < 3; ++i)
+      if (g[i] != 0) terms.push_back(with_unit(g[i], kind::acceleration) + " * N::" + "xyz"[i]);
+    return cpp::list(terms, " + ");
   }
 
   /// A potential energy that cancels gravity on a weightless body, so that energy is conserved. A body that
@@ -240,7 +275,7 @@ private:
     const std::string &on = type(b.link), called = plan_.name(b.link) + "_weightless";
     const std::string symbols = b.is_weightless() ? plan_.name(b.link) : called;
     const auto known = values_.size();
-    const std::string mass = value("m_" + symbols, b.weightless_mass),
+    const std::string mass = factor("m_" + symbols, b.weightless_mass, kind::mass),
                       center = vector(on, symbols, b.weightless_center);
     if (b.is_weightless()) values_.resize(known);
     write_struct(called, "offset", {on, center});
@@ -249,17 +284,19 @@ private:
 
   std::string preamble(const std::string& called, std::string_view from) const {
     constexpr const char* words =
-        "at axis bodies body by coordinate dot effective_inertia floating force_between gravity home inertia "
+        "at axis bodies body by constant coordinate dot effective_inertia floating force_between gravity "
+        "home inertia "
         "inertial inertial_ground input inputs joint_friction joints kane_system loads motor offset own "
         "parameter parameter_values parameters pin planar position_of potential_energy prismatic rigid_body "
         "rotated sign speed state torque_between weld";
     const std::size_t links = source_.links.size(), joints = plan_.tree.joints.size();
     return "#pragma once\n\n" + cpp::include("kanexpr/joints.hpp") + cpp::include("kanexpr/kanexpr.hpp") +
-           "\n" + cpp::include("limits") + "\n/// The robot " + cpp::comment(source_.name) + " from " +
-           cpp::comment(from) + ": " + std::to_string(links) + (links == 1 ? " link, " : " links, ") +
-           std::to_string(joints) + (joints == 1 ? " joint that moves" : " joints that move") +
-           " independently, a " + (plan_.has_floating_base() ? "floating" : "fixed") +
-           " base.\n/// Written by kanexpr-robot.\n" + names() + cpp::namespace_opening(called, words);
+           cpp::include("kanexpr/units/implied.hpp") + "\n" + cpp::include("limits") + "\n/// The robot " +
+           cpp::comment(source_.name) + " from " + cpp::comment(from) + ": " + std::to_string(links) +
+           (links == 1 ? " link, " : " links, ") + std::to_string(joints) +
+           (joints == 1 ? " joint that moves" : " joints that move") + " independently, a " +
+           (plan_.has_floating_base() ? "floating" : "fixed") + " base.\n/// Written by kanexpr-robot.\n" +
+           names() + cpp::namespace_opening(called, words);
   }
 
   std::string names() const {
@@ -274,15 +311,16 @@ private:
 
   std::string symbols() const {
     std::string lines;
-    const auto one = [&](const char* word, const std::string& called) {
-      lines += std::string("constexpr ") + word + "<\"" + called + "\"> " + called + ";\n";
+    const auto one = [&](const char* word, const planned_symbol& s) {
+      lines +=
+          std::string("constexpr ") + word + "<\"" + s.called + "\", " + unit(s.is) + "> " + s.called + ";\n";
     };
     for (const planned_joint& j : plan_.joints) {
-      for (const std::string& q : j.coordinates) one("coordinate", q);
-      for (const std::string& u : j.speeds) one("speed", u);
-      if (!j.input.empty()) one("input", j.input);
+      for (const planned_symbol& q : j.coordinates) one("coordinate", q);
+      for (const planned_symbol& u : j.speeds) one("speed", u);
+      if (!j.input.called.empty()) one("input", j.input);
     }
-    for (const auto& [called, number] : values_) one("parameter", called);
+    for (const auto& [symbol, number] : values_) one("parameter", symbol);
     return lines + "\n";
   }
 
@@ -290,10 +328,10 @@ private:
     std::vector<std::string> inputs, p, joints;
     for (const planned_joint& j : plan_.joints) {
       joints.push_back(plan_.name(j.joint < 0 ? source_.root : entry(source_.joints, j.joint).child));
-      if (!j.input.empty()) inputs.push_back(j.input);
+      if (!j.input.called.empty()) inputs.push_back(j.input.called);
     }
     joints.insert(joints.end(), welds_.begin(), welds_.end());
-    for (const auto& [called, number] : values_) p.push_back(called);
+    for (const auto& [symbol, number] : values_) p.push_back(symbol.called);
     std::string lines = "struct System\n    : kane_system<\n          inertial<N>";
     for (const auto& [word, all] : {named_list("joints", joints),
                                     {"parameters", p},
@@ -328,7 +366,7 @@ private:
         "\n/// The state at rest in which all joint positions are zero.\ninline state<System> at_rest() {\n"
         "  state<System> x = state<System>::Zero();\n";
     for (const planned_joint& j : plan_.joints)
-      if (j.kind == joint_kind::floating) lines += "  x[" + j.coordinates.back() + "] = 1;\n";
+      if (j.kind == joint_kind::floating) lines += "  x[" + j.coordinates.back().called + "] = 1;\n";
     return lines + "  return x;\n}\n";
   }
 
@@ -337,8 +375,8 @@ private:
     std::string lines =
         "\n/// The values of the parameters in the file.\ninline parameter_values<System> values() {\n"
         "  parameter_values<System> p;\n";
-    for (const auto& [called, number] : values_)
-      lines += "  p[" + called + "] = " + cpp::number(number) + ";\n";
+    for (const auto& [symbol, number] : values_)
+      lines += "  p[" + symbol.called + "] = " + cpp::number(number) + ";\n";
     return lines + "  return p;\n}\n";
   }
 
@@ -347,8 +385,13 @@ private:
   const robot& source_;
   plan plan_;
   std::vector<std::string> types_, loads_{}, welds_{}, bodies_{};
-  std::vector<std::pair<std::string, double>> values_{}; ///< the parameters, with their values in the file
-  std::string declarations_{};
+  /// A parameter with its value in the file.
+  struct bound_value {
+    planned_symbol symbol{};
+    double number = 0;
+  };
+  std::vector<bound_value> values_{};
+  std::string declarations_{}, units_ = "units::implied::";
 };
 
 } // namespace kanexpr::robots

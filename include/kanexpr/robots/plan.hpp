@@ -5,6 +5,7 @@
 #include <kanexpr/robots/check_robot.hpp>
 #include <kanexpr/robots/identifiers.hpp>
 #include <kanexpr/robots/options.hpp>
+#include <kanexpr/robots/physical_quantity.hpp>
 #include <kanexpr/robots/pose.hpp>
 #include <kanexpr/robots/robot.hpp>
 
@@ -15,13 +16,19 @@
 /// The plan for the model of a robot: its moving bodies and the names of all symbols and links.
 namespace kanexpr::robots {
 
+/// The name of a symbol and the quantity that it denotes.
+struct planned_symbol {
+  std::string called{};
+  physical_quantity is{};
+};
+
 /// A joint that moves independently; a floating base has one, too.
 struct planned_joint {
   int joint = -1; ///< index in the robot; -1 for the floating base
   joint_kind kind = joint_kind::floating;
   std::string called{};
-  std::vector<std::string> coordinates{}, speeds{};
-  std::string input{}; ///< empty if there is none
+  std::vector<planned_symbol> coordinates{}, speeds{};
+  planned_symbol input{}; ///< its name is empty if there is none
 };
 
 struct plan {
@@ -42,6 +49,14 @@ struct plan {
   const joint& joint_of_body(const moving_body& b) const { return entry(source.joints, b.joint); }
   const moving_body& parent_of(const moving_body& b) const { return entry(tree.bodies, b.parent); }
 
+  /// The quantity by which the motion of the leader of a mimic joint is multiplied.
+  physical_quantity multiplier_of(int joint) const {
+    const auto slides = [&](int j) { return entry(source.joints, j).kind == joint_kind::prismatic; };
+    const bool leader_slides = slides(resolved_mimic(source, joint).leader);
+    if (slides(joint) == leader_slides) return physical_quantity::ratio;
+    return leader_slides ? physical_quantity::angle_per_length : physical_quantity::length_per_angle;
+  }
+
   bool has_floating_base() const { return options.base == base_kind::floating; }
   bool is_on_ground(const moving_body& b) const { return b.joint < 0 && !has_floating_base(); }
   /// Whether the values in the file are written as numbers instead of parameters.
@@ -53,19 +68,26 @@ struct plan {
 /// in the axes of the child.
 inline planned_joint plan_joint(int index, joint_kind kind, const std::string& called) {
   planned_joint made{index, kind, called, {}, {}, {}};
-  const auto add = [&](std::vector<std::string>& names, std::initializer_list<const char*> prefixes) {
-    for (const char* prefix : prefixes) names.push_back(prefix + (called.empty() ? "" : "_" + called));
+  const auto add = [&](std::vector<planned_symbol>& to, std::initializer_list<const char*> prefixes,
+                       physical_quantity is) {
+    for (const char* prefix : prefixes) to.push_back({prefix + (called.empty() ? "" : "_" + called), is});
   };
+  const bool slides = kind == joint_kind::prismatic;
   if (kind == joint_kind::floating) {
-    add(made.coordinates, {"px", "py", "pz", "e1", "e2", "e3", "e0"});
-    add(made.speeds, {"vx", "vy", "vz", "wx", "wy", "wz"});
+    add(made.coordinates, {"px", "py", "pz"}, physical_quantity::length);
+    add(made.coordinates, {"e1", "e2", "e3", "e0"}, physical_quantity::ratio);
+    add(made.speeds, {"vx", "vy", "vz"}, physical_quantity::velocity);
+    add(made.speeds, {"wx", "wy", "wz"}, physical_quantity::angular_velocity);
   } else if (kind == joint_kind::planar) {
-    add(made.coordinates, {"px", "py", "q"});
-    add(made.speeds, {"vx", "vy", "u"});
+    add(made.coordinates, {"px", "py"}, physical_quantity::length);
+    add(made.coordinates, {"q"}, physical_quantity::angle);
+    add(made.speeds, {"vx", "vy"}, physical_quantity::velocity);
+    add(made.speeds, {"u"}, physical_quantity::angular_velocity);
   } else {
-    add(made.coordinates, {"q"});
-    add(made.speeds, {"u"});
-    made.input = (kind == joint_kind::prismatic ? "F_" : "T_") + called;
+    add(made.coordinates, {"q"}, slides ? physical_quantity::length : physical_quantity::angle);
+    add(made.speeds, {"u"}, slides ? physical_quantity::velocity : physical_quantity::angular_velocity);
+    made.input = {(slides ? "F_" : "T_") + called,
+                  slides ? physical_quantity::force : physical_quantity::torque};
   }
   return made;
 }

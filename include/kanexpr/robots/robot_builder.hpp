@@ -2,6 +2,7 @@
 
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/robots/physical_quantity.hpp>
 #include <kanexpr/robots/plan.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -53,9 +54,9 @@ public:
   std::map<std::string, double> at_rest() const {
     std::map<std::string, double> x;
     for (const planned_joint& j : plan_.joints) {
-      for (const std::string& q : j.coordinates) x[q] = 0;
-      for (const std::string& u : j.speeds) x[u] = 0;
-      if (j.kind == joint_kind::floating) x[j.coordinates.back()] = 1;
+      for (const planned_symbol& q : j.coordinates) x[q.called] = 0;
+      for (const planned_symbol& u : j.speeds) x[u.called] = 0;
+      if (j.kind == joint_kind::floating) x[j.coordinates.back().called] = 1;
     }
     return x;
   }
@@ -65,6 +66,7 @@ public:
 private:
   using expression = symbolic::expression;
   using vector = mechanics::vector;
+  using kind = physical_quantity;
 
   /// The coordinates and speeds of a joint, or the expressions that determine them, and its input.
   struct motion {
@@ -86,11 +88,15 @@ private:
 
   vector along_numbers(frame_id axes, const vector3& v) { return along(axes, v[0], v[1], v[2]); }
 
+  expression with_unit(expression e, kind q) {
+    imply_unit(e, robots::unit_of(q));
+    return e;
+  }
   /// Returns a number from the file, or a parameter with that value.
-  expression value(const std::string& called, double in_file) {
+  expression value(const std::string& called, double in_file, kind q) {
     if (plan_.binds_numbers()) return number(in_file);
     values_.emplace_back(called, in_file);
-    return parameter(called);
+    return with_unit(parameter(called), q);
   }
   /// Adds a frame rotated relative to `in`; returns `in` itself if there is no rotation.
   frame_id rotated_frame(const std::string& called, frame_id in, const rotation& by) {
@@ -107,21 +113,24 @@ private:
   }
 
   vector symbols_along(const std::string& called, frame_id axes, const vector3& v) {
-    const expression x = value("x_" + called, v[0]), y = value("y_" + called, v[1]),
-                     z = value("z_" + called, v[2]);
+    const expression x = value("x_" + called, v[0], kind::length),
+                     y = value("y_" + called, v[1], kind::length),
+                     z = value("z_" + called, v[2], kind::length);
     return along(axes, x, y, z);
   }
 
   void add_symbols() {
     for (const planned_joint& j : plan_.joints) {
       motion& m = motions_.emplace_back();
-      for (const std::string& q : j.coordinates) m.q.push_back(coordinate(q));
+      for (const planned_symbol& q : j.coordinates) m.q.push_back(with_unit(coordinate(q.called), q.is));
     }
     for (std::size_t i = 0; i < motions_.size(); ++i)
-      for (const std::string& u : plan_.joints[i].speeds) motions_[i].u.push_back(speed(u));
+      for (const planned_symbol& u : plan_.joints[i].speeds)
+        motions_[i].u.push_back(with_unit(speed(u.called), u.is));
     for (std::size_t i = 0; i < motions_.size(); ++i) {
-      const std::string& input_name = plan_.joints[i].input;
-      motions_[i].drive = input_name.empty() ? mechanism().zero() : input(input_name);
+      const planned_symbol& drive = plan_.joints[i].input;
+      motions_[i].drive =
+          drive.called.empty() ? mechanism().zero() : with_unit(input(drive.called), drive.is);
     }
   }
 
@@ -130,8 +139,16 @@ private:
     const mimic_rule rule = resolved_mimic(robot_, joint);
     const motion& leader = entry(motions_, entry(plan_.joint_of, rule.leader));
     if (rule.leader == joint) return leader;
-    return {
+    const motion made{
         {rule.multiplier * leader.q[0] + rule.offset}, {rule.multiplier * leader.u[0]}, mechanism().zero()};
+    if (rule.multiplier != 1 && plan_.multiplier_of(joint) != kind::ratio) imply_units(made, joint);
+    return made;
+  }
+  /// Gives the units of the motion of a joint that turns as another slides, or slides as it turns.
+  void imply_units(const motion& m, int joint) {
+    const bool slides = entry(robot_.joints, joint).kind == joint_kind::prismatic;
+    with_unit(m.q[0], slides ? kind::length : kind::angle);
+    with_unit(m.u[0], slides ? kind::velocity : kind::angular_velocity);
   }
 
   void add_root() {
@@ -196,11 +213,15 @@ private:
   /// The torque or force along the axis of a joint.
   expression drive_of(const moving_body& b, const motion& m) {
     const joint& j = plan_.joint_of_body(b);
+    const bool slides = j.kind == joint_kind::prismatic;
     expression drive = m.drive;
     if (plan_.options.damping && j.damping > 0)
-      drive = drive - value("c_" + plan_.name(b.link), j.damping) * m.u[0];
+      drive = drive -
+              value("c_" + plan_.name(b.link), j.damping, slides ? kind::damping : kind::angular_damping) *
+                  m.u[0];
     if (plan_.options.friction && j.friction > 0) {
-      const expression force = value("f_" + plan_.name(b.link), j.friction);
+      const expression force =
+          value("f_" + plan_.name(b.link), j.friction, slides ? kind::force : kind::torque);
       drive = drive - force * sign(m.u[0]);
     }
     return drive;
@@ -211,11 +232,14 @@ private:
     const std::string& called = plan_.name(b.link);
     const frame_id axes = frame(b.link);
     const inertia_matrix& i = b.inertia;
-    const expression m = value("m_" + called, b.mass);
+    const expression m = value("m_" + called, b.mass, kind::mass);
     const vector to_center = symbols_along(called, axes, b.center);
-    const expression xx = value("ixx_" + called, i.xx), yy = value("iyy_" + called, i.yy),
-                     zz = value("izz_" + called, i.zz), xy = value("ixy_" + called, i.xy),
-                     yz = value("iyz_" + called, i.yz), zx = value("izx_" + called, i.zx);
+    const auto inertia_value = [&](const char* prefix, double e) {
+      return value(prefix + called, e, kind::moment_of_inertia);
+    };
+    const expression xx = inertia_value("ixx_", i.xx), yy = inertia_value("iyy_", i.yy),
+                     zz = inertia_value("izz_", i.zz), xy = inertia_value("ixy_", i.xy),
+                     yz = inertia_value("iyz_", i.yz), zx = inertia_value("izx_", i.zx);
     const bool is_at_origin = plan_.binds_numbers() && is_zero(b.center);
     const point_id center =
         is_at_origin ? origin(b.link) : offset(called + "_center", origin(b.link), to_center);
@@ -231,14 +255,14 @@ private:
     const std::string called = plan_.name(b.link) + "_rotor";
     const vector axis = along(inertial_frame(), 0, 0, 1);
     const frame_id axes = rotated(called, inertial_frame(), motion_of(b.joint).q[0], axis);
-    const expression own = value("j_" + plan_.name(b.link), j.reflected_inertia());
+    const expression own = value("j_" + plan_.name(b.link), j.reflected_inertia(), kind::moment_of_inertia);
     rigid_body(called, origins_.back(), axes, number(0.0), inertia(axes, 0, 0, own));
   }
 
   void add_gravity(const vector3& g) {
     const bool numbers = plan_.binds_numbers();
     const vector to = along_numbers(inertial_frame(), numbers ? g : direction_of_gravity(g));
-    const vector free_fall = numbers ? to : value("g", std::hypot(g[0], g[1], g[2])) * to;
+    const vector free_fall = numbers ? to : value("g", std::hypot(g[0], g[1], g[2]), kind::acceleration) * to;
     gravity(free_fall);
     if (numbers && is_zero(g)) return;
     expression energy{}; // one sum, because the wheels of an axle have equal terms
@@ -257,7 +281,7 @@ private:
       lifted = weights_.at(b.link);
     } else {
       const std::string called = plan_.name(b.link) + "_weightless";
-      lifted.mass = value("m_" + called, b.weightless_mass);
+      lifted.mass = value("m_" + called, b.weightless_mass, kind::mass);
       lifted.center =
           offset(called, origin(b.link), symbols_along(called, frame(b.link), b.weightless_center));
     }
@@ -305,6 +329,7 @@ inline robot_builder::robot_builder(robot r, const model_options& options)
   }
   place_fixed_links();
   add_gravity(gravity_of(robot_, options));
+  trust_units_of_present_parts(); // their numbers may be factors
 }
 
 } // namespace kanexpr::robots

@@ -35,6 +35,7 @@ class constraints_at {
   };
 
   base::sequence<int> coordinates_, speeds_;
+  bool velocities_are_linear_;
   base::sequence<base::sequence<int>> quaternions_;
   const mechanics::mechanism& mechanism_;
   base::sentence far_from_one_{};
@@ -42,9 +43,12 @@ class constraints_at {
 
 public:
   using coordinate_vector = Eigen::VectorXd;
+  using speed_vector = Eigen::VectorXd;
+  static constexpr bool only_linear = false;
 
   constraints_at(model& m, double t, std::span<const double> p, std::span<const double> r)
       : coordinates_(m.equations().coordinates().dependent), speeds_(m.equations().speeds().dependent),
+        velocities_are_linear_(m.equations().constraints_used().nonlinear == 0),
         quaternions_(mechanics::unit_quaternions(m.mechanism())), mechanism_(m.mechanism()),
         arguments_{t, vector_of(p), vector_of(r)}, residual(of(m, quantity::configuration_residual)),
         configuration_terms(of(m, quantity::configuration_terms)),
@@ -53,13 +57,16 @@ public:
         redundant_rate_terms(of(m, quantity::redundant_rate_terms)),
         jacobian(m.function(m.get(quantity::configuration_jacobian_by_all))),
         velocity_residual(of(m, quantity::velocity_residual)),
-        velocity_terms(of(m, quantity::velocity_terms)), speeds_solved(of(m, quantity::dependent_speeds)) {}
+        velocity_terms(of(m, quantity::velocity_terms)), speeds_solved(of(m, quantity::dependent_speeds)),
+        by_speeds(
+            m.function(velocities_are_linear_ ? symbolic::matrix{} : m.get(quantity::constraint_jacobian))) {}
 
   // formed in this order, which determines their rounding
   function_of_state residual, configuration_terms, redundant_residual, redundant_terms, redundant_rate,
       redundant_rate_terms;
   interpreted<double> jacobian;
   function_of_state velocity_residual, velocity_terms, speeds_solved;
+  interpreted<double> by_speeds;
 
   int all_coordinates() const { return mechanism_.coordinates.size(); }
   int coordinates() const { return coordinates_.size(); }
@@ -72,6 +79,15 @@ public:
                     by_dependent(by_all.rows(), coordinates());
     for (const base::sequence<int>& places : quaternions_) lower::leave_norm_out(by_all, at, places);
     for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all.col(coordinates_[i]);
+    return by_dependent;
+  }
+  bool velocities_are_linear() const { return velocities_are_linear_; }
+  int dependent_speeds() const { return speeds_.size(); }
+  int place_of_speed(int i) const { return all_coordinates() + speeds_[i]; }
+  Eigen::MatrixXd velocity_jacobian_by_dependent(const Eigen::VectorXd& x) {
+    const Eigen::MatrixXd by_all = by_speeds(arguments_.t, x, arguments_.p, arguments_.r);
+    Eigen::MatrixXd by_dependent(by_all.rows(), dependent_speeds());
+    for (int i = 0; i < dependent_speeds(); ++i) by_dependent.col(i) = by_all.col(speeds_[i]);
     return by_dependent;
   }
   /// Whether the configuration constraints hold to within rounding.
@@ -106,7 +122,7 @@ public:
     const Eigen::VectorXd u = speeds_solved(x);
     const kanexpr::status solved = speeds_solved.result.status();
     if (solved)
-      for (int i = 0; i < speeds_.size(); ++i) x(all_coordinates() + speeds_[i]) = u(i);
+      for (int i = 0; i < speeds_.size(); ++i) x(place_of_speed(i)) = u(i);
     return solved;
   }
 

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/engine.hpp>
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/runtime/assemble.hpp>
 #include <kanexpr/runtime/model.hpp>
 
@@ -19,10 +20,11 @@ namespace kanexpr {
 /// by experiments (Gautier, Numerical Calculation of the Base Inertial Parameters of Robots, Journal of
 /// Robotic Systems 8, 1991).
 struct base_parameters {
-  std::vector<Eigen::Index> columns{}; ///< the columns of Y that form Y_base
-  Eigen::MatrixXd combination{};       ///< K
-  std::vector<std::string> names{};    ///< "izz of Upper + 0.25*m of Lower"
-  base::sentence failure{};            ///< the reason why no base parameters were found
+  std::vector<Eigen::Index> columns{};           ///< the columns of Y that form Y_base
+  Eigen::MatrixXd combination{};                 ///< K
+  std::vector<std::string> names{};              ///< "izz of Upper + 0.25*m of Lower"
+  std::vector<mechanics::possible_unit> units{}; ///< in the same order; empty if the system states no units
+  base::sentence failure{};                      ///< the reason why no base parameters were found
 
   explicit operator bool() const { return !failure; }
   std::string cause() const { return failure.cause(); }
@@ -50,6 +52,7 @@ struct found_base_parameters {
   std::vector<int> columns{};
   std::vector<double> combination{}; ///< row by row
   std::vector<std::string> names{};
+  std::vector<mechanics::possible_unit> units{};
   base::sentence failure{};
 };
 
@@ -73,6 +76,7 @@ base_parameters find_base_parameters(model& m, const Parameters& p = {},
   return {{found.columns.begin(), found.columns.end()},
           Eigen::Map<const by_rows>(found.combination.data(), rows, rows == 0 ? 0 : entries / rows),
           found.names,
+          found.units,
           found.failure};
 }
 

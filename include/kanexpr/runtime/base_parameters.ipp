@@ -130,9 +130,11 @@ KANEXPR_ENGINE found_base_parameters find_base_parameters(model& m, std::span<co
         "dependent and independent inertial parameters cannot be separated with a tolerance of ",
         options.tolerance));
   const std::vector<std::string> names = m.names_of_inertial_parameters();
+  const mechanics::unit_table units = m.units();
   Eigen::Index row = 0;
   for (const Eigen::Index column : chosen.kept) {
     found.columns.push_back(static_cast<int>(column));
+    if (units.is_stated) found.units.push_back(units.inertial_parameter(static_cast<int>(column)));
     for (Eigen::Index j = 0; j < y.columns; ++j) found.combination.push_back(chosen.combination(row, j));
     found.names.push_back(name_of_combination(chosen.combination, row++, column, names));
   }

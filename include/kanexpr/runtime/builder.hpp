@@ -5,6 +5,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/describe/expression.hpp>
 #include <kanexpr/mechanics/loads/add_beam.hpp>
+#include <kanexpr/mechanics/loads/contact_geometry.hpp>
 #include <kanexpr/mechanics/model/beam.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/flexible_body.hpp>
@@ -15,6 +16,7 @@
 #include <kanexpr/numeric/beams/shape.hpp>
 #include <kanexpr/runtime/beam_data.hpp>
 #include <kanexpr/runtime/builder_checks.hpp>
+#include <kanexpr/runtime/contact_data.hpp>
 #include <kanexpr/runtime/flexible_integrals.hpp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/runtime/number_or_expression.hpp>
@@ -90,8 +92,14 @@ public:
 
   expression coordinate(std::string_view q) { return checks_.is_new_symbol(q), m_.coordinate(q); }
   expression coordinate(std::string_view q, const units::unit& u) { return with_unit(coordinate(q), u); }
-  expression speed(std::string_view u) { return checks_.is_new_symbol(u), m_.speed(u); }
+  expression speed(std::string_view u) { return checks_.is_new_speed(u), m_.speed(u); }
   expression speed(std::string_view u, const units::unit& of) { return with_unit(speed(u), of); }
+  /// A scalar that is neither a coordinate nor a speed; `dynamics` gives its rate. State variables follow all
+  /// speeds.
+  expression state_variable(std::string_view z) { return checks_.is_new_symbol(z), m_.state_variable(z); }
+  expression state_variable(std::string_view z, const units::unit& u) {
+    return with_unit(state_variable(z), u);
+  }
   expression parameter(std::string_view p) { return checks_.is_new_symbol(p), m_.parameter(p); }
   expression parameter(std::string_view p, const units::unit& u) { return with_unit(parameter(p), u); }
   expression input(std::string_view r) { return checks_.is_new_symbol(r), m_.input(r); }
@@ -116,7 +124,7 @@ public:
   /// A constant; write zero as 0.0.
   expression number(given_number value);
 
-  /// The rate of a coordinate, speed or prescribed quantity.
+  /// The rate of a coordinate, speed, state variable or prescribed quantity.
   expression dot(expression e);
 
   /// A kinematic differential equation: an expression that vanishes and is linear in the rates of the
@@ -124,6 +132,8 @@ public:
   void kinematic_equation(expression vanishes) {
     if (checks_.owns("a kinematic differential equation", vanishes)) m_.kinematics.push(vanishes);
   }
+  /// The rate of a state variable. It may depend on everything except the rates of the speeds.
+  void dynamics(expression state_variable, expression rate);
   /// The equations that equate the angular velocity derived from the orientation of a frame with the declared
   /// one.
   void kinematics_of(frame_id frame, frame_id reference);
@@ -248,6 +258,33 @@ public:
   /// velocity of `on` relative to `other`.
   void torsional_damper(frame_id on, frame_id other, expression damping);
 
+  /// A contact of a sphere that is fixed in the frame `of` with the plane through `in_plane`, whose normal
+  /// points to the sphere; the plane is fixed in the frame in whose axes the normal is given.
+  void sphere_on_plane(point_id center, frame_id of, const number_or_expression& radius, point_id in_plane,
+                       const vector& normal, const contact_data& data);
+  /// The same for a point.
+  void point_on_plane(point_id point, point_id in_plane, const vector& normal, const contact_data& data);
+  /// The same for a torus: the centers of its tube are on a circle about the axis. The contact is undefined
+  /// if the axis is parallel to the normal.
+  void torus_on_plane(point_id center, frame_id of, const vector& axis, const number_or_expression& circle,
+                      const number_or_expression& tube, point_id in_plane, const vector& normal,
+                      const contact_data& data);
+  /// A contact of two spheres outside of each other, each of which is fixed in a frame.
+  void sphere_on_sphere(point_id center, frame_id of, const number_or_expression& radius,
+                        point_id other_center, frame_id other, const number_or_expression& other_radius,
+                        const contact_data& data);
+
+  /// A contact of a point with a surface that is fixed in a frame. `level` is a function of three
+  /// coordinates, which are measured from `origin` in the axes of the frame; it vanishes on the surface and
+  /// is positive on the side of the point: `[&](expression x, expression y, expression z) { return z - h *
+  /// sin(x); }`.
+  template <class Level>
+  void point_on_surface(point_id point, point_id origin, frame_id of, const Level& level,
+                        const contact_data& data) {
+    const mechanics::components at = mechanics::surface_coordinates(*graph_);
+    add_surface_contact(point, origin, of, level(at.x, at.y, at.z), data);
+  }
+
   // ---- constraints; their expressions may contain velocities of a `mechanics::known_motion`
 
   /// A vector whose components along the given directions vanish, with one constraint per direction:
@@ -262,7 +299,8 @@ public:
   void configuration_constraint(expression vanishes);
   /// Requires the components of a position along given directions to vanish; see `zero_along`.
   void configuration_constraint(const zero_components& v);
-  /// An expression that must vanish and is linear in the speeds or the rates of the coordinates.
+  /// An expression that must vanish; it depends on the speeds or the rates of the coordinates, linearly or
+  /// not.
   void velocity_constraint(expression vanishes);
   /// Requires the component of a velocity along `direction` to vanish.
   void velocity_constraint(const vector& vanishes, const vector& direction);
@@ -278,6 +316,13 @@ public:
     system_.constraints.redundant.push(configuration_constraint);
   }
 
+protected:
+  /// Gives the unit of an expression that follows from its definition; the units of the system are not
+  /// checked because of it.
+  void imply_unit(expression e, const units::unit& u) { m_.stated_units.push({e, u, true}); }
+  /// Declares that the quantities of all parts built so far are in SI units by definition.
+  void trust_units_of_present_parts() { system_.trust_units_of_present_parts(); }
+
 private:
   friend model kanexpr::derive(const builder& built);
 
@@ -290,6 +335,8 @@ private:
   mechanics::components as_components(const flexible_integrals::vector_entries& given);
   symbolic::matrix as_matrix(const flexible_integrals::matrix& given);
   bool has_shapes_of(std::string_view body, std::size_t amplitudes, const flexible_integrals& data);
+  bool has_elasticity(std::string_view called, const base::sequence<expression>& amplitudes,
+                      const symbolic::matrix& stiffness, const symbolic::matrix& damping);
   bool owns_flexible_body(const mechanics::flexible_body& b);
 
   /// A beam and its shapes, from which its sections are formed.
@@ -301,8 +348,12 @@ private:
   void deform(built_beam& to, const beam_data& data);
   void check_profile(std::string_view beam, const numeric::beams::shape& profile);
   mechanics::components unit_direction(const vector& given, int frame);
-  mechanics::beam_damping damping_of(const beam_data& data);
+  mechanics::beam_damping damping_of(std::string_view beam, const beam_data& data);
   bool owns_beam(const built_beam& made, const mechanics::beam_damping& damped);
+  bool set_direction(mechanics::components& unit, int& frame, const vector& given);
+  void add_surface_contact(point_id point, point_id origin, frame_id of, expression level,
+                           const contact_data& data);
+  void add_contact(const mechanics::contact_geometry& between, const contact_data& data);
   /// Whether at least one of the arguments is not the integer 0.
   bool not_all_zero(std::initializer_list<const number_or_expression*> given, std::string_view whose);
 
@@ -342,6 +393,7 @@ private:
 #include <kanexpr/runtime/builder.ipp>
 #include <kanexpr/runtime/builder_beam.ipp>
 #include <kanexpr/runtime/builder_constraints.ipp>
+#include <kanexpr/runtime/builder_contact.ipp>
 #include <kanexpr/runtime/builder_flexible_body.ipp>
 #include <kanexpr/runtime/builder_flexible_data.ipp>
 #include <kanexpr/runtime/builder_loads.ipp>

@@ -34,6 +34,7 @@ KANEXPR_ENGINE builder::builder(std::string_view inertial_frame) : system_(*grap
 KANEXPR_ENGINE sentence(builder::check)() const {
   if (mistake()) return mistake();
   sentence found = mechanics::check_system(system_);
+  if (!found && m_.state_variables != 0) found = mechanics::check_state_rates(m_, system_.loads.state_rates);
   if (!found) found = check_unused_symbols(system_, used_elsewhere_);
   return found ? found : mechanics::check_units(system_);
 }
@@ -72,6 +73,7 @@ KANEXPR_ENGINE expression builder::prescribed(std::string_view r) {
 
 KANEXPR_ENGINE void builder::rates_as_speeds() {
   m_.derived_by = mechanics::method::lagrange;
+  checks_.is_before_state_variables("the rates of the coordinates are");
   m_.take_rates_as_speeds();
 }
 
@@ -97,6 +99,21 @@ KANEXPR_ENGINE expression builder::dot(expression e) {
   }
   checks_.fail({"the argument of dot is not a coordinate, speed or prescribed quantity"});
   return m_.zero();
+}
+
+KANEXPR_ENGINE void builder::dynamics(expression state_variable, expression rate) {
+  const int speed = state_variable.belongs_to(*graph_) ? m_.speeds.find(state_variable) : -1;
+  if (speed < m_.speeds_of_motion()) {
+    checks_.fail({"the first argument of dynamics is not a state variable"});
+    return;
+  }
+  if (!checks_.owns("the rate of a state variable", rate)) return;
+  const mechanics::solved_state_rate solved =
+      mechanics::solve_for_state_rate(m_, speed, m_.speed_rates[speed] - rate);
+  if (solved.mistake)
+    checks_.fail({solved.mistake.view()});
+  else
+    system_.loads.state_rates.push(solved.found);
 }
 
 KANEXPR_ENGINE void builder::kinematics_of(frame_id frame, frame_id reference) {

@@ -17,6 +17,7 @@
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -30,6 +31,13 @@ KANEXPR_ENGINE void builder::deform(built_beam& to, mechanics::deformation what,
   check_profile(called, by.profile);
   if (by.shapes.empty()) checks_.fail({"beam ", called, " has a deformation without a shape"});
   for (const numeric::beams::shape& each : by.shapes) {
+    if (each.is_empty()) {
+      checks_.fail(
+          {"beam ", called,
+           " has an empty shape; natural modes are empty if their number is less than 1, or if a ratio "
+           "of the body at the tip is negative or not finite"});
+      return;
+    }
     if (!each.is_complete()) {
       checks_.fail({"beam ", called,
                     " has a shape that is not given on the whole beam, by finite numbers and stations in "
@@ -101,7 +109,7 @@ KANEXPR_ENGINE beam_id builder::beam(std::string_view called, point_id root, fra
   if (b.amplitudes.size() != b.deformations.size())
     checks_.fail({"expected an amplitude for each of the ", base::counted(b.deformations.size()).view(),
                   " shapes of beam ", called, ", got ", base::counted(b.amplitudes.size()).view()});
-  const mechanics::beam_damping damped = damping_of(data);
+  const mechanics::beam_damping damped = damping_of(called, data);
   if (mistake() || !owns_beam(made, damped)) return {};
   const base::sequence<double> integrals = numeric::beams::integrate_modes(made.shapes);
   b.integrals = {integrals.begin(), b.deformations.size()};
@@ -112,7 +120,11 @@ KANEXPR_ENGINE beam_id builder::beam(std::string_view called, point_id root, fra
   return beam_id{static_cast<int>(beams_.size()) - 1};
 }
 
-KANEXPR_ENGINE mechanics::beam_damping builder::damping_of(const beam_data& data) {
+KANEXPR_ENGINE mechanics::beam_damping builder::damping_of(std::string_view beam, const beam_data& data) {
+  bool has_integer = data.damping_of_mass.is_whole_zero() || data.damping_of_stiffness.is_whole_zero();
+  for (const number_or_expression& each : data.damping_ratios)
+    has_integer = has_integer || each.is_whole_zero();
+  if (has_integer) checks_.fail_integer_zero("the damping of beam " + std::string(beam) + " contains 0");
   mechanics::beam_damping damped{
       as_expression(data.damping_of_mass), as_expression(data.damping_of_stiffness), {}};
   for (const number_or_expression& each : data.damping_ratios) damped.ratios.push(as_expression(each));

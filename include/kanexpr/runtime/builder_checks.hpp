@@ -61,6 +61,15 @@ public:
   bool is_new_symbol(std::string_view called) {
     return is_valid_name("symbols", called) && is_unused(called);
   }
+  bool is_new_speed(std::string_view called) {
+    return is_new_symbol(called) && is_before_state_variables("a speed is");
+  }
+  /// Checks that no state variable was declared yet, because these follow all speeds.
+  bool is_before_state_variables(std::string_view what) {
+    if (m_.state_variables == 0) return true;
+    return fail({what, " declared after state variable ", mechanics::called(m_, m_.speeds.back()),
+                 "; declare state variables after all speeds"});
+  }
   /// Checks that no symbol already has the name.
   bool is_unused(std::string_view called) {
     for (const auto* list : {&m_.coordinates, &m_.speeds, &m_.parameters, &m_.inputs, &m_.auxiliary_speeds})

@@ -166,7 +166,7 @@ public:
 
 } // namespace runtime
 
-/// The state [q; u] of a model, initially zero.
+/// The state [q; u; z] of a model, where z are the state variables; initially zero.
 template <>
 class state<model> : public runtime::values_of_model<compiled::symbols_of::state> {
 public:
@@ -175,8 +175,13 @@ public:
 
   auto q() { return head(known()->coordinates); }
   auto q() const { return head(known()->coordinates); }
-  auto u() { return tail(known()->speeds); }
-  auto u() const { return tail(known()->speeds); }
+  auto u() { return segment(known()->coordinates, speeds()); }
+  auto u() const { return segment(known()->coordinates, speeds()); }
+  auto z() { return tail(known()->state_variables); }
+  auto z() const { return tail(known()->state_variables); }
+
+private:
+  int speeds() const { return known()->speeds - known()->state_variables; }
 };
 
 /// The parameters of a model, NaN until they are set.

@@ -35,7 +35,10 @@ public:
   using coordinate_vector = Eigen::Matrix<Number, known.configuration_constraints, 1>;
   using square = Eigen::Matrix<Number, known.configuration_constraints, known.configuration_constraints>;
   using speed_vector = Eigen::Matrix<Number, known.constraints, 1>;
+  using square_of_speeds = Eigen::Matrix<Number, known.constraints, known.constraints>;
   using redundant_vector = Eigen::Matrix<Number, known.redundant_constraints, 1>;
+
+  static constexpr bool only_linear = known.nonlinear_constraints == 0;
 
   constraints_at(Number t, const Parameters& p, const Inputs& r) : t_(t), p_(p), r_(r) {}
 
@@ -70,8 +73,21 @@ public:
     }
     return by_dependent;
   }
+  static constexpr bool velocities_are_linear() { return only_linear; }
+  static constexpr int dependent_speeds() { return known.constraints; }
+  static constexpr int place_of_speed(int i) { return place_of_coordinate(coordinates() + i); }
+
   speed_vector velocity_residual(const state& x) const {
     return of_once<quantity::velocity_residual, speed_vector>(x);
+  }
+  square_of_speeds velocity_jacobian_by_dependent(const state& x) const {
+    const auto [residual, by_all] =
+        out_of_line<function<System, quantity::velocity_residual, quantity::constraint_jacobian>>{}(t_, x, p_,
+                                                                                                    r_);
+    square_of_speeds by_dependent;
+    for (int i = 0; i < dependent_speeds(); ++i)
+      by_dependent.col(i) = by_all.col(place_of_speed(i) - all_coordinates());
+    return by_dependent;
   }
   speed_vector velocity_terms(const state& x) const {
     return of_once<quantity::velocity_terms, speed_vector>(x);
@@ -111,7 +127,7 @@ public:
     } else {
       const auto u = of_once<quantity::dependent_speeds>(x);
       if (status_of(u))
-        for (int i = 0; i < known.constraints; ++i) x(place_of_coordinate(coordinates() + i)) = u(i);
+        for (int i = 0; i < known.constraints; ++i) x(place_of_speed(i)) = u(i);
       return status_of(u);
     }
   }
@@ -182,8 +198,9 @@ private:
 } // namespace steps
 
 /// Normalizes the quaternions, solves the configuration constraints for the dependent coordinates by Newton's
-/// method, starting from their values in `x`, then solves the velocity constraints for the dependent speeds.
-/// On failure, `x` is unchanged and the report contains the cause. The function neither allocates nor throws.
+/// method, starting from their values in `x`, then solves the velocity constraints for the dependent speeds,
+/// also by Newton's method from their values in `x` if the constraints are not linear in the speeds. On
+/// failure, `x` is unchanged and the report contains the cause. The function neither allocates nor throws.
 template <class System, class Number = double, class Parameters = parameter_values<System, Number>,
           class Inputs = input_values<System, Number>>
 assembly assemble(state<System, Number>& x, const Parameters& p = {}, const Inputs& r = {},

@@ -16,7 +16,8 @@ using symbolic::added;
 
 /// Moves a state that nearly satisfies its constraints back onto them with a fixed amount of work: it
 /// normalizes the quaternions, takes `corrections` Newton steps for the dependent coordinates, then solves
-/// for the dependent speeds. The independent coordinates and speeds are unchanged.
+/// for the dependent speeds, by as many Newton steps if constraints are not linear in them. The independent
+/// coordinates and speeds are unchanged.
 template <class System, int newton_steps>
 class correction {
   static constexpr const derivation::survey& known = compiled::survey_of<System>;
@@ -27,6 +28,8 @@ class correction {
 
 public:
   static constexpr bool is_needed = newton_steps > 0 && (known.constraints > 0 || quaternions::count > 0);
+  /// The number of solutions for the dependent speeds.
+  static constexpr int solutions = known.nonlinear_constraints == 0 ? 1 : newton_steps;
 
   template <class Time, class Number, class Parameters, class Inputs>
   static kanexpr::status apply(const Time& t, state<System, Number>& x, const Parameters& p,
@@ -41,7 +44,8 @@ public:
   static constexpr symbolic::cost cost() {
     symbolic::cost total;
     if constexpr (is_needed) total = added(total, quaternions::cost());
-    if constexpr (is_needed && known.constraints > 0) total = added(total, eom::dependent_speeds.cost());
+    if constexpr (is_needed && known.constraints > 0)
+      total = added(total, eom::dependent_speeds.cost(), solutions);
     if constexpr (is_needed && unknowns > 0) {
       symbolic::cost one = eom::configuration_step.cost();
       if constexpr (quaternions::are_bound) one = added(one, quaternions::cost());
@@ -70,6 +74,7 @@ private:
       return quaternions::normalize(x, near_one);
     }
     static constexpr bool quaternions_are_bound() { return quaternions::are_bound; }
+    static constexpr bool velocities_are_linear() { return known.nonlinear_constraints == 0; }
     static constexpr int dependent(int i) { return place(i); }
   };
 };

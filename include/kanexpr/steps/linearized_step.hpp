@@ -91,7 +91,11 @@ struct varied_correction {
           if (const status n = normalize(next); !n) return n;
       }
     if constexpr (known.constraints > 0)
-      return add<varied<quantity::dependent_speeds>>(t, next, known.configuration_constraints, p, r, false);
+      for (int done = 0; done < correct::solutions; ++done) {
+        constexpr int first = known.configuration_constraints;
+        if (const status s = add<varied<quantity::dependent_speeds>>(t, next, first, p, r, false); !s)
+          return s;
+      }
     return {};
   }
 
@@ -107,7 +111,8 @@ struct varied_correction {
       total = added(total, one, corrections);
     }
     if constexpr (known.constraints > 0)
-      total = added(total, cost_of_adding<varied<quantity::dependent_speeds>>(known.constraints, false));
+      total = added(total, cost_of_adding<varied<quantity::dependent_speeds>>(known.constraints, false),
+                    correct::solutions);
     return total;
   }
 

@@ -23,6 +23,7 @@
 ///
 ///     normalize(x)               normalizes the quaternions, or reports one whose norm is outside `near_one`
 ///     quaternions_are_bound()    whether a constraint is solved for a coordinate of a quaternion
+///     velocities_are_linear()    whether all constraints on the speeds are linear in them
 ///     dependent(i)               the index in the state of the i-th dependent entry, coordinates first
 ///
 /// In generated code, every status reports success, and the requested quantities are recorded.
@@ -63,7 +64,8 @@ template <class State, class Rate>
     to(first + i) = Number(x(first + i) + Number(h * rate(i)));
 }
 
-/// Takes Newton steps for the dependent coordinates, then solves for the dependent speeds.
+/// Takes Newton steps for the dependent coordinates, then solves for the dependent speeds: by as many Newton
+/// steps if constraints are not linear in the speeds.
 template <class Equations, class Time, class State>
 [[gnu::always_inline]] inline status correct(const Equations& of, int newton_steps, const Time& t, State& x) {
   using Number = typename State::Scalar;
@@ -78,9 +80,13 @@ template <class Equations, class Time, class State>
     if (of.quaternions_are_bound())
       if (const status s = of.normalize(x); !s) return s;
   }
-  const auto u = of.template get<quantity::dependent_speeds>(t, x);
-  for (int i = 0; i < static_cast<int>(u.size()); ++i) x(of.dependent(first + i)) = u(i);
-  return status_of(u);
+  const int solutions = of.velocities_are_linear() ? 1 : newton_steps;
+  for (int done = 0; done < solutions; ++done) {
+    const auto u = of.template get<quantity::dependent_speeds>(t, x);
+    if (const status s = status_of(u); !s) return s;
+    for (int i = 0; i < static_cast<int>(u.size()); ++i) x(of.dependent(first + i)) = u(i);
+  }
+  return {};
 }
 
 /// Advances a state by one step of a method, without corrections.

@@ -53,7 +53,8 @@ struct weighted_rates {
 /// Concatenates two vectors.
 template <class Above, class Below>
 auto stacked(const Above& above, const Below& below) {
-  Eigen::Matrix<typename Above::Scalar, Above::RowsAtCompileTime + Below::RowsAtCompileTime, 1> all;
+  constexpr int rows = int{Above::RowsAtCompileTime} + int{Below::RowsAtCompileTime};
+  Eigen::Matrix<typename Above::Scalar, rows, 1> all;
   all << above, below;
   return all;
 }

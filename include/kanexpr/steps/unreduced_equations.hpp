@@ -32,6 +32,7 @@ public:
   using number = Number;
   static constexpr int fixed_coordinates = known.coordinates, fixed_speeds = known.speeds,
                        fixed_rows_of_coordinates = l + norms, fixed_rows_of_speeds = m + redundant;
+  static constexpr bool only_linear = known.nonlinear_constraints == 0;
   using state = Eigen::Matrix<Number, known.coordinates + known.speeds, 1>;
 
   unreduced_equations(Number t, const Parameters& p, const Inputs& r) : t_(t), p_(p), r_(r) {}
@@ -42,6 +43,8 @@ public:
   static constexpr int speeds() { return fixed_speeds; }
   static constexpr int rows_of_coordinates() { return fixed_rows_of_coordinates; }
   static constexpr int rows_of_speeds() { return fixed_rows_of_speeds; }
+
+  static constexpr bool velocities_are_linear() { return only_linear; }
 
   template <class Left, class Rows>
   void configuration(const state& x, Left& left, Rows& by_coordinates) const {

@@ -64,6 +64,16 @@ struct unit {
     return place < 4 ? unit{power, 0} : unit{0, power};
   }
 
+  /// Whether all powers are between −273 and 273, so that products of a few units are exact.
+  constexpr bool is_in_range() const {
+    const auto fits = [](std::int64_t digits) {
+      return ((static_cast<std::uint64_t>(digits) + 0x4000400040004000U) & 0x8000800080008000U) == 0;
+    };
+    return fits(kg_m_s_a) && fits(k_mol_cd_rad);
+  }
+  /// Represents all units that cannot be stored; it stays out of range in products.
+  static constexpr unit out_of_range() { return {0x6000600060006000, 0x6000600060006000}; }
+
 private:
   static constexpr std::int64_t digit = 1 << 16;
 
@@ -72,6 +82,14 @@ private:
     const std::int64_t low = digits % power;
     return low >= power / 2 ? low - power : low < -power / 2 ? low + power : low;
   }
+};
+
+/// A unit that follows from the definition of a quantity, for example in a file of a robot. It is shown like
+/// one that the model states, but a model is not checked because of it.
+struct implied_unit {
+  unit of{};
+
+  constexpr bool operator==(const implied_unit&) const = default;
 };
 
 constexpr base_unit base_unit_at(int place) { return static_cast<base_unit>(place); }
@@ -106,12 +124,15 @@ constexpr unit power(const unit& of, std::int64_t numerator, std::int64_t denomi
   return raised;
 }
 
-/// A power of a unit: `pow<2>(second)`, `pow<1, 2>(meter)`.
+/// A power of a unit: `pow<2>(second)`, `pow<1, 2>(meter)`. A symbol with a unit that cannot be represented
+/// is a mistake in a model.
 template <int numerator, int denominator = 1>
 constexpr unit pow(const unit& of) {
   static_assert(denominator != 0 && unit::parts % denominator == 0,
                 "the power of a unit must be a multiple of 1/60");
-  return power(of, numerator, denominator);
+  if (!has_power(of, numerator, denominator)) return unit::out_of_range();
+  const unit raised = power(of, numerator, denominator);
+  return raised.is_in_range() ? raised : unit::out_of_range();
 }
 
 /// The same unit without its powers of the radian.

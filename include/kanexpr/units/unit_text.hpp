@@ -37,35 +37,55 @@ inline constexpr symbol base_symbols[base_units]{{kilogram, "kg"}, {meter, "m"},
 inline constexpr symbol named[]{{newton, "N"}, {watt, "W"},  {pascal, "Pa"}, {volt, "V"}, {ohm, "Ohm"},
                                 {farad, "F"},  {henry, "H"}, {coulomb, "C"}, {tesla, "T"}};
 
-/// Units that are written as products of a named unit with another one.
+/// Units that are written as products or quotients of named units and another one.
 struct product {
-  char named;
+  char above, below; ///< the first letters of the named units, or 0
   unit rest;
 };
 inline constexpr product products[]{
-    {'N', second / meter},         // damping
-    {'N', meter* second / radian}, // torsional damping
-    {'N', second / radian},
-    {'N', hertz},
-    {'N', radian / second},
-    {'N', dimensionless / ampere},
-    {'N', meter / ampere},
-    {'V', second / radian},        // the constant of a motor
-    {'V', dimensionless / radian}, // gains of a controller
-    {'V', dimensionless / meter},
-    {'V', second / meter},
-    {'W', dimensionless / kelvin},
-    {'W', dimensionless / meter / kelvin},
-    {'P', second},
+    {'N', 0, second / meter},         // damping
+    {'N', 0, meter* second / radian}, // torsional damping
+    {'N', 0, second / radian},
+    {'N', 0, hertz},
+    {'N', 0, radian / second},
+    {'N', 0, dimensionless / ampere},
+    {'N', 0, meter / ampere},
+    {'N', 'V', dimensionless}, // gains of actuators and their inverse
+    {'V', 'N', dimensionless},
+    {0, 'V', radian},
+    {0, 'V', radian / second},
+    {0, 'V', meter},
+    {0, 'V', meter / second},
+    {'V', 0, second / radian},        // the constant of a motor
+    {'V', 0, dimensionless / radian}, // gains of a controller
+    {'V', 0, dimensionless / meter},
+    {'V', 0, second / meter},
+    {'W', 0, dimensionless / kelvin},
+    {'W', 0, dimensionless / meter / kelvin},
+    {'P', 0, second},
 };
 
-/// The named unit in the text of a unit; the unit 1 and no symbol if there is none. Forces times lengths,
-/// angles and powers of them are written with the newton.
-constexpr symbol named_factor(const unit& u) {
+/// The named unit whose symbol begins with a letter; the unit 1 and no symbol for the letter 0.
+constexpr symbol named_by(char letter) {
+  for (const symbol& s : named)
+    if (s.called[0] == letter) return s;
+  return {};
+}
+
+/// The named units in the text of a unit; each is the unit 1 without a symbol if there is none.
+struct named_factors {
+  symbol above{}, below{};
+
+  constexpr unit of(const unit& rest) const { return above.of * rest / below.of; }
+};
+
+/// Returns the named units in the text of a unit. Forces times lengths, angles and powers of them are written
+/// with the newton.
+constexpr named_factors named_factors_of(const unit& u) {
   for (const product& p : products)
-    for (const symbol& s : named)
-      if (s.called[0] == p.named && u == s.of * p.rest) return s;
-  if (u[base_unit::kilogram] == unit::parts && u[base_unit::second] == -2 * unit::parts) return named[0];
+    if (const named_factors all{named_by(p.above), named_by(p.below)}; all.of(p.rest) == u) return all;
+  if (u[base_unit::kilogram] == unit::parts && u[base_unit::second] == -2 * unit::parts)
+    return {named[0], {}};
   return {};
 }
 
@@ -77,15 +97,16 @@ public:
   constexpr base::name written(const unit& u) {
     for (const symbol& s : named)
       if (s.of == u) return around(sign_of(s));
-    const symbol leading = named_factor(u);
-    const unit rest = u / leading.of;
-    if (leading.called[0] != '\0') put(leading.called);
+    const named_factors named_in = named_factors_of(u);
+    const unit rest = u / named_in.above.of * named_in.below.of;
+    if (named_in.above.called[0] != '\0') put(named_in.above.called);
     for (int i = 0; i < base_units; ++i) factor(i, rest[base_unit_at(i)]);
-    int below = 0;
+    int below = named_in.below.called[0] == '\0' ? 0 : 1;
     for (int i = 0; i < base_units; ++i) below += rest[base_unit_at(i)] < 0 ? 1 : 0;
     if (is_first_) text_.append("1");
     if (below > 0) text_.append(below > 1 ? "/(" : "/");
     is_first_ = true;
+    if (named_in.below.called[0] != '\0') put(named_in.below.called);
     for (const int i : {7, 0, 1, 2, 3, 4, 5, 6}) factor(i, -rest[base_unit_at(i)]);
     if (below > 1) text_.append(")");
     return around(text_.view());

@@ -26,7 +26,7 @@ public:
 
   constexpr void compose(const describe::token& t, sequence<value>& stack, std::string_view whom) {
     const symbolic::composite_signature& f = word_of(t);
-    sequence<expression> operands = operands_of(t, stack, f.name, whom);
+    const sequence<expression> operands = operands_of(t, stack, f.name, whom);
     if (reading_.mistake) return;
     const int given = operands.size();
     if (f.operands == symbolic::variadic && !check_table(f, operands, whom)) return;
@@ -39,7 +39,8 @@ public:
     reading_.hides_units = true;
     if (reading_.for_units && f.operands == symbolic::variadic)
       return static_cast<void>(stack.push(value::of(value_of_table(reading_, operands))));
-    if (reading_.for_units) replace_numbers(reading_, operands);
+    if (reading_.for_units && !are_numbers(operands))
+      return static_cast<void>(stack.push(value::of(value_of_function(reading_, f, operands))));
     stack.push(value::of(symbolic::compose(f.is, operands)));
   }
 
@@ -61,6 +62,11 @@ public:
   }
 
 private:
+  static constexpr bool are_numbers(const sequence<expression>& operands) {
+    for (const expression& e : operands)
+      if (!e.is_constant()) return false;
+    return true;
+  }
   /// Returns the operands of a function, which must be scalars, from the top of the stack.
   constexpr sequence<expression> operands_of(const describe::token& t, const sequence<value>& stack,
                                              std::string_view function, std::string_view whom) {

@@ -47,7 +47,8 @@ public:
     const symbolic::symbol_kind rate = reading_.takes_rates_as_speeds()
                                            ? symbolic::symbol_kind::coordinate_rate
                                            : symbolic::symbol_kind::speed;
-    if (!coordinate && (s == nullptr || s->kind != rate))
+    const bool is_state_variable = s != nullptr && s->order == describe::of_state_variable;
+    if (!coordinate && (s == nullptr || s->kind != rate || is_state_variable))
       return reading_.fail({whom, " contains something that is neither a coordinate nor ",
                             reading_.takes_rates_as_speeds() ? "the rate of one" : "a speed",
                             p.size > 0 ? ", involving " : "", name_in(p)});

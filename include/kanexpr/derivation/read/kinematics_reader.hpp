@@ -36,13 +36,14 @@ public:
   constexpr void add_simple() {
     if (!has_simple_ || reading_.mistake) return;
     const sequence<char> live = symbolic::live_nodes(*m_.g, symbolic::nodes_of(m_.kinematics));
-    const auto left_out = [&](const sequence<expression>& symbols) {
+    const auto left_out = [&](const sequence<expression>& symbols, int size) {
       sequence<int> places;
-      for (int i = 0; i < symbols.size(); ++i)
+      for (int i = 0; i < size; ++i)
         if (symbols[i].node() >= live.size() || live[symbols[i].node()] == 0) places.push(i);
       return places;
     };
-    const sequence<int> coordinates = left_out(m_.coordinate_rates), speeds = left_out(m_.speeds);
+    const sequence<int> coordinates = left_out(m_.coordinate_rates, m_.coordinates.size()),
+                        speeds = left_out(m_.speeds, m_.speeds_of_motion());
     if (coordinates.size() != speeds.size())
       return reading_.fail(
           {"kinematics<simple> finds ", base::counted(coordinates.size()).view(),

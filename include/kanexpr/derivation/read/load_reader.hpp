@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/derivation/read/contact_reader.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
@@ -81,6 +82,7 @@ private:
     case load_word::force: {
       const auto [at, other] = points_of(r, r.other_point != nullptr ? whom.view() : "a force"sv);
       const mechanics::vector v = effort_of(r, whom.view(), " at "sv);
+      if (reading_.for_units && r.coefficient != nullptr) expect_unit(*r.coefficient, *r.point);
       if (!reading_.mistake) into.forces.push({at, v, other});
       return;
     }
@@ -118,6 +120,8 @@ private:
       if (!reading_.mistake) into.torsional_dampers.push({on, other, damping});
       return;
     }
+    case load_word::friction: return evaluate_friction(r, whom.view());
+    case load_word::contact: return evaluate_contact(r, whom.view());
     case load_word::none:
       if (r.unparsed) return reading_.fail_by_unparsed(r.called, "loads<...>");
       return reading_.fail({"loads<...> lists ", short_name(r.called).view(), ", which is ",
@@ -147,6 +151,13 @@ private:
     const sentence load({r.word, place});
     return phrases_.vector_of(r.value, {load.view(), on}, on);
   }
+  /// Names a coefficient if its unit does not fit.
+  constexpr void expect_unit(const describe::coefficient_record& c, const point_record& at) {
+    const expression value = phrases_.scalar_of(c.value, {"", c.word}, c.word);
+    base::name word = c.word;
+    word.append(" at ");
+    if (!reading_.mistake) m_.expected_units.push({value, c.unit, word, at.called});
+  }
   constexpr expression part_of(const phrase& p, std::string_view part, std::string_view whom) {
     return phrases_.scalar_of(p, {part, whom}, whom);
   }
@@ -155,6 +166,29 @@ private:
     if (reading_.into.loads.has_gravity) reading_.fail({"gravity is listed twice"});
     const mechanics::vector v = phrases_.vector_of(r.value, {""sv, "gravity"sv}, "gravity"sv);
     if (!reading_.mistake) reading_.into.loads.has_gravity = true, reading_.into.loads.gravity = v;
+  }
+
+  constexpr void evaluate_friction(const load_record& r, std::string_view whom) {
+    const mechanics::vector axis = phrases_.vector_of(r.value, {"the axis of ", whom}, whom);
+    const expression slip = part_of(r.angle, "the speed of ", whom);
+    const expression normal = part_of(r.rest, "the normal force of ", whom);
+    if (reading_.mistake) return;
+    const mechanics::friction_law law = contacts_.law_of(*r.friction, {}, whom);
+    if (reading_.mistake) return;
+    const mechanics::vector effort = -(normal * law.coefficient(slip)) * axis;
+    mechanics::loads& into = reading_.into.loads;
+    if (r.frame != nullptr) {
+      const auto [on, other] = frames_of(r, whom);
+      if (!reading_.mistake) into.torques.push({on, effort, other});
+    } else {
+      const auto [at, other] = points_of(r, whom);
+      if (!reading_.mistake) into.forces.push({at, effort, other});
+    }
+  }
+
+  constexpr void evaluate_contact(const load_record& r, std::string_view whom) {
+    if (!r.contact->mistake.empty()) return reading_.fail({whom, " ", r.contact->mistake});
+    contacts_.read(*r.contact, whom);
   }
 
   constexpr void evaluate_torsional_spring(const load_record& r, std::string_view whom) {
@@ -166,6 +200,8 @@ private:
     if (!reading_.mistake)
       reading_.into.loads.potential_energies.push(mechanics::torsional_spring(angle, stiffness, rest));
   }
+
+  contact_reader contacts_{reading_, symbols_, phrases_, entities_};
 };
 
 } // namespace kanexpr::derivation

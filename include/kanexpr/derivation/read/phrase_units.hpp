@@ -102,6 +102,7 @@ private:
       if (stated != nullptr && stated != all[i].stated) state(all[i], *stated);
       return i;
     }
+    fits_ = fits_ && (stated == nullptr || stated->is_in_range());
     return symbols_.push(
         {&called, letters, stated != nullptr ? known_unit(*stated) : relations_.add_unknown(), stated});
   }

@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derivation/read/beam_reader.hpp>
 #include <kanexpr/derivation/read/constraint_reader.hpp>
+#include <kanexpr/derivation/read/dynamics_reader.hpp>
 #include <kanexpr/derivation/read/flexible_reader.hpp>
 #include <kanexpr/derivation/read/joint_reader.hpp>
 #include <kanexpr/derivation/read/lagrange_reader.hpp>
@@ -51,9 +52,10 @@ public:
 
   constexpr const sentence& mistake() const { return reading_.mistake; }
   constexpr const system_record& record() const { return reading_.from; }
-  /// Whether the model states the unit of any symbol.
+  /// Whether the unit of any symbol is stated or implied.
   constexpr bool states_units() const { return reading_.states_units; }
-
+  /// Whether the model states the unit of any symbol, so that its units must fit.
+  constexpr bool checks_units() const { return reading_.checks_units; }
   /// Whether `read` replaced any quantity by something without its unit.
   constexpr bool hides_units() const { return reading_.hides_units; }
   /// Reads the whole model without its motion, to infer units; `read` need not be called.
@@ -93,6 +95,7 @@ public:
     each(from.bodies, [&](const body_record& r) { bodies_.read(r); });
     each(from.joints, [&](const joint_record& r) { joints_.read(r); });
     each(from.loads, [&](const load_record& r) { loads_.read_load(r); });
+    dynamics_.read();
     each(from.kinematics, [&](const phrase& p) { kinematics_.read(p); });
     if (!reading_.takes_rates_as_speeds()) {
       joints_.read_kinematics();
@@ -116,8 +119,12 @@ public:
   /// Allows phrases to use positions, velocities and derivatives from now on.
   constexpr void set_known_motion(mechanics::known_motion& of) { reading_.known = &of; }
   constexpr void read_lagrangian() { lagrange_.read_lagrangian(); }
-  /// Reads the loads that depend on motion; returns whether there are any.
-  constexpr bool read_moving_loads() { return loads_.read_moving_loads(); }
+  /// Reads the loads, and the dynamics of state variables, that depend on motion; returns whether there are
+  /// any.
+  constexpr bool read_moving_loads() {
+    const bool is_any_load = loads_.read_moving_loads();
+    return (m_.state_variables != 0 && dynamics_.read_moving()) || is_any_load;
+  }
   constexpr void read_constraints() { constraints_.read_constraints(); }
 
   /// Reads the entities that a phrase mentions; `add_late_entities` adds them to a derived system.
@@ -134,7 +141,7 @@ public:
 private:
   constexpr void read_moving() {
     lagrange_.read_lagrangian();
-    loads_.read_moving_loads();
+    read_moving_loads();
     constraints_.read_constraints();
   }
   constexpr void read_coordinates(const describe::listing<phrase>& listed) {
@@ -144,6 +151,11 @@ private:
   constexpr void read_speeds(const describe::listing<phrase>& listed) {
     read_list(listed, symbolic::symbol_kind::speed, symbol_list::speeds,
               [&](const symbol_record& s) { m_.speed(s.called); });
+  }
+
+  constexpr void read_states(const describe::listing<phrase>& listed) {
+    read_list(listed, symbolic::symbol_kind::speed, symbol_list::state_variables,
+              [&](const symbol_record& s) { m_.state_variable(s.called); });
   }
 
   constexpr void read_lists() {
@@ -164,6 +176,11 @@ private:
       beams_.each([&](const body_record&, const beam_record& b) { read_speeds(b.speeds); });
       flexible_.each([&](const body_record&, const flexible_record& f) { read_speeds(f.speeds); });
     }
+    read_states(from.states);
+    dynamics_.check_blocks();
+    for (const describe::block_record& r : from.blocks) read_states(r.states);
+    for (const describe::load_record& r : from.loads)
+      if (r.states.size != 0) read_states(r.states);
     read_list(from.auxiliary, symbol_kind::speed, symbol_list::auxiliary_speeds,
               [&](const symbol_record& s) { symbols_.place_auxiliary_speed(s); });
     for (const describe::reaction_record& r : from.reactions)
@@ -187,6 +204,7 @@ private:
   value_reader values_{reading_, symbols_, phrases_, entities_};
   lagrange_reader lagrange_{reading_, symbols_, phrases_, entities_};
   load_reader loads_{reading_, symbols_, phrases_, entities_};
+  dynamics_reader dynamics_{reading_, symbols_, phrases_, entities_};
   kinematics_reader kinematics_{reading_, symbols_, phrases_, entities_};
   beam_reader beams_{{reading_, symbols_, phrases_, entities_}, kinematics_};
   flexible_reader flexible_{{reading_, symbols_, phrases_, entities_}, kinematics_};

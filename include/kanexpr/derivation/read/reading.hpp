@@ -8,7 +8,6 @@
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
-#include <kanexpr/units/unit.hpp>
 
 #include <string_view>
 
@@ -33,9 +32,10 @@ struct reading {
   std::string_view part{}; ///< the part of an entity that is being read: "the offset of point "
   const describe::frame_record* parent = nullptr; ///< the parent of the frame whose orientation is being read
   int describing = none;                          ///< the frame that `own` denotes
-  bool for_units = false;           ///< whether the model is read to infer units (units_of_motion.hpp)
-  bool states_units = false;        ///< whether any symbol has a stated unit
-  sequence<int> nodes_with_units{}; ///< the nodes of the mechanism's stated units, to find them quickly
+  bool is_on_surface = false;                     ///< whether the coordinates of a surface may occur
+  bool for_units = false;    ///< whether the model is read to infer units (units_of_motion.hpp)
+  bool states_units = false; ///< whether any symbol has a stated or implied unit
+  bool checks_units = false; ///< whether any symbol has a stated unit
   /// Whether something was read that has a different value if the model is read to infer units: a number in
   /// place of a symbol, or a motion.
   bool hides_units = false;
@@ -47,16 +47,19 @@ struct reading {
       : from(records), into(system) {}
 
   /// Registers the unit that the model states for a symbol.
-  constexpr void state_unit(expression symbol, const units::unit& u) {
+  constexpr void state_unit(const mechanics::stated_unit& s) {
     states_units = true;
+    if (!s.is_implied) checks_units = true;
     if (mistake) return;
     sequence<mechanics::stated_unit>& all = into.mechanism.stated_units;
-    const int id = symbol.node();
-    const int* const nodes = nodes_with_units.begin(); // compilers interpret every call to operator[]
+    const int id = s.symbol.node();
+    mechanics::stated_unit* const before = all.begin(); // compilers interpret every call to operator[]
     for (int i = all.size() - 1; i >= 0; --i)
-      if (nodes[i] == id && all[i].unit == u) return;
-    nodes_with_units.push(id);
-    all.push({symbol, u});
+      if (before[i].symbol.node() == id && before[i].unit == s.unit) {
+        if (!s.is_implied) before[i].is_implied = false;
+        return;
+      }
+    all.push(s);
   }
 
   /// True for Lagrange's method.

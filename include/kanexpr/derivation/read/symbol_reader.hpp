@@ -1,10 +1,12 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/derivation/read/listed_by.hpp>
 #include <kanexpr/derivation/read/reading.hpp>
 #include <kanexpr/derivation/read/symbol_uses.hpp>
 #include <kanexpr/mechanics/checks/check_name.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
@@ -20,7 +22,7 @@ public:
 
   constexpr expression symbol(const symbol_record& r, std::string_view whom) {
     const expression found = known_symbol(r, whom);
-    if (r.unit != nullptr) reading_.state_unit(found, *r.unit);
+    if (r.unit != nullptr) reading_.state_unit({found, *r.unit, r.is_unit_implied});
     return found;
   }
 
@@ -60,7 +62,8 @@ public:
       return nullptr;
     }
     const symbol_record* s = p.tokens[0].symbol;
-    if (s->kind != kind) {
+    const bool is_state_variable = s->order == describe::of_state_variable;
+    if (s->kind != kind || is_state_variable != (list == symbol_list::state_variables)) {
       reading_.fail({kind_of(*s), s->called.view(), " is in the list of ", derivation::called(list)});
       return nullptr;
     }
@@ -134,7 +137,8 @@ public:
         if (other.list == list && other.mark != mark)
           reading_.fail({"two of the ", derivation::called(list), " are called ", called.view()});
         else if (other.list == list)
-          reading_.fail({called.view(), " is listed twice among the ", derivation::called(list)});
+          reading_.fail({called.view(), " is listed twice among the ", derivation::called(list),
+                         listed_by(reading_.from, called).ending()});
         else if (other.list == symbol_list::values)
           reading_.fail(
               {"parameter ", called.view(), " is bound to a value, but is also in the list of parameters"});
@@ -207,6 +211,7 @@ private:
       if (reading_.takes_rates_as_speeds()) return listed(m_.coordinates, m_.speeds, r, "coordinate"sv, whom);
       return listed(m_.coordinates, m_.coordinate_rates, r, "coordinate"sv, whom);
     case symbol_kind::speed:
+      if (r.order == describe::of_state_variable) return state_variable(m_.speeds, r, whom);
       if (reading_.takes_rates_as_speeds())
         reading_.fail({reading_.part, whom, " contains the speed ", r.called.view(),
                        "; the only speeds of a lagrange_system are the rates of its coordinates"});
@@ -216,6 +221,7 @@ private:
       }
       return listed(m_.speeds, m_.speeds, r, "speed"sv, whom);
     case symbol_kind::speed_rate:
+      if (r.order == describe::of_state_variable) return state_variable(m_.speed_rates, r, whom);
       if (r.order != describe::unprescribed) return second_derivative(r, whom);
       if (has(m_.auxiliary_speeds, r.called))
         reading_.fail({reading_.part, whom, " contains the rate of auxiliary speed ", r.called.view(),
@@ -223,8 +229,13 @@ private:
       return listed(m_.speeds, m_.speed_rates, r, "speed"sv, whom);
     case symbol_kind::auxiliary_speed:
     case symbol_kind::multiplier:
-    case symbol_kind::weight:
-    case symbol_kind::direction: break; // not available in models
+    case symbol_kind::weight: break; // not available in models
+    case symbol_kind::direction:
+      if (reading_.is_on_surface)
+        return symbolic::variable(*m_.g, {r.kind, r.called, r.called.view().back() - 'x'});
+      reading_.fail({reading_.part, whom, " contains ", r.called.view(),
+                     ", which is valid only in point_on_surface<...>"});
+      break;
     case symbol_kind::parameter:
       if (r.value != nullptr) return constant_of(r);
       for (int i = 0; i < bound_.size(); ++i)
@@ -328,6 +339,17 @@ private:
     }
   }
 
+  /// A state variable or its rate; `wanted` are the speeds or their rates.
+  constexpr expression state_variable(const sequence<expression>& wanted, const symbol_record& r,
+                                      std::string_view whom) {
+    for (int i = m_.speeds_of_motion(); i < m_.speeds.size(); ++i)
+      if (mechanics::called(m_, m_.speeds[i]) == r.called.view())
+        return is_the_same(r, "state variable"), wanted[i];
+    reading_.fail({"state variable ", r.called.view(), ", which ", reading_.part, whom,
+                   " contains, is not in states<...> or in a listed block"});
+    return m_.zero();
+  }
+
   constexpr expression listed(const sequence<expression>& own, const sequence<expression>& wanted,
                               const symbol_record& r, std::string_view kind, std::string_view whom) {
     for (int i = 0; i < own.size(); ++i)
@@ -364,7 +386,8 @@ private:
   /// and a prescribed quantity.
   static constexpr int mark_of(const symbol_record& r) {
     const bool is_prescribed = r.kind == symbolic::symbol_kind::input && r.order != describe::unprescribed;
-    return 2 * r.given + (is_prescribed ? 1 : 0);
+    const bool is_special = is_prescribed || r.order == describe::of_state_variable;
+    return 2 * r.given + (is_special ? 1 : 0);
   }
 
   /// Checks that a symbol found by its name is the one that claimed the name.

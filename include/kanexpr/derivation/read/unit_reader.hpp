@@ -31,6 +31,7 @@ public:
     for (const describe::body_record& r : from.bodies) read(r);
     for (const describe::joint_record& r : from.joints) read(r);
     for (const load_record& r : from.loads) read(r);
+    read_dynamics();
     for (const phrase& p : from.lagrangian) units_.expect(p, joule);
     for (const phrase& p : from.kinematics)
       if (p.kind == shape::equation) units_.unit_of(p);
@@ -77,6 +78,7 @@ private:
 
   constexpr void read(const load_record& r) {
     using describe::load_word;
+    if (r.coefficient != nullptr) units_.expect(r.coefficient->value, r.coefficient->unit);
     switch (r.what) {
     case load_word::force: return units_.expect(r.value, newton);
     case load_word::torque: return units_.expect(r.value, joule);
@@ -90,8 +92,19 @@ private:
     }
     case load_word::damper: return units_.expect(r.value, newton * second / meter);
     case load_word::torsional_damper: return units_.expect(r.value, joule * second);
+    case load_word::friction:
+    case load_word::contact: return units_.fail(); // their laws are read by other readers
     case load_word::none: return;
     }
+  }
+
+  /// Reads the equations for the rates of state variables.
+  constexpr void read_dynamics() {
+    for (const phrase& p : reading_.from.dynamics) units_.unit_of(p);
+    for (const describe::block_record& r : reading_.from.blocks)
+      for (const phrase& p : r.dynamics) units_.unit_of(p);
+    for (const load_record& r : reading_.from.loads)
+      for (const phrase& p : r.dynamics) units_.unit_of(p);
   }
 
   /// Reads the equations that `simple` adds.

@@ -24,7 +24,7 @@ namespace kanexpr::derivation {
 
 constexpr expression symbol_of_unit(reading& in, const base::name& called, const units::unit& u) {
   const expression e = symbolic::variable(*in.into.mechanism.g, {symbolic::symbol_kind::input, called, none});
-  in.state_unit(e, u);
+  in.into.mechanism.stated_units.push({e, u, true});
   return e;
 }
 
@@ -73,21 +73,32 @@ constexpr void divide_by(expression symbol, value& of) {
     for (int i = 0; i < 3; ++i) p.value[i] = p.value[i] / symbol;
 }
 
+/// A symbol that differs from all others, even from those of the same name.
+constexpr expression new_symbol(symbolic::graph& g, symbolic::symbol_kind kind, const base::name& called) {
+  return symbolic::variable(g, {kind, called, none - 1 - g.symbols().size()});
+}
+
 /// Replaces a number that is a whole quantity by a symbol, because it has the unit that is expected there.
-/// The symbol is named by the number; spaces distinguish it from the same number elsewhere.
 constexpr expression as_symbol(reading& in, expression e) {
   if (!e.is_constant() || e.is_zero()) return e;
   symbolic::graph& g = *in.into.mechanism.g;
-  base::name called = symbolic::short_text(g, e.node()).view();
-  for (int i = 0; i < g.symbols().size(); ++i)
-    if (g.symbols()[i].called == called) called.append(" "), i = -1;
-  return symbolic::variable(g, {symbolic::symbol_kind::parameter, called, none});
+  return new_symbol(g, symbolic::symbol_kind::parameter, symbolic::short_text(g, e.node()).view());
 }
 
-/// Replaces the numbers among the operands of a composed function by symbols: the width in smooth_abs(x,
-/// 0.01) has the unit of x.
-constexpr void replace_numbers(reading& in, sequence<expression>& operands) {
-  for (expression& e : operands) e = as_symbol(in, e);
+/// The value of a composed function as a symbol that is written like the function in the model:
+/// smooth_step(x, 0, l). Its unit follows from the operands.
+constexpr expression value_of_function(reading& in, const symbolic::composite_signature& f,
+                                       const sequence<expression>& operands) {
+  mechanism& m = in.into.mechanism;
+  base::name called = f.name;
+  for (int i = 0; i < operands.size(); ++i) {
+    called.append(i == 0 ? "(" : ", ");
+    called.append(symbolic::short_text(*m.g, operands[i].node()).view());
+  }
+  called.append(")");
+  const expression symbol = new_symbol(*m.g, symbolic::symbol_kind::input, called);
+  m.function_values.push({symbol, f.is, operands});
+  return symbol;
 }
 
 /// The value of a table: a symbol of unknown unit if all its values are numbers, otherwise one of its values.

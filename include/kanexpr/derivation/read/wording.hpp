@@ -20,11 +20,12 @@ constexpr std::string_view kind_of(const symbol_record& s) {
   switch (s.kind) {
   case symbol_kind::time: return "time ";
   case symbol_kind::coordinate: return "coordinate ";
-  case symbol_kind::speed: return "speed ";
+  case symbol_kind::speed: return s.order == describe::of_state_variable ? "state variable " : "speed ";
   case symbol_kind::parameter: return "parameter ";
   case symbol_kind::input: return s.order == describe::unprescribed ? "input " : "prescribed quantity ";
   case symbol_kind::coordinate_rate: return "the rate of coordinate ";
-  case symbol_kind::speed_rate: return "the rate of speed ";
+  case symbol_kind::speed_rate:
+    return s.order == describe::of_state_variable ? "the rate of state variable " : "the rate of speed ";
   case symbol_kind::auxiliary_speed: return "auxiliary speed ";
   case symbol_kind::multiplier: return "multiplier ";
   case symbol_kind::weight: return "weight ";
@@ -115,6 +116,7 @@ enum class symbol_list : unsigned char {
   coordinates,
   rates_of_coordinates,
   speeds,
+  state_variables,
   auxiliary_speeds,
   values,
   parameters,
@@ -128,6 +130,7 @@ constexpr std::string_view called(symbol_list list) {
   case symbol_list::coordinates: return "coordinates";
   case symbol_list::rates_of_coordinates: return "rates of coordinates";
   case symbol_list::speeds: return "speeds";
+  case symbol_list::state_variables: return "state variables";
   case symbol_list::auxiliary_speeds: return "auxiliary speeds";
   case symbol_list::values: return "values";
   case symbol_list::parameters: return "parameters";

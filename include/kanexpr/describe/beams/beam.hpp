@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/describe/beam_record.hpp>
+#include <kanexpr/describe/beams/amplitude_symbols.hpp>
 #include <kanexpr/describe/beams/deformations.hpp>
 #include <kanexpr/describe/body.hpp>
 #include <kanexpr/describe/joints/joint.hpp>
@@ -24,20 +25,6 @@ struct stored_numbers {
     for (std::size_t i = 0; i < size; ++i) all[i] = from[static_cast<int>(i)];
   }
 };
-
-/// The letter q or u, followed by a number if a beam has several shapes.
-template <char letter, std::size_t number, bool is_only>
-inline constexpr auto numbered_letter = [] {
-  constexpr std::size_t digits = is_only ? 0 : number < 10 ? 1 : 2;
-  text<digits + 2> all;
-  all.letters[0] = letter;
-  if constexpr (digits == 1) all.letters[1] = static_cast<char>('0' + number);
-  if constexpr (digits == 2) {
-    all.letters[1] = static_cast<char>('0' + number / 10);
-    all.letters[2] = static_cast<char>('0' + number % 10);
-  }
-  return all;
-}();
 
 /// The frame whose basis vectors a direction contains, if there is exactly one.
 template <class Direction>
@@ -82,9 +69,6 @@ constexpr base::sequence<double> sections_of_beam(int count) {
   return numeric::beams::values_at_sections(Beam::shapes(), count);
 }
 
-template <class Beam, std::size_t index>
-inline constexpr auto amplitude_rate = dot(Beam::template q<index>) == Beam::template u<index>;
-
 /// The direction of bending with the given number among words of a beam.
 template <std::size_t index, class Word, class... Rest>
 constexpr auto across_among() {
@@ -101,7 +85,7 @@ inline constexpr beam_record beam_of = Beam::beam_description();
 
 /// A beam, put together from its words.
 template <class Self, class Base, auto along, auto length_given, auto mass_given, class... Words>
-struct beam_of_words : body_words {
+struct beam_of_words : body_words, amplitude_symbols<Self, Words...> {
 private:
   template <class Visit>
   static constexpr void each_word([[maybe_unused]] Visit visit) {
@@ -126,32 +110,6 @@ public:
   }();
   static constexpr std::size_t coordinates_count = static_cast<std::size_t>(shapes_count),
                                speeds_count = coordinates_count;
-
-private:
-  using symbols_given = typename joint_word_among<joint_word::by, Words...>::type;
-  static constexpr bool has_symbols = !std::is_void_v<symbols_given>;
-  static constexpr bool has_all_symbols = [] {
-    if constexpr (requires { symbols_given::count; })
-      return symbols_given::count == 2 * coordinates_count;
-    else
-      return false;
-  }();
-
-public:
-  template <std::size_t index>
-  static constexpr auto q = [] {
-    if constexpr (has_all_symbols)
-      return symbols_given::template symbol<index>;
-    else
-      return coordinate<joint_name<numbered_letter<'q', index + 1, shapes_count == 1>, Self>>{};
-  }();
-  template <std::size_t index>
-  static constexpr auto u = [] {
-    if constexpr (has_all_symbols)
-      return symbols_given::template symbol<coordinates_count + index>;
-    else
-      return speed<joint_name<numbered_letter<'u', index + 1, shapes_count == 1>, Self>>{};
-  }();
 
   static constexpr const frame_record* frame() { return frame_of_direction(along); }
 
@@ -209,7 +167,7 @@ public:
     r.axis = phrase_of<unit_along(along), Self>;
     r.length = phrase_of<length_given, Self>;
     r.mass_per_length = phrase_of<mass_given, Self>;
-    list_symbols(r, std::make_index_sequence<coordinates_count>());
+    beam_of_words::list_symbols(r);
     if (!r.mistake.empty()) return r;
     add_words(r);
     if constexpr (is_written()) {
@@ -221,13 +179,6 @@ public:
   }
 
 private:
-  template <std::size_t... index>
-  static constexpr void list_symbols(beam_record& r, std::index_sequence<index...>) {
-    r.coordinates = list_of<phrase, &phrase_of<q<index>, Self>...>::all;
-    r.speeds = list_of<phrase, &phrase_of<u<index>, Self>...>::all;
-    r.kinematics = list_of<phrase, &phrase_of<amplitude_rate<Self, index>, Self>...>::all;
-  }
-
   static constexpr void add_words(beam_record& r) {
     using numeric::beams::deformation;
     int bends = 0;
@@ -271,7 +222,7 @@ private:
     if (times<beam_word::proportional_damping> + times<beam_word::modal_damping> > 1)
       return "has two kinds of damping; write either proportional_damping<...> or modal_damping<...>";
     if (shapes_count == 0) return no_shapes;
-    if (has_symbols && !has_all_symbols)
+    if (beam_of_words::has_other_count())
       return "has by<...> with too few or too many symbols; write a coordinate for each shape, followed by a "
              "speed for each";
     return mistake_of_values();

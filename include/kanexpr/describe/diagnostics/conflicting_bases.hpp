@@ -17,6 +17,7 @@ struct velocity_words {};
 struct fixing_words {};
 struct inertia_words {};
 struct load_words {};
+struct block_words {};
 struct system_words {};
 struct whole_systems {};
 

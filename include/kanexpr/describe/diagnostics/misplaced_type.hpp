@@ -25,6 +25,8 @@ constexpr std::string_view describe_kind() {
     return "a point; points need not be listed"sv;
   else if constexpr (requires { Type::load.what; })
     return "a load; list it in loads<...>"sv;
+  else if constexpr (requires { Type::block.dynamics; })
+    return "a block; list it in blocks<...>"sv;
   else if constexpr (requires { Type::word; })
     return "a word of the system"sv;
   else

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/describe/beams/beam.hpp>
+#include <kanexpr/describe/beams/amplitude_symbols.hpp>
 #include <kanexpr/describe/body.hpp>
 #include <kanexpr/describe/flexible/flexible_body_data.hpp>
 #include <kanexpr/describe/flexible_record.hpp>
@@ -18,15 +18,15 @@ namespace describe {
 
 template <class Data>
 inline constexpr bool is_flexible_body_data = false;
-template <int amplitudes, int nodes>
-inline constexpr bool is_flexible_body_data<flexible_body_data<amplitudes, nodes>> = true;
+template <int... counts>
+inline constexpr bool is_flexible_body_data<flexible_body_data<counts...>> = true;
 
 template <class Body>
 inline constexpr flexible_record flexible_of = Body::flexible_description();
 
 /// A flexible body, put together from its words.
 template <class Self, class Reference, class Frame, const auto& given, class... Words>
-struct flexible_body_of_words : body_words {
+struct flexible_body_of_words : body_words, amplitude_symbols<Self, Words...> {
   using base_point = Reference;
   using base_frame = Frame;
   static constexpr bool has_data = is_flexible_body_data<std::remove_cvref_t<decltype(given)>>;
@@ -38,33 +38,6 @@ struct flexible_body_of_words : body_words {
       return std::size_t{0};
   }();
   static constexpr std::size_t speeds_count = coordinates_count;
-
-private:
-  using symbols_given = typename joint_word_among<joint_word::by, Words...>::type;
-  static constexpr bool has_symbols = !std::is_void_v<symbols_given>;
-  static constexpr bool has_all_symbols = [] {
-    if constexpr (requires { symbols_given::count; })
-      return symbols_given::count == 2 * coordinates_count;
-    else
-      return false;
-  }();
-
-public:
-  /// The amplitude with the given index, and its rate.
-  template <std::size_t index>
-  static constexpr auto q = [] {
-    if constexpr (has_all_symbols)
-      return symbols_given::template symbol<index>;
-    else
-      return coordinate<joint_name<numbered_letter<'q', index + 1, coordinates_count == 1>, Self>>{};
-  }();
-  template <std::size_t index>
-  static constexpr auto u = [] {
-    if constexpr (has_all_symbols)
-      return symbols_given::template symbol<coordinates_count + index>;
-    else
-      return speed<joint_name<numbered_letter<'u', index + 1, coordinates_count == 1>, Self>>{};
-  }();
 
   static constexpr body_record content() {
     body_record r;
@@ -80,29 +53,23 @@ public:
     flexible_record r;
     r.mistake = mistake_of_words();
     if constexpr (has_data && coordinates_count < 100) {
-      list_symbols(r, std::make_index_sequence<coordinates_count>());
+      flexible_body_of_words::list_symbols(r);
       r.data = [] { return given.values(); };
     }
     return r;
   }
 
 private:
-  template <std::size_t... index>
-  static constexpr void list_symbols(flexible_record& r, std::index_sequence<index...>) {
-    r.coordinates = list_of<phrase, &phrase_of<q<index>, Self>...>::all;
-    r.speeds = list_of<phrase, &phrase_of<u<index>, Self>...>::all;
-    r.kinematics = list_of<phrase, &phrase_of<amplitude_rate<Self, index>, Self>...>::all;
-  }
-
   static constexpr std::string_view mistake_of_words() {
     if constexpr (!has_data) return "is not given by flexible_body_data<amplitudes, nodes>";
     if (coordinates_count > 99) return "has more than 99 amplitudes; build such a body at run time";
     if (!(is_joint_word<Words, joint_word::by> && ...))
       return "has an argument that is not one of its words; the only word is by<...>";
     if (sizeof...(Words) > 1) return "has by<...> twice";
-    if (has_symbols && !has_all_symbols)
+    if (flexible_body_of_words::has_other_count())
       return "has by<...> with too few or too many symbols; write a coordinate for each amplitude, followed "
              "by a speed for each";
+    if constexpr (has_data && coordinates_count < 100) return given.mistake_of_elasticity();
     return {};
   }
 };

@@ -5,6 +5,7 @@
 #include <kanexpr/describe/symbol.hpp>
 
 #include <cstddef>
+#include <string_view>
 #include <utility>
 
 /// The words of a joint, which follow its parent as template arguments in any order, and the names that a
@@ -13,30 +14,35 @@ namespace kanexpr {
 
 namespace describe {
 
-/// Appends a type's name, with an underscore in place of each group of characters that are not allowed in a
-/// symbol's name: `Link<3>` becomes Link_3.
-template <class Type>
-constexpr std::size_t append_name_of(char* to) {
-  std::size_t size = 0;
-  bool gap = false;
+constexpr bool is_of_symbol_name(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+         static_cast<unsigned char>(c) >= 0x80;
+}
+
+/// Visits the letters of a type's name, with an underscore in place of each group of characters that are not
+/// allowed in a symbol's name: `Link<3>` becomes Link_3. A sign becomes a word: `Link<-3>` is Link_minus3.
+template <class Type, class Visit>
+constexpr void each_letter_of_name(Visit visit) {
+  bool is_first = true, gap = false, negative = false;
   for (const char c : type_name<Type>()) {
-    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                           c == '_' || static_cast<unsigned char>(c) >= 0x80;
-    if (!is_letter) {
+    if (!is_of_symbol_name(c)) {
+      negative = c == '-' && (gap || is_first);
       gap = true;
       continue;
     }
-    if (gap && size != 0) to[size++] = '_';
-    gap = false;
-    to[size++] = c;
+    if (gap && !is_first) visit('_');
+    if (negative)
+      for (const char letter : std::string_view("minus")) visit(letter);
+    is_first = gap = negative = false;
+    visit(c);
   }
-  return size;
 }
 
 template <class Type>
 inline constexpr std::size_t name_size = [] {
-  char all[type_name<Type>().size() + 1]{};
-  return append_name_of<Type>(all);
+  std::size_t size = 0;
+  each_letter_of_name<Type>([&](char) { ++size; });
+  return size;
 }();
 
 /// The name of a joint with a prefix or a suffix: `joint_name<"q", Link2>` is q_Link2, and
@@ -47,7 +53,7 @@ inline constexpr auto joint_name = [] {
   char* to = all.letters;
   for (const char c : prefix.view()) *to++ = c;
   if (!prefix.view().empty()) *to++ = '_';
-  to += append_name_of<Type>(to);
+  each_letter_of_name<Type>([&](char c) { *to++ = c; });
   if (!suffix.view().empty()) *to++ = '_';
   for (const char c : suffix.view()) *to++ = c;
   return all;

@@ -221,7 +221,8 @@ private:
                       " to set a start value for");
       if (!numeric::is_finite(each.value)) return refuse("the start value of " + name + " is not finite");
       if (!given.insert(name).second) return refuse(name + " has two start values");
-      if (found->is_dependent && place_of(f.states, name) >= survey_->coordinates)
+      if (found->is_dependent && place_of(f.states, name) >= survey_->coordinates &&
+          survey_->nonlinear_constraints == 0) // otherwise it is where the search starts
         return refuse("speed " + name +
                       " is dependent and cannot have a start value; it follows from the constraints");
       found->start = each.value;

@@ -33,7 +33,7 @@ public:
   constexpr explicit system_checker(const multibody_system& of) : of_(of), m_(of.mechanism), held_(*m_.g) {}
 
   constexpr sentence run() {
-    if (m_.speeds.empty())
+    if (m_.speeds_of_motion() == 0)
       return sentence(
           {"the system has no ", m_.derived_by == method::kane ? "generalized speeds" : "coordinates"});
     if (m_.bodies.empty() && m_.flexible_bodies.empty() && !of_.loads.has_lagrangian)
@@ -124,6 +124,7 @@ private:
 
   constexpr void check_velocity_of(const vector& v, std::string_view of, const name& whose) {
     v.each_entry([&](expression e) {
+      if (!found_) found_ = check_no_state_variable(m_, held_, e, of, whose.view());
       if (!found_) found_ = check_prescribed(m_, held_, e, 1, of, whose.view());
       if (const sentence rate = symbol_in(m_, held_, e, {kind::speed_rate}))
         fail({of, whose.view(), " contains the ", rate.view()});

@@ -6,6 +6,7 @@
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
+#include <limits>
 #include <string_view>
 
 namespace kanexpr::mechanics {
@@ -23,6 +24,24 @@ constexpr bool are_perpendicular(const components& a, const components& b) {
 
 constexpr bool is_not_positive(const expression& e) {
   return e.is_constant() && !(e.owner().number_at(e.node()).value() > 0);
+}
+
+/// Whether an expression is a number that has overflowed or underflowed.
+constexpr bool is_extreme(const expression& e) {
+  if (!e.is_constant()) return false;
+  const double value = e.owner().number_at(e.node()).value();
+  return !(value >= (std::numeric_limits<double>::min)() && value <= (std::numeric_limits<double>::max)());
+}
+
+/// Whether the mass or a stiffness of a beam overflows, although its properties are numbers in range.
+constexpr bool has_extreme_numbers(const beam& b) {
+  const expression cube = b.length * b.length * b.length;
+  if (is_extreme(b.mass_per_length * b.length) || is_extreme(cube)) return true;
+  for (const deformation d : b.deformations) {
+    const expression length = numeric::beams::is_bending(d) ? cube : b.length;
+    if (is_extreme(b.stiffness[static_cast<int>(d)] / length)) return true;
+  }
+  return false;
 }
 
 } // namespace detail
@@ -63,6 +82,10 @@ constexpr base::sentence check_beam(const beam& b) {
     if (d != deformation::torsion) continue;
     if (const base::sentence found = check_property(b.polar_inertia, "polar inertia")) return found;
   }
+  if (detail::has_extreme_numbers(b))
+    return base::sentence({"the numbers of beam ", called,
+                           " are too large or too small: its mass or its stiffness is not a finite number "
+                           "greater than 0"});
   return {};
 }
 

@@ -42,8 +42,9 @@ constexpr sentence check_velocity_constraint(const mechanism& m, const contents&
   const sentence which({"velocity constraint ", base::counted(i + 1).view()});
   if (const sentence rate = symbol_in(m, held, v, {kind::speed_rate}))
     return sentence({which.view(), " contains the ", rate.view()});
+  if (const sentence found = check_no_state_variable(m, held, v, which.view())) return found;
   if (const sentence found = check_prescribed(m, held, v, 1, which.view())) return found;
-  if (held.holds_any(v, {kind::speed, kind::coordinate_rate})) return check_linear(m, held, v, which.view());
+  if (held.holds_any(v, {kind::speed, kind::coordinate_rate})) return {};
   const sentence coordinate = symbol_in(m, held, v, {kind::coordinate});
   if (!coordinate) return sentence({which.view(), " contains no ", a_speed(m)});
   return sentence({which.view(), " contains the ", coordinate.view(), " but no ", a_speed(m),
@@ -113,6 +114,22 @@ constexpr sentence constraint_called(const constraints& c, int i) {
   return sentence({"velocity constraint ", base::counted(i + 1).view()});
 }
 
+/// Reports constraints such as u² = 0, whose derivatives with respect to the speeds vanish where they hold.
+constexpr sentence check_slopes(const skeleton& s, const constraints& c,
+                                const symbolic::matrix& configuration) {
+  if (c.nonlinear == 0) return {};
+  consistent_states states(s, configuration, configuration.rows, c, c.size(), {});
+  int vanished = none;
+  for (int attempts = 0; attempts < 4; ++attempts) {
+    states.next();
+    vanished = states.row_that_vanished();
+    if (vanished == none) return {};
+  }
+  return sentence({"the derivatives of ", constraint_called(c, vanished).view(), " with respect to the ",
+                   s.model->derived_by == method::kane ? "speeds" : "rates of the coordinates",
+                   " vanish wherever it holds"});
+}
+
 constexpr sentence check_configuration(const skeleton& s, const constraints& c,
                                        const symbolic::matrix& configuration, const sequence<numbers>& by_q) {
   const int first = independent_rows(by_q, configuration.rows).find(0);
@@ -150,7 +167,7 @@ constexpr sentence check_constraints(const skeleton& s, const constraints& c,
                                      const symbolic::matrix& configuration, const sequence<numbers>& by_q,
                                      const sequence<numbers>& by_u) {
   const mechanism& m = *s.model;
-  const int speeds = m.speeds.size(), coordinates = m.coordinates.size();
+  const int speeds = m.speeds_of_motion(), coordinates = m.coordinates.size();
   if (configuration.rows > coordinates)
     return sentence({"there are ", several(configuration.rows, "configuration constraint").view(), " for ",
                      several(coordinates, "coordinate").view(),
@@ -164,6 +181,7 @@ constexpr sentence check_constraints(const skeleton& s, const constraints& c,
                      several(speeds, m.derived_by == method::kane ? "speed" : "coordinate").view(),
                      advice_on_redundant(m, configuration, c).view()});
   if (const sentence found = detail::check_velocities(s, c, configuration, by_u)) return found;
+  if (const sentence found = detail::check_slopes(s, c, configuration)) return found;
   if (const sentence contradiction = detail::check_repeated_rates(s, c, configuration)) return contradiction;
   if (c.size() == speeds && speeds > 0)
     return sentence({"the constraints determine every ", a_speed(m), ", so nothing can move",

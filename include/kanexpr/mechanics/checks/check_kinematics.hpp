@@ -61,8 +61,8 @@ private:
       if (!seen.contains(rate.node()))
         return fail(
             {"the rate of coordinate ", called(m_, rate), " appears in no kinematic differential equation"});
-    for (const expression& u : m_.speeds)
-      if (!seen.contains(u.node()))
+    for (int i = 0; i < m_.speeds_of_motion(); ++i)
+      if (const expression& u = m_.speeds[i]; !seen.contains(u.node()))
         return fail({"speed ", called(m_, u), " appears in no kinematic differential equation"});
   }
 
@@ -77,6 +77,7 @@ private:
     constexpr const char* of = "a kinematic differential equation";
     if (const sentence symbol = symbol_in(m_, held_, e, {kind::speed_rate, kind::auxiliary_speed}))
       fail({of, " contains the ", symbol.view()});
+    if (!found_) found_ = check_no_state_variable(m_, held_, e, of);
     if (!found_) found_ = check_prescribed(m_, held_, e, 1, of);
     if (!found_) found_ = check_linear(m_, held_, e, of);
   }

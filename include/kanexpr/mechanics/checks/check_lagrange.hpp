@@ -76,6 +76,7 @@ private:
     const expression l = loads_.lagrangian;
     if (const sentence rate = symbol_in(m_, held_, l, {kind::speed_rate}))
       return fail({"the Lagrangian contains the ", rate.view()});
+    if (found_ = check_no_state_variable(m_, held_, l, "the Lagrangian"); found_) return;
     if (loads_.has_gravity)
       return fail({"gravity acts on bodies, but a system given by a Lagrangian has none; add the potential "
                    "energy of gravity to the Lagrangian"});

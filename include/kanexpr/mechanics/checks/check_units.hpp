@@ -6,6 +6,7 @@
 #include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/flexible_body.hpp>
+#include <kanexpr/mechanics/model/inertial_parameter.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/units/unit_inference.hpp>
@@ -43,26 +44,38 @@ class system_units {
     by_.describe(what, {});
     by_.expect(quantity, u);
   }
+  /// States the units of all parts of a list from the given one on.
+  template <class Part>
+  constexpr void state_from(int first, const sequence<Part>& parts) {
+    for (int i = first; i < parts.size(); ++i) state(parts[i]);
+  }
 
 public:
   constexpr system_units(const multibody_system& of, unit_inference& by)
       : of_(of), m_(of.mechanism), by_(by) {}
 
+  /// Has no effect if the units of a model need not fit, because the model itself states none.
   constexpr void state() {
     by_.take_stated_units();
+    if (!m_.checks_units()) return;
     if (!m_.flexible_bodies.empty()) mark_deformations();
-    for (const frame& f : m_.frames) state(f);
-    for (const point& p : m_.points) state(p);
-    for (const body& b : m_.bodies) state(b);
+    const parts_in_si_units& trusted = of_.in_si_units;
+    state_from(trusted.frames, m_.frames);
+    state_from(trusted.points, m_.points);
+    state_from(trusted.bodies, m_.bodies);
     for (const expected_unit& e : m_.expected_units) {
       by_.describe(e.what.view(), e.whose.view());
       by_.expect(e.value, e.unit);
     }
-    state_equations("a kinematic differential equation", m_.kinematics);
+    for (int i = trusted.kinematics; i < m_.kinematics.size(); ++i)
+      state_equation("a kinematic differential equation", m_.kinematics[i]);
     if (of_.loads.has_gravity) state("gravity", of_.loads.gravity, meter / pow<2>(second));
     if (of_.loads.has_lagrangian) state("the Lagrangian", of_.loads.lagrangian, joule);
     load_units by(m_, by_);
-    of_.loads.each([&](const auto& load, int place) { load.state_units(by, place); });
+    int kind = 0;
+    of_.loads.each_kind([&](const auto& all) {
+      for (int i = trusted.loads_of_kind(kind++); i < all.size(); ++i) all[i].state_units(by, i);
+    });
     state_equations("a configuration constraint", of_.constraints.on_configuration);
     for (const velocity_constraint& c : of_.constraints.on_velocities)
       state_equation("a velocity constraint", c.value);
@@ -75,6 +88,9 @@ private:
   constexpr void state(const frame& f) {
     if (f.is_by_angle() && !holds_amplitude(f.angle)) state("the angle of frame ", f.called, f.angle, radian);
     if (f.kind == orientation::matrix) {
+      if (f.quaternion.empty())
+        for (const parameter_rate& r : f.rates)
+          state("a modified Rodrigues parameter of frame ", f.called, r.parameter, units::dimensionless);
       by_.describe("the orientation of frame ", f.called.view());
       for (const expression& e : f.quaternion) by_.expect(e, units::dimensionless);
       for (const expression& e : f.scalars())
@@ -142,15 +158,15 @@ private:
   sequence<char> deforms_{}; ///< by node; empty if no body is flexible
 };
 
-/// Reports units that do not fit; empty if there are none, or if the mechanism states no unit.
+/// Reports units that do not fit; empty if there are none, or if the model itself states no unit.
 constexpr sentence check_units(const multibody_system& of) {
-  if (of.mechanism.stated_units.empty()) return {};
+  if (!of.mechanism.checks_units()) return {};
   unit_inference inferred(of.mechanism);
   system_units(of, inferred).state();
   return inferred.mistake();
 }
 
-/// The units of the symbols and constraints of a system, from its inferred units.
+/// The units of the symbols and equations of a system, from its inferred units.
 constexpr unit_table unit_table_of(const multibody_system& of, unit_inference& inferred) {
   const mechanism& m = of.mechanism;
   unit_table table;
@@ -172,10 +188,15 @@ constexpr unit_table unit_table_of(const multibody_system& of, unit_inference& i
   table.begin(unit_table::velocity_constraints);
   for (const velocity_constraint& each : c.on_velocities)
     table.put(unit_table::velocity_constraints, each.value, inferred);
+  table.begin(unit_table::acceleration_constraints);
+  for (const expression& e : c.on_accelerations) table.put(unit_table::acceleration_constraints, e, inferred);
+  table.begin(unit_table::kinematic_equations);
+  for (const expression& e : m.kinematics) table.put(unit_table::kinematic_equations, e, inferred);
+  for (const body& b : m.bodies) table.put_body(inertial_parameters_of(b) == 1);
   return table;
 }
 
-/// The units of the symbols and constraints of a system.
+/// The units of the symbols and equations of a system.
 constexpr unit_table unit_table_of(const multibody_system& of) {
   unit_inference inferred(of.mechanism);
   system_units(of, inferred).state();

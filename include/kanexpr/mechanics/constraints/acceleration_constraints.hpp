@@ -62,6 +62,8 @@ constexpr sentence check_acceleration_constraints(const skeleton& s, const const
       return sentence({"acceleration constraint ", which.view(),
                        m.derived_by == method::kane ? " contains no rate of a speed"
                                                     : " contains no second derivative of a coordinate"});
+    if (const sentence found = check_no_state_variable(m, held, e, "acceleration constraint ", which.view()))
+      return found;
     if (const sentence found = symbol_in(m, held, e, {symbolic::symbol_kind::auxiliary_speed}))
       return sentence({"acceleration constraint ", which.view(), " contains the ", found.view()});
     for (const expression& rate : m.speed_rates)

@@ -22,9 +22,10 @@ public:
                               const constraints& c, int velocities, const sequence<expression>& wanted,
                               bool has_rates = false)
       : s_(s), m_(*s.model), by_u_(c.jacobian), sizes_(*m_.g), symbols_(m_.g->size()), has_rates_(has_rates),
-        places_(first(configurations, c.on_configuration)), moves_(first(velocities, c.velocity_residual())),
-        configurations_(m_, configuration, places_), evaluate_(*m_.g, outputs(wanted)),
-        rates_(*m_.g, outputs_with_rates()), generic_(*m_.g, evaluate_.live(), &m_, 1.0) {}
+        are_linear_(c.nonlinear == 0), places_(first(configurations, c.on_configuration)),
+        moves_(first(velocities, c.velocity_residual())), configurations_(m_, configuration, places_),
+        evaluate_(*m_.g, outputs(wanted)), rates_(*m_.g, outputs_with_rates()),
+        generic_(*m_.g, evaluate_.live(), &m_, 1.0) {}
 
   /// Finds another state from a new random start; returns false if the iteration does not converge.
   constexpr bool next() {
@@ -41,6 +42,14 @@ public:
     const double value = evaluate_[e.node()];
     return !numeric::elementary::detail::is_finite(value) ||
            numeric::elementary::abs(value) <= 1e-7 * symbolic::magnitudes(*m_.g, evaluate_)[e.node()];
+  }
+
+  /// After `next`, the first velocity constraint whose derivatives with respect to the speeds vanished while
+  /// the state approached it; none if there is no such constraint.
+  constexpr int row_that_vanished() const {
+    for (int i = 0; i < sizes_at_start_.size(); ++i)
+      if (size_of_row(i) < 1e-6 * sizes_at_start_[i]) return i;
+    return none;
   }
 
 private:
@@ -78,10 +87,34 @@ private:
 
   constexpr bool move() {
     if (moves_.empty()) return true;
-    sequence<double> residual;
-    for (const expression& v : moves_) residual.push(value(v));
-    if (!change(m_.speeds, residual)) return false;
-    evaluate();
+    constexpr int most_steps = 30; // for a double root, each step halves the distance
+    sizes_at_start_.clear();
+    for (int i = 0; i < moves_.size() && !are_linear_; ++i) sizes_at_start_.push(size_of_row(i));
+    for (int steps = 0; steps < most_steps; ++steps) {
+      sequence<double> residual;
+      for (const expression& v : moves_) residual.push(value(v));
+      if (!change(m_.speeds, residual)) return false;
+      evaluate();
+      if (are_linear_ || speeds_satisfy()) return true;
+    }
+    return false;
+  }
+
+  /// The largest derivative of a velocity constraint with respect to a speed, in units of the speed.
+  constexpr double size_of_row(int i) const {
+    double largest = 0;
+    for (int j = 0; j < by_u_.columns; ++j) {
+      const double entry = numeric::elementary::abs(value(by_u_(i, j))) * sizes_[m_.speeds[j].node()];
+      if (entry > largest) largest = entry;
+    }
+    return largest;
+  }
+
+  /// Whether the velocity constraints hold up to rounding.
+  constexpr bool speeds_satisfy() const {
+    const symbolic::magnitudes terms(*m_.g, evaluate_);
+    for (const expression& v : moves_)
+      if (!(numeric::elementary::abs(value(v)) <= 1e-12 * terms[v.node()])) return false;
     return true;
   }
 
@@ -132,12 +165,13 @@ private:
   const symbolic::matrix& by_u_;
   symbolic::typical_sizes sizes_;
   sequence<symbolic::value_and_rate> symbols_;
-  bool has_rates_;
+  bool has_rates_, are_linear_;
   sequence<expression> places_, moves_;
   consistent_configurations configurations_;
   symbolic::evaluation evaluate_;
   symbolic::rate_evaluation rates_;
   detail::generic_values generic_;
+  sequence<double> sizes_at_start_{}; ///< of the rows of nonlinear constraints
 };
 
 /// The number of states to check, the number of attempts to find them, and the number that must be found.

@@ -12,11 +12,15 @@
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
 
 namespace kanexpr::mechanics {
 
 /// All constraints of a mechanism. The constraints on its speeds are J u + J_a u_a + c = 0: the velocity
 /// constraints of the model, followed by the rates of its configuration constraints.
+///
+/// A velocity constraint φ that is not linear in the speeds has the row J = ∂φ/∂u, which depends on them, and
+/// no c. Its rate is J u̇ + γ, and its forces act along J (Chetaev's condition), like those of linear ones.
 struct constraints {
   sequence<expression> on_configuration{};       ///< as given
   sequence<int> numbers{};                       ///< their numbers in the model, starting at 1
@@ -30,7 +34,8 @@ struct constraints {
                                     ///< it is, or none
   symbolic::matrix jacobian{};      ///< J, a column for each speed
   symbolic::matrix by_auxiliary{};  ///< J_a, a column for each auxiliary speed
-  sequence<expression> remainder{}; ///< c, the part without speeds
+  sequence<expression> remainder{}; ///< c, the part without speeds, of linear constraints
+  int nonlinear = 0;                ///< the number of velocity constraints that are not linear in the speeds
   sequence<expression> repeated{};  ///< omitted rates; empty if no constraint has a part without speeds
   sequence<int> repeats{};          ///< the configuration constraints of these rates
 
@@ -57,9 +62,23 @@ constexpr symbolic::matrix leading_block(graph& g, const symbolic::matrix& a, in
 
 namespace detail {
 
-/// The station whose velocity a constraint restricts, if there is exactly one.
+/// Whether any of the expressions depends on a speed.
+constexpr bool depend_on_speeds(const mechanism& m, const sequence<expression>& all) {
+  sequence<int> nodes, speeds;
+  for (const expression& e : all)
+    if (!e.is_constant()) nodes.push(e.node());
+  if (nodes.empty()) return false;
+  for (int j = 0; j < m.ways(); ++j) speeds.push(m.way(j).node());
+  return symbolic::depends_on(*m.g, nodes, speeds);
+}
+
+/// The station whose velocity a constraint restricts, if there is exactly one and its direction does not
+/// depend on the speeds.
 constexpr int station_of(motion& k, const velocity_constraint& c) {
   if (c.vanishing.parts.size() != 1) return none;
+  sequence<expression> direction;
+  c.direction.each_entry([&](expression e) { direction.push(e); });
+  if (depend_on_speeds(*k.skeleton_used().model, direction)) return none;
   return k.station_with_velocity(c.vanishing.parts[0].value, c.vanishing.parts[0].frame);
 }
 
@@ -84,6 +103,23 @@ constexpr symbolic::matrix constraint_jacobian(const skeleton& s, const sequence
   return jacobian;
 }
 
+/// Marks the constraints that are not linear in the speeds: their rows of the Jacobian depend on them. Only
+/// the first `given` constraints can be nonlinear, and only those without a station.
+constexpr sequence<char> nonlinear_rows(const mechanism& m, const symbolic::matrix& jacobian,
+                                        const sequence<int>& stations, int given) {
+  sequence<char> marks(jacobian.rows, 0);
+  sequence<sequence<expression>> rows;
+  sequence<expression> all;
+  for (int i = 0; i < given; ++i) {
+    rows.push({});
+    for (int j = 0; j < jacobian.columns && stations[i] == none; ++j) rows[i].push(jacobian(i, j));
+    all.append(rows[i]);
+  }
+  if (!depend_on_speeds(m, all)) return marks;
+  for (int i = 0; i < given; ++i) marks[i] = depend_on_speeds(m, rows[i]) ? 1 : 0;
+  return marks;
+}
+
 } // namespace detail
 
 /// Forms the constraints of a mechanism. Omits the rate of a configuration constraint if the velocity
@@ -106,6 +142,7 @@ constexpr constraints form_constraints(motion& k, const given_constraints& from)
   sequence<int> stations;
   for (const velocity_constraint& c : all) stations.push(detail::station_of(k, c));
   const symbolic::matrix jacobian = detail::constraint_jacobian(s, all, stations);
+  const sequence<char> is_nonlinear = detail::nonlinear_rows(m, jacobian, stations, given);
 
   sequence<char> kept(all.size(), 1);
   if (given > 0 && given < all.size()) {
@@ -123,7 +160,8 @@ constexpr constraints form_constraints(motion& k, const given_constraints& from)
   for (int j = 0; j < m.ways(); ++j) at_rest.replace(m.way(j), m.zero());
   bool is_all_by_speeds = true;
   for (int i = 0; i < all.size(); ++i) {
-    const expression remainder = at_rest.in(all[i].value);
+    const bool is_linear = is_nonlinear[i] == 0;
+    const expression remainder = is_linear ? at_rest.in(all[i].value) : m.zero();
     is_all_by_speeds = is_all_by_speeds && remainder.is_zero();
     if (kept[i] == 0) {
       out.repeated.push(drop.in(all[i].value));
@@ -134,6 +172,7 @@ constexpr constraints form_constraints(motion& k, const given_constraints& from)
     out.station.push(stations[i]);
     out.of_configuration.push(i < given ? none : i - given);
     out.remainder.push(remainder);
+    out.nonlinear += is_linear ? 0 : 1;
   }
   if (is_all_by_speeds) out.repeated.clear(), out.repeats.clear();
   const int speeds = m.speeds.size();
@@ -141,8 +180,11 @@ constexpr constraints form_constraints(motion& k, const given_constraints& from)
   out.by_auxiliary = symbolic::matrix(*m.g, out.size(), m.ways() - speeds);
   for (int i = 0, row = 0; i < all.size(); ++i) {
     if (kept[i] == 0) continue;
-    for (int j = 0; j < m.ways(); ++j)
-      (j < speeds ? out.jacobian(row, j) : out.by_auxiliary(row, j - speeds)) = jacobian(i, j);
+    for (int j = 0; j < m.ways(); ++j) {
+      expression entry = jacobian(i, j);
+      if (is_nonlinear[i] != 0) entry = drop.in(entry);
+      (j < speeds ? out.jacobian(row, j) : out.by_auxiliary(row, j - speeds)) = entry;
+    }
     ++row;
   }
   return out;

@@ -11,10 +11,10 @@
 namespace kanexpr::mechanics {
 
 /// The dependent speeds and their rates in terms of the independent ones: u_d = A u_i + b, u̇_d = A u̇_i +
-/// b̄.
+/// b̄. If a constraint is not linear in the speeds, A depends on them and b is a Newton step of u_d.
 struct dependent_speeds {
   symbolic::matrix on_independent{};        ///< A
-  sequence<expression> at_rest{};           ///< b
+  sequence<expression> at_rest{};           ///< b, or the Newton step
   sequence<expression> acceleration_bias{}; ///< b̄
   sequence<symbolic::solved_block> blocks{};
 };
@@ -65,7 +65,7 @@ constexpr sequence<char> rates_of_dependent(const skeleton& s, const partition& 
 }
 
 /// Solves the constraints J u + c = 0 and J u̇ + γ = 0, with `bias` = γ, with one factorization for all
-/// right-hand sides.
+/// right-hand sides. If a constraint φ is not linear, J Δu = −φ replaces the first of these equations.
 constexpr dependent_speeds solve_for_dependent_speeds(const mechanism& m, const constraints& c,
                                                       const partition& speeds,
                                                       const sequence<expression>& bias) {
@@ -74,7 +74,7 @@ constexpr dependent_speeds solve_for_dependent_speeds(const mechanism& m, const 
   symbolic::matrix right(g, rows, free + 2);
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j < free; ++j) right(i, j) = -c.jacobian(i, speeds.independent[j]);
-    right(i, free) = -c.remainder[i];
+    right(i, free) = -(c.nonlinear == 0 ? c.remainder[i] : c.on_velocities[i].value);
     right(i, free + 1) = -bias[i];
   }
   const symbolic::linear_solution solved =

@@ -6,7 +6,7 @@
 
 namespace kanexpr::mechanics {
 
-/// A velocity constraint: a scalar that is linear in the speeds and vanishes. If it is the component of a
+/// A velocity constraint: a scalar that depends on the speeds and vanishes. If it is the component of a
 /// vector along a direction, the vector and the direction are stored, too, because the rate of the vector is
 /// cheaper to form than that of the scalar.
 struct velocity_constraint {

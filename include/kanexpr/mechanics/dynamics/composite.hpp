@@ -51,6 +51,7 @@ public:
     }
     for (int i = 0; i < result_.rows; ++i)
       for (int j = 0; j < i; ++j) result_(j, i) = result_(i, j);
+    for (int i = m_.speeds_of_motion(); i < m_.speeds.size(); ++i) result_(i, i) = m_.one();
     return result_;
   }
 
@@ -81,14 +82,6 @@ private:
     return c.columns.back();
   }
 
-  /// M_kl + Σ μ ∂y/∂q_k ∂y/∂q_l.
-  static constexpr expression modal_mass(const flexible_part& p, int k, int l) {
-    expression sum = p.modal_mass(k, l);
-    for (const flexible_part::displacement& y : p.displacements)
-      sum += y.mass * (y.gradient[k] * y.gradient[l]);
-    return sum;
-  }
-
   /// Adds a flexible body to the composite body of its frame. Its amplitudes move no other body, so they are
   /// multiplied only by each other and by the motion of the frame.
   constexpr void add(const flexible_part& p) {
@@ -100,11 +93,12 @@ private:
     for (int k = 0; k < p.amplitudes.size(); ++k)
       for (const flexible_part::rate_partial& r : p.amplitudes[k].partials) {
         composite::column& sum = column_of(c, r.speed, *m_.g);
-        sum.force.add(p.axes, r.value * p.amplitudes[k].translation);
-        sum.moment += to_working.turn(r.value * p.amplitudes[k].rotation);
+        sum.force.add(p.axes, r.value * p.total_translation(k));
+        sum.moment += to_working.turn(r.value * p.total_rotation(k));
         for (int l = 0; l < p.amplitudes.size(); ++l)
           for (const flexible_part::rate_partial& t : p.amplitudes[l].partials)
-            if (r.speed >= t.speed) result_(r.speed, t.speed) += (r.value * t.value) * modal_mass(p, k, l);
+            if (r.speed >= t.speed)
+              result_(r.speed, t.speed) += (r.value * t.value) * p.total_modal_mass(k, l);
       }
   }
 

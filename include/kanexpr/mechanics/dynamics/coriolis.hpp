@@ -26,8 +26,8 @@ constexpr speeds_as_rates coordinates_of_speeds(const skeleton& s) {
     for (int j = 0; j < m.coordinates.size(); ++j)
       if (s.coordinate_rates[j] == m.speeds[i]) own = j;
     if (own == none && !found.mistake)
-      found.mistake = sentence({"the Coriolis matrix requires every speed to be a coordinate rate; speed ",
-                                m.g->symbol_at(m.speeds[i].node()).called.view(), " is not one"});
+      found.mistake = sentence({"the Coriolis matrix requires every speed to be a coordinate rate; ",
+                                speed_called(m, called(m, m.speeds[i])).view(), " is not one"});
     found.coordinate.push(own);
   }
   return found;

@@ -52,7 +52,13 @@ public:
     return dependent_;
   }
 
+  /// The dependent speeds from the constraints; after one Newton step if a constraint is not linear.
   constexpr sequence<expression> speeds_by_constraints() {
+    if (constraints_.nonlinear != 0) {
+      sequence<expression> next = dependent().at_rest;
+      for (int d = 0; d < next.size(); ++d) next[d] += m_.speeds[speeds_.dependent[d]];
+      return next;
+    }
     sequence<expression> independent;
     for (const int i : speeds_.independent) independent.push(m_.speeds[i]);
     return solved_for_dependent(dependent().on_independent, independent, dependent().at_rest);

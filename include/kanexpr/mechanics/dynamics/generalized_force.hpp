@@ -24,6 +24,7 @@ public:
 
   /// Adds all loads of the model, and gravity unless it is treated as an acceleration of the ground.
   constexpr void add_loads(const loads& given, bool gravity, conservative how = conservative::by_forces) {
+    if (!given.state_rates.empty()) take_state_rates(given);
     given.each([&](const auto& load, int) { load.act(acting_, how); });
     acting_.differentiate_energies();
     if (gravity) add_gravity(given);
@@ -53,6 +54,8 @@ public:
       moment_[f] -= moment;
     }
     for (const flexible_part& p : s_.flexible_parts) add(p, inertia_demand(k, p), -m_.one());
+    if (m_.state_variables == 0) return;
+    for (int i = m_.speeds_of_motion(); i < m_.speeds.size(); ++i) share_[i] -= k.rate(m_.speeds[i]);
   }
 
   /// Adds the forces due to changing masses and inertias, F = d(mv)/dt: −ṁ v at the mass center and −İ·ω.
@@ -95,6 +98,13 @@ public:
   }
 
 private:
+  /// Lets loads use the rates of the state variables.
+  constexpr void take_state_rates(const loads& given) {
+    const sequence<expression> rates = resolved_state_rates(m_, given.state_rates);
+    for (int i = 0; i < rates.size(); ++i)
+      acting_.replace(m_.speed_rates[given.state_rates[i].speed], known_.in(rates[i]));
+  }
+
   constexpr components turn(const components& v, int from, int to) const {
     return express(m_, v, s_.working_axes[from], s_.working_axes[to]);
   }

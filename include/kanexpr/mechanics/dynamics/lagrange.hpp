@@ -28,6 +28,7 @@ constexpr lagrangian_gradient gradient_of(const mechanism& m, expression lagrang
   lagrangian_gradient out;
   for (const expression& u : m.speeds) out.momenta.push(back.by(u));
   for (const expression& q : m.coordinates) out.by_coordinates.push(back.by(q));
+  out.by_coordinates.resize(m.speeds.size(), m.zero()); // state variables have no coordinate
   return out;
 }
 
@@ -52,6 +53,7 @@ public:
       by_rate.set_rate(m_.speeds[j], m_.one());
       for (int i = 0; i <= j; ++i) mass(i, j) = mass(j, i) = by_rate.of(p[i]);
     }
+    for (int i = m_.speeds_of_motion(); i < mass.rows; ++i) mass(i, i) = m_.one();
     return mass;
   }
 
@@ -102,6 +104,7 @@ private:
     symbolic::differentiation along_time = time_derivative(m_, m_.speeds, udot);
     sequence<expression> bias = l.by_coordinates;
     for (int i = 0; i < bias.size(); ++i) bias[i] -= along_time.of(l.momenta[i]);
+    for (int i = m_.speeds_of_motion(); i < udot.size(); ++i) bias[i] -= udot[i];
     return bias;
   }
 

@@ -37,7 +37,8 @@ public:
       : s_(s), m_(*s.model), frame_is_at_rest_(m_.frames.size(), 0),
         station_is_at_rest_(s.stations.size(), 0), speed_vanishes_(m_.ways(), 0) {
     frame_is_at_rest_[mechanism::inertial] = 1;
-    for (int w = m_.speeds.size(); w < m_.ways(); ++w) speed_vanishes_[w] = 1; // auxiliary speeds are zero
+    for (int w = m_.speeds_of_motion(); w < m_.ways(); ++w)
+      speed_vanishes_[w] = 1; // auxiliary speeds are zero, and state variables have the mass 1
   }
 
   constexpr bool is_positive() {

@@ -49,7 +49,8 @@ constexpr sentence check_damping(const beam_damping& by, std::string_view beam) 
   return found ? sentence({"the damping of beam ", beam, " is negative"}) : sentence();
 }
 
-/// States the units of the properties of a beam.
+/// States the units of the properties and the amplitudes of a beam. The shapes have no unit, so the amplitude
+/// of a displacement is a length and that of torsion an angle.
 constexpr void expect_units_of(mechanism& m, const beam& b) {
   const units::unit meter = units::si::meter, kilogram = units::si::kilogram, newton = units::si::newton;
   m.expected_units.push({b.length, meter, "the length of beam ", b.called});
@@ -59,6 +60,10 @@ constexpr void expect_units_of(mechanism& m, const beam& b) {
     m.expected_units.push({b.stiffness[static_cast<int>(d)],
                            d == deformation::extension ? newton : newton * meter * meter,
                            "a stiffness of beam ", b.called});
+  for (int k = 0; k < b.amplitudes.size(); ++k)
+    m.expected_units.push({b.amplitudes[k],
+                           b.deformations[k] == deformation::torsion ? units::si::radian : meter,
+                           "an amplitude of beam ", b.called});
 }
 
 /// Adds a beam to a mechanism: the flexible body, its elastic energy and its damping.

@@ -53,7 +53,10 @@ public:
 
   constexpr const skeleton& skeleton_used() const { return s_; }
 
-  /// Substitutes the rates of the kinematic equations and removes auxiliary speeds.
+  /// Registers a symbol that `known` replaces; called before any load acts.
+  constexpr void replace(expression symbol, expression by) { known_.replace(symbol, by); }
+
+  /// Substitutes the rates of the kinematic equations and of state variables, and removes auxiliary speeds.
   constexpr expression known(expression e) { return drop_.in(known_.in(e)); }
   constexpr vector known(const vector& v) { return drop_.in(known_.in(v)); }
 
@@ -85,6 +88,9 @@ public:
     const sequence<expression> on_speeds = forces_on_speeds(s_, forces);
     for (int r = 0; r < on_speeds.size(); ++r) share_[r] += on_speeds[r];
   }
+
+  /// Adds a generalized force of one speed.
+  constexpr void add_share(int speed, expression force) { share_[speed] += force; }
 
   /// Adds a potential energy.
   constexpr void add_potential_energy(expression energy) { energies_.push(energy); }

@@ -24,6 +24,8 @@ public:
   constexpr void expect(const Quantity& quantity, const units::unit& u) {
     by_.expect(quantity, u);
   }
+  /// States that the two sides of an equation, of which the difference is given, have the same unit.
+  constexpr void expect_equation(expression difference) { by_.expect_equation(difference); }
   /// States a unit that does not conflict with others: an expression of a flexible body may contain numbers
   /// with units.
   constexpr void suggest(expression e, const units::unit& u) { by_.suggest(e, u); }

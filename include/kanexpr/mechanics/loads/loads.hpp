@@ -1,10 +1,12 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/loads/contact.hpp>
 #include <kanexpr/mechanics/loads/force_and_torque.hpp>
 #include <kanexpr/mechanics/loads/given_potential_energy.hpp>
 #include <kanexpr/mechanics/loads/modal_damping.hpp>
 #include <kanexpr/mechanics/loads/spring_damper.hpp>
+#include <kanexpr/mechanics/loads/state_rate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
@@ -19,22 +21,26 @@ struct loads {
   sequence<torsional_damper> torsional_dampers{};
   sequence<given_potential_energy> potential_energies{};
   sequence<modal_damping> modal_dampings{};
+  sequence<contact> contacts{};
+  sequence<state_rate> state_rates{};
   bool has_gravity = false;
   vector gravity{}; ///< free-fall acceleration, applied to every body
   bool has_lagrangian = false;
   expression lagrangian{}; ///< replaces the energies of the bodies
 
+  /// Calls `visit` with the list of each kind of loads.
+  template <class Visit>
+  constexpr void each_kind(Visit&& visit) const {
+    const auto visit_all = [&](const auto&... kinds) { (visit(kinds), ...); };
+    visit_all(forces, torques, spring_dampers, torsional_dampers, potential_energies, modal_dampings,
+              contacts, state_rates);
+  }
   /// Calls `visit` for each load except gravity, with the load and its index among the loads of its kind.
   template <class Visit>
   constexpr void each(Visit&& visit) const {
-    const auto visit_all = [&](const auto&... kinds) { (visit_kind(kinds, visit), ...); };
-    visit_all(forces, torques, spring_dampers, torsional_dampers, potential_energies, modal_dampings);
-  }
-
-private:
-  template <class Kind, class Visit>
-  static constexpr void visit_kind(const sequence<Kind>& all, Visit& visit) {
-    for (int i = 0; i < all.size(); ++i) visit(all[i], i);
+    each_kind([&](const auto& all) {
+      for (int i = 0; i < all.size(); ++i) visit(all[i], i);
+    });
   }
 };
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <kanexpr/mechanics/model/axial_displacements.hpp>
 #include <kanexpr/mechanics/model/beam.hpp>
+#include <kanexpr/mechanics/model/beam_forms.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/flexible_body.hpp>
 #include <kanexpr/mechanics/model/inertia.hpp>
@@ -22,13 +24,15 @@
 /// To the second order in the amplitudes and their rates, the kinetic energy contains only the projection of
 /// the foreshortening on motions of a rigid axis. With the mass center ξ = c of the straight beam, ξ = x/L,
 /// and the mean place p and the mean length e of the bent one, x − ½ ∫₀ˣ (v'² + w'²) becomes p + (ξ − c) e;
-/// its rate contributes only with its mean ṗ. The exact energy
+/// its rate contributes only with its mean ṗ, in the product with the velocity v_a of the root. The energy
 ///
 ///     ½ ∫ (v_a + ω_b w − ω_c v + ṡ + ṗ)² + (v_b + ω_c r_a − ω_a w + v̇)² + (v_c − ω_b r_a + ω_a v + ẇ)² dm
 ///
 /// with r_a = p + (ξ − c) e + s is a sum of squares, and therefore positive for all amplitudes
-/// (`definite_inertia`). Truncated after the second order, it becomes negative at amplitudes of a few percent
-/// of the length if the root moves freely and the beam bends in several shapes. With one shape, it is
+/// (`definite_inertia`). If v_a does not depend on the generalized speeds, as on a hub that only turns, it is
+/// so without ṗ, and the modal mass is constant. If the root is at rest, r_a = ξ e + s with the mean length
+/// about the root suffices. Truncated after the second order, the energy becomes negative at amplitudes of a
+/// few percent of the length if the base turns and the beam bends in several shapes. With one shape, it is
 /// positive far beyond a tenth of the length, so it remains truncated.
 ///
 /// The rotary inertia of bending and the deformation by shear are neglected. Torsion turns the sections about
@@ -36,67 +40,9 @@
 namespace kanexpr::mechanics {
 
 /// Forms the expressions of a beam from its integrals.
-class beam_expressions {
-  // clang requires that templates used by constant expressions be defined before the functions that use them
-  constexpr int size() const { return b_.amplitudes.size(); }
-  static constexpr bool is_zero(double value) { return value * value <= 0; }
-
-  /// A number times an expression.
-  constexpr expression times(double number, expression e) const {
-    if (is_zero(number)) return {g_, symbolic::graph::zero};
-    return symbolic::constant(g_, symbolic::nearby_fraction(number)) * e;
-  }
-  constexpr expression zero() const { return {g_, symbolic::graph::zero}; }
-
-  /// Σ c_k q_k over the amplitudes of one deformation, with numbers c_k.
-  template <class Number>
-  constexpr expression linear(deformation what, Number c) const {
-    expression sum = zero();
-    for (int k = 0; k < size(); ++k)
-      if (b_.deformations[k] == what) sum += times(c(k), b_.amplitudes[k]);
-    return sum;
-  }
-  /// Σ c_kl q_k q_l over the amplitudes of two deformations.
-  template <class Number>
-  constexpr expression bilinear(deformation one, deformation other, Number c) const {
-    expression sum = zero();
-    for (int k = 0; k < size(); ++k)
-      for (int l = 0; l < size(); ++l)
-        if (b_.deformations[k] == one && b_.deformations[l] == other)
-          sum += times(c(k, l), b_.amplitudes[k] * b_.amplitudes[l]);
-    return sum;
-  }
-  /// Σ c_kl q_k q_l over pairs of amplitudes of the same deformation, with a symmetric c.
-  template <class Number>
-  constexpr expression quadratic(Number c) const {
-    expression sum = zero();
-    for (int k = 0; k < size(); ++k)
-      for (int l = 0; l <= k; ++l)
-        if (b_.deformations[k] == b_.deformations[l])
-          sum += times(k == l ? c(k, k) : 2 * c(k, l), b_.amplitudes[l] * b_.amplitudes[k]);
-    return sum;
-  }
-
-  /// c L − ½ Σ c_kl q_k q_l / L over pairs of amplitudes of bending.
-  template <class Number>
-  constexpr expression shortened(double c, Number by) const {
-    const expression sum = quadratic(
-        [&](int k, int l) { return numeric::beams::is_bending(b_.deformations[k]) ? by(k, l) / 2 : 0.0; });
-    const expression whole = times(c, b_.length);
-    return sum.is_zero() ? whole : whole - sum / b_.length;
-  }
-
+class beam_expressions : beam_forms {
 public:
-  constexpr explicit beam_expressions(const beam& of) : b_(of), g_(of.length.owner()) {
-    mass_ = b_.mass_per_length * b_.length;
-    const numeric::beams::modal_integrals& i = b_.integrals;
-    if (i.numbers == nullptr) return;
-    center_ = i.first_moment() / i.mass();
-    spread_ = i.second_moment() - center_ * i.first_moment();
-    place_ = shortened(center_, [&](int k, int l) { return i.shortening(k, l) / i.mass(); });
-    stretch_ = shortened(
-        1, [&](int k, int l) { return centered(i.shortening_moment(k, l), i.shortening(k, l)) / spread_; });
-  }
+  constexpr explicit beam_expressions(const beam& of) : beam_forms(of) {}
 
   constexpr flexible_body body() const {
     flexible_body f;
@@ -105,9 +51,9 @@ public:
     f.reference = b_.root;
     f.amplitudes = b_.amplitudes;
     f.mass = times(b_.integrals.mass(), mass_);
-    f.first_moment = first_moment();
-    f.inertia = inertia(order::second);
-    for (int k = 0; k < size(); ++k) f.angular.push(angular(k, order::second));
+    f.first_moment = first_moment(along_axis::second_order);
+    f.inertia = inertia(along_axis::second_order);
+    for (int k = 0; k < size(); ++k) f.angular.push(angular(k, along_axis::second_order));
     f.modal_mass = modal_mass();
     if (bends_in_several_shapes()) f.definite = definite();
     f.outline = outline_of(b_);
@@ -175,15 +121,10 @@ public:
   }
 
 private:
-  /// Whether an integral is truncated after the second order of the kinetic energy, or exact for the
-  /// projected foreshortening.
-  enum class order : unsigned char { second, all };
+  /// The contribution of x and of the foreshortening to an integral: to the second order of the kinetic
+  /// energy, or omitted.
+  enum class along_axis : unsigned char { second_order, omitted };
 
-  /// ∫ μ (ξ − c) f from ∫ μ ξ f and ∫ μ f; 0 if it vanishes except for rounding.
-  constexpr double centered(double first, double zeroth) const {
-    const double value = first - center_ * zeroth;
-    return value * value <= 1e-28 * first * first ? 0.0 : value;
-  }
   constexpr bool bends_in_several_shapes() const {
     int count = 0;
     for (const deformation d : b_.deformations) count += numeric::beams::is_bending(d) ? 1 : 0;
@@ -191,25 +132,14 @@ private:
   }
 
   constexpr definite_inertia definite() const {
-    definite_inertia d;
-    d.inertia = inertia(order::all);
-    for (int k = 0; k < size(); ++k) d.angular.push(angular(k, order::all));
-    d.modal_mass = modal_mass();
-    const numeric::beams::modal_integrals& of = b_.integrals;
-    const auto extends = [&](int k) { return b_.deformations[k] == deformation::extension; };
-    for (int k = 0; k < size(); ++k)
-      for (int l = 0; l < size(); ++l)
-        if (extends(k) && extends(l)) d.modal_mass(k, l) = times(without_mean(k, l), mass_);
-    d.displacements.push({times(of.mass(), mass_), place_ + linear(deformation::extension, [&](int k) {
-                                                     return of.zeroth(k) / of.mass();
-                                                   })});
+    definite_inertia d{.first_moment = first_moment(along_axis::omitted),
+                       .inertia = inertia(along_axis::omitted),
+                       .axis = b_.axis};
+    for (int k = 0; k < size(); ++k) d.angular.push(angular(k, along_axis::omitted));
+    const axial_displacements of(b_);
+    d.about_center = of.about_center();
+    d.about_root.push(of.about_root());
     return d;
-  }
-  /// ∫ μ φ_k φ_l without the mean displacement.
-  constexpr double without_mean(int k, int l) const {
-    const numeric::beams::modal_integrals& of = b_.integrals;
-    const double product = of.product(k, l), value = product - of.zeroth(k) * of.zeroth(l) / of.mass();
-    return value * value <= 1e-28 * product * product ? 0.0 : value;
   }
 
   /// The mass or the polar inertia that moves with shape k.
@@ -217,25 +147,17 @@ private:
     return b_.deformations[k] == deformation::torsion ? b_.polar_inertia * b_.length : mass_;
   }
 
-  /// The direction in which shape k displaces the axis; torsion does not displace it.
-  constexpr const components& direction(int k) const {
-    switch (b_.deformations[k]) {
-    case deformation::first_bending: return b_.across[0];
-    case deformation::second_bending: return b_.across[1];
-    case deformation::torsion:
-    case deformation::extension: break;
-    }
-    return b_.axis;
-  }
   constexpr bool displaces(int k) const { return b_.deformations[k] != deformation::torsion; }
 
-  constexpr components first_moment() const {
+  constexpr components first_moment(along_axis how) const {
     const numeric::beams::modal_integrals& of = b_.integrals;
     const auto zeroth = [&](int k) { return of.zeroth(k); };
     // ∫ x dm + ∫ s dm − ½ ∫ (∫ v'² + w'²) dm; the last one has no factor L
-    const expression shortening = quadratic([&](int k, int l) { return of.shortening(k, l) / 2; });
-    const expression along = times(of.first_moment(), mass_ * b_.length) +
-                             mass_ * linear(deformation::extension, zeroth) - b_.mass_per_length * shortening;
+    expression along = zero();
+    if (how == along_axis::second_order) along = times(of.first_moment(), mass_ * b_.length);
+    along += mass_ * linear(deformation::extension, zeroth);
+    if (how == along_axis::second_order)
+      along -= b_.mass_per_length * quadratic([&](int k, int l) { return of.shortening(k, l) / 2; });
     const expression in_first = mass_ * linear(deformation::first_bending, zeroth);
     const expression in_second = mass_ * linear(deformation::second_bending, zeroth);
     return sum_of(along, in_first, in_second);
@@ -252,17 +174,17 @@ private:
     return [this](int k, int l) { return b_.integrals.product(k, l); };
   }
 
-  /// ∫ (r·r E − r r) dm to the second order. With r = Σ r_d e_d in the orthonormal directions d of the axis
+  /// ∫ (r·r E − r r) dm. With r = Σ r_d e_d in the orthonormal directions d of the axis
   /// and of bending, the entry i, k is Σ_d (δ_ik − e_di e_dk) ∫ r_d² dm − Σ_d≠f e_di e_fk ∫ r_d r_f dm.
-  constexpr symmetric inertia(order to) const {
+  constexpr symmetric inertia(along_axis how) const {
     const expression both =
         mass_ * bilinear(deformation::first_bending, deformation::second_bending, products());
     symmetric j(g_);
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k <= i; ++k) {
-        expression moment = squares(i, k, to);
+        expression moment = squares(i, k, how);
         for (int n = 0; n < 2; ++n)
-          if (const expression e = with_axis(n, to); !e.is_zero())
+          if (const expression e = with_axis(n, how); !e.is_zero())
             moment -= mixed(b_.axis, b_.across[n], i, k) * e;
         if (!both.is_zero()) moment -= mixed(b_.across[0], b_.across[1], i, k) * both;
         if (b_.deformations.contains(deformation::torsion))
@@ -273,7 +195,7 @@ private:
   }
 
   /// Σ_d (δ_ik − e_di e_dk) ∫ r_d² dm. Directions with the factor 1 share one quadratic form.
-  constexpr expression squares(int i, int k, order to) const {
+  constexpr expression squares(int i, int k, along_axis how) const {
     const components* const directions[3]{&b_.axis, &b_.across[0], &b_.across[1]};
     bool is_shared[3]{};
     expression sum = zero();
@@ -283,58 +205,39 @@ private:
       is_shared[d] = factor.is_one();
       if (!is_shared[d] && !factor.is_zero()) {
         const bool only[3]{d == 0, d == 1, d == 2};
-        sum += factor * second_moment(only, to);
+        sum += factor * second_moment(only, how);
       }
     }
-    return sum + second_moment(is_shared, to);
+    return sum + second_moment(is_shared, how);
   }
 
-  /// ∫ r_d² dm, summed over the chosen directions: along the axis, (x + s)² − x ∫ (v'² + w'²) or
-  /// (p + (ξ − c) e + s)², and v² and w².
-  constexpr expression second_moment(const bool (&of)[3], order to) const {
+  /// ∫ r_d² dm, summed over the chosen directions: along the axis, (x + s)² − x ∫ (v'² + w'²) or s²;
+  /// across it, v² and w².
+  constexpr expression second_moment(const bool (&of)[3], along_axis how) const {
     const numeric::beams::modal_integrals& integrals = b_.integrals;
     const expression form =
         mass_ * quadratic([&](int k, int l) {
           const deformation d = b_.deformations[k];
           if (d == deformation::torsion) return 0.0;
           const int direction = d == deformation::extension ? 0 : d == deformation::first_bending ? 1 : 2;
-          const double shortening =
-              of[0] && to == order::second && direction != 0 ? integrals.shortening_moment(k, l) : 0.0;
+          const double shortening = of[0] && how == along_axis::second_order && direction != 0
+                                        ? integrals.shortening_moment(k, l)
+                                        : 0.0;
           return (of[direction] ? integrals.product(k, l) : 0.0) - shortening;
         });
-    if (!of[0]) return form;
-    if (to == order::all) {
-      const auto [mean, moment] = means(deformation::extension);
-      return times(integrals.mass(), mass_) * (place_ * place_) +
-             times(spread_, mass_) * (stretch_ * stretch_) + 2 * mass_ * (place_ * mean + stretch_ * moment) +
-             form;
-    }
+    if (!of[0] || how == along_axis::omitted) return form;
     const expression stretching =
         linear(deformation::extension, [&](int k) { return 2 * integrals.first(k); });
     return times(integrals.second_moment(), mass_ * (b_.length * b_.length)) +
            mass_ * b_.length * stretching + form;
   }
 
-  /// ∫ v dm and ∫ (ξ − c) v dm, divided by the mass, for the displacement v of a deformation.
-  struct mean_values {
-    expression place{}, stretch{};
-  };
-  constexpr mean_values means(deformation what) const {
-    const numeric::beams::modal_integrals& of = b_.integrals;
-    return {linear(what, [&](int k) { return of.zeroth(k); }),
-            linear(what, [&](int k) { return centered(of.first(k), of.zeroth(k)); })};
-  }
-
-  /// ∫ (x + s) v dm or ∫ (x + s) w dm, to the second order or with p + (ξ − c) e instead of x.
-  constexpr expression with_axis(int bending, order to) const {
+  /// ∫ (x + s) v dm or ∫ (x + s) w dm; without x if its contribution is omitted.
+  constexpr expression with_axis(int bending, along_axis how) const {
     const deformation bends = bending == 0 ? deformation::first_bending : deformation::second_bending;
-    if (to == order::all) {
-      const auto [mean, moment] = means(bends);
-      return mass_ * (place_ * mean + stretch_ * moment) +
-             mass_ * bilinear(deformation::extension, bends, products());
-    }
-    return (mass_ * b_.length) * linear(bends, [&](int k) { return b_.integrals.first(k); }) +
-           mass_ * bilinear(deformation::extension, bends, products());
+    const expression stretched = mass_ * bilinear(deformation::extension, bends, products());
+    if (how == along_axis::omitted) return stretched;
+    return (mass_ * b_.length) * linear(bends, [&](int k) { return b_.integrals.first(k); }) + stretched;
   }
   static constexpr expression product_of(const components& a, const components& b, int i, int k) {
     return a[i] * b[k];
@@ -344,9 +247,9 @@ private:
   }
   constexpr expression polar() const { return times(b_.integrals.polar(), b_.polar_inertia * b_.length); }
 
-  /// ∫ r × ∂r/∂q_k dm: to the first order, to which the foreshortening of r and of its derivative does not
-  /// contribute; or with p + (ξ − c) e in r and with p in its derivative.
-  constexpr components angular(int k, order to) const {
+  /// ∫ r × ∂r/∂q_k dm to the first order, to which the foreshortening of r and of its derivative does not
+  /// contribute.
+  constexpr components angular(int k, along_axis how) const {
     const numeric::beams::modal_integrals& of = b_.integrals;
     if (!displaces(k)) return times(of.zeroth(k), inertia_of(k)) * b_.axis;
     const auto product = [&](int l) { return of.product(k, l); };
@@ -356,39 +259,18 @@ private:
       if (!moment.is_zero()) h += moment * cross(arm, d);
     };
     if (b_.deformations[k] != deformation::extension)
-      add(b_.axis, along_moment(k, to) + mass_ * linear(deformation::extension, product));
+      add(b_.axis, along_moment(k, how) + mass_ * linear(deformation::extension, product));
     if (b_.deformations[k] != deformation::first_bending)
       add(b_.across[0], mass_ * linear(deformation::first_bending, product));
     if (b_.deformations[k] != deformation::second_bending)
       add(b_.across[1], mass_ * linear(deformation::second_bending, product));
-    if (to == order::all) h += angular_of_shortening(k);
     return h;
   }
 
-  /// ∫ x φ_k dm, or ∫ (p + (ξ − c) e) φ_k dm.
-  constexpr expression along_moment(int k, order to) const {
-    const numeric::beams::modal_integrals& of = b_.integrals;
-    if (to == order::second) return times(of.first(k), mass_ * b_.length);
-    return mass_ * (times(of.zeroth(k), place_) + times(centered(of.first(k), of.zeroth(k)), stretch_));
+  /// ∫ x φ_k dm.
+  constexpr expression along_moment(int k, along_axis how) const {
+    return how == along_axis::omitted ? zero() : times(b_.integrals.first(k), mass_ * b_.length);
   }
-
-  /// ∫ r × axis ∂p/∂q_k dm.
-  constexpr components angular_of_shortening(int k) const {
-    const expression by_place = symbolic::differentiate(place_, b_.amplitudes[k]);
-    components h(g_);
-    for (int i = 0; i < 2; ++i) {
-      const expression mean = means(i == 0 ? deformation::first_bending : deformation::second_bending).place;
-      if (!mean.is_zero() && !by_place.is_zero())
-        h += (mass_ * by_place * mean) * cross(b_.across[i], b_.axis);
-    }
-    return h;
-  }
-
-  const beam& b_;
-  symbolic::graph& g_;
-  expression mass_{};
-  double center_ = 0, spread_ = 0; ///< c and ∫ μ (ξ − c)²
-  expression place_{}, stretch_{}; ///< p and e
 };
 
 } // namespace kanexpr::mechanics

@@ -35,6 +35,21 @@ constexpr sentence symbol_in(const mechanism& m, const contents& held, expressio
   return {};
 }
 
+/// Reports a state variable, or the rate of one, in an expression that describes the motion. State variables
+/// move nothing, so they may appear only in loads, in the rates of state variables and in results.
+constexpr sentence check_no_state_variable(const mechanism& m, const contents& held, expression e,
+                                           std::string_view of, std::string_view whose = {}) {
+  using kind = symbolic::symbol_kind;
+  if (m.state_variables == 0) return {};
+  for (const int id : held.symbols_in(e, {kind::speed, kind::speed_rate})) {
+    const symbolic::symbol& s = m.g->symbol_at(id);
+    if (s.position < m.speeds_of_motion()) continue;
+    return sentence({of, whose, " contains the ", symbol_called(m, s.kind, s.called.view()).view(),
+                     "; state variables may appear only in loads, dynamics and results"});
+  }
+  return {};
+}
+
 /// Reports speeds or rates in a quantity that must be a function of coordinates, parameters, inputs and time.
 constexpr sentence check_no_rates(const mechanism& m, const contents& held, expression e, std::string_view of,
                                   std::string_view whose) {

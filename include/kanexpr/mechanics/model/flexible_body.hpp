@@ -21,20 +21,29 @@ struct nodes_for_pictures {
   static constexpr void each_member(Self&, Visit&&) {}
 };
 
-/// A displacement y(q) of a part of a body, which contributes ½ m ẏ² to the kinetic energy of the amplitudes.
-struct internal_displacement {
-  symbolic::expression mass{};
-  symbolic::expression value{};
+/// A displacement y(q) ψ(x) along the axis of a beam. Its contributions to the integrals of `flexible_body`
+/// are linear in y, apart from y² in the inertia.
+struct axial_displacement {
+  symbolic::expression value{};                    ///< y
+  components first_moment{};                       ///< the coefficient of y
+  symmetric inertia{};                             ///< the coefficient of y, linear in the amplitudes
+  symmetric squared{};                             ///< the coefficient of y² in the inertia, constant
+  base::sequence<components> angular{};            ///< by amplitude: the coefficient of y, constant
+  base::sequence<symbolic::expression> coupling{}; ///< by amplitude: ∫ ψ a · ∂r/∂q_k dm
 };
 
-/// The integrals of a kinetic energy that is positive for every motion and all amplitudes. They equal those
-/// of `flexible_body` to their order, and contain all terms of higher order that make the energy a sum of
-/// squares. The energy of the amplitudes is ½ Σ M_kl q̇_k q̇_l + ½ Σ m ẏ².
+/// The integrals of a kinetic energy that is a sum of squares, and therefore positive for every motion and
+/// all amplitudes; without the contributions of the displacements. They equal those of `flexible_body` to
+/// their order. The first displacement about the center moves the whole body; its rate multiplies the
+/// velocity along the axis.
 struct definite_inertia {
+  components first_moment{};
   symmetric inertia{};
   base::sequence<components> angular{};
-  symbolic::matrix modal_mass{}; ///< constant; without the displacements
-  base::sequence<internal_displacement> displacements{};
+  components axis{};
+  base::sequence<axial_displacement> about_center{};
+  base::sequence<axial_displacement> about_root{}; ///< if the reference point is at rest; with the first
+                                                   ///< moment of `flexible_body`
 
   constexpr bool is_given() const { return !angular.empty(); }
 };
@@ -55,7 +64,7 @@ struct flexible_body {
   symmetric inertia{};                  ///< ∫ (r·r E − r r) dm
   base::sequence<components> angular{}; ///< by amplitude: ∫ r × ∂r/∂q_k dm
   symbolic::matrix modal_mass{};        ///< ∫ ∂r/∂q_k · ∂r/∂q_l dm, constant
-  definite_inertia definite{};          ///< if it is given, of a body whose frame is moved by speeds
+  definite_inertia definite{};          ///< if it is given, of a body that is moved by speeds
   beam_outline outline{};               ///< of a beam, for pictures
   nodes_for_pictures nodes{};           ///< of a body that is given by numbers
 };

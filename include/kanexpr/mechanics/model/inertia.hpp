@@ -38,6 +38,12 @@ struct symmetric {
     s.xy = a.xy + b.xy, s.yz = a.yz + b.yz, s.zx = a.zx + b.zx;
     return s;
   }
+  friend constexpr symmetric operator*(expression factor, const symmetric& a) {
+    symmetric s;
+    s.xx = factor * a.xx, s.yy = factor * a.yy, s.zz = factor * a.zz;
+    s.xy = factor * a.xy, s.yz = factor * a.yz, s.zx = factor * a.zx;
+    return s;
+  }
 };
 
 constexpr components operator*(const symmetric& a, const components& v) {

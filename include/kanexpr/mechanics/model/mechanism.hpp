@@ -4,6 +4,7 @@
 #include <kanexpr/mechanics/model/flexible_body.hpp>
 #include <kanexpr/mechanics/model/frame.hpp>
 #include <kanexpr/mechanics/model/vector.hpp>
+#include <kanexpr/symbolic/graph/composition.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
@@ -53,10 +54,11 @@ struct prescribed_rate {
   expression rate{};
 };
 
-/// The unit that a model states for a symbol.
+/// The unit that a model states for a symbol, or that the definition of the symbol implies.
 struct stated_unit {
   expression symbol{};
   units::unit unit{};
+  bool is_implied = false; ///< the unit alone is no reason to check the units of the model
 };
 
 /// A quantity of a part of the system that is not stored as given, with the unit that it must have: "the
@@ -65,6 +67,14 @@ struct expected_unit {
   expression value{};
   units::unit unit{};
   name what{}, whose{};
+};
+
+/// The value of a function of several operands in a model that is read for its units. The symbol denotes it
+/// by the words of the model.
+struct function_value {
+  expression symbol{};
+  symbolic::composition function{};
+  sequence<expression> operands{};
 };
 
 /// The method by which the equations of motion are derived.
@@ -86,14 +96,15 @@ struct mechanism {
   sequence<expression> kinematics{};       ///< expressions that vanish, linear in the coordinate rates
   sequence<expression> auxiliary_speeds{}; ///< zero at all times; they bring into evidence forces that do no
                                            ///< work
+  int state_variables = 0;                 ///< the last of the speeds that are state variables
   sequence<frame> frames{};
   sequence<point> points{};
   sequence<body> bodies{};
   sequence<flexible_body> flexible_bodies{};
   method derived_by = method::kane;
   sequence<stated_unit> stated_units{}; ///< empty if the model states no unit, and once they are checked
-
   sequence<expected_unit> expected_units{};
+  sequence<function_value> function_values{}; ///< only while the model is read for its units
 
   static constexpr int inertial = 0;
 
@@ -105,8 +116,20 @@ struct mechanism {
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.coordinates, self.speeds, self.parameters, self.inputs, self.coordinate_rates,
           self.speed_rates, self.time, self.prescribed_rates, self.kinematics, self.auxiliary_speeds,
-          self.frames, self.points, self.bodies, self.flexible_bodies, self.derived_by, self.stated_units,
-          self.expected_units);
+          self.state_variables, self.frames, self.points, self.bodies, self.flexible_bodies, self.derived_by,
+          self.stated_units, self.expected_units);
+  }
+
+  /// Discards what was read only for units, after the given number of expected units.
+  constexpr void forget_units_after(int expected) {
+    while (expected_units.size() > expected) expected_units.pop();
+    function_values.clear();
+  }
+  /// Whether the model itself states a unit, so that all units are inferred and must fit.
+  constexpr bool checks_units() const {
+    for (const stated_unit& s : stated_units)
+      if (!s.is_implied) return true;
+    return false;
   }
 
   constexpr expression zero() const { return {*g, graph::zero}; }
@@ -125,6 +148,15 @@ struct mechanism {
     speed_rates.push(symbolic::variable(*g, {symbolic::symbol_kind::speed_rate, called, i}));
     return speeds[i];
   }
+  /// Adds a state variable z, a scalar with a rate ż that is neither a coordinate nor a speed. It is kept as
+  /// a further speed that moves nothing and has the mass 1, so that its equation of motion is ż = f (see
+  /// `state_rate`). State variables follow all speeds.
+  constexpr expression state_variable(const name& called) {
+    ++state_variables;
+    return speed(called);
+  }
+  /// The number of speeds that are not state variables; these come first.
+  constexpr int speeds_of_motion() const { return speeds.size() - state_variables; }
   /// Makes the rate of each coordinate a speed, named after the coordinate with a prime appended.
   constexpr void take_rates_as_speeds() {
     for (int i = 0; i < coordinates.size(); ++i) {

@@ -57,14 +57,24 @@ constexpr sentence dropping(const sequence<int>& numbers, std::string_view verb,
                    is_one ? "it" : "them"});
 }
 
-/// Returns "speed u1"; for Lagrange's method "rate of coordinate q1".
+/// Whether a name is that of a state variable.
+constexpr bool is_state_variable(const mechanism& m, std::string_view name) {
+  for (int i = m.speeds_of_motion(); i < m.speeds.size(); ++i)
+    if (called(m, m.speeds[i]) == name) return true;
+  return false;
+}
+
+/// Returns "speed u1"; for Lagrange's method "rate of coordinate q1"; "state variable z".
 constexpr sentence speed_called(const mechanism& m, std::string_view speed) {
+  if (is_state_variable(m, speed)) return sentence({"state variable ", speed});
   if (m.derived_by == method::kane) return sentence({"speed ", speed});
   return sentence({"rate of coordinate ", speed.substr(0, speed.size() - 1)});
 }
 
-/// Returns "rate of speed u1"; for Lagrange's method "second derivative of coordinate q1".
+/// Returns "rate of speed u1"; for Lagrange's method "second derivative of coordinate q1"; "rate of state
+/// variable z".
 constexpr sentence speed_rate_called(const mechanism& m, std::string_view speed) {
+  if (is_state_variable(m, speed)) return sentence({"rate of state variable ", speed});
   if (m.derived_by == method::kane) return sentence({"rate of speed ", speed});
   return sentence({"second derivative of coordinate ", speed.substr(0, speed.size() - 1)});
 }

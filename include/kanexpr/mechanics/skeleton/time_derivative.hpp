@@ -16,7 +16,7 @@ constexpr symbolic::differentiation time_derivative(const mechanism& m, const se
   symbolic::differentiation d(*m.g);
   d.set_rate(m.time, m.one());
   for (const prescribed_rate& p : m.prescribed_rates) d.set_rate(p.quantity, p.rate);
-  for (int i = 0; i < qdot.size(); ++i) d.set_rate(m.coordinates[i], qdot[i]);
+  for (int i = 0; i < m.coordinates.size(); ++i) d.set_rate(m.coordinates[i], qdot[i]);
   for (int i = 0; i < udot.size(); ++i) d.set_rate(m.speeds[i], udot[i]);
   return d;
 }

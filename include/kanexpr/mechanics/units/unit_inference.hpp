@@ -6,6 +6,7 @@
 #include <kanexpr/mechanics/model/vector.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
 #include <kanexpr/mechanics/units/unit_relations.hpp>
+#include <kanexpr/symbolic/graph/composition.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
@@ -35,6 +36,7 @@ public:
 
   /// Takes the units that the mechanism states, first of all.
   constexpr void take_stated_units() {
+    mark_amplitudes();
     for (const stated_unit& each : m_.stated_units) state(each);
     for (const prescribed_rate& p : m_.prescribed_rates) {
       const unit_product quantity = of(p.quantity);
@@ -52,7 +54,7 @@ public:
     const sentence before = mistake_;
     unit_product u = relations_.resolved(of(e));
     mistake_ = before;
-    if (u.fits_all || !u.is_known()) return {};
+    if (u.fits_all || !u.is_known() || relations_.is_rounded(u.known)) return {};
     const bool is_inferred = !form_at(e.node()).is_known();
     if (is_inferred && g_[e.node()].op == operation::symbol) unit_relations::drop_angle_of_length(u.known);
     return u.known;
@@ -120,6 +122,9 @@ private:
 
   constexpr void state(const stated_unit& s) {
     const int id = s.symbol.node();
+    if (!s.unit.is_in_range())
+      return fail({"the unit stated for ", name_of(s.symbol),
+                   " is out of range; its powers must be multiples of 1/60 between -273 and 273"});
     if (!has_form(id)) return set_form(id, known_unit(s.unit));
     const units::unit& before = form_at(id).known;
     if (!(before == s.unit))
@@ -162,9 +167,14 @@ private:
   constexpr void require(expression e, const unit_product& wanted) {
     if (mistake_ || !e.is_given()) return;
     const unit_product found = of(e);
-    if (!mistake_ && !equate(found, wanted))
-      fail({what_, whose_, " is ", with_unit(e.node(), found).view(), ", but must be in ",
-            text_of(relations_.resolved(wanted).known).view(), origin_of_unit(e.node()).view()});
+    if (!mistake_ && !equate(found, wanted)) fail_by_unit(e.node(), found, relations_.resolved(wanted).known);
+  }
+
+  constexpr void fail_by_unit(int id, const unit_product& found, const units::unit& wanted) {
+    const bool is_number = wanted == units::dimensionless;
+    fail({what_, whose_, " is ", with_unit(id, found).view(),
+          is_number ? ", but must be a number" : ", but must be in ", is_number ? "" : text_of(wanted).view(),
+          origin_of_unit(id).view()});
   }
 
   /// An expression with its unit in brackets; without one if its unit is not known.
@@ -286,11 +296,45 @@ private:
     }
     for (const stated_unit& each : m_.stated_units) // a symbol may be added later
       if (each.symbol.node() == id) return known_unit(each.unit);
+    for (const function_value& each : m_.function_values)
+      if (each.symbol.node() == id) return of_value(each);
     return relations_.add_unknown();
   }
 
   constexpr unit_product rate_of(expression symbol) {
     return relations_.quotient(of(symbol), known_unit(units::si::second));
+  }
+
+  constexpr unit_product of_value(const function_value& f) {
+    using symbolic::composition;
+    switch (f.function) {
+    case composition::hypot: return of_operands({" takes the hypot of ", " and "}, f.operands);
+    case composition::if_positive: {
+      compare(f.operands[0].node());
+      return of_operands({" selects ", " or "}, f.operands, 1);
+    }
+    case composition::min:
+    case composition::max:
+    case composition::clamp:
+    case composition::smooth_abs:
+    case composition::softplus: return of_operands({" compares ", " and "}, f.operands);
+    case composition::smooth_step: of_operands({" compares ", " and "}, f.operands); return known_unit({});
+    case composition::tabulated:
+    case composition::periodic: break; // their values may have any unit
+    }
+    return relations_.add_unknown();
+  }
+  /// The unit that all operands from the given one on have.
+  constexpr unit_product of_operands(const wording& how, const sequence<expression>& operands,
+                                     int first = 0) {
+    int known = first; // the first operand that is not a number
+    unit_product found = of(operands[known]);
+    for (int i = first + 1; i < operands.size(); ++i) {
+      const unit_product other = of(operands[i]);
+      if (!equate(found, other)) fail_by_pair(how, operands[known].node(), found, operands[i].node(), other);
+      if (found.fits_all && !other.fits_all) known = i, found = other;
+    }
+    return found;
   }
 
   /// The unit of a sum or difference: that of both operands.
@@ -310,7 +354,35 @@ private:
   constexpr unit_product of_product(const symbolic::node& n, int sign) {
     unit_product left = of(n.a), right = of(n.b);
     if (left.fits_all && right.fits_all) return left;
+    if (left.fits_all != right.fits_all && is_deformation(left.fits_all ? n.b : n.a))
+      return relations_.add_unknown();
     return sign > 0 ? relations_.product(left, right) : relations_.quotient(left, right);
+  }
+
+  /// Marks the amplitudes of beams, whose units are expected, and their rates.
+  constexpr void mark_amplitudes() {
+    for (const expected_unit& each : m_.expected_units)
+      if (const int place = m_.coordinates.find(each.value); place >= 0) {
+        amplitudes_.push(m_.coordinates[place].node());
+        amplitudes_.push(m_.coordinate_rates[place].node());
+      }
+    if (amplitudes_.empty()) return;
+    for (const expression& e : m_.kinematics) // the speeds that are rates of amplitudes
+      if (const symbolic::node& n = g_[e.node()]; n.op == operation::subtract && amplitudes_.contains(n.a))
+        amplitudes_.push(n.b);
+  }
+  /// Whether an expression is a polynomial in amplitudes of beams. Numbers by which it is multiplied are
+  /// values of shapes and their derivatives, which have units.
+  constexpr bool is_deformation(int id) const {
+    if (amplitudes_.empty()) return false;
+    const symbolic::node& n = g_[id];
+    const auto fits = [&](int operand) { return g_.is_constant(operand) || is_deformation(operand); };
+    if (n.op == operation::symbol) return amplitudes_.contains(id);
+    if (n.op == operation::negate) return is_deformation(n.a);
+    if (n.op == operation::divide || n.op == operation::power)
+      return is_deformation(n.a) && g_.is_constant(n.b);
+    const bool is_any = n.op == operation::add || n.op == operation::subtract || n.op == operation::multiply;
+    return is_any && fits(n.a) && fits(n.b);
   }
 
   constexpr unit_product of_power(int id, const symbolic::node& n) {
@@ -328,8 +400,8 @@ private:
     if (scaled < 30'000 && scaled > -30'000) {
       const auto whole = static_cast<std::int64_t>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
       const double rest = scaled - static_cast<double>(whole);
-      if (rest < 1e-9 && rest > -1e-9 && relations_.has_power(base, whole, parts))
-        return relations_.power(base, whole, parts);
+      if (rest > 1e-9 || rest < -1e-9) relations_.tolerate_rounding();
+      if (relations_.has_power(base, whole, parts)) return relations_.power(base, whole, parts);
     }
     if (base.is_known() && base.known == units::dimensionless) return base;
     return relations_.add_unknown();
@@ -386,6 +458,7 @@ private:
   const mechanism& m_;
   const symbolic::graph& g_;
   unit_relations relations_{};
+  sequence<int> amplitudes_{}; ///< nodes
   sequence<unit_product> forms_{};
   sequence<int> place_of_form_{};     ///< by node
   std::string_view what_{}, whose_{}; ///< the part of the model that is described

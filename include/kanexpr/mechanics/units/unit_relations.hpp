@@ -103,9 +103,9 @@ public:
   constexpr bool equate(const unit_product& a, const unit_product& b) {
     last_solved_ = none;
     if (a.fits_all || b.fits_all) return true;
-    if (a.unknowns == 0 && b.unknowns == 0) return a.known == b.known || units::fits(a.known, b.known);
+    if (a.unknowns == 0 && b.unknowns == 0) return a.known == b.known || fits(a.known, b.known);
     const unit_product ratio = resolved(quotient(a, b));
-    if (ratio.is_known()) return units::fits(ratio.known, {});
+    if (ratio.is_known()) return fits(ratio.known, {});
     for (const bool with_root : {false, true})
       for (int i = 0; i < ratio.unknowns; ++i) {
         const unknown_power each = unknown(ratio, i);
@@ -114,6 +114,15 @@ public:
     return true;
   }
   constexpr int last_solved() const { return last_solved_; }
+
+  /// Lets units fit if their powers are almost equal, because a power such as 2.37 is rounded to sixtieths.
+  constexpr void tolerate_rounding() { tolerance_ = 5; }
+  /// Whether a unit may contain rounded powers, which are in general no multiples of 1/10 or 1/12.
+  constexpr bool is_rounded(const units::unit& u) const {
+    for (int i = 0; tolerance_ > 0 && i < units::base_units; ++i)
+      if (const int power = u[units::base_unit_at(i)]; power % 5 != 0 && power % 6 != 0) return true;
+    return false;
+  }
 
   /// Drops the radian from a unit in which nothing turns: a radius is in m although ω r is in m/s, an inertia
   /// in kg m², and the damping of a point in N s/m = kg/s. Angles, their rates and what multiplies them to a
@@ -126,6 +135,15 @@ public:
   }
 
 private:
+  constexpr bool fits(const units::unit& a, const units::unit& b) const {
+    if (units::fits(a, b)) return true;
+    if (tolerance_ == 0) return false;
+    const units::unit ratio = units::without_angle(a / b);
+    for (int i = 0; i < units::base_units; ++i)
+      if (const int power = ratio[units::base_unit_at(i)]; power > tolerance_ || power < -tolerance_)
+        return false;
+    return true;
+  }
   static constexpr bool is_simple(const unknown_power& p) {
     return p.power == units::unit::parts || p.power == -units::unit::parts;
   }
@@ -166,6 +184,7 @@ private:
   sequence<unit_product> solutions_{}; ///< in terms of the unknowns that are not solved yet
   sequence<char> is_solved_{};
   int last_solved_ = none;
+  int tolerance_ = 0; ///< of powers, in sixtieths
 };
 
 } // namespace kanexpr::mechanics

@@ -63,6 +63,9 @@ public:
   constexpr double wave_number() const { return wave_number_; }
   constexpr bool is_wave() const { return wave_number_ > 0; }
 
+  /// Whether it has no numbers, as a natural mode whose number or tip load is invalid.
+  constexpr bool is_empty() const { return coefficients_.empty(); }
+
   /// Whether the function is given by finite numbers on the whole beam: stations in increasing order from 0
   /// to 1, and all coefficients of each interval.
   constexpr bool is_complete() const {

@@ -21,8 +21,8 @@
 namespace kanexpr::simulations {
 
 /// The manifold of the constraints and quaternions of a system. A projection applies the smallest correction,
-/// first to the coordinates by Newton's method, then to the speeds, in which the constraints are linear (Eich
-/// 1993).
+/// first to the coordinates by Newton's method, then to the speeds (Eich 1993). One step suffices for
+/// constraints that are linear in the speeds.
 ///
 /// This is a template, like everything that depends on it, so that systems without constraints do not compile
 /// it.
@@ -89,10 +89,18 @@ public:
     return s;
   }
 
+  status multipliers(double t, const vector& x, const vector& r, double* lambda) override {
+    vector udot(o_), found(by_u_.rows());
+    const auto all = [](const matrix& rows) { return rows.rows(); };
+    const status s = motion_at(t, x, r).find_at(x, all, udot, found);
+    if (s) std::copy_n(found.data(), found.size(), lambda);
+    return s;
+  }
+
   bool project(double t, const vector& x, const vector& r, const vector& weights) override {
     units_ = weights.cwiseAbs2().cwiseInverse();
     correction_.setZero();
-    is_by_rows_ = !is_near_ && project_coordinates(t, x, r, weights) && project_speeds(t, x, r);
+    is_by_rows_ = !is_near_ && project_coordinates(t, x, r, weights) && project_speeds(t, x, r, weights);
     if (is_by_rows_) return true;
     if (by_u_.rows() == 0 || !motion_at(t, x, r).find(x, found_)) return false;
     correction_ = found_.x - x;
@@ -125,6 +133,8 @@ private:
   class constraints {
   public:
     using coordinate_vector = vector;
+    using speed_vector = vector;
+    static constexpr bool only_linear = false;
 
     constraints(constraint_manifold& of, double t, const vector& r)
         : on_(of), known_(of.of_.known), t_(t), r_(r), left_(coordinates()),
@@ -144,11 +154,23 @@ private:
       for (int i = 0; i < coordinates(); ++i) by_dependent.col(i) = by_all_.col(place_of_coordinate(i));
       return by_dependent;
     }
+    bool velocities_are_linear() const { return known_.nonlinear_constraints == 0; }
+    int dependent_speeds() const { return known_.constraints; }
+    int place_of_speed(int i) const { return place_of_coordinate(coordinates() + i); }
+
     vector velocity_residual(const vector& x) const {
       vector left(known_.constraints);
       matrix by_speeds(left.size(), known_.speeds);
       on_.of_.evaluate(results::velocities, at(x), {left.data(), by_speeds.data()});
       return left;
+    }
+    matrix velocity_jacobian_by_dependent(const vector& x) const {
+      vector left(known_.constraints);
+      matrix by_speeds(left.size(), known_.speeds), by_dependent(left.size(), left.size());
+      on_.of_.evaluate(results::velocities, at(x), {left.data(), by_speeds.data()});
+      for (int i = 0; i < dependent_speeds(); ++i)
+        by_dependent.col(i) = by_speeds.col(place_of_speed(i) - known_.coordinates);
+      return by_dependent;
     }
     vector redundant_residual(const vector& x) const { return redundant(x).col(0); }
     vector redundant_terms(const vector& x) const { return redundant(x).col(1); }
@@ -165,7 +187,7 @@ private:
       vector u(known_.constraints);
       const status s = on_.of_.evaluate(results::dependent_speeds, at(x), {u.data()});
       if (s)
-        for (int i = 0; i < u.size(); ++i) x(place_of_coordinate(coordinates() + i)) = u(i);
+        for (int i = 0; i < u.size(); ++i) x(place_of_speed(i)) = u(i);
       return s;
     }
 
@@ -200,6 +222,7 @@ private:
     using number = double;
     static constexpr int fixed_coordinates = -1, fixed_speeds = -1, fixed_rows_of_coordinates = -1,
                          fixed_rows_of_speeds = -1;
+    static constexpr bool only_linear = false;
     constraint_manifold& of;
     double t = 0;
     vector r{};
@@ -208,6 +231,7 @@ private:
     int speeds() const { return of.o_; }
     Eigen::Index rows_of_coordinates() const { return of.by_q_.rows(); }
     Eigen::Index rows_of_speeds() const { return of.by_u_.rows(); }
+    bool velocities_are_linear() const { return of.of_.known.nonlinear_constraints == 0; }
     void configuration(const vector& x, vector& left, matrix& by_coordinates) const {
       left = of.configuration_residual_with_norms(t, x, r);
       by_coordinates = of.by_q_;
@@ -248,29 +272,42 @@ private:
   }
 
   bool project_coordinates(double t, const vector& y, const vector& r, const vector& weights) {
-    if (by_q_.rows() == 0) return true;
-    double last = std::numeric_limits<double>::infinity();
-    for (int steps = 0; steps < most_steps; ++steps) {
-      const vector left = configuration_residual_with_norms(t, y + correction_, r);
-      const vector step = minimum_norm_solution(by_q_, 0, -left);
-      if (!numeric::all_finite(step)) return false;
-      correction_.head(n_) += step;
-      const double size = step.cwiseProduct(weights.head(n_)).cwiseAbs().maxCoeff();
-      if (size <= close_enough || (size <= 1 && size > last / 4))
-        return true; // or the rounding level is reached
-      last = size;
-    }
-    return false;
+    return by_q_.rows() == 0 || project_by_steps(0, n_, weights, [&](vector& step) {
+             const vector left = configuration_residual_with_norms(t, y + correction_, r);
+             step = minimum_norm_solution(by_q_, 0, -left);
+           });
   }
 
-  bool project_speeds(double t, const vector& y, const vector& r) {
-    if (by_u_.rows() != 0) {
+  bool project_speeds(double t, const vector& y, const vector& r, const vector& weights) {
+    if (by_u_.rows() == 0) return numeric::all_finite(correction_);
+    const auto next = [&](vector& step) {
       const vector x = y + correction_;
       vector left(by_u_.rows());
       of_.evaluate(results::velocities, {t, x.data(), r.data()}, {left.data(), by_u_.data()});
-      correction_.tail(o_) = minimum_norm_solution(by_u_, n_, -left);
-    }
+      step = minimum_norm_solution(by_u_, n_, -left);
+    };
+    if (of_.known.nonlinear_constraints != 0) return project_by_steps(n_, o_, weights, next);
+    vector step;
+    next(step);
+    correction_.tail(o_) = step;
     return numeric::all_finite(correction_);
+  }
+
+  /// Adds Newton steps to `count` entries of the correction, until a step is negligible or the rounding level
+  /// is reached.
+  template <class Next>
+  bool project_by_steps(int first, int count, const vector& weights, const Next& next) {
+    double last = std::numeric_limits<double>::infinity();
+    vector step;
+    for (int steps = 0; steps < most_steps; ++steps) {
+      next(step);
+      if (!numeric::all_finite(step)) return false;
+      correction_.segment(first, count) += step;
+      const double size = step.cwiseProduct(weights.segment(first, count)).cwiseAbs().maxCoeff();
+      if (size <= close_enough || (size <= 1 && size > last / 4)) return true;
+      last = size;
+    }
+    return false;
   }
 
   /// A Newton step this small relative to the tolerances leaves an error of the order of its square, which is

@@ -39,6 +39,9 @@ public:
   /// dependent speeds.
   virtual status rates(double t, const vector& x, const vector& r, double* xdot) = 0;
 
+  /// Evaluates the multipliers at a state on the manifold, for any choice of dependent speeds.
+  virtual status multipliers(double t, const vector& x, const vector& r, double* lambda) = 0;
+
   /// Finds the correction from a state to the nearest point on the manifold, with each entry measured in
   /// units of 1/weight. Returns false if the constraints are dependent or the manifold cannot be reached from
   /// there.

@@ -122,7 +122,7 @@ private:
     Eigen::MatrixXd by_inputs(size(), context_.known().inputs);
     const status s = context_.system().evaluate(
         results::jacobian, {t, context_.x().data(), context_.r().data()}, {columns, by_inputs.data()});
-    if (!s) return context_.fail(s);
+    if (!s) return has_manifold() ? differences_at(t, y, columns) : context_.fail(s);
     if (by_inputs.cols() != 0 && context_.inputs_depend_on_state()) {
       if (const answer a = differentiate_inputs(t); a != answer::success) return a;
       Eigen::Map<Eigen::MatrixXd>(columns, size(), size()) += by_inputs.lazyProduct(inputs_by_state_);
@@ -189,7 +189,9 @@ public:
     values.setZero(), rates.setZero();
     values.head(states_) = x;
     if (const status s = context_.rates(t, ydot); !s) return context_.fail(s);
-    context_.system().evaluate(results::multipliers, {t, x.data(), context_.r().data()}, {y + states_});
+    const instant<double> at{t, x.data(), context_.r().data()};
+    if (!context_.system().evaluate(results::multipliers, at, {y + states_}))
+      base::manifold_->multipliers(t, x, context_.r(), y + states_);
     constexpr const char* not_finite = "the rates at this state are not finite";
     const answer a = context_.check_finite(values, not_finite);
     return a == answer::success ? context_.check_finite(rates, not_finite) : a;

@@ -122,7 +122,7 @@ private:
 /// of an angle is at least 1. Any other coordinate that does not move is assigned the largest magnitude of
 /// the coordinates that are not angles or, if that is zero, the distance that they would move if the angles
 /// were different or, if that is zero too, 1. A speed is not much smaller than the speed that moves its
-/// coordinate through its magnitude in that time.
+/// coordinate through its magnitude in that time. The magnitude of a state variable that stays zero is 1.
 class state_sizes {
 public:
   using state = Eigen::VectorXd;
@@ -200,7 +200,7 @@ private:
     state alone = x;
     std::fill_n(alone.data() + coordinates, speeds, 0.0);
     const Eigen::VectorXd at_rest = functions(context, t, alone);
-    for (int k = coordinates; k < coordinates + speeds; ++k) {
+    for (int k = coordinates; k < context.known().first_state_variable(); ++k) {
       alone(k) = 1;
       const Eigen::VectorXd change = moved(functions(context, t, alone), -1, at_rest);
       alone(k) = 0;
@@ -213,6 +213,8 @@ private:
       if (!(sizes_(k) > nothing * usual)) sizes_(k) = usual;
       sizes_(k) = (std::max)(sizes_(k), least_share_ * usual);
     }
+    for (int k = context.known().first_state_variable(); k < x.size(); ++k)
+      if (!(sizes_(k) > 0)) sizes_(k) = 1;
   }
 
   manifold* manifold_;

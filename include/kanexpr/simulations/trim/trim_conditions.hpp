@@ -61,7 +61,8 @@ public:
 
 private:
   std::string rate_of(int state) const {
-    if (state < known_.coordinates || !known_.takes_rates_as_speeds)
+    const bool is_of_motion = state >= known_.coordinates && state < known_.first_state_variable();
+    if (!is_of_motion || !known_.takes_rates_as_speeds)
       return "the rate of " + std::string(called(state).view());
     return "the second derivative of " + std::string(called(state - known_.coordinates).view());
   }

@@ -18,21 +18,21 @@ namespace kanexpr::symbolic {
 /// axes, and does not vanish where sines and cosines vanish or terms cancel. Other functions, divisors and
 /// symbols contribute the squares of their values.
 ///
-/// Coordinates that are not angles may vanish where an equation vanishes. Each contributes the mean square of
-/// all such coordinates of the same unit in the equations, some of which are usually nonzero: (x² + y²)/2 for
-/// x as well as for y, as if the axes could be rotated. Units are inferred from the fact that all terms of a
-/// sum have the same unit: both the sums in the equations and the `sums` from which the equations were formed
-/// are used.
+/// Coordinates that are not angles, and speeds, may vanish where an equation vanishes. Each contributes the
+/// mean square of all such symbols of the same unit in the equations, some of which are usually nonzero:
+/// (x² + y²)/2 for x as well as for y, as if the axes could be rotated. Units are inferred from the fact that
+/// all terms of a sum have the same unit: both the sums in the equations and the `sums` from which the
+/// equations were formed are used.
 class mean_square {
 public:
   constexpr mean_square(graph& g, const sequence<int>& equations, const sequence<int>& expressions,
                         const sequence<int>& sums)
       : g_(g), squares_(g.size(), graph::zero) {
     const sequence<int> all = terms_of(equations), needed = terms_of(expressions);
-    sequence<int> coordinates;
+    sequence<int> variables;
     for (int id : all)
-      if (is_coordinate(id)) coordinates.push(id);
-    if (!coordinates.empty()) average_over_same_unit(coordinates, equations, sums);
+      if (is_variable(id)) variables.push(id);
+    if (!variables.empty()) average_over_same_unit(variables, equations, sums);
     for (int id : needed)
       if (squares_[id] == graph::zero) squares_[id] = square(id);
   }
@@ -41,18 +41,20 @@ public:
   constexpr int operator[](int expression) const { return squares_[expression]; }
 
 private:
-  constexpr bool is_coordinate(int id) const {
-    return g_[id].op == operation::symbol && g_.symbol_at(id).kind == symbol_kind::coordinate;
+  constexpr bool is_variable(int id) const {
+    if (g_[id].op != operation::symbol) return false;
+    const symbol_kind kind = g_.symbol_at(id).kind;
+    return kind == symbol_kind::coordinate || kind == symbol_kind::speed;
   }
 
-  constexpr void average_over_same_unit(const sequence<int>& coordinates, sequence<int> sums,
+  constexpr void average_over_same_unit(const sequence<int>& variables, sequence<int> sums,
                                         const sequence<int>& more) {
     for (int id : more) sums.push(id);
-    if (coordinates.size() == 1) sums.clear(); // there is only one
+    if (variables.size() == 1) sums.clear(); // there is only one
     const equal_units found(g_, sums);
-    for (int one : coordinates) {
+    for (int one : variables) {
       int total = graph::zero, count = 0;
-      for (int other : coordinates)
+      for (int other : variables)
         if (one == other || found.have_same_unit(one, other))
           total = add(g_, total, multiply(g_, other, other)), ++count;
       squares_[one] = multiply(g_, g_.constant(exactly(1, count)), total);

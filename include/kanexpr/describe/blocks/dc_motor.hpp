@@ -1,0 +1,96 @@
+#pragma once
+
+#include <kanexpr/describe/blocks/block.hpp>
+#include <kanexpr/describe/joints/motor.hpp>
+
+namespace kanexpr {
+
+/// The current of the DC motor of a joint, the state variable i_Link2.
+template <class Joint>
+inline constexpr describe::state_variable_of<"i", Joint> current_of{};
+
+/// The temperature of the winding of the DC motor of a joint above that of its surroundings, the state
+/// variable heat_Link2.
+template <class Joint>
+inline constexpr describe::state_variable_of<"heat", Joint> heating_of{};
+
+namespace describe {
+
+/// A permanent-magnet DC motor with the current i, whose rotor turns n times as fast as the joint:
+///
+///     L di/dt = V − R i − k n u,   torque n k i − n² b u,   C dθ/dt = R i² − θ/R_th,   R = R_0 (1 + α θ)
+///
+/// Franklin, Powell & Emami-Naeini, Feedback Control of Dynamic Systems (2019), section 2.3; Hughes & Drury,
+/// Electric Motors and Drives (2019), section 3.8.
+template <class Joint, auto... given>
+struct dc_motor_law {
+  template <std::size_t index>
+  static constexpr auto argument = argument_or_zero<index, given...>();
+
+  static constexpr std::size_t size = sizeof...(given);
+  static constexpr bool is_heated = size > 6, has_axis = effort_of_joint<Joint>() != joint_effort::none;
+  static constexpr auto i = current_of<Joint>;
+  static constexpr auto heat = heating_of<Joint>;
+
+  static constexpr auto ratio() {
+    if constexpr (size > 4)
+      return argument<4>;
+    else
+      return describe::constant(1.0);
+  }
+  static constexpr auto resistance() {
+    if constexpr (is_heated)
+      return argument<1> * (1.0 + argument<6> * heat);
+    else
+      return argument<1>;
+  }
+  static constexpr auto voltage_of_rotor() {
+    if constexpr (has_axis)
+      return argument<3> * (ratio() * Joint::template u<0>);
+    else
+      return argument<3>;
+  }
+  static constexpr auto torque() {
+    if constexpr (size > 5 && has_axis)
+      return ratio() * argument<3> * i - ratio() * ratio() * argument<5> * Joint::template u<0>;
+    else
+      return ratio() * argument<3> * i;
+  }
+  static constexpr auto electrical =
+      argument<2> * dot(i) == argument<0> - resistance() * i - voltage_of_rotor();
+  static constexpr auto thermal = argument<7> * dot(heat) == resistance() * i * i - heat / argument<8>;
+
+  static constexpr void add_states(load_record& r) {
+    if constexpr (is_heated) {
+      r.states = list_of<phrase, &phrase_of<i>, &phrase_of<heat>>::all;
+      r.dynamics = list_of<phrase, &phrase_of<electrical>, &phrase_of<thermal>>::all;
+    } else {
+      r.states = list_of<phrase, &phrase_of<i>>::all;
+      r.dynamics = list_of<phrase, &phrase_of<electrical>>::all;
+    }
+  }
+};
+
+} // namespace describe
+
+/// A DC motor in a joint with one axis, between the child and the parent: `dc_motor<Link2, V, R, L, k, n, b>`
+/// with the voltage, resistance, inductance, torque constant, the gear ratio n (turns of the rotor per turn
+/// of the joint, by default 1) and the viscous friction of the rotor (by default none). Its current is
+/// `current_of<Link2>`. Three further arguments, α, C and R_th, let the resistance R (1 + α θ) grow with the
+/// heating θ of the winding, `heating_of<Link2>`, with the heat capacity C and the thermal resistance R_th.
+/// The inertia of the rotor is not included.
+template <class Joint, auto... voltage_and_constants>
+struct dc_motor : describe::load_words {
+  static constexpr describe::load_record load = [] {
+    using law = describe::dc_motor_law<Joint, voltage_and_constants...>;
+    describe::load_record r = describe::load_along_axis<dc_motor, Joint, law::torque()>("the DC motor");
+    constexpr std::size_t given = sizeof...(voltage_and_constants);
+    r.fits = given <= 6
+                 ? describe::arguments_of("dc_motor<Joint, V, R, L, k, n, b>", given, 4, 6)
+                 : describe::arguments_of("dc_motor<Joint, V, R, L, k, n, b, alpha, C, Rth>", given, 9);
+    if (r.fits && law::has_axis) law::add_states(r);
+    return r;
+  }();
+};
+
+} // namespace kanexpr
