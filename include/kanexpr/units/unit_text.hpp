@@ -57,7 +57,9 @@ inline constexpr product products[]{
     {meter / second / volt, {}, {volt, "V"}},
     {volt * second / radian, {volt, "V"}, {}}, // the constant of a motor
     {volt / radian, {volt, "V"}, {}},          // gains of a controller
+    {volt / radian / second, {volt, "V"}, {}},
     {volt / meter, {volt, "V"}, {}},
+    {volt / meter / second, {volt, "V"}, {}},
     {volt * second / meter, {volt, "V"}, {}},
     {watt / kelvin, {watt, "W"}, {}},
     {watt / meter / kelvin, {watt, "W"}, {}},
