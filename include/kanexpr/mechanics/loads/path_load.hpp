@@ -9,10 +9,10 @@
 #include <kanexpr/mechanics/loads/pathway.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/units/possible_unit.hpp>
 #include <kanexpr/units/si.hpp>
 #include <kanexpr/units/unit.hpp>
 
-#include <optional>
 #include <string_view>
 
 namespace kanexpr::mechanics {
@@ -73,7 +73,7 @@ struct path_load {
     namespace si = units::si;
     units::unit length = si::meter, force = si::newton;
     if (along.form == pathway_form::given_length) {
-      const std::optional<units::unit> found = by.unit_of(along.length);
+      const units::possible_unit found = by.unit_of(along.length);
       if (!found) return;
       length = *found;
       force = length == si::radian ? si::newton * si::meter : si::joule / length;
