@@ -3,6 +3,7 @@
 #include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/compiled/function.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/compiled/state.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
@@ -37,6 +38,9 @@ public:
 
   after_event operator()(moment<System>& now) const {
     static_assert(sizeof...(gaps) > 0 && sizeof...(gaps) <= 12);
+    static_assert(compiled::survey_of<System>.nonlinear_constraints == 0,
+                  "impact requires constraints that are linear in the speeds, because impulses along their "
+                  "derivatives do not preserve others");
     if (!(restitution_ >= 0 && restitution_ <= 1))
       throw std::domain_error("the restitution " + std::to_string(restitution_) + " is not in [0, 1]");
     Eigen::MatrixXd contacts(sizeof...(gaps), eom::speeds);
