@@ -1,6 +1,7 @@
 // builds: all
 // The code of tests/exporting/models_in_c.cpp, compiled as C, compared with the compiled functions.
 #include <kanexpr/kanexpr.hpp>
+#include <models/bouncing_ball.hpp>
 #include <models/four_bar.hpp>
 #include <models/iiwa.hpp>
 #include <models/motor_arm.hpp>
@@ -10,6 +11,8 @@
 
 #include "curved.hpp"
 
+#include <bouncing_ball.h>
+#include <bouncing_ball_in_float.h>
 #include <bound_pendulum.h>
 #include <curved.h>
 #include <curved_in_float.h>
@@ -133,6 +136,7 @@ TEST(C, HasTheBitsOfTheCompiledFunctions) {
   expect_same_udot<double, four_bar::System>(four_bar_udot);
   expect_same_udot<double, rolling_disc::System>(disc_udot);
   expect_same_udot<double, slewing_arm::System>(slewing_arm_udot);
+  expect_same_udot<double, bouncing_ball::System>(bouncing_ball_udot);
   expect_same_udot<double, motor_arm::System>(motor_arm_udot);
 }
 
@@ -140,6 +144,7 @@ TEST(C, HasTheBitsOfTheCompiledFunctionsInSinglePrecision) {
   expect_same_udot<float, iiwa::System>(iiwa_in_float_udot);
   expect_same_udot<float, rolling_disc::System>(disc_in_float_udot);
   expect_same_udot<float, slewing_arm::System>(slewing_arm_in_float_udot);
+  expect_same_udot<float, bouncing_ball::System>(bouncing_ball_in_float_udot);
   expect_same_udot<float, motor_arm::System>(motor_arm_in_float_udot);
 }
 

@@ -7,6 +7,7 @@
 #include <kanexpr/units/si.hpp>
 
 #include <models/appell_hamel.hpp>
+#include <models/bouncing_ball.hpp>
 #include <models/four_bar.hpp>
 #include <models/iiwa.hpp>
 #include <models/motor_arm.hpp>
@@ -199,7 +200,8 @@ int main(int, char** arguments) {
                  write<four_bar::System>(folder, "four_bar", with_python) &&
                  write<rolling_disc::System>(folder, "disc", {}) &&
                  write<curved::System>(folder, "curved", {}) &&
-                 write<slewing_arm::System>(folder, "slewing_arm", {})
+                 write<slewing_arm::System>(folder, "slewing_arm", {}) &&
+                 write<bouncing_ball::System>(folder, "bouncing_ball", {})
              ? 0
              : 1;
 }

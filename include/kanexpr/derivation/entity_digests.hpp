@@ -5,8 +5,10 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/check_words.hpp>
 #include <kanexpr/describe/beam_record.hpp>
+#include <kanexpr/describe/contact_record.hpp>
 #include <kanexpr/describe/external.hpp>
 #include <kanexpr/describe/flexible_record.hpp>
+#include <kanexpr/describe/pathway.hpp>
 #include <kanexpr/describe/system.hpp>
 
 #include <array>
@@ -141,21 +143,49 @@ private:
     now_.take(r.called);
     mention(r.frame), mention(r.point), mention(r.home), mention(r.parent_frame), mention(r.parent_point);
     take(r.axes), take(r.coordinates), take(r.speeds), take(r.kinematics), take(r.place);
+    for (int i = 0; i < 2 && r.rotor != nullptr; ++i) take(r.rotor[i]);
     end(r.called);
     if (r.body != nullptr) take(*r.body);
+    if (r.stops != nullptr) take(*r.stops);
   }
   constexpr void take(const describe::load_record& r) {
     begin();
     now_.take(r.what);
     mention(r.point), mention(r.other_point), mention(r.frame), mention(r.other_frame);
     take(r.value), take(r.angle), take(r.rest), take(r.states), take(r.dynamics);
+    if (r.friction != nullptr) take(*r.friction);
+    if (r.contact != nullptr) take(*r.contact);
+    for (int i = 0; i < r.terms_given; ++i) take(r.terms[i]);
+    if (r.path != nullptr) take(*r.path);
     end("", "loads with the same name");
+  }
+  constexpr void take(const describe::path_record& r) {
+    now_.take(4 * static_cast<int>(r.what) + 2 * r.first_is_on_surface + r.last_is_on_surface);
+    now_.take(r.sense);
+    now_.take(r.points.size);
+    for (const point_record& p : r.points) mention(&p);
+    mention(r.center), mention(r.frame);
+    take(r.length), take(r.axis), take(r.size);
   }
   constexpr void take(const describe::block_record& r) {
     begin();
     now_.take(r.called);
     take(r.states), take(r.dynamics);
     end(r.called);
+  }
+  constexpr void take(const describe::friction_record& r) {
+    now_.take(static_cast<int>(r.kind));
+    take(r.sliding), take(r.sticking), take(r.slip_speed), take(r.viscous);
+  }
+  constexpr void take(const describe::contact_record& r) {
+    now_.take(static_cast<int>(r.shapes));
+    mention(r.frame), mention(r.other_frame);
+    for (const phrase* each :
+         {&r.normal, &r.axis, &r.radius, &r.other_radius, &r.level, &r.stiffness, &r.exponent, &r.width,
+          &r.damping, &r.approach_speed, &r.lever, &r.rolling_rate})
+      take(*each);
+    now_.take(r.restitution);
+    if (r.friction != nullptr) take(*r.friction);
   }
   constexpr void take(const frame_record& r) {
     begin();

@@ -29,6 +29,7 @@ struct reading {
   std::string_view part{}; ///< the part of an entity that is being read: "the offset of point "
   const describe::frame_record* parent = nullptr; ///< the parent of the frame whose orientation is being read
   int describing = none;                          ///< the frame that `own` denotes
+  bool is_on_surface = false;                     ///< whether the coordinates of a surface may occur
   bool for_units = false;    ///< whether the model is read to infer units (units_of_motion.hpp)
   bool states_units = false; ///< whether any symbol has a stated or implied unit
   bool checks_units = false; ///< whether any symbol has a stated unit

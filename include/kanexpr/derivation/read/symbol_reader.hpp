@@ -229,8 +229,13 @@ private:
       return listed(m_.speeds, m_.speed_rates, r, "speed", whom);
     case symbol_kind::auxiliary_speed:
     case symbol_kind::multiplier:
-    case symbol_kind::weight:
-    case symbol_kind::direction: break; // not available in models
+    case symbol_kind::weight: break; // not available in models
+    case symbol_kind::direction:
+      if (reading_.is_on_surface)
+        return symbolic::variable(*m_.g, {r.kind, r.called, r.called.view().back() - 'x'});
+      reading_.fail({reading_.part, whom, " contains ", r.called.view(),
+                     ", which is valid only in point_on_surface<...>"});
+      break;
     case symbol_kind::parameter:
       if (r.value != nullptr) return constant_of(r);
       for (int i = 0; i < bound_.size(); ++i)

@@ -1,0 +1,274 @@
+#pragma once
+
+#include <kanexpr/describe/contact_record.hpp>
+#include <kanexpr/describe/friction.hpp>
+#include <kanexpr/describe/load.hpp>
+#include <kanexpr/describe/point.hpp>
+#include <kanexpr/describe/symbol.hpp>
+#include <kanexpr/mechanics/loads/contact_shapes.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <string_view>
+#include <type_traits>
+
+/// Contacts between bodies.
+namespace kanexpr {
+
+namespace describe {
+
+enum class contact_word : unsigned char { elastic, smoothed_over, damping, rolling_resistance };
+
+template <class Word, contact_word wanted>
+concept is_contact_word = requires { requires Word::contact_word == wanted; };
+
+template <class Word>
+concept word_of_a_contact = law_of_friction<Word> || requires { Word::contact_word; };
+
+template <class Word>
+constexpr void add_to_contact(contact_record& r) {
+  arguments fits;
+  if constexpr (law_of_friction<Word>) {
+    r.friction = &friction_of<Word>;
+    fits = r.friction->fits;
+  } else {
+    Word::add_to(r);
+    fits = Word::fits;
+  }
+  if (r.fits) r.fits = fits;
+}
+
+template <contact_word wanted, class... Words>
+inline constexpr int times_of_contact_word = (0 + ... + static_cast<int>(is_contact_word<Words, wanted>));
+
+/// Returns the end of a sentence about words that are missing, repeated or foreign; empty if there is none.
+template <class... Words>
+constexpr std::string_view mistake_of_contact_words() {
+  using enum contact_word;
+  if constexpr (!(word_of_a_contact<Words> && ...))
+    return "has an argument that is neither elastic<...>, smoothed_over<...>, restitution<...>, "
+           "dissipation<...>, rolling_resistance<...> nor a law of friction";
+  else if (times_of_contact_word<elastic, Words...> != 1)
+    return "needs one elastic<stiffness, exponent>";
+  else if (times_of_contact_word<smoothed_over, Words...> != 1)
+    return "needs one smoothed_over<width>";
+  else if (times_of_contact_word<damping, Words...> > 1)
+    return "has more than one of restitution<...> and dissipation<...>";
+  else if (times_of_contact_word<rolling_resistance, Words...> > 1)
+    return "has two rolling_resistance<...>";
+  else if ((0 + ... + static_cast<int>(law_of_friction<Words>)) > 1)
+    return "has two laws of friction";
+  return {};
+}
+
+template <class Geometry, class... Words>
+constexpr contact_record record_contact() {
+  contact_record r;
+  if constexpr (requires { Geometry::lay_out(r); })
+    Geometry::lay_out(r);
+  else
+    r.mistake = "begins with neither sphere_on_plane<...>, point_on_plane<...>, torus_on_plane<...>, "
+                "sphere_on_sphere<...> nor point_on_surface<...>";
+  if (r.mistake.empty()) r.mistake = mistake_of_contact_words<Words...>();
+  if constexpr ((word_of_a_contact<Words> && ...)) {
+    (add_to_contact<Words>(r), ...);
+  }
+  return r;
+}
+
+template <class Geometry, class... Words>
+inline constexpr contact_record contact_of = record_contact<Geometry, Words...>();
+
+/// The frame of a body: the given one, or that of the point itself if it is a joint.
+template <class Point, class... Frame>
+constexpr const frame_record* frame_of_body() {
+  const frame_record* const frames[]{&frame_of<Frame>..., nullptr};
+  if constexpr (sizeof...(Frame) == 0)
+    return &frame_of<Point>;
+  else
+    return frames[0];
+}
+
+} // namespace describe
+
+/// A sphere above a plane, as the first argument of a contact. The plane contains the point `Place`; its
+/// normal points to the side of the sphere, and the plane is fixed in the frame in whose axes the normal is
+/// given. `sphere_on_plane<Ball, r, O, N::z>` if Ball is a joint, which is both a point and a frame;
+/// `sphere_on_plane<Center, r, O, N::z, B>` for a sphere that is fixed in the frame B.
+template <class Point, auto radius, class Place, auto normal, class... Frame>
+struct sphere_on_plane {
+  static constexpr void lay_out(describe::contact_record& r) {
+    r.shapes = mechanics::contact_shapes::sphere_on_plane;
+    r.point = &describe::point_of<Point>;
+    r.other_point = &describe::point_of<Place>;
+    r.frame = describe::frame_of_body<Point, Frame...>();
+    r.normal = describe::phrase_of<normal>;
+    r.radius = describe::phrase_of<radius>;
+    if (sizeof...(Frame) > 1) r.mistake = "has a sphere_on_plane<...> with two frames";
+  }
+};
+
+/// A point above a plane, as the first argument of a contact: `point_on_plane<P, O, N::z>`.
+template <class Point, class Place, auto normal>
+struct point_on_plane {
+  static constexpr void lay_out(describe::contact_record& r) {
+    r.shapes = mechanics::contact_shapes::sphere_on_plane;
+    r.point = &describe::point_of<Point>;
+    r.other_point = &describe::point_of<Place>;
+    r.normal = describe::phrase_of<normal>;
+    r.radius = describe::no_phrase;
+  }
+};
+
+/// A torus above a plane, as the first argument of a contact, such as a wheel with a round rim: its tube has
+/// the given radius, and its center line is a circle about the axis. `torus_on_plane<Wheel, axis, radius of
+/// the circle, radius of the tube, O, N::z>`; a frame may follow, as for `sphere_on_plane`. The contact is
+/// undefined if the axis is parallel to the normal, because a circle then touches the plane.
+template <class Point, auto axis, auto circle, auto tube, class Place, auto normal, class... Frame>
+struct torus_on_plane {
+  static constexpr void lay_out(describe::contact_record& r) {
+    r.shapes = mechanics::contact_shapes::torus_on_plane;
+    r.point = &describe::point_of<Point>;
+    r.other_point = &describe::point_of<Place>;
+    r.frame = describe::frame_of_body<Point, Frame...>();
+    r.normal = describe::phrase_of<normal>;
+    r.axis = describe::phrase_of<axis>;
+    r.radius = describe::phrase_of<tube>;
+    r.other_radius = describe::phrase_of<circle>;
+    if (sizeof...(Frame) > 1) r.mistake = "has a torus_on_plane<...> with two frames";
+  }
+};
+
+/// Two spheres outside of each other, as the first argument of a contact: `sphere_on_sphere<A, a, B, b>`; the
+/// frames of both may follow. The contact is undefined if the centers coincide.
+template <class Point, auto radius, class Other, auto other_radius, class... Frames>
+struct sphere_on_sphere {
+  static constexpr void lay_out(describe::contact_record& r) {
+    r.shapes = mechanics::contact_shapes::sphere_on_sphere;
+    r.point = &describe::point_of<Point>;
+    r.other_point = &describe::point_of<Other>;
+    const describe::frame_record* const frames[]{&describe::frame_of<Frames>..., nullptr};
+    if constexpr (sizeof...(Frames) == 0)
+      r.frame = &describe::frame_of<Point>, r.other_frame = &describe::frame_of<Other>;
+    else if constexpr (sizeof...(Frames) == 2)
+      r.frame = frames[0], r.other_frame = frames[1];
+    else
+      r.mistake = "has a sphere_on_sphere<...> with neither no frame nor two";
+    r.radius = describe::phrase_of<radius>;
+    r.other_radius = describe::phrase_of<other_radius>;
+  }
+};
+
+/// The coordinates of a point near a surface, in the function that describes the surface.
+struct surface {
+  static constexpr scalar<1> x =
+      describe::symbol_token<symbolic::symbol_kind::direction, "surface::x", unnumbered>();
+  static constexpr scalar<1> y =
+      describe::symbol_token<symbolic::symbol_kind::direction, "surface::y", unnumbered>();
+  static constexpr scalar<1> z =
+      describe::symbol_token<symbolic::symbol_kind::direction, "surface::z", unnumbered>();
+};
+
+/// A point above a smooth surface, as the first argument of a contact. The surface is where a function of the
+/// coordinates vanishes, which are measured from a point in the axes of a frame; the function is positive on
+/// the side of the point: `point_on_surface<P, O, N, surface::z - h*sin(k*surface::x)>`. The distance from
+/// the surface is taken to the first order, φ/|∇φ|, so it is exact at the surface.
+template <class Point, class Place, class Frame, auto level>
+struct point_on_surface {
+  static constexpr void lay_out(describe::contact_record& r) {
+    r.shapes = mechanics::contact_shapes::point_on_surface;
+    r.point = &describe::point_of<Point>;
+    r.other_point = &describe::point_of<Place>;
+    r.other_frame = &describe::frame_of<Frame>;
+    r.level = describe::phrase_of<level>;
+    r.radius = describe::no_phrase;
+  }
+};
+
+/// The elastic normal force k δⁿ at the penetration δ, as a word of a contact: `elastic<k, n>`. The exponent
+/// n is a number of at least 1, and 1 if it is omitted; 3/2 is that of Hertz.
+template <auto... stiffness_and_exponent>
+struct elastic {
+  static constexpr auto contact_word = describe::contact_word::elastic;
+  static constexpr describe::arguments fits =
+      describe::arguments_of("elastic<stiffness, exponent>", sizeof...(stiffness_and_exponent), 1, 2);
+  static constexpr void add_to(describe::contact_record& r) {
+    r.stiffness = describe::given_phrases<stiffness_and_exponent...>[0];
+    r.exponent = sizeof...(stiffness_and_exponent) == 2
+                     ? describe::given_phrases<stiffness_and_exponent...>[1]
+                     : describe::phrase_of<describe::constant(1)>;
+  }
+};
+
+/// The distance w over which a contact closes, as a word of a contact: the elastic force rises smoothly
+/// between the penetrations −w and w, is zero below and k δⁿ above. `smoothed_over<w>`
+template <auto... width>
+struct smoothed_over {
+  static constexpr auto contact_word = describe::contact_word::smoothed_over;
+  static constexpr describe::arguments fits =
+      describe::arguments_of("smoothed_over<width>", sizeof...(width), 1);
+  static constexpr void add_to(describe::contact_record& r) {
+    r.width = describe::given_phrases<width...>[0];
+  }
+};
+
+/// The damping of a contact that gives the coefficient of restitution e, a number in (0, 1], at the approach
+/// speed v, as a word of a contact: `restitution<0.7, v>`. A faster impact loses a larger part of its energy.
+template <auto e, auto... approach_speed>
+struct restitution {
+  static constexpr auto contact_word = describe::contact_word::damping;
+  static constexpr describe::arguments fits =
+      describe::arguments_of("restitution<coefficient, approach speed>", sizeof...(approach_speed), 1);
+  static constexpr void add_to(describe::contact_record& r) {
+    if constexpr (describe::plain_number<std::remove_const_t<decltype(e)>>)
+      r.restitution = static_cast<double>(e);
+    else
+      r.restitution = -1;
+    if (!(r.restitution > 0 && r.restitution <= 1) && r.mistake.empty())
+      r.mistake = "has a coefficient of restitution that is not a number in (0, 1]";
+    r.approach_speed = describe::given_phrases<approach_speed...>[0];
+  }
+};
+
+/// The damping c of a contact, in s/m, as a word of a contact: `dissipation<c>`. The normal force is the
+/// elastic one times 1 + c δ̇, as by Hunt & Crossley (1975), rounded so that it never pulls.
+template <auto... c>
+struct dissipation {
+  static constexpr auto contact_word = describe::contact_word::damping;
+  static constexpr describe::arguments fits = describe::arguments_of("dissipation<c>", sizeof...(c), 1);
+  static constexpr void add_to(describe::contact_record& r) { r.damping = describe::given_phrases<c...>[0]; }
+};
+
+/// The resistance to rolling, as a word of a contact: a torque −b N ω/√(ω² + ωₛ²) against the part ω of the
+/// relative angular velocity that is parallel to the plane of contact. `rolling_resistance<b, ws>`, where b
+/// is a length.
+template <auto... lever_and_rate>
+struct rolling_resistance {
+  static constexpr auto contact_word = describe::contact_word::rolling_resistance;
+  static constexpr describe::arguments fits =
+      describe::arguments_of("rolling_resistance<lever, angular velocity>", sizeof...(lever_and_rate), 2);
+  static constexpr void add_to(describe::contact_record& r) {
+    r.lever = describe::given_phrases<lever_and_rate...>[0];
+    r.rolling_rate = describe::given_phrases<lever_and_rate...>[1];
+  }
+};
+
+/// A contact between two bodies, which is open as long as they do not touch: `contact<sphere_on_plane<Ball,
+/// r, O, N::z>, elastic<k, 1.5>, smoothed_over<w>, restitution<0.7, v>, coulomb_friction<mu>>`. The normal
+/// force is that of Hunt & Crossley, made smooth without a force at a distance, tension or creation of
+/// energy.
+template <class Geometry, class... Words>
+struct contact : describe::load_words {
+  static constexpr describe::load_record load = [] {
+    const describe::contact_record& c = describe::contact_of<Geometry, Words...>;
+    describe::load_record r;
+    r.what = describe::load_word::contact;
+    r.word = "the contact";
+    r.fits = c.fits;
+    r.point = c.point;
+    r.other_point = c.other_point;
+    r.contact = &c;
+    return r;
+  }();
+};
+
+} // namespace kanexpr

@@ -1,0 +1,182 @@
+#pragma once
+
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/mechanics/loads/contact_geometry.hpp>
+#include <kanexpr/mechanics/loads/contact_law.hpp>
+#include <kanexpr/mechanics/loads/contact_shapes.hpp>
+#include <kanexpr/mechanics/loads/force_system.hpp>
+#include <kanexpr/mechanics/loads/friction_law.hpp>
+#include <kanexpr/mechanics/loads/load_check.hpp>
+#include <kanexpr/mechanics/loads/load_units.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/fixed.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/model/orientation.hpp>
+#include <kanexpr/mechanics/model/position.hpp>
+#include <kanexpr/mechanics/motion/motion.hpp>
+#include <kanexpr/mechanics/motion/relative_motion.hpp>
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/functions.hpp>
+#include <kanexpr/units/si.hpp>
+
+#include <string_view>
+
+namespace kanexpr::mechanics {
+
+/// The resistance to rolling: a torque −b N ω/√(ω² + ωₛ²) against the part ω of the relative angular velocity
+/// that is parallel to the tangent plane.
+struct rolling_resistance {
+  expression lever{};            ///< b, a length
+  expression angular_velocity{}; ///< ωₛ, over which rest is smoothed
+
+  constexpr explicit operator bool() const { return lever.is_given(); }
+};
+
+/// A contact between two bodies, which is open if they do not touch. The normal force and the friction act at
+/// the contact, on the first body and, with opposite sign, on the second.
+struct contact {
+  contact_geometry between{};
+  contact_law law{};
+  friction_law friction{};
+  rolling_resistance rolling{};
+
+  constexpr void act(force_system& on, conservative how) const {
+    const skeleton& s = on.skeleton_used();
+    const touching at = between.at(*s.model);
+    motion& k = on.moving();
+    const components slip = relative_velocity(k, at);
+    const expression approach = -dot(at.push, slip), elastic = law.elastic_force(at.penetration);
+    const expression normal_force = elastic * law.dissipation(approach);
+    const expression pressing = how == conservative::by_energy ? normal_force - elastic : normal_force;
+    components tangential(*s.model->g);
+    if (friction) {
+      const components tangent = slip - dot(at.normal, slip) * at.normal;
+      tangential = -((normal_force * friction.over_slip(dot(tangent, tangent))) * tangent);
+    }
+    add_force(on, at, pressing * at.push, tangential);
+    if (rolling) add_rolling_resistance(on, at, normal_force);
+  }
+
+  constexpr expression potential_energy(const mechanism& m) const {
+    return law.energy(between.at(m).penetration);
+  }
+
+  constexpr void check_with(load_check& by, int) const;
+  constexpr void state_units(load_units& by, int) const;
+
+private:
+  constexpr vector in_axes(const components& v) const {
+    vector all;
+    all.add(between.other, v);
+    return all;
+  }
+
+  /// The angular velocity of the first body relative to the second.
+  constexpr components relative_spin(const skeleton& s) const {
+    return express(*s.model, angular_velocity_between(s, between.frame, between.other), between.other);
+  }
+
+  /// The velocity of the material point of the first body at the contact, relative to that of the second.
+  constexpr components relative_velocity(motion& k, const touching& at) const {
+    const skeleton& s = k.skeleton_used();
+    const mechanism& m = *s.model;
+    const int first = s.station_of_point[between.point], second = s.station_of_point[between.against];
+    components v = express(m, velocity_between(k, first, second), between.other);
+    if (s.rigid_with[between.other] != mechanism::inertial) {
+      vector w;
+      w.add(s.working_axes[s.rigid_with[between.other]], k.angular_velocity(between.other));
+      v -= cross(express(m, w, between.other), at.line);
+    }
+    if (between.frame != none) v += cross(relative_spin(s), at.arm);
+    return v;
+  }
+
+  constexpr void add_force(force_system& on, const touching& at, const components& pressing,
+                           const components& tangential) const {
+    const skeleton& s = on.skeleton_used();
+    const components force = pressing + tangential;
+    on.add_force(between.point, in_axes(force));
+    on.add_force(between.against, in_axes(-force));
+    if (between.frame != none) {
+      const components moment = cross(at.arm, between.is_round() ? tangential : force);
+      if (!moment.is_zero()) on.add_torque(between.frame, none, in_axes(moment));
+    }
+    if (s.rigid_with[between.other] == mechanism::inertial) return;
+    const components moment = cross(at.line + at.arm, force);
+    on.add_torque(between.other, none, in_axes(-moment));
+  }
+
+  constexpr void add_rolling_resistance(force_system& on, const touching& at, expression normal_force) const {
+    components w = relative_spin(on.skeleton_used());
+    w -= dot(w, at.normal) * at.normal;
+    const expression rest = rolling.angular_velocity * rolling.angular_velocity;
+    const expression size = sqrt(dot(w, w) + rest);
+    const expression factor = rolling.lever * normal_force / size;
+    on.add_torque(between.frame, between.other, in_axes(-(factor * w)));
+  }
+};
+
+constexpr void contact::check_with(load_check& by, int) const {
+  const mechanism& m = by.mechanism_used();
+  const sentence names = by.ends_of(between);
+  if (between.point == between.against || between.frame == between.other)
+    return by.fail({"a contact between ", names.view(), " is between a body and itself"});
+  const int origin = origin_of(m, between.point), other = origin_of(m, between.against);
+  if (origin != other)
+    return by.fail({"the contact between ", names.view(), " has points measured from two origins, ",
+                    by.point(origin), " and ", by.point(other), ", whose distance is not known"});
+  const bool has_plane =
+      between.shapes == contact_shapes::sphere_on_plane || between.shapes == contact_shapes::torus_on_plane;
+  if (has_plane && !is_fixed(between.normal))
+    return by.fail({"the normal of the contact between ", names.view(), " is not fixed in ",
+                    by.frame(between.other), "; its components may contain only numbers and parameters"});
+  if (between.shapes == contact_shapes::torus_on_plane && !is_fixed(between.axis))
+    return by.fail({"the axis of the torus of the contact between ", names.view(), " is not fixed in ",
+                    by.frame(between.axis_frame),
+                    "; its components may contain only numbers and parameters"});
+  const auto constant = [&](expression e, std::string_view what, bool is_positive) {
+    if (!e.is_given()) return;
+    by.check_constant(e, what, names.view());
+    if (is_positive) by.check_positive(e, what, names.view());
+  };
+  constant(between.level, "the surface of the contact between ", false);
+  constant(law.stiffness, "the stiffness of the contact between ", true);
+  constant(law.width, "the width of the contact between ", true);
+  constant(law.damping, "the damping of the contact between ", false);
+  constant(between.radius, "the radius of the contact between ", false);
+  constant(between.other_radius, "the second radius of the contact between ", false);
+  constant(rolling.lever, "the lever of the rolling resistance between ", false);
+  constant(rolling.angular_velocity, "the angular velocity of the rolling resistance between ", true);
+  friction.check_with(by, sentence({"the contact between ", names.view()}).view());
+}
+
+constexpr void contact::state_units(load_units& by, int) const {
+  namespace si = units::si;
+  const sentence names = by.ends_of(between);
+  const auto state = [&](expression e, std::string_view what, const units::unit& u) {
+    if (!e.is_given()) return;
+    by.describe({what, names.view()});
+    by.expect(e, u);
+  };
+  state(between.radius, "the radius of the contact between ", si::meter);
+  state(between.other_radius, "the second radius of the contact between ", si::meter);
+  state(law.width, "the width of the contact between ", si::meter);
+  if (between.level.is_given()) {
+    const components place = surface_coordinates(between.level.owner());
+    for (int i = 0; i < 3; ++i) state(place[i], "a coordinate of the surface between ", si::meter);
+  }
+  const expression n = law.exponent;
+  state(law.stiffness * power(law.width, n), "the stiffness of the contact between ", si::newton);
+  state(law.damping, "the damping of the contact between ", si::second / si::meter);
+  state(friction.slip_speed, "the slip speed of the contact between ", si::meter / si::second);
+  state(friction.sliding, "the coefficient of friction of the contact between ", units::dimensionless);
+  state(friction.sticking, "the coefficient of static friction of the contact between ",
+        units::dimensionless);
+  state(friction.viscous, "the viscous coefficient of the contact between ", si::second / si::meter);
+  state(rolling.lever, "the lever of the rolling resistance between ", si::meter);
+  state(rolling.angular_velocity, "the angular velocity of the rolling resistance between ",
+        si::radian / si::second);
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <kanexpr/mechanics/loads/contact.hpp>
+#include <kanexpr/mechanics/loads/contact_geometry.hpp>
+#include <kanexpr/mechanics/loads/contact_law.hpp>
+#include <kanexpr/mechanics/loads/contact_shapes.hpp>
+#include <kanexpr/mechanics/loads/friction_kind.hpp>
+#include <kanexpr/mechanics/loads/loads.hpp>
+#include <kanexpr/mechanics/loads/restitution.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/runtime/contact_data.hpp>
+#include <kanexpr/runtime/number_or_expression.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/numbers/number.hpp>
+
+#include <string_view>
+
+namespace kanexpr::runtime {
+
+KANEXPR_ENGINE void builder::sphere_on_plane(point_id center, frame_id of, const number_or_expression& radius,
+                                             point_id in_plane, const vector& normal,
+                                             const contact_data& data) {
+  mechanics::contact_geometry g;
+  g.shapes = mechanics::contact_shapes::sphere_on_plane;
+  g.point = place(center), g.frame = place(of), g.against = place(in_plane);
+  g.radius = as_expression(radius);
+  if (checks_.owns("a contact", center, of, in_plane) && set_direction(g.normal, g.other, normal))
+    add_contact(g, data);
+}
+
+KANEXPR_ENGINE void builder::point_on_plane(point_id point, point_id in_plane, const vector& normal,
+                                            const contact_data& data) {
+  mechanics::contact_geometry g;
+  g.shapes = mechanics::contact_shapes::sphere_on_plane;
+  g.point = place(point), g.against = place(in_plane);
+  g.radius = m_.zero();
+  if (checks_.owns("a contact", point, in_plane) && set_direction(g.normal, g.other, normal))
+    add_contact(g, data);
+}
+
+KANEXPR_ENGINE void builder::torus_on_plane(point_id center, frame_id of, const vector& axis,
+                                            const number_or_expression& circle,
+                                            const number_or_expression& tube, point_id in_plane,
+                                            const vector& normal, const contact_data& data) {
+  mechanics::contact_geometry g;
+  g.shapes = mechanics::contact_shapes::torus_on_plane;
+  g.point = place(center), g.frame = place(of), g.against = place(in_plane);
+  g.radius = as_expression(tube), g.other_radius = as_expression(circle);
+  if (checks_.owns("a contact", center, of, in_plane) && set_direction(g.axis, g.axis_frame, axis) &&
+      set_direction(g.normal, g.other, normal))
+    add_contact(g, data);
+}
+
+KANEXPR_ENGINE void builder::sphere_on_sphere(point_id center, frame_id of,
+                                              const number_or_expression& radius, point_id other_center,
+                                              frame_id other, const number_or_expression& other_radius,
+                                              const contact_data& data) {
+  mechanics::contact_geometry g;
+  g.shapes = mechanics::contact_shapes::sphere_on_sphere;
+  g.point = place(center), g.frame = place(of);
+  g.against = place(other_center), g.other = place(other);
+  g.radius = as_expression(radius), g.other_radius = as_expression(other_radius);
+  if (checks_.owns("a contact", center, of, other_center, other)) add_contact(g, data);
+}
+
+KANEXPR_ENGINE void builder::add_surface_contact(point_id point, point_id origin, frame_id of,
+                                                 expression level, const contact_data& data) {
+  mechanics::contact_geometry g;
+  g.shapes = mechanics::contact_shapes::point_on_surface;
+  g.point = place(point), g.against = place(origin), g.other = place(of);
+  g.level = level, g.radius = m_.zero();
+  if (checks_.owns("a contact", point, origin, of, level)) add_contact(g, data);
+}
+
+KANEXPR_ENGINE bool builder::set_direction(mechanics::components& unit, int& frame, const vector& given) {
+  if (!checks_.owns("a contact", given)) return false;
+  const mechanics::contact_direction d = mechanics::contact_direction_of(m_, given);
+  unit = d.unit, frame = d.frame;
+  return d.mistake.empty() || checks_.fail({"a direction of a contact", d.mistake});
+}
+
+KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& between,
+                                         const contact_data& data) {
+  mechanics::contact c{between, {}, data.friction, data.rolling};
+  c.law.stiffness = as_expression(data.stiffness), c.law.width = as_expression(data.width);
+  c.law.exponent = mechanics::contact_exponent(number(data.exponent));
+  if (!c.law.exponent.is_given()) {
+    checks_.fail({"the exponent of a contact is not a number of at least 1"});
+    return;
+  }
+  if (data.damping) c.law.damping = as_expression(*data.damping);
+  if (data.restitution) {
+    const double e = data.restitution->coefficient;
+    if (!(e > 0 && e <= 1)) checks_.fail({"a coefficient of restitution is not in (0, 1]"});
+    if (data.damping) checks_.fail({"a contact has both a restitution and a damping"});
+    const expression approach = as_expression(data.restitution->approach_speed);
+    if (e < 1)
+      c.law.damping = approach.number(symbolic::real(mechanics::damping_of_restitution(e))) / approach;
+    if (c.friction && !c.friction.slip_speed.is_given()) c.friction.slip_speed = approach / 100;
+  }
+  const auto is_owned = [&](expression e) { return !e.is_given() || checks_.owns("a contact", e); };
+  for (const expression e : {c.friction.sliding, c.friction.sticking, c.friction.slip_speed,
+                             c.friction.viscous, c.rolling.lever, c.rolling.angular_velocity, c.law.damping})
+    if (!is_owned(e)) return;
+  if (c.friction.needs_slip_speed())
+    checks_.fail({"the friction of a contact has no slip speed"});
+  else if (checks_.owns("a contact", c.law.stiffness, c.law.width, between.radius))
+    system_.loads.contacts.push(c);
+}
+
+} // namespace kanexpr::runtime

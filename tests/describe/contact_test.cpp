@@ -1,0 +1,169 @@
+// The words of contacts and friction, compared with a builder and with loads that are written out. The
+// systems are derived at run time, because only the reading is compared.
+#include <kanexpr/contact.hpp>
+#include <kanexpr/joints.hpp>
+#include <kanexpr/mechanics/loads/friction_law.hpp>
+#include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/symbolic.hpp>
+
+#include <Eigen/Core>
+#include <gtest/gtest.h>
+
+#include <random>
+#include <string>
+
+namespace {
+
+using namespace kanexpr;
+using Eigen::VectorXd;
+using mechanics::friction_law;
+
+constexpr coordinate<"x"> x;
+constexpr coordinate<"z"> z;
+constexpr coordinate<"a"> a;
+constexpr speed<"vx"> vx;
+constexpr speed<"vz"> vz;
+constexpr speed<"wy"> wy;
+constexpr parameter<"m"> m;
+constexpr parameter<"r"> r;
+constexpr parameter<"k"> k;
+constexpr parameter<"mu"> mu;
+constexpr parameter<"v"> v;
+
+struct N : inertial_frame<N> {};
+struct O : origin<O, N> {};
+struct B : rotated<B, N, a, N::y> {};
+struct C : offset<C, O, x * N::x + z * N::z> {};
+struct Body : rigid_body<Body, C, B, m, inertia<B, 0.1, 0.2, 0.3>> {};
+struct Fixed : offset<Fixed, O, 0.3 * N::x - 0.2 * N::z> {};
+
+template <class... Loads>
+struct thrown : kane_system<inertial<N>, coordinates<x, z, a>, speeds<vx, vz, wy>,
+                            kinematics<dot(x) == vx, dot(z) == vz, dot(a) == wy>, parameters<m, r, k, mu, v>,
+                            used_elsewhere<m, r, k, mu, v>, bodies<Body>, loads<Loads...>> {};
+
+/// The same system from a builder.
+struct built : runtime::builder {
+  mechanics::expression position = coordinate("x"), height = coordinate("z"), angle = coordinate("a"),
+                        mass = parameter("m"), radius = parameter("r"), stiffness = parameter("k"),
+                        coefficient = parameter("mu"), approach = parameter("v");
+  runtime::frame_id n = inertial_frame(), b{};
+  runtime::point_id o{}, c{}, fixed{};
+
+  built() : builder("N") {
+    kinematic_equation(dot(position) - speed("vx"));
+    kinematic_equation(dot(height) - speed("vz"));
+    kinematic_equation(dot(angle) - speed("wy"));
+    b = rotated("B", n, angle, along(n, 0, 1, 0));
+    o = origin("O");
+    c = offset("C", o, along(n, position, 0, height));
+    fixed = offset("Fixed", o, along(n, 0.3, 0, -0.2));
+    rigid_body("Body", c, b, mass, inertia(b, 0.1, 0.2, 0.3));
+    for (const auto& e : {mass, radius, stiffness, coefficient, approach}) used_elsewhere(e);
+  }
+};
+
+void expect_same(model words, model builds) {
+  ASSERT_EQ(words.mistake(), "");
+  ASSERT_EQ(builds.mistake(), "");
+  auto first = words.function(words.rhs()), second = builds.function(builds.rhs());
+  std::mt19937_64 source(7);
+  std::uniform_real_distribution<double> values(0.1, 0.6);
+  for (int i = 0; i < 10; ++i) {
+    const VectorXd state = VectorXd::NullaryExpr(6, [&] { return values(source); });
+    const VectorXd p = VectorXd::NullaryExpr(5, [&] { return values(source); });
+    EXPECT_LT((first(state, p) - second(state, p)).norm(), 1e-13 * first(state, p).norm());
+  }
+}
+
+TEST(contact_words, mean_the_same_as_in_a_builder) {
+  using words = thrown<contact<sphere_on_plane<C, r, O, N::z, B>, elastic<k, 1.5>, smoothed_over<0.1>,
+                               restitution<0.7, v>, coulomb_friction<mu>, rolling_resistance<0.02, 0.1>>>;
+  built s;
+  runtime::contact_data data{.stiffness = s.stiffness, .exponent = 1.5, .width = 0.1};
+  data.restitution = {0.7, s.approach};
+  data.friction = friction_law::coulomb(s.coefficient, {});
+  data.rolling = {s.number(0.02), s.number(0.1)};
+  s.sphere_on_plane(s.c, s.b, s.radius, s.o, s.along(s.n, 0, 0, 1), data);
+  expect_same(derive<words>(), derive(s));
+}
+
+TEST(contact_words, of_a_torus_and_a_point) {
+  using words = thrown<contact<torus_on_plane<C, B::y + 0.1 * B::z, r, 0.1, O, 2 * N::z, B>, elastic<k>,
+                               smoothed_over<0.1>, dissipation<v>, stribeck_friction<0.7, mu, 0.1, 0.05>>,
+                       contact<point_on_plane<C, Fixed, N::x + N::z>, elastic<k, 2>, smoothed_over<0.3>,
+                               viscous_friction<mu>>>;
+  built s;
+  runtime::contact_data data{.stiffness = s.stiffness, .width = 0.1};
+  data.damping = s.approach;
+  data.friction = friction_law::stribeck(s.number(0.7), s.coefficient, s.number(0.1), s.number(0.05));
+  s.torus_on_plane(s.c, s.b, s.along(s.b, 0, 1, 0.1), s.radius, 0.1, s.o, s.along(s.n, 0, 0, 2), data);
+  runtime::contact_data other{.stiffness = s.stiffness, .exponent = 2, .width = 0.3};
+  other.friction = friction_law::of_viscosity(s.coefficient);
+  s.point_on_plane(s.c, s.fixed, s.along(s.n, 1, 0, 1), other);
+  expect_same(derive<words>(), derive(s));
+}
+
+TEST(contact_words, of_spheres) {
+  using words = thrown<contact<sphere_on_sphere<C, r, Fixed, 0.4, B, N>, elastic<k, 1.5>, smoothed_over<0.1>,
+                               coulomb_friction<mu, 0.1>>>;
+  built s;
+  runtime::contact_data data{.stiffness = s.stiffness, .exponent = 1.5, .width = 0.1};
+  data.friction = friction_law::coulomb(s.coefficient, s.number(0.1));
+  s.sphere_on_sphere(s.c, s.b, s.radius, s.fixed, s.n, 0.4, data);
+  expect_same(derive<words>(), derive(s));
+}
+
+TEST(contact_words, of_a_surface) {
+  using words =
+      thrown<contact<point_on_surface<C, Fixed, N, surface::z - r * sin(surface::x) + 0.2 * surface::y>,
+                     elastic<k, 1.5>, smoothed_over<0.3>, coulomb_friction<mu, 0.1>>>;
+  built s;
+  runtime::contact_data data{.stiffness = s.stiffness, .exponent = 1.5, .width = 0.3};
+  data.friction = friction_law::coulomb(s.coefficient, s.number(0.1));
+  s.point_on_surface(
+      s.c, s.fixed, s.n,
+      [&](mechanics::expression x_, mechanics::expression y_, mechanics::expression z_) {
+        return z_ - s.radius * sin(x_) + 0.2 * y_;
+      },
+      data);
+  expect_same(derive<words>(), derive(s));
+}
+
+struct Ground : inertial_ground<Ground> {};
+using load = body<2.5, 0.2 * own::y, inertia<own, 0.4, 0.5, 0.6>>;
+struct Crank : pin<Crank, Ground, axis<own::z>, load> {};
+struct Slider : prismatic<Slider, Crank, axis<Crank::x>, load> {};
+
+template <class... Loads>
+struct jointed : kane_system<inertial<Ground>, joints<Crank, Slider>, parameters<k, mu, v>,
+                             used_elsewhere<k, mu, v>, loads<Loads...>> {};
+
+template <class First, class Second>
+void expect_same_friction() {
+  auto first = derive<First>(), second = derive<Second>();
+  ASSERT_EQ(first.mistake(), "");
+  ASSERT_EQ(second.mistake(), "");
+  auto one = first.function(first.rhs()), other = second.function(second.rhs());
+  const Eigen::Vector4d state(0.3, -0.7, 1.2, 0.8);
+  const Eigen::Vector3d p(2.2, 0.4, 0.05);
+  EXPECT_LT((one(state, p) - other(state, p)).norm(), 1e-14 * one(state, p).norm());
+}
+
+TEST(friction_words, of_joints) {
+  constexpr auto turning = u_of<Crank>;
+  constexpr auto sliding = u_of<Slider>;
+  expect_same_friction<
+      jointed<friction<Crank, k, coulomb_friction<mu, v>>>,
+      jointed<
+          torque_between<Crank, Ground, -k * mu * turning / sqrt(turning * turning + v * v) * Ground::z>>>();
+  constexpr auto relative = sliding / v;
+  constexpr auto width = relative * relative / 4 + 0.75;
+  constexpr auto peak = 0.3 * tanh(4 * relative) + (mu - 0.3) * relative / (width * width) + 0.1 * sliding;
+  expect_same_friction<jointed<friction<Slider, 2 * k, stribeck_friction<mu, 0.3, v, 0.1>>>,
+                       jointed<force_between<Slider, Crank, -2 * k * peak * Crank::x>>>();
+  expect_same_friction<jointed<friction<Crank, 1, viscous_friction<mu>>>,
+                       jointed<joint_friction<Crank, mu>>>();
+}
+
+} // namespace

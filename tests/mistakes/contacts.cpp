@@ -1,0 +1,127 @@
+// Contacts and friction that are incomplete or meaningless.
+#include "joints.hpp"
+
+#include <kanexpr/contact.hpp>
+
+using above = sphere_on_plane<Arm, 0.1, Ground, Ground::z>;
+using firm = elastic<100, 1.5>;
+using thin = smoothed_over<0.001>;
+
+// expect: the contact between Arm and Ground needs one elastic<stiffness, exponent>
+namespace n1 {
+struct System : jointed<joints<Arm>, loads<contact<above, thin>>> {};
+void f() { use<System>(); }
+} // namespace n1
+
+// expect: the contact between Arm and Ground needs one smoothed_over<width>
+namespace n2 {
+struct System : jointed<joints<Arm>, loads<contact<above, firm>>> {};
+void f() { use<System>(); }
+} // namespace n2
+
+// expect: the contact between Arm and Ground has more than one of restitution<...> and dissipation<...>
+namespace n3 {
+struct System : jointed<joints<Arm>, loads<contact<above, firm, thin, dissipation<1>, restitution<0.5, 1>>>> {};
+void f() { use<System>(); }
+} // namespace n3
+
+// expect: the contact between Arm and Ground has a coefficient of restitution that is not a number in
+// expect: (0, 1]
+namespace n4 {
+struct System : jointed<joints<Arm>, loads<contact<above, firm, thin, restitution<l, 1>>>> {};
+void f() { use<System>(); }
+} // namespace n4
+
+// expect: the contact between Arm and Ground has coulomb_friction<...> without a slip speed; only a
+// expect: contact with restitution<...> has a default
+namespace n5 {
+struct System : jointed<joints<Arm>, loads<contact<above, firm, thin, coulomb_friction<0.4>>>> {};
+void f() { use<System>(); }
+} // namespace n5
+
+// expect: the contact between Arm and Ground lacks an argument; write rolling_resistance<lever, angular
+// expect: velocity>
+namespace n6 {
+struct System : jointed<joints<Arm>, loads<contact<above, firm, thin, rolling_resistance<l>>>> {};
+void f() { use<System>(); }
+} // namespace n6
+
+// expect: the contact between Arm and Ground has an argument that is neither elastic<...>,
+// expect: smoothed_over<...>, restitution<...>, dissipation<...>, rolling_resistance<...> nor a law of
+// expect: friction
+namespace n7 {
+struct System : jointed<joints<Arm>, loads<contact<above, firm, thin, gravity<Ground::z>>>> {};
+void f() { use<System>(); }
+} // namespace n7
+
+// expect: the contact begins with neither sphere_on_plane<...>, point_on_plane<...>, torus_on_plane<...>,
+// expect: sphere_on_sphere<...> nor point_on_surface<...>
+namespace n8 {
+struct System : jointed<joints<Arm>, loads<contact<firm, thin>>> {};
+void f() { use<System>(); }
+} // namespace n8
+
+// expect: the exponent of the contact between Arm and Ground is not a number of at least 1
+namespace n9 {
+struct System : jointed<joints<Arm>, loads<contact<above, elastic<100, l>, thin>>> {};
+void f() { use<System>(); }
+} // namespace n9
+
+// expect: the contact between Arm and Ground has rolling_resistance<...>, but a point does not roll
+namespace n10 {
+struct System : jointed<joints<Arm>, loads<contact<point_on_plane<Arm, Ground, Ground::z>, firm, thin,
+                                                   rolling_resistance<0.1, 0.1>>>> {};
+void f() { use<System>(); }
+} // namespace n10
+
+// expect: the normal of the contact between Arm and Ground is a scalar; it must be a vector
+namespace n11 {
+struct System : jointed<joints<Arm>, loads<contact<point_on_plane<Arm, Ground, l>, firm, thin>>> {};
+void f() { use<System>(); }
+} // namespace n11
+
+// expect: the friction between Arm and Ground has coulomb_friction<...> without a slip speed; only a
+// expect: contact with restitution<...> has a default
+namespace n12 {
+struct System : jointed<joints<Arm>, loads<friction<Arm, l, coulomb_friction<0.4>>>> {};
+void f() { use<System>(); }
+} // namespace n12
+
+// expect: the friction between Arm and Ground lacks an argument; write friction<Joint, normal force, law>
+namespace n13 {
+struct System : jointed<joints<Arm>, loads<friction<Arm, l>>> {};
+void f() { use<System>(); }
+} // namespace n13
+
+// expect: which is for a joint that turns about one axis or slides along one
+namespace n14 {
+struct Link : spherical<Link, Ground, mass> {};
+struct System : jointed<joints<Link>, loads<friction<Link, l, viscous_friction<1>>>> {};
+void f() { use<System>(); }
+} // namespace n14
+
+// expect: which is incomplete, because its last argument is not a law of friction
+namespace n15 {
+struct System : jointed<joints<Arm>, loads<friction<Arm, l, firm>>> {};
+void f() { use<System>(); }
+} // namespace n15
+
+// expect: the width of the contact between Arm and Ground is not positive
+namespace n16 {
+struct System : jointed<joints<Arm>, loads<contact<above, firm, smoothed_over<-1.0>>>> {};
+void f() { use<System>(); }
+} // namespace n16
+
+// expect: the surface of the contact between Arm and Ground contains the coordinate q_Arm; it may contain
+// expect: only parameters, inputs and time
+namespace n17 {
+struct System : jointed<joints<Arm>, loads<contact<point_on_surface<Arm, Ground, Ground, surface::z - q_of<Arm>>,
+                                                   firm, thin>>> {};
+void f() { use<System>(); }
+} // namespace n17
+
+// expect: contains surface::x, which is valid only in point_on_surface<...>
+namespace n18 {
+struct System : jointed<joints<Arm>, loads<motor<Arm, T * surface::x>>> {};
+void f() { use<System>(); }
+} // namespace n18
