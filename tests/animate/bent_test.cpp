@@ -58,6 +58,9 @@ TEST(bent, has_the_sections_of_its_beam) {
     EXPECT_LT((here.position - place).norm(), 1e-14);
     EXPECT_LT((here.orientation.col(2) - tangent).norm(), 1e-14);
     EXPECT_LT((here.orientation.col(0) - across).norm(), 1e-14);
+    const animate::placement& straight = blade->undeformed.at(i);
+    EXPECT_LT((straight.position - (0.2 + 2 * xi) * x).norm(), 1e-14);
+    EXPECT_LT((straight.orientation.col(2) - x).norm(), 1e-14);
   }
 }
 

@@ -1,6 +1,7 @@
 // What the controls of the page do.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
+import { assertNear, turned } from './numbers.js';
 
 const seek = (page, t) => page.evaluate((time) => window.kanexpr.seek(time), t);
 const timeOf = (page) => page.evaluate(() => window.kanexpr.time);
@@ -134,6 +135,7 @@ async function checkLayers(page) {
   assert.deepEqual(await page.locator('#layers label').allTextContents(),
     ['Forces', 'Velocities', 'Frames', 'Angular velocities']);
   for (let i = 0; i < 4; ++i) assert.equal(await boxes.nth(i).isChecked(), false);
+  assert.equal(await page.locator('#deflection-size').isVisible(), false);
   const before = await redness(page);
   await page.getByLabel('Forces', { exact: true }).focus();
   await page.keyboard.press(' ');
@@ -150,6 +152,33 @@ async function checkLayers(page) {
   await page.getByLabel('Forces', { exact: true }).uncheck();
   assert.ok(Math.abs((await redness(page)) - before) < 20);
   await page.getByRole('button', { name: 'Reset view' }).click();
+  await button(page, 'Show').click();
+}
+
+/// The slider of the deflections multiplies the displacement and the rotation of the station at x = 7/8 of the beam
+/// x² q1 + x³ q2; pages without flexible bodies do not show it.
+export async function checkDeflections(page) {
+  await open(page, 'Show');
+  const slider = page.getByLabel('Deflections');
+  const stationAt = (t) => page.evaluate((time) => {
+    window.kanexpr.seek(time);
+    return window.kanexpr.pose('station');
+  }, t);
+  const [t, x] = [0.85, 7 / 8];
+  const [q1, q2] = [0.2 * Math.sin(3 * t), 0.1 * Math.cos(8 * t)];
+  const root = { x: Math.sin(0.45 * t) / 3, y: (2 * Math.sin(0.45 * t)) / 3, w: Math.cos(0.45 * t) };
+  const rootTurn = [root.x, root.y, root.y, root.w];
+  const slope = 2 * x * q1 + 3 * x * x * q2;
+  for (const [steps, factor] of [[0, 1], [3, 10 ** 0.3]]) {
+    await slider.focus();
+    for (let i = 0; i < steps; ++i) await page.keyboard.press('ArrowRight');
+    assert.equal(await slider.getAttribute('aria-valuetext'), `× ${Number(factor.toPrecision(2))}`);
+    const { position, quaternion } = await stationAt(t);
+    const place = turned(rootTurn, [x, factor * x * x * (q1 + x * q2), 0]);
+    assertNear(position, [place[0] + t, place[1], place[2]], `the station at ${factor}`);
+    const tangent = turned(rootTurn, [Math.cos(factor * slope), Math.sin(factor * slope), 0]);
+    assertNear(turned(quaternion, [0, 0, 1]), tangent, `the axis of the station at ${factor}`);
+  }
   await button(page, 'Show').click();
 }
 

@@ -5,7 +5,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { chromium } from 'playwright-core';
-import { checkControls, checkRuns } from './controls.js';
+import { checkControls, checkDeflections, checkRuns } from './controls.js';
 import { checkColours, checkLayout, checkPhone } from './layout.js';
 import { assertNear, turned } from './numbers.js';
 import { checkSweeps } from './sweeps.js';
@@ -60,7 +60,10 @@ try {
   for (const each of [context, phone]) await withPage(each, 'runs.html', checkRuns);
   await withPage(phone, 'disc.html', checkPhone);
   const [swept, beam] = [read('swept.json'), read('beam.json')];
-  await withPage(context, 'beam.html', (page) => checkPoses(page, beam));
+  await withPage(context, 'beam.html', async (page) => {
+    await checkPoses(page, beam);
+    await checkDeflections(page);
+  });
   await withPage(context, 'swept.html', (page) => checkSweeps(page, swept));
 } finally {
   await context.close();

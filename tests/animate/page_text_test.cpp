@@ -305,6 +305,22 @@ TEST(tracks, of_a_bent_beam_share_deflections) {
   }
 }
 
+/// While the beam is not deformed, its stations are fixed in its root.
+TEST(tracks, of_an_undeformed_beam_are_that_of_its_root) {
+  const kanexpr::animation a = tests::bent_beam();
+  const kanexpr::animate::tracks found = kanexpr::animate::tracks_of(a);
+  ASSERT_EQ(found.undeformed.size(), 2u);
+  ASSERT_EQ(found.undeformed[0].size(), 9u);
+  for (std::size_t i = 0; i < 9; ++i) {
+    EXPECT_EQ(found.undeformed[0][i].track, found.of_shape[0][0].track);
+    const double x = static_cast<double>(i) / 8;
+    EXPECT_LT((found.undeformed[0][i].position - Eigen::Vector3d(0, 0, x)).norm(), 1e-12);
+  }
+  const auto text = nlohmann::json::parse(kanexpr::animate::page_text({{"", a}}, "", ""));
+  const auto& last = text["runs"][0]["shapes"][0]["anchors"][8];
+  EXPECT_EQ(last["undeformed"]["at"], nlohmann::json({0.0, 0.0, 1.0}));
+}
+
 /// A chain whose points move independently has no deflections in common.
 TEST(tracks, of_a_loose_chain_do_not_bend) {
   kanexpr::animation a = tests::bent_beam();

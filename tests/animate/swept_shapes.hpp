@@ -115,8 +115,12 @@ inline kanexpr::animation bent_beam() {
       here.orientation.col(0) = root.col(2);
       here.orientation.col(2) = root * tangent;
       here.orientation.col(1) = here.orientation.col(2).cross(here.orientation.col(0));
-      beam.placements.push_back(here);
-      if (i == 7) axes.placements.push_back(here);
+      placement straight{.position = root * Eigen::Vector3d(x, 0, 0) + Eigen::Vector3d(t, 0, 0)};
+      straight.orientation.col(0) = root.col(2);
+      straight.orientation.col(2) = root.col(0);
+      straight.orientation.col(1) = root.col(1);
+      beam.placements.push_back(here), beam.undeformed.push_back(straight);
+      if (i == 7) axes.placements.push_back(here), axes.undeformed.push_back(straight);
     }
   }
   made.shapes = {beam, axes};

@@ -20,6 +20,10 @@ namespace {
 
 #include <docs/guide/flexible-body-files/rod.cpp>
 
+#include <docs/guide/flexible-body-files/stop.cpp>
+
+struct Stop : flexible_body<Stop, O, N, stop> {};
+using stop_system = kane_system<inertial<N>, bodies<Stop>>;
 using rod_system = kane_system<inertial<N>, bodies<Rod>>;
 
 TEST(flexible_body_files, are_compiled) {
@@ -35,6 +39,9 @@ TEST(flexible_body_files, are_written_by_hand) {
   const eom::state x{{q_of<Rod>, 1e-3}, {u_of<Rod>, 0}};
   EXPECT_NEAR(eom::udot(x)(0), -5e6 * 1e-3, 1e-6);
   EXPECT_NEAR((function<rod_system, position_of<End, O>>{}(x))(0), 2.001, 1e-15);
+  using hardening = equations_of_motion<stop_system>;
+  const hardening::state at_stop{{q_of<Stop>, 0.1}, {u_of<Stop>, 0}};
+  EXPECT_NEAR(hardening::udot(at_stop)(0), -5e6 * 0.1 - 4 * 2e8 * 1e-3, 1e-6);
 }
 
 TEST(flexible_body_files, are_read_while_the_program_runs) {

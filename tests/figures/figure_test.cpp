@@ -346,6 +346,12 @@ TEST(figure, draws_flexible_bodies_bent) {
   EXPECT_LT((arms[0][1] - scale * Eigen::Vector2d(1, -0.25)).cwiseAbs().maxCoeff(), 0.051);
   EXPECT_THAT(without_tags(drawn.svg()), HasSubstr("Tip.x"));
   EXPECT_THAT(drawn.svg(), Not(HasSubstr("class=\"angle\""))); // of the section
+  const auto magnified = [&](double by) {
+    return draw(b, {{"q", 0.5 / by}, {"s", 0.25 / by}, {"v_q", 0.0}, {"v_s", 0.0}}, {}, {},
+                {.upward = Eigen::Vector3d(0, 1, 0), .eye = Eigen::Vector3d(0, 0, 1), .deflections = by});
+  };
+  EXPECT_EQ(magnified(8).svg(), drawn.svg());
+  EXPECT_EQ(magnified(HUGE_VAL).cause(), "the factor of the deflections must be finite");
 }
 
 } // namespace

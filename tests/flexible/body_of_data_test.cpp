@@ -1,15 +1,22 @@
 // Bodies from files at run time, compared with models of their particles.
 #include "flexible/lumped_body.hpp"
+#include "flexible/modes_file.hpp"
+#include "numbers_of.hpp"
 
+#include <kanexpr/flexible/read_modes.hpp>
 #include <kanexpr/flexible/read_sid.hpp>
 #include <kanexpr/mechanics/equations.hpp>
+#include <kanexpr/numeric/beams/shape.hpp>
 #include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/interpreter.hpp>
+#include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/derivatives/differentiate.hpp>
 
 #include <Eigen/Core>
+#include <boost/math/quadrature/gauss.hpp>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 #include <string>
@@ -74,11 +81,6 @@ struct vehicle_base : builder {
   }
 
   MatrixXd numbers(const kanexpr::symbolic::matrix& wanted) {
-    kanexpr::base::sequence<int> outputs;
-    for (const expression& e : wanted.entries) outputs.push(e.node());
-    kanexpr::runtime::interpreter<double> code(kanexpr::lower::tape_of(graph(), outputs));
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> result(wanted.rows,
-                                                                                  wanted.columns);
     const auto value_of = [&](const kanexpr::lower::load& l) {
       using kanexpr::symbolic::symbol_kind;
       if (l.from == symbol_kind::coordinate) return q_now[l.position];
@@ -86,8 +88,7 @@ struct vehicle_base : builder {
       if (l.from == symbol_kind::speed_rate) return udot_now[l.position];
       return std::numeric_limits<double>::quiet_NaN();
     };
-    code.evaluate(value_of, result.data());
-    return result;
+    return numbers_of(wanted, value_of);
   }
 };
 
@@ -98,7 +99,7 @@ struct vehicle : vehicle_base {
   }
   vehicle(const lumped::body& b, kind how) {
     if (how == kind::of_particles)
-      carry(add_particles(b));
+      carry(b.rotates() ? add_rigid_bodies(b) : add_particles(b));
     else
       carry(node("Node", flexible_body("Panel", at, axes, {amplitude(0), amplitude(1)}, data_of(b)), "12"));
   }
@@ -117,22 +118,44 @@ private:
       last = offset("P" + std::to_string(i), at, position_from_reference(b.particles[i]));
       particle("P" + std::to_string(i), last, number(b.particles[i].mass));
     }
-    expression energy = number(0.0);
-    add_energy_to(b, energy);
-    potential_energy(energy);
-    expression s[3]{number(0.0), number(0.0), number(0.0)};
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < amplitudes; ++k) s[i] += number(b.turns[index(k)][i] / 4) * amplitude(k);
-    const frame_id turned = modified_rodrigues("Turned", axes, s[0], s[1], s[2]);
+    add_energy(b);
+    const frame_id turned = turned_by("Turned", b.turns, {});
     mechanics::matrix3 cosines;
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) cosines(i, j) = number(b.axes(i, j));
     return {direction_cosines("Node", turned, cosines), last};
   }
-  void add_energy_to(const lumped::body& b, expression& energy) {
+  void add_energy(const lumped::body& b) {
+    expression energy = number(0.0);
     for (int k = 0; k < amplitudes; ++k)
       for (int l = 0; l < amplitudes; ++l)
         energy += number(b.stiffness(k, l) / 2) * (amplitude(k) * amplitude(l));
+    potential_energy(energy);
+  }
+  /// A frame that is rotated by the vector Σ turn_k q_k + ½ Σ bend_kl q_k q_l.
+  frame_id turned_by(const std::string& called, const std::vector<Vector3d>& turns,
+                     const std::vector<Vector3d>& bends) {
+    expression s[3]{number(0.0), number(0.0), number(0.0)};
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < amplitudes; ++k) {
+        s[i] += number(turns[index(k)][i] / 4) * amplitude(k);
+        for (int l = 0; l < amplitudes && !bends.empty(); ++l)
+          s[i] += number(bends[index(k * amplitudes + l)][i] / 8) * (amplitude(k) * amplitude(l));
+      }
+    return modified_rodrigues(called, axes, s[0], s[1], s[2]);
+  }
+  kanexpr::runtime::section_ids add_rigid_bodies(const lumped::body& b) {
+    kanexpr::runtime::section_ids last{};
+    for (const lumped::particle& p : b.particles) {
+      const std::string called = "R" + std::to_string(&p - b.particles.data());
+      last.point = offset(called, at, position_from_reference(p));
+      last.frame = turned_by(called, p.turn, p.turn_bend);
+      const Eigen::Matrix3d& i = p.inertia;
+      rigid_body(called, last.point, last.frame, number(p.mass),
+                 inertia(last.frame, i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(1, 2), i(2, 0)));
+    }
+    add_energy(b);
+    return last;
   }
 
   mechanics::vector position_from_reference(const lumped::particle& p) {
@@ -204,6 +227,28 @@ TEST(body_of_data, stiffens_like_its_particles) {
   }
 }
 
+/// Nodes with rotary inertia: equal to rigid bodies on massless modes to the second order.
+TEST(body_of_data, has_the_rotary_inertia_of_its_nodes) {
+  const lumped::body b = lumped::random_body_of_rigid_bodies(amplitudes, 4, 33);
+  nlohmann::json file = lumped::file_of(b);
+  file.erase("damping");
+  const auto read = kanexpr::flexible::read_modes_text(file.dump());
+  ASSERT_TRUE(read) << read.cause();
+  mechanics::flexible_data data = read.data;
+  data.nodes[0].called = kanexpr::base::name("12");
+  vehicle found(data), expected(b, kind::of_particles);
+  ASSERT_EQ(found.check().view(), "");
+  ASSERT_EQ(expected.check().view(), "");
+  mechanics::equations of_nodes(found.system()), of_bodies(expected.system());
+  const kanexpr::symbolic::matrix by_data = derivatives(found), by_bodies = derivatives(expected);
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    found.draw_undeformed(seed), expected.draw_undeformed(seed);
+    expect_equal(found.numbers(of_nodes.get(quantity::mass_matrix)),
+                 expected.numbers(of_bodies.get(quantity::mass_matrix)), "mass matrix");
+    expect_equal(found.numbers(by_data), expected.numbers(by_bodies), "derivatives");
+  }
+}
+
 TEST(body_of_data, damps_its_amplitudes) {
   lumped::body b = undamped(false);
   vehicle without(b, kind::of_data);
@@ -216,6 +261,199 @@ TEST(body_of_data, damps_its_amplitudes) {
   VectorXd expected = VectorXd::Zero(all);
   expected.tail(amplitudes) = -b.damping * with.u_now.tail(amplitudes);
   expect_equal(difference, expected, "damping");
+}
+
+/// The forces of an energy of fourth order, and of a damping that depends on the amplitudes.
+TEST(body_of_data, has_the_elastic_forces_of_its_energy) {
+  lumped::body b = undamped(true);
+  vehicle linear(b, kind::of_data);
+  b.preload = lumped::random_tensor(amplitudes, 1, 1);
+  b.third = lumped::random_tensor(amplitudes, 3, 2);
+  b.fourth = lumped::random_tensor(amplitudes, 4, 3);
+  b.damping_rate = lumped::random_tensor(amplitudes, 3, 4);
+  b.second_damping_rate = lumped::random_tensor(amplitudes, 4, 5);
+  vehicle full(b, kind::of_data);
+  linear.draw(6), full.draw(6);
+  mechanics::equations by_terms(full.system()), without(linear.system());
+  const VectorXd q = full.q_now.tail(amplitudes), u = full.u_now.tail(amplitudes);
+  VectorXd expected = VectorXd::Zero(all);
+  for (int k = 0; k < amplitudes; ++k) {
+    double force = b.entry(b.preload, k);
+    for (int l = 0; l < amplitudes; ++l)
+      for (int m = 0; m < amplitudes; ++m) {
+        force += b.entry(b.third, k, l, m) / 2 * q[l] * q[m] + b.entry(b.damping_rate, k, l, m) * q[m] * u[l];
+        for (int n = 0; n < amplitudes; ++n)
+          force += b.entry(b.fourth, k, l, m, n) / 6 * q[l] * q[m] * q[n] +
+                   b.entry(b.second_damping_rate, k, l, m, n) / 2 * q[m] * q[n] * u[l];
+      }
+    expected[rigid + k] = -force;
+  }
+  expect_equal(full.numbers(by_terms.get(quantity::forcing)) - linear.numbers(without.get(quantity::forcing)),
+               expected, "elastic forces");
+}
+
+/// A cantilever as particles at Gauss points, whose data are the exact integrals of a beam with polynomial
+/// shapes, and a massless particle at the tip. It bends by the powers `first` along y and `second` along z.
+struct beam_of_particles {
+  double length = 1.3, mass_per_length = 1.5;
+  std::vector<int> first{}, second{};
+
+  lumped::body body(double stiffness) const {
+    using rule = boost::math::quadrature::gauss<double, 9>;
+    lumped::body b;
+    b.amplitudes = static_cast<int>(first.size() + second.size());
+    for (std::size_t i = 0; i < rule::abscissa().size(); ++i)
+      for (const double sign : {-1.0, 1.0}) {
+        if (i == 0 && sign > 0) continue;
+        const double x = length / 2 * (1 + sign * rule::abscissa()[i]);
+        b.particles.push_back(particle_at(x, rule::weights()[i] * length / 2 * mass_per_length));
+      }
+    b.particles.push_back(particle_at(length, 0));
+    add_turns(b);
+    b.stiffness.setZero(b.amplitudes, b.amplitudes), b.damping = b.stiffness;
+    for (int k = 0; k < b.amplitudes; ++k)
+      for (int l = 0; l < b.amplitudes; ++l) {
+        const int powers = power(k) + power(l) - 3;
+        if (is_first(k) == is_first(l))
+          b.stiffness(k, l) = stiffness * power(k) * (power(k) - 1) * power(l) * (power(l) - 1) *
+                              std::pow(length, powers) / powers;
+      }
+    return b;
+  }
+
+private:
+  bool is_first(int k) const { return k < static_cast<int>(first.size()); }
+  int power(int k) const {
+    const auto place = static_cast<std::size_t>(k);
+    return is_first(k) ? first[place] : second[place - first.size()];
+  }
+  double slope(int k) const { return power(k) * std::pow(length, power(k) - 1); }
+
+  lumped::particle particle_at(double x, double mass) const {
+    lumped::particle p{.mass = mass, .place = {x, 0, 0}};
+    const int n = static_cast<int>(first.size() + second.size());
+    for (int k = 0; k < n; ++k)
+      p.shape.push_back((is_first(k) ? Vector3d::UnitY() : Vector3d::UnitZ()) * std::pow(x, power(k)));
+    for (int k = 0; k < n; ++k)
+      for (int l = 0; l < n; ++l) {
+        const int powers = power(k) + power(l) - 1;
+        const double shortening = power(k) * power(l) * std::pow(x, powers) / powers;
+        p.bend.emplace_back(is_first(k) == is_first(l) ? -shortening : 0, 0, 0);
+      }
+    return p;
+  }
+  /// The rotation of the tip: the slopes v' about z and −w' about y, their product, and −∫ v'' w' dx about x.
+  void add_turns(lumped::body& b) const {
+    for (int k = 0; k < b.amplitudes; ++k)
+      b.turns.push_back(is_first(k) ? Vector3d(0, 0, slope(k)) : Vector3d(0, -slope(k), 0));
+    for (int k = 0; k < b.amplitudes; ++k)
+      for (int l = 0; l < b.amplitudes; ++l) {
+        const int v = is_first(k) ? k : l, w = is_first(k) ? l : k, powers = power(v) + power(w) - 2;
+        const double twist = power(v) * (power(v) - 1) * power(w) * std::pow(length, powers) / powers;
+        b.turn_bends.emplace_back(is_first(k) == is_first(l) ? 0 : slope(v) * slope(w) / 2 - twist, 0, 0);
+      }
+  }
+};
+
+kanexpr::runtime::beam_data beam_data_of(builder& b, const beam_of_particles& by, frame_id in,
+                                         double stiffness) {
+  const auto shapes = [](const std::vector<int>& powers, double length) {
+    std::vector<kanexpr::numeric::beams::shape> all;
+    for (const int power : powers) {
+      kanexpr::base::sequence<double> coefficients(power + 1, 0.0);
+      coefficients[power] = std::pow(length, power);
+      all.push_back(kanexpr::numeric::beams::shape::polynomial(coefficients));
+    }
+    return all;
+  };
+  kanexpr::runtime::beam_data data{
+      .axis = b.along(in, 1, 0, 0), .length = by.length, .mass_per_length = by.mass_per_length};
+  data.bending = {{b.along(in, 0, 1, 0), {.stiffness = stiffness, .shapes = shapes(by.first, by.length)}}};
+  if (!by.second.empty())
+    data.bending.push_back(
+        {b.along(in, 0, 0, 1), {.stiffness = stiffness, .shapes = shapes(by.second, by.length)}});
+  return data;
+}
+
+/// A beam that bends in two directions, with a rigid body on a hinge at its tip. The rotation of the tip to
+/// the second order in the amplitudes, the linear part of psi, affects the linear equations.
+struct skew_cantilever : vehicle_base {
+  skew_cantilever(const beam_of_particles& of, bool from_file) {
+    const kanexpr::runtime::section_ids end =
+        from_file
+            ? node("Tip", flexible_body("Panel", at, axes, {amplitude(0), amplitude(1)}, data_of(of.body(8))),
+                   "12")
+            : section("Tip",
+                      beam("Panel", at, axes, {amplitude(0), amplitude(1)}, beam_data_of(*this, of, axes, 8)),
+                      1);
+    const frame_id load = rotated("L", end.frame, q[6], along(end.frame, 0.6, 0, 0.8));
+    rigid_body("Load", offset("C", end.point, along(load, 0.3, 0.1, -0.2)), load, number(0.8),
+               inertia(load, 0.3, 0.4, 0.5, 0.02, 0, 0));
+    gravity(along(inertial_frame(), 0.3, -9.81, 1));
+    torque(end.frame, along(axes, 0.4, -0.3, 2));
+  }
+};
+
+TEST(body_of_data, turns_its_nodes_like_the_sections_of_a_beam) {
+  const beam_of_particles of{.first = {2}, .second = {3}};
+  skew_cantilever found(of, true), expected(of, false);
+  ASSERT_EQ(found.check().view(), "");
+  ASSERT_EQ(expected.check().view(), "");
+  const kanexpr::symbolic::matrix by_data = derivatives(found), by_shapes = derivatives(expected);
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    found.draw_undeformed(seed), expected.draw_undeformed(seed);
+    expect_equal(found.numbers(by_data), expected.numbers(by_shapes), "derivatives");
+  }
+}
+
+/// A beam on a hub that spins up from rest to the rate 6 rad/s in 15 s (Kane, Ryan & Banerjee 1987).
+struct spinning : builder {
+  explicit spinning(bool from_file) : builder("N") {
+    const beam_of_particles of{.length = 10, .mass_per_length = 1.2, .first = {2, 3}};
+    const double stiffness = 1.4e4, turn = 2 * 3.141592653589793 / 15;
+    const expression t = time(), angle = 6.0 / 15 * (t * t / 2 + (cos(turn * t) - 1) / (turn * turn));
+    const frame_id n = inertial_frame(), hub = rotated("H", n, angle, along(n, 0, 0, 1));
+    std::vector<expression> q;
+    for (const char* k : {"1", "2"}) {
+      q.push_back(coordinate(std::string("q") + k));
+      kinematic_equation(dot(q.back()) - speed(std::string("u") + k));
+    }
+    if (from_file)
+      flexible_body("Beam", origin("O"), hub, q, data_of(of.body(stiffness)));
+    else
+      beam("Beam", origin("O"), hub, q, beam_data_of(*this, of, hub, stiffness));
+  }
+};
+
+/// The base is not moved by speeds, so the beam has no terms of higher order: the equations agree at all
+/// amplitudes, and so does the motion.
+TEST(body_of_data, equals_a_beam_that_spins_up) {
+  kanexpr::model found = kanexpr::derive(spinning(true)), expected = kanexpr::derive(spinning(false));
+  ASSERT_EQ(found.mistake(), "");
+  ASSERT_EQ(expected.mistake(), "");
+  auto by_data = found.function(found.rhs()), by_shapes = expected.function(expected.rhs());
+  VectorXd x = VectorXd::Zero(4), y = x;
+  const auto step = [](auto& rate, VectorXd& at, double t, double h) {
+    const auto f = [&](double time, const VectorXd& state) {
+      return VectorXd(rate(time, state, VectorXd(), VectorXd()));
+    };
+    const VectorXd a = f(t, at), b = f(t + h / 2, at + h / 2 * a), c = f(t + h / 2, at + h / 2 * b),
+                   d = f(t + h, at + h * c);
+    at += h / 6 * (a + 2 * b + 2 * c + d);
+  };
+  const double h = 0.004;
+  double lag = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const double t = i * h;
+    const VectorXd one = by_data(t, x, VectorXd(), VectorXd()),
+                   other = by_shapes(t, x, VectorXd(), VectorXd());
+    ASSERT_LE((one - other).cwiseAbs().maxCoeff(), 1e-12 * (1 + other.cwiseAbs().maxCoeff())) << t;
+    step(by_data, x, t, h), step(by_shapes, y, t, h);
+    lag = (std::min)(lag, 100 * y[0] + 1000 * y[1]);
+  }
+  EXPECT_LE((x - y).cwiseAbs().maxCoeff(), 1e-11);
+  EXPECT_NEAR(lag, -0.57, 0.02); // the tip lags by half a meter, and returns
+  EXPECT_NEAR(100 * y[0] + 1000 * y[1], 0, 0.03);
 }
 
 /// A uniform cantilever with a particle at its tip, on a base that moves freely.
@@ -294,11 +532,29 @@ TEST(body_of_data, reports_incomplete_numbers) {
   const auto no_change = [](const mechanics::flexible_data&) {};
   EXPECT_EQ(mistake_after(no_change), "");
   const std::string incomplete =
-      "the numbers of Panel are incomplete: a list has a length that does not fit the number of amplitudes";
+      "the numbers of Panel are incomplete: a list has a length that does not fit the number of amplitudes, "
+      "or a term the index of no amplitude";
+  const std::string incomplete_node =
+      "node 12 of Panel is incomplete: a list has a length that does not fit the number of amplitudes";
   EXPECT_EQ(mistake_after([](auto& d) { d.first_moment.coefficients = {1.0, 2.0}; }), incomplete);
   EXPECT_EQ(mistake_after([](auto& d) { d.stiffness = {}; }), incomplete);
   EXPECT_EQ(mistake_after([](auto& d) { d.stiffness[3] = std::numeric_limits<double>::quiet_NaN(); }),
             "Panel contains a number that is not finite");
+  EXPECT_EQ(mistake_after([](auto& d) { d.elastic_terms.push({1.0, {0, 1, 2, -1}}); }), incomplete);
+  EXPECT_EQ(mistake_after([](auto& d) { d.elastic_terms.push({1.0, {0, 1, 1, -1}}); }), "");
+  EXPECT_EQ(mistake_after([](auto& d) { d.damping_terms.push({1.0, 0, 2, {0, -1}}); }), incomplete);
+  EXPECT_EQ(mistake_after([](auto& d) { d.nodes[0].position = mechanics::taylor_series(2, 2); }),
+            incomplete_node);
+  EXPECT_EQ(mistake_after([](auto& d) { d.nodes[0].rotation = {1.0, 0.0}; }), incomplete_node);
+  EXPECT_EQ(mistake_after([](auto& d) { d.nodes[0].second_rotation = {1.0}; }), incomplete_node);
+  EXPECT_EQ(mistake_after([](auto& d) { d.nodes[0].orientation = {1.0}; }), incomplete_node);
+  EXPECT_EQ(mistake_after([](auto& d) { d.nodes[0].orientation = {}, d.nodes[0].rotation = {}; }), "");
+  EXPECT_EQ(mistake_after([](auto& d) { d.stiffness[3] = -1; }),
+            "the stiffness of q2, an amplitude of Panel, is negative");
+  EXPECT_EQ(mistake_after([](auto& d) { d.damping[0] = -1; }),
+            "the damping of q1, an amplitude of Panel, is negative");
+  EXPECT_EQ(mistake_after([](auto& d) { d.amplitudes = -1; }),
+            "flexible body Panel has -1 amplitudes; expected at least 1");
 }
 
 TEST(body_of_data, reports_mistakes) {

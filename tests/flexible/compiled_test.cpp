@@ -12,6 +12,7 @@
 #include <panel.hpp>
 
 #include <Eigen/Core>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -122,15 +123,30 @@ TEST(flexible_compiled, headers_contain_the_numbers_of_the_files) {
     EXPECT_TRUE(are_equal(a.stiffness, b.stiffness));
     EXPECT_TRUE(are_equal(a.damping, b.damping));
     EXPECT_TRUE(are_equal(a.preload, b.preload));
+    ASSERT_EQ(a.elastic_terms.size(), b.elastic_terms.size());
+    for (int i = 0; i < a.elastic_terms.size(); ++i) {
+      EXPECT_EQ(a.elastic_terms[i].coefficient, b.elastic_terms[i].coefficient);
+      EXPECT_THAT(a.elastic_terms[i].amplitudes, testing::ElementsAreArray(b.elastic_terms[i].amplitudes));
+    }
+    ASSERT_EQ(a.damping_terms.size(), b.damping_terms.size());
+    for (int i = 0; i < a.damping_terms.size(); ++i) {
+      EXPECT_EQ(a.damping_terms[i].coefficient, b.damping_terms[i].coefficient);
+      EXPECT_EQ(a.damping_terms[i].row, b.damping_terms[i].row);
+      EXPECT_EQ(a.damping_terms[i].column, b.damping_terms[i].column);
+      EXPECT_THAT(a.damping_terms[i].amplitudes, testing::ElementsAreArray(b.damping_terms[i].amplitudes));
+    }
     ASSERT_EQ(a.nodes.size(), b.nodes.size());
     for (int i = 0; i < a.nodes.size(); ++i) {
       EXPECT_EQ(a.nodes[i].called.view(), b.nodes[i].called.view());
       EXPECT_TRUE(are_equal(a.nodes[i].position.coefficients, b.nodes[i].position.coefficients));
       EXPECT_TRUE(are_equal(a.nodes[i].orientation, b.nodes[i].orientation));
       EXPECT_TRUE(are_equal(a.nodes[i].rotation, b.nodes[i].rotation));
+      EXPECT_TRUE(are_equal(a.nodes[i].second_rotation, b.nodes[i].second_rotation));
     }
   };
   expect_same(panel::data.values(), data_in("panel.SID_FEM"));
+  EXPECT_EQ(panel::data.values().elastic_terms.size(), 9); // four of third order, five of fourth
+  EXPECT_EQ(panel::data.values().nodes[0].second_rotation.size(), 12);
   expect_same(cantilever::data.values(), data_in("cantilever.SID_FEM"));
   const flexible::read_body read = flexible::read_modes(std::string(KANEXPR_FLEXIBLE_FILES) + "/boom.json");
   ASSERT_TRUE(read) << read.cause();

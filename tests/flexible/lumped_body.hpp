@@ -3,9 +3,11 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <functional>
+#include <map>
 #include <random>
 #include <string>
 #include <vector>
@@ -17,25 +19,52 @@ namespace lumped {
 using Eigen::Vector3d;
 using index = Eigen::Index;
 
-/// A particle at r0 + Σ shape_k q_k + ½ Σ bend_kl q_k q_l.
+/// A particle at r0 + Σ shape_k q_k + ½ Σ bend_kl q_k q_l, or a small rigid body that is rotated by the
+/// vector Σ turn_k q_k + ½ Σ turn_bend_kl q_k q_l.
 struct particle {
   double mass = 0;
   Vector3d place = Vector3d::Zero();
   std::vector<Vector3d> shape{}; ///< by amplitude
   std::vector<Vector3d> bend{};  ///< row by row; symmetric
+  std::vector<Vector3d> turn{}, turn_bend{};
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
 
   const Vector3d& bend_of(int k, int l) const {
     return bend[static_cast<std::size_t>(k) * shape.size() + static_cast<std::size_t>(l)];
   }
   const Vector3d& shape_of(int k) const { return shape[static_cast<std::size_t>(k)]; }
+  const Vector3d& turn_bend_of(int k, int l) const {
+    return turn_bend[static_cast<std::size_t>(k) * turn.size() + static_cast<std::size_t>(l)];
+  }
 };
 
 struct body {
   int amplitudes = 0;
   std::vector<particle> particles{};
-  std::vector<Vector3d> turns{}; ///< the rotation of the node at the last particle, by amplitude
+  std::vector<Vector3d> turns{};      ///< the rotation of the node at the last particle, by amplitude
+  std::vector<Vector3d> turn_bends{}; ///< the second derivatives of its rotation vector; empty: zero
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< of the node, in the axes of the body
   Eigen::MatrixXd stiffness{}, damping{};
+  // The derivatives of the elastic energy of first, third and fourth order, and those of the damping with
+  // respect to the amplitudes, row by row; empty: zero.
+  std::vector<double> preload{}, third{}, fourth{}, damping_rate{}, second_damping_rate{};
+
+  /// An entry of a list with as many indices as given.
+  template <class... Indices>
+  double entry(const std::vector<double>& list, Indices... indices) const {
+    std::size_t place = 0;
+    ((place = place * static_cast<std::size_t>(amplitudes) + static_cast<std::size_t>(indices)), ...);
+    return list.empty() ? 0 : list.at(place);
+  }
+  bool rotates() const { return !particles[0].turn.empty(); }
+  /// The rotation of a particle, by default that of the node.
+  const Vector3d& turn_of(const particle& p, int k) const {
+    return (p.turn.empty() ? turns : p.turn)[static_cast<std::size_t>(k)];
+  }
+  Vector3d turn_bend_of(int k, int l) const {
+    if (turn_bends.empty()) return Vector3d::Zero();
+    return turn_bends[static_cast<std::size_t>(k * amplitudes + l)];
+  }
 
   /// Σ m f(particle), an integral over the mass.
   template <class Value>
@@ -50,6 +79,25 @@ struct body {
     return sum;
   }
 };
+
+/// Fills the list of a symmetric tensor with random numbers.
+inline std::vector<double> random_tensor(int amplitudes, int order, unsigned seed) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> number(-1, 1);
+  std::map<std::vector<int>, double> known;
+  std::vector<double> all;
+  std::vector<int> indices(static_cast<std::size_t>(order), 0);
+  for (bool more = true; more;) {
+    std::vector<int> sorted = indices;
+    std::sort(sorted.begin(), sorted.end());
+    if (!known.contains(sorted)) known[sorted] = number(random);
+    all.push_back(known[sorted]);
+    auto last = indices.rbegin();
+    while (last != indices.rend() && ++*last == amplitudes) *last++ = 0;
+    more = last != indices.rend();
+  }
+  return all;
+}
 
 /// A body with random particles in space; its particles bend if `bends`.
 inline body random_body(int amplitudes, int particles, bool bends, unsigned seed) {
@@ -82,6 +130,28 @@ inline body random_body(int amplitudes, int particles, bool bends, unsigned seed
   return b;
 }
 
+/// The same with small rigid bodies instead of particles.
+inline body random_body_of_rigid_bodies(int amplitudes, int particles, unsigned seed) {
+  body b = random_body(amplitudes, particles, true, seed);
+  b.axes.setIdentity();
+  std::mt19937 random(seed + 1);
+  std::uniform_real_distribution<double> number(-1, 1);
+  const auto vector = [&] { return Vector3d(Vector3d::NullaryExpr([&] { return number(random); })); };
+  for (particle& p : b.particles) {
+    for (int k = 0; k < amplitudes; ++k) p.turn.push_back(vector());
+    p.turn_bend.resize(static_cast<std::size_t>(amplitudes * amplitudes));
+    for (int k = 0; k < amplitudes; ++k)
+      for (int l = 0; l <= k; ++l)
+        p.turn_bend[static_cast<std::size_t>(k * amplitudes + l)] =
+            p.turn_bend[static_cast<std::size_t>(l * amplitudes + k)] = vector();
+    const Eigen::Matrix3d root = Eigen::Matrix3d::NullaryExpr([&] { return number(random); });
+    p.inertia = root * root.transpose();
+    p.inertia = p.inertia.trace() * Eigen::Matrix3d::Identity() - p.inertia;
+  }
+  b.turns = b.particles.back().turn, b.turn_bends = b.particles.back().turn_bend;
+  return b;
+}
+
 inline Eigen::Matrix3d skew(const Vector3d& v) {
   Eigen::Matrix3d s;
   s << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
@@ -110,6 +180,7 @@ struct notation {
   bool inertia_as_vector = true; ///< J has 6 rows: xx, yy, zz, xy, xz, yz
   bool ge_by_axis = false;       ///< the columns of Ge are ordered by axis
   bool with_zeros = false;       ///< writes entries that are zero
+  bool second_order = false;     ///< writes the terms of second order that others determine
   const char* frame = "frame";
   const char* digits = "%.16E";
 };
@@ -143,6 +214,7 @@ public:
 private:
   using entry = std::function<double(int, int)>;
   using linear_entry = std::function<double(int, int, int)>;
+  using second_entry = std::function<double(int, int, int, int)>; ///< a second derivative
 
   void line(const std::string& what) { text_ += "     " + what + "\n"; }
   std::string number(double x) const {
@@ -155,9 +227,9 @@ private:
   static std::string index_text(int i, int j) { return std::to_string(i + 1) + ", " + std::to_string(j + 1); }
 
   void series(const std::string& called, int rows, int columns, const entry& zeroth,
-              const linear_entry& first = {}, int structure = 3) {
+              const linear_entry& first = {}, int structure = 3, const second_entry& second = {}) {
     line(called);
-    line("order = " + std::to_string(first ? 1 : 0));
+    line("order = " + std::to_string(second ? 2 : first ? 1 : 0));
     line("nrow = " + std::to_string(rows)), line("ncol = " + std::to_string(columns));
     line("nq = " + std::to_string(n_)), line("nqn = 0");
     line("structure = " + std::to_string(structure));
@@ -172,7 +244,21 @@ private:
           line("m1( " + index_text(i, how_.amplitude_second ? k : j) + ", " +
                std::to_string((how_.amplitude_second ? j : k) + 1) + ") = " + number(first(i, j, k)));
         }
+    for (int i = 0; i < rows && second; ++i)
+      for (int j = 0; j < columns; ++j)
+        for (int k = 0; k < n_; ++k)
+          for (int l = 0; l <= k; ++l) { // twice, because the opposite entry is not written
+            const double value = second(i, j, k, l) / (k == l ? 2 : 1);
+            const std::string amplitudes = index_text(k, l);
+            line("m2( " + std::to_string(i + 1) + ", " +
+                 (how_.amplitude_second ? amplitudes + ", " + std::to_string(j + 1)
+                                        : std::to_string(j + 1) + ", " + amplitudes) +
+                 ") = " + number(value));
+          }
     line("end " + called);
+  }
+  second_entry if_second_order(const second_entry& second) const {
+    return how_.second_order ? second : second_entry{};
   }
 
   void write_node() {
@@ -180,45 +266,63 @@ private:
     line("new node = 12"), line("rframe = body ref");
     series(
         "origin", 3, 1, [&](int i, int) { return p.place[i]; },
-        [&](int i, int, int k) { return p.shape_of(k)[i]; });
+        [&](int i, int, int k) { return p.shape_of(k)[i]; }, 3,
+        if_second_order([&](int i, int, int k, int l) { return p.bend_of(k, l)[i]; }));
     series(
         "phi", 3, n_, [&](int i, int k) { return p.shape_of(k)[i]; },
         [&](int i, int k, int l) { return p.bend_of(k, l)[i]; });
-    series("psi", 3, n_, [&](int i, int k) { return b_.turns[static_cast<std::size_t>(k)][i]; });
+    const linear_entry bend = [&](int i, int k, int l) { return psi_rate(k, l)[i]; };
+    series(
+        "psi", 3, n_, [&](int i, int k) { return turn(k)[i]; },
+        b_.turn_bends.empty() ? linear_entry{} : bend);
     series(
         "AP", 3, 3, [&](int i, int j) { return b_.axes(i, j); },
         [&](int i, int j, int k) {
-          const Eigen::Matrix3d rate = skew(b_.turns[static_cast<std::size_t>(k)]) * b_.axes;
+          const Eigen::Matrix3d rate = skew(turn(k)) * b_.axes;
           return rate(i, j);
-        });
+        },
+        3, if_second_order([&](int i, int j, int k, int l) {
+          const Eigen::Matrix3d a = skew(turn(k)), b = skew(turn(l)),
+                                second = ((a * b + b * a) / 2 + skew(b_.turn_bend_of(k, l))) * b_.axes;
+          return second(i, j);
+        }));
     line("end node");
   }
+  const Vector3d& turn(int k) const { return b_.turns[static_cast<std::size_t>(k)]; }
+  /// The derivative of psi: the angular velocity is θ' + ½ θ × θ' + ….
+  Vector3d psi_rate(int k, int l) const { return b_.turn_bend_of(k, l) + turn(l).cross(turn(k)) / 2; }
 
   void write_integrals() {
     const Vector3d moment = b_.integral<Vector3d>([](const particle& p) -> Vector3d { return p.place; });
     series(
         "mdCM", 3, 1, [&](int i, int) { return moment[i]; },
-        [&](int i, int, int k) { return translation(k)[i]; });
+        [&](int i, int, int k) { return translation(k)[i]; }, 3,
+        if_second_order([&](int i, int, int k, int l) { return bend(k, l)[i]; }));
     const Eigen::Matrix3d inertia = b_.integral<Eigen::Matrix3d>(
         [](const particle& p) -> Eigen::Matrix3d { return inertia_form(p.place, p.place); });
     const auto rate = [&](int k) -> Eigen::Matrix3d {
       return b_.integral<Eigen::Matrix3d>(
           [&](const particle& p) -> Eigen::Matrix3d { return 2 * inertia_form(p.place, p.shape_of(k)); });
     };
+    const auto second = [&](int k, int l) -> Eigen::Matrix3d {
+      return b_.integral<Eigen::Matrix3d>([&](const particle& p) -> Eigen::Matrix3d {
+        return 2 * inertia_form(p.shape_of(k), p.shape_of(l)) + 2 * inertia_form(p.place, p.bend_of(k, l));
+      });
+    };
     static constexpr int rows[6]{0, 1, 2, 0, 0, 1}, columns[6]{0, 1, 2, 1, 2, 2};
     if (how_.inertia_as_vector)
       series(
           "J", 6, 1, [&](int e, int) { return inertia(rows[e], columns[e]); },
-          [&](int e, int, int k) { return rate(k)(rows[e], columns[e]); });
+          [&](int e, int, int k) { return rate(k)(rows[e], columns[e]); }, 3,
+          if_second_order([&](int e, int, int k, int l) { return second(k, l)(rows[e], columns[e]); }));
     else
       series(
           "J", 3, 3, [&](int i, int j) { return inertia(i, j); },
-          [&](int i, int j, int k) { return rate(k)(i, j); }, 2);
+          [&](int i, int j, int k) { return rate(k)(i, j); }, 2,
+          if_second_order([&](int i, int j, int k, int l) { return second(k, l)(i, j); }));
     series(
         "Ct", n_, 3, [&](int k, int i) { return translation(k)[i]; },
-        [&](int k, int i, int l) {
-          return b_.integral<Vector3d>([&](const particle& p) -> Vector3d { return p.bend_of(k, l); })[i];
-        });
+        [&](int k, int i, int l) { return bend(k, l)[i]; });
     series(
         "Cr", n_, 3,
         [&](int k, int i) {
@@ -235,6 +339,10 @@ private:
     return b_.integral<Vector3d>([&](const particle& p) -> Vector3d { return p.shape_of(k); });
   }
 
+  Vector3d bend(int k, int l) const {
+    return b_.integral<Vector3d>([&](const particle& p) -> Vector3d { return p.bend_of(k, l); });
+  }
+
   void write_rates() {
     series(
         "Me", n_, n_,
@@ -244,11 +352,20 @@ private:
           return sum;
         },
         {}, 2);
-    series("Gr", 3, 3 * n_, [&](int i, int column) {
+    const linear_entry gyroscopic_rate = [&](int i, int column, int l) {
       return b_.integral<Eigen::Matrix3d>([&](const particle& p) -> Eigen::Matrix3d {
-        return -2 * skew(p.place) * skew(p.shape_of(column / 3));
+        return -2 * (skew(p.shape_of(l)) * skew(p.shape_of(column / 3)) +
+                     skew(p.place) * skew(p.bend_of(column / 3, l)));
       })(i, column % 3);
-    });
+    };
+    series(
+        "Gr", 3, 3 * n_,
+        [&](int i, int column) {
+          return b_.integral<Eigen::Matrix3d>([&](const particle& p) -> Eigen::Matrix3d {
+            return -2 * skew(p.place) * skew(p.shape_of(column / 3));
+          })(i, column % 3);
+        },
+        how_.second_order ? gyroscopic_rate : linear_entry{});
     series("Ge", n_, 3 * n_, [&](int k, int column) {
       const int l = how_.ge_by_axis ? column % n_ : column / 3,
                 i = how_.ge_by_axis ? column / n_ : column % 3;
@@ -270,9 +387,29 @@ private:
   }
 
   void write_elasticity() {
-    series("ksigma", n_, 1, [](int, int) { return 0; });
-    series("Ke", n_, n_, [&](int k, int l) { return b_.stiffness(k, l); }, {}, 2);
-    series("De", n_, n_, [&](int k, int l) { return b_.damping(k, l); });
+    // ksigma and Ke share the terms of second order in the force; a tenth of the stiffness is that of
+    // stresses
+    const bool has_third = !b_.third.empty();
+    const double share = b_.preload.empty() ? 0 : 0.1;
+    const linear_entry prestress = [&](int k, int, int l) { return share * b_.stiffness(k, l); },
+                       softening = [&](int k, int l, int m) { return 0.3 * b_.entry(b_.third, k, l, m); },
+                       rate = [&](int k, int l, int m) { return b_.entry(b_.damping_rate, k, l, m); };
+    const second_entry rest = [&](int k, int, int l, int m) { return 0.4 * b_.entry(b_.third, k, l, m); },
+                       hardening = [&](int k, int l, int m,
+                                       int n) { return b_.entry(b_.fourth, k, l, m, n) / 3; },
+                       second_rate = [&](int k, int l, int m, int n) {
+                         return b_.entry(b_.second_damping_rate, k, l, m, n);
+                       };
+    series(
+        "ksigma", n_, 1, [&](int k, int) { return b_.entry(b_.preload, k); },
+        share > 0 ? prestress : linear_entry{}, 3, has_third ? rest : second_entry{});
+    series(
+        "Ke", n_, n_, [&](int k, int l) { return (1 - share) * b_.stiffness(k, l); },
+        has_third ? softening : linear_entry{}, 2, b_.fourth.empty() ? second_entry{} : hardening);
+    series(
+        "De", n_, n_, [&](int k, int l) { return b_.damping(k, l); },
+        b_.damping_rate.empty() ? linear_entry{} : rate, 3,
+        b_.second_damping_rate.empty() ? second_entry{} : second_rate);
   }
 
   const body& b_;

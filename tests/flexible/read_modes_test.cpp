@@ -1,6 +1,6 @@
 // builds: clang++ sanitize
 // Flexible bodies from the modes of finite-element models, and the sentences that report invalid files.
-#include "flexible/lumped_body.hpp"
+#include "flexible/modes_file.hpp"
 
 #include <kanexpr/flexible/read_modes.hpp>
 #include <kanexpr/flexible/read_sid.hpp>
@@ -18,52 +18,11 @@ namespace {
 
 using namespace kanexpr;
 using namespace kanexpr::flexible;
+using lumped::file_of;
 using lumped::Vector3d;
 using nlohmann::json;
 using testing::ElementsAre;
 using testing::IsEmpty;
-
-json list_of(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-
-json list_of(const Eigen::MatrixXd& m) {
-  json rows = json::array();
-  for (Eigen::Index i = 0; i < m.rows(); ++i) {
-    json row = json::array();
-    for (Eigen::Index j = 0; j < m.cols(); ++j) row.push_back(m(i, j));
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-/// A list with an entry for each particle.
-template <class Function>
-json each_particle(const lumped::body& b, const Function& f) {
-  json all = json::array();
-  for (const lumped::particle& p : b.particles) all.push_back(f(p));
-  return all;
-}
-
-/// The file that describes a body by its nodes. The last node is called 12.
-json file_of(const lumped::body& b) {
-  json file;
-  file["positions"] = each_particle(b, [](const lumped::particle& p) { return list_of(p.place); });
-  file["masses"] = each_particle(b, [](const lumped::particle& p) { return json(p.mass); });
-  for (std::size_t i = 0; i < b.particles.size(); ++i) file["nodes"].push_back(8 + i);
-  file["attachments"] = {7 + b.particles.size()};
-  for (int k = 0; k < b.amplitudes; ++k) {
-    file["shapes"].push_back(
-        each_particle(b, [&](const lumped::particle& p) { return list_of(p.shape_of(k)); }));
-    file["rotations"].push_back(each_particle(
-        b, [&](const lumped::particle&) { return list_of(b.turns[static_cast<std::size_t>(k)]); }));
-    json row = json::array();
-    for (int l = 0; l < b.amplitudes; ++l)
-      row.push_back(each_particle(b, [&](const lumped::particle& p) { return list_of(p.bend_of(k, l)); }));
-    file["bends"].push_back(row);
-  }
-  file["stiffness"] = list_of(b.stiffness);
-  file["damping"] = list_of(b.damping);
-  return file;
-}
 
 lumped::body body_of(bool bends) {
   lumped::body b = lumped::random_body(2, 5, bends, 17);
@@ -174,6 +133,11 @@ TEST(read_modes, reports_mistakes) {
     file.erase(key);
     return file.dump();
   };
+  const auto with_inertia = [&](const json& second) {
+    return with("inertias", {{1, 2, 2}, second, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}});
+  };
+  json without_rotations = json::parse(with_inertia({1, 1, 1}));
+  without_rotations.erase("rotations");
   json short_shape = valid, infinite = valid, lopsided = valid;
   short_shape["shapes"][1].erase(0);
   lopsided["stiffness"][0][1] = 3;
@@ -191,6 +155,17 @@ TEST(read_modes, reports_mistakes) {
       {with("masses", {0, 0, 0, 0, 0}), "a.json: the body has no mass"},
       {short_shape.dump(), "a.json: shapes[1] has 4 entries; expected 5"},
       {lopsided.dump(), "a.json: stiffness[1][0] is not equal to stiffness[0][1]"},
+      {with("inertias", {1, 2}), "a.json: inertias has 2 entries; expected 5"},
+      {with_inertia({1, 2}), "a.json: inertias[1] has 2 entries; expected 3"},
+      {with_inertia({1, -2, 3}), "a.json: inertias[1] has a negative moment of inertia about some axis"},
+      {with_inertia({{1, 2, 0}, {2, 1, 0}, {0, 0, 1}}),
+       "a.json: inertias[1] has a negative moment of inertia about some axis"},
+      {with_inertia({{1, 2, 0}, {0, 1, 0}, {0, 0, 1}}),
+       "a.json: inertias[1][0][1] is not equal to inertias[1][1][0]"},
+      {with_inertia({{1, 0, 0}, {0, "x", 0}, {0, 0, 1}}), "a.json: inertias[1][1][1] is not a number"},
+      {without_rotations.dump(),
+       "a.json: the file contains inertias, but no rotations, by which the nodes turn"},
+      {with("rotation_bends", {1, 2}), "a.json: rotation_bends[0] is not a list"},
       {with("modal_mass", {1, 1}),
        "a.json: modal_mass[1][1] is 1, but the masses and the shapes give 6.95271, a difference of 85.6 % of "
        "the largest entry; prefer_derived accepts such files"},

@@ -130,6 +130,163 @@ TEST(read_sid, completes_matrices_that_others_determine) {
               ElementsAre("Oe has no linear part, so the inertia is only of first order in the amplitudes"));
 }
 
+/// A body with terms of higher order in all matrices that may contain them.
+lumped::body body_of_second_order(int amplitudes) {
+  lumped::body b = lumped::random_body(amplitudes, 5, true, 19);
+  b.preload = lumped::random_tensor(amplitudes, 1, 1);
+  b.third = lumped::random_tensor(amplitudes, 3, 2);
+  b.fourth = lumped::random_tensor(amplitudes, 4, 3);
+  b.damping_rate = lumped::random_tensor(amplitudes, 3, 4);
+  b.second_damping_rate = lumped::random_tensor(amplitudes, 4, 5);
+  for (int k = 0; k < amplitudes; ++k)
+    for (int l = 0; l < amplitudes; ++l)
+      b.turn_bends.emplace_back(0.1 + k + l, 0.2 * (k + 1) * (l + 1), -0.3 - k * l);
+  return b;
+}
+
+/// Compares the terms of higher order with the derivatives of the energy and of the damping at some q.
+void expect_elastic_terms(const mechanics::flexible_data& d, const lumped::body& b) {
+  const int n = b.amplitudes;
+  const auto q = [](int k) { return 0.7 - 0.4 * k; };
+  double energy = 0, expected = 0, damping = 0, expected_damping = 0;
+  for (const mechanics::elastic_term& t : d.elastic_terms) {
+    double term = t.coefficient;
+    for (const int k : t.amplitudes) term *= k < 0 ? 1 : q(k);
+    energy += term;
+  }
+  for (const mechanics::damping_term& t : d.damping_terms) {
+    double term = (t.row == t.column ? 1 : 2) * t.coefficient; // Σ D_kl
+    for (const int k : t.amplitudes) term *= k < 0 ? 1 : q(k);
+    damping += term;
+  }
+  for (int k = 0; k < n; ++k)
+    for (int l = 0; l < n; ++l)
+      for (int m = 0; m < n; ++m) {
+        expected += b.entry(b.third, k, l, m) / 6 * q(k) * q(l) * q(m);
+        expected_damping += b.entry(b.damping_rate, k, l, m) * q(m);
+        for (int j = 0; j < n; ++j) {
+          expected += b.entry(b.fourth, k, l, m, j) / 24 * q(k) * q(l) * q(m) * q(j);
+          expected_damping += b.entry(b.second_damping_rate, k, l, m, j) / 2 * q(m) * q(j);
+        }
+      }
+  EXPECT_NEAR(energy, expected, 1e-13);
+  EXPECT_NEAR(damping, expected_damping, 1e-13);
+}
+
+TEST(read_sid, reads_terms_of_second_order) {
+  for (lumped::notation how : {lumped::fembs, lumped::matlab})
+    for (const int amplitudes : {1, 2, 3}) {
+      how.second_order = true;
+      const lumped::body b = body_of_second_order(amplitudes);
+      const read_body read = read_sid_text(lumped::sid_text(b, how));
+      ASSERT_TRUE(read) << read.cause();
+      EXPECT_THAT(read.notes, IsEmpty());
+      expect_integrals(read.data, b, 1e-10);
+      expect_elastic_terms(read.data, b);
+      const base::sequence<double>& turns = read.data.nodes[0].second_rotation;
+      ASSERT_EQ(turns.size(), 3 * amplitudes * amplitudes);
+      for (int k = 0; k < amplitudes; ++k) {
+        EXPECT_NEAR(read.data.preload[k], b.preload[static_cast<std::size_t>(k)], 1e-15);
+        for (int l = 0; l < amplitudes; ++l)
+          for (int i = 0; i < 3; ++i)
+            EXPECT_NEAR(turns[3 * (k * amplitudes + l) + i], b.turn_bend_of(k, l)[i], 1e-14);
+      }
+    }
+}
+
+/// The text without the entries m1 or m2 of a section.
+std::string without_entries(std::string text, const std::string& section, const std::string& entry) {
+  const std::size_t begin = text.find("     " + section + "\n");
+  const auto end = [&] { return text.find("end " + section, begin); };
+  for (std::size_t at = text.find(entry, begin); at < end(); at = text.find(entry, begin))
+    text.erase(at, text.find('\n', at) - at);
+  return text;
+}
+
+TEST(read_sid, takes_terms_of_second_order_from_the_matrices_that_contain_them) {
+  lumped::notation how = lumped::fembs;
+  how.second_order = true;
+  const lumped::body b = body_of_second_order(2);
+  const std::string text = lumped::sid_text(b, how);
+  const auto near = [](const base::sequence<double>& found, const base::sequence<double>& expected) {
+    ASSERT_EQ(found.size(), expected.size());
+    for (int i = 0; i < found.size(); ++i) EXPECT_NEAR(found[i], expected[i], 1e-13);
+  };
+  const mechanics::flexible_data whole = read_sid_text(text).data;
+  const auto after = [&](const char* section, const std::string& note) {
+    const read_body read = read_sid_text(without_entries(text, section, "m1("));
+    EXPECT_TRUE(read) << read.cause();
+    EXPECT_THAT(read.notes, note.empty() ? testing::Matcher<std::vector<std::string>>(IsEmpty())
+                                         : ElementsAre(HasSubstr(note)));
+    return read.data;
+  };
+  near(after("Ct", "Ct has no linear part; mdCM provides it").first_moment.coefficients,
+       whole.first_moment.coefficients);
+  near(after("Oe", "Oe has no linear part; J provides it").inertia.coefficients, whole.inertia.coefficients);
+  near(after("phi", "").nodes[0].position.coefficients, whole.nodes[0].position.coefficients);
+  near(after("psi", "").nodes[0].second_rotation, whole.nodes[0].second_rotation);
+}
+
+TEST(read_sid, reports_terms_that_have_no_effect_or_disagree) {
+  lumped::notation how = lumped::fembs;
+  how.second_order = true;
+  std::string text = lumped::sid_text(body_of_second_order(2), how);
+  const auto with = [&](const std::string& section, const std::string& entry) {
+    return replaced(text, "end " + section + "\n", entry + " = 7.5\n end " + section + "\n");
+  };
+  const auto message = [&](const std::string& section, const std::string& entry) {
+    const std::string cause = read_sid_text(with(section, entry), {}, "a.sid").cause();
+    return cause.substr(cause.find(": ") + 2);
+  };
+  for (const std::string section : {"Ct", "Cr", "Me", "Gr", "Ge", "Oe"})
+    EXPECT_EQ(message(section, "m2(1, 1, 1, 1)"),
+              section +
+                  " has terms of second order in the amplitudes, which are of third or higher order in "
+                  "the kinetic energy; the equations follow from this energy to the second order in the "
+                  "amplitudes and their rates");
+  for (const std::string section : {"phi", "psi"})
+    EXPECT_EQ(message(section, "m2(1, 1, 1, 1)"),
+              section + " of node 12 has terms of second order in the amplitudes; the place of a node is "
+                        "described to the second order, for which the first order of phi and psi suffices");
+  EXPECT_EQ(
+      message("Ke", "mn(1, 1, 1)"),
+      "mn of Ke counts products of amplitudes in an order that standard input data do not define; write "
+      "m2 with the indices of both amplitudes");
+  const std::string tail = "; prefer_derived accepts such files";
+  const auto disagreement = [&](const std::string& section, const std::string& entry) {
+    const std::string found = message(section, entry);
+    EXPECT_TRUE(found.ends_with(tail)) << found;
+    return found.substr(0, found.find(", a difference"));
+  };
+  EXPECT_EQ(disagreement("mdCM", "m2(1, 1, 1, 1)"),
+            "a second derivative of mdCM is 15, but Ct gives -0.813072");
+  EXPECT_EQ(disagreement("J", "m2(1, 1, 1, 1)"), "a second derivative of J is 15, but Oe gives 13.4992");
+  EXPECT_EQ(disagreement("Gr", "m1(1, 1, 1)"),
+            "the coefficient of amplitude 1 in Gr(1, 1) is 7.5, but Oe and Cr give 13.4992");
+  EXPECT_EQ(disagreement("origin", "m2(1, 1, 1, 1)"),
+            "a second derivative of origin of node 12 is 15, but phi gives -0.67895");
+  EXPECT_EQ(disagreement("AP", "m2(1, 1, 1, 1)"),
+            "a second derivative of AP of node 12 is 15, but psi gives -0.929412");
+  how.second_order = false;
+  text = lumped::sid_text(body_of_second_order(2), how);
+  EXPECT_EQ(disagreement("psi", "m1(1, 1, 2)"), "half of the difference of coefficients with exchanged "
+                                                "amplitudes in psi of node 12 is 3.17809, but its "
+                                                "constant part gives -0.0438102");
+  EXPECT_EQ(disagreement("ksigma", "m1(1, 2, 1)"),
+            "the coefficient of amplitude 2 in ksigma(1, 1) is 7.5, but the opposite entry is -2.39919");
+  EXPECT_EQ(disagreement("Ke", "m1(1, 2, 1)"), "the coefficient of amplitudes 1 and 1 in the elastic force "
+                                               "on amplitude 2 is 0.431541, but a potential "
+                                               "energy gives 2.84523");
+  EXPECT_EQ(disagreement("Ke", "m2(1, 1, 2, 1)"),
+            "a coefficient of second order in Ke is 0.113316, but a potential energy gives 1.98832");
+  EXPECT_EQ(disagreement("De", "m1(1, 1, 2)"),
+            "a coefficient of an amplitude in De is -0.654609, but the opposite entry has 7.5");
+  for (const std::string section : {"Me", "Ge"})
+    EXPECT_THAT(read_sid_text(with(section, "m1(1, 1, 1)")).notes,
+                ElementsAre(HasSubstr("the linear part of " + section +
+                                      " is ignored, because it is of third order in the kinetic energy")));
+}
+
 TEST(read_sid, reads_rounded_files) {
   lumped::notation how = lumped::matlab;
   how.digits = "%.6f";
@@ -168,12 +325,18 @@ TEST(read_sid, reports_the_place_of_a_mistake) {
        "line 107 of a.sid: mdCM depends on 2 amplitudes; expected 3, the value of nelastq"},
       {without(text, "Cr"), "a.sid: the file does not contain Cr"},
       {text.substr(0, text.find("m0(")), "line 20 of a.sid: the file ends here; expected end origin"},
-      {replaced(text, "order = 1", "order = 2"),
-       "line 14 of a.sid: the order of origin is 2; expected 0 or 1"},
+      {replaced(text, "order = 1", "order = 3"),
+       "line 14 of a.sid: the order of origin is 3; expected 0, 1 or 2"},
+      {replaced(text, "m0( 1, 1)", "m2( 1, 1, 1)"),
+       "line 20 of a.sid: expected m2 with four indices of origin, "
+       "counted from 1, got m2( 1, 1, 1) = 1.7722141359156560D+00"},
+      {replaced(text, "m0( 1, 1)", "m2( 1, 1, 3, 1)"),
+       "line 20 of a.sid: m2(1, 1, 3, 1) is outside of origin, "
+       "which has 3 rows, 1 columns and 2 amplitudes"},
       {replaced(text, "structure = 3", "structure = 5"),
        "line 19 of a.sid: the structure of origin is 5; expected 0 to 4"},
       {replaced(text, "nrow = 3", "rows = 3"), "line 15 of a.sid: expected order, nrow, ncol, nq, nqn, "
-                                               "structure, m0, m1 or end origin, got rows = 3"},
+                                               "structure, m0, m1, m2 or end origin, got rows = 3"},
       {replaced(text, "m0( 1, 1)", "m0( 1)"), "line 20 of a.sid: expected m0(row, column) of origin, counted "
                                               "from 1, got m0( 1) = 1.7722141359156560D+00"},
       {replaced(text, "m0( 1, 1)", "m0( 0, 1)"), "line 20 of a.sid: expected m0(row, column) of origin, "

@@ -1,12 +1,13 @@
 // Three angles and systems that can be built from them, with numeric values.
 #pragma once
 
+#include "numbers_of.hpp"
+
 #include <Eigen/Core>
 #include <gtest/gtest.h>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
 #include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/interpreter.hpp>
 
 #include <limits>
 #include <string>
@@ -47,11 +48,6 @@ struct bench : builder {
   }
 
   MatrixXd numbers(const kanexpr::symbolic::matrix& wanted) {
-    kanexpr::base::sequence<int> outputs;
-    for (const expression& e : wanted.entries) outputs.push(e.node());
-    kanexpr::runtime::interpreter<double> code(kanexpr::lower::tape_of(graph(), outputs));
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> result(wanted.rows,
-                                                                                  wanted.columns);
     const auto value_of = [&](const kanexpr::lower::load& l) {
       using kanexpr::symbolic::symbol_kind;
       if (l.from == symbol_kind::coordinate) return q_now[l.position];
@@ -61,8 +57,7 @@ struct bench : builder {
       if (l.from == symbol_kind::time) return t_now;
       return std::numeric_limits<double>::quiet_NaN();
     };
-    code.evaluate(value_of, result.data());
-    return result;
+    return numbers_of(wanted, value_of);
   }
   Vector3d in_ground(const vector& v) { return in_axes(n, v); }
   Vector3d in_axes(frame_id f, const vector& v) {

@@ -85,3 +85,28 @@ struct Bob : particle<Bob, Tip, 0.5> {};
 struct System : system_of<bodies<Bob>> {};
 void f() { use<System>(); }
 } // namespace f11
+
+// expect: flexible body B has an amplitude with a negative stiffness
+namespace f12 {
+constexpr flexible_body_data<1, 0> soft{.mass = 1, .modal_mass = {1}, .stiffness = {-1}};
+struct B : flexible_body<B, O, N, soft> {};
+struct System : system_of<bodies<B>> {};
+void f() { use<System>(); }
+} // namespace f12
+
+// expect: flexible body B has an amplitude with a negative damping
+namespace f13 {
+constexpr flexible_body_data<1, 0> lively{.mass = 1, .modal_mass = {1}, .damping = {-1}};
+struct B : flexible_body<B, O, N, lively> {};
+struct System : system_of<bodies<B>> {};
+void f() { use<System>(); }
+} // namespace f13
+
+// expect: flexible body B has a term with an index of no amplitude
+namespace f14 {
+constexpr flexible_body_data<1, 0, 1> other{
+    .mass = 1, .modal_mass = {1}, .elastic_terms = {{.coefficient = 2, .amplitudes = {0, 0, 1, -1}}}};
+struct B : flexible_body<B, O, N, other> {};
+struct System : system_of<bodies<B>> {};
+void f() { use<System>(); }
+} // namespace f14

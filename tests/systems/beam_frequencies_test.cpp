@@ -1,4 +1,6 @@
 // Natural frequencies of beams at rest, in rotation and under axial loads, and the equation of a tower.
+#include <kanexpr/base/name.hpp>
+#include <kanexpr/mechanics/model/flexible_data.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/beams/modes.hpp>
 #include <kanexpr/runtime/builder.hpp>
@@ -11,6 +13,7 @@
 #include <cmath>
 #include <complex>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -446,6 +449,70 @@ TEST(tower, has_the_equation_derived_by_hand) {
     EXPECT_NEAR(mass_matrix(0.0, x, VectorXd(), input)(0, 0), expected_mass, 1e-12 * expected_mass);
     EXPECT_NEAR(forcing(0.0, x, VectorXd(), input)(0, 0), expected_forcing,
                 1e-12 * std::abs(expected_forcing));
+  }
+}
+
+// A tower by one shape function, 1 at the top, that turns a nacelle with a rotor by the slope ν q, as in
+// Branlard & Geisler (2022), Wind Energy Science 7, doi:10.5194/wes-7-2351-2022. Their equation is of first
+// order in ν. Gravity, which bends the tower further, is part of their stiffness.
+struct sloped_tower {
+  double modal_mass = 1.9, stiffness = 40, damping = 0.7; // Me, Ke, De
+  double mass = 2.3, inertia = 0.4, x = -0.3, z = 0.5;    // of nacelle and rotor, in tilted axes
+  double hub_x = -0.6, hub_z = 0.35, tilt = 0.15, gravity = 9.81;
+
+  // M and f in M q'' = f, for a slope, and a thrust and a moment on the nacelle.
+  Eigen::Vector2d equation(double slope, const Eigen::Vector2d& state, const Eigen::Vector2d& loads) const {
+    builder b("N");
+    const frame_id n = b.inertial_frame();
+    const expression q = b.coordinate("q"), thrust = b.input("T"), moment = b.input("M");
+    b.kinematic_equation(b.dot(q) - b.speed("u"));
+    kanexpr::mechanics::flexible_data d(1);
+    d.mass = 8, d.modal_mass = {modal_mass}, d.stiffness = {stiffness}, d.damping = {damping};
+    d.inertia.constant(0) = d.inertia.constant(1) = 30;
+    kanexpr::mechanics::flexible_node top{.called = kanexpr::base::name("top"),
+                                          .position = kanexpr::mechanics::taylor_series(3, 1)};
+    top.position.constant(2) = 3, top.position.linear(0, 0) = 1;
+    top.orientation = {1, 0, 0, 0, 1, 0, 0, 0, 1}, top.rotation = {0, slope, 0};
+    d.nodes.push(top);
+    const section_ids at = b.node("Top", b.flexible_body("Tower", b.origin("O"), n, {q}, d), "top");
+    const frame_id tilted = b.rotated("Tilted", at.frame, b.number(tilt), b.along(at.frame, 0, 1, 0));
+    const point_id center = b.offset("G", at.point, b.along(tilted, x, 0.0, z)),
+                   hub = b.offset("R", at.point, b.along(tilted, hub_x, 0.0, hub_z));
+    b.rigid_body("Nacelle", center, tilted, b.number(mass), b.inertia(tilted, 0.6, inertia, 0.7));
+    b.gravity(b.along(n, 0.0, 0.0, -gravity));
+    b.force(hub, b.along(tilted, thrust, 0, 0));
+    b.torque(tilted, b.along(tilted, 0, moment, 0));
+    model m = kanexpr::derive(b);
+    EXPECT_EQ(m.mistake(), "");
+    return {m.function(m.mass_matrix())(0.0, state, VectorXd(), loads)(0, 0),
+            m.function(m.forcing())(0.0, state, VectorXd(), loads)(0, 0)};
+  }
+  // The same to the first order in the slope: its value and its derivative.
+  std::pair<Eigen::Vector2d, Eigen::Vector2d> expected(const Eigen::Vector2d& state,
+                                                       const Eigen::Vector2d& loads) const {
+    const double s = std::sin(tilt), c = std::cos(tilt);
+    return {{modal_mass + mass, loads[0] * c - stiffness * state[0] - damping * state[1]},
+            {2 * mass * (z * c - x * s),
+             mass * gravity * (x * c + z * s) + loads[0] * (hub_z - state[0] * s) + loads[1]}};
+  }
+};
+
+TEST(tower, has_the_equation_of_branlard_and_geisler_to_the_first_order_in_the_slope) {
+  const sloped_tower of;
+  for (const auto& [state, loads] : {std::pair{Eigen::Vector2d(0.3, -0.7), Eigen::Vector2d(1.4, -2)},
+                                     std::pair{Eigen::Vector2d(-0.6, 1.9), Eigen::Vector2d(-3.1, 0.8)}}) {
+    const auto [value, derivative] = of.expected(state, loads);
+    const auto difference = [&](double slope) -> Eigen::Vector2d {
+      return of.equation(slope, state, loads) - of.equation(-slope, state, loads);
+    };
+    constexpr double h = 0.02; // differences of eighth order
+    const Eigen::Vector2d found =
+        (672 * difference(h) - 168 * difference(2 * h) + 32 * difference(3 * h) - 3 * difference(4 * h)) /
+        (840 * h);
+    for (int i = 0; i < 2; ++i) {
+      EXPECT_NEAR(of.equation(0, state, loads)[i], value[i], 1e-13 * std::abs(value[i]));
+      EXPECT_NEAR(found[i], derivative[i], 2e-12 * std::abs(value[i]));
+    }
   }
 }
 

@@ -1,12 +1,13 @@
 // Numeric values of models with beams.
 #pragma once
 
+#include "numbers_of.hpp"
+
 #include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 #include <kanexpr/numeric/beams/modes.hpp>
 #include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/interpreter.hpp>
 #include <kanexpr/symbolic.hpp>
 
 #include <algorithm>
@@ -36,19 +37,13 @@ struct values {
   VectorXd q, u;
 
   MatrixXd of(const kanexpr::symbolic::matrix& wanted) const {
-    sequence<int> outputs;
-    for (const expression& e : wanted.entries) outputs.push(e.node());
-    kanexpr::runtime::interpreter<double> code(kanexpr::lower::tape_of(wanted.entries[0].owner(), outputs));
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> result(wanted.rows,
-                                                                                  wanted.columns);
     const auto value_of = [&](const kanexpr::lower::load& l) {
       using kanexpr::symbolic::symbol_kind;
       if (l.from == symbol_kind::coordinate) return q[l.position];
       if (l.from == symbol_kind::speed) return u[l.position];
       return std::numeric_limits<double>::quiet_NaN();
     };
-    code.evaluate(value_of, result.data());
-    return result;
+    return numbers_of(wanted, value_of);
   }
   MatrixXd of(const std::vector<expression>& column) const {
     kanexpr::symbolic::matrix m(column[0].owner(), static_cast<int>(column.size()), 1);

@@ -102,6 +102,7 @@ PLANTED = [
      "a kinematic differential equation", "rad/s", "rad"),
     ("models/pendulum_nonminimal.hpp", "System", "L * L", "L", "a configuration constraint", "m^2", "m"),
     ("gallery/foucault.cpp", "System", "z * z == l * l", "z == l * l", "a configuration constraint", "m^2", "m"),
+    ("gallery/constant_speed.cpp", "System", "== c * c", "== c", "a velocity constraint", "m^2/s^2", "m/s"),
     ("gallery/turntable.cpp", "System", "== Omega * x", "== Omega", "a velocity constraint", "m/s", "rad/s"),
 ]
 

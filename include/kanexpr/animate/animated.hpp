@@ -28,7 +28,8 @@ class compiled_scene final : public scene {
 public:
   explicit compiled_scene(const Trajectory& trajectory)
       : scene(compiled::survey_of<System>, compiled::stated_units_of<System>(), records_of<Picture>::list,
-              code(), numbers_in::count + energies, numbers_in::first_rate, numbers_in::rate_count),
+              code(), numbers_in::count + energies, numbers_in::first_rate, numbers_in::rate_count,
+              amplitudes_in(System::record.bodies)),
         trajectory_(trajectory) {}
 
   std::size_t samples() const override {

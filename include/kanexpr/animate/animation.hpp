@@ -43,6 +43,8 @@ struct animation {
     animate::placement_kind placed_by = animate::placement_kind::place;
     std::size_t places = 1; ///< the number of placements at each time; a sweep or cable has several
     std::vector<animate::placement> placements{}; ///< at the first time, then at the second, and so on
+    /// The placements if no flexible body were deformed; empty if they are the same.
+    std::vector<animate::placement> undeformed{};
 
     const animate::placement& placement_at(std::size_t time, std::size_t place = 0) const {
       return placements[time * places + place];

@@ -4,6 +4,7 @@
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/animate/check_animation.hpp>
 #include <kanexpr/animate/scene.hpp>
+#include <kanexpr/animate/undeformed_placements.hpp>
 #include <kanexpr/base/status.hpp>
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/mechanics/motion/triple.hpp>
@@ -89,18 +90,25 @@ inline void move_with_origin(animation& a, const element_record& r, const record
                                 triple(recorded.numbers, r.first_varying, 0);
     const Eigen::Vector3d level = way - way.dot(a.up) * a.up;
     for (animation::shape& s : a.shapes)
-      for (std::size_t i = 0; i < s.places; ++i) {
-        placement& here = s.placements[static_cast<std::size_t>(k) * s.places + i];
-        here.position += level;
-        if (s.kind != "arrow") here.end += level;
-      }
+      for (std::vector<placement>* all : {&s.placements, &s.undeformed})
+        for (std::size_t i = 0; i < s.places && !all->empty(); ++i) {
+          placement& here = (*all)[static_cast<std::size_t>(k) * s.places + i];
+          here.position += level;
+          if (s.kind != "arrow") here.end += level;
+        }
   }
 }
 
+/// The numbers in `undeformed` belong to the same motion without deformations; without columns if there are
+/// none.
 inline void make_shapes(animation& a, std::span<const element_record> elements,
-                        const recorded_numbers& recorded) {
+                        const recorded_numbers& recorded, const recorded_numbers& undeformed) {
   for (const element_record& r : elements) {
-    if (!r.shape.empty()) a.shapes.push_back(shape_of(r, recorded));
+    if (!r.shape.empty()) {
+      animation::shape& s = a.shapes.emplace_back(shape_of(r, recorded));
+      if (undeformed.numbers.cols() != 0)
+        s.undeformed = undeformed_placements(s, shape_of(r, undeformed).placements);
+    }
     if (r.word == "up") a.up = triple(recorded.numbers, r.first_constant, 0).normalized();
     if (r.word == "seen_from") a.seen_from = triple(recorded.numbers, r.first_constant, 0).normalized();
     if (r.word == "files_in") a.folder = r.file;
@@ -166,7 +174,7 @@ public:
     if (!made_) return std::move(made_);
     drop_unset_inputs(made_);
     integrate();
-    make_shapes(made_, scene_.elements, recorded_);
+    make_shapes(made_, scene_.elements, recorded_, without_deformation());
     add_plots(made_, scene_.elements, recorded_, scene_.first_rate + scene_.rates, scene_.units != nullptr);
     give_units(made_, scene_.elements);
     made_.failure = check_numbers(made_);
@@ -189,6 +197,22 @@ private:
     if (!scene_.between(t, x_.data(), r_.data())) return false;
     evaluate(t, all);
     return true;
+  }
+
+  /// The numbers of the same motion while the amplitudes of all flexible bodies are zero.
+  recorded_numbers without_deformation() {
+    recorded_numbers straight;
+    if (scene_.amplitudes == 0) return straight;
+    straight.integrals = recorded_.integrals;
+    straight.numbers.resizeLike(recorded_.numbers);
+    const auto last = static_cast<std::ptrdiff_t>(scene_.known.coordinates);
+    for (std::size_t i = 0; i < scene_.samples(); ++i) {
+      double t = 0;
+      scene_.sample(i, t, x_.data(), r_.data());
+      std::fill(x_.begin() + last - scene_.amplitudes, x_.begin() + last, 0.0);
+      if (!evaluate(t, column(straight.numbers, i))) return {};
+    }
+    return numeric::all_finite(straight.numbers) ? straight : recorded_numbers();
   }
 
   static double* column(Eigen::MatrixXd& m, std::size_t k) {

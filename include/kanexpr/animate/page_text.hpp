@@ -196,7 +196,9 @@ inline nlohmann::json anchor_text(const anchor& a, bool turns) {
   return one;
 }
 
-inline nlohmann::json shape_text(const animation::shape& s, const std::vector<anchor>& anchors) {
+/// `undeformed` are the anchors while no flexible body is deformed; empty if they are the same.
+inline nlohmann::json shape_text(const animation::shape& s, const std::vector<anchor>& anchors,
+                                 const std::vector<anchor>& undeformed) {
   constexpr const char* kinds_of_placement[]{"place", "ends", "pose"};
   nlohmann::json one{{"name", s.name},
                      {"kind", s.kind},
@@ -204,8 +206,10 @@ inline nlohmann::json shape_text(const animation::shape& s, const std::vector<an
                      {"opacity", s.opacity},
                      {"sizes", list_of(s.sizes)},
                      {"anchors", nlohmann::json::array()}};
-  for (const anchor& a : anchors)
-    one["anchors"].push_back(anchor_text(a, s.placed_by == placement_kind::pose));
+  const bool turns = s.placed_by == placement_kind::pose;
+  for (const anchor& a : anchors) one["anchors"].push_back(anchor_text(a, turns));
+  for (std::size_t i = 0; i < undeformed.size(); ++i)
+    one["anchors"][i]["undeformed"] = anchor_text(undeformed[i], turns);
   if (!s.colour.empty()) one["colour"] = s.colour;
   if (!s.profile.empty()) one["profile"] = s.profile;
   if (!s.file.empty()) one["file"] = s.file;
@@ -230,7 +234,7 @@ inline nlohmann::json run_text(const std::string& name, const animation& a) {
     for (const std::size_t i : b.tracks) run["tracks"][i] = nullptr;
   }
   for (std::size_t i = 0; i < a.shapes.size(); ++i)
-    run["shapes"].push_back(shape_text(a.shapes[i], found.of_shape[i]));
+    run["shapes"].push_back(shape_text(a.shapes[i], found.of_shape[i], found.undeformed[i]));
   for (const animation::column& c : a.columns)
     run["columns"].push_back(
         {{"name", c.name}, {"group", c.group}, {"unit", c.unit}, {"values", list_of(c.values)}});

@@ -8,6 +8,7 @@
 #include <kanexpr/animate/recorded_poses.hpp>
 #include <kanexpr/animate/rigid_parts.hpp>
 #include <kanexpr/animate/rolling.hpp>
+#include <kanexpr/animate/undeformed_placements.hpp>
 #include <kanexpr/animate/write_page.hpp>
 #include <kanexpr/base/outcome.hpp>
 #include <kanexpr/derivation/survey.hpp>
@@ -111,8 +112,16 @@ inline std::string check_sizes(const derivation::survey& known, const recorded_m
   return mistake;
 }
 
-/// Returns the default picture of a model along a motion.
-inline animation film(model m, const recorded_motion& motion) {
+/// The same motion without deformations of flexible bodies.
+inline recorded_motion without_deformation(const mechanics::mechanism& m, recorded_motion motion) {
+  for (const mechanics::flexible_body& b : m.flexible_bodies)
+    for (const symbolic::expression& q : b.amplitudes)
+      for (Eigen::VectorXd& state : motion.states) state[m.coordinates.find(q)] = 0;
+  return motion;
+}
+
+/// Returns the default picture of a model along a motion as it is given.
+inline animation film_as_given(model m, const recorded_motion& motion) {
   animation a;
   a.failure = m.mistake();
   if (!a) return a;
@@ -131,6 +140,19 @@ inline animation film(model m, const recorded_motion& motion) {
   if (!a) return a;
   add_default_shapes(a, m, motion, first);
   if (a) a.failure = check_numbers(a);
+  return a;
+}
+
+/// Returns the default picture of a model along a motion, and the places of its shapes without deformations.
+inline animation film(const model& m, const recorded_motion& motion) {
+  animation a = film_as_given(m, motion);
+  const mechanics::mechanism& of = m.mechanism();
+  if (!a || of.flexible_bodies.empty()) return a;
+  const animation straight = film_as_given(m, without_deformation(of, motion));
+  if (!straight || straight.shapes.size() != a.shapes.size()) return a;
+  for (std::size_t i = 0; i < a.shapes.size(); ++i)
+    if (straight.shapes[i].name == a.shapes[i].name && straight.shapes[i].kind == a.shapes[i].kind)
+      a.shapes[i].undeformed = undeformed_placements(a.shapes[i], straight.shapes[i].placements);
   return a;
 }
 

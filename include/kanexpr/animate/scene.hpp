@@ -7,6 +7,9 @@
 #include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/derivation/model_units.hpp>
 #include <kanexpr/derivation/survey.hpp>
+#include <kanexpr/describe/beam_record.hpp>
+#include <kanexpr/describe/flexible_record.hpp>
+#include <kanexpr/describe/record.hpp>
 #include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/units/unit_text.hpp>
 
@@ -103,6 +106,16 @@ struct records_in<System, element_list<Elements...>> {
   }();
 };
 
+/// The number of amplitudes of beams and other flexible bodies.
+constexpr int amplitudes_in(const describe::listing<describe::body_record>& bodies) {
+  int count = 0;
+  for (const describe::body_record& r : bodies) {
+    if (r.beam != nullptr) count += r.beam->coordinates.size;
+    if (r.flexible != nullptr) count += r.flexible->coordinates.size;
+  }
+  return count;
+}
+
 /// An interface, independent of the system type, to a motion and to the numbers of its picture.
 class scene {
 public:
@@ -116,6 +129,7 @@ public:
   const compiled::code_table& table; ///< evaluates all numbers of the picture
   int numbers, first_rate, rates; ///< their count, and the range of those that are integrated; the energies
                                   ///< follow these if the picture plots them
+  int amplitudes; ///< the number of amplitudes of flexible bodies, which are the last coordinates
 
   virtual std::size_t samples() const = 0;
   virtual void parameters(double* p) const = 0;
@@ -127,9 +141,9 @@ public:
 protected:
   scene(const derivation::survey& of, const mechanics::unit_table* units_of_symbols,
         std::span<const element_record> shown, const compiled::code_table& code, int all, int first,
-        int integrated)
+        int integrated, int deforming)
       : known(of), units(units_of_symbols), elements(shown), table(code), numbers(all), first_rate(first),
-        rates(integrated) {}
+        rates(integrated), amplitudes(deforming) {}
 };
 
 KANEXPR_PAGES animation film(const scene& shown);

@@ -37,6 +37,8 @@ struct anchor {
 struct tracks {
   std::vector<track> all{};
   std::vector<std::vector<anchor>> of_shape{};
+  /// The anchors while no flexible body is deformed; empty if they are the same.
+  std::vector<std::vector<anchor>> undeformed{};
 };
 
 namespace detail {
@@ -102,14 +104,30 @@ public:
   tracks find() {
     bodies_.push_back({Eigen::Matrix3Xd::Zero(3, times_),
                        std::vector<Eigen::Matrix3d>(from_.times.size(), Eigen::Matrix3d::Identity())});
-    for (const animation::shape& s : from_.shapes) read(s);
+    const std::vector<animation::shape> straight = undeformed_shapes();
+    for (const std::vector<animation::shape>* all : {&from_.shapes, &straight})
+      for (const animation::shape& s : *all) read(s);
     find_triangles();
-    for (const animation::shape& s : from_.shapes) place(s);
+    for (const animation::shape& s : from_.shapes) found_.of_shape.push_back(anchors_of(s));
+    for (const animation::shape& s : straight)
+      found_.undeformed.push_back(s.placements.empty() ? std::vector<anchor>() : anchors_of(s));
     return std::move(found_);
   }
 
 private:
   static bool is_arrow(const animation::shape& s) { return s.kind == "arrow"; }
+
+  /// The shapes with their undeformed placements. Of an arrow, only its place can be undeformed.
+  std::vector<animation::shape> undeformed_shapes() const {
+    std::vector<animation::shape> all;
+    for (const animation::shape& s : from_.shapes) {
+      animation::shape& straight = all.emplace_back();
+      straight.kind = s.kind, straight.places = s.undeformed.empty() ? 0 : s.places;
+      straight.placed_by = is_arrow(s) ? placement_kind::place : s.placed_by;
+      straight.placements = s.undeformed;
+    }
+    return all;
+  }
 
   Eigen::Matrix3Xd path_of(const animation::shape& s, Eigen::Vector3d placement::* which,
                            std::size_t place = 0) const {
@@ -131,7 +149,8 @@ private:
         add_pose(pose_of(s, i));
       else
         add_point(path_of(s, &placement::position, i));
-    if (s.placed_by == placement_kind::ends && !is_arrow(s)) add_point(path_of(s, &placement::end));
+    if (s.placed_by == placement_kind::ends && !is_arrow(s) && s.places != 0)
+      add_point(path_of(s, &placement::end));
   }
 
   void add_pose(track pose) {
@@ -199,19 +218,20 @@ private:
     return {};
   }
 
-  void place(const animation::shape& s) {
-    std::vector<anchor>& anchors = found_.of_shape.emplace_back();
+  std::vector<anchor> anchors_of(const animation::shape& s) {
+    std::vector<anchor> anchors;
     for (std::size_t i = 0; i < s.places; ++i)
       anchors.push_back(used(s.placed_by == placement_kind::pose
                                  ? *find_pose(pose_of(s, i))
                                  : *find_point(path_of(s, &placement::position, i))));
-    if (s.placed_by != placement_kind::ends) return;
+    if (s.placed_by != placement_kind::ends) return anchors;
     if (is_arrow(s)) {
       found_.all.push_back({path_of(s, &placement::end), {}});
       anchors.push_back({found_.all.size() - 1});
     } else {
       anchors.push_back(used(*find_point(path_of(s, &placement::end))));
     }
+    return anchors;
   }
 
   /// Renumbers the track of an anchor, in the order of first use.

@@ -6,9 +6,12 @@
 #include <kanexpr/figures/draw_axes.hpp>
 #include <kanexpr/figures/draw_bodies.hpp>
 #include <kanexpr/figures/draw_loads.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/numeric/powers_of_two.hpp>
 #include <kanexpr/runtime/assemble.hpp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/runtime/values.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <Eigen/Core>
 
@@ -35,6 +38,7 @@ struct figure_options {
   std::optional<Eigen::Vector3d>
       eye{}; ///< the direction to the eye; by default perpendicular to a plane of motion
   bool axes = true, angles = true, lengths = true, loads = true, names = true; ///< the parts to draw
+  double deflections = 1; ///< the factor of the amplitudes of flexible bodies, to draw small deformations
 };
 
 /// A figure as the text of an SVG file, which adapts to light and dark pages.
@@ -153,6 +157,12 @@ inline std::string contradiction_in(model& m, given_state<model>& x, const Eigen
   return cause;
 }
 
+/// Multiplies the amplitudes of flexible bodies in a state. Loops that contain such bodies do not close then.
+inline void multiply_amplitudes(const mechanics::mechanism& m, Eigen::VectorXd& x, double factor) {
+  for (const mechanics::flexible_body& b : m.flexible_bodies)
+    for (const symbolic::expression& q : b.amplitudes) x[m.coordinates.find(q)] *= factor;
+}
+
 } // namespace figures
 
 inline figure draw(model m, given_state<model> x, given_parameters<model> p, given_inputs<model> r,
@@ -163,6 +173,9 @@ inline figure draw(model m, given_state<model> x, given_parameters<model> p, giv
     if (mistake) return figure::refused(std::string(mistake.view()));
   if (const std::string reason = figures::contradiction_in(m, x, p.values, r.values); !reason.empty())
     return figure::refused(reason);
+  if (!numeric::is_finite(how.deflections))
+    return figure::refused("the factor of the deflections must be finite");
+  figures::multiply_amplitudes(m.mechanism(), x.values, how.deflections);
   const figures::geometry at = figures::geometry_of(m, 0, x.values, p.values, r.values);
   if (const std::string reason = figures::reason_against(at, how); !reason.empty())
     return figure::refused(reason);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/flexible/file_report.hpp>
 #include <kanexpr/flexible/options.hpp>
 
@@ -76,9 +77,25 @@ bool agrees(const comparison& c, int line, const EntryName& entry_name, std::str
                            std::string(sources) + " " + number_text(c.derived[worst]) + ", a difference of " +
                            number_text(100 * relative, 3) + " % of the largest entry";
   if (!options.prefer_derived) return report.fail(line, what + "; prefer_derived accepts such files");
-  if (!options.prefer_derived) return report.fail(line, what);
   report.note(line, what);
   return true;
+}
+
+/// Adds the symmetric part of a matrix to `into`, row by row, and reports whether the matrix is symmetric.
+/// `entry(k, l)` returns an entry, and `entry_name(k, l)` its name.
+template <class Entry, class EntryName>
+bool add_symmetric(const Entry& entry, int amplitudes, base::sequence<double>& into, int line,
+                   const EntryName& entry_name, const reading_options& options, file_report& report) {
+  comparison symmetry;
+  for (int k = 0; k < amplitudes; ++k)
+    for (int l = 0; l < amplitudes; ++l) {
+      into[k * amplitudes + l] += (entry(k, l) + entry(l, k)) / 2;
+      symmetry.add(entry(k, l), entry(l, k));
+    }
+  const auto name = [&](std::size_t e) {
+    return entry_name(static_cast<int>(e) / amplitudes, static_cast<int>(e) % amplitudes);
+  };
+  return agrees(symmetry, line, name, "the opposite entry is", options, report);
 }
 
 } // namespace kanexpr::flexible

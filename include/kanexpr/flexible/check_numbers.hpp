@@ -21,7 +21,12 @@ inline bool check_numbers(const mechanics::flexible_data& d, file_report& report
     check_all(n.position.coefficients);
     check_all(n.orientation);
     check_all(n.rotation);
+    check_all(n.second_rotation);
   }
+  for (const mechanics::elastic_term& t : d.elastic_terms)
+    finite = finite && numeric::is_finite(t.coefficient);
+  for (const mechanics::damping_term& t : d.damping_terms)
+    finite = finite && numeric::is_finite(t.coefficient);
   return finite || report.fail("the integrals of the body overflow");
 }
 

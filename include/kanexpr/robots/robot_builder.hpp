@@ -7,6 +7,7 @@
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -192,6 +193,17 @@ private:
     origin(b.link) = offset(called + "_origin", start, gone);
   }
 
+  /// Adds stops at the limits of a joint with one coordinate.
+  void add_stops(const moving_body& b) {
+    const joint& j = plan_.joint_of_body(b);
+    if (!plan_.has_stops(j)) return;
+    const limit_stops& by = *plan_.options.stops;
+    const double stiffness = j.kind == joint_kind::prismatic ? by.sliding : by.turning;
+    stop(given_length(motion_of(b.joint).q[0]), number((std::max)(j.limits.lower, -by.no_limit)),
+         number((std::min)(j.limits.upper, by.no_limit)), number(stiffness), number(by.damping),
+         number(by.width));
+  }
+
   /// Lets a link move freely. The position is expressed in the parent's axes, the velocity and the angular
   /// velocity in the axes of the link.
   void add_floating_joint(int link, frame_id in, point_id start, const motion& m) {
@@ -324,6 +336,7 @@ inline robot_builder::robot_builder(robot r, const model_options& options)
   }
   for (const moving_body& b : plan_.tree.bodies) {
     if (b.joint >= 0) add_joint(b);
+    if (b.joint >= 0) add_stops(b);
     add_mass(b);
     if (b.joint >= 0) add_rotor(b);
   }

@@ -17,6 +17,7 @@
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -81,9 +82,7 @@ KANEXPR_ENGINE void builder::deform(built_beam& to, const beam_data& data) {
 /// A unit vector in the axes of a frame; a vector along a basis vector needs no root.
 KANEXPR_ENGINE mechanics::components builder::unit_direction(const vector& given, int frame) {
   if (!checks_.owns("a direction of a beam", given)) return mechanics::components(*graph_);
-  const mechanics::components d = mechanics::express(m_, given, frame);
-  const expression square = mechanics::dot(d, d);
-  return square.is_one() || square.is_zero() ? d : (1 / sqrt(square)) * d;
+  return mechanics::unit_along(mechanics::express(m_, given, frame));
 }
 
 KANEXPR_ENGINE beam_id builder::beam(std::string_view called, point_id root, frame_id frame,
@@ -108,7 +107,7 @@ KANEXPR_ENGINE beam_id builder::beam(std::string_view called, point_id root, fra
   if (b.amplitudes.size() != b.deformations.size())
     checks_.fail({"expected an amplitude for each of the ", base::counted(b.deformations.size()).view(),
                   " shapes of beam ", called, ", got ", base::counted(b.amplitudes.size()).view()});
-  const mechanics::beam_damping damped = damping_of(data);
+  const mechanics::beam_damping damped = damping_of(called, data);
   if (mistake() || !owns_beam(made, damped)) return {};
   const base::sequence<double> integrals = numeric::beams::integrate_modes(made.shapes);
   b.integrals = {integrals.begin(), b.deformations.size()};
@@ -119,7 +118,11 @@ KANEXPR_ENGINE beam_id builder::beam(std::string_view called, point_id root, fra
   return beam_id{static_cast<int>(beams_.size()) - 1};
 }
 
-KANEXPR_ENGINE mechanics::beam_damping builder::damping_of(const beam_data& data) {
+KANEXPR_ENGINE mechanics::beam_damping builder::damping_of(std::string_view beam, const beam_data& data) {
+  bool has_integer = data.damping_of_mass.is_whole_zero() || data.damping_of_stiffness.is_whole_zero();
+  for (const number_or_expression& each : data.damping_ratios)
+    has_integer = has_integer || each.is_whole_zero();
+  if (has_integer) checks_.fail_integer_zero("the damping of beam " + std::string(beam) + " contains 0");
   mechanics::beam_damping damped{
       as_expression(data.damping_of_mass), as_expression(data.damping_of_stiffness), {}};
   for (const number_or_expression& each : data.damping_ratios) damped.ratios.push(as_expression(each));

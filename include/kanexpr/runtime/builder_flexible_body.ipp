@@ -70,10 +70,21 @@ KANEXPR_ENGINE void builder::flexible_body(std::string_view called, point_id ref
   if (!owns_flexible_body(b) || !checks_.owns(called, stiffness.entries, damping.entries)) return;
   const sentence found = mechanics::check_symmetry(m_, stiffness, "the stiffness of ", called);
   if (found) checks_.fail({found.view()});
+  if (!found) has_elasticity(called, b.amplitudes, stiffness, damping);
   m_.flexible_bodies.push(b);
   if (stiffness.rows != 0)
     system_.loads.potential_energies.push(mechanics::elastic_energy(b.amplitudes, stiffness));
   if (damping.rows != 0) system_.loads.modal_dampings.push({b.amplitudes, damping});
+}
+
+/// Checks the stiffness and the damping of a flexible body.
+KANEXPR_ENGINE bool builder::has_elasticity(std::string_view called,
+                                            const base::sequence<expression>& amplitudes,
+                                            const symbolic::matrix& stiffness,
+                                            const symbolic::matrix& damping) {
+  sentence found = mechanics::check_not_negative(m_, stiffness, "the stiffness of ", amplitudes, called);
+  if (!found) found = mechanics::check_not_negative(m_, damping, "the damping of ", amplitudes, called);
+  return !found || checks_.fail({found.view()});
 }
 
 KANEXPR_ENGINE bool builder::owns_flexible_body(const mechanics::flexible_body& b) {

@@ -18,9 +18,9 @@ namespace kanexpr {
 /// Writes the symbols of a system as the rows of a LaTeX table, one per line, with their meaning, and with
 /// their units if the model states any:
 ///
-///     $q$ & coordinate & $\mathrm{rad}$ \\
+///     $q$ & coordinate & $\mathrm{rad}$
 ///
-/// The cell of a unit that is not determined is empty.
+/// Each row ends with a double backslash. The cell of a unit that is not determined is empty.
 inline std::string latex_symbols(const model& of) {
   const mechanics::mechanism& m = of.mechanism();
   const mechanics::unit_table units = of.known()->states_units ? of.units() : mechanics::unit_table();

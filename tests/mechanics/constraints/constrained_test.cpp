@@ -88,7 +88,7 @@ private:
     for (Index r = 0; r < mass.rows(); ++r) rates.push_back(std::sin(static_cast<double>(7 * r + 1)));
     const VectorXd inertia =
         expected.free.inertia_bias - product(mass, VectorXd::Map(rates.data(), mass.rows()));
-    expect_equal(recipe::number(b, m, derived.get(quantity::inertia_forces), rates), product(down, inertia),
+    expect_equal(recipe::number(m, derived.get(quantity::inertia_forces), rates), product(down, inertia),
                  size, "inertia forces");
     compare_motion();
     compare_full();

@@ -3,8 +3,9 @@
 
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
-#include <kanexpr/runtime/assemble.hpp>
 #include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/units/si.hpp>
+#include <kanexpr/units/unit_text.hpp>
 
 #include <Eigen/Dense>
 
@@ -116,6 +117,10 @@ struct by_hand {
     return free + inverse * y;
   }
 };
+
+std::string text(const kanexpr::mechanics::possible_unit& u) {
+  return std::string(kanexpr::units::text_of(u.value()).view());
+}
 
 struct random_states {
   std::mt19937_64 source{11};
@@ -238,6 +243,118 @@ TEST(nonlinear_constraints, have_second_derivatives) {
     to_second_order::expect_second_order(derivatives(derive(pendulums_on_cart(false, has_linear))), 3);
     to_second_order::expect_second_order(derivatives(derive(pendulums_on_cart(true, has_linear))), 3);
   }
+}
+
+// A particle of constant speed c in space, with an auxiliary speed along x.
+struct constant_speed : builder {
+  expression x = coordinate("x"), y = coordinate("y"), u = speed("u"), v = speed("v"),
+             e = auxiliary_speed("e"), m = parameter("m"), c = parameter("c"), push = input("F");
+  kanexpr::runtime::frame_id n = inertial_frame();
+
+  constant_speed() : builder("N") {
+    kinematic_equation(dot(x) - u), kinematic_equation(dot(y) - v);
+    const auto p = offset("P", origin("O"), along(n, x, y, 0));
+    velocity_apart_from_position(p, n, along(n, u + e, v, 0));
+    particle("P", p, m);
+    force(p, along(n, push, 0, 0));
+    velocity_constraint((u + e) * (u + e) + v * v - c * c);
+    dependent(v);
+  }
+};
+
+// F_e + F_e* + J_e λ + R = 0 with J_e = 2 u; the same equation as that of u, so R = 0.
+TEST(nonlinear_constraints, contribute_to_noncontributing_forces) {
+  model m = derive(constant_speed());
+  ASSERT_EQ(m.mistake(), "");
+  const Eigen::Vector4d x(0, 0, 1.2, 0.9);
+  const Eigen::Vector2d p(2, 1.5);
+  const Eigen::Vector<double, 1> r(4);
+  const double along = 4 / 2.0 * 0.9 * 0.9 / (1.5 * 1.5); // u' without the component along the velocity
+  EXPECT_NEAR(m.function(m.udot())(0, x, p, r)(0), along, 1e-15);
+  const double lambda = m.function(m.multipliers())(0, x, p, r)(0);
+  EXPECT_NEAR(2 * 1.2 * lambda, 2 * along - 4, 1e-14);
+  EXPECT_NEAR(m.function(m.noncontributing_forces())(0, x, p, r)(0), 0, 1e-14);
+}
+
+// The scale of ∂φ/∂v is formed from all speeds of its unit, so it does not vanish with v.
+TEST(nonlinear_constraints, report_a_dependent_speed_that_vanishes) {
+  model m = derive(constant_speed());
+  auto udot = m.function(m.udot());
+  const Eigen::Vector2d p(2, 1.5);
+  const Eigen::Vector<double, 1> r(4);
+  for (const double v : {0.0, 1e-12, -1e-12}) {
+    udot(0, Eigen::Vector4d(0, 0, 1.5, v), p, r);
+    EXPECT_EQ(udot.status().cause(),
+              "the constraints cannot be solved for the dependent speed v at this state");
+  }
+  udot(0, Eigen::Vector4d(0, 0, 1.5, 1e-6), p, r);
+  EXPECT_TRUE(udot.status());
+}
+
+TEST(nonlinear_constraints, must_hold_at_operating_points) {
+  model m = derive(constant_speed());
+  const auto at = [&](double speed) {
+    return m.linearize({{"x", 0}, {"y", 0}, {"u", 3}, {"v", speed}, {"m", 1}, {"c", 5}, {"F", 0}});
+  };
+  auto held = at(4), violated = at(4.5);
+  EXPECT_TRUE(held);
+  ASSERT_EQ(violated.failures().size(), 1u);
+  EXPECT_EQ(violated.failures()[0],
+            "the operating point does not satisfy velocity constraint 1: the residual is 4.25");
+}
+
+TEST(nonlinear_constraints, impose_no_dependent_speeds) {
+  model m = derive(constant_speed());
+  const auto& v = m.mechanism().speeds[1];
+  EXPECT_EQ(kanexpr::symbolic::print(m.imposed(v)), "v");
+  EXPECT_EQ(kanexpr::symbolic::print(m.dependent_speeds()), "[v - (u^2 - c^2 + v^2)/(2*v)]");
+}
+
+// Velocities that are perpendicular to each other: the direction depends on the speeds.
+TEST(nonlinear_constraints, may_have_directions_that_depend_on_speeds) {
+  struct two_particles : builder {
+    expression x = coordinate("x"), y = coordinate("y"), z = coordinate("z"), u = speed("u"), v = speed("v"),
+               w = speed("w"), m = parameter("m");
+    two_particles() : builder("N") {
+      kinematic_equation(dot(x) - u), kinematic_equation(dot(y) - v), kinematic_equation(dot(z) - w);
+      const auto n = inertial_frame();
+      const auto o = origin("O"), p = offset("P", o, along(n, x, y, 0)),
+                 q = offset("Q", p, along(n, 0, 0, z));
+      particle("P", p, m), particle("Q", q, m);
+      kanexpr::mechanics::known_motion known(mechanism());
+      const auto of_q = kanexpr::mechanics::velocity_of_point(known.moving(), place(q));
+      velocity_constraint(of_q, along(n, v, 2 * u, w));
+    }
+  };
+  model m = derive(two_particles());
+  ASSERT_EQ(m.mistake(), "");
+  EXPECT_EQ(kanexpr::symbolic::print(m.velocity_residual()), "[3*u*v + w^2]");
+  const Eigen::Matrix<double, 6, 1> x{0, 0, 0, 1, 2, 3};
+  EXPECT_EQ((m.function(m.constraint_jacobian())(x, Eigen::Vector<double, 1>(1.0))),
+            Eigen::RowVector3d(6, 3, 6));
+  EXPECT_EQ(m.function(m.get(quantity::constraint_bias))(x, Eigen::Vector<double, 1>(1.0))(0), 0);
+}
+
+TEST(nonlinear_constraints, have_units) {
+  using namespace kanexpr::units::si;
+  struct with_units : builder {
+    expression x = coordinate("x", meter), y = coordinate("y", meter), u = speed("u"), v = speed("v"),
+               m = parameter("m", kilogram), c = parameter("c");
+    explicit with_units(bool is_squared) : builder("N") {
+      kinematic_equation(dot(x) - u), kinematic_equation(dot(y) - v);
+      const auto n = inertial_frame();
+      particle("P", offset("P", origin("O"), along(n, x, y, 0)), m);
+      velocity_constraint(u * u + v * v - (is_squared ? c * c : c + v));
+    }
+  };
+  const with_units b(true);
+  EXPECT_EQ(std::string(b.check().view()), "");
+  EXPECT_EQ(text(b.units().of("c")), "m/s");
+  model m = derive(b);
+  EXPECT_EQ(text(m.unit_of(quantity::constraint_jacobian, 0, 0)), "m/s");
+  EXPECT_EQ(text(m.unit_of(quantity::multipliers)), "N s/m");
+  EXPECT_EQ(std::string(with_units(false).check().view()),
+            "a velocity constraint equates u^2 + v^2 [m^2/s^2] and v + c [m/s]");
 }
 
 } // namespace

@@ -1,10 +1,11 @@
 // Flexible bodies whose integrals are sums over particles, compared with models of the same particles.
+#include "numbers_of.hpp"
+
 #include <Eigen/Core>
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/interpreter.hpp>
 
 #include <cmath>
 #include <random>
@@ -112,11 +113,6 @@ struct evaluated : builder {
   }
 
   MatrixXd numbers(const kanexpr::symbolic::matrix& wanted) {
-    kanexpr::base::sequence<int> outputs;
-    for (const expression& e : wanted.entries) outputs.push(e.node());
-    kanexpr::runtime::interpreter<double> code(kanexpr::lower::tape_of(graph(), outputs));
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> result(wanted.rows,
-                                                                                  wanted.columns);
     const auto value_of = [&](const kanexpr::lower::load& l) {
       using kanexpr::symbolic::symbol_kind;
       if (l.from == symbol_kind::coordinate) return q_now[l.position];
@@ -124,8 +120,7 @@ struct evaluated : builder {
       if (l.from == symbol_kind::speed_rate) return udot_now[l.position];
       return 0.3 * (l.position + 1); // a direction or a weight
     };
-    code.evaluate(value_of, result.data());
-    return result;
+    return numbers_of(wanted, value_of);
   }
 
 private:

@@ -27,23 +27,15 @@ struct system_of_rates : builder {
   }
 
   MatrixXd numbers(const kanexpr::symbolic::matrix& wanted) {
-    kanexpr::base::sequence<int> outputs;
-    for (const expression& e : wanted.entries) outputs.push(e.node());
-    kanexpr::runtime::interpreter<double> code(kanexpr::lower::tape_of(graph(), outputs));
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> result(wanted.rows,
-                                                                                  wanted.columns);
-    code.evaluate(
-        [&](const kanexpr::lower::load& l) {
-          using kanexpr::symbolic::symbol_kind;
-          const auto i = static_cast<std::size_t>(l.position);
-          if (l.from == symbol_kind::coordinate) return q_now.at(i);
-          if (l.from == symbol_kind::speed) return u_now.at(i);
-          if (l.from == symbol_kind::speed_rate) return 0.3 * l.position - 1;
-          if (l.from == symbol_kind::input) return r_now.at(i);
-          return t_now;
-        },
-        result.data());
-    return result;
+    return numbers_of(wanted, [&](const kanexpr::lower::load& l) {
+      using kanexpr::symbolic::symbol_kind;
+      const auto i = static_cast<std::size_t>(l.position);
+      if (l.from == symbol_kind::coordinate) return q_now.at(i);
+      if (l.from == symbol_kind::speed) return u_now.at(i);
+      if (l.from == symbol_kind::speed_rate) return 0.3 * l.position - 1;
+      if (l.from == symbol_kind::input) return r_now.at(i);
+      return t_now;
+    });
   }
 
   MatrixXd results(quantity wanted) {

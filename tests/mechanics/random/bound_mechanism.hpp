@@ -20,7 +20,7 @@ struct bound_mechanism {
     for (const constraint& c : bounds) bind(c);
   }
 
-  Eigen::MatrixXd found(kanexpr::mechanics::quantity q) { return number(b, m, derived.get(q)); }
+  Eigen::MatrixXd found(kanexpr::mechanics::quantity q) { return number(m, derived.get(q)); }
 
 private:
   void bind(const constraint& c) {

@@ -1,12 +1,12 @@
 // Builds a recipe as a mechanism of the library at run time, and evaluates its equations.
 #pragma once
 
+#include "numbers_of.hpp"
 #include "recipe.hpp"
 
 #include <Eigen/Core>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/interpreter.hpp>
 
 namespace recipe {
 
@@ -210,32 +210,25 @@ private:
 };
 
 // The value of each entry of a matrix of expressions, at the recipe's state.
-inline Eigen::MatrixXd number(builder& b, const mechanism& m, const kanexpr::symbolic::matrix& wanted,
+inline Eigen::MatrixXd number(const mechanism& m, const kanexpr::symbolic::matrix& wanted,
                               const std::vector<double>& udot = {}) {
-  kanexpr::base::sequence<int> outputs;
-  for (const expression& e : wanted.entries) outputs.push(e.node());
-  kanexpr::runtime::interpreter<double> code(kanexpr::lower::tape_of(b.graph(), outputs));
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> result(wanted.rows, wanted.columns);
-  code.evaluate(
-      [&](const kanexpr::lower::load& l) {
-        using kanexpr::symbolic::symbol_kind;
-        switch (l.from) {
-        case symbol_kind::time: return m.t;
-        case symbol_kind::coordinate: return m.q.at(at(l.position));
-        case symbol_kind::speed: return m.u.at(at(l.position));
-        case symbol_kind::parameter: return m.parameters.at(at(l.position));
-        case symbol_kind::input: return m.r.at(at(l.position));
-        case symbol_kind::speed_rate: return udot.at(at(l.position));
-        case symbol_kind::coordinate_rate:
-        case symbol_kind::auxiliary_speed:
-        case symbol_kind::multiplier:
-        case symbol_kind::weight:
-        case symbol_kind::direction: break;
-        }
-        return std::numeric_limits<double>::quiet_NaN(); // q̇ and auxiliary speeds must not remain
-      },
-      result.data());
-  return result;
+  return numbers_of(wanted, [&](const kanexpr::lower::load& l) {
+    using kanexpr::symbolic::symbol_kind;
+    switch (l.from) {
+    case symbol_kind::time: return m.t;
+    case symbol_kind::coordinate: return m.q.at(at(l.position));
+    case symbol_kind::speed: return m.u.at(at(l.position));
+    case symbol_kind::parameter: return m.parameters.at(at(l.position));
+    case symbol_kind::input: return m.r.at(at(l.position));
+    case symbol_kind::speed_rate: return udot.at(at(l.position));
+    case symbol_kind::coordinate_rate:
+    case symbol_kind::auxiliary_speed:
+    case symbol_kind::multiplier:
+    case symbol_kind::weight:
+    case symbol_kind::direction: break;
+    }
+    return std::numeric_limits<double>::quiet_NaN(); // q̇ and auxiliary speeds must not remain
+  });
 }
 
 } // namespace recipe

@@ -109,19 +109,52 @@ export function tracksOf(tracks, bendings) {
   return all;
 }
 
-/// A point or a frame that is fixed in the body of a track.
+/// The factor by which the deformations of flexible bodies are drawn larger than they are.
+export const deflections = { factor: 1 };
+
+const straight = new Vector3();
+const straightTurn = new Quaternion();
+
+/// Multiplies the angle of a rotation.
+function multiplyAngle(turn, factor) {
+  const sine = Math.hypot(turn.x, turn.y, turn.z);
+  if (sine === 0) return turn;
+  const half = factor * Math.atan2(sine, Math.abs(turn.w));
+  const part = (Math.sign(turn.w || 1) * Math.sin(half)) / sine;
+  return turn.set(part * turn.x, part * turn.y, part * turn.z, Math.cos(half));
+}
+
+/// A point or a frame that is fixed in the body of a track. If the deformation of a flexible body moves it, there
+/// is also an anchor at its undeformed place.
 export class Anchor {
-  constructor({ track, at = [0, 0, 0], turn = [0, 0, 0, 1] }, tracks) {
+  #undeformed;
+
+  constructor({ track, at = [0, 0, 0], turn = [0, 0, 0, 1], undeformed }, tracks) {
     this.track = tracks[track];
     this.at = new Vector3(...at);
     this.own = new Quaternion(...turn).normalize();
+    this.#undeformed = undeformed && new Anchor(undeformed, tracks);
+  }
+
+  get isDeformed() {
+    return this.#undeformed !== undefined;
+  }
+  get #isMagnified() {
+    return this.isDeformed && deflections.factor !== 1;
   }
 
   position(result) {
-    return result.copy(this.at).applyQuaternion(this.track.turn).add(this.track.position);
+    result.copy(this.at).applyQuaternion(this.track.turn).add(this.track.position);
+    if (!this.#isMagnified) return result;
+    this.#undeformed.position(straight);
+    return result.sub(straight).multiplyScalar(deflections.factor).add(straight);
   }
 
   turn(result) {
-    return result.copy(this.track.turn).multiply(this.own);
+    result.copy(this.track.turn).multiply(this.own);
+    if (!this.#isMagnified) return result;
+    this.#undeformed.turn(straightTurn).conjugate();
+    multiplyAngle(result.premultiply(straightTurn), deflections.factor);
+    return result.premultiply(straightTurn.conjugate());
   }
 }

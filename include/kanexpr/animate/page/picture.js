@@ -1,6 +1,7 @@
 // The picture of a motion.
 import { Box3, Group, Matrix4, Vector3 } from 'three';
 import { Camera } from './camera.js';
+import { deflectionSlider } from './deflections.js';
 import { extent } from './extent.js';
 import { ground } from './ground.js';
 import { layers } from './layers.js';
@@ -43,6 +44,7 @@ export function picture(motion, draw, view, changed) {
   camera.home();
   new ResizeObserver(resize).observe(view);
   layers(runs, size, changed);
+  deflectionSlider(runs, changed);
   const updateName = names(view, runs, camera);
 
   return {

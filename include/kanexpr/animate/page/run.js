@@ -26,6 +26,7 @@ export class Run {
     this.times = times;
     this.shapes = shapes;
     this.tracks = tracksOf(tracks, bendings);
+    this.bends = false;
     this.objects = shapes.map((shape, index) => this.#object(shape, index, meshes));
     this.solids = this.objects.filter((_, index) => shapes[index].kind !== 'trace' && !shapes[index].layer);
     if (number > 0) for (const object of this.objects) tint(object, colourOfRun(number));
@@ -36,6 +37,7 @@ export class Run {
   /// A shape of a layer is in a group, which is invisible while the layer is switched off.
   #object(shape, index, meshes) {
     const anchors = shape.anchors.map((anchor) => new Anchor(anchor, this.tracks));
+    this.bends ||= anchors.some((anchor) => anchor.isDeformed);
     const object = objectOf({ ...shape, anchors, path: () => this.#path(anchors[0]) }, index, meshes);
     object.shape = shape;
     object.run = this;

@@ -20,7 +20,8 @@ class dynamics_reader : part_reader {
   constexpr void each_listing(const Visit& visit) const {
     visit(reading_.from.dynamics);
     for (const describe::block_record& r : reading_.from.blocks) visit(r.dynamics);
-    for (const describe::load_record& r : reading_.from.loads) visit(r.dynamics);
+    for (const describe::load_record& r : reading_.from.loads)
+      if (r.dynamics.size != 0) visit(r.dynamics);
   }
 
 public:

@@ -94,6 +94,9 @@ public:
     each(from.bodies, [&](const body_record& r) { bodies_.read(r); });
     each(from.joints, [&](const joint_record& r) { joints_.read(r); });
     each(from.loads, [&](const load_record& r) { loads_.read_load(r); });
+    each(from.joints, [&](const joint_record& r) {
+      if (r.stops != nullptr) loads_.read_load(*r.stops);
+    });
     dynamics_.read();
     each(from.kinematics, [&](const phrase& p) { kinematics_.read(p); });
     if (!reading_.takes_rates_as_speeds()) {
@@ -117,8 +120,8 @@ public:
   /// Reads the loads, and the dynamics of state variables, that depend on motion; returns whether there are
   /// any.
   constexpr bool read_moving_loads() {
-    const bool is_any_load = loads_.read_moving_loads(), is_any_rate = dynamics_.read_moving();
-    return is_any_load || is_any_rate;
+    const bool is_any_load = loads_.read_moving_loads();
+    return (m_.state_variables != 0 && dynamics_.read_moving()) || is_any_load;
   }
   constexpr void read_constraints() { constraints_.read_constraints(); }
 
@@ -174,7 +177,8 @@ private:
     read_states(from.states);
     dynamics_.check_blocks();
     for (const describe::block_record& r : from.blocks) read_states(r.states);
-    for (const describe::load_record& r : from.loads) read_states(r.states);
+    for (const describe::load_record& r : from.loads)
+      if (r.states.size != 0) read_states(r.states);
     read_list(from.auxiliary, symbol_kind::speed, symbol_list::auxiliary_speeds,
               [&](const symbol_record& s) { symbols_.place_auxiliary_speed(s); });
     for (const describe::reaction_record& r : from.reactions)

@@ -6,8 +6,8 @@
 #include <kanexpr/describe/operators.hpp>
 #include <kanexpr/describe/record.hpp>
 #include <kanexpr/describe/symbol.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
-#include <array>
 #include <cstddef>
 
 /// Blocks: filters, controllers and delays with state variables of their own, which a system lists in

@@ -18,8 +18,8 @@ namespace describe {
 
 template <class Data>
 inline constexpr bool is_flexible_body_data = false;
-template <int amplitudes, int nodes>
-inline constexpr bool is_flexible_body_data<flexible_body_data<amplitudes, nodes>> = true;
+template <int... counts>
+inline constexpr bool is_flexible_body_data<flexible_body_data<counts...>> = true;
 
 template <class Body>
 inline constexpr flexible_record flexible_of = Body::flexible_description();
@@ -69,6 +69,7 @@ private:
     if (flexible_body_of_words::has_other_count())
       return "has by<...> with too few or too many symbols; write a coordinate for each amplitude, followed "
              "by a speed for each";
+    if constexpr (has_data && coordinates_count < 100) return given.mistake_of_elasticity();
     return {};
   }
 };

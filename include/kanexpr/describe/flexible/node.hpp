@@ -104,6 +104,17 @@ public:
       to.write(token_kind::multiply);
       sum.add_term();
     }
+    for (int k = 0; k < count; ++k)
+      for (int l = 0; l <= k; ++l) {
+        const double value = node.second_rotation[3 * (k * count + l) + i] / (l == k ? 8 : 4);
+        if (is_zero(value)) continue;
+        write_number(to, value);
+        write_amplitude(to, k);
+        write_amplitude(to, l);
+        to.write(token_kind::multiply);
+        to.write(token_kind::multiply);
+        sum.add_term();
+      }
     if (sum.is_empty()) write_number(to, 0);
   }
 

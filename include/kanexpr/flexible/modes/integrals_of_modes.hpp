@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/name.hpp>
 #include <kanexpr/flexible/modes/modal_model.hpp>
+#include <kanexpr/flexible/modes/rotary_inertia.hpp>
 #include <kanexpr/mechanics/model/flexible_data.hpp>
 
 #include <array>
@@ -23,6 +24,7 @@ public:
     form_angular(d);
     for (int k = 0; k < n_; ++k)
       for (int l = 0; l < n_; ++l) d.modal_mass[k * n_ + l] = trace(products(shape(k), shape(l)));
+    add_rotary_inertias(d);
     add_geometric_stiffness(d);
     copy(of_.stiffness, d.stiffness);
     copy(of_.damping, d.damping);
@@ -107,6 +109,21 @@ private:
     }
   }
 
+  void add_rotary_inertias(mechanics::flexible_data& d) const {
+    const auto at_node = [](const vectors& of, std::size_t node) {
+      return rotary_inertia::vector{of[3 * node], of[3 * node + 1], of[3 * node + 2]};
+    };
+    for (std::size_t node = 0; node < of_.inertias.size(); ++node) {
+      if (of_.inertias[node] == modal_model::tensor{}) continue;
+      add_rotary_inertia(
+          d, of_.inertias[node], [&](int k) { return at_node(of_.rotations[at(k)], node); },
+          [&](int k, int l) {
+            return of_.rotation_bends.empty() ? rotary_inertia::vector{}
+                                              : at_node(of_.rotation_bends[at(k * n_ + l)], node);
+          });
+    }
+  }
+
   /// These stiffnesses are the second-order terms of the integrals that multiply the accelerations.
   void add_geometric_stiffness(mechanics::flexible_data& d) const {
     const auto entry = [&](const std::vector<modal_model::matrix>& all, int i, int k, int l) {
@@ -128,6 +145,7 @@ private:
                                   .position = mechanics::taylor_series(3, n_)};
     made.orientation = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     made.rotation.resize(3 * n_);
+    if (!of_.rotation_bends.empty()) made.second_rotation.resize(3 * n_ * n_);
     for (int i = 0; i < 3; ++i) {
       const std::size_t place = 3 * a.node + at(i);
       made.position.constant(i) = of_.positions[place];
@@ -135,6 +153,8 @@ private:
         made.position.linear(k, i) = shape(k)[place];
         if (!of_.rotations.empty()) made.rotation[3 * k + i] = of_.rotations[at(k)][place];
         for (int l = 0; l < n_ && bends(); ++l) made.position.quadratic(k, l, i) = bend(k, l)[place];
+        for (int l = 0; l < n_ && !of_.rotation_bends.empty(); ++l)
+          made.second_rotation[3 * (k * n_ + l) + i] = of_.rotation_bends[at(k * n_ + l)][place];
       }
     }
     return made;

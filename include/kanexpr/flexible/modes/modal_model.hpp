@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@ namespace kanexpr::flexible::modes {
 struct modal_model {
   using vectors = std::vector<double>; ///< three components for each node
   using matrix = std::vector<double>;  ///< an entry for each pair of amplitudes, row by row
+  using tensor = std::array<std::array<double, 3>, 3>;
 
   /// An entry of the mass matrix, which is the same in all three directions.
   struct mass_entry {
@@ -27,8 +29,10 @@ struct modal_model {
   vectors positions{};
   std::vector<mass_entry> masses{};
   std::vector<vectors> shapes{};    ///< by amplitude: the displacements
-  std::vector<vectors> rotations{}; ///< by amplitude; empty: the nodes do not rotate
+  std::vector<vectors> rotations{}; ///< by amplitude: the rotation vectors; empty: the nodes do not rotate
   std::vector<vectors> bends{};     ///< by pair of amplitudes: ∂²r/∂q_k∂q_l; empty: zero
+  std::vector<vectors> rotation_bends{}; ///< the second derivatives of the rotation vectors; empty: zero
+  std::vector<tensor> inertias{};        ///< by node: about the node, in the axes of the body; empty: zero
   std::vector<attachment> attachments{};
   matrix modal_mass{}; ///< empty: that of the shapes
   matrix stiffness{}, damping{};

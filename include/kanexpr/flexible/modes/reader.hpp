@@ -61,17 +61,32 @@ public:
     if (all_.is_discarded()) return fail_by_syntax(text);
     if (!all_.is_object())
       return report_.fail("expected an object with the keys positions, masses and shapes");
-    return check_keys() && read_positions() && read_shapes() && read_masses() && read_matrices() &&
-           read_names() && read_attachments();
+    return check_keys() && read_positions() && read_shapes() && read_masses() && read_inertias() &&
+           read_matrices() && read_names() && read_attachments();
   }
 
 private:
   using json = nlohmann::json;
   using vectors = modal_model::vectors;
-  static constexpr std::array<std::string_view, 17> keys{
-      "positions", "masses",       "mass_matrix",          "shapes",    "rotations",   "bends",
-      "nodes",     "attachments",  "modal_mass",           "stiffness", "frequencies", "damping",
-      "ratios",    "acceleration", "angular_acceleration", "rotation",  "comment"};
+  static constexpr std::array<std::string_view, 19> keys{"positions",
+                                                         "masses",
+                                                         "mass_matrix",
+                                                         "inertias",
+                                                         "shapes",
+                                                         "rotations",
+                                                         "bends",
+                                                         "rotation_bends",
+                                                         "nodes",
+                                                         "attachments",
+                                                         "modal_mass",
+                                                         "stiffness",
+                                                         "frequencies",
+                                                         "damping",
+                                                         "ratios",
+                                                         "acceleration",
+                                                         "angular_acceleration",
+                                                         "rotation",
+                                                         "comment"};
 
   bool fail_by_syntax(const std::string& text) {
     detail::error_finder finder;
@@ -146,7 +161,9 @@ private:
     model.amplitudes = static_cast<int>(list.size());
     if (!read_by_amplitude("shapes", model.shapes) || !read_by_amplitude("rotations", model.rotations))
       return false;
-    return !has("bends") || read_bends();
+    if (has("rotation_bends") && !has("rotations"))
+      return report_.fail("the file contains rotation_bends, but no rotations");
+    return read_by_pair("bends", model.bends) && read_by_pair("rotation_bends", model.rotation_bends);
   }
   bool read_by_amplitude(const char* key, std::vector<vectors>& into) {
     if (!has(key)) return true;
@@ -156,20 +173,21 @@ private:
       if (!read_vectors(list[k], nodes(), into.emplace_back(), index(key, k))) return false;
     return true;
   }
-  bool read_bends() {
-    const json& rows = all_["bends"];
-    if (!has_size(rows, model.count(), "bends")) return false;
+  /// Reads vectors for each pair of amplitudes and each node, which are equal if the amplitudes are
+  /// exchanged.
+  bool read_by_pair(const char* key, std::vector<vectors>& into) {
+    if (!has(key)) return true;
+    const json& rows = all_[key];
+    if (!has_size(rows, model.count(), key)) return false;
     for (std::size_t k = 0; k < model.count(); ++k) {
-      if (!has_size(rows[k], model.count(), index("bends", k))) return false;
+      if (!has_size(rows[k], model.count(), index(key, k))) return false;
       for (std::size_t l = 0; l < model.count(); ++l)
-        if (!read_vectors(rows[k][l], nodes(), model.bends.emplace_back(), index(index("bends", k), l)))
-          return false;
+        if (!read_vectors(rows[k][l], nodes(), into.emplace_back(), index(index(key, k), l))) return false;
     }
     for (std::size_t k = 0; k < model.count(); ++k)
       for (std::size_t l = 0; l < k; ++l)
-        if (model.bends[k * model.count() + l] != model.bends[l * model.count() + k])
-          return report_.fail(index(index("bends", k), l) + " is not equal to " +
-                              index(index("bends", l), k));
+        if (into[k * model.count() + l] != into[l * model.count() + k])
+          return report_.fail(index(index(key, k), l) + " is not equal to " + index(index(key, l), k));
     return true;
   }
 
@@ -209,6 +227,52 @@ private:
         return report_.fail("mass_matrix is not symmetric in row " + std::to_string(place.first) +
                             " and column " + std::to_string(place.second));
     return true;
+  }
+
+  /// Reads the rotary inertias of the nodes, each as a matrix or as its diagonal.
+  bool read_inertias() {
+    if (!has("inertias")) return true;
+    if (!has("rotations"))
+      return report_.fail("the file contains inertias, but no rotations, by which the nodes turn");
+    if (!has_size(all_["inertias"], nodes(), "inertias")) return false;
+    for (std::size_t i = 0; i < nodes(); ++i)
+      if (!read_inertia(all_["inertias"][i], index("inertias", i))) return false;
+    return true;
+  }
+  bool read_inertia(const json& from, const std::string& what) {
+    if (!has_size(from, 3, what)) return false;
+    modal_model::tensor& into = model.inertias.emplace_back();
+    double largest = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::vector<double> row(3, 0.0);
+      if (from[i].is_number()) {
+        if (!read_number(from[i], row[i], index(what, i))) return false;
+      } else {
+        row.clear();
+        if (!read_list(from[i], 3, row, index(what, i))) return false;
+      }
+      std::ranges::copy(row, into[i].begin());
+      for (const double each : row) largest = (std::max)(largest, std::abs(each));
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3;
+      if (std::abs(into[i][j] - into[j][i]) > 1e-6 * largest)
+        return report_.fail(index(index(what, i), j) + " is not equal to " + index(index(what, j), i));
+      into[i][j] = into[j][i] = (into[i][j] + into[j][i]) / 2;
+    }
+    return has_no_negative_moment(into, largest) ||
+           report_.fail(what + " has a negative moment of inertia about some axis");
+  }
+  /// Whether a symmetric matrix is positive semidefinite, except for rounding.
+  static bool has_no_negative_moment(const modal_model::tensor& m, double largest) {
+    double determinant = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      const double rounding = 1e-6 * largest;
+      if (m[i][i] < -rounding || m[i][i] * m[j][j] - m[i][j] * m[i][j] < -rounding * largest) return false;
+      determinant += m[0][i] * (m[1][j] * m[2][k] - m[1][k] * m[2][j]);
+    }
+    return determinant >= -1e-6 * largest * largest * largest;
   }
 
   /// Reads a symmetric matrix of the amplitudes, or its diagonal.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/flexible/file_report.hpp>
+#include <kanexpr/flexible/limits.hpp>
 #include <kanexpr/flexible/sid/document.hpp>
 
 #include <cstddef>
@@ -9,38 +10,53 @@
 
 namespace kanexpr::flexible::sid {
 
-/// The order of the three indices of m1, which differs between programs.
+/// The order of the indices of m1 and m2, which differs between programs.
 enum class index_order { row_amplitude_column, row_column_amplitude };
 
 /// A series with all of its entries.
 struct dense {
   int rows = 0, columns = 0, amplitudes = 0;
-  std::vector<double> m0{}, m1{};
+  std::vector<double> m0{}, m1{}, m2{}; ///< m2 is empty if the series has no terms of second order
 
-  dense(int rows_, int columns_, int amplitudes_)
+  dense(int rows_, int columns_, int amplitudes_, bool has_second_order)
       : rows(rows_), columns(columns_), amplitudes(amplitudes_), m0(size_of(rows_ * columns_)),
-        m1(size_of(rows_ * columns_ * amplitudes_)) {}
+        m1(size_of(rows_ * columns_ * amplitudes_)),
+        m2(has_second_order ? size_of(rows_ * columns_ * amplitudes_ * amplitudes_) : 0) {}
 
   double& zeroth(int i, int j) { return m0[size_of(i * columns + j)]; }
   double zeroth(int i, int j) const { return m0[size_of(i * columns + j)]; }
-  double& first(int i, int j, int k) { return m1[size_of((i * columns + j) * amplitudes + k)]; }
-  double first(int i, int j, int k) const { return m1[size_of((i * columns + j) * amplitudes + k)]; }
+  double& first(int i, int j, int k) { return m1[place_of_first(i, j, k)]; }
+  double first(int i, int j, int k) const { return m1[place_of_first(i, j, k)]; }
+  void set_second(int i, int j, int k, int l, double value) { m2[place_of_second(i, j, k, l)] = value; }
+  /// The second derivative with respect to amplitudes k and l.
+  double second(int i, int j, int k, int l) const {
+    return m2.empty() ? 0 : m2[place_of_second(i, j, k, l)] + m2[place_of_second(i, j, l, k)];
+  }
 
 private:
   static std::size_t size_of(int n) { return static_cast<std::size_t>(n); }
+  std::size_t place_of_first(int i, int j, int k) const {
+    return size_of((i * columns + j) * amplitudes + k);
+  }
+  std::size_t place_of_second(int i, int j, int k, int l) const {
+    return place_of_first(i, j, k) * size_of(amplitudes) + size_of(l);
+  }
 };
 
-/// The column and the amplitude of an entry of m1.
+/// The column and the amplitudes of an entry of m1 or m2.
 struct place {
-  int column = 0, amplitude = 0;
+  int column = 0, amplitude = 0, other_amplitude = 0;
 };
 inline place place_of(const entry& e, index_order order) {
-  return order == index_order::row_amplitude_column ? place{e.third, e.second} : place{e.second, e.third};
+  const bool is_second = e.fourth != 0;
+  if (order == index_order::row_column_amplitude) return {e.second, e.third, is_second ? e.fourth : e.third};
+  return is_second ? place{e.fourth, e.second, e.third} : place{e.third, e.second, e.second};
 }
 
 inline bool is_within(const series& s, const entry& e, index_order order) {
   const place at = place_of(e, order);
-  return e.first <= s.rows && at.column <= s.columns && at.amplitude <= s.amplitudes;
+  return e.first <= s.rows && at.column <= s.columns && at.amplitude <= s.amplitudes &&
+         at.other_amplitude <= s.amplitudes;
 }
 
 /// Visits all series of a document.
@@ -55,7 +71,8 @@ void each_series(const document& d, Visit&& visit) {
 inline int entries_outside(const document& d, index_order order) {
   int outside = 0;
   each_series(d, [&](const series& s) {
-    for (const entry& e : s.m1) outside += is_within(s, e, order) ? 0 : 1;
+    for (const std::vector<entry>* entries : {&s.m1, &s.m2})
+      for (const entry& e : *entries) outside += is_within(s, e, order) ? 0 : 1;
   });
   return outside;
 }
@@ -80,11 +97,23 @@ inline bool check_size(const series& s, int rows, int columns, int amplitudes, f
   if (s.rows != rows || s.columns != columns)
     return report.fail(s.line, called + " has " + size_text(s.rows, s.columns) + "; expected " +
                                    size_text(rows, columns));
-  if (!s.m1.empty() && s.amplitudes != amplitudes)
+  if (!(s.m1.empty() && s.m2.empty()) && s.amplitudes != amplitudes)
     return report.fail(s.line, called + " depends on " + std::to_string(s.amplitudes) +
                                    " amplitudes; expected " + std::to_string(amplitudes) +
                                    ", the value of nelastq");
+  if (!s.m2.empty() && !fits_second_order(rows * columns, amplitudes))
+    return report.fail(s.line, called + " has terms of second order in " + std::to_string(amplitudes) +
+                                   " amplitudes; at most " + std::to_string(most_series_entries) +
+                                   " coefficients of a matrix are supported");
   return true;
+}
+
+/// The indices of an entry of m1 or m2, in parentheses.
+inline std::string indices_text(const entry& e) {
+  std::string text = "(" + std::to_string(e.first) + ", " + std::to_string(e.second) + ", ";
+  text += std::to_string(e.third);
+  if (e.fourth != 0) text += ", " + std::to_string(e.fourth);
+  return text + ")";
 }
 
 inline bool check_entries(const series& s, index_order order, file_report& report) {
@@ -94,12 +123,13 @@ inline bool check_entries(const series& s, index_order order, file_report& repor
       return report.fail(e.line, "m0(" + std::to_string(e.first) + ", " + std::to_string(e.second) +
                                      ") is outside of " + called + ", which has " +
                                      size_text(s.rows, s.columns));
-  for (const entry& e : s.m1)
-    if (!is_within(s, e, order))
-      return report.fail(e.line, "m1(" + std::to_string(e.first) + ", " + std::to_string(e.second) + ", " +
-                                     std::to_string(e.third) + ") is outside of " + called + ", which has " +
-                                     std::to_string(s.rows) + " rows, " + std::to_string(s.columns) +
-                                     " columns and " + std::to_string(s.amplitudes) + " amplitudes");
+  for (const std::vector<entry>* entries : {&s.m1, &s.m2})
+    for (const entry& e : *entries)
+      if (!is_within(s, e, order))
+        return report.fail(e.line, (e.fourth == 0 ? "m1" : "m2") + indices_text(e) + " is outside of " +
+                                       called + ", which has " + std::to_string(s.rows) + " rows, " +
+                                       std::to_string(s.columns) + " columns and " +
+                                       std::to_string(s.amplitudes) + " amplitudes");
   return true;
 }
 
@@ -109,13 +139,14 @@ inline bool check_entries(const series& s, index_order order, file_report& repor
 /// missing or contains no numbers has any size.
 inline bool is_valid(const series& s, int rows, int columns, int amplitudes, index_order order,
                      file_report& report) {
-  if (!s.is_given() || (s.m0.empty() && s.m1.empty() && s.structure != structure::unit)) return true;
+  const bool is_empty = s.m0.empty() && s.m1.empty() && s.m2.empty();
+  if (!s.is_given() || (is_empty && s.structure != structure::unit)) return true;
   return detail::check_size(s, rows, columns, amplitudes, report) && detail::check_entries(s, order, report);
 }
 
 /// The entries of a valid series. Entries that the structure implies are completed.
 inline dense dense_of(const series& s, int rows, int columns, int amplitudes, index_order order) {
-  dense all(rows, columns, amplitudes);
+  dense all(rows, columns, amplitudes, !s.m2.empty());
   if (s.is_given() && s.structure == structure::unit)
     for (int i = 0; i < rows && i < columns; ++i) all.zeroth(i, i) = 1;
   const auto set = [&](bool mirrored) {
@@ -123,11 +154,16 @@ inline dense dense_of(const series& s, int rows, int columns, int amplitudes, in
       const int i = e.first - 1, j = e.second - 1;
       all.zeroth(mirrored ? j : i, mirrored ? i : j) = e.value;
     }
-    for (const entry& e : s.m1) {
-      const place at = place_of(e, order);
-      const int i = e.first - 1, j = at.column - 1;
-      all.first(mirrored ? j : i, mirrored ? i : j, at.amplitude - 1) = e.value;
-    }
+    for (const std::vector<entry>* entries : {&s.m1, &s.m2})
+      for (const entry& e : *entries) {
+        const place at = place_of(e, order);
+        const int row = e.first - 1, column = at.column - 1, k = at.amplitude - 1;
+        const int i = mirrored ? column : row, j = mirrored ? row : column;
+        if (e.fourth == 0)
+          all.first(i, j, k) = e.value;
+        else
+          all.set_second(i, j, k, at.other_amplitude - 1, e.value);
+      }
   };
   if (s.structure == structure::symmetric && rows == columns) set(true);
   set(false);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,9 +9,9 @@
 /// The contents of a file with standard input data, as written.
 namespace kanexpr::flexible::sid {
 
-/// One number of a Taylor series: m0(row, column) or m1 with three indices, all counted from 1.
+/// One number of a Taylor series: m0(row, column), m1 with three indices or m2 with four, all counted from 1.
 struct entry {
-  int first = 0, second = 0, third = 0;
+  int first = 0, second = 0, third = 0, fourth = 0;
   double value = 0;
   int line = 0;
 };
@@ -18,15 +19,21 @@ struct entry {
 /// How the entries of a matrix are stored.
 enum class structure : int { zero, diagonal, symmetric, full, unit };
 
-/// A matrix as a series of first order in the amplitudes: M(q) = m0 + Σ_k m1_k q_k.
+/// A matrix as a series in the amplitudes: M(q) = m0 + Σ_k m1_k q_k + Σ_kl m2_kl q_k q_l.
 struct series {
   std::string_view called{};
   int line = 0; ///< 0 if the file does not contain it
   int order = 0, rows = 0, columns = 0, amplitudes = 0;
   sid::structure structure = sid::structure::full;
-  std::vector<entry> m0{}, m1{};
+  std::vector<entry> m0{}, m1{}, m2{};
 
   bool is_given() const { return line != 0; }
+  /// The line of the first term of second order that is not zero; 0 if there is none.
+  int line_of_second_order() const {
+    for (const entry& e : m2)
+      if (std::abs(e.value) > 0) return e.line;
+    return 0;
+  }
 };
 
 struct node {

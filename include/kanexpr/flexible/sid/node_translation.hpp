@@ -9,6 +9,8 @@
 #include <kanexpr/flexible/sid/document.hpp>
 #include <kanexpr/mechanics/model/flexible_data.hpp>
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <set>
 #include <string>
@@ -16,9 +18,11 @@
 
 namespace kanexpr::flexible::sid {
 
-/// Translates the nodes of standard input data. A node is at origin(q) = origin + phi q + ½ phi1 q q, where
-/// phi1 is the linear part of phi, and its axes are turned by psi q; the linear parts of origin and AP follow
-/// from these.
+/// Translates the nodes of standard input data. Its velocity and its angular velocity relative to the frame
+/// of the body are phi(q) q̇ and psi(q) q̇. To the second order, a node is therefore at origin + phi q + ½ phi1
+/// q q, where phi1 is the linear part of phi, and its axes are turned by the rotation vector psi q + ½ psi1 q
+/// q, where psi1 is the symmetric part of the linear part of psi. The other terms of origin, psi and AP
+/// follow.
 class node_translation {
 public:
   base::sequence<mechanics::flexible_node> nodes{};
@@ -49,6 +53,13 @@ private:
       return report_.fail(given.line, "node " + printable(given.called) + " has no origin");
     if (!is(given.origin, 1) || !is(given.phi, n_) || !is(given.psi, n_) || !is(given.orientation, 3))
       return false;
+    for (const series* s : {&given.phi, &given.psi})
+      if (const int line = s->line_of_second_order())
+        return report_.fail(line,
+                            std::string(s->called) + " of node " + printable(given.called) +
+                                " has terms of second order in the amplitudes; the place of a node is "
+                                "described to the second order, for which the first order of phi and psi "
+                                "suffices");
     into.called = base::name(given.called);
     into.position = mechanics::taylor_series(3, n_);
     into.orientation.resize(9);
@@ -61,14 +72,18 @@ private:
   bool translate_position(const node& given, mechanics::flexible_node& into) {
     const dense origin = dense_of(given.origin, 1), shapes = dense_of(given.phi, n_);
     const bool has_phi = !given.phi.m0.empty(), has_linear = !given.origin.m1.empty();
-    comparison linear;
+    const bool has_second = !given.phi.m1.empty();
+    comparison linear, quadratic;
     for (int i = 0; i < 3; ++i) {
       into.position.constant(i) = origin.zeroth(i, 0);
       for (int k = 0; k < n_; ++k) {
         into.position.linear(k, i) = has_phi ? shapes.zeroth(i, k) : origin.first(i, 0, k);
         linear.add(origin.first(i, 0, k), into.position.linear(k, i));
-        for (int l = 0; l < n_; ++l)
-          into.position.quadratic(k, l, i) = (shapes.first(i, k, l) + shapes.first(i, l, k)) / 2;
+        for (int l = 0; l < n_; ++l) {
+          into.position.quadratic(k, l, i) =
+              has_second ? (shapes.first(i, k, l) + shapes.first(i, l, k)) / 2 : origin.second(i, 0, k, l);
+          if (!origin.m2.empty()) quadratic.add(origin.second(i, 0, k, l), into.position.quadratic(k, l, i));
+        }
       }
     }
     const auto name = [&](std::size_t e) {
@@ -76,7 +91,11 @@ private:
       return "the coefficient of amplitude " + at(k) + " in origin" + at((static_cast<int>(e) - k) / n_, 0) +
              " of node " + printable(given.called);
     };
-    return !has_linear || agrees(linear, given.origin.line, name, "phi gives", options_, report_);
+    const auto second_name = [&](std::size_t) {
+      return "a second derivative of origin of node " + printable(given.called);
+    };
+    return (!has_linear || agrees(linear, given.origin.line, name, "phi gives", options_, report_)) &&
+           agrees(quadratic, given.origin.line, second_name, "phi gives", options_, report_);
   }
 
   bool translate_orientation(const node& given, mechanics::flexible_node& into) {
@@ -90,9 +109,93 @@ private:
       for (int i = 0; i < 3; ++i)
         into.rotation[3 * k + i] =
             given.psi.m0.empty() ? rotation_in(turned, into, k, i) : rotations.zeroth(i, k);
-    if (!check_rotation_matrix(given, into) || !check_turning(given, into, turned)) return false;
+    translate_second_rotation(given, into, turned, rotations);
+    if (!check_rotation_matrix(given, into) || !check_turning(given, into, turned) ||
+        !check_second_turning(given, into, turned) || !check_second_rotation(given, into, rotations))
+      return false;
     make_orthonormal(into.orientation);
     return true;
+  }
+
+  void translate_second_rotation(const node& given, mechanics::flexible_node& into, const dense& turned,
+                                 const dense& rotations) const {
+    const bool has_psi = !given.psi.m1.empty(), has_axes = !turned.m2.empty();
+    if (!has_psi && !has_axes) return;
+    into.second_rotation.resize(3 * n_ * n_);
+    for (int k = 0; k < n_; ++k)
+      for (int l = 0; l < n_; ++l)
+        for (int i = 0; i < 3; ++i)
+          into.second_rotation[3 * (k * n_ + l) + i] =
+              has_psi ? (rotations.first(i, k, l) + rotations.first(i, l, k)) / 2
+                      : second_rotation_in(turned, into, k, l, i);
+  }
+
+  /// Component i of the second derivative of the rotation vector, from that of the orientation Γ. Its product
+  /// with Γᵀ is ½ ([ψ_k]× [ψ_l]× + [ψ_l]× [ψ_k]×), which is symmetric, and the cross product matrix sought.
+  static double second_rotation_in(const dense& turned, const mechanics::flexible_node& into, int k, int l,
+                                   int i) {
+    const auto product = [&](int row, int column) {
+      double entry = 0;
+      for (int j = 0; j < 3; ++j) entry += turned.second(row, j, k, l) * into.orientation[3 * column + j];
+      return entry;
+    };
+    const int a = (i + 1) % 3, b = (i + 2) % 3;
+    return (product(b, a) - product(a, b)) / 2;
+  }
+
+  /// Compares the antisymmetric part of the linear part of psi, if it is not zero, with ψ_l × ψ_k / 2, which
+  /// the angular velocity of a rotation vector contains.
+  bool check_second_rotation(const node& given, const mechanics::flexible_node& into,
+                             const dense& rotations) {
+    comparison antisymmetric;
+    bool is_symmetric = true;
+    for (int k = 0; k < n_; ++k)
+      for (int l = 0; l < k; ++l)
+        for (int i = 0; i < 3; ++i) {
+          const int a = (i + 1) % 3, b = (i + 2) % 3;
+          const base::sequence<double>& psi = into.rotation;
+          const double written = (rotations.first(i, k, l) - rotations.first(i, l, k)) / 2;
+          is_symmetric = is_symmetric && !(std::abs(written) > 0);
+          antisymmetric.add(written, (psi[3 * l + a] * psi[3 * k + b] - psi[3 * l + b] * psi[3 * k + a]) / 2);
+        }
+    const auto name = [&](std::size_t) {
+      return "half of the difference of coefficients with exchanged amplitudes in psi of node " +
+             printable(given.called);
+    };
+    return is_symmetric ||
+           agrees(antisymmetric, given.psi.line, name, "its constant part gives", options_, report_);
+  }
+
+  /// Compares the terms of second order in AP with those that follow from the rotation vector.
+  bool check_second_turning(const node& given, const mechanics::flexible_node& into, const dense& turned) {
+    if (turned.m2.empty()) return true;
+    comparison quadratic;
+    for (int k = 0; k < n_; ++k)
+      for (int l = 0; l <= k; ++l)
+        for (int j = 0; j < 3; ++j) {
+          const std::array<double, 3> axis = column_of(into.orientation, j);
+          const std::array<double, 3> first = vector_at(into.rotation, k),
+                                      second = vector_at(into.rotation, l);
+          const std::array<double, 3> one = cross(first, cross(second, axis)),
+                                      other = cross(second, cross(first, axis)),
+                                      own = cross(vector_at(into.second_rotation, k * n_ + l), axis);
+          for (std::size_t i = 0; i < 3; ++i)
+            quadratic.add(turned.second(static_cast<int>(i), j, k, l), (one[i] + other[i]) / 2 + own[i]);
+        }
+    const auto name = [&](std::size_t) {
+      return "a second derivative of AP of node " + printable(given.called);
+    };
+    return agrees(quadratic, given.orientation.line, name, "psi gives", options_, report_);
+  }
+
+  static std::array<double, 3> vector_at(const base::sequence<double>& from, int place) {
+    return {from[3 * place], from[3 * place + 1], from[3 * place + 2]};
+  }
+  static std::array<double, 3> column_of(const base::sequence<double>& matrix, int j) {
+    return {matrix[j], matrix[3 + j], matrix[6 + j]};
+  }
+  static std::array<double, 3> cross(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
   }
 
   /// Component i of the rotation with amplitude k, from the linear part [ψ_k]× Γ of the orientation Γ.

@@ -160,9 +160,9 @@ private:
     int stored = 0, ignored = 0;
     if (line_.is("order")) {
       if (!read_count(into.order, "the order" + of)) return false;
-      return into.order < 2 ||
+      return into.order < 3 ||
              report_.fail(line_.number,
-                          "the order" + of + " is " + std::to_string(into.order) + "; expected 0 or 1");
+                          "the order" + of + " is " + std::to_string(into.order) + "; expected 0, 1 or 2");
     }
     if (line_.is("nrow")) return read_count(into.rows, "the number of rows" + of);
     if (line_.is("ncol")) return read_count(into.columns, "the number of columns" + of);
@@ -178,7 +178,13 @@ private:
     }
     if (is_same_word(line_.key.substr(0, 2), "m0")) return read_entry(into.m0, 2, of);
     if (is_same_word(line_.key.substr(0, 2), "m1")) return read_entry(into.m1, 3, of);
-    return fail_here("order, nrow, ncol, nq, nqn, structure, m0, m1 or end " + std::string(into.called));
+    if (is_same_word(line_.key.substr(0, 2), "m2")) return read_entry(into.m2, 4, of);
+    if (is_same_word(line_.key.substr(0, 2), "mn"))
+      return report_.fail(line_.number,
+                          "mn" + of +
+                              " counts products of amplitudes in an order that standard input "
+                              "data do not define; write m2 with the indices of both amplitudes");
+    return fail_here("order, nrow, ncol, nq, nqn, structure, m0, m1, m2 or end " + std::string(into.called));
   }
 
   bool read_entry(std::vector<entry>& into, int indices, const std::string& of) {
@@ -187,14 +193,15 @@ private:
     std::string_view list = trimmed(line_.key.substr(2));
     const bool enclosed = list.starts_with('(') && list.ends_with(')');
     if (enclosed) list = list.substr(1, list.size() - 2);
-    const std::array<int*, 3> each{&read.first, &read.second, &read.third};
+    const std::array<int*, 4> each{&read.first, &read.second, &read.third, &read.fourth};
+    static constexpr std::array<const char*, 5> forms{"", "", "m0(row, column)", "m1 with three indices",
+                                                      "m2 with four indices"};
     for (int i = 0; i < indices; ++i) {
       const std::size_t comma = list.find(',');
       const std::optional<int> index = count_in(trimmed(list.substr(0, comma)));
       const bool is_last = i + 1 == indices;
       if (!enclosed || !index || *index == 0 || (comma == list.npos) != is_last)
-        return fail_here((indices == 2 ? "m0(row, column)" : "m1 with three indices") + of +
-                         ", counted from 1");
+        return fail_here(forms[static_cast<std::size_t>(indices)] + of + ", counted from 1");
       *each[static_cast<std::size_t>(i)] = *index;
       if (!is_last) list = list.substr(comma + 1);
     }

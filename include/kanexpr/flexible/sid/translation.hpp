@@ -7,6 +7,7 @@
 #include <kanexpr/flexible/options.hpp>
 #include <kanexpr/flexible/sid/dense.hpp>
 #include <kanexpr/flexible/sid/document.hpp>
+#include <kanexpr/flexible/sid/elasticity_translation.hpp>
 #include <kanexpr/flexible/sid/node_translation.hpp>
 #include <kanexpr/mechanics/model/flexible_data.hpp>
 
@@ -35,8 +36,10 @@ public:
 
   /// Whether the file defines a body; otherwise, the report contains the mistake.
   bool translate() {
-    return check_contents() && check_sizes() && translate_elasticity() && translate_first_moment() &&
-           translate_inertia() && translate_angular() && translate_gyroscopic() && translate_nodes();
+    return check_contents() && check_sizes() && check_orders() && translate_modal_mass() &&
+           elasticity_translation(from_, order_, options_, report_, data).translate() &&
+           translate_first_moment() && translate_inertia() && translate_angular() && translate_gyroscopic() &&
+           translate_nodes();
   }
 
 private:
@@ -76,6 +79,25 @@ private:
            is(matrix::ksigma, n_, 1) && is(matrix::ke, n_, n_) && is(matrix::de, n_, n_);
   }
 
+  /// Refuses terms of third and higher order in the kinetic energy, except for those of first order in Me and
+  /// Ge, which are ignored.
+  bool check_orders() {
+    for (matrix m : {matrix::ct, matrix::cr, matrix::me, matrix::gr, matrix::ge, matrix::oe})
+      if (const int line = from_[m].line_of_second_order())
+        return report_.fail(line, std::string(from_[m].called) +
+                                      " has terms of second order in the amplitudes, which are of third or "
+                                      "higher order in the kinetic energy; the equations follow from this "
+                                      "energy to the second order in the amplitudes and their rates");
+    for (matrix m : {matrix::me, matrix::ge})
+      for (const entry& e : from_[m].m1)
+        if (std::abs(e.value) > 0) {
+          report_.note(line_of(m), "the linear part of " + std::string(from_[m].called) +
+                                       " is ignored, because it is of third order in the kinetic energy");
+          break;
+        }
+    return true;
+  }
+
   dense dense_of(matrix m, int rows, int columns) const {
     return sid::dense_of(from_[m], rows, columns, n_, order_);
   }
@@ -107,6 +129,8 @@ private:
   bool translate_first_moment() {
     const dense moment = dense_of(matrix::mdcm, 3, 1), coupling = dense_of(matrix::ct, n_, 3);
     comparison linear{size_of_rate(data.mass)}, symmetry{size_of_rate(data.mass)};
+    const bool is_provided = !moment.m2.empty() && from_[matrix::ct].m1.empty();
+    if (is_provided) report_.note(line_of(matrix::ct), "Ct has no linear part; mdCM provides it");
     for (int i = 0; i < 3; ++i) {
       data.first_moment.constant(i) = moment.zeroth(i, 0);
       for (int k = 0; k < n_; ++k) {
@@ -118,9 +142,10 @@ private:
       for (int i = 0; i < 3; ++i)
         for (int l = 0; l < n_; ++l) {
           const double one = coupling.first(k, i, l), other = coupling.first(l, i, k);
-          data.first_moment.quadratic(k, l, i) = (one + other) / 2;
+          data.first_moment.quadratic(k, l, i) = is_provided ? moment.second(i, 0, k, l) : (one + other) / 2;
           symmetry.add(one, other);
         }
+    if (!check_second_moment(moment)) return false;
     const auto linear_name = [&](std::size_t e) {
       const int k = amplitude_of(e);
       return "the coefficient of amplitude " + at(k) + " in mdCM" + at((static_cast<int>(e) - k) / n_, 0);
@@ -130,6 +155,17 @@ private:
       return false;
     return agrees(symmetry, line_of(matrix::ct), linear_entry_name("Ct", 3),
                   "the coefficient with exchanged amplitudes is", options_, report_);
+  }
+
+  /// Compares the terms of second order in mdCM with Ct.
+  bool check_second_moment(const dense& moment) {
+    comparison quadratic{size_of_rate(data.mass)};
+    for (int i = 0; i < 3 && !moment.m2.empty(); ++i)
+      for (int k = 0; k < n_; ++k)
+        for (int l = 0; l <= k; ++l)
+          quadratic.add(moment.second(i, 0, k, l), data.first_moment.quadratic(k, l, i));
+    const auto name = [](std::size_t) { return std::string("a second derivative of mdCM"); };
+    return agrees(quadratic, line_of(matrix::mdcm), name, "Ct gives", options_, report_);
   }
 
   /// The entry of J in a file for entry e of `flexible_data::inertia`.
@@ -152,7 +188,27 @@ private:
             has_linear ? inertia.first(p.amplitude, p.column, k) : weight(e) * centrifugal.zeroth(k, e);
     }
     if (!has_linear && has_oe) report_.note(line_of(matrix::j), "J has no linear part; Oe provides it");
-    return translate_centrifugal(centrifugal, has_linear && has_oe);
+    return translate_centrifugal(centrifugal, has_linear && has_oe) && translate_second_inertia(inertia);
+  }
+
+  /// Compares the terms of second order in J with Oe, or uses them if Oe has no linear part.
+  bool translate_second_inertia(const dense& inertia) {
+    const bool is_provided = from_[matrix::oe].m1.empty();
+    if (is_provided)
+      report_.note(inertia.m2.empty()
+                       ? "Oe has no linear part, so the inertia is only of first order in the amplitudes"
+                       : "Oe has no linear part; J provides it");
+    comparison quadratic{largest_modal_mass()};
+    for (int e = 0; e < 6 && !inertia.m2.empty(); ++e)
+      for (int k = 0; k < n_; ++k)
+        for (int l = 0; l < n_; ++l) {
+          const place p = inertia_place(e);
+          const double given = inertia.second(p.amplitude, p.column, k, l);
+          if (is_provided) data.inertia.quadratic(k, l, e) = given;
+          quadratic.add(given, data.inertia.quadratic(k, l, e));
+        }
+    const auto name = [](std::size_t) { return std::string("a second derivative of J"); };
+    return agrees(quadratic, line_of(matrix::j), name, "Oe gives", options_, report_);
   }
 
   /// The factor from an entry of Oe to one of J.
@@ -169,8 +225,6 @@ private:
           symmetry.add(one, other);
         }
       }
-    if (from_[matrix::oe].m1.empty())
-      report_.note("Oe has no linear part, so the inertia is only of first order in the amplitudes");
     const auto constant_name = [](std::size_t e) {
       return "Oe" + at(static_cast<int>(e) / 6, static_cast<int>(e) % 6);
     };
@@ -220,44 +274,46 @@ private:
     for (int i = 0; i < 3; ++i)
       for (int k = 0; k < n_; ++k)
         for (int j = 0; j < 3; ++j)
-          constant.add(gyroscopic.zeroth(i, 3 * k + j), inertia_rate(k, i, j) - cross_entry(k, i, j));
+          constant.add(gyroscopic.zeroth(i, 3 * k + j),
+                       data.inertia.linear(k, inertia_entry(i, j)) -
+                           cross_entry(i, j, [&](int c) { return data.angular.constant(3 * k + c); }));
     const auto name = [n = n_](std::size_t e) {
       return "Gr" + at(static_cast<int>(e) / (3 * n), static_cast<int>(e) % (3 * n));
     };
-    return agrees(constant, line_of(matrix::gr), name, "J and Cr give", options_, report_);
+    return agrees(constant, line_of(matrix::gr), name, "J and Cr give", options_, report_) &&
+           check_linear_gyroscopic(gyroscopic);
   }
 
-  double inertia_rate(int k, int i, int j) const {
-    return data.inertia.linear(k, i == j ? i : i + j == 1 ? 3 : i + j == 3 ? 4 : 5);
+  /// Compares the linear part of Gr with those of Oe and Cr, ∂Gr_k/∂q_l = ∂J_k/∂q_l − [∂H_k/∂q_l]×.
+  bool check_linear_gyroscopic(const dense& gyroscopic) {
+    if (from_[matrix::gr].m1.empty() || from_[matrix::oe].m1.empty()) return true;
+    comparison linear{largest_modal_mass()};
+    for (int i = 0; i < 3; ++i)
+      for (int k = 0; k < n_; ++k)
+        for (int j = 0; j < 3; ++j)
+          for (int l = 0; l < n_; ++l)
+            linear.add(gyroscopic.first(i, 3 * k + j, l),
+                       data.inertia.quadratic(k, l, inertia_entry(i, j)) -
+                           cross_entry(i, j, [&](int c) { return data.angular.linear(l, 3 * k + c); }));
+    return agrees(linear, line_of(matrix::gr), linear_entry_name("Gr", 3 * n_), "Oe and Cr give", options_,
+                  report_);
   }
-  /// Entry (i, j) of [H_k]×.
-  double cross_entry(int k, int i, int j) const {
+
+  /// The place of entry (i, j) of a symmetric matrix in the order of `flexible_data::inertia`.
+  static int inertia_entry(int i, int j) { return i == j ? i : i + j == 1 ? 3 : i + j == 3 ? 4 : 5; }
+  /// Entry (i, j) of [v]× for a vector with the given components.
+  template <class Component>
+  static double cross_entry(int i, int j, const Component& v) {
     if (i == j) return 0;
-    const double third = data.angular.constant(3 * k + (3 - i - j));
+    const double third = v(3 - i - j);
     return (i + 1) % 3 == j ? -third : third;
   }
 
-  bool translate_elasticity() {
-    const dense preload = dense_of(matrix::ksigma, n_, 1);
-    for (int k = 0; k < n_; ++k) data.preload[k] = preload.zeroth(k, 0);
-    return translate_symmetric(matrix::me, data.modal_mass) &&
-           translate_symmetric(matrix::ke, data.stiffness) && translate_symmetric(matrix::de, data.damping);
-  }
-
-  bool translate_symmetric(matrix m, base::sequence<double>& into) {
-    const dense given = dense_of(m, n_, n_);
-    if (!from_[m].m1.empty())
-      report_.note(line_of(m), "the linear part of " + std::string(from_[m].called) + " is ignored");
-    comparison symmetry;
-    for (int k = 0; k < n_; ++k)
-      for (int l = 0; l < n_; ++l) {
-        into[k * n_ + l] = (given.zeroth(k, l) + given.zeroth(l, k)) / 2;
-        symmetry.add(given.zeroth(k, l), given.zeroth(l, k));
-      }
-    const auto name = [&](std::size_t e) {
-      return std::string(from_[m].called) + at(static_cast<int>(e) / n_, amplitude_of(e));
-    };
-    return agrees(symmetry, line_of(m), name, "the opposite entry is", options_, report_);
+  bool translate_modal_mass() {
+    const dense given = dense_of(matrix::me, n_, n_);
+    return add_symmetric([&](int k, int l) { return given.zeroth(k, l); }, n_, data.modal_mass,
+                         line_of(matrix::me), [](int k, int l) { return "Me" + at(k, l); }, options_,
+                         report_);
   }
 
   bool translate_nodes() {

@@ -73,6 +73,15 @@ constexpr sentence check_symmetry(const mechanism& m, const symbolic::matrix& a,
   return {};
 }
 
+/// Reports a negative number on the diagonal of a matrix of a flexible body, such as "the stiffness of ".
+constexpr sentence check_not_negative(const mechanism& m, const symbolic::matrix& a, std::string_view of,
+                                      const sequence<expression>& amplitudes, std::string_view body) {
+  for (int k = 0; k < a.rows; ++k)
+    if (is_negative(a(k, k)))
+      return sentence({of, called(m, amplitudes[k]), ", an amplitude of ", body, ", is negative"});
+  return {};
+}
+
 namespace detail {
 
 /// Checks the integrals of one flexible body.

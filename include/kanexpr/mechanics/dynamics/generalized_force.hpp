@@ -54,6 +54,7 @@ public:
       moment_[f] -= moment;
     }
     for (const flexible_part& p : s_.flexible_parts) add(p, inertia_demand(k, p), -m_.one());
+    if (m_.state_variables == 0) return;
     for (int i = m_.speeds_of_motion(); i < m_.speeds.size(); ++i) share_[i] -= k.rate(m_.speeds[i]);
   }
 

@@ -15,8 +15,8 @@ constexpr void add_flexible_body(mechanism& m, loads& acting, const flexible_bod
                                  const flexible_expressions& of) {
   m.flexible_bodies.push(b);
   acting.potential_energies.push(elastic_energy(b.amplitudes, of.stiffness()));
-  const expression preload = of.preload_energy();
-  if (!preload.is_zero()) acting.potential_energies.push({preload});
+  const expression further = of.further_energy();
+  if (!further.is_zero()) acting.potential_energies.push({further, true});
   const symbolic::matrix damping = of.damping();
   bool is_damped = false;
   for (const expression& e : damping.entries) is_damped = is_damped || !e.is_zero();

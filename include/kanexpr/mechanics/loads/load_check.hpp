@@ -27,6 +27,7 @@ public:
   /// Checks an expression that may contain anything except rates of speeds. `of` and `whose` name it, as in
   /// "the force at " and "P". The rates of state variables are known before those of the speeds.
   constexpr void check_no_speed_rates(expression e, std::string_view of, std::string_view whose) {
+    if (!held_.holds(e, kind::speed_rate)) return;
     for (const int id : held_.symbols_in(e, {kind::speed_rate}))
       if (const symbolic::symbol& s = m_.g->symbol_at(id); s.position < m_.speeds_of_motion())
         fail({of, whose, " contains the ", symbol_called(m_, s.kind, s.called.view()).view()});

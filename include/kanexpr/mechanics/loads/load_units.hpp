@@ -8,6 +8,7 @@
 #include <kanexpr/units/unit.hpp>
 
 #include <initializer_list>
+#include <optional>
 #include <string_view>
 
 namespace kanexpr::mechanics {
@@ -32,6 +33,8 @@ public:
   constexpr void suggest_coefficient(expression e, expression rate, const units::unit& u) {
     by_.suggest_coefficient(e, rate, u);
   }
+  /// The unit of an expression; none if it is not determined.
+  constexpr std::optional<units::unit> unit_of(expression e) const { return by_.unit_of(e); }
   /// Whether the unit of an expression is known to be the radian.
   constexpr bool is_angle(expression e) const { return by_.unit_of(e) == units::si::radian; }
 

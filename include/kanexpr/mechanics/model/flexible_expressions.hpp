@@ -11,6 +11,9 @@
 #include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/symbolic/numbers/number.hpp>
 
+#include <cstddef>
+#include <type_traits>
+
 namespace kanexpr::mechanics {
 
 /// Forms the expressions of a flexible body from its numbers.
@@ -34,12 +37,21 @@ public:
   }
 
   constexpr symbolic::matrix stiffness() const { return matrix_of(data_.stiffness); }
-  constexpr symbolic::matrix damping() const { return matrix_of(data_.damping); }
+  constexpr symbolic::matrix damping() const {
+    symbolic::matrix d = matrix_of(data_.damping);
+    for (const damping_term& t : data_.damping_terms) {
+      const expression value = product(t.coefficient, t.amplitudes);
+      d(t.row, t.column) += value;
+      if (t.row != t.column) d(t.column, t.row) += value;
+    }
+    return d;
+  }
 
-  /// The energy f·q of the reference stresses.
-  constexpr expression preload_energy() const {
+  /// The energy of the reference stresses, f·q, and the terms of higher than second order.
+  constexpr expression further_energy() const {
     expression energy = zero();
     for (int k = 0; k < size(); ++k) energy += number(data_.preload[k]) * q_[k];
+    for (const elastic_term& t : data_.elastic_terms) energy += product(t.coefficient, t.amplitudes);
     return energy;
   }
 
@@ -50,8 +62,15 @@ public:
   /// equals them to the second order.
   constexpr components turn(const flexible_node& node) const {
     components quarter(g_);
-    for (int i = 0; i < 3; ++i)
-      for (int k = 0; k < size(); ++k) quarter[i] += number(node.rotation[3 * k + i] / 4) * q_[k];
+    for (int i = 0; i < 3; ++i) {
+      for (int k = 0; k < size() && !node.rotation.empty(); ++k)
+        quarter[i] += number(node.rotation[3 * k + i] / 4) * q_[k];
+      for (int k = 0; k < size() && !node.second_rotation.empty(); ++k)
+        for (int l = 0; l <= k; ++l) {
+          const double second = node.second_rotation[3 * (k * size() + l) + i];
+          quarter[i] += number(second / (l == k ? 8 : 4)) * (q_[k] * q_[l]);
+        }
+    }
     return quarter;
   }
 
@@ -59,7 +78,8 @@ public:
   constexpr matrix3 orientation(const flexible_node& node) const {
     matrix3 cosines;
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) cosines(i, j) = number(node.orientation[3 * i + j]);
+      for (int j = 0; j < 3; ++j)
+        cosines(i, j) = number(node.orientation.empty() ? i == j : node.orientation[3 * i + j]);
     return cosines;
   }
 
@@ -67,6 +87,15 @@ private:
   constexpr int size() const { return q_.size(); }
   constexpr expression zero() const { return {g_, graph::zero}; }
   constexpr expression number(double value) const { return symbolic::constant(g_, symbolic::real(value)); }
+
+  /// The product of a coefficient and amplitudes.
+  template <std::size_t count>
+  constexpr expression product(double coefficient, const int (&amplitudes)[count]) const {
+    expression value = number(coefficient);
+    for (const int k : amplitudes)
+      if (k >= 0) value = value * q_[k];
+    return value;
+  }
 
   /// c + Σ_k q_k (c_k + ½ c_kk q_k + Σ_{l < k} c_kl q_l).
   constexpr expression value_of(const taylor_series& f, int i) const {

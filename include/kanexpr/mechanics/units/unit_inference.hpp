@@ -33,6 +33,7 @@ namespace kanexpr::mechanics {
 class unit_inference {
 public:
   constexpr explicit unit_inference(const mechanism& m) : m_(m), g_(*m.g) {
+    mark_amplitudes();
     for (const stated_unit& each : m.stated_units) state(each);
     for (const prescribed_rate& p : m.prescribed_rates) {
       const unit_product quantity = of(p.quantity);
@@ -346,7 +347,35 @@ private:
   constexpr unit_product of_product(const symbolic::node& n, int sign) {
     unit_product left = of(n.a), right = of(n.b);
     if (left.fits_all && right.fits_all) return left;
+    if (left.fits_all != right.fits_all && is_deformation(left.fits_all ? n.b : n.a))
+      return relations_.add_unknown();
     return times_power(left, right, sign * units::unit::parts);
+  }
+
+  /// Marks the amplitudes of beams, whose units are expected, and their rates.
+  constexpr void mark_amplitudes() {
+    for (const expected_unit& each : m_.expected_units)
+      if (const int place = m_.coordinates.find(each.value); place >= 0) {
+        amplitudes_.push(m_.coordinates[place].node());
+        amplitudes_.push(m_.coordinate_rates[place].node());
+      }
+    if (amplitudes_.empty()) return;
+    for (const expression& e : m_.kinematics) // the speeds that are rates of amplitudes
+      if (const symbolic::node& n = g_[e.node()]; n.op == operation::subtract && amplitudes_.contains(n.a))
+        amplitudes_.push(n.b);
+  }
+  /// Whether an expression is a polynomial in amplitudes of beams. Numbers by which it is multiplied are
+  /// values of shapes and their derivatives, which have units.
+  constexpr bool is_deformation(int id) const {
+    if (amplitudes_.empty()) return false;
+    const symbolic::node& n = g_[id];
+    const auto fits = [&](int operand) { return g_.is_constant(operand) || is_deformation(operand); };
+    if (n.op == operation::symbol) return amplitudes_.contains(id);
+    if (n.op == operation::negate) return is_deformation(n.a);
+    if (n.op == operation::divide || n.op == operation::power)
+      return is_deformation(n.a) && g_.is_constant(n.b);
+    const bool is_any = n.op == operation::add || n.op == operation::subtract || n.op == operation::multiply;
+    return is_any && fits(n.a) && fits(n.b);
   }
 
   constexpr unit_product of_power(int id, const symbolic::node& n) {
@@ -422,6 +451,7 @@ private:
   const mechanism& m_;
   const symbolic::graph& g_;
   unit_relations relations_{};
+  sequence<int> amplitudes_{}; ///< nodes
   sequence<unit_product> forms_{};
   sequence<int> place_of_form_{};     ///< by node
   std::string_view what_{}, whose_{}; ///< the part of the model that is described
