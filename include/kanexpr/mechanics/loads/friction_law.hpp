@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/mechanics/loads/force_system.hpp>
 #include <kanexpr/mechanics/loads/friction_kind.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/symbolic/graph/composed.hpp>
@@ -52,6 +53,15 @@ struct friction_law {
   }
   static constexpr friction_law of_viscosity(expression viscous) {
     return {friction_kind::viscous, {}, {}, {}, viscous};
+  }
+
+  /// The same law with the rates of the coordinates replaced by speeds.
+  constexpr friction_law known_in(force_system& on) const {
+    const auto known = [&](expression e) { return e.is_given() ? on.known(e) : e; };
+    friction_law law{kind};
+    law.sliding = known(sliding), law.sticking = known(sticking);
+    law.slip_speed = slip_speed, law.viscous = known(viscous);
+    return law;
   }
 
   constexpr bool needs_slip_speed() const {
