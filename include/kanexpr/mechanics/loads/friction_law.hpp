@@ -35,7 +35,7 @@ constexpr expression tanh_over_root(expression z) {
 ///
 /// - Coulomb, smooth: μ(v) = μ v/√(v² + vₛ²), with the slip speed vₛ over which sticking is smoothed.
 /// - Stribeck, after Brown & McPhee (2016), doi 10.1115/1.4033658: μ(v) = μ_d tanh(4 v/v_t) + (μ_s − μ_d)
-///   (v/v_t)/((v/2v_t)² + ¾)² + c v. The static coefficient μ_s is reached at the slip speed v_t.
+///   (v/v_t)/((v/(2v_t))² + ¾)² + c v. The static coefficient μ_s is reached at the slip speed v_t.
 /// - viscous: μ(v) = c v.
 struct friction_law {
   friction_kind kind = friction_kind::frictionless;
