@@ -51,8 +51,9 @@ public:
     for (const frame_record* f : {r.frame, r.other_frame})
       if (f != nullptr) entities_.frame(f, whom.view());
     if (r.path != nullptr && !reading_.mistake) path_reader(*this).mention(*r.path, whom.view());
-    for (const describe::token& t : r.value)
-      if (!reading_.mistake) mention(t, whom.view());
+    for (const phrase* each : {&r.value, &r.angle, &r.rest})
+      for (const describe::token& t : *each)
+        if (!reading_.mistake) mention(t, whom.view());
   }
 
 private:
@@ -224,11 +225,18 @@ private:
   }
 
   constexpr void evaluate_friction(const load_record& r, std::string_view whom) {
-    const mechanics::vector axis = phrases_.vector_of(r.value, {"the axis of ", whom}, whom);
-    const expression slip = part_of(r.angle, "the speed of ", whom);
     const expression normal = part_of(r.rest, "the normal force of ", whom);
     if (reading_.mistake) return;
     const mechanics::friction_law law = contacts_.law_of(*r.friction, {}, whom);
+    if (r.path == nullptr) return evaluate_friction_in_joint(r, normal, law, whom);
+    const mechanics::pathway along = path_reader(*this).read(*r.path, whom);
+    if (!reading_.mistake) mechanics::add_friction_along(reading_.into.loads, along, normal, law);
+  }
+
+  constexpr void evaluate_friction_in_joint(const load_record& r, expression normal,
+                                            const mechanics::friction_law& law, std::string_view whom) {
+    const mechanics::vector axis = phrases_.vector_of(r.value, {"the axis of ", whom}, whom);
+    const expression slip = part_of(r.angle, "the speed of ", whom);
     if (reading_.mistake) return;
     const mechanics::vector effort = -(normal * law.coefficient(slip)) * axis;
     mechanics::loads& into = reading_.into.loads;
