@@ -7,7 +7,7 @@
 
 #include <kanexpr/describe/joints/bushing.hpp>
 #include <kanexpr/describe/joints/constraints.hpp>
-#include <kanexpr/describe/joints/friction_in_joint.hpp>
+#include <kanexpr/describe/joints/friction_load.hpp>
 #include <kanexpr/describe/joints/joints.hpp>
 #include <kanexpr/describe/joints/motor.hpp>
 #include <kanexpr/describe/joints/reactions.hpp>

@@ -1,3 +1,4 @@
+// builds: clang++
 // Impacts as events, compared with closed forms.
 #include "simulations/falling_ball.hpp"
 

@@ -44,11 +44,19 @@ struct whole_name {
   std::size_t own = 0;
 };
 
+/// @internal A text that contains the name of a type as the compiler prints it. Its length is that of the
+/// array, because compilers take a step for each letter that they count.
+template <class Type>
+constexpr std::string_view text_with_name() {
+  return {__PRETTY_FUNCTION__, sizeof(__PRETTY_FUNCTION__) - 1};
+}
+/// @internal The number of letters in front of that name.
+inline constexpr std::size_t letters_before_name = text_with_name<int>().find("Type = ") + 7;
+
 /// @internal Returns the name of a type as the compiler prints it.
 template <class Type>
 constexpr whole_name whole_name_of() {
-  std::string_view whole = __PRETTY_FUNCTION__;
-  whole.remove_prefix(whole.find("Type = ") + 7);
+  const std::string_view whole = text_with_name<Type>().substr(letters_before_name);
   std::size_t end = 0, start = 0;
   for (int depth = 0; end < whole.size(); ++end) {
     const char c = whole[end];

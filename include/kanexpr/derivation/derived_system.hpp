@@ -51,7 +51,7 @@ public:
   constexpr void check_model() {
     if (!mistake()) mistake_ = mechanics::check_system(system_);
     if (!mistake()) reader_.check_listed_are_used();
-    if (!mistake() && reader_.checks_units()) check_units();
+    if (!mistake() && reader_.checks_units() && !reader_.units_fit()) check_units();
     if (reader_.checks_units()) system_.mechanism.stated_units.clear(); // they are inferred separately
   }
 

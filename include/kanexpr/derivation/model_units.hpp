@@ -20,38 +20,36 @@ using mechanics::possible_unit;
 /// units.
 class model_units {
 public:
-  constexpr explicit model_units(const system_record& from) : system_(graph_), reader_(from, system_) {
+  constexpr explicit model_units(const system_record& from)
+      : system_(graph_), reader_(from, system_), inferred_(system_.mechanism) {
     reader_.read_for_units();
-    if (reader_.mistake()) return;
-    inferred_.emplace(system_.mechanism);
-    mechanics::system_units(system_, *inferred_).state();
+    is_read_ = !reader_.mistake();
+    if (is_read_) mechanics::system_units(system_, inferred_).state();
   }
   model_units(const model_units&) = delete;
   model_units& operator=(const model_units&) = delete;
 
   /// The first mistake, also in a phrase whose unit was requested.
-  constexpr sentence mistake() const {
-    return inferred_.has_value() ? inferred_->mistake() : reader_.mistake();
-  }
+  constexpr sentence mistake() const { return is_read_ ? inferred_.mistake() : reader_.mistake(); }
 
   constexpr mechanics::unit_table table() {
-    if (!inferred_.has_value()) return {};
-    return mechanics::unit_table_of(system_, *inferred_);
+    if (!is_read_) return {};
+    return mechanics::unit_table_of(system_, inferred_);
   }
 
   /// The unit of a scalar or of the components of a vector; nothing if it is not determined.
   constexpr possible_unit unit_of(const phrase& p) {
-    if (!inferred_.has_value() || system_.mechanism.stated_units.empty()) return std::nullopt;
+    if (!is_read_ || system_.mechanism.stated_units.empty()) return std::nullopt;
     reader_.visit(p.tokens, p.size);
     const value v = reader_.evaluate(p, "an expression");
     if (reader_.mistake()) {
       reader_.forget_mistake();
       return std::nullopt;
     }
-    if (v.kind == shape::scalar) return inferred_->unit_of(v.scalar);
+    if (v.kind == shape::scalar) return inferred_.unit_of(v.scalar);
     possible_unit found;
     v.vector.each_entry([&](expression e) {
-      if (!found.has_value()) found = inferred_->unit_of(e);
+      if (!found.has_value()) found = inferred_.unit_of(e);
     });
     return found;
   }
@@ -60,7 +58,8 @@ private:
   symbolic::graph graph_{};
   mechanics::multibody_system system_;
   reader reader_;
-  std::optional<mechanics::unit_inference> inferred_{};
+  mechanics::unit_inference inferred_;
+  bool is_read_ = false;
 };
 
 /// The units of the symbols and constraints of a model.

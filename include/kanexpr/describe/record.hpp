@@ -29,6 +29,11 @@ constexpr arguments arguments_of(std::string_view form, std::size_t given, std::
 constexpr arguments arguments_of(std::string_view form, std::size_t given, std::size_t wanted) {
   return arguments_of(form, given, wanted, wanted);
 }
+/// The same for a literal, whose letters compilers need not count.
+template <std::size_t size, class... Counts>
+constexpr arguments arguments_of(const char (&form)[size], Counts... counts) {
+  return arguments_of(std::string_view(form, size - 1), static_cast<std::size_t>(counts)...);
+}
 
 /// An expression in static storage.
 struct phrase {
@@ -176,7 +181,7 @@ struct frame_record : entity_record {
   orientation_word orientation{}; ///< the default is that of an inertial frame
   const frame_record* parent = nullptr;
   phrase given[9]{}; ///< angles, quaternion or matrix
-  std::string_view given_as = "an angle of frame ";
+  std::string_view given_as = "an angle of frame "sv;
   phrase axis{};
   char sequence[4]{}; ///< "zxz" or "313"
   const frame_record* reference = nullptr;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/robots/physical_quantity.hpp>
@@ -142,7 +143,8 @@ private:
     if (rule.leader == joint) return leader;
     const motion made{
         {rule.multiplier * leader.q[0] + rule.offset}, {rule.multiplier * leader.u[0]}, mechanism().zero()};
-    if (rule.multiplier != 1 && plan_.multiplier_of(joint) != kind::ratio) imply_units(made, joint);
+    if (!base::equal(rule.multiplier, 1.0) && plan_.multiplier_of(joint) != kind::ratio)
+      imply_units(made, joint);
     return made;
   }
   /// Gives the units of the motion of a joint that turns as another slides, or slides as it turns.

@@ -303,6 +303,8 @@ public:
     cubic_spring(along, k, k3, m_.zero());
   }
   void linear_damper(const pathway& along, expression damping);
+  /// Friction against the rate of the length.
+  void friction_along(const pathway& along, expression normal_force, const mechanics::friction_law& law);
   /// Stops at a least and at a greatest length, as `stop<Path, …>`.
   void stop(const pathway& along, expression least, expression greatest, expression stiffness,
             expression damping) {

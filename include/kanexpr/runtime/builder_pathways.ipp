@@ -106,6 +106,17 @@ KANEXPR_ENGINE void builder::linear_damper(const pathway& along, expression damp
     mechanics::add_damper_along(system_.loads, along, damping);
 }
 
+KANEXPR_ENGINE void builder::friction_along(const pathway& along, expression normal_force,
+                                            const mechanics::friction_law& law) {
+  base::sequence<expression> terms{normal_force};
+  for (const expression& e : {law.sliding, law.sticking, law.slip_speed, law.viscous})
+    if (e.is_given()) terms.push(e);
+  if (law.needs_slip_speed())
+    checks_.fail({"a friction along a pathway has no slip speed"});
+  else if (owns_path_load("a friction along a pathway", along, terms))
+    mechanics::add_friction_along(system_.loads, along, normal_force, law);
+}
+
 KANEXPR_ENGINE void builder::stop(const pathway& along, expression least, expression greatest,
                                   expression stiffness, expression damping, expression width) {
   if (owns_path_load("a stop", along, {least, greatest, stiffness, damping, width}))

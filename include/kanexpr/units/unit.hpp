@@ -35,8 +35,8 @@ struct unit {
   constexpr int operator[](base_unit of) const {
     const int place = static_cast<int>(of);
     std::int64_t digits = place < 4 ? kg_m_s_a : k_mol_cd_rad;
-    for (int below = place % 4; below > 0; --below) digits = (digits - lowest(digits)) / digit;
-    return static_cast<int>(lowest(digits));
+    for (int below = place % 4; below > 0; --below) digits = (digits - below_power(digit, digits)) / digit;
+    return static_cast<int>(below_power(digit, digits));
   }
   constexpr exponent exponent_of(base_unit of) const {
     int numerator = (*this)[of], denominator = parts;
@@ -50,6 +50,11 @@ struct unit {
   }
   friend constexpr unit operator/(const unit& a, const unit& b) {
     return {a.kg_m_s_a - b.kg_m_s_a, a.k_mol_cd_rad - b.k_mol_cd_rad};
+  }
+
+  /// The same unit without its powers of the radian, whose digit is the highest.
+  constexpr unit without_angle() const {
+    return {kg_m_s_a, below_power(digit * digit * digit, k_mol_cd_rad)};
   }
 
   /// A power of one base unit, in sixtieths.
@@ -72,9 +77,10 @@ struct unit {
 private:
   static constexpr std::int64_t digit = 1 << 16;
 
-  static constexpr std::int64_t lowest(std::int64_t digits) {
-    const std::int64_t low = digits % digit;
-    return low >= digit / 2 ? low - digit : low < -digit / 2 ? low + digit : low;
+  /// The part of an integer that its digits below a power of the base represent.
+  static constexpr std::int64_t below_power(std::int64_t power, std::int64_t digits) {
+    const std::int64_t low = digits % power;
+    return low >= power / 2 ? low - power : low < -power / 2 ? low + power : low;
   }
 };
 
@@ -97,7 +103,7 @@ constexpr unit only(base_unit of) { return unit::power_of(of, unit::parts); }
 constexpr bool has_power(const unit& of, std::int64_t numerator, std::int64_t denominator) {
   constexpr std::int64_t most = 32767;
   if (denominator == 0) return false;
-  if (of == dimensionless || (numerator == denominator)) return true;
+  if (numerator == denominator || numerator == -denominator || of == dimensionless) return true;
   for (int i = 0; i < base_units; ++i) {
     const std::int64_t raised = of[base_unit_at(i)] * numerator;
     if (raised % denominator != 0 || raised / denominator > most || raised / denominator < -most)
@@ -108,8 +114,10 @@ constexpr bool has_power(const unit& of, std::int64_t numerator, std::int64_t de
 
 /// The power numerator/denominator of a unit. Requires `has_power`.
 constexpr unit power(const unit& of, std::int64_t numerator, std::int64_t denominator = 1) {
-  if (numerator == denominator) return of;
-  if (numerator == -denominator) return dimensionless / of;
+  if (numerator % denominator == 0) { // all digits at a time
+    const std::int64_t whole = numerator / denominator;
+    return {of.kg_m_s_a * whole, of.k_mol_cd_rad * whole};
+  }
   unit raised{};
   for (int i = 0; i < base_units; ++i)
     raised = raised * unit::power_of(base_unit_at(i), of[base_unit_at(i)] * numerator / denominator);
@@ -128,9 +136,7 @@ constexpr unit pow(const unit& of) {
 }
 
 /// The same unit without its powers of the radian.
-constexpr unit without_angle(const unit& of) {
-  return of / unit::power_of(base_unit::radian, of[base_unit::radian]);
-}
+constexpr unit without_angle(const unit& of) { return of.without_angle(); }
 
 /// Whether quantities of two units can be added and compared. An angle fits a number: ω × r is a velocity.
 constexpr bool fits(const unit& a, const unit& b) { return without_angle(a) == without_angle(b); }

@@ -22,9 +22,10 @@ namespace detail {
 
 using namespace si;
 
+/// A unit and its symbol, in an array, which costs the compiler less than a string of any length.
 struct symbol {
   unit of{};
-  std::string_view called{};
+  char called[4]{};
 };
 
 inline constexpr symbol base_symbols[base_units]{{kilogram, "kg"}, {meter, "m"},   {second, "s"},
@@ -36,42 +37,58 @@ inline constexpr symbol base_symbols[base_units]{{kilogram, "kg"}, {meter, "m"},
 inline constexpr symbol named[]{{newton, "N"}, {watt, "W"},  {pascal, "Pa"}, {volt, "V"}, {ohm, "Ohm"},
                                 {farad, "F"},  {henry, "H"}, {coulomb, "C"}, {tesla, "T"}};
 
-/// Units that are written as products or quotients with named units.
+/// Units that are written as products or quotients of named units and another one.
 struct product {
-  unit of{};
-  symbol above{}, below{};
+  char above, below; ///< the first letters of the named units, or 0
+  unit rest;
 };
 inline constexpr product products[]{
-    {newton * second / meter, {newton, "N"}, {}},          // damping
-    {newton * meter * second / radian, {newton, "N"}, {}}, // torsional damping
-    {newton * second / radian, {newton, "N"}, {}},
-    {newton / second, {newton, "N"}, {}},
-    {newton * radian / second, {newton, "N"}, {}},
-    {newton / ampere, {newton, "N"}, {}},
-    {newton * meter / ampere, {newton, "N"}, {}},
-    {newton / volt, {newton, "N"}, {volt, "V"}}, // gains of actuators and their inverse
-    {volt / newton, {volt, "V"}, {newton, "N"}},
-    {radian / volt, {}, {volt, "V"}},
-    {radian / second / volt, {}, {volt, "V"}},
-    {meter / volt, {}, {volt, "V"}},
-    {meter / second / volt, {}, {volt, "V"}},
-    {volt * second / radian, {volt, "V"}, {}}, // the constant of a motor
-    {volt / radian, {volt, "V"}, {}},          // gains of a controller
-    {volt / meter, {volt, "V"}, {}},
-    {volt * second / meter, {volt, "V"}, {}},
-    {watt / kelvin, {watt, "W"}, {}},
-    {watt / meter / kelvin, {watt, "W"}, {}},
-    {pascal * second, {pascal, "Pa"}, {}},
+    {'N', 0, second / meter},         // damping
+    {'N', 0, meter* second / radian}, // torsional damping
+    {'N', 0, second / radian},
+    {'N', 0, hertz},
+    {'N', 0, radian / second},
+    {'N', 0, dimensionless / ampere},
+    {'N', 0, meter / ampere},
+    {'N', 'V', dimensionless}, // gains of actuators and their inverse
+    {'V', 'N', dimensionless},
+    {0, 'V', radian},
+    {0, 'V', radian / second},
+    {0, 'V', meter},
+    {0, 'V', meter / second},
+    {'V', 0, second / radian},        // the constant of a motor
+    {'V', 0, dimensionless / radian}, // gains of a controller
+    {'V', 0, hertz / radian},
+    {'V', 0, dimensionless / meter},
+    {'V', 0, hertz / meter},
+    {'V', 0, second / meter},
+    {'W', 0, dimensionless / kelvin},
+    {'W', 0, dimensionless / meter / kelvin},
+    {'P', 0, second},
 };
 
-/// A unit with the named units in its text; the unit 1 and no symbol if there are none. Forces times lengths,
-/// angles and powers of them are written with the newton.
-constexpr product product_of(const unit& u) {
+/// The named unit whose symbol begins with a letter; the unit 1 and no symbol for the letter 0.
+constexpr symbol named_by(char letter) {
+  for (const symbol& s : named)
+    if (s.called[0] == letter) return s;
+  return {};
+}
+
+/// The named units in the text of a unit; each is the unit 1 without a symbol if there is none.
+struct named_factors {
+  symbol above{}, below{};
+
+  constexpr unit of(const unit& rest) const { return above.of * rest / below.of; }
+};
+
+/// Returns the named units in the text of a unit. Forces times lengths, angles and powers of them are written
+/// with the newton.
+constexpr named_factors named_factors_of(const unit& u) {
   for (const product& p : products)
-    if (p.of == u) return p;
+    if (const named_factors all{named_by(p.above), named_by(p.below)}; all.of(p.rest) == u) return all;
   if (u[base_unit::kilogram] == unit::parts && u[base_unit::second] == -2 * unit::parts)
-    return {u, {newton, "N"}, {}};
-  return {u, {}, {}};
+    return {named[0], {}};
+  return {};
 }
 
 /// Writes the factors of a unit one after the other.
@@ -82,16 +99,16 @@ public:
   constexpr base::name written(const unit& u) {
     for (const symbol& s : named)
       if (s.of == u) return around(sign_of(s));
-    const product named_in = product_of(u);
+    const named_factors named_in = named_factors_of(u);
     const unit rest = u / named_in.above.of * named_in.below.of;
-    if (!named_in.above.called.empty()) put(named_in.above.called);
+    if (named_in.above.called[0] != '\0') put(named_in.above.called);
     for (int i = 0; i < base_units; ++i) factor(i, rest[base_unit_at(i)]);
-    int below = named_in.below.called.empty() ? 0 : 1;
+    int below = named_in.below.called[0] == '\0' ? 0 : 1;
     for (int i = 0; i < base_units; ++i) below += rest[base_unit_at(i)] < 0 ? 1 : 0;
     if (is_first_) text_.append("1");
     if (below > 0) text_.append(below > 1 ? "/(" : "/");
     is_first_ = true;
-    if (!named_in.below.called.empty()) put(named_in.below.called);
+    if (named_in.below.called[0] != '\0') put(named_in.below.called);
     for (const int i : {7, 0, 1, 2, 3, 4, 5, 6}) factor(i, -rest[base_unit_at(i)]);
     if (below > 1) text_.append(")");
     return around(text_.view());
@@ -99,7 +116,7 @@ public:
 
 private:
   constexpr std::string_view sign_of(const symbol& s) const {
-    if (s.called != "Ohm" || how_ == spelling::plain || how_ == spelling::message) return s.called;
+    if (s.called[0] != 'O' || how_ == spelling::plain || how_ == spelling::message) return s.called;
     return how_ == spelling::latex ? "\\Omega" : "Ω";
   }
   constexpr base::name around(std::string_view text) const {
@@ -140,7 +157,7 @@ private:
     if (how_ == spelling::latex) text_.append("}");
   }
   constexpr void raised(int digits) {
-    constexpr std::string_view high[]{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+    constexpr const char* high[]{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
     if (digits >= 10) raised(digits / 10);
     text_.append(high[digits % 10]);
   }

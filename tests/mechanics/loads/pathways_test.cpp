@@ -415,4 +415,41 @@ TEST(pathways, agree_with_sympy) {
   }
 }
 
+// The mistake in an arm, as a sentence.
+std::string mistake_of(void (*is_made)(arm&)) {
+  arm b;
+  is_made(b);
+  return std::string((b.check)().view());
+}
+
+TEST(pathways, report_mistakes) {
+  EXPECT_EQ(mistake_of([](arm& b) { b.force_along(b.through({b.hand}), b.number(1)); }),
+            "a pathway passes through fewer than two points");
+  EXPECT_EQ(mistake_of([](arm& b) { b.force_along(pathway(), b.number(1)); }),
+            "a force along a pathway acts along a pathway that has no points");
+  EXPECT_EQ(mistake_of([](arm& b) {
+              b.force_along(
+                  b.around_cylinder(b.a, b.mast, {}, b.number(0.2), b.hand, b.wall, wrapping::clockwise),
+                  b.number(1));
+            }),
+            "a pathway is wrapped around an axis of zero length");
+  EXPECT_EQ(mistake_of([](arm& b) {
+              b.force_along(b.around_cone(b.a, b.mast, b.along(b.b, 1, 0, 0), b.number(0.2), b.hand, b.wall,
+                                          wrapping::clockwise),
+                            b.number(1));
+            }),
+            "a pathway is wrapped around an axis that is not fixed in A");
+  EXPECT_EQ(mistake_of([](arm& b) {
+              const point_id apart = b.origin("Apart");
+              b.linear_damper(b.around_sphere(b.mast, b.number(0.2), b.hand, apart), b.number(1));
+            }),
+            "the position of Apart from M is not known: they are measured from two origins, Apart and O");
+  EXPECT_EQ(mistake_of([](arm& b) { b.linear_spring(b.through({b.hand, b.wall, b.wall}), b.number(1)); }),
+            "a linear spring acts between point W and itself");
+  EXPECT_EQ(mistake_of([](arm& b) {
+              b.stop(b.straight(b.hand, b.wall), b.number(2), b.number(1), b.number(10), b.number(0.1));
+            }),
+            "the greatest length of the stop between H and W does not exceed the least length");
+}
+
 } // namespace

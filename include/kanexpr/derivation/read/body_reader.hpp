@@ -40,7 +40,7 @@ public:
     if (r.flexible != nullptr) return flexible_.read(r);
     mechanics::body b;
     b.called = base::name(r.called);
-    b.mass = phrases_.scalar_of(r.mass, {"the mass of ", r.called}, r.called);
+    b.mass = phrases_.scalar_of(r.mass, {"the mass of "sv, r.called}, r.called);
     b.center = entities_.point(r.center, r.called);
     if (r.rigid) {
       b.frame = entities_.frame(r.frame, r.called);
@@ -56,7 +56,7 @@ private:
   constexpr mechanics::dyadic inertia_of(const body_record& r) {
     mechanics::dyadic inertia;
     if (r.inertia_axes == nullptr) {
-      const value v = phrases_.evaluate_part("the inertia of ", r.inertia_dyadic, r.called);
+      const value v = phrases_.evaluate_part("the inertia of "sv, r.inertia_dyadic, r.called);
       if (v.kind != shape::dyadic)
         reading_.fail({"the inertia of ", r.called, is_a(r.inertia_dyadic.kind),
                        "it must be a dyadic: I*outer(A::x, A::x)"});
@@ -64,7 +64,7 @@ private:
     }
     expression i[6];
     for (int k = 0; k < 6; ++k)
-      i[k] = phrases_.scalar_of(r.inertia[k], {"an inertia scalar of ", r.called}, r.called);
+      i[k] = phrases_.scalar_of(r.inertia[k], {"an inertia scalar of "sv, r.called}, r.called);
     matrix3 given;
     given.row[0] = {i[0], i[3], i[5]};
     given.row[1] = {i[3], i[1], i[4]};

@@ -40,7 +40,7 @@ public:
   }
 
   constexpr void read_dependent(const phrase& p) {
-    constexpr std::string_view whom = "dependent<...>";
+    constexpr std::string_view whom = "dependent<...>"sv;
     const bool alone = p.size == 1 && p.tokens[0].what == describe::token_kind::symbol;
     const symbol_record* s = alone ? p.tokens[0].symbol : nullptr;
     const bool coordinate = s != nullptr && s->kind == symbolic::symbol_kind::coordinate;
@@ -71,9 +71,11 @@ private:
     std::string_view word, whom;
   };
   static constexpr kind kinds[]{
-      {&system_record::configuration_constraints, "configuration_constraints", "a configuration constraint"},
-      {&system_record::velocity_constraints, "velocity_constraints", "a velocity constraint"},
-      {&system_record::acceleration_constraints, "acceleration_constraints", "an acceleration constraint"},
+      {&system_record::configuration_constraints, "configuration_constraints"sv,
+       "a configuration constraint"sv},
+      {&system_record::velocity_constraints, "velocity_constraints"sv, "a velocity constraint"sv},
+      {&system_record::acceleration_constraints, "acceleration_constraints"sv,
+       "an acceleration constraint"sv},
   };
 
   constexpr void read_constraint(const kind& k, const phrase& p) {

@@ -24,7 +24,7 @@ public:
       : reading_(all), m_(all.into.mechanism), phrases_(phrases), freed_(all) {}
 
   /// Reads the entities that a phrase mentions.
-  constexpr void visit(const describe::token* tokens, int size, std::string_view whom = "an expression") {
+  constexpr void visit(const describe::token* tokens, int size, std::string_view whom = "an expression"sv) {
     phrases_.check_misuse({shape::scalar, tokens, size}, whom);
     mechanics::known_motion* const known = reading_.known;
     if (reading_.from.inertial != nullptr)
@@ -48,6 +48,9 @@ public:
     }
     if (reading_.mistake) forget_after(frames, points);
   }
+
+  constexpr const sequence<const frame_record*>& frames_read() const { return frames_; }
+  constexpr const sequence<const point_record*>& points_read() const { return points_; }
 
   /// The state that is kept if there is no mistake and nothing is being read.
   template <class Self, class Visit>
@@ -80,7 +83,7 @@ public:
       reading_.describing = place;
       const int reference = frame(record.reference, record.called);
       const mechanics::vector w = phrases_.vector_of(
-          record.angular_velocity, {"the angular velocity of frame ", record.called}, record.called);
+          record.angular_velocity, {"the angular velocity of frame "sv, record.called}, record.called);
       freed_.check_reference(record);
       if (!reading_.mistake) m_.frames[place].declare_angular_velocity(reference, w, record.turns_apart);
     }
@@ -102,7 +105,7 @@ public:
       open_points_.push(r);
       p.parent = point(record.parent, record.called);
       open_points_.pop();
-      p.offset = phrases_.vector_of(record.offset, {"the offset of point ", record.called}, record.called);
+      p.offset = phrases_.vector_of(record.offset, {"the offset of point "sv, record.called}, record.called);
       const frame_record* const on = freed_.frame_below(record);
       if (on != nullptr && !reading_.mistake)
         p.offset = mechanics::turned_with(m_, p.offset, frame(on, record.called));
@@ -114,7 +117,7 @@ public:
     if (record.reference != nullptr) {
       const int reference = frame(record.reference, record.called);
       const mechanics::vector v =
-          phrases_.vector_of(record.velocity, {"the velocity of point ", record.called}, record.called);
+          phrases_.vector_of(record.velocity, {"the velocity of point "sv, record.called}, record.called);
       p.moves_apart = record.moves_apart;
       if (reference == mechanism::inertial && !record.from_parent) freed_.check_reference(record);
       p.declare_velocity(reference, v, record.from_parent || reference != mechanism::inertial);
@@ -209,7 +212,7 @@ private:
   }
 
   constexpr void check_frame(const frame_record& r, std::string_view whom) {
-    if (!check_kind("frame", r, whom)) return;
+    if (!check_kind("frame"sv, r, whom)) return;
     if (r.is_of_joint && !is_listed(r))
       return reading_.fail({"joint ", r.called, ", which ", whom, " uses, is not listed in joints<...>"});
     if (r.on_beam != nullptr && !is_on_listed_beam(r.called, *r.on_beam, false, false)) return;
@@ -225,11 +228,11 @@ private:
     if (&r == inertial && r.reference != nullptr)
       reading_.fail({"the inertial frame ", r.called, " has a declared angular velocity"});
     if (open_frames_.contains(&r)) reading_.fail({"frame ", r.called, " is oriented relative to itself"});
-    check_name("frame", r, frames_, open_frames_);
+    check_name("frame"sv, r, frames_, open_frames_);
   }
 
   constexpr void check_point(const point_record& r, std::string_view whom) {
-    if (!check_kind("point", r, whom)) return;
+    if (!check_kind("point"sv, r, whom)) return;
     if (r.on_beam != nullptr && !is_on_listed_beam(r.called, *r.on_beam, r.is_off_beam, r.is_at_whole_zero))
       return;
     if (r.on_flexible != nullptr && !is_on_listed_body(r.called, *r.on_flexible, r.missing_node)) return;
@@ -238,7 +241,7 @@ private:
       reading_.fail(
           {"point ", r.called, " is an origin, fixed in the inertial frame, but has a declared motion"});
     if (open_points_.contains(&r)) reading_.fail({"point ", r.called, " is offset from itself"});
-    check_name("point", r, points_, open_points_);
+    check_name("point"sv, r, points_, open_points_);
     if (r.fixed_in != nullptr && r.reference != nullptr)
       reading_.fail(
           {"point ", r.called, " is fixed in ", r.fixed_in->called, ", but also has a declared velocity"});
@@ -257,7 +260,7 @@ private:
     switch (r.orientation) {
     case orientation_word::inertial: return mechanics::add_inertial_frame(m_, called);
     case orientation_word::rotated: {
-      const mechanics::vector axis = phrases_.vector_of(r.axis, {"the axis of frame ", r.called}, r.called);
+      const mechanics::vector axis = phrases_.vector_of(r.axis, {"the axis of frame "sv, r.called}, r.called);
       if (reading_.mistake) return mechanism::inertial;
       const components a = mechanics::express(m_, axis, parent);
       if (a.is_zero()) reading_.fail({"frame ", r.called, " is rotated about an axis of zero length"});

@@ -43,8 +43,8 @@ public:
     check_axes(r);
     if (!reading_.mistake && r.place.kind != shape::nothing) check_place(r);
     if (r.speeds.size == 0 && r.body == nullptr) return;
-    if (!reading_.mistake) entities_.frame(r.frame, "joints<...>");
-    if (!reading_.mistake) entities_.point(r.point, "joints<...>");
+    if (!reading_.mistake) entities_.frame(r.frame, "joints<...>"sv);
+    if (!reading_.mistake) entities_.point(r.point, "joints<...>"sv);
     if (!reading_.mistake && r.body != nullptr) bodies_.read(*r.body);
     if (!reading_.mistake && r.rotor != nullptr) read_rotor(r);
   }
@@ -57,7 +57,7 @@ public:
 
 private:
   constexpr void check_joint(const joint_record& r) {
-    if (r.unparsed) return reading_.fail_by_unparsed(r.called, "joints<...>");
+    if (r.unparsed) return reading_.fail_by_unparsed(r.called, "joints<...>"sv);
     if (!reading_.check_base_conflict(r.conflict, r.called)) return;
     if (r.declared_name.empty())
       return reading_.fail({"joints<...> lists ", short_name(r.called).view(), ", which is ",
@@ -82,7 +82,7 @@ private:
   constexpr void check_axes(const joint_record& r) {
     sequence<mechanics::components> axes;
     for (const phrase& p : r.axes) {
-      const mechanics::vector given = phrases_.vector_of(p, {"the axis of joint ", r.called}, r.called);
+      const mechanics::vector given = phrases_.vector_of(p, {"the axis of joint "sv, r.called}, r.called);
       const int home = entities_.frame(r.home, r.called);
       if (reading_.mistake) return;
       axes.push(mechanics::express(reading_.into.mechanism, given, home));
@@ -98,7 +98,7 @@ private:
   /// Checks that the location of a joint rotates with its parent.
   constexpr void check_place(const joint_record& r) {
     const mechanics::vector given =
-        phrases_.vector_of(r.place, {"the position of joint ", r.called}, r.called);
+        phrases_.vector_of(r.place, {"the position of joint "sv, r.called}, r.called);
     const int parent = entities_.frame(r.parent_frame, r.called);
     if (!reading_.mistake && !mechanics::is_along_still_axes(reading_.into.mechanism, given, parent))
       reading_.fail(

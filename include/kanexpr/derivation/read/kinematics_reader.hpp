@@ -19,7 +19,7 @@ public:
   using part_reader::part_reader;
 
   constexpr void read(const phrase& p) {
-    constexpr std::string_view whom = "a kinematic differential equation";
+    constexpr std::string_view whom = "a kinematic differential equation"sv;
     if (p.kind == shape::simple) return note_simple();
     if (p.kind == shape::kinematics) return read_kinematics_of(p.tokens[0].frame, p.tokens[1].frame);
     if (p.kind != shape::equation)

@@ -43,7 +43,7 @@ public:
   }
 
 private:
-  static constexpr std::string_view the_lagrangian = "the Lagrangian";
+  static constexpr std::string_view the_lagrangian = "the Lagrangian"sv;
 };
 
 } // namespace kanexpr::derivation

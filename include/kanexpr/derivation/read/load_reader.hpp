@@ -51,8 +51,9 @@ public:
     for (const frame_record* f : {r.frame, r.other_frame})
       if (f != nullptr) entities_.frame(f, whom.view());
     if (r.path != nullptr && !reading_.mistake) path_reader(*this).mention(*r.path, whom.view());
-    for (const describe::token& t : r.value)
-      if (!reading_.mistake) mention(t, whom.view());
+    for (const phrase* each : {&r.value, &r.angle, &r.rest})
+      for (const describe::token& t : *each)
+        if (!reading_.mistake) mention(t, whom.view());
   }
 
 private:
@@ -91,21 +92,21 @@ private:
     mechanics::loads& into = reading_.into.loads;
     switch (r.what) {
     case load_word::force: {
-      const auto [at, other] = points_of(r, r.other_point != nullptr ? whom.view() : "a force");
-      const mechanics::vector v = effort_of(r, whom.view(), " at ");
+      const auto [at, other] = points_of(r, r.other_point != nullptr ? whom.view() : "a force"sv);
+      const mechanics::vector v = effort_of(r, whom.view(), " at "sv);
       if (reading_.for_units && r.coefficient != nullptr) expect_unit(*r.coefficient, *r.point);
       if (!reading_.mistake) into.forces.push({at, v, other});
       return;
     }
     case load_word::torque: {
-      const auto [on, other] = frames_of(r, r.other_frame != nullptr ? whom.view() : "a torque");
-      const mechanics::vector v = effort_of(r, whom.view(), " on ");
+      const auto [on, other] = frames_of(r, r.other_frame != nullptr ? whom.view() : "a torque"sv);
+      const mechanics::vector v = effort_of(r, whom.view(), " on "sv);
       if (!reading_.mistake) into.torques.push({on, v, other});
       return;
     }
     case load_word::gravity: return evaluate_gravity(r);
     case load_word::potential_energy: {
-      const expression energy = phrases_.scalar_of(r.value, {"", whom.view()}, whom.view());
+      const expression energy = phrases_.scalar_of(r.value, {""sv, whom.view()}, whom.view());
       if (reading_.mistake) return;
       if (energy.is_zero() && !symbols_.holds_bound(r.value)) return reading_.fail({whom.view(), " is zero"});
       into.potential_energies.push({energy});
@@ -113,21 +114,21 @@ private:
     }
     case load_word::spring: {
       const auto [at, other] = points_of(r, whom.view());
-      const expression stiffness = part_of(r.value, "the stiffness of ", whom.view());
-      const expression length = part_of(r.rest, "the natural length of ", whom.view());
+      const expression stiffness = part_of(r.value, "the stiffness of "sv, whom.view());
+      const expression length = part_of(r.rest, "the natural length of "sv, whom.view());
       if (!reading_.mistake) mechanics::add_spring(into.spring_dampers, at, other, stiffness, length);
       return;
     }
     case load_word::torsional_spring: return evaluate_torsional_spring(r, whom.view());
     case load_word::damper: {
       const auto [at, other] = points_of(r, whom.view());
-      const expression damping = part_of(r.value, "the damping of ", whom.view());
+      const expression damping = part_of(r.value, "the damping of "sv, whom.view());
       if (!reading_.mistake) mechanics::add_damper(into.spring_dampers, at, other, damping);
       return;
     }
     case load_word::torsional_damper: {
       const auto [on, other] = frames_of(r, whom.view());
-      const expression damping = part_of(r.value, "the damping of ", whom.view());
+      const expression damping = part_of(r.value, "the damping of "sv, whom.view());
       if (!reading_.mistake) into.torsional_dampers.push({on, other, damping});
       return;
     }
@@ -201,7 +202,7 @@ private:
   /// name that entity.
   constexpr mechanics::vector effort_of(const load_record& r, std::string_view whom, std::string_view place) {
     if (r.other_point != nullptr || r.other_frame != nullptr)
-      return phrases_.vector_of(r.value, {"", whom}, whom);
+      return phrases_.vector_of(r.value, {""sv, whom}, whom);
     const std::string_view on = r.point != nullptr ? r.point->called : r.frame->called;
     const sentence load({r.word, place});
     return phrases_.vector_of(r.value, {load.view(), on}, on);
@@ -219,16 +220,23 @@ private:
 
   constexpr void evaluate_gravity(const load_record& r) {
     if (reading_.into.loads.has_gravity) reading_.fail({"gravity is listed twice"});
-    const mechanics::vector v = phrases_.vector_of(r.value, {"", "gravity"}, "gravity");
+    const mechanics::vector v = phrases_.vector_of(r.value, {""sv, "gravity"sv}, "gravity"sv);
     if (!reading_.mistake) reading_.into.loads.has_gravity = true, reading_.into.loads.gravity = v;
   }
 
   constexpr void evaluate_friction(const load_record& r, std::string_view whom) {
-    const mechanics::vector axis = phrases_.vector_of(r.value, {"the axis of ", whom}, whom);
-    const expression slip = part_of(r.angle, "the speed of ", whom);
     const expression normal = part_of(r.rest, "the normal force of ", whom);
     if (reading_.mistake) return;
     const mechanics::friction_law law = contacts_.law_of(*r.friction, {}, whom);
+    if (r.path == nullptr) return evaluate_friction_in_joint(r, normal, law, whom);
+    const mechanics::pathway along = path_reader(*this).read(*r.path, whom);
+    if (!reading_.mistake) mechanics::add_friction_along(reading_.into.loads, along, normal, law);
+  }
+
+  constexpr void evaluate_friction_in_joint(const load_record& r, expression normal,
+                                            const mechanics::friction_law& law, std::string_view whom) {
+    const mechanics::vector axis = phrases_.vector_of(r.value, {"the axis of ", whom}, whom);
+    const expression slip = part_of(r.angle, "the speed of ", whom);
     if (reading_.mistake) return;
     const mechanics::vector effort = -(normal * law.coefficient(slip)) * axis;
     mechanics::loads& into = reading_.into.loads;
@@ -247,9 +255,9 @@ private:
   }
 
   constexpr void evaluate_torsional_spring(const load_record& r, std::string_view whom) {
-    const expression angle = part_of(r.angle, "the angle of ", whom);
-    const expression stiffness = part_of(r.value, "the stiffness of ", whom);
-    const expression rest = part_of(r.rest, "the rest angle of ", whom);
+    const expression angle = part_of(r.angle, "the angle of "sv, whom);
+    const expression stiffness = part_of(r.value, "the stiffness of "sv, whom);
+    const expression rest = part_of(r.rest, "the rest angle of "sv, whom);
     if (!reading_.mistake)
       reading_.mistake = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whom);
     if (!reading_.mistake)

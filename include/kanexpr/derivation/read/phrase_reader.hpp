@@ -119,7 +119,8 @@ private:
   constexpr void fail_by(describe::misuse what, const phrase& p, std::string_view whom) {
     const bool named = !reading_.part.empty() || whom.substr(0, 4) == "the ";
     const std::string_view held = named ? "" : name_in(p);
-    reading_.fail({reading_.part, whom, held.empty() ? "" : " with ", held, describe::misuse_message(what)});
+    reading_.fail(
+        {reading_.part, whom, held.empty() ? "" : " with ", held, describe::misuse_message(what).view()});
   }
 
   /// The frame whose axes a hint suggests in place of those of a frame that is not yet available.
@@ -325,7 +326,7 @@ private:
     }
   }
 
-  static constexpr std::string_view axis_names = "xyz";
+  static constexpr std::string_view axis_names = "xyz"sv;
 
   constexpr int frame(const frame_record* r, std::string_view whom) {
     return entities_.frame(entities_.with, r, whom);

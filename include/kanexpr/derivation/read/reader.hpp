@@ -8,6 +8,7 @@
 #include <kanexpr/derivation/read/joint_reader.hpp>
 #include <kanexpr/derivation/read/lagrange_reader.hpp>
 #include <kanexpr/derivation/read/load_reader.hpp>
+#include <kanexpr/derivation/read/unit_reader.hpp>
 #include <kanexpr/derivation/read/value_reader.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -89,7 +90,7 @@ public:
     if (from.inertial == nullptr) return reading_.fail({"inertial<...> takes one frame"});
     read_lists();
     if (reading_.mistake) return;
-    entities_.frame(from.inertial, "the system");
+    entities_.frame(from.inertial, "the system"sv);
     lagrange_.visit_lagrangian();
     each(from.bodies, [&](const body_record& r) { bodies_.read(r); });
     each(from.joints, [&](const joint_record& r) { joints_.read(r); });
@@ -110,6 +111,10 @@ public:
     if (!reading_.mistake) symbols_.place_added_inputs();
     symbols_.check_values_are_used();
   }
+
+  /// Whether the units that the model states fit, as far as its phrases decide this. Requires that `read` was
+  /// called and that there is no mistake.
+  constexpr bool units_fit() { return unit_reader(reading_, symbols_, phrases_, entities_).fit(); }
 
   /// Checks that every listed symbol is used. Requires that `read` was called.
   constexpr void check_listed_are_used() { symbols_.check_listed_are_used(); }

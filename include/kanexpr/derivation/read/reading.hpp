@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/read/wording.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -11,6 +12,8 @@
 #include <string_view>
 
 namespace kanexpr::derivation {
+
+using std::string_view_literals::operator""sv; // compilers need not count the letters
 
 using base::sentence;
 using base::sequence;
@@ -48,12 +51,15 @@ struct reading {
     states_units = true;
     if (!s.is_implied) checks_units = true;
     if (mistake) return;
-    for (mechanics::stated_unit& before : into.mechanism.stated_units)
-      if (before.symbol == s.symbol && before.unit == s.unit) {
-        if (!s.is_implied) before.is_implied = false;
+    sequence<mechanics::stated_unit>& all = into.mechanism.stated_units;
+    const int id = s.symbol.node();
+    mechanics::stated_unit* const before = all.begin(); // compilers interpret every call to operator[]
+    for (int i = all.size() - 1; i >= 0; --i)
+      if (before[i].symbol.node() == id && before[i].unit == s.unit) {
+        if (!s.is_implied) before[i].is_implied = false;
         return;
       }
-    into.mechanism.stated_units.push(s);
+    all.push(s);
   }
 
   /// True for Lagrange's method.

@@ -166,7 +166,7 @@ public:
   /// Registers a parameter or an input that is needed only for results requested later.
   constexpr void mention_elsewhere(const phrase& p) {
     using symbolic::symbol_kind;
-    constexpr std::string_view whom = "used_elsewhere<...>";
+    constexpr std::string_view whom = "used_elsewhere<...>"sv;
     const bool alone = p.size == 1 && p.tokens[0].what == describe::token_kind::symbol;
     const symbol_record* s = alone ? p.tokens[0].symbol : nullptr;
     if (s == nullptr || (s->kind != symbol_kind::parameter && s->kind != symbol_kind::input))
@@ -206,10 +206,10 @@ private:
     using symbolic::symbol_kind;
     switch (r.kind) {
     case symbol_kind::time: claim_time(); return m_.time;
-    case symbol_kind::coordinate: return listed(m_.coordinates, m_.coordinates, r, "coordinate", whom);
+    case symbol_kind::coordinate: return listed(m_.coordinates, m_.coordinates, r, "coordinate"sv, whom);
     case symbol_kind::coordinate_rate:
-      if (reading_.takes_rates_as_speeds()) return listed(m_.coordinates, m_.speeds, r, "coordinate", whom);
-      return listed(m_.coordinates, m_.coordinate_rates, r, "coordinate", whom);
+      if (reading_.takes_rates_as_speeds()) return listed(m_.coordinates, m_.speeds, r, "coordinate"sv, whom);
+      return listed(m_.coordinates, m_.coordinate_rates, r, "coordinate"sv, whom);
     case symbol_kind::speed:
       if (r.order == describe::of_state_variable) return state_variable(m_.speeds, r, whom);
       if (reading_.takes_rates_as_speeds())
@@ -217,16 +217,16 @@ private:
                        "; the only speeds of a lagrange_system are the rates of its coordinates"});
       if (const expression found = find(m_.auxiliary_speeds, r.called); !found.is_zero()) {
         used_auxiliary_.mark(m_.auxiliary_speeds.find(found));
-        return is_the_same(r, "auxiliary speed"), found;
+        return is_the_same(r, "auxiliary speed"sv), found;
       }
-      return listed(m_.speeds, m_.speeds, r, "speed", whom);
+      return listed(m_.speeds, m_.speeds, r, "speed"sv, whom);
     case symbol_kind::speed_rate:
       if (r.order == describe::of_state_variable) return state_variable(m_.speed_rates, r, whom);
       if (r.order != describe::unprescribed) return second_derivative(r, whom);
       if (has(m_.auxiliary_speeds, r.called))
         reading_.fail({reading_.part, whom, " contains the rate of auxiliary speed ", r.called.view(),
                        ", which is zero at all times"});
-      return listed(m_.speeds, m_.speed_rates, r, "speed", whom);
+      return listed(m_.speeds, m_.speed_rates, r, "speed"sv, whom);
     case symbol_kind::auxiliary_speed:
     case symbol_kind::multiplier:
     case symbol_kind::weight: break; // not available in models
@@ -241,9 +241,9 @@ private:
       for (int i = 0; i < bound_.size(); ++i)
         if (bound_[i] == r.called) {
           bound_is_used_[i] = 1;
-          return is_the_same(r, "parameter"), bound_values_[i];
+          return is_the_same(r, "parameter"sv), bound_values_[i];
         }
-      return mentioned(m_.parameters, used_parameters_, r, reading_.from.parameters.size != 0, "parameter",
+      return mentioned(m_.parameters, used_parameters_, r, reading_.from.parameters.size != 0, "parameter"sv,
                        whom);
     case symbol_kind::input:
       place_added_inputs(r, whom);
@@ -313,7 +313,7 @@ private:
   constexpr expression second_derivative(const symbol_record& r, std::string_view whom) {
     if (reading_.takes_rates_as_speeds())
       return listed(m_.coordinates, m_.speed_rates,
-                    {r.kind, derivative(r, 0), describe::unprescribed, r.given, r.is_named}, "coordinate",
+                    {r.kind, derivative(r, 0), describe::unprescribed, r.given, r.is_named}, "coordinate"sv,
                     whom);
     reading_.fail({reading_.part, whom, " contains the second derivative of coordinate ",
                    derivative(r, 0).view(), "; write it in terms of the rates of the speeds"});
@@ -371,7 +371,7 @@ private:
         return is_the_same(r, kind), known[i];
       }
     if (complete) return fail_by_unlisted(r, kind, whom);
-    claim(r, kind == "input" ? symbol_list::inputs : symbol_list::parameters);
+    claim(r, r.kind == symbolic::symbol_kind::input ? symbol_list::inputs : symbol_list::parameters);
     return r.kind == symbolic::symbol_kind::input ? m_.input(r.called) : m_.parameter(r.called);
   }
 

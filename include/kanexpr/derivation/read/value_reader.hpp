@@ -13,7 +13,7 @@ public:
   using part_reader::part_reader;
 
   constexpr void read(const phrase& p) {
-    phrases_.check_misuse(p, "values<...>");
+    phrases_.check_misuse(p, "values<...>"sv);
     if (reading_.mistake) return;
     const symbol_record* s = p.kind == shape::equation ? p.tokens[0].symbol : nullptr;
     phrase right{shape::scalar, p.tokens + 1, p.size - 2};
@@ -38,9 +38,9 @@ public:
                               t.symbol->called.view()});
     for (const describe::token& t : right)
       if (t.what == describe::token_kind::number && t.index == describe::whole_zero)
-        return reading_.fail(
-            {"the value of parameter ", s->called.view(), describe::misuse_message(describe::misuse::zero)});
-    const value number = phrases_.evaluate_part("the value of parameter ", right, s->called.view());
+        return reading_.fail({"the value of parameter ", s->called.view(),
+                              describe::misuse_message(describe::misuse::zero).view()});
+    const value number = phrases_.evaluate_part("the value of parameter "sv, right, s->called.view());
     if (!reading_.mistake && (number.kind != shape::scalar || !number.scalar.is_constant()))
       reading_.fail({"the value of parameter ", s->called.view(), " is not a number"});
     symbols_.bind(*s, number.scalar);

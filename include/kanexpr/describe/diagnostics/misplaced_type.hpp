@@ -6,9 +6,11 @@
 /// Types in the wrong place in a model.
 namespace kanexpr::describe {
 
-inline constexpr std::string_view joint_out_of_place = "a joint; list it in joints<...>";
+using std::string_view_literals::operator""sv; // compilers need not count the letters
+
+inline constexpr std::string_view joint_out_of_place = "a joint; list it in joints<...>"sv;
 /// A beam in place of a frame or a point.
-inline constexpr std::string_view a_beam = "a beam; name a place on it by section<Self, Beam, place>";
+inline constexpr std::string_view a_beam = "a beam; name a place on it by section<Self, Beam, place>"sv;
 
 /// Describes a type for a message about a misplaced type; empty if the type is not a word of a model.
 template <class Type>
@@ -16,17 +18,17 @@ constexpr std::string_view describe_kind() {
   if constexpr (requires { Type::joint_description(); })
     return joint_out_of_place;
   else if constexpr (requires { Type::content(); })
-    return "a body; list it in bodies<...>";
+    return "a body; list it in bodies<...>"sv;
   else if constexpr (requires { Type::orientation(); })
-    return "a frame; frames need not be listed";
+    return "a frame; frames need not be listed"sv;
   else if constexpr (requires { Type::place(); })
-    return "a point; points need not be listed";
+    return "a point; points need not be listed"sv;
   else if constexpr (requires { Type::load.what; })
-    return "a load; list it in loads<...>";
+    return "a load; list it in loads<...>"sv;
   else if constexpr (requires { Type::block.dynamics; })
-    return "a block; list it in blocks<...>";
+    return "a block; list it in blocks<...>"sv;
   else if constexpr (requires { Type::word; })
-    return "a word of the system";
+    return "a word of the system"sv;
   else
     return {};
 }

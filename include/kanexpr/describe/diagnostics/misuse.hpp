@@ -53,9 +53,11 @@ enum class misuse : unsigned char {
   touch_arguments,
 };
 
-inline constexpr base::sentence unknown_function_message = [] {
-  base::sentence
-      p; // appended letter by letter to save compile time: every file that includes this header evaluates it
+namespace detail {
+
+/// A function, because a constant would be evaluated in every file.
+constexpr base::sentence unknown_function_message() {
+  base::sentence p;
   const auto append = [&](std::string_view text) {
     for (char letter : text) p.letters[p.length++] = letter;
   };
@@ -65,10 +67,9 @@ inline constexpr base::sentence unknown_function_message = [] {
     append(f.name), append(", ");
   append("pow, hypot, min, max and clamp");
   return p;
-}();
+}
 
-/// The end of a sentence whose subject is the part of the model that contains the misuse.
-constexpr std::string_view misuse_message(misuse what) {
+constexpr std::string_view text_of(misuse what) {
   switch (what) {
   case misuse::assignment: return " uses =; write equations with ==";
   case misuse::change: return " uses an operator that modifies a symbol, such as +=";
@@ -123,7 +124,7 @@ constexpr std::string_view misuse_message(misuse what) {
   case misuse::axes:
     return " uses in_axes_of with something other than a vector and a frame; write in_axes_of<frame>(vector)";
   case misuse::partial: return " takes a partial derivative with respect to something that is not a symbol";
-  case misuse::function: return unknown_function_message.view();
+  case misuse::function: break;
   case misuse::points:
     return " uses position_of with something other than two points; write position_of<point, from>";
   case misuse::motion_in_frame:
@@ -134,7 +135,15 @@ constexpr std::string_view misuse_message(misuse what) {
   case misuse::zero_power:
     return " contains the exponent 0, which is also the value of 1/2 in C++; write pow(x, 0.5)";
   }
-  return "";
+  return {};
+}
+
+} // namespace detail
+
+/// The end of a sentence whose subject is the part of the model that contains the misuse.
+constexpr base::sentence misuse_message(misuse what) {
+  if (what == misuse::function) return detail::unknown_function_message();
+  return base::sentence({detail::text_of(what)});
 }
 
 } // namespace kanexpr::describe

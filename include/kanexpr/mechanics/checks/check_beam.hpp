@@ -74,8 +74,8 @@ constexpr base::sentence check_beam(const beam& b) {
   };
   if (const base::sentence found = check_property(b.length, "length")) return found;
   if (const base::sentence found = check_property(b.mass_per_length, "mass per length")) return found;
-  constexpr std::string_view stiffness_names[]{"bending stiffness", "second bending stiffness",
-                                               "torsional stiffness", "axial stiffness"};
+  constexpr const char* stiffness_names[]{"bending stiffness", "second bending stiffness",
+                                          "torsional stiffness", "axial stiffness"};
   for (const deformation d : b.deformations) {
     const int i = static_cast<int>(d);
     if (const base::sentence found = check_property(b.stiffness[i], stiffness_names[i])) return found;

@@ -96,7 +96,7 @@ public:
 
 private:
   constexpr base::sentence sentence_for(const body& b) const {
-    constexpr std::string_view word = "if this is intended, write changing_inertia<...>";
+    constexpr const char* word = "if this is intended, write changing_inertia<...>";
     const std::string_view frame = m_.frames[b.frame].called.view();
     for (const dyadic::part& p : b.inertia.parts)
       for (int axes : {p.left, p.right})

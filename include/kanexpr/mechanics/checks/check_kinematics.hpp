@@ -74,7 +74,7 @@ private:
   }
 
   constexpr void form(expression e) {
-    constexpr std::string_view of = "a kinematic differential equation";
+    constexpr const char* of = "a kinematic differential equation";
     if (const sentence symbol = symbol_in(m_, held_, e, {kind::speed_rate, kind::auxiliary_speed}))
       fail({of, " contains the ", symbol.view()});
     if (!found_) found_ = check_no_state_variable(m_, held_, e, of);

@@ -56,6 +56,7 @@ public:
 
   /// Has no effect if the units of a model need not fit, because the model itself states none.
   constexpr void state() {
+    by_.take_stated_units();
     if (!m_.checks_units()) return;
     if (!m_.flexible_bodies.empty()) mark_deformations();
     const parts_in_si_units& trusted = of_.in_si_units;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/loads/friction_law.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/loads/path_load.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
@@ -31,6 +32,11 @@ constexpr void add_spring_along(loads& to, const pathway& along, expression stif
 constexpr void add_damper_along(loads& to, const pathway& along, expression damping) {
   if (is_straight(along)) return add_damper(to.spring_dampers, along.points[0], along.points[1], damping);
   to.path_loads.push({along, tension_law::damper, {damping}});
+}
+
+constexpr void add_friction_along(loads& to, const pathway& along, expression normal_force,
+                                  const friction_law& law) {
+  to.path_loads.push({along, tension_law::friction, {normal_force}, law});
 }
 
 /// A stop at a least and at a greatest length; the width is the default one if it is not given.

@@ -3,26 +3,28 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/force_system.hpp>
+#include <kanexpr/mechanics/loads/friction_law.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/loads/one_sided.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/units/possible_unit.hpp>
 #include <kanexpr/units/si.hpp>
 #include <kanexpr/units/unit.hpp>
 
-#include <optional>
 #include <string_view>
 
 namespace kanexpr::mechanics {
 
 /// The law of the tension T in a pathway of length l.
 enum class tension_law : unsigned char {
-  given,  ///< T = terms[0]
-  spring, ///< T = k x + k₃ x³ with x = l − l₀; terms k, k₃, l₀
-  damper, ///< T = c dl/dt; terms[0] is c
-  stop,   ///< no tension from a least to a greatest length; terms least, greatest, k, c, width
+  given,    ///< T = terms[0]
+  spring,   ///< T = k x + k₃ x³ with x = l − l₀; terms k, k₃, l₀
+  damper,   ///< T = c dl/dt; terms[0] is c
+  friction, ///< T = N μ(dl/dt) with the coefficient of a law of friction; terms[0] is N
+  stop,     ///< no tension from a least to a greatest length; terms least, greatest, k, c, width
 };
 
 /// A load along a pathway. A positive tension shortens the pathway.
@@ -30,6 +32,7 @@ struct path_load {
   pathway along{};
   tension_law law{};
   sequence<expression> terms{};
+  friction_law friction{};
 
   constexpr void act(force_system& on, conservative how) const {
     if (how == conservative::by_energy && law == tension_law::spring) return;
@@ -48,6 +51,7 @@ struct path_load {
     case tension_law::given: return "force";
     case tension_law::spring: return terms[1].is_zero() ? "linear spring" : "cubic spring";
     case tension_law::damper: return "linear damper";
+    case tension_law::friction: return "friction";
     case tension_law::stop: return "stop";
     }
     return {};
@@ -61,6 +65,9 @@ struct path_load {
     switch (law) {
     case tension_law::given: return by.check_no_speed_rates(terms[0], "the ", whose.view());
     case tension_law::damper: return by.check_no_speed_rates(terms[0], "the damping of the ", whose.view());
+    case tension_law::friction:
+      by.check_no_speed_rates(terms[0], "the normal force of the ", whose.view());
+      return friction.check_with(by, sentence({"the ", whose.view()}).view());
     case tension_law::spring:
       by.check_constant(terms[0], "the stiffness of the ", whose.view());
       by.check_constant(terms[1], "the cubic stiffness of the ", whose.view());
@@ -73,7 +80,7 @@ struct path_load {
     namespace si = units::si;
     units::unit length = si::meter, force = si::newton;
     if (along.form == pathway_form::given_length) {
-      const std::optional<units::unit> found = by.unit_of(along.length);
+      const units::possible_unit found = by.unit_of(along.length);
       if (!found) return;
       length = *found;
       force = length == si::radian ? si::newton * si::meter : si::joule / length;
@@ -91,6 +98,7 @@ struct path_load {
       expect(1, "the cubic stiffness of the ", force / units::pow<3>(length));
       return expect(2, "the natural length of the ", length);
     case tension_law::damper: return expect(0, "the damping of the ", force * si::second / length);
+    case tension_law::friction: return state_units_of_friction(by, whose.view(), force, length / si::second);
     case tension_law::stop:
       expect(0, "the least length of the ", length);
       expect(1, "the greatest length of the ", length);
@@ -101,6 +109,19 @@ struct path_load {
   }
 
 private:
+  constexpr void state_units_of_friction(load_units& by, std::string_view whose, const units::unit& force,
+                                         const units::unit& speed) const {
+    const auto state = [&](expression e, std::string_view what, const units::unit& u) {
+      by.describe({what, whose});
+      if (e.is_given()) by.expect(e, u);
+    };
+    if (friction.sliding.is_given()) state(terms[0] * friction.sliding, "the dry part of the ", force);
+    if (friction.sticking.is_given()) state(terms[0] * friction.sticking, "the static part of the ", force);
+    if (friction.viscous.is_given())
+      state(terms[0] * friction.viscous, "the viscous part of the ", force / speed);
+    state(friction.slip_speed, "the slip speed of the ", speed);
+  }
+
   constexpr expression tension(force_system& on, const taut_pathway& taut, conservative how) const {
     switch (law) {
     case tension_law::given: return on.known(terms[0]);
@@ -111,6 +132,10 @@ private:
     case tension_law::damper: {
       const expression damping = on.known(terms[0]);
       return damping * taut.rate(on.moving());
+    }
+    case tension_law::friction: {
+      const expression normal = on.known(terms[0]);
+      return normal * friction.known_in(on).coefficient(taut.rate(on.moving()));
     }
     case tension_law::stop: return tension_of_stop(on, taut, how);
     }

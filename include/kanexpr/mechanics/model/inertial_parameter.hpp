@@ -12,8 +12,8 @@
 namespace kanexpr::mechanics {
 
 /// The names of the inertial parameters, in order.
-inline constexpr std::string_view inertial_parameter_names[]{"m",   "m*x", "m*y", "m*z", "ixx",
-                                                             "iyy", "izz", "ixy", "iyz", "izx"};
+inline constexpr const char* inertial_parameter_names[]{"m",   "m*x", "m*y", "m*z", "ixx",
+                                                        "iyy", "izz", "ixy", "iyz", "izx"};
 
 /// The number of inertial parameters of a body.
 constexpr int inertial_parameters_of(const body& b) { return b.frame == none ? 1 : 10; }

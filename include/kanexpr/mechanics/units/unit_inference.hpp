@@ -15,11 +15,11 @@
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/printing/short_text.hpp>
+#include <kanexpr/units/possible_unit.hpp>
 #include <kanexpr/units/si.hpp>
 #include <kanexpr/units/unit.hpp>
 #include <kanexpr/units/unit_text.hpp>
 
-#include <optional>
 #include <string_view>
 
 namespace kanexpr::mechanics {
@@ -32,12 +32,15 @@ namespace kanexpr::mechanics {
 /// has the unit that is expected there.
 class unit_inference {
 public:
-  constexpr explicit unit_inference(const mechanism& m) : m_(m), g_(*m.g) {
+  constexpr explicit unit_inference(const mechanism& m) : m_(m), g_(*m.g) {}
+
+  /// Takes the units that the mechanism states, first of all.
+  constexpr void take_stated_units() {
     mark_amplitudes();
-    for (const stated_unit& each : m.stated_units) state(each);
-    for (const prescribed_rate& p : m.prescribed_rates) {
+    for (const stated_unit& each : m_.stated_units) state(each);
+    for (const prescribed_rate& p : m_.prescribed_rates) {
       const unit_product quantity = of(p.quantity);
-      require(p.rate, quantity / known_unit(units::si::second));
+      require(p.rate, relations_.quotient(quantity, known_unit(units::si::second)));
     }
   }
 
@@ -47,11 +50,11 @@ public:
   constexpr const sentence& mistake() const { return mistake_; }
 
   /// The unit of an expression; none if it is not determined. Sums of different units are not reported.
-  constexpr std::optional<units::unit> unit_of(expression e) {
+  constexpr units::possible_unit unit_of(expression e) {
     const sentence before = mistake_;
     unit_product u = relations_.resolved(of(e));
     mistake_ = before;
-    if (u.fits_all || !u.is_known() || relations_.is_rounded(u.known)) return std::nullopt;
+    if (u.fits_all || !u.is_known() || relations_.is_rounded(u.known)) return {};
     const bool is_inferred = !form_at(e.node()).is_known();
     if (is_inferred && g_[e.node()].op == operation::symbol) unit_relations::drop_angle_of_length(u.known);
     return u.known;
@@ -89,7 +92,7 @@ public:
   constexpr void suggest_coefficient(expression e, expression rate, const units::unit& u) {
     if (mistake_ || !e.is_given() || !holds_parameter(e)) return;
     const unit_product coefficient = of(e), velocity = of(rate);
-    const unit_product found = coefficient * velocity * velocity;
+    const unit_product found = relations_.product(relations_.product(coefficient, velocity), velocity);
     if (!mistake_) equate(found, known_unit(u));
     mistake_ = {};
   }
@@ -97,7 +100,7 @@ public:
   constexpr void suggest_amplitude(expression e, const units::unit& u) {
     if (mistake_) return;
     const unit_product found = relations_.resolved(of(e));
-    if (found.unknown.size() == 1 && found.unknown[0].power == units::unit::parts)
+    if (found.unknowns == 1 && relations_.unknown(found, 0).power == units::unit::parts)
       equate(found, known_unit(u));
     mistake_ = {};
   }
@@ -175,7 +178,7 @@ private:
   }
 
   /// An expression with its unit in brackets; without one if its unit is not known.
-  constexpr sentence with_unit(int id, const unit_product& u) const {
+  constexpr sentence with_unit(int id, const unit_product& u) {
     const unit_product found = relations_.resolved(u);
     const symbolic::short_text text(g_, id);
     if (!found.is_known()) return sentence({text.view()});
@@ -188,7 +191,7 @@ private:
   };
   constexpr void fail_by_pair(const wording& how, int a, const unit_product& left, int b,
                               const unit_product& right) {
-    const unit_product ratio = relations_.resolved(right / left);
+    const unit_product ratio = relations_.resolved(relations_.quotient(right, left));
     const bool are_known = relations_.resolved(left).is_known();
     fail({what_, whose_, how.before, with_unit(a, left).view(), how.between, with_unit(b, right).view(),
           are_known ? "" : ", whose units differ by a factor of ",
@@ -198,7 +201,7 @@ private:
   /// Explains a unit: "; the factor 0.3 has no unit" if an expression has a factor that may be meant to have
   /// one, otherwise the unit of the first parameter or input whose unit the model does not state: "; c is in
   /// N s/m by the force at P". Empty if there is none, or if the present part of the model determines it.
-  constexpr sentence origin_of_unit(int id, int other = symbolic::graph::zero) const {
+  constexpr sentence origin_of_unit(int id, int other = symbolic::graph::zero) {
     for (const int each : {id, other})
       if (const int factor = factor_in(each); factor != none)
         return sentence({"; the factor ", symbolic::short_text(g_, factor).view(), " has no unit"});
@@ -219,7 +222,7 @@ private:
     if (value.exact() && value.numerator < 5 && value.numerator > -5) return none;
     return id;
   }
-  constexpr sentence origin_in(int id) const {
+  constexpr sentence origin_in(int id) {
     const symbolic::node& n = g_[id];
     if (n.op == operation::constant) return {};
     if (n.op != operation::symbol) {
@@ -229,8 +232,8 @@ private:
     }
     const symbolic::symbol_kind kind = g_.symbol_at(id).kind;
     if (kind != symbolic::symbol_kind::parameter && kind != symbolic::symbol_kind::input) return {};
-    if (!has_form(id) || form_at(id).unknown.size() != 1) return {};
-    const int unknown = form_at(id).unknown[0].of;
+    if (!has_form(id) || form_at(id).unknowns != 1) return {};
+    const int unknown = relations_.unknown(form_at(id), 0).of;
     if (!relations_.is_solved(unknown) || unknown >= reason_of_.size() || reason_of_[unknown] == none)
       return {};
     const std::string_view reason = reasons_[reason_of_[unknown]].view();
@@ -243,9 +246,9 @@ private:
   constexpr bool has_form(int id) const { return id < place_of_form_.size() && place_of_form_[id] != none; }
   /// The form of a node that has one.
   constexpr const unit_product& form_at(int id) const { return forms_[place_of_form_[id]]; }
-  constexpr void set_form(int id, unit_product&& form) {
+  constexpr void set_form(int id, const unit_product& form) {
     if (id >= place_of_form_.size()) place_of_form_.resize(g_.size(), none);
-    place_of_form_[id] = forms_.push(static_cast<unit_product&&>(form));
+    place_of_form_[id] = forms_.push(form);
   }
 
   constexpr unit_product of(expression e) { return of(e.node()); }
@@ -275,13 +278,13 @@ private:
   }
 
   constexpr unit_product of_leaf(int id, const symbolic::node& n) {
-    if (n.op == operation::constant) return {{}, {}, true};
+    if (n.op == operation::constant) return unit_of_number;
     using symbolic::symbol_kind;
     const symbolic::symbol& s = g_.symbol_at(id);
     switch (s.kind) {
     case symbol_kind::time: return known_unit(units::si::second);
-    case symbol_kind::coordinate_rate: return of(m_.coordinates[s.position]) / known_unit(units::si::second);
-    case symbol_kind::speed_rate: return of(m_.speeds[s.position]) / known_unit(units::si::second);
+    case symbol_kind::coordinate_rate: return rate_of(m_.coordinates[s.position]);
+    case symbol_kind::speed_rate: return rate_of(m_.speeds[s.position]);
     case symbol_kind::coordinate:
     case symbol_kind::speed:
     case symbol_kind::parameter:
@@ -296,6 +299,10 @@ private:
     for (const function_value& each : m_.function_values)
       if (each.symbol.node() == id) return of_value(each);
     return relations_.add_unknown();
+  }
+
+  constexpr unit_product rate_of(expression symbol) {
+    return relations_.quotient(of(symbol), known_unit(units::si::second));
   }
 
   constexpr unit_product of_value(const function_value& f) {
@@ -349,7 +356,7 @@ private:
     if (left.fits_all && right.fits_all) return left;
     if (left.fits_all != right.fits_all && is_deformation(left.fits_all ? n.b : n.a))
       return relations_.add_unknown();
-    return times_power(left, right, sign * units::unit::parts);
+    return sign > 0 ? relations_.product(left, right) : relations_.quotient(left, right);
   }
 
   /// Marks the amplitudes of beams, whose units are expected, and their rates.
@@ -394,7 +401,7 @@ private:
       const auto whole = static_cast<std::int64_t>(scaled < 0 ? scaled - 0.5 : scaled + 0.5);
       const double rest = scaled - static_cast<double>(whole);
       if (rest > 1e-9 || rest < -1e-9) relations_.tolerate_rounding();
-      if (mechanics::has_power(base, whole, parts)) return mechanics::power(base, whole, parts);
+      if (relations_.has_power(base, whole, parts)) return relations_.power(base, whole, parts);
     }
     if (base.is_known() && base.known == units::dimensionless) return base;
     return relations_.add_unknown();
@@ -421,7 +428,7 @@ private:
     return known_unit(radian_if(angle_rule::value));
   }
   constexpr unit_product root_of(const unit_product& u, int order) {
-    if (u.fits_all || mechanics::has_power(u, 1, order)) return mechanics::power(u, 1, order);
+    if (u.fits_all || relations_.has_power(u, 1, order)) return relations_.power(u, 1, order);
     return relations_.add_unknown();
   }
 
