@@ -6,6 +6,7 @@
 #include <kanexpr/describe/operators.hpp>
 #include <kanexpr/describe/record.hpp>
 #include <kanexpr/describe/symbol.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <array>
 #include <cstddef>

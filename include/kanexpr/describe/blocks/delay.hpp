@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/describe/blocks/block.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <utility>
 
