@@ -17,12 +17,12 @@ constexpr speed<"vz"> vz;
 constexpr speed<"w"> w;
 constexpr parameter<"m", kilogram> m;
 constexpr parameter<"r", meter> r;
-constexpr parameter<"k"> k;                  // stiffness, in N/m^(3/2)
-constexpr parameter<"d", meter> d;           // the distance over which the contact closes
-constexpr parameter<"v", meter / second> v;  // the speed at which the restitution holds
-constexpr parameter<"mu"> mu;                // friction
-constexpr parameter<"b", meter> b;           // lever of the rolling resistance
-constexpr parameter<"s", radian / second> s; // angular velocity below which it is smoothed
+constexpr parameter<"k", newton / pow<3, 2>(meter)> k; // stiffness
+constexpr parameter<"d", meter> d;                     // the distance over which the contact closes
+constexpr parameter<"v", meter / second> v;            // the speed at which the restitution holds
+constexpr parameter<"mu", dimensionless> mu;           // friction
+constexpr parameter<"b", meter> b;                     // lever of the rolling resistance
+constexpr parameter<"s", radian / second> s;           // angular velocity below which it is smoothed
 constexpr parameter<"g", meter / pow<2>(second)> g;
 
 struct N : inertial_frame<N> {}; // x to the right, z up

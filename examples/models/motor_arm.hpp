@@ -17,12 +17,12 @@ constexpr state_variable<"e"> integral;         // of the deviation
 constexpr parameter<"m", kilogram> m;
 constexpr parameter<"l", meter> l;
 constexpr parameter<"g", meter / pow<2>(second)> g;
-constexpr parameter<"n"> n; // gear ratio
-constexpr parameter<"k"> k; // torque per current, and voltage per angular velocity
-constexpr parameter<"R"> R;
-constexpr parameter<"L"> L;
-constexpr parameter<"kp"> kp;
-constexpr parameter<"ki"> ki;
+constexpr parameter<"n", dimensionless> n;           // gear ratio
+constexpr parameter<"k", newton * meter / ampere> k; // torque per current, and voltage per angular velocity
+constexpr parameter<"R", ohm> R;
+constexpr parameter<"L", henry> L;
+constexpr parameter<"kp", volt / radian> kp;
+constexpr parameter<"ki", volt / radian / second> ki;
 constexpr parameter<"tau", second> tau;
 constexpr input<"r", radian> reference;
 

@@ -8,6 +8,8 @@
 #include <kanexpr/describe/constraint.hpp>
 #include <kanexpr/describe/extended.hpp>
 #include <kanexpr/describe/motion.hpp>
+#include <kanexpr/describe/path_load.hpp>
+#include <kanexpr/describe/pathway.hpp>
 #include <kanexpr/describe/system.hpp>
 #include <kanexpr/units/si.hpp>
 #include <kanexpr/units/unit_text.hpp>

@@ -5,11 +5,14 @@
 
 #include <kanexpr/describe.hpp>
 
+#include <kanexpr/describe/joints/bushing.hpp>
 #include <kanexpr/describe/joints/constraints.hpp>
-#include <kanexpr/describe/joints/friction_in_joint.hpp>
+#include <kanexpr/describe/joints/friction_load.hpp>
 #include <kanexpr/describe/joints/joints.hpp>
 #include <kanexpr/describe/joints/motor.hpp>
 #include <kanexpr/describe/joints/reactions.hpp>
+#include <kanexpr/describe/joints/rotor.hpp>
+#include <kanexpr/describe/joints/stops.hpp>
 
 // The joints
 #include <kanexpr/describe/joints/floating.hpp>

@@ -116,13 +116,16 @@ TEST(picture_of, shows_sliders_springs_particles_and_balls_of_a_builder) {
   const auto P = b.offset("P", C, b.along(B, 0, 0, l));
   b.particle("Cart", C, b.number(1)), b.particle("Bob", P, b.number(1));
   b.spring(C, O, k), b.damper(C, O, c), b.gravity(b.along(N, 0, 0, -9.81));
+  const runtime::pathway cable = b.through({O, C, P});
+  b.force_along(cable, b.number(2)), b.linear_damper(cable, c);
   const model m = derive(b);
   ASSERT_EQ(m.mistake(), "");
   const animation a = animated(m, positions(m, {2, 1, 1}, {{-1, 0, 0, 0}, {3, 0.1, 0.2, 0.3}}));
   ASSERT_TRUE(a) << a.cause();
   EXPECT_EQ(names_of(a), (std::vector<std::string>{"rod: rail of C", "box: slider at C", "rod: link of B",
                                                    "sphere: ball joint at C", "sphere: Cart", "sphere: Bob",
-                                                   "coil: spring from C to O", "rod: damper from C to O"}));
+                                                   "coil: spring from C to O", "rod: damper from C to O",
+                                                   "rod: cable from O to C", "rod: cable from C to P"}));
   const animate::placement rail = a.find("rail of C")->placements[0];
   EXPECT_LT((rail.position - Vector3d(-1.3, 0, 0)).norm() * (rail.position - Vector3d(3.3, 0, 0)).norm(),
             1e-12);

@@ -135,6 +135,8 @@ using load = body<2.5, 0.2 * own::y, inertia<own, 0.4, 0.5, 0.6>>;
 struct Crank : pin<Crank, Ground, axis<own::z>, load> {};
 struct Slider : prismatic<Slider, Crank, axis<Crank::x>, load> {};
 
+struct Hook : offset<Hook, Ground, 0.3 * Ground::x + 0.8 * Ground::y> {};
+
 template <class... Loads>
 struct jointed : kane_system<inertial<Ground>, joints<Crank, Slider>, parameters<k, mu, v>,
                              used_elsewhere<k, mu, v>, loads<Loads...>> {};
@@ -162,6 +164,11 @@ TEST(friction_words, of_joints) {
   constexpr auto peak = 0.3 * tanh(4 * relative) + (mu - 0.3) * relative / (width * width) + 0.1 * sliding;
   expect_same_friction<jointed<friction<Slider, 2 * k, stribeck_friction<mu, 0.3, v, 0.1>>>,
                        jointed<force_between<Slider, Crank, -2 * k * peak * Crank::x>>>();
+  using line = straight<Slider, Hook>;
+  constexpr auto stretch = position_of<Slider, Hook>;
+  constexpr auto rate = dot(stretch, velocity_of<Slider>) / magnitude(stretch);
+  expect_same_friction<jointed<friction<line, k, coulomb_friction<mu, v>>>,
+                       jointed<force_along<line, k * mu * rate / sqrt(rate * rate + v * v)>>>();
   expect_same_friction<jointed<friction<Crank, 1, viscous_friction<mu>>>,
                        jointed<joint_friction<Crank, mu>>>();
 }

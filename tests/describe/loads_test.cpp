@@ -203,6 +203,71 @@ Eigen::VectorXd carried_motion() {
 
 } // namespace
 
+namespace {
+
+constexpr auto from_wall = position_of<P, Wall>;
+constexpr auto from_elbow = position_of<Q, P>;
+constexpr auto cable = magnitude(from_elbow) + magnitude(from_wall);
+using over_elbow = through<Q, P, Wall>;
+
+} // namespace
+
+TEST(loads, along_pathways) {
+  expect_same_motion<arm<linear_spring<straight<Q, Wall>, k, 0.4>, linear_damper<straight<Wall, Q>, c>>,
+                     arm<spring<Q, Wall, k, 0.4>, damper<Q, Wall, c>>>();
+  expect_same_motion<arm<force_along<straight<Q, Wall>, F>>,
+                     arm<force_between<Q, Wall, -F * normalized(line)>>>();
+  expect_same_motion<arm<force_along<straight<Q, Wall>, c * derivative(magnitude(line))>>,
+                     arm<damper<Q, Wall, c>>>();
+  expect_same_motion<arm<force_along<over_elbow, F>>,
+                     arm<force_between<Q, P, -F * normalized(from_elbow)>,
+                         force_between<P, Wall, -F * normalized(from_wall)>>>();
+  expect_same_motion<arm<linear_spring<over_elbow, k, l>>,
+                     arm<potential_energy<k * pow(cable - l, 2) / 2>>>();
+  expect_same_motion<arm<linear_damper<over_elbow, c>>,
+                     arm<force_along<over_elbow, c * derivative(cable)>>>();
+  expect_same_motion<arm<cubic_spring<over_elbow, k, c>>,
+                     arm<potential_energy<k * pow(cable, 2) / 2>, potential_energy<c * pow(cable, 4) / 4>>>();
+  expect_same_motion<arm<linear_spring<given_length<q1 - 0.3 * q3>, k, 0.2>>,
+                     arm<potential_energy<k * pow(q1 - 0.3 * q3 - 0.2, 2) / 2>>>();
+  expect_same_motion<arm<linear_damper<given_length<2 * q2>, c>>,
+                     arm<torque_between<B, A, -4 * c * u2 * A::x>>>();
+}
+
+TEST(loads, at_stops) {
+  constexpr auto beyond = q2 - 0.6;
+  constexpr auto one_sided = max(beyond - 0.001, 0);
+  constexpr auto t = clamp(beyond / 0.001, 0, 1);
+  constexpr auto elastic = k * (0.001 * t * t * t * (1 - t / 2) + one_sided);
+  using stopped = arm<stop<given_length<q2>, 0, 0.6, k, 0.2, 0.001>>;
+  expect_same_motion<stopped, arm<torque_between<B, A, -elastic * (1 + 0.2 * u2) * A::x>>>();
+  expect_same_motion<stopped, arm<stop<given_length<q2>, 0, 0.6, k, rational<1, 5>, 0.001>>>();
+  expect_same_motion<arm<stop<given_length<q2>, 0.1, 0.6, k, 0.2>>,
+                     arm<stop<given_length<q2>, 0.1, 0.6, k, 0.2, 0.0005>>>();
+}
+
+TEST(loads, around_surfaces) {
+  constexpr auto p = position_of<Q, P>, q = position_of<Wall, P>;
+  constexpr auto first = sqrt(dot(p, p) - 0.01);
+  constexpr auto last = sqrt(dot(q, q) - 0.01);
+  constexpr auto angle = atan2(magnitude(cross(p, q)), dot(p, q)) - atan2(first, 0.1) - atan2(last, 0.1);
+  constexpr auto around = if_positive(angle, first + last + 0.1 * angle, magnitude(p - q));
+  expect_same_motion<arm<linear_spring<around_sphere<P, 0.1, Q, Wall>, k, 0.2>>,
+                     arm<potential_energy<k * pow(around - 0.2, 2) / 2>>>();
+  // along z, a cylinder and a sphere have equal sections
+  struct Level : offset<Level, P, q3 * N::x + 0.2 * A::y> {};
+  struct Post : offset<Post, P, -0.3 * N::x - 0.2 * N::y> {};
+  constexpr auto round = magnitude(cross(position_of<Level, P>, position_of<Post, P>));
+  expect_same_motion<
+      arm<force_along<around_sphere<P, 0.1, Level, Post>, F>>,
+      arm<force_along<around_cylinder<A, P, 2 * N::z, 0.1, Level, Post, wrapping::counterclockwise>,
+                      F * smooth_step(dot(cross(position_of<Level, P>, position_of<Post, P>), N::z) / round,
+                                      0, 0.1)>,
+          force_along<around_cylinder<A, P, A::z, 0.1, Level, Post, wrapping::clockwise>,
+                      F * smooth_step(-dot(cross(position_of<Level, P>, position_of<Post, P>), N::z) / round,
+                                      0, 0.1)>>>();
+}
+
 TEST(loads, of_motion_that_is_prescribed_or_auxiliary) {
   constexpr auto v = u3 * Turned::x + (u1 + dot(theta)) * q3 * Turned::y;
   expect_equal((carried_motion<

@@ -45,6 +45,27 @@ TEST(joints, are_an_arm) {
 
 } // namespace arm
 
+namespace driven {
+
+using given::m, given::l, given::J, given::c;
+constexpr parameter<"k"> k;
+struct Ground : inertial_ground<Ground> {};
+
+#include <docs/guide/joints/driven.cpp>
+
+// (m l² + 50² J) u̇ of a motor at a stop.
+TEST(joints, have_stops_and_rotors) {
+  expect_no_mistake<System>();
+  using eom = equations_of_motion<System>;
+  const eom::parameters p{{m, 2}, {l, 0.5}, {J, 1e-3}, {c, 3}, {k, 7}};
+  const eom::state x{{q_of<Shoulder>, 2.1}, {u_of<Shoulder>, 0.4}};
+  const double torque = 5 - 7 * (2.1 - 0.3) - 3 * 0.4 - 500 * (0.1 - 0.0015) * (1 + 0.5 * 0.4);
+  EXPECT_NEAR(eom::udot(x, p, eom::inputs{{effort_of<Shoulder>, 5}})(0), torque / (2 * 0.25 + 2500 * 1e-3),
+              1e-10);
+}
+
+} // namespace driven
+
 namespace crane {
 
 using namespace given;

@@ -10,6 +10,7 @@
 #include <kanexpr/fixed_step.hpp>
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/simulate.hpp>
+#include <kanexpr/simulations/events/impact.hpp>
 #include <kanexpr/simulations/prescribe.hpp>
 #include <kanexpr/symbolic.hpp>
 
@@ -67,6 +68,10 @@ TEST(simulation, has_events) {
       {{h, 2}, {v, 0}}, {{m, 0.3}, {g, 9.81}}, {0, 10},
       {.events = {when<System, dot(position_of<P, O>, N::z)>("contact", crossing::falling, bounce_or_rest)}});
   EXPECT_TRUE(ended.stopped_by_event);
+#include <docs/simulation/impact.cpp>
+  const auto hits = simulate<System>({{h, 2}, {v, 0}}, {{m, 0.3}, {g, 9.81}}, {0, 10}, {.events = {hit}});
+  EXPECT_TRUE(hits.stopped_by_event);
+  EXPECT_EQ(hits.events.size(), ended.events.size() + 1); // the speed before the impact is compared
 }
 
 TEST(operating_points, hold_a_pendulum) {

@@ -1,6 +1,7 @@
 // builds: clang++ sanitize
 // Flexible bodies from the modes of finite-element models, and the sentences that report invalid files.
 #include "flexible/modes_file.hpp"
+#include "flexible/sid_writer.hpp"
 
 #include <kanexpr/flexible/read_modes.hpp>
 #include <kanexpr/flexible/read_sid.hpp>

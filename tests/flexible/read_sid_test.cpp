@@ -1,6 +1,7 @@
 // builds: clang++ sanitize
 // Flexible bodies from files with standard input data, and the sentences that report invalid files.
 #include "flexible/lumped_body.hpp"
+#include "flexible/sid_writer.hpp"
 
 #include <kanexpr/flexible/read_sid.hpp>
 

@@ -87,7 +87,8 @@ struct System : jointed<joints<Arm>, loads<friction<Arm, l, coulomb_friction<0.4
 void f() { use<System>(); }
 } // namespace n12
 
-// expect: the friction between Arm and Ground lacks an argument; write friction<Joint, normal force, law>
+// expect: the friction between Arm and Ground lacks an argument; write friction<Joint or Path, normal
+// expect: force, law>
 namespace n13 {
 struct System : jointed<joints<Arm>, loads<friction<Arm, l>>> {};
 void f() { use<System>(); }

@@ -113,7 +113,7 @@ void f() { use<System>(); }
 } // namespace n15
 
 // expect: joint Link has an argument that is not a word of a joint; the words are at<...>, axis<...>,
-// expect: home<...>, by<...> and body<...>
+// expect: home<...>, by<...>, body<...>, stops<...> and rotor<...>
 namespace n16 {
 struct Link : pin<Link, Ground, up, inertia<own, 1, 1, 1>, mass> {};
 struct System : jointed<joints<Link>> {};
@@ -456,3 +456,60 @@ struct Link : screw<Link, Ground, axis<Ground::z>, pitch<1 / 2>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n62
+
+// expect: joint Link has stops, but not exactly one coordinate
+namespace n63 {
+struct Link : universal<Link, Ground, axis<own::z, own::x>, stops<-1, 1, 100, 0.1>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n63
+
+// expect: joint Link has stops<...> twice; write one list
+namespace n64 {
+struct Link : pin<Link, Ground, up, stops<-1, 1, 100, 0.1>, stops<-1, 1, 100, 0.1>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n64
+
+// expect: the stop with q_Link lacks an argument; write stop<Path, least, greatest, stiffness, damping, width>
+namespace n65 {
+struct Link : pin<Link, Ground, up, stops<-1, 1, 100>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n65
+
+// expect: the greatest length of the stop with q_Link does not exceed the least length
+namespace n66 {
+struct Link : pin<Link, Ground, up, stops<1, -1, 100, 0.1>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n66
+
+// expect: joint Link has two rotors
+namespace n67 {
+struct Link : pin<Link, Ground, up, rotor<0.1>, rotor<0.2>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n67
+
+// expect: joint Link has rotor<...> with no inertia or too many values; write rotor<inertia, gear ratio>
+namespace n68 {
+struct Link : pin<Link, Ground, up, rotor<0.1, 50, 2>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n68
+
+// expect: joint Link has a rotor, but not exactly one coordinate
+namespace n69 {
+struct Link : planar<Link, Ground, axis<own::x, own::y>, rotor<0.1, 50>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n69
+
+// expect: the linear spring acts along Link, which is a joint with more than one coordinate or none, not a
+// expect: pathway; write straight<P, Q>, for example
+namespace n70 {
+struct Link : planar<Link, Ground, axis<own::x, own::y>, mass> {};
+struct System : jointed<joints<Link>, loads<linear_spring<Link, 3>>> {};
+void f() { use<System>(); }
+} // namespace n70

@@ -114,6 +114,23 @@ TEST(robot_builder, feels_what_is_at_joints) {
   EXPECT_TRUE((forcing(x, none, inputs) - plain(x, none, inputs)).isApprox(felt, 1e-12));
 }
 
+TEST(robot_builder, stops_at_limits) {
+  const robot r = robot_of("arm.urdf");
+  const joint_limits& limits = r.joints[2].limits;
+  const limit_stops by{.turning = 400, .damping = 0.5, .width = 0.02};
+  const robot_builder with(r, {.stops = by}), without(r);
+  ASSERT_EQ(with.cause(), "");
+  model m = derive(with), n = derive(without);
+  auto forcing = m.function(m.forcing()), plain = n.function(n.forcing());
+  Eigen::VectorXd x(6), none;
+  const Eigen::Vector3d inputs(1, 2, 3);
+  x << 0.3, -0.4, limits.upper + 0.1, 1.5, -0.7, 0.2;
+  const Eigen::Vector3d felt(0, 0, -400 * (0.1 - 0.01) * (1 + 0.5 * 0.2));
+  EXPECT_TRUE((forcing(x, none, inputs) - plain(x, none, inputs)).isApprox(felt, 1e-11));
+  x(2) = 0.5 * (limits.lower + limits.upper);
+  EXPECT_TRUE((forcing(x, none, inputs) - plain(x, none, inputs)).isZero(1e-13));
+}
+
 // A robot on a wall and the inputs that hold it still.
 TEST(robot_builder, falls_along_the_gravity_of_the_robot) {
   robot r = robot_of("arm.urdf");

@@ -243,6 +243,24 @@ TEST(friction, of_a_ball_that_begins_to_roll) {
   EXPECT_NEAR(x[3], 0.1 * x[5], 1e-6);
 }
 
+TEST(friction, along_a_cable) {
+  ball b(0.0);
+  const auto law = friction_law::stribeck(b.number(0.5), b.number(0.3), b.number(0.02), b.number(0.07));
+  b.friction_along(b.straight(b.center, b.ground), b.number(6), law);
+  model m = derive(b);
+  ASSERT_EQ(m.mistake(), "");
+  VectorXd x(6);
+  x << 0.3, 0.4, 0, 0.05, -0.02, 0;
+  const VectorXd rates = m.function(m.rhs())(x);
+  const double pull = 6 * stribeck(0.6 * 0.05 - 0.8 * 0.02) / 2; // by the mass of 2 kg
+  EXPECT_NEAR(rates[3], -0.6 * pull, 1e-14);
+  EXPECT_NEAR(rates[4], -0.8 * pull, 1e-14);
+  ball other(0.0);
+  other.friction_along(other.straight(other.center, other.ground), other.number(6),
+                       friction_law::coulomb(other.number(0.4), {}));
+  EXPECT_EQ(derive(other).mistake(), "a friction along a pathway has no slip speed");
+}
+
 TEST(friction, rolling_resistance_stops_a_ball) {
   constexpr double g = 9.81, lever = 0.002;
   ball b(g);

@@ -2,6 +2,7 @@
 #include "runtime/second_order.hpp"
 
 #include <models/andrews.hpp>
+#include <models/appell_hamel.hpp>
 #include <models/arm3.hpp>
 #include <models/arm6.hpp>
 #include <models/bicycle.hpp>
@@ -31,6 +32,7 @@ TEST(second_order_of, andrews) { expect_of<andrews::System>(); }
 TEST(second_order_of, arm3) { expect_of<arm3::System>(); }
 TEST(second_order_of, arm6) { expect_of<arm6::System>(); }
 TEST(second_order_of, bicycle) { expect_of<bicycle::System>(); }
+TEST(second_order_of, appell_hamel) { expect_of<appell_hamel::System>(); }
 TEST(second_order_of, chaplygin_sleigh) { expect_of<chaplygin_sleigh::System>(); }
 TEST(second_order_of, n_pendulum_cart) { expect_of<n_pendulum_cart::System<3>>(); }
 TEST(second_order_of, pendulum6) { expect_of<pendulum6::System>(); }

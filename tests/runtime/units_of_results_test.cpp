@@ -47,7 +47,7 @@ std::set<std::string> compare_results(const builder& b) {
     const mechanics::possible_unit u = m.units().of(known->names[i].view());
     EXPECT_TRUE(u.has_value()) << known->names[i].view();
     in_si[i] = 0.4 + 0.37 * std::sin(3. * i + 1);
-    grown[i] = in_si[i] * growth(u.value_or(units::dimensionless));
+    grown[i] = in_si[i] * growth(u.has_value() ? *u : units::dimensionless);
   }
   for (int i = 0; i < known->speeds; ++i) {
     a[i] = 0.3 + 0.2 * std::cos(2. * i);

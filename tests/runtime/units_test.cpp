@@ -167,6 +167,27 @@ TEST(units, of_amplitudes_are_lengths_and_angles) {
   }
 }
 
+// Numbers by which amplitudes are multiplied are slopes and other values of shapes, which have units.
+TEST(units, of_amplitudes_fit_in_angles_of_sections) {
+  using namespace kanexpr::runtime;
+  using kanexpr::numeric::beams::ends;
+  builder b("N");
+  const frame_id N = builder::inertial_frame();
+  const expression q = b.coordinate("q"), u = b.speed("u"), F = b.input("F", newton), k = b.parameter("k");
+  b.kinematic_equation(b.dot(q) - u);
+  beam_data data{.axis = b.along(N, 1, 0, 0), .length = 2.5, .mass_per_length = 3.0};
+  data.bending = {{b.along(N, 0, 1, 0), {70.0, modes_of_bending(ends::clamped_free, 1)}}};
+  const section_ids tip = b.section("Tip", b.beam("B", b.origin("O"), N, {q}, data), 1);
+  const expression turned = b.dot(b.along(tip.frame, 1, 0, 0), b.along(N, 1, 0, 0));
+  b.force(tip.point, b.along(N, 0, F * turned - k * q, 0));
+  EXPECT_EQ(std::string((b.check)().view()), "");
+  EXPECT_EQ(b.units().of("q"), meter);
+  EXPECT_EQ(b.units().of("u"), meter / second);
+  EXPECT_EQ(b.units().of("k"), newton / meter);
+  b.force(tip.point, b.along(N, 0, F * q, 0));
+  EXPECT_EQ(std::string((b.check)().view()), "the force at Tip is F*q [N m], but must be in N");
+}
+
 // Powers that are no multiples of 1/60 are rounded to compare them, but not shown.
 TEST(units, of_any_power_are_compared) {
   cart s;
@@ -218,6 +239,27 @@ const wrong mistakes[]{
      "the torsional spring with q subtracts l [m] from q [rad]"},
     {[](cart& s) { s.b.torsional_spring(s.q, s.k); },
      "the stiffness of the torsional spring with q is k [N/m], but must be in N m/rad"},
+    {[](cart& s) { s.b.force_along(s.b.straight(s.O, s.P), s.k); },
+     "the force between O and P is k [N/m], but must be in N"},
+    {[](cart& s) { s.b.force_along(s.b.given_length(s.q), s.F); },
+     "the force with q is F [N], but must be in N m"},
+    {[](cart& s) { s.b.force_along(s.b.around_sphere(s.O, s.m, s.C, s.P), s.F); },
+     "the surface of the force between C and P is m [kg], but must be in m"},
+    {[](cart& s) { s.b.linear_spring(s.b.through({s.O, s.C, s.P}), s.F); },
+     "the stiffness of the linear spring between O and P is F [N], but must be in N/m"},
+    {[](cart& s) { s.b.cubic_spring(s.b.straight(s.O, s.P), s.k, s.k); },
+     "the cubic stiffness of the cubic spring between O and P is k [N/m], but must be in N/m^3"},
+    {[](cart& s) { s.b.linear_damper(s.b.given_length(s.q), s.k); },
+     "the damping of the linear damper with q is k [N/m], but must be in N m s/rad"},
+    {[](cart& s) { s.b.stop(s.b.given_length(s.q), s.b.number(-1), s.b.number(2), s.k, s.b.number(1)); },
+     "the stiffness of the stop with q is k [N/m], but must be in N m/rad"},
+    {[](cart& s) { s.b.stop(s.b.given_length(s.x), s.b.number(-1), s.m, s.k, s.b.number(1)); },
+     "the greatest length of the stop with x is m [kg], but must be in m"},
+    {[](cart& s) {
+       const expression one = s.b.number(1);
+       s.b.bushing(s.A, s.P, s.N, s.O, {s.k, s.k, s.F, one, one, one});
+     },
+     "a stiffness of the bushing between A and N is F [N], but must be in N/m"},
     {[](cart& s) { s.b.potential_energy(s.m * s.l); },
      "potential energy 1 is l*m [kg m], but must be in N m"},
     {[](cart& s) { s.b.particle("Third", s.P, s.l); }, "the mass of Third is l [m], but must be in kg"},

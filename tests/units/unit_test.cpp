@@ -80,6 +80,7 @@ TEST(unit, is_written_as_in_mechanics) {
       {volt * second / radian, "V s/rad", "V.s/rad"},
       {radian / volt / second, "rad/(V s)", "rad/(V.s)"},
       {newton / volt, "N/V", "N/V"},
+      {volt / radian / second, "V/(rad s)", "V/(rad.s)"},
       {volt / newton, "V/N", "V/N"},
       {meter / second / volt, "m/(V s)", "m/(V.s)"},
       {newton * meter / ampere, "N m/A", "N.m/A"},

@@ -8,6 +8,8 @@
 #include <kanexpr/animate/rigid_parts.hpp>
 #include <kanexpr/figures/geometry.hpp>
 #include <kanexpr/figures/outlines.hpp>
+#include <kanexpr/mechanics/loads/path_load.hpp>
+#include <kanexpr/mechanics/loads/pathway.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 
@@ -16,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -135,6 +138,13 @@ private:
   void add_joint(int part);
   void add_slide(const straight_piece& l);
   void add_springs();
+  void add_pathways();
+  /// Whether a frame belongs to a body without mass, such as the rotor of a motor, which has no place.
+  bool turns_rotor(int frame) const {
+    bool found = false;
+    for (const mechanics::body& b : m_.bodies) found = found || (b.frame == frame && b.mass.is_zero());
+    return found;
+  }
   void add_ground(animation& a) const;
   double lowest(const Eigen::Vector3d& up) const;
 
@@ -350,6 +360,21 @@ inline void default_shapes::add_springs() {
   }
 }
 
+/// Cables are drawn once, whatever acts along them; those around surfaces are not drawn.
+inline void default_shapes::add_pathways() {
+  std::set<std::pair<int, int>> drawn;
+  for (const mechanics::path_load& each : system_.loads.path_loads) {
+    if (each.along.form != mechanics::pathway_form::through_points) continue;
+    const auto& points = each.along.points;
+    for (int i = 1; i < points.size(); ++i) {
+      const std::pair<int, int> ends = std::minmax(points[i - 1], points[i]);
+      if (!drawn.insert(ends).second) continue;
+      add_between("cable from " + name_of_point(points[i - 1]) + " to " + name_of_point(points[i]), "rod",
+                  std::string(of_springs), {0.012 * length_}, points[i - 1], points[i]);
+    }
+  }
+}
+
 /// The least height of the shapes along the motion.
 inline double default_shapes::lowest(const Eigen::Vector3d& up) const {
   double least = 0;
@@ -382,11 +407,13 @@ inline void default_shapes::add_to(animation& a, bool has_ground) {
   for (const straight_piece& l : parts_.slides()) add_slide(l);
   for (const straight_piece& l : parts_.links()) add_link(l);
   for (int f = 1; f < m_.frames.size(); ++f)
-    if (parts_.part_of(f) == f) add_joint(f);
-  for (int i = 0; i < m_.bodies.size(); ++i) add_body(i);
+    if (parts_.part_of(f) == f && !turns_rotor(f)) add_joint(f);
+  for (int i = 0; i < m_.bodies.size(); ++i)
+    if (!m_.bodies[i].mass.is_zero()) add_body(i);
   for (const recorded_beam& beam : flexible_.beams) add_beam(beam);
   for (const recorded_nodes& body : flexible_.nodes) add_nodes(body);
   add_springs();
+  add_pathways();
   if (has_ground) add_ground(a);
   a.shapes = std::move(made_);
 }

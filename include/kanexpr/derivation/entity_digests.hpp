@@ -8,6 +8,7 @@
 #include <kanexpr/describe/contact_record.hpp>
 #include <kanexpr/describe/external.hpp>
 #include <kanexpr/describe/flexible_record.hpp>
+#include <kanexpr/describe/pathway.hpp>
 #include <kanexpr/describe/system.hpp>
 
 #include <array>
@@ -142,8 +143,10 @@ private:
     now_.take(r.called);
     mention(r.frame), mention(r.point), mention(r.home), mention(r.parent_frame), mention(r.parent_point);
     take(r.axes), take(r.coordinates), take(r.speeds), take(r.kinematics), take(r.place);
+    for (int i = 0; i < 2 && r.rotor != nullptr; ++i) take(r.rotor[i]);
     end(r.called);
     if (r.body != nullptr) take(*r.body);
+    if (r.stops != nullptr) take(*r.stops);
   }
   constexpr void take(const describe::load_record& r) {
     begin();
@@ -152,7 +155,17 @@ private:
     take(r.value), take(r.angle), take(r.rest), take(r.states), take(r.dynamics);
     if (r.friction != nullptr) take(*r.friction);
     if (r.contact != nullptr) take(*r.contact);
+    for (int i = 0; i < r.terms_given; ++i) take(r.terms[i]);
+    if (r.path != nullptr) take(*r.path);
     end("", "loads with the same name");
+  }
+  constexpr void take(const describe::path_record& r) {
+    now_.take(4 * static_cast<int>(r.what) + 2 * r.first_is_on_surface + r.last_is_on_surface);
+    now_.take(r.sense);
+    now_.take(r.points.size);
+    for (const point_record& p : r.points) mention(&p);
+    mention(r.center), mention(r.frame);
+    take(r.length), take(r.axis), take(r.size);
   }
   constexpr void take(const describe::block_record& r) {
     begin();

@@ -31,9 +31,9 @@ struct coulomb_friction {
 };
 
 /// Dry friction with a peak at small slip and a viscous part, after P. Brown and J. McPhee (2016): the force
-/// −N μ(v) with μ(v) = μ_d tanh(4 v/v_t) + (μ_s − μ_d) (v/v_t)/((v/2v_t)² + ¾)² + c v. The static coefficient
-/// μ_s is reached at the slip speed v_t, and the viscous coefficient c is in s/m, or s/rad for joints that
-/// rotate. `stribeck_friction<mu_static, mu_dynamic, vt, c>`; c may be omitted.
+/// −N μ(v) with μ(v) = μ_d tanh(4 v/v_t) + (μ_s − μ_d) (v/v_t)/((v/(2v_t))² + ¾)² + c v. The static
+/// coefficient μ_s is reached at the slip speed v_t, and the viscous coefficient c is in s/m, or s/rad for
+/// joints that rotate. `stribeck_friction<mu_static, mu_dynamic, vt, c>`; c may be omitted.
 template <auto... values>
 struct stribeck_friction {
   static constexpr describe::friction_record friction_law{

@@ -14,6 +14,12 @@ enum class describe::load_word : unsigned char {
   damper,
   torsional_spring,
   torsional_damper,
+  path_force,
+  path_spring,
+  path_cubic_spring,
+  path_damper,
+  path_stop,
+  bushing,
   friction,
   contact,
   none,
@@ -195,18 +201,15 @@ constexpr load_record record_load() {
 
 template <class Load>
 constexpr bool is_load_of_one_file() {
+  bool found = false;
   if constexpr (requires { Load::load; }) {
-    const auto is_of_one_file = [](const phrase& p) {
-      for (const token& t : p)
-        if (t.is_of_one_file) return true;
-      return false;
-    };
-    for (const phrase* each : {&Load::load.value, &Load::load.angle, &Load::load.rest})
-      if (is_of_one_file(*each)) return true;
-    for (const phrase& each : Load::load.dynamics)
-      if (is_of_one_file(each)) return true;
+    for (const phrase* each : {&Load::load.value, &Load::load.angle, &Load::load.rest, &Load::load.known_by})
+      found = found || is_of_one_file_only(*each);
+    for (int i = 0; i < Load::load.terms_given; ++i)
+      found = found || is_of_one_file_only(Load::load.terms[i]);
+    for (const phrase& each : Load::load.dynamics) found = found || is_of_one_file_only(each);
   }
-  return false;
+  return found;
 }
 
 template <class Load, class Where = typename known_in<is_load_of_one_file<Load>()>::type>

@@ -81,6 +81,13 @@ inline constexpr bool is_of_one_file = [] {
   return false;
 }();
 
+/// The same for a stored expression.
+constexpr bool is_of_one_file_only(const phrase& p) {
+  for (const token& t : p)
+    if (t.is_of_one_file) return true;
+  return false;
+}
+
 /// Two source files may each have entities with the same name in an unnamed namespace. g++ does not
 /// distinguish template arguments by the objects to which they point, so the linker could confuse the
 /// expressions of the two files. A type that is local to the file distinguishes them.
@@ -234,6 +241,8 @@ struct contact_record;
 /// How the values of a load are interpreted; the enumerators are in load.hpp.
 enum class load_word : unsigned char;
 
+struct path_record;
+
 /// An argument of a load whose value contains more than this argument.
 struct coefficient_record {
   std::string_view word{}; ///< its name in messages, such as "the drag coefficient"
@@ -254,10 +263,13 @@ struct load_record {
   phrase angle{};                            ///< the angle of a torsional spring
   phrase rest{};                             ///< the length or angle of a spring at rest
   phrase known_by{}; ///< the expression that identifies it, if points or frames do not
-  const friction_record* friction = nullptr; ///< the law of a friction in a joint
-  const contact_record* contact = nullptr;   ///< null if it is not a contact
+  const friction_record* friction = nullptr;       ///< the law of a friction in a joint
+  const contact_record* contact = nullptr;         ///< null if it is not a contact
   const coefficient_record* coefficient = nullptr; ///< of a force
   listing<phrase> states{}, dynamics{};            ///< its state variables, and the equations for their rates
+  const path_record* path = nullptr;               ///< the pathway along which it acts
+  const phrase* terms = nullptr;                   ///< the arguments of its law, followed by zeros
+  int terms_given = 0;
   std::string_view called{};
   std::string_view instead{}; ///< the actual kind, if it is not a load
   base_conflict conflict = nullptr;
@@ -284,6 +296,9 @@ struct joint_record : entity_record {
   phrase place{};         ///< its location in the parent, if it is given along axes other than the parent's
   listing<phrase> coordinates{}, speeds{}, kinematics{};
   const body_record* body = nullptr; ///< null if it has no mass
+  const load_record* stops = nullptr;
+  const phrase* rotor = nullptr; ///< its inertia and its gear ratio
+  bool has_gear_ratio = false;
 };
 
 /// A joint whose frame and point have auxiliary speeds, which bring its reactions into evidence.

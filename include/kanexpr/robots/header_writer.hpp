@@ -4,6 +4,7 @@
 #include <kanexpr/robots/physical_quantity.hpp>
 #include <kanexpr/robots/plan.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -156,10 +157,21 @@ private:
     if (plan_.options.damping && j.damping > 0)
       loads_.push_back("joint_friction<" + called + ", " + value("c_" + called, j.damping, damping_of(j)) +
                        ">");
+    if (plan_.has_stops(j)) loads_.push_back(stop_of(called, j, *plan_.options.stops));
   }
 
   static kind damping_of(const joint& j) {
     return j.kind == joint_kind::prismatic ? kind::damping : kind::angular_damping;
+  }
+
+  static std::string stop_of(const std::string& called, const joint& j, const limit_stops& by) {
+    const double stiffness = j.kind == joint_kind::prismatic ? by.sliding : by.turning;
+    const double least = (std::max)(j.limits.lower, -by.no_limit),
+                 greatest = (std::min)(j.limits.upper, by.no_limit);
+    std::vector<std::string> arguments{called};
+    for (const double each : {least, greatest, stiffness, by.damping, by.width})
+      arguments.push_back(cpp::number(each));
+    return "stop<" + cpp::list(arguments) + ">";
   }
 
   std::string friction(const moving_body& b, const std::string& speed) {
@@ -288,7 +300,7 @@ private:
         "home inertia "
         "inertial inertial_ground input inputs joint_friction joints kane_system loads motor offset own "
         "parameter parameter_values parameters pin planar position_of potential_energy prismatic rigid_body "
-        "rotated sign speed state torque_between weld";
+        "rotated sign speed state stop torque_between weld";
     const std::size_t links = source_.links.size(), joints = plan_.tree.joints.size();
     return "#pragma once\n\n" + cpp::include("kanexpr/joints.hpp") + cpp::include("kanexpr/kanexpr.hpp") +
            cpp::include("kanexpr/units/implied.hpp") + "\n" + cpp::include("limits") + "\n/// The robot " +

@@ -27,6 +27,15 @@ enum class binding : unsigned char {
   parameters, ///< masses, mass centers, inertias, dampings and gravity are symbols; lengths remain numbers
 };
 
+/// Stops at the limits of joints: see `stop` for their law.
+struct limit_stops {
+  double turning = 1e3;  ///< stiffness, N m/rad
+  double sliding = 1e5;  ///< stiffness, N/m
+  double damping = 1;    ///< of Hunt and Crossley, s/rad or s/m
+  double width = 1e-3;   ///< over which the contact is rounded, rad or m
+  double no_limit = 1e9; ///< in place of an infinite limit
+};
+
 /// Options for the model of a robot.
 struct model_options {
   base_kind base = base_kind::fixed;
@@ -35,6 +44,7 @@ struct model_options {
   bool damping = true;             ///< whether to apply the torques −c q̇ of the file
   /// Whether to apply the torques −f sign(q̇) of the file, which are not differentiable at rest.
   bool friction = false;
+  std::optional<limit_stops> stops{}; ///< whether the limits of joints are stops, and their law
 };
 
 /// The gravitational acceleration of a model, in the axes of its root.

@@ -61,6 +61,12 @@ struct plan {
   bool is_on_ground(const moving_body& b) const { return b.joint < 0 && !has_floating_base(); }
   /// Whether the values in the file are written as numbers instead of parameters.
   bool binds_numbers() const { return options.bind == binding::numbers; }
+  /// Whether the limits of a joint are stops.
+  bool has_stops(const joint& j) const {
+    const bool is_limited = numeric::is_finite(j.limits.lower) || numeric::is_finite(j.limits.upper);
+    return options.stops && is_limited && has_one_coordinate(j.kind) && !j.mimic &&
+           j.limits.lower < j.limits.upper;
+  }
 };
 
 /// Names the symbols of a joint after it; those of the base, which has no name, have no suffix. A floating

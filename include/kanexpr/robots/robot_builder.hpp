@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/equal.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/robots/physical_quantity.hpp>
@@ -7,6 +8,7 @@
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -141,7 +143,8 @@ private:
     if (rule.leader == joint) return leader;
     const motion made{
         {rule.multiplier * leader.q[0] + rule.offset}, {rule.multiplier * leader.u[0]}, mechanism().zero()};
-    if (rule.multiplier != 1 && plan_.multiplier_of(joint) != kind::ratio) imply_units(made, joint);
+    if (!base::equal(rule.multiplier, 1.0) && plan_.multiplier_of(joint) != kind::ratio)
+      imply_units(made, joint);
     return made;
   }
   /// Gives the units of the motion of a joint that turns as another slides, or slides as it turns.
@@ -190,6 +193,17 @@ private:
     vector gone = m.q[0] * along_numbers(home, first);
     gone.add(m.q[1] * along_numbers(home, second));
     origin(b.link) = offset(called + "_origin", start, gone);
+  }
+
+  /// Adds stops at the limits of a joint with one coordinate.
+  void add_stops(const moving_body& b) {
+    const joint& j = plan_.joint_of_body(b);
+    if (!plan_.has_stops(j)) return;
+    const limit_stops& by = *plan_.options.stops;
+    const double stiffness = j.kind == joint_kind::prismatic ? by.sliding : by.turning;
+    stop(given_length(motion_of(b.joint).q[0]), number((std::max)(j.limits.lower, -by.no_limit)),
+         number((std::min)(j.limits.upper, by.no_limit)), number(stiffness), number(by.damping),
+         number(by.width));
   }
 
   /// Lets a link move freely. The position is expressed in the parent's axes, the velocity and the angular
@@ -324,6 +338,7 @@ inline robot_builder::robot_builder(robot r, const model_options& options)
   }
   for (const moving_body& b : plan_.tree.bodies) {
     if (b.joint >= 0) add_joint(b);
+    if (b.joint >= 0) add_stops(b);
     add_mass(b);
     if (b.joint >= 0) add_rotor(b);
   }

@@ -4,8 +4,11 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/describe/expression.hpp>
+#include <kanexpr/describe/pathway.hpp>
 #include <kanexpr/mechanics/loads/add_beam.hpp>
 #include <kanexpr/mechanics/loads/contact_geometry.hpp>
+#include <kanexpr/mechanics/loads/path_load.hpp>
+#include <kanexpr/mechanics/loads/pathway.hpp>
 #include <kanexpr/mechanics/model/beam.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/flexible_body.hpp>
@@ -57,6 +60,16 @@ namespace kanexpr::runtime {
 struct zero_components {
   vector value;
   std::vector<vector> directions;
+};
+
+/// A line along which loads act, such as a cable; the functions of a builder return it.
+using pathway = mechanics::pathway;
+
+/// An end of a pathway around a surface: a point, which may lie on the surface.
+struct end_of_path {
+  point_id point{};
+  bool is_on_surface = false;
+  end_of_path(point_id p, bool on_surface = false) : point(p), is_on_surface(on_surface) {}
 };
 
 /// Builds a system from values at run time. A builder cannot be copied or moved. `derive(b)` returns a model
@@ -258,6 +271,54 @@ public:
   /// velocity of `on` relative to `other`.
   void torsional_damper(frame_id on, frame_id other, expression damping);
 
+  // ---- pathways and the loads along them; a positive tension shortens a pathway
+
+  pathway straight(point_id from, point_id to) { return through({from, to}); }
+  /// Straight lines from point to point, between which a cable slides without friction.
+  pathway through(const std::vector<point_id>& points);
+  /// A pathway of which only the length is given, such as the coordinate of a joint.
+  pathway given_length(expression length);
+  /// An end of a pathway that lies on the surface around which the pathway is wrapped.
+  static end_of_path on_surface(point_id p) { return {p, true}; }
+  /// The shortest line around a cylinder that is fixed in the frame `in`.
+  pathway around_cylinder(frame_id in, point_id on_axis, const vector& axis, expression radius,
+                          end_of_path first, end_of_path last, wrapping sense);
+  pathway around_sphere(point_id center, expression radius, end_of_path first, end_of_path last);
+  /// The shortest line around a cone with the given angle between the axis, which points from the tip into
+  /// the cone, and the surface.
+  pathway around_cone(frame_id in, point_id tip, const vector& axis, expression angle, end_of_path first,
+                      end_of_path last, wrapping sense);
+  /// The length of a pathway.
+  expression length_of(const pathway& along);
+
+  void force_along(const pathway& along, expression tension);
+  /// A spring with the tension stiffness·(length − natural length).
+  void linear_spring(const pathway& along, expression stiffness, expression natural_length);
+  void linear_spring(const pathway& along, expression stiffness) {
+    linear_spring(along, stiffness, m_.zero());
+  }
+  /// A spring with the tension k x + k₃ x³, where x is the length minus the natural length.
+  void cubic_spring(const pathway& along, expression k, expression k3, expression natural_length);
+  void cubic_spring(const pathway& along, expression k, expression k3) {
+    cubic_spring(along, k, k3, m_.zero());
+  }
+  void linear_damper(const pathway& along, expression damping);
+  /// Friction against the rate of the length.
+  void friction_along(const pathway& along, expression normal_force, const mechanics::friction_law& law);
+  /// Stops at a least and at a greatest length, as `stop<Path, …>`.
+  void stop(const pathway& along, expression least, expression greatest, expression stiffness,
+            expression damping) {
+    stop(along, least, greatest, stiffness, damping, mechanics::default_width_of_stop(least, greatest));
+  }
+  void stop(const pathway& along, expression least, expression greatest, expression stiffness,
+            expression damping, expression width);
+
+  /// An elastic mount between the frame `on` at the point `at` and the frame `base` at the point
+  /// `base_point`, with stiffnesses along and about the axes of `base`, as `bushing<Body, Base, …>`; dampings
+  /// may be omitted.
+  void bushing(frame_id on, point_id at, frame_id base, point_id base_point,
+               const std::vector<expression>& stiffnesses, const std::vector<expression>& dampings = {});
+
   /// A contact of a sphere that is fixed in the frame `of` with the plane through `in_plane`, whose normal
   /// points to the sphere; the plane is fixed in the frame in whose axes the normal is given.
   void sphere_on_plane(point_id center, frame_id of, const number_or_expression& radius, point_id in_plane,
@@ -335,6 +396,10 @@ private:
   mechanics::components as_components(const flexible_integrals::vector_entries& given);
   symbolic::matrix as_matrix(const flexible_integrals::matrix& given);
   bool has_shapes_of(std::string_view body, std::size_t amplitudes, const flexible_integrals& data);
+  /// A pathway around a surface of revolution, or around a sphere if the axis is zero.
+  pathway around_surface(mechanics::pathway_form form, frame_id in, point_id center, const vector& axis,
+                         expression size, end_of_path first, end_of_path last, wrapping sense);
+  bool owns_path_load(std::string_view whose, const pathway& along, const base::sequence<expression>& terms);
   bool has_elasticity(std::string_view called, const base::sequence<expression>& amplitudes,
                       const symbolic::matrix& stiffness, const symbolic::matrix& damping);
   bool owns_flexible_body(const mechanics::flexible_body& b);
@@ -397,6 +462,7 @@ private:
 #include <kanexpr/runtime/builder_flexible_body.ipp>
 #include <kanexpr/runtime/builder_flexible_data.ipp>
 #include <kanexpr/runtime/builder_loads.ipp>
+#include <kanexpr/runtime/builder_pathways.ipp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #endif

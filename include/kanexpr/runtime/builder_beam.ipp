@@ -82,9 +82,7 @@ KANEXPR_ENGINE void builder::deform(built_beam& to, const beam_data& data) {
 /// A unit vector in the axes of a frame; a vector along a basis vector needs no root.
 KANEXPR_ENGINE mechanics::components builder::unit_direction(const vector& given, int frame) {
   if (!checks_.owns("a direction of a beam", given)) return mechanics::components(*graph_);
-  const mechanics::components d = mechanics::express(m_, given, frame);
-  const expression square = mechanics::dot(d, d);
-  return square.is_one() || square.is_zero() ? d : (1 / sqrt(square)) * d;
+  return mechanics::unit_along(mechanics::express(m_, given, frame));
 }
 
 KANEXPR_ENGINE beam_id builder::beam(std::string_view called, point_id root, frame_id frame,

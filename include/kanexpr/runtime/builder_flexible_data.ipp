@@ -29,10 +29,10 @@ inline sentence mistake_in(const mechanics::flexible_data& data, std::string_vie
                      " are incomplete: a list has a length that does not fit the number of amplitudes, or a "
                      "term the index of no amplitude"});
   bool finite = true;
-  const auto check = [&](const base::sequence<double>& numbers) {
+  const auto inspect = [&](const base::sequence<double>& numbers) {
     for (const double each : numbers) finite = finite && each - each <= 0;
   };
-  for (const base::sequence<double>* each : {&data.stiffness, &data.damping, &data.preload}) check(*each);
+  for (const base::sequence<double>* each : {&data.stiffness, &data.damping, &data.preload}) inspect(*each);
   for (const mechanics::elastic_term& t : data.elastic_terms)
     finite = finite && t.coefficient - t.coefficient <= 0;
   for (const mechanics::damping_term& t : data.damping_terms)
@@ -41,7 +41,7 @@ inline sentence mistake_in(const mechanics::flexible_data& data, std::string_vie
     if (!n.is_complete(data.amplitudes))
       return sentence({"node ", n.called.view(), " of ", body,
                        " is incomplete: a list has a length that does not fit the number of amplitudes"});
-    check(n.position.coefficients), check(n.orientation), check(n.rotation), check(n.second_rotation);
+    inspect(n.position.coefficients), inspect(n.orientation), inspect(n.rotation), inspect(n.second_rotation);
   }
   return finite ? sentence() : sentence({body, " contains a number that is not finite"});
 }

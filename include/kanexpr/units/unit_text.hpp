@@ -58,7 +58,9 @@ inline constexpr product products[]{
     {0, 'V', meter / second},
     {'V', 0, second / radian},        // the constant of a motor
     {'V', 0, dimensionless / radian}, // gains of a controller
+    {'V', 0, hertz / radian},
     {'V', 0, dimensionless / meter},
+    {'V', 0, hertz / meter},
     {'V', 0, second / meter},
     {'W', 0, dimensionless / kelvin},
     {'W', 0, dimensionless / meter / kelvin},

@@ -1,6 +1,8 @@
 // builds: clang++ sanitize no-exceptions
 #include "describe/joints/by_hand.hpp"
 
+#include <cmath>
+
 // Joints that rotate about axes, with locations away from both points.
 namespace {
 
@@ -23,6 +25,37 @@ struct Hand : kane_system<inertial<Ground>, coordinates<q>, speeds<u>, kinematic
 } // namespace hinge
 
 TEST(pin, is_a_turn_about_its_axis) { expect_same_motion<hinge::System, hinge::Hand>(); }
+
+namespace driven {
+struct Link : pin<Link, Ground, axis<own::y>, seat, home<0.7, Ground::z>, load, stops<-0.2, 0, 40, 0.2>,
+                  rotor<0.02, 7>> {};
+struct System : kane_system<inertial<Ground>, joints<Link>,
+                            loads<weight, linear_spring<Link, 3, 0.2>, linear_damper<Link, 0.4>>> {};
+
+using hinge::q, hinge::u, hinge::Body, hinge::Child;
+struct Rotor_axes : rotated<Rotor_axes, Ground, 7 * q, Ground::z> {};
+struct Rotor
+    : rigid_body<Rotor, Ground, Rotor_axes, 0.0, effective_inertia<inertia<Rotor_axes, 0.0, 0.0, 0.02>>> {};
+struct Hand
+    : kane_system<inertial<Ground>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Body, Rotor>,
+                  loads<weight, torsional_spring<q, 3, 0.2>, torsional_damper<Child, Ground, 0.4>,
+                        stop<given_length<q>, -0.2, 0, 40, 0.2>>> {};
+struct By_lagrange
+    : lagrange_system<inertial<Ground>, joints<driven::Link>,
+                      loads<weight, linear_spring<driven::Link, 3, 0.2>, linear_damper<driven::Link, 0.4>>> {
+};
+} // namespace driven
+
+TEST(pin, has_stops_and_a_rotor) {
+  using driven_system = driven::System;
+  expect_same_motion<driven_system, driven::Hand>();
+  for (const double angle : {-0.3, -0.1, 0.2}) {
+    const auto by_kane = equations_of_motion<driven_system>::udot(state<driven_system>(angle, -0.7));
+    const auto by_lagrange =
+        equations_of_motion<driven::By_lagrange>::udot(state<driven::By_lagrange>(angle, -0.7));
+    EXPECT_NEAR(by_kane[0], by_lagrange[0], 1e-12 * std::abs(by_kane[0]));
+  }
+}
 
 namespace ball {
 struct Link : spherical<Link, Ground, seat, load> {};

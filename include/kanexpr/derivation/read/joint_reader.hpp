@@ -4,6 +4,9 @@
 #include <kanexpr/derivation/read/body_reader.hpp>
 #include <kanexpr/derivation/read/kinematics_reader.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/position.hpp>
+#include <kanexpr/mechanics/model/rotor.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <string_view>
 
@@ -43,6 +46,7 @@ public:
     if (!reading_.mistake) entities_.frame(r.frame, "joints<...>"sv);
     if (!reading_.mistake) entities_.point(r.point, "joints<...>"sv);
     if (!reading_.mistake && r.body != nullptr) bodies_.read(*r.body);
+    if (!reading_.mistake && r.rotor != nullptr) read_rotor(r);
   }
 
   constexpr void read_kinematics() {
@@ -99,6 +103,21 @@ private:
     if (!reading_.mistake && !mechanics::is_along_still_axes(reading_.into.mechanism, given, parent))
       reading_.fail(
           {"joint ", r.called, " is placed along axes that are not fixed in ", r.parent_frame->called});
+  }
+
+  constexpr void read_rotor(const joint_record& r) {
+    const expression inertia =
+        phrases_.scalar_of(r.rotor[0], {"the rotor inertia of joint ", r.called}, r.called);
+    expression angle = phrases_.scalar_of(r.coordinates[0], {"the coordinate of joint ", r.called}, r.called);
+    if (r.has_gear_ratio)
+      angle = phrases_.scalar_of(r.rotor[1], {"the gear ratio of joint ", r.called}, r.called) * angle;
+    if (reading_.mistake) return;
+    const int point = entities_.point(r.parent_point, r.called);
+    if (inertia.is_zero() || angle.is_zero())
+      return reading_.fail({"joint ", r.called, " has a rotor whose inertia or gear ratio is zero"});
+    base::name called(r.called);
+    called.append("_rotor");
+    mechanics::add_rotor(m_, called, mechanics::origin_of(m_, point), angle, inertia);
   }
 
   constexpr void check_reaction(const describe::reaction_record& r) {

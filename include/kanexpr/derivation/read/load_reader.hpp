@@ -3,8 +3,11 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derivation/read/contact_reader.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
+#include <kanexpr/derivation/read/path_reader.hpp>
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
+#include <kanexpr/mechanics/loads/add_path_load.hpp>
+#include <kanexpr/mechanics/loads/bushing.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -34,11 +37,12 @@ public:
   constexpr void read_load(const load_record& r) {
     if (!reading_.check_base_conflict(r.conflict, r.called)) return;
     if (!r.fits) return reading_.fail_by_argument_count("", name_of(r).view(), r.fits);
+    if (r.path != nullptr && !path_reader(*this).is_pathway(*r.path, r.word)) return;
     if (r.once && is_listed_twice(r)) return reading_.fail({name_of(r).view(), " is listed twice"});
     if (!moves(r)) return evaluate_load(r);
     phrases_.check_misuse(r.value, name_of(r).view());
     if (r.what == load_word::potential_energy || r.what == load_word::spring ||
-        r.what == load_word::torsional_spring)
+        r.what == load_word::torsional_spring || r.terms_given != 0 || (r.path != nullptr && moves(*r.path)))
       return reading_.fail(
           {name_of(r).view(), " contains a velocity or derivative; it may contain only coordinates"});
     const sentence whom = name_of(r);
@@ -46,8 +50,10 @@ public:
       if (p != nullptr) entities_.point(p, whom.view());
     for (const frame_record* f : {r.frame, r.other_frame})
       if (f != nullptr) entities_.frame(f, whom.view());
-    for (const describe::token& t : r.value)
-      if (!reading_.mistake) mention(t, whom.view());
+    if (r.path != nullptr && !reading_.mistake) path_reader(*this).mention(*r.path, whom.view());
+    for (const phrase* each : {&r.value, &r.angle, &r.rest})
+      for (const describe::token& t : *each)
+        if (!reading_.mistake) mention(t, whom.view());
   }
 
 private:
@@ -55,7 +61,13 @@ private:
 
   /// Whether a load depends on a motion that is not known while the model is read.
   constexpr bool moves(const load_record& r) const {
-    return moves(r.value) || moves(r.angle) || moves(r.rest);
+    bool any = moves(r.value) || moves(r.angle) || moves(r.rest);
+    if (r.path != nullptr) any = any || moves(*r.path);
+    for (int i = 0; i < r.terms_given; ++i) any = any || moves(r.terms[i]);
+    return any;
+  }
+  constexpr bool moves(const path_record& r) const {
+    return moves(r.length) || moves(r.axis) || moves(r.size);
   }
   constexpr bool moves(const phrase& p) const {
     for (const describe::token& t : p)
@@ -120,12 +132,56 @@ private:
       if (!reading_.mistake) into.torsional_dampers.push({on, other, damping});
       return;
     }
+    case load_word::path_force:
+    case load_word::path_spring:
+    case load_word::path_cubic_spring:
+    case load_word::path_damper:
+    case load_word::path_stop: return evaluate_path_load(r, whom.view());
+    case load_word::bushing: {
+      mechanics::bushing b;
+      const auto [on, other] = frames_of(r, whom.view());
+      const auto [at, base] = points_of(r, whom.view());
+      b.frame = on, b.against = other, b.place = at, b.base = base;
+      for (int i = 0; i < 12; ++i) {
+        const bool is_given = i < r.terms_given && !reading_.mistake;
+        const expression term =
+            is_given ? part_of(r.terms[i], i < 6 ? "a stiffness of " : "a damping of ", whom.view())
+                     : m_.zero();
+        (i < 6 ? b.stiffness : b.damping).push(term);
+      }
+      if (!reading_.mistake) into.bushings.push(b);
+      return;
+    }
     case load_word::friction: return evaluate_friction(r, whom.view());
     case load_word::contact: return evaluate_contact(r, whom.view());
     case load_word::none:
       if (r.unparsed) return reading_.fail_by_unparsed(r.called, "loads<...>");
       return reading_.fail({"loads<...> lists ", short_name(r.called).view(), ", which is ",
                             r.instead.empty() ? "not a load" : r.instead});
+    }
+  }
+
+  constexpr void evaluate_path_load(const load_record& r, std::string_view whom) {
+    const mechanics::pathway along = path_reader(*this).read(*r.path, whom);
+    mechanics::loads& into = reading_.into.loads;
+    const auto term = [&](int i, std::string_view part) { return part_of(r.terms[i], part, whom); };
+    if (r.what == load_word::path_force) {
+      const expression tension = part_of(r.value, "", whom);
+      if (!reading_.mistake) mechanics::add_force_along(into, along, tension);
+    } else if (r.what == load_word::path_damper) {
+      const expression damping = part_of(r.value, "the damping of ", whom);
+      if (!reading_.mistake) mechanics::add_damper_along(into, along, damping);
+    } else if (r.what == load_word::path_stop) {
+      mechanics::stop_at_ends by{term(0, "the least length of "), term(1, "the greatest length of "),
+                                 term(2, "the stiffness of "), term(3, "the damping of ")};
+      if (r.terms_given > 4) by.width = term(4, "the width of ");
+      if (!reading_.mistake) mechanics::add_stop(into, along, by);
+    } else {
+      const bool is_cubic = r.what == load_word::path_cubic_spring;
+      const expression stiffness = term(0, "the stiffness of ");
+      const expression cubic = is_cubic ? term(1, "the cubic stiffness of ") : m_.zero();
+      const expression length = term(is_cubic ? 2 : 1, "the natural length of ");
+      if (!reading_.mistake) mechanics::add_spring_along(into, along, stiffness, cubic, length);
     }
   }
 
@@ -169,11 +225,18 @@ private:
   }
 
   constexpr void evaluate_friction(const load_record& r, std::string_view whom) {
-    const mechanics::vector axis = phrases_.vector_of(r.value, {"the axis of ", whom}, whom);
-    const expression slip = part_of(r.angle, "the speed of ", whom);
     const expression normal = part_of(r.rest, "the normal force of ", whom);
     if (reading_.mistake) return;
     const mechanics::friction_law law = contacts_.law_of(*r.friction, {}, whom);
+    if (r.path == nullptr) return evaluate_friction_in_joint(r, normal, law, whom);
+    const mechanics::pathway along = path_reader(*this).read(*r.path, whom);
+    if (!reading_.mistake) mechanics::add_friction_along(reading_.into.loads, along, normal, law);
+  }
+
+  constexpr void evaluate_friction_in_joint(const load_record& r, expression normal,
+                                            const mechanics::friction_law& law, std::string_view whom) {
+    const mechanics::vector axis = phrases_.vector_of(r.value, {"the axis of ", whom}, whom);
+    const expression slip = part_of(r.angle, "the speed of ", whom);
     if (reading_.mistake) return;
     const mechanics::vector effort = -(normal * law.coefficient(slip)) * axis;
     mechanics::loads& into = reading_.into.loads;

@@ -95,6 +95,9 @@ public:
     each(from.bodies, [&](const body_record& r) { bodies_.read(r); });
     each(from.joints, [&](const joint_record& r) { joints_.read(r); });
     each(from.loads, [&](const load_record& r) { loads_.read_load(r); });
+    each(from.joints, [&](const joint_record& r) {
+      if (r.stops != nullptr) loads_.read_load(*r.stops);
+    });
     dynamics_.read();
     each(from.kinematics, [&](const phrase& p) { kinematics_.read(p); });
     if (!reading_.takes_rates_as_speeds()) {

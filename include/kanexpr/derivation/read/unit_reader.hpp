@@ -92,6 +92,12 @@ private:
     }
     case load_word::damper: return units_.expect(r.value, newton * second / meter);
     case load_word::torsional_damper: return units_.expect(r.value, joule * second);
+    case load_word::path_force:
+    case load_word::path_spring:
+    case load_word::path_cubic_spring:
+    case load_word::path_damper:
+    case load_word::path_stop:
+    case load_word::bushing:
     case load_word::friction:
     case load_word::contact: return units_.fail(); // their laws are read by other readers
     case load_word::none: return;

@@ -24,7 +24,7 @@ namespace kanexpr::derivation {
 
 constexpr expression symbol_of_unit(reading& in, const base::name& called, const units::unit& u) {
   const expression e = symbolic::variable(*in.into.mechanism.g, {symbolic::symbol_kind::input, called, none});
-  in.into.mechanism.stated_units.push({e, u, true});
+  in.state_unit({e, u, true});
   return e;
 }
 

@@ -8,7 +8,6 @@
 #include <kanexpr/describe/symbol.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
-#include <array>
 #include <cstddef>
 
 /// Blocks: filters, controllers and delays with state variables of their own, which a system lists in

@@ -289,6 +289,11 @@ private:
     else
       r.kinematics = simple_kinematics(std::make_index_sequence<coordinates_count>());
     if constexpr (has<joint_word::body>) r.body = &body_of_joint<Self>;
+    if constexpr (has<joint_word::stops>) r.stops = word<joint_word::stops>::template load<Self>();
+    if constexpr (has<joint_word::rotor>) {
+      r.rotor = word<joint_word::rotor>::given;
+      r.has_gear_ratio = word<joint_word::rotor>::count > 1;
+    }
     r.mistake = mistake_of_words<joint, Words...>();
     if (!r.mistake.empty()) return r;
     r.axes = axes_to_check();

@@ -95,6 +95,20 @@ constexpr std::string_view mistake_of_body() {
   return {};
 }
 
+/// The words that only a joint with one coordinate takes.
+template <class Joint>
+constexpr std::string_view mistake_of_drive() {
+  if (Joint::template times<joint_word::stops> > 1) return "has stops<...> twice; write one list";
+  if (Joint::template times<joint_word::rotor> > 1) return "has two rotors";
+  if constexpr (Joint::template has<joint_word::rotor>)
+    if (const std::size_t given = Joint::template word<joint_word::rotor>::count; given == 0 || given > 2)
+      return "has rotor<...> with no inertia or too many values; write rotor<inertia, gear ratio>";
+  if (Joint::coordinates_count == 1) return {};
+  if (Joint::template has<joint_word::stops>) return "has stops, but not exactly one coordinate";
+  if (Joint::template has<joint_word::rotor>) return "has a rotor, but not exactly one coordinate";
+  return {};
+}
+
 /// Checks the words that all joints take, and the special ones.
 template <class Joint, class... Words>
 constexpr std::string_view mistake_of_words() {
@@ -103,7 +117,7 @@ constexpr std::string_view mistake_of_words() {
            "coincident<...>";
   if (!(word_of_a_joint<Words> && ...))
     return "has an argument that is not a word of a joint; the words are at<...>, axis<...>, home<...>, "
-           "by<...> and body<...>";
+           "by<...>, body<...>, stops<...> and rotor<...>";
   if (Joint::template times<joint_word::axis> > 1) return "has axis<...> twice; write one list";
   if constexpr (Joint::template has<joint_word::special>) {
     using given = typename Joint::template word<joint_word::special>;
@@ -113,7 +127,8 @@ constexpr std::string_view mistake_of_words() {
   }
   if (Joint::template times<joint_word::by> > 1) return "has by<...> twice; write one list";
   for (std::string_view mistake :
-       {mistake_of_place<Joint>(), mistake_of_home<Joint>(), mistake_of_body<Joint>()})
+       {mistake_of_place<Joint>(), mistake_of_home<Joint>(), mistake_of_body<Joint>(),
+        mistake_of_drive<Joint>()})
     if (!mistake.empty()) return mistake;
   return {};
 }

@@ -61,7 +61,7 @@ inline constexpr auto joint_name = [] {
 
 /// A special word belongs to particular kinds of joints, whose member type `special` equals that of the word.
 /// `twice` and `misplaced` are the mistakes if the word is repeated or used in a different joint.
-enum class joint_word : unsigned char { at, home, axis, by, body, special };
+enum class joint_word : unsigned char { at, home, axis, by, body, stops, rotor, special };
 
 /// Returns the expression with the given index.
 template <std::size_t wanted, auto first, auto... rest>

@@ -52,7 +52,7 @@ struct contact {
     components tangential(*s.model->g);
     if (friction) {
       const components tangent = slip - dot(at.normal, slip) * at.normal;
-      tangential = -((normal_force * friction.over_slip(dot(tangent, tangent))) * tangent);
+      tangential = -((normal_force * friction.known_in(on).over_slip(dot(tangent, tangent))) * tangent);
     }
     add_force(on, at, pressing * at.push, tangential);
     if (rolling) add_rolling_resistance(on, at, normal_force);

@@ -47,9 +47,7 @@ struct contact_law {
   /// h(c δ̇)
   constexpr expression dissipation(expression rate) const {
     if (!damping.is_given() || damping.is_zero()) return rate.number(symbolic::exactly(1));
-    const expression quarters = rate.number(symbolic::exactly(5, 4)),
-                     half = rate.number(symbolic::exactly(1, 2));
-    return one_sided(damping * rate + quarters, half);
+    return dissipation_factor(damping, rate);
   }
 
 private:

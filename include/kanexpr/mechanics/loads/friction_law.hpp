@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/mechanics/loads/force_system.hpp>
 #include <kanexpr/mechanics/loads/friction_kind.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/symbolic/graph/composed.hpp>
@@ -34,7 +35,7 @@ constexpr expression tanh_over_root(expression z) {
 ///
 /// - Coulomb, smooth: μ(v) = μ v/√(v² + vₛ²), with the slip speed vₛ over which sticking is smoothed.
 /// - Stribeck, after Brown & McPhee (2016), doi 10.1115/1.4033658: μ(v) = μ_d tanh(4 v/v_t) + (μ_s − μ_d)
-///   (v/v_t)/((v/2v_t)² + ¾)² + c v. The static coefficient μ_s is reached at the slip speed v_t.
+///   (v/v_t)/((v/(2v_t))² + ¾)² + c v. The static coefficient μ_s is reached at the slip speed v_t.
 /// - viscous: μ(v) = c v.
 struct friction_law {
   friction_kind kind = friction_kind::frictionless;
@@ -52,6 +53,15 @@ struct friction_law {
   }
   static constexpr friction_law of_viscosity(expression viscous) {
     return {friction_kind::viscous, {}, {}, {}, viscous};
+  }
+
+  /// The same law with the rates of the coordinates replaced by speeds.
+  constexpr friction_law known_in(force_system& on) const {
+    const auto known = [&](expression e) { return e.is_given() ? on.known(e) : e; };
+    friction_law law{kind};
+    law.sliding = known(sliding), law.sticking = known(sticking);
+    law.slip_speed = slip_speed, law.viscous = known(viscous);
+    return law;
   }
 
   constexpr bool needs_slip_speed() const {

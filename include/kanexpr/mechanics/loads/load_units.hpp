@@ -4,6 +4,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/units/unit_inference.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/units/possible_unit.hpp>
 #include <kanexpr/units/si.hpp>
 #include <kanexpr/units/unit.hpp>
 
@@ -32,6 +33,8 @@ public:
   constexpr void suggest_coefficient(expression e, expression rate, const units::unit& u) {
     by_.suggest_coefficient(e, rate, u);
   }
+  /// The unit of an expression; none if it is not determined.
+  constexpr units::possible_unit unit_of(expression e) const { return by_.unit_of(e); }
   /// Whether the unit of an expression is known to be the radian.
   constexpr bool is_angle(expression e) const { return by_.unit_of(e) == units::si::radian; }
 

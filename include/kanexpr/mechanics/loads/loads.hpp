@@ -1,10 +1,12 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/loads/bushing.hpp>
 #include <kanexpr/mechanics/loads/contact.hpp>
 #include <kanexpr/mechanics/loads/force_and_torque.hpp>
 #include <kanexpr/mechanics/loads/given_potential_energy.hpp>
 #include <kanexpr/mechanics/loads/modal_damping.hpp>
+#include <kanexpr/mechanics/loads/path_load.hpp>
 #include <kanexpr/mechanics/loads/spring_damper.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -21,6 +23,8 @@ struct loads {
   sequence<torsional_damper> torsional_dampers{};
   sequence<given_potential_energy> potential_energies{};
   sequence<modal_damping> modal_dampings{};
+  sequence<path_load> path_loads{};
+  sequence<bushing> bushings{};
   sequence<contact> contacts{};
   sequence<state_rate> state_rates{};
   bool has_gravity = false;
@@ -33,7 +37,7 @@ struct loads {
   constexpr void each_kind(Visit&& visit) const {
     const auto visit_all = [&](const auto&... kinds) { (visit(kinds), ...); };
     visit_all(forces, torques, spring_dampers, torsional_dampers, potential_energies, modal_dampings,
-              contacts, state_rates);
+              path_loads, bushings, contacts, state_rates);
   }
   /// Calls `visit` for each load except gravity, with the load and its index among the loads of its kind.
   template <class Visit>

@@ -29,13 +29,13 @@ constexpr expression one_sided_energy(expression x, expression width) {
   return symbolic::if_positive(x - width, energy, rounded);
 }
 
-/// The factor of an elastic force by Hunt & Crossley (1975), 1 + c v, without the tension that it predicts
-/// for fast separation: g(1/2 + 1 + c v) with a width of 1. It equals 1 + c v if c v ≥ −1/2, and 0 if c v ≤
-/// −3/2. It increases with v and is exactly 1 at v = 0, so the force minus its elastic part always opposes
-/// the motion, whatever the motion is.
+/// The factor of an elastic force by Hunt & Crossley (1975), doi 10.1115/1.3423596, 1 + c v, without the
+/// tension that it predicts for fast separation: g(1/4 + 1 + c v) with a width of 1/2. It equals 1 + c v if c
+/// v ≥ −3/4, and 0 if c v ≤ −5/4. It increases with v and is exactly 1 at v = 0, so the force minus its
+/// elastic part always opposes the motion, whatever the motion is.
 constexpr expression dissipation_factor(expression damping, expression approach) {
-  const expression rounding = damping.number(symbolic::exactly(3, 2));
-  return one_sided(damping * approach + rounding, damping.number(symbolic::exactly(1)));
+  const expression shift = damping.number(symbolic::exactly(5, 4));
+  return one_sided(damping * approach + shift, damping.number(symbolic::exactly(1, 2)));
 }
 
 } // namespace kanexpr::mechanics

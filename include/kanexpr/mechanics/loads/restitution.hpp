@@ -7,7 +7,7 @@ namespace kanexpr::mechanics {
 
 namespace detail {
 
-/// The value that `contact_law::dissipation` has if c δ̇ = x.
+/// The value of `dissipation_factor` (one_sided.hpp) at c δ̇ = x.
 constexpr double dissipation_at(double x) {
   const double t = 2 * x + 2.5;
   return t <= 0 ? 0 : t < 1 ? t * t * t * (1 - t / 2) / 2 : 1 + x;

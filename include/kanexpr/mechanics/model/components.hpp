@@ -97,6 +97,13 @@ constexpr components cross(const components& a, const components& b) {
           difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
+/// The unit vector along a vector; a vector of length 1 needs no root.
+constexpr components unit_along(const components& v) {
+  const expression square = dot(v, v);
+  if (square.is_one() || square.is_zero()) return v;
+  return (1 / sqrt(square)) * v;
+}
+
 /// The unit vector along axis `i` (0, 1, 2).
 constexpr components unit(graph& g, int i) {
   components e(g);

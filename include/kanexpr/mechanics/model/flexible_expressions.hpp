@@ -11,6 +11,9 @@
 #include <kanexpr/symbolic/graph/matrix.hpp>
 #include <kanexpr/symbolic/numbers/number.hpp>
 
+#include <cstddef>
+#include <type_traits>
+
 namespace kanexpr::mechanics {
 
 /// Forms the expressions of a flexible body from its numbers.
@@ -86,7 +89,7 @@ private:
   constexpr expression number(double value) const { return symbolic::constant(g_, symbolic::real(value)); }
 
   /// The product of a coefficient and amplitudes.
-  template <int count>
+  template <std::size_t count>
   constexpr expression product(double coefficient, const int (&amplitudes)[count]) const {
     expression value = number(coefficient);
     for (const int k : amplitudes)

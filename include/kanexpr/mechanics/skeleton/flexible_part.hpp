@@ -71,7 +71,7 @@ struct flexible_part {
   constexpr expression total_modal_mass(int k, int l) const {
     expression sum = modal_mass(k, l);
     for (const displacement& y : displacements) {
-      sum += y.mass * (y.gradient[k] * y.gradient[l]);
+      sum += (y.mass * y.gradient[k]) * y.gradient[l];
       sum += y.coupling[k] * y.gradient[l];
       sum += y.coupling[l] * y.gradient[k];
     }

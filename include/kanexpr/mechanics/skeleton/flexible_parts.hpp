@@ -63,15 +63,17 @@ public:
     find_joint(s, part_);
   }
 
+  /// Chooses the integrals with the fewest terms for which the kinetic energy is positive; see
+  /// `beam_expressions`.
   constexpr const flexible_part& run() {
     const definite_inertia& definite = b_.definite;
     const bool is_turned = is_turned_by_speeds(s_, part_.frame);
-    const bool is_fast = definite.is_given() && is_moved_along(s_, part_, definite.axis);
-    if (!definite.is_given() || !(is_turned || is_fast)) {
+    const bool moves_along = definite.is_given() && is_moved_along(s_, part_, definite.axis);
+    if (!definite.is_given() || !(is_turned || moves_along)) {
       form(b_.first_moment, b_.inertia, b_.angular, {});
     } else if (!part_.offset.is_zero() || is_moved_by_speeds(s_, part_.station)) {
       form(definite.first_moment, definite.inertia, definite.angular, definite.about_center);
-      if (is_fast) add_rate(part_.displacements[0], definite.about_center[0]);
+      if (moves_along) add_rate(part_.displacements[0], definite.about_center[0]);
     } else {
       form(b_.first_moment, definite.inertia, definite.angular, definite.about_root);
     }

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <kanexpr/describe/friction.hpp>
+#include <kanexpr/describe/joints/motor.hpp>
+#include <kanexpr/describe/path_load.hpp>
+
+namespace kanexpr {
+
+namespace describe {
+
+/// Describes the friction along the axis of a joint. The record has the axis as its value, the joint's speed
+/// as its angle, and the normal force as its rest.
+template <class Load, class Joint, auto normal>
+constexpr load_record friction_along_axis() {
+  load_record r = load_along_axis<Load, Joint, 1>("the friction");
+  if constexpr (effort_of_joint<Joint>() != joint_effort::none) {
+    r.what = load_word::friction;
+    r.value = phrase_of<Joint::template axis_of_child<0>, Joint>;
+    r.angle = phrase_of<Joint::template u<0>, Joint>;
+    r.rest = phrase_of<normal>;
+  }
+  return r;
+}
+
+/// Describes the friction along a pathway. The record has the normal force as its rest.
+template <class Path, auto normal>
+constexpr load_record friction_along_path() {
+  load_record r = load_along<Path>(load_word::friction, "the friction", {}, nullptr, 0);
+  r.rest = phrase_of<normal>;
+  return r;
+}
+
+template <class Load, class On, auto normal, class... Law>
+constexpr load_record record_friction() {
+  load_record r;
+  if constexpr (!(law_of_friction<Law> && ...)) {
+    r.what = load_word::none;
+    r.called = type_name<Load>();
+    r.instead = "incomplete, because its last argument is not a law of friction";
+    return r;
+  } else {
+    if constexpr (requires { On::path.what; })
+      r = friction_along_path<On, normal>();
+    else
+      r = friction_along_axis<Load, On, normal>();
+    const friction_record* const laws[]{&friction_of<Law>..., nullptr};
+    r.once = false;
+    r.friction = laws[0];
+    r.fits = arguments_of("friction<Joint or Path, normal force, law>", sizeof...(Law), 1);
+    if (r.fits) r.fits = r.friction->fits;
+    return r;
+  }
+}
+
+} // namespace describe
+
+/// Friction in a joint with one axis or along a pathway: the force −N μ(v) against the speed v of the joint
+/// or the rate of the length of the pathway. In a joint, it is a torque or force about or along the axis on
+/// the child and, with opposite sign, on the parent. N is a normal force, for a torque times the radius at
+/// which it acts; with N = 1 the law gives the torque or force itself. `friction<Link2, N,
+/// coulomb_friction<mu, ws>>`
+template <class On, auto normal, class... Law>
+struct friction : describe::load_words {
+  static constexpr describe::load_record load = describe::record_friction<friction, On, normal, Law...>();
+};
+
+} // namespace kanexpr

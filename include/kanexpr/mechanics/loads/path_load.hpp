@@ -1,0 +1,209 @@
+#pragma once
+
+#include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/loads/force_system.hpp>
+#include <kanexpr/mechanics/loads/friction_law.hpp>
+#include <kanexpr/mechanics/loads/load_check.hpp>
+#include <kanexpr/mechanics/loads/load_units.hpp>
+#include <kanexpr/mechanics/loads/one_sided.hpp>
+#include <kanexpr/mechanics/loads/pathway.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/units/possible_unit.hpp>
+#include <kanexpr/units/si.hpp>
+#include <kanexpr/units/unit.hpp>
+
+#include <string_view>
+
+namespace kanexpr::mechanics {
+
+/// The law of the tension T in a pathway of length l.
+enum class tension_law : unsigned char {
+  given,    ///< T = terms[0]
+  spring,   ///< T = k x + k₃ x³ with x = l − l₀; terms k, k₃, l₀
+  damper,   ///< T = c dl/dt; terms[0] is c
+  friction, ///< T = N μ(dl/dt) with the coefficient of a law of friction; terms[0] is N
+  stop,     ///< no tension from a least to a greatest length; terms least, greatest, k, c, width
+};
+
+/// A load along a pathway. A positive tension shortens the pathway.
+struct path_load {
+  pathway along{};
+  tension_law law{};
+  sequence<expression> terms{};
+  friction_law friction{};
+
+  constexpr void act(force_system& on, conservative how) const {
+    if (how == conservative::by_energy && law == tension_law::spring) return;
+    const taut_pathway taut(along, on.skeleton_used());
+    taut.pull(on, tension(on, taut, how));
+  }
+
+  constexpr expression potential_energy(const mechanism& m) const {
+    if (law == tension_law::spring) return energy_of_spring(along.length_in(m));
+    if (law == tension_law::stop) return energy_of_stop(along.length_in(m));
+    return m.zero();
+  }
+
+  constexpr std::string_view called() const {
+    switch (law) {
+    case tension_law::given: return "force";
+    case tension_law::spring: return terms[1].is_zero() ? "linear spring" : "cubic spring";
+    case tension_law::damper: return "linear damper";
+    case tension_law::friction: return "friction";
+    case tension_law::stop: return "stop";
+    }
+    return {};
+  }
+
+  constexpr void check_with(load_check& by, int) const {
+    if (const sentence found = along.find_mistake(by.mechanism_used(), called()))
+      return by.fail({found.view()});
+    const sentence place = along.place(by), whose({called(), " ", place.view()});
+    check_pathway(by, whose.view());
+    switch (law) {
+    case tension_law::given: return by.check_no_speed_rates(terms[0], "the ", whose.view());
+    case tension_law::damper: return by.check_no_speed_rates(terms[0], "the damping of the ", whose.view());
+    case tension_law::friction:
+      by.check_no_speed_rates(terms[0], "the normal force of the ", whose.view());
+      return friction.check_with(by, sentence({"the ", whose.view()}).view());
+    case tension_law::spring:
+      by.check_constant(terms[0], "the stiffness of the ", whose.view());
+      by.check_constant(terms[1], "the cubic stiffness of the ", whose.view());
+      return by.check_constant(terms[2], "the natural length of the ", whose.view());
+    case tension_law::stop: return check_stop(by, whose.view());
+    }
+  }
+
+  constexpr void state_units(load_units& by, int) const {
+    namespace si = units::si;
+    units::unit length = si::meter, force = si::newton;
+    if (along.form == pathway_form::given_length) {
+      const units::possible_unit found = by.unit_of(along.length);
+      if (!found) return;
+      length = *found;
+      force = length == si::radian ? si::newton * si::meter : si::joule / length;
+    }
+    const sentence place = along.place(by), whose({called(), " ", place.view()});
+    state_units_of_pathway(by, whose.view());
+    const auto expect = [&](int term, std::string_view what, const units::unit& u) {
+      by.describe({what, whose.view()});
+      by.expect(terms[term], u);
+    };
+    switch (law) {
+    case tension_law::given: return expect(0, "the ", force);
+    case tension_law::spring:
+      expect(0, "the stiffness of the ", force / length);
+      expect(1, "the cubic stiffness of the ", force / units::pow<3>(length));
+      return expect(2, "the natural length of the ", length);
+    case tension_law::damper: return expect(0, "the damping of the ", force * si::second / length);
+    case tension_law::friction: return state_units_of_friction(by, whose.view(), force, length / si::second);
+    case tension_law::stop:
+      expect(0, "the least length of the ", length);
+      expect(1, "the greatest length of the ", length);
+      expect(2, "the stiffness of the ", force / length);
+      expect(3, "the damping of the ", si::second / length);
+      return expect(4, "the width of the ", length);
+    }
+  }
+
+private:
+  constexpr void state_units_of_friction(load_units& by, std::string_view whose, const units::unit& force,
+                                         const units::unit& speed) const {
+    const auto state = [&](expression e, std::string_view what, const units::unit& u) {
+      by.describe({what, whose});
+      if (e.is_given()) by.expect(e, u);
+    };
+    if (friction.sliding.is_given()) state(terms[0] * friction.sliding, "the dry part of the ", force);
+    if (friction.sticking.is_given()) state(terms[0] * friction.sticking, "the static part of the ", force);
+    if (friction.viscous.is_given())
+      state(terms[0] * friction.viscous, "the viscous part of the ", force / speed);
+    state(friction.slip_speed, "the slip speed of the ", speed);
+  }
+
+  constexpr expression tension(force_system& on, const taut_pathway& taut, conservative how) const {
+    switch (law) {
+    case tension_law::given: return on.known(terms[0]);
+    case tension_law::spring: {
+      const expression x = taut.length() - terms[2], linear = terms[0] * x;
+      return linear + terms[1] * (x * x * x);
+    }
+    case tension_law::damper: {
+      const expression damping = on.known(terms[0]);
+      return damping * taut.rate(on.moving());
+    }
+    case tension_law::friction: {
+      const expression normal = on.known(terms[0]);
+      return normal * friction.known_in(on).coefficient(taut.rate(on.moving()));
+    }
+    case tension_law::stop: return tension_of_stop(on, taut, how);
+    }
+    return {};
+  }
+
+  constexpr expression tension_of_stop(force_system& on, const taut_pathway& taut, conservative how) const {
+    const expression at_most = one_sided(taut.length() - terms[1], terms[4]),
+                     at_least = one_sided(terms[0] - taut.length(), terms[4]);
+    if (terms[3].is_zero())
+      return how == conservative::by_energy ? on.skeleton_used().model->zero()
+                                            : terms[2] * (at_most - at_least);
+    const expression damping = on.known(terms[3]), rate = taut.rate(on.moving());
+    expression longer = dissipation_factor(damping, rate), shorter = dissipation_factor(damping, -rate);
+    if (how == conservative::by_energy) longer = longer - 1, shorter = shorter - 1;
+    const expression pulls = at_most * longer, pushes = at_least * shorter;
+    return terms[2] * (pulls - pushes);
+  }
+
+  constexpr expression energy_of_spring(expression length) const {
+    const expression x = length - terms[2], square = x * x;
+    const expression linear = terms[0] * square / 2;
+    return linear + terms[1] * (square * square) / 4;
+  }
+  constexpr expression energy_of_stop(expression length) const {
+    const expression at_most = one_sided_energy(length - terms[1], terms[4]),
+                     at_least = one_sided_energy(terms[0] - length, terms[4]);
+    return terms[2] * (at_most + at_least);
+  }
+
+  constexpr void check_pathway(load_check& by, std::string_view whose) const {
+    if (along.form == pathway_form::given_length)
+      by.check_no_rates(along.length, "the length of the ", whose);
+    if (along.is_around_surface()) by.check_constant(along.surface.size, "the surface of the ", whose);
+    if (along.is_around_surface() && is_not_positive(along.surface.size))
+      by.fail({"the surface of the ", whose, " has no positive ",
+               along.form == pathway_form::around_cone ? "angle" : "radius"});
+  }
+  constexpr void state_units_of_pathway(load_units& by, std::string_view whose) const {
+    if (!along.is_around_surface()) return;
+    by.describe({"the surface of the ", whose});
+    by.expect(along.surface.size,
+              along.form == pathway_form::around_cone ? units::si::radian : units::si::meter);
+  }
+
+  constexpr void check_stop(load_check& by, std::string_view whose) const {
+    by.check_constant(terms[0], "the least length of the ", whose);
+    by.check_constant(terms[1], "the greatest length of the ", whose);
+    by.check_constant(terms[2], "the stiffness of the ", whose);
+    by.check_no_speed_rates(terms[3], "the damping of the ", whose);
+    by.check_constant(terms[4], "the width of the ", whose);
+    if (is_not_positive(terms[1] - terms[0]))
+      by.fail({"the greatest length of the ", whose, " does not exceed the least length"});
+    if (is_not_positive(terms[2])) by.fail({"the stiffness of the ", whose, " is not positive"});
+    if (is_not_positive(terms[4])) by.fail({"the width of the ", whose, " is not positive"});
+    if (!terms[3].is_zero() && is_not_positive(terms[3]))
+      by.fail({"the damping of the ", whose, " is negative"});
+  }
+
+  /// Whether an expression is a number that is not positive.
+  static constexpr bool is_not_positive(expression e) {
+    return e.is_constant() && !(e.owner().number_at(e.node()).value() > 0);
+  }
+};
+
+/// The default width over which a stop is rounded: a thousandth of the distance between its ends.
+constexpr expression default_width_of_stop(expression least, expression greatest) {
+  return (greatest - least) / 1000;
+}
+
+} // namespace kanexpr::mechanics

@@ -1,0 +1,455 @@
+// Pathways: the power of loads along them, their lengths compared with geodesics that are integrated
+// numerically, energy, and Kane's method compared with Lagrange's.
+#include <Eigen/Core>
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+#include <kanexpr/mechanics/motion/known_motion.hpp>
+#include <kanexpr/runtime/builder.hpp>
+
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+namespace mechanics = kanexpr::mechanics;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using kanexpr::wrapping;
+using kanexpr::runtime::builder;
+using kanexpr::runtime::frame_id;
+using kanexpr::runtime::pathway;
+using kanexpr::runtime::point_id;
+using kanexpr::symbolic::expression;
+using kanexpr::symbolic::matrix;
+using mechanics::quantity;
+
+// Two bodies in a chain, with a mast that is fixed to the first one.
+struct arm : builder {
+  std::vector<expression> q, u;
+  frame_id n = inertial_frame(), a, b;
+  point_id o, mast, hand, eye, wall, on_mast, ring;
+
+  explicit arm(bool by_lagrange = false) : builder("N") {
+    for (int i = 0; i < 4; ++i) q.push_back(coordinate("q" + std::to_string(i)));
+    if (by_lagrange) rates_as_speeds();
+    for (int i = 0; i < 4 && !by_lagrange; ++i) u.push_back(speed("u" + std::to_string(i)));
+    if (!by_lagrange) {
+      kinematic_equation(dot(q[0]) - u[0]);
+      kinematic_equation(dot(q[1]) - (u[1] - 0.5 * u[0]));
+      kinematic_equation(dot(q[2]) - u[2]);
+      kinematic_equation(dot(q[3]) - u[3]);
+    }
+    o = origin("O");
+    wall = offset("W", o, along(n, 1.3, 0.4, 0.2));
+    a = body_fixed("A", n, "zyx", q[0], q[1], number(0.2));
+    mast = offset("M", o, along(a, 0.1, 0.3, 0.2));
+    eye = offset("E", mast, along(a, 0.4, -0.3, 0.5));
+    on_mast = offset("S", mast, along(a, 0.25 * std::cos(0.6), 0.25 * std::sin(0.6), 0.15));
+    ring = offset("R", mast, along(a, 0.25, 0.0, 0.4));
+    b = rotated("B", a, q[2], along(a, 1, 2, 2));
+    hand = offset("H", mast, along(a, -0.9, 0.2, 0.1) + along(b, q[3], -0.5, 0.2));
+    rigid_body("first", eye, a, number(1.2), inertia(a, 0.2, 0.3, 0.4));
+    rigid_body("second", hand, b, number(0.7), inertia(b, 0.1, 0.2, 0.15));
+  }
+
+  std::vector<std::pair<std::string, pathway>> pathways() {
+    const auto axis = along(a, 0.0, 0.0, 1.0);
+    const expression r = number(0.25);
+    return {{"straight", straight(hand, wall)},
+            {"through", through({hand, eye, mast, wall})},
+            {"given", given_length(0.3 * q[0] - 0.2 * q[2] * q[3])},
+            {"cylinder ccw", around_cylinder(a, mast, axis, r, hand, wall, wrapping::counterclockwise)},
+            {"cylinder cw", around_cylinder(a, mast, along(a, 1, 2, 3), r, hand, wall, wrapping::clockwise)},
+            {"cylinder from its surface",
+             around_cylinder(a, mast, axis, r, on_surface(on_mast), wall, wrapping::clockwise)},
+            {"cylinder on its surface", around_cylinder(a, mast, axis, r, on_surface(on_mast),
+                                                        on_surface(ring), wrapping::counterclockwise)},
+            {"sphere", around_sphere(mast, r, hand, wall)},
+            {"sphere at the end", around_sphere(mast, r, hand, eye)},
+            {"cone ccw", around_cone(a, mast, along(a, 0.5, 0.2, -1.0), number(0.35), hand, wall,
+                                     wrapping::counterclockwise)},
+            {"cone cw",
+             around_cone(a, mast, along(a, -1.0, 0.3, 0.2), number(0.4), hand, wall, wrapping::clockwise)}};
+  }
+};
+
+VectorXd random_state(std::mt19937_64& source) {
+  std::uniform_real_distribution<double> value(-1.2, 1.2);
+  VectorXd x(8);
+  for (double& each : x) each = value(source);
+  return x;
+}
+
+const VectorXd nothing(0);
+
+TEST(pathways, power_is_tension_times_rate) {
+  int touching = 0;
+  for (std::size_t i = 0; i < arm().pathways().size(); ++i) {
+    arm b;
+    const auto [name, path] = b.pathways()[i];
+    SCOPED_TRACE(name);
+    const expression tension = b.input("T");
+    b.force_along(path, tension);
+    const expression length = b.length_of(path);
+    mechanics::known_motion known(b.mechanism());
+    matrix wanted(b.graph(), 2, 1);
+    wanted.entries[0] = length;
+    wanted.entries[1] = known.moving().rate(length);
+    auto model = kanexpr::derive(b);
+    ASSERT_EQ(model.mistake(), "");
+    auto forces = model.function(model.get(quantity::load_compensation));
+    auto lengths = model.function(wanted);
+    std::mt19937_64 source(5);
+    for (int k = 0; k < 60; ++k) {
+      const VectorXd x = random_state(source), r = VectorXd::Constant(1, 2.5);
+      const MatrixXd l = lengths(x, nothing, r), f = forces(x, nothing, r);
+      if (!l.allFinite()) continue;
+      const double power = -f.col(0).dot(x.tail(4));
+      EXPECT_NEAR(power, -2.5 * l(1), 1e-12 * (1 + f.norm() * x.norm())) << k;
+      ++touching;
+    }
+  }
+  EXPECT_GT(touching, 600);
+}
+
+// Springs, cubic springs and stops: the equations of Kane's method, which applies forces along the lines,
+// agree with those of Lagrange's method, which differentiates the energy.
+TEST(pathways, agree_with_lagrange) {
+  const auto model_of = [](arm& b, std::size_t i, bool damped) {
+    const pathway path = b.pathways()[i].second;
+    b.linear_spring(path, b.number(3), b.number(0.4));
+    b.cubic_spring(path, b.number(1.5), b.number(0.7), b.number(0.3));
+    b.stop(path, b.number(0.6), b.number(0.9), b.number(50), b.number(damped ? 0.3 : 0.0), b.number(0.05));
+    return kanexpr::derive(b);
+  };
+  for (std::size_t i = 0; i < arm().pathways().size(); ++i)
+    for (const bool damped : {false, true}) {
+      arm by_kane, by_lagrange(true);
+      SCOPED_TRACE(by_kane.pathways()[i].first);
+      auto kane = model_of(by_kane, i, damped), lagrange = model_of(by_lagrange, i, damped);
+      ASSERT_EQ(kane.mistake(), "");
+      ASSERT_EQ(lagrange.mistake(), "");
+      auto first = kane.function(kane.get(quantity::udot)),
+           second = lagrange.function(lagrange.get(quantity::udot));
+      std::mt19937_64 source(11);
+      for (int k = 0; k < 30; ++k) {
+        const VectorXd x = random_state(source);
+        VectorXd rates = x;
+        rates(5) -= 0.5 * x(4);
+        const VectorXd udot = first(x), qddot = second(rates);
+        if (!udot.allFinite()) continue;
+        VectorXd accelerations = udot;
+        accelerations(1) -= 0.5 * udot(0);
+        EXPECT_LT((accelerations - qddot).norm(), 1e-11 * (1 + qddot.norm())) << k;
+      }
+    }
+}
+
+// The linearization agrees with complex steps, in which the pathways are evaluated with complex lengths.
+TEST(pathways, have_derivatives) {
+  for (std::size_t i = 0; i < arm().pathways().size(); ++i) {
+    arm b;
+    const auto [name, path] = b.pathways()[i];
+    SCOPED_TRACE(name);
+    b.cubic_spring(path, b.number(3), b.number(0.7), b.number(0.3));
+    b.linear_damper(path, b.number(0.4));
+    b.stop(path, b.number(0.6), b.number(0.9), b.number(50), b.number(0.3), b.number(0.4));
+    auto model = kanexpr::derive(b);
+    ASSERT_EQ(model.mistake(), "");
+    auto jacobian = model.function(model.get(quantity::state_jacobian));
+    auto rhs = model.function<std::complex<double>>(model.get(quantity::rhs));
+    auto in_float = model.function<float>(model.get(quantity::rhs));
+    auto in_double = model.function(model.get(quantity::rhs));
+    auto elsewhere = kanexpr::runtime::derive_in_own_graph(b);
+    auto copied = elsewhere.function(elsewhere.get(quantity::rhs));
+    std::mt19937_64 source(21);
+    for (int k = 0; k < 10; ++k) {
+      const VectorXd x = random_state(source);
+      const MatrixXd exact = jacobian(x);
+      if (!exact.allFinite()) continue;
+      MatrixXd by_steps(8, 8);
+      for (int j = 0; j < 8; ++j) {
+        Eigen::VectorXcd moved = x;
+        moved(j) += std::complex<double>(0, 1e-30);
+        by_steps.col(j) = Eigen::VectorXcd(rhs(moved)).imag() / 1e-30;
+      }
+      EXPECT_LT((exact - by_steps).norm(), 1e-10 * exact.norm()) << k;
+      const VectorXd rates = in_double(x);
+      EXPECT_LT((VectorXd(copied(x)) - rates).norm(), 1e-12 * (1 + rates.norm()));
+      EXPECT_LT((Eigen::VectorXf(in_float(Eigen::VectorXf(x.cast<float>()))).cast<double>() - rates).norm(),
+                3e-4 * (1 + rates.norm()));
+    }
+  }
+}
+
+// A surface f = 0 with its gradient and its second derivative along a direction.
+struct surface {
+  std::function<double(const Vector3d&)> f;
+  std::function<Vector3d(const Vector3d&)> gradient;
+  std::function<double(const Vector3d&)> curvature; ///< v·(∂²f) v
+
+  // A geodesic: x'' = −(x'·∂²f x') ∂f/|∂f|², by the method of Runge and Kutta.
+  void move(Vector3d& x, Vector3d& v, double distance) const {
+    constexpr int steps = 1000;
+    const double h = distance / steps;
+    const auto a = [&](const Vector3d& at, const Vector3d& along) -> Vector3d {
+      const Vector3d n = gradient(at);
+      return -curvature(along) / n.squaredNorm() * n;
+    };
+    for (int i = 0; i < steps; ++i) {
+      const Vector3d k1 = v, l1 = a(x, v), k2 = v + h / 2 * l1, l2 = a(x + h / 2 * k1, k2),
+                     k3 = v + h / 2 * l2, l3 = a(x + h / 2 * k2, k3), k4 = v + h * l3, l4 = a(x + h * k3, k4);
+      x += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
+      v += h / 6 * (l1 + 2 * l2 + 2 * l3 + l4);
+    }
+  }
+};
+
+const double radius = 0.3, slope = std::tan(0.4);
+const surface cylinder{[](const Vector3d& x) { return x.head<2>().squaredNorm() - radius * radius; },
+                       [](const Vector3d& x) { return Vector3d(2 * x(0), 2 * x(1), 0); },
+                       [](const Vector3d& v) { return 2 * v.head<2>().squaredNorm(); }};
+const surface ball{[](const Vector3d& x) { return x.squaredNorm() - radius * radius; },
+                   [](const Vector3d& x) { return Vector3d(2 * x); },
+                   [](const Vector3d& v) { return 2 * v.squaredNorm(); }};
+const surface cone{
+    [](const Vector3d& x) { return x.head<2>().squaredNorm() - slope * slope * x(2) * x(2); },
+    [](const Vector3d& x) { return Vector3d(2 * x(0), 2 * x(1), -2 * slope * slope * x(2)); },
+    [](const Vector3d& v) { return 2 * (v.head<2>().squaredNorm() - slope * slope * v(2) * v(2)); }};
+
+// Two points and a pathway between them around a surface whose axis is z.
+struct wrapped : builder {
+  matrix result;
+  std::vector<expression> at;
+
+  wrapped(mechanics::pathway_form form, wrapping sense, bool first_on, bool last_on) : builder("N") {
+    for (int i = 0; i < 6; ++i) at.push_back(coordinate("q" + std::to_string(i)));
+    rates_as_speeds();
+    const frame_id n = inertial_frame();
+    const point_id o = origin("O"), p = offset("P", o, along(n, at[0], at[1], at[2])),
+                   q = offset("Q", o, along(n, at[3], at[4], at[5]));
+    particle("first", p, number(1));
+    particle("last", q, number(1));
+    const auto axis = along(n, 0, 0, 1);
+    const kanexpr::runtime::end_of_path first(p, first_on), last(q, last_on);
+    const pathway path = form == mechanics::pathway_form::around_cylinder
+                             ? around_cylinder(n, o, axis, number(radius), first, last, sense)
+                         : form == mechanics::pathway_form::around_sphere
+                             ? around_sphere(o, number(radius), first, last)
+                             : around_cone(n, o, axis, number(0.4), first, last, sense);
+    force_along(path, number(1));
+    result = matrix(graph(), 1, 1);
+    result.entries[0] = length_of(path);
+  }
+};
+
+// The distance at which a straight line touches a surface.
+double distance_to_touch(const surface& s, const Vector3d& from, const Vector3d& along) {
+  const double second = s.curvature(along) / 2, first = s.gradient(from).dot(along);
+  return -first / (2 * second);
+}
+
+// Follows the line from its first point, with the direction given by the force there, along the tangent, the
+// geodesic and the second tangent; it must arrive at the last point, in the direction of the force there.
+void expect_geodesic(const surface& s, mechanics::pathway_form form, wrapping sense, bool first_on,
+                     bool last_on, const std::function<Vector3d(std::mt19937_64&, bool)>& point) {
+  wrapped b(form, sense, first_on, last_on);
+  auto model = kanexpr::derive(b);
+  ASSERT_EQ(model.mistake(), "");
+  auto length = model.function(b.result), force = model.function(model.get(quantity::load_compensation));
+  std::mt19937_64 source(3);
+  int touching = 0;
+  for (int k = 0; k < 20; ++k) {
+    VectorXd x = VectorXd::Zero(12);
+    x.head<3>() = point(source, first_on), x.segment<3>(3) = point(source, last_on);
+    const double l = length(x)(0);
+    const VectorXd away = VectorXd(force(x));
+    const Vector3d p = x.head<3>(), q = x.segment<3>(3), leaving = -away.head<3>(), arriving = away.tail<3>();
+    if (!std::isfinite(l)) continue; // it slips over the tip of the cone
+    EXPECT_NEAR(leaving.norm(), 1, 1e-13);
+    EXPECT_NEAR(arriving.norm(), 1, 1e-13);
+    if (std::abs(l - (q - p).norm()) < 1e-12) continue;
+    ++touching;
+    const double first = first_on ? 0 : distance_to_touch(s, p, leaving),
+                 last = last_on ? 0 : distance_to_touch(s, q, -arriving);
+    Vector3d at = p + first * leaving, along = leaving;
+    EXPECT_NEAR(s.f(at), 0, 1e-12);
+    EXPECT_NEAR(s.gradient(at).dot(along), 0, 1e-12);
+    EXPECT_GE(first, 0);
+    EXPECT_GE(last, 0);
+    s.move(at, along, l - first - last);
+    EXPECT_LT((at + last * arriving - q).norm(), 2e-9);
+    EXPECT_LT((along - arriving).norm(), 2e-9);
+    if (form == mechanics::pathway_form::around_sphere) continue;
+    const double turning = p.cross(leaving)(2);
+    EXPECT_EQ(turning > 0, sense == wrapping::counterclockwise);
+  }
+  EXPECT_GT(touching, 2);
+}
+
+TEST(pathways, are_geodesics) {
+  std::uniform_real_distribution<double> value(-1, 1);
+  const auto around = [&](std::mt19937_64& source, double at_least) {
+    const double angle = std::numbers::pi * value(source), distance = at_least * (1.2 + 0.8 * value(source));
+    return Vector3d(distance * std::cos(angle), distance * std::sin(angle), 0);
+  };
+  for (const bool first_on : {false, true})
+    for (const bool last_on : {false, true}) {
+      for (const wrapping sense : {wrapping::counterclockwise, wrapping::clockwise}) {
+        SCOPED_TRACE(std::to_string(first_on) + std::to_string(last_on));
+        expect_geodesic(cylinder, mechanics::pathway_form::around_cylinder, sense, first_on, last_on,
+                        [&](std::mt19937_64& source, bool is_on) {
+                          Vector3d x = around(source, is_on ? 1.0 : 2.6 * radius);
+                          if (is_on) x *= radius / x.norm();
+                          x(2) = value(source);
+                          return x;
+                        });
+        expect_geodesic(cone, mechanics::pathway_form::around_cone, sense, first_on, last_on,
+                        [&](std::mt19937_64& source, bool is_on) {
+                          const double height = 1 + 0.5 * value(source);
+                          Vector3d x = around(source, is_on ? 1.0 : 2.6 * slope * height);
+                          if (is_on) x *= slope * height / x.norm();
+                          x(2) = height;
+                          return x;
+                        });
+      }
+      expect_geodesic(ball, mechanics::pathway_form::around_sphere, wrapping::clockwise, first_on, last_on,
+                      [&](std::mt19937_64& source, bool is_on) {
+                        Vector3d x(value(source), value(source), value(source));
+                        x *= (is_on ? radius : radius * (1.8 + 0.7 * value(source))) / x.norm();
+                        return x;
+                      });
+    }
+}
+
+// The length and its first derivatives are continuous where the line lifts off.
+TEST(pathways, lift_off_smoothly) {
+  wrapped b(mechanics::pathway_form::around_cylinder, wrapping::counterclockwise, false, false);
+  auto model = kanexpr::derive(b);
+  auto length = model.function(b.result), force = model.function(model.get(quantity::load_compensation));
+  VectorXd x = VectorXd::Zero(12);
+  const double distance = 0.8, touch = std::acos(radius / distance);
+  const auto at = [&](double angle) {
+    x.head<3>() << distance, 0, 0.1;
+    x.segment<3>(3) << distance * std::cos(angle), distance * std::sin(angle), -0.4;
+  };
+  at(2 * touch - 1e-9);
+  const double before = length(x)(0);
+  EXPECT_NEAR(before, (x.head<3>() - x.segment<3>(3)).norm(), 1e-15);
+  const VectorXd force_before = force(x);
+  at(2 * touch + 1e-9);
+  EXPECT_GT(length(x)(0), (x.head<3>() - x.segment<3>(3)).norm() - 1e-15);
+  EXPECT_NEAR(length(x)(0), before, 3e-9);
+  EXPECT_LT((VectorXd(force(x)) - force_before).norm(), 1e-8);
+}
+
+// A length and its rate, and the generalized forces of a spring of Duffing and of a damper on two speeds, as
+// printed by sympy_pathways.py. Around a surface, SymPy 1.14 takes a positive force as a tension, unlike
+// along its other pathways: its damper there has the power +c (dl/dt)², and its spring pushes.
+struct reference {
+  std::string name;
+  std::vector<double> values;
+};
+const reference by_sympy[]{
+    {"straight",
+     {3.166182516471036, 0.8858355873230018, -54.16912776151453, -5.029302109126214, -1.270767669801383,
+      -0.11798370743717528}},
+    {"through",
+     {3.453015080413793, 0.05892814372605964, -25.022012737239404, -38.225857770093825, -0.030115016086268386,
+      -0.0460063838087866}},
+    {"around a cylinder",
+     {0.8443340571124678, -0.5385309240693493, 0.2429822623486216, 2.3998248133197198, -0.10332641324168888,
+      -1.0205077851031}},
+};
+
+TEST(pathways, agree_with_sympy) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    SCOPED_TRACE(by_sympy[i].name);
+    for (const bool is_spring : {true, false}) {
+      builder b("N");
+      const expression q1 = b.coordinate("q1"), q2 = b.coordinate("q2"), u1 = b.speed("u1"),
+                       u2 = b.speed("u2");
+      b.kinematic_equation(b.dot(q1) - u1);
+      b.kinematic_equation(b.dot(q2) - u2);
+      const frame_id n = b.inertial_frame(), a = b.rotated("A", n, q1, b.along(n, 0, 0, 1)),
+                     c = b.rotated("B", a, q2, b.along(a, 1, 0, 0));
+      const point_id o = b.origin("O"), p = b.offset("P", o, b.along(a, 0, 1, 0.2)),
+                     q = b.offset("Q", p, b.along(c, q2, 0.8, -0.5)),
+                     w = b.offset("W", o, b.along(n, 1.5, 0, -0.25)),
+                     e = b.offset("E", o, b.along(a, 0.3, 0, 0.1)),
+                     s = b.offset("S", o, b.along(n, 0.3, 0, 0)),
+                     r = b.offset("R", o, b.along(a, 0.3, 0, 0) + b.along(n, 0, 0, 0.4 + q2));
+      b.particle("bob", q, b.number(1));
+      const pathway path = i == 0 ? b.straight(q, w)
+                           : i == 1
+                               ? b.through({q, p, e, w})
+                               : b.around_cylinder(n, o, b.along(n, 0, 0, 1), b.number(0.3), b.on_surface(s),
+                                                   b.on_surface(r), wrapping::counterclockwise);
+      if (is_spring)
+        b.cubic_spring(path, b.number(7), b.number(3), b.number(0.5));
+      else
+        b.linear_damper(path, b.number(2));
+      matrix lengths(b.graph(), 2, 1);
+      mechanics::known_motion known(b.mechanism());
+      lengths.entries[0] = b.length_of(path);
+      lengths.entries[1] = known.moving().rate(lengths.entries[0]);
+      auto model = kanexpr::derive(b);
+      ASSERT_EQ(model.mistake(), "");
+      const Eigen::Vector4d x(0.9, 0.4, 1.3, -0.7);
+      const VectorXd length = model.function(lengths)(x),
+                     forces = model.function(model.get(quantity::load_compensation))(x);
+      const std::vector<double>& expected = by_sympy[i].values;
+      const double sign = i == 2 ? -1 : 1;
+      for (int j = 0; j < 2; ++j) {
+        const std::size_t at = static_cast<std::size_t>(j);
+        EXPECT_NEAR(length(j), expected[at], 1e-13);
+        EXPECT_NEAR(-forces(j), sign * expected[(is_spring ? 2 : 4) + at], 1e-12 * std::abs(expected[2]));
+      }
+    }
+  }
+}
+
+// The mistake in an arm, as a sentence.
+std::string mistake_of(void (*is_made)(arm&)) {
+  arm b;
+  is_made(b);
+  return std::string((b.check)().view());
+}
+
+TEST(pathways, report_mistakes) {
+  EXPECT_EQ(mistake_of([](arm& b) { b.force_along(b.through({b.hand}), b.number(1)); }),
+            "a pathway passes through fewer than two points");
+  EXPECT_EQ(mistake_of([](arm& b) { b.force_along(pathway(), b.number(1)); }),
+            "a force along a pathway acts along a pathway that has no points");
+  EXPECT_EQ(mistake_of([](arm& b) {
+              b.force_along(
+                  b.around_cylinder(b.a, b.mast, {}, b.number(0.2), b.hand, b.wall, wrapping::clockwise),
+                  b.number(1));
+            }),
+            "a pathway is wrapped around an axis of zero length");
+  EXPECT_EQ(mistake_of([](arm& b) {
+              b.force_along(b.around_cone(b.a, b.mast, b.along(b.b, 1, 0, 0), b.number(0.2), b.hand, b.wall,
+                                          wrapping::clockwise),
+                            b.number(1));
+            }),
+            "a pathway is wrapped around an axis that is not fixed in A");
+  EXPECT_EQ(mistake_of([](arm& b) {
+              const point_id apart = b.origin("Apart");
+              b.linear_damper(b.around_sphere(b.mast, b.number(0.2), b.hand, apart), b.number(1));
+            }),
+            "the position of Apart from M is not known: they are measured from two origins, Apart and O");
+  EXPECT_EQ(mistake_of([](arm& b) { b.linear_spring(b.through({b.hand, b.wall, b.wall}), b.number(1)); }),
+            "a linear spring acts between point W and itself");
+  EXPECT_EQ(mistake_of([](arm& b) {
+              b.stop(b.straight(b.hand, b.wall), b.number(2), b.number(1), b.number(10), b.number(0.1));
+            }),
+            "the greatest length of the stop between H and W does not exceed the least length");
+}
+
+} // namespace
