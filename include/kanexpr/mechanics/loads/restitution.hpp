@@ -17,6 +17,8 @@ constexpr double dissipation_at(double x) {
 /// the distance to its pole at −5/4.
 class dissipated_work {
 public:
+  constexpr explicit dissipated_work(int points) : rule_(numeric::beams::gauss_legendre(points)) {}
+
   /// From −e x to x.
   constexpr double over(double e, double x) const {
     double sum = 0;
@@ -43,7 +45,7 @@ private:
     return to;
   }
 
-  numeric::beams::quadrature rule_ = numeric::beams::gauss_legendre(16);
+  numeric::beams::quadrature rule_;
 };
 
 } // namespace detail
@@ -57,7 +59,8 @@ private:
 /// impact are neglected.
 constexpr double damping_of_restitution(double e) {
   if (!(e > 0 && e < 1)) return 0;
-  const detail::dissipated_work work;
+  int points = 16; // not const, because g++ would then form the rule in every file
+  const detail::dissipated_work work(points);
   double least = 0, most = 1.25 / e;
   for (int i = 0; i < 60; ++i) {
     const double middle = (least + most) / 2;
