@@ -3,8 +3,8 @@
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
 #include <kanexpr/runtime/builder.hpp>
+#include <kanexpr/units/possible_unit.hpp>
 #include <kanexpr/units/si.hpp>
-#include <kanexpr/units/unit_text.hpp>
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
@@ -133,8 +133,8 @@ struct by_hand {
   }
 };
 
-std::string text(const kanexpr::mechanics::possible_unit& u) {
-  return std::string(kanexpr::units::text_of(u.value()).view());
+std::string text(const kanexpr::units::possible_unit& u) {
+  return std::string(kanexpr::units::text_of(u).view());
 }
 
 struct random_states {
