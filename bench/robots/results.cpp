@@ -55,8 +55,8 @@ void print_joints(const robots::robot& r, const robots::plan& p) {
   std::size_t q = 0, u = 0;
   for (const robots::planned_joint& j : p.joints) {
     const std::string called = j.joint < 0 ? "root_joint" : r.joints[static_cast<std::size_t>(j.joint)].name;
-    std::cout << "joint " << static_cast<int>(j.kind) << ' ' << q << ' ' << u << ' ' << !j.input.called.empty()
-              << ' ' << called << '\n';
+    std::cout << "joint " << static_cast<int>(j.kind) << ' ' << q << ' ' << u << ' '
+              << !j.input.called.empty() << ' ' << called << '\n';
     q += j.coordinates.size(), u += j.speeds.size();
   }
   for (std::size_t j = 0; j < r.joints.size(); ++j) {

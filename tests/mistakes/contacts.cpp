@@ -21,7 +21,8 @@ void f() { use<System>(); }
 
 // expect: the contact between Arm and Ground has more than one of restitution<...> and dissipation<...>
 namespace n3 {
-struct System : jointed<joints<Arm>, loads<contact<above, firm, thin, dissipation<1>, restitution<0.5, 1>>>> {};
+using twice_damped = contact<above, firm, thin, dissipation<1>, restitution<0.5, 1>>;
+struct System : jointed<joints<Arm>, loads<twice_damped>> {};
 void f() { use<System>(); }
 } // namespace n3
 
@@ -69,8 +70,8 @@ void f() { use<System>(); }
 
 // expect: the contact between Arm and Ground has rolling_resistance<...>, but a point does not roll
 namespace n10 {
-struct System : jointed<joints<Arm>, loads<contact<point_on_plane<Arm, Ground, Ground::z>, firm, thin,
-                                                   rolling_resistance<0.1, 0.1>>>> {};
+using no_roll = contact<point_on_plane<Arm, Ground, Ground::z>, firm, thin, rolling_resistance<0.1, 0.1>>;
+struct System : jointed<joints<Arm>, loads<no_roll>> {};
 void f() { use<System>(); }
 } // namespace n10
 
@@ -116,8 +117,9 @@ void f() { use<System>(); }
 // expect: the surface of the contact between Arm and Ground contains the coordinate q_Arm; it may contain
 // expect: only parameters, inputs and time
 namespace n17 {
-struct System : jointed<joints<Arm>, loads<contact<point_on_surface<Arm, Ground, Ground, surface::z - q_of<Arm>>,
-                                                   firm, thin>>> {};
+struct System
+    : jointed<joints<Arm>,
+              loads<contact<point_on_surface<Arm, Ground, Ground, surface::z - q_of<Arm>>, firm, thin>>> {};
 void f() { use<System>(); }
 } // namespace n17
 

@@ -3,7 +3,8 @@
 
 struct Edge : offset<Edge, O, l * N::x> {};
 
-struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
-                            loads<force_along<around_cylinder<N, O, A::x, 0.1, P, Edge, wrapping::clockwise>, T>>> {};
+struct System
+    : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Bob>,
+                  loads<force_along<around_cylinder<N, O, A::x, 0.1, P, Edge, wrapping::clockwise>, T>>> {};
 
 int main() { use<System>(); }

@@ -93,8 +93,8 @@ void f() { use<System>(); }
 namespace s15 {
 struct R : offset<R, P, z * N::x> {};
 struct C : particle<C, R, m> {};
-struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<B, C>, states<z>,
-                            dynamics<dot(z) == -z>> {};
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<B, C>,
+                            states<z>, dynamics<dot(z) == -z>> {};
 void f() { use<System>(); }
 } // namespace s15
 
@@ -161,8 +161,8 @@ void f() {
 // expect: the mass of C depends on the state variable z
 namespace s25 {
 struct C : particle<C, P, m + z> {};
-struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<C>, states<z>,
-                            dynamics<dot(z) == -z>> {};
+struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<C>,
+                            states<z>, dynamics<dot(z) == -z>> {};
 void f() { use<System>(); }
 } // namespace s25
 

@@ -165,8 +165,8 @@ TEST(nonlinear_constraints, divide_gravity_in_the_example_of_appell_and_hamel) {
   expect_appell_hamel<integrator::differential_algebraic>();
 }
 
-// At the apex of the cone of velocities, all derivatives of the constraint vanish. The motion continues in the
-// opposite direction.
+// At the apex of the cone of velocities, all derivatives of the constraint vanish. The motion continues in
+// the opposite direction.
 TEST(nonlinear_constraints, pass_the_apex_of_the_cone_of_velocities) {
   const auto run = simulate(appell_hamel(), {{"x", 0}, {"y", 0}, {"z", 0}, {"u", 0.7}, {"v", 0}, {"w", 1}},
                             {{"m", 1}, {"g", 9.81}, {"a", 0.7}, {"k", 0}}, {0, 1});

@@ -126,9 +126,8 @@ constexpr std::string_view mistake_of_words() {
     if (Joint::template times<joint_word::special> > 1) return given::twice;
   }
   if (Joint::template times<joint_word::by> > 1) return "has by<...> twice; write one list";
-  for (std::string_view mistake :
-       {mistake_of_place<Joint>(), mistake_of_home<Joint>(), mistake_of_body<Joint>(),
-        mistake_of_drive<Joint>()})
+  for (std::string_view mistake : {mistake_of_place<Joint>(), mistake_of_home<Joint>(),
+                                   mistake_of_body<Joint>(), mistake_of_drive<Joint>()})
     if (!mistake.empty()) return mistake;
   return {};
 }

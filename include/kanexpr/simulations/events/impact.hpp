@@ -3,8 +3,8 @@
 #include <kanexpr/compiled/equations_of_motion.hpp>
 #include <kanexpr/compiled/function.hpp>
 #include <kanexpr/compiled/out_of_line.hpp>
-#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/compiled/state.hpp>
+#include <kanexpr/compiled/survey_of.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/mechanics/quantity.hpp>
 #include <kanexpr/numeric/impulses.hpp>
