@@ -220,6 +220,7 @@ private:
 
   std::vector<anchor> anchors_of(const animation::shape& s) {
     std::vector<anchor> anchors;
+    anchors.reserve(s.places + 1);
     for (std::size_t i = 0; i < s.places; ++i)
       anchors.push_back(used(s.placed_by == placement_kind::pose
                                  ? *find_pose(pose_of(s, i))
