@@ -40,7 +40,7 @@ public:
     found.expect(b.check().view().empty(), std::string(b.check().view()));
     if (!found.reason().empty()) return;
     kanexpr::mechanics::equations derived(b.system());
-    compare(m, b, derived, changed, in, found);
+    compare(m, derived, changed, in, found);
     if (!w.hostile_states) return;
     hostile_states hostile(m, changed, d_);
     hostile.visit(b, derived, found);
@@ -62,11 +62,11 @@ private:
     return m;
   }
 
-  void compare(const recipe::mechanism& m, recipe::builder& b, kanexpr::mechanics::equations& derived,
+  void compare(const recipe::mechanism& m, kanexpr::mechanics::equations& derived,
                const recipe::in_units& changed, const recipe::units& in, errors& found) const {
     using Eigen::MatrixXd;
     using kanexpr::mechanics::quantity;
-    const auto value = [&](quantity q) { return recipe::number(b, m, derived.get(q)); };
+    const auto value = [&](quantity q) { return recipe::number(m, derived.get(q)); };
     const auto scalar = [](double x) { return MatrixXd::Constant(1, 1, x); };
     const std::vector<double> forces = inverse(changed.speeds());
     const double force = 1 + expected_.force_scale;

@@ -80,7 +80,7 @@ MatrixXd along_rotations(const recipe::mechanism& m, MatrixXd derivatives) {
 // The remainder of F_r + F_r* + Jᵀ λ along a motion, relative to its largest term.
 double imbalance(recipe::bound_mechanism& one) {
   const VectorXd udot = one.found(quantity::udot);
-  const VectorXd force = number(one.b, one.m, one.derived.get(quantity::unreduced_forces),
+  const VectorXd force = number(one.m, one.derived.get(quantity::unreduced_forces),
                                 std::vector<double>(udot.begin(), udot.end()));
   EXPECT_EQ(force.size(), udot.size());
   const VectorXd held =

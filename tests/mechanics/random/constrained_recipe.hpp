@@ -12,6 +12,8 @@
 #include <kanexpr/base/sequence.hpp>
 
 #include <algorithm>
+#include <iterator>
+#include <vector>
 
 namespace recipe {
 
@@ -21,6 +23,15 @@ using Eigen::VectorXd;
 
 inline VectorXd speeds_of(const mechanism& m) {
   return VectorXd::Map(m.u.data(), static_cast<Index>(m.u.size()));
+}
+
+// Orders constraints so that those of the configuration follow the others.
+inline void move_configuration_constraints_to_the_end(std::vector<constraint>& bounds) {
+  const auto of_configuration = [](const constraint& c) { return c.what == bound::configuration; };
+  std::vector<constraint> last;
+  std::ranges::copy_if(bounds, std::back_inserter(last), of_configuration);
+  std::erase_if(bounds, of_configuration);
+  bounds.insert(bounds.end(), last.begin(), last.end());
 }
 
 // The mechanism, its constraints, and a state that satisfies them.
@@ -42,9 +53,7 @@ struct constrained {
       bounds = random_constraints(m, 1000 * seed + attempt).run();
       if (in_any_units)
         for (constraint& c : bounds) without_sines_of_lengths(m, c);
-      // configuration constraints follow the others
-      std::stable_partition(bounds.begin(), bounds.end(),
-                            [](const constraint& c) { return c.what != bound::configuration; });
+      move_configuration_constraints_to_the_end(bounds);
       linear = linearized(m, bounds);
       regular = is_regular(linear.jacobian);
     }
