@@ -388,12 +388,12 @@ private:
   constexpr unit_product of_power(int id, const symbolic::node& n) {
     unit_product base = of(n.a);
     of(n.b);
-    if (base.fits_all) return base;
     if (!g_.is_constant(n.b)) {
       argument_is(id, n.a, {});
       argument_is(id, n.b, {});
       return known_unit({});
     }
+    if (base.fits_all) return base;
     const symbolic::number& exponent = g_.number_at(n.b);
     constexpr std::int64_t parts = units::unit::parts;
     const double scaled = exponent.value() * static_cast<double>(parts);
