@@ -210,3 +210,26 @@ struct System : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u, w>,
                             kinematics<kinematics_of<B, N>>, bodies<Load>> {};
 void f() { use<System>(); }
 } // namespace u30
+
+// expect: the torsional spring with q + s adds q [rad] and s [m]
+namespace u31 {
+constexpr coordinate<"s"> s;
+constexpr speed<"v"> v;
+struct S : offset<S, O, s * N::x> {};
+struct Sled : particle<Sled, S, m> {};
+struct System : kane_system<inertial<N>, coordinates<q, s>, speeds<u, v>, kinematics<simple>,
+                            bodies<Bob, Sled>, loads<torsional_spring<q + s, k * l * l>>> {};
+void f() { use<System>(); }
+} // namespace u31
+
+// expect: the torsional spring with q subtracts l [m] from q [rad]
+namespace u32 {
+struct System : pendulum<torsional_spring<q, 20, l>> {};
+void f() { use<System>(); }
+} // namespace u32
+
+// expect: the length of the linear spring with q + l adds q [rad] and l [m]
+namespace u33 {
+struct System : pendulum<linear_spring<given_length<l + q>, 20>> {};
+void f() { use<System>(); }
+} // namespace u33

@@ -60,6 +60,12 @@ public:
     return u.known;
   }
 
+  /// Reports a sum of different units in an expression of the part described last. `unit_of` would hide it,
+  /// because the unit of an expression is found only once.
+  constexpr void examine(expression e) {
+    if (!mistake_) of(e);
+  }
+
   /// Names the part of the model that the next expressions describe: {"the force at ", "P"}.
   constexpr void describe(std::initializer_list<std::string_view> subject) {
     composed_ = sentence(subject);
