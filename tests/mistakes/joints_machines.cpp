@@ -211,3 +211,19 @@ struct System
     : jointed<joints<Arm, Sled>, configuration_constraints<rod_of_length<P, Sled, -rational<1, 2>>>> {};
 void f() { use<System>(); }
 } // namespace n29
+
+// expect: the stiffness of the stop with q_Link is k [N/m], but must be in N m/rad
+namespace n30 {
+constexpr parameter<"k", units::si::newton / units::si::meter> k;
+struct Link : pin<Link, Ground, up, stops<-1.0, 2.0, k, 0.1>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n30
+
+// expect: the angle of frame Link_rotor is r*q_Link [m rad], but must be in rad
+namespace n31 {
+constexpr parameter<"r", units::si::meter> r;
+struct Link : pin<Link, Ground, up, rotor<0.1, r>, mass> {};
+struct System : jointed<joints<Link>> {};
+void f() { use<System>(); }
+} // namespace n31

@@ -125,3 +125,111 @@ struct B : modified_rodrigues<B, N, l, 0.0, 0.0> {};
 struct System : pendulum<force<P, F * B::x>> {};
 void f() { use<System>(); }
 } // namespace u20
+
+// expect: the torque on A is friction(q) [N], but must be in N m
+namespace u21 {
+struct F1 {
+  template <class Number>
+  constexpr Number operator()(Number x) const {
+    return x * x;
+  }
+};
+constexpr external<"friction", F1> friction;
+struct System : pendulum<force<P, friction(q) * N::x>, torque<A, friction(q) * N::z>> {};
+void f() { use<System>(); }
+} // namespace u21
+
+// expect: the torque on A is sqrt(sqrt(sqrt(b))) [N], but must be in N m
+namespace u22 {
+constexpr parameter<"b"> b;
+constexpr auto root = sqrt(sqrt(sqrt(b)));
+struct System : pendulum<force<P, root * N::x>, torque<A, root * N::z>> {};
+void f() { use<System>(); }
+} // namespace u22
+
+// expect: the force at P is b^7 [kg^7 m^7/s^14], but must be in N
+namespace u23 {
+constexpr parameter<"b"> b;
+constexpr parameter<"b", newton> in_newtons;
+struct System : pendulum<force<P, pow(b, 7) * N::x>, force<P, in_newtons * N::y>> {};
+void f() { use<System>(); }
+} // namespace u23
+
+// expect: the force at P is k [N/m], but must be in N
+namespace u24 {
+constexpr parameter<"b"> b;
+struct System : pendulum<force<P, pow(b, 0.0) * k * N::x>> {};
+void f() { use<System>(); }
+} // namespace u24
+
+// expect: the unit stated for h is out of range; its powers must be multiples of 1/60 between -273 and 273
+namespace u25 {
+constexpr parameter<"h"> h;
+constexpr parameter<"h", units::si::pow<600>(meter)> stated;
+struct System : pendulum<force<P, F * h / h * N::x>, force<O, F * stated / stated * N::x>> {};
+void f() { use<System>(); }
+} // namespace u25
+
+// expect: a velocity constraint adds velocity_of<P>.x [m/s] and l*velocity_of<P>.y [m^2/s]
+namespace u26 {
+struct System : extended<pendulum<gravity<g * N::x>>,
+                         velocity_constraints<zero_along<velocity_of<P>, N::x + l * N::y>>> {};
+void f() { use<System>(); }
+} // namespace u26
+
+// expect: the force at P adds k*l [N] and sin(if_positive(q, 1, 2)) [1]
+namespace u27 {
+struct System : pendulum<force<P, (k * l + sin(if_positive(q, 1.0, 2.0))) * N::x>> {};
+void f() { use<System>(); }
+} // namespace u27
+
+// expect: the force at P is k*if_positive(q, 1, 2) [N/m], but must be in N
+namespace u28 {
+struct System
+    : pendulum<force<P, k * tabulated<0.0, if_positive(q, 1.0, 2.0), 1.0, 3.0>(q) * N::x>> {};
+void f() { use<System>(); }
+} // namespace u28
+
+// expect: the force at P contains 2^l; l [m] is not a number
+namespace u29 {
+struct System : pendulum<force<P, F * pow(2.0, l) * N::x>> {};
+void f() { use<System>(); }
+} // namespace u29
+
+// expect: a kinematic differential equation subtracts u*sin(q3) [rad/s] from 2*cos(q3) [1]
+namespace u30 {
+constexpr coordinate<"q1"> q1;
+constexpr coordinate<"q2"> q2;
+constexpr coordinate<"q3"> q3;
+constexpr speed<"w"> w;
+struct B : body_fixed<B, N, "zxz", q1, q2, q3>,
+           angular_velocity<N, 2.0 * own::x + u * own::y + w * own::z> {};
+struct Tip : offset<Tip, O, l * B::x> {};
+struct Load : particle<Load, Tip, m> {};
+struct System : kane_system<inertial<N>, coordinates<q1, q2, q3>, speeds<u, w>,
+                            kinematics<kinematics_of<B, N>>, bodies<Load>> {};
+void f() { use<System>(); }
+} // namespace u30
+
+// expect: the torsional spring with q + s adds q [rad] and s [m]
+namespace u31 {
+constexpr coordinate<"s"> s;
+constexpr speed<"v"> v;
+struct S : offset<S, O, s * N::x> {};
+struct Sled : particle<Sled, S, m> {};
+struct System : kane_system<inertial<N>, coordinates<q, s>, speeds<u, v>, kinematics<simple>,
+                            bodies<Bob, Sled>, loads<torsional_spring<q + s, k * l * l>>> {};
+void f() { use<System>(); }
+} // namespace u31
+
+// expect: the torsional spring with q subtracts l [m] from q [rad]
+namespace u32 {
+struct System : pendulum<torsional_spring<q, 20, l>> {};
+void f() { use<System>(); }
+} // namespace u32
+
+// expect: the length of the linear spring with q + l adds q [rad] and l [m]
+namespace u33 {
+struct System : pendulum<linear_spring<given_length<l + q>, 20>> {};
+void f() { use<System>(); }
+} // namespace u33

@@ -25,12 +25,12 @@ using mechanics::unit_of_number;
 using mechanics::unit_product;
 
 /// Evaluates phrases with units in place of values: a vector or a dyadic has one unit, and no expression is
-/// formed. The units do
-/// not fit also in the few phrases whose units depend on more than their tokens.
+/// formed. Where units depend on more than tokens, they do not fit either. Every equation between units that
+/// `unit_inference` would form must follow from those formed here.
 class phrase_units {
 public:
   /// Whether the units of all phrases fit.
-  constexpr bool fit() const { return fits_; }
+  constexpr bool fit() const { return fits_ && !relations_.omits_any(); }
 
   /// States the unit of a phrase.
   constexpr void expect(const phrase& p, const units::unit& u) {
@@ -41,6 +41,14 @@ public:
     stack_.clear();
     for (int i = 0; i < p.size && fits_; ++i) step(p, i);
     return stack_.empty() ? unit_of_number : stack_.back().unit;
+  }
+  /// Evaluates vectors whose components are added after products with others: numbers among components with
+  /// units would then have no unit.
+  constexpr unit_product unit_of_components(const phrase& p) {
+    const unit_product found = unit_of(p);
+    for (const operand& each : stack_)
+      if (each.is_mixed) fail();
+    return found;
   }
   /// States that a stiffness times the square of a displacement is an energy.
   constexpr void expect_energy(const unit_product& stiffness, const unit_product& displacement) {
@@ -79,6 +87,11 @@ private:
     const symbol_record* record;
     int place;
   };
+  /// The unit of a user function, taken as the same for all arguments.
+  struct function_unit {
+    const describe::external_record* record;
+    unit_product unit;
+  };
 
   constexpr void require(const unit_product& found, const units::unit& u) {
     if (!found.fits_all) equate(found, known_unit(u));
@@ -112,6 +125,7 @@ private:
     return true;
   }
   constexpr void state(symbol_unit& symbol, const units::unit& stated) {
+    fits_ = fits_ && stated.is_in_range();
     if (symbol.stated != nullptr)
       fits_ = fits_ && *symbol.stated == stated;
     else
@@ -182,8 +196,8 @@ private:
     case token_kind::derivative: return divide_by(known_unit(second));
     case token_kind::partial: return divide_by(of_symbol(*t.symbol));
     case token_kind::scalar_function: return apply(p, at);
-    case token_kind::composed: return compose(t);
-    case token_kind::external: return call(static_cast<int>(t.number.numerator));
+    case token_kind::composed: return compose(p, at);
+    case token_kind::external: return call(t);
     }
   }
 
@@ -234,7 +248,6 @@ private:
     const symbolic::operation op = p.tokens[at].operation;
     if (symbolic::is_binary(op)) return op == symbolic::operation::power ? raise(p, at) : apply_binary(op);
     unit_product& u = stack_.back().unit;
-    if (u.fits_all) return;
     using symbolic::unit_rule;
     switch (symbolic::properties_of(op).unit) {
     case unit_rule::kept: return;
@@ -246,13 +259,15 @@ private:
     u = known_unit({});
   }
   constexpr unit_product root_of(const unit_product& u, int order) {
-    return relations_.has_power(u, 1, order) ? relations_.power(u, 1, order) : relations_.add_unknown();
+    if (u.fits_all) return u;
+    if (relations_.has_power(u, 1, order)) return relations_.power(u, 1, order);
+    fail();
+    return u;
   }
 
   constexpr void apply_binary(symbolic::operation op) {
     const unit_product b = pop().unit;
     unit_product& a = stack_.back().unit;
-    if (a.fits_all && b.fits_all) return;
     using symbolic::binary_unit_rule;
     switch (symbolic::binary_properties_of(op).unit) {
     case binary_unit_rule::numbers: require(a, {}), require(b, {}); break;
@@ -269,8 +284,7 @@ private:
   constexpr void raise(const phrase& p, int at) {
     const unit_product exponent = pop().unit;
     unit_product& u = stack_.back().unit;
-    if (u.fits_all) return;
-    if (!exponent.fits_all) {
+    if (u.fits_all || !exponent.fits_all) {
       require(u, {}), require(exponent, {});
       u = known_unit({});
       return;
@@ -286,11 +300,12 @@ private:
     u = relations_.power(u, whole, units::unit::parts);
   }
 
-  constexpr void compose(const describe::token& t) {
+  constexpr void compose(const phrase& p, int at) {
     using symbolic::composition;
+    const describe::token& t = p.tokens[at];
     const composition f = static_cast<composition>(t.index);
     const int operands = static_cast<int>(t.number.numerator), first = stack_.size() - operands;
-    if (symbolic::signature_of(f).operands == symbolic::variadic) return look_up(operands);
+    if (symbolic::signature_of(f).operands == symbolic::variadic) return look_up(p, at);
     unit_product common = unit_of_number;
     for (int i = f == composition::if_positive ? 1 : 0; i < operands; ++i) {
       equate(common, stack_[first + i].unit);
@@ -299,23 +314,38 @@ private:
     for (int i = 0; i < operands; ++i) stack_.pop();
     push(f == composition::smooth_step ? known_unit({}) : common);
   }
-  /// The value of a table has the unit of its values; that of numbers is unknown.
-  constexpr void look_up(int operands) {
-    const int first = stack_.size() - operands;
+  /// The value of a table has the unit of its values; that of numbers is unknown. Numbers must be tokens,
+  /// not values of functions.
+  constexpr void look_up(const phrase& p, int at) {
+    const int operands = static_cast<int>(p.tokens[at].number.numerator), first = stack_.size() - operands;
     unit_product value = unit_of_number;
-    for (int i = 2; i < operands && value.fits_all; i += 2) value = stack_[first + i].unit;
+    bool has_numbers = false;
+    for (int i = 2; i < operands; i += 2) {
+      const unit_product& each = stack_[first + i].unit;
+      equate(value, each);
+      if (value.fits_all) value = each;
+      has_numbers = has_numbers || each.fits_all;
+    }
+    for (int i = 1; i < operands && has_numbers; ++i)
+      if (const token_kind what = p.tokens[at - i].what;
+          what != token_kind::number && what != token_kind::symbol)
+        fail();
     for (int i = 0; i < operands; ++i) stack_.pop();
     push(value.fits_all ? relations_.add_unknown() : value);
   }
-  constexpr void call(int operands) {
-    for (int i = 0; i < operands; ++i) stack_.pop();
-    push(relations_.add_unknown());
+  constexpr void call(const describe::token& t) {
+    for (int i = static_cast<int>(t.number.numerator); i > 0; --i) stack_.pop();
+    for (const function_unit& known : functions_)
+      if (known.record == t.external) return push(known.unit);
+    functions_.push({t.external, relations_.add_unknown()});
+    push(functions_.back().unit);
   }
 
   mechanics::unit_relations relations_{};
   sequence<operand> stack_{};
   sequence<symbol_unit> symbols_{};
   sequence<recorded_symbol> records_{};
+  sequence<function_unit> functions_{};
   bool fits_ = true;
 };
 

@@ -38,7 +38,7 @@ public:
     read_simple_kinematics();
     for (const auto* equations : {&from.configuration_constraints, &from.velocity_constraints,
                                   &from.acceleration_constraints, &from.dependent, &from.used_elsewhere})
-      for (const phrase& p : *equations) units_.unit_of(p);
+      for (const phrase& p : *equations) units_.unit_of_components(p);
     return units_.fit();
   }
 
@@ -52,8 +52,11 @@ private:
       if (p.kind == shape::nothing) break;
       units_.expect(p, radian); // a number fits, too
     }
-    units_.unit_of(r.axis);
-    units_.expect(r.angular_velocity, radian / second);
+    units_.unit_of_components(r.axis);
+    if (r.angular_velocity.kind == shape::nothing) return;
+    const unit_product found = units_.unit_of_components(r.angular_velocity);
+    if (found.fits_all) units_.fail(); // the rates of angles may depend on its components
+    units_.equate(found, mechanics::known_unit(radian / second));
   }
   constexpr void read(const point_record& r) {
     units_.expect(r.offset, meter);
@@ -70,7 +73,8 @@ private:
   }
 
   constexpr void read(const describe::joint_record& r) {
-    for (const phrase& p : r.axes) units_.unit_of(p);
+    if (r.rotor != nullptr || r.stops != nullptr) return units_.fail(); // read by other readers
+    for (const phrase& p : r.axes) units_.unit_of_components(p);
     units_.unit_of(r.place);
     for (const phrase& p : r.kinematics) units_.unit_of(p);
     if (r.body != nullptr) read(*r.body);

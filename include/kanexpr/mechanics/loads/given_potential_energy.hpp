@@ -34,8 +34,11 @@ struct given_potential_energy {
     by.describe({"potential energy ", base::counted(place + 1).view()});
     if (angle.is_given()) {
       const symbolic::short_text whose(angle.owner(), angle.node());
+      by.describe({"the torsional spring with ", whose.view()});
+      by.examine(value);
+      const bool is_angle = by.is_angle(angle);
       by.describe({"the stiffness of the torsional spring with ", whose.view()});
-      if (by.is_angle(angle)) by.expect(stiffness, units::si::newton * units::si::meter / units::si::radian);
+      if (is_angle) by.expect(stiffness, units::si::newton * units::si::meter / units::si::radian);
       by.describe({"the torsional spring with ", whose.view()});
     }
     if (has_numbers) return by.suggest(value, units::si::joule);

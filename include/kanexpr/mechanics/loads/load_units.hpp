@@ -33,10 +33,15 @@ public:
   constexpr void suggest_coefficient(expression e, expression rate, const units::unit& u) {
     by_.suggest_coefficient(e, rate, u);
   }
-  /// The unit of an expression; none if it is not determined.
-  constexpr units::possible_unit unit_of(expression e) const { return by_.unit_of(e); }
-  /// Whether the unit of an expression is known to be the radian.
-  constexpr bool is_angle(expression e) const { return by_.unit_of(e) == units::si::radian; }
+  /// Reports a sum of different units in an expression of the part described last.
+  constexpr void examine(expression e) { by_.examine(e); }
+  /// The unit of an expression of the part described last; none if it is not determined.
+  constexpr units::possible_unit unit_of(expression e) {
+    by_.examine(e);
+    return by_.unit_of(e);
+  }
+  /// Whether the unit of an expression of the part described last is known to be the radian.
+  constexpr bool is_angle(expression e) { return unit_of(e) == units::si::radian; }
 
 private:
   unit_inference& by_;

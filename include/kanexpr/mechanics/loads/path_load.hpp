@@ -79,13 +79,14 @@ struct path_load {
   constexpr void state_units(load_units& by, int) const {
     namespace si = units::si;
     units::unit length = si::meter, force = si::newton;
+    const sentence place = along.place(by), whose({called(), " ", place.view()});
     if (along.form == pathway_form::given_length) {
+      by.describe({"the length of the ", whose.view()});
       const units::possible_unit found = by.unit_of(along.length);
       if (!found) return;
       length = *found;
       force = length == si::radian ? si::newton * si::meter : si::joule / length;
     }
-    const sentence place = along.place(by), whose({called(), " ", place.view()});
     state_units_of_pathway(by, whose.view());
     const auto expect = [&](int term, std::string_view what, const units::unit& u) {
       by.describe({what, whose.view()});

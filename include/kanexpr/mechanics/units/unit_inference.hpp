@@ -60,6 +60,12 @@ public:
     return u.known;
   }
 
+  /// Reports a sum of different units in an expression of the part described last. `unit_of` would hide it,
+  /// because the unit of an expression is found only once.
+  constexpr void examine(expression e) {
+    if (!mistake_) of(e);
+  }
+
   /// Names the part of the model that the next expressions describe: {"the force at ", "P"}.
   constexpr void describe(std::initializer_list<std::string_view> subject) {
     composed_ = sentence(subject);
@@ -388,12 +394,12 @@ private:
   constexpr unit_product of_power(int id, const symbolic::node& n) {
     unit_product base = of(n.a);
     of(n.b);
-    if (base.fits_all) return base;
     if (!g_.is_constant(n.b)) {
       argument_is(id, n.a, {});
       argument_is(id, n.b, {});
       return known_unit({});
     }
+    if (base.fits_all) return base;
     const symbolic::number& exponent = g_.number_at(n.b);
     constexpr std::int64_t parts = units::unit::parts;
     const double scaled = exponent.value() * static_cast<double>(parts);

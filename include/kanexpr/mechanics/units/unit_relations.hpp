@@ -111,8 +111,11 @@ public:
         const unknown_power each = unknown(ratio, i);
         if (is_simple(each) != with_root && solve(ratio, each)) return true;
       }
+    omits_any_ = true;
     return true;
   }
+  /// Whether an equation was omitted because it cannot be solved exactly.
+  constexpr bool omits_any() const { return omits_any_; }
   constexpr int last_solved() const { return last_solved_; }
 
   /// Lets units fit if their powers are almost equal, because a power such as 2.37 is rounded to sixtieths.
@@ -184,6 +187,7 @@ private:
   sequence<unit_product> solutions_{}; ///< in terms of the unknowns that are not solved yet
   sequence<char> is_solved_{};
   int last_solved_ = none;
+  bool omits_any_ = false;
   int tolerance_ = 0; ///< of powers, in sixtieths
 };
 
