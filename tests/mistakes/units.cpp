@@ -185,8 +185,7 @@ void f() { use<System>(); }
 
 // expect: the force at P is k*if_positive(q, 1, 2) [N/m], but must be in N
 namespace u28 {
-struct System
-    : pendulum<force<P, k * tabulated<0.0, if_positive(q, 1.0, 2.0), 1.0, 3.0>(q) * N::x>> {};
+struct System : pendulum<force<P, k * tabulated<0.0, if_positive(q, 1.0, 2.0), 1.0, 3.0>(q) * N::x>> {};
 void f() { use<System>(); }
 } // namespace u28
 
