@@ -81,12 +81,13 @@ template <class Equations, class Time, class State>
       if (const status s = of.normalize(x); !s) return s;
   }
   const int solutions = of.velocities_are_linear() ? 1 : newton_steps;
-  for (int done = 0; done < solutions; ++done) {
+  status s;
+  for (int done = 0; done < solutions && s; ++done) {
     const auto u = of.template get<quantity::dependent_speeds>(t, x);
-    if (const status s = status_of(u); !s) return s;
     for (int i = 0; i < static_cast<int>(u.size()); ++i) x(of.dependent(first + i)) = u(i);
+    s = status_of(u);
   }
-  return {};
+  return s;
 }
 
 /// Advances a state by one step of a method, without corrections.
