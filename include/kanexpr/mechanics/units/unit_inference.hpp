@@ -5,6 +5,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/vector.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
+#include <kanexpr/mechanics/units/deformation_amplitudes.hpp>
 #include <kanexpr/mechanics/units/unit_relations.hpp>
 #include <kanexpr/symbolic/graph/composition.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -36,7 +37,7 @@ public:
 
   /// Takes the units that the mechanism states, first of all.
   constexpr void take_stated_units() {
-    mark_amplitudes();
+    amplitudes_.mark(m_);
     for (const stated_unit& each : m_.stated_units) state(each);
     for (const prescribed_rate& p : m_.prescribed_rates) {
       const unit_product quantity = of(p.quantity);
@@ -360,35 +361,9 @@ private:
   constexpr unit_product of_product(const symbolic::node& n, int sign) {
     unit_product left = of(n.a), right = of(n.b);
     if (left.fits_all && right.fits_all) return left;
-    if (left.fits_all != right.fits_all && is_deformation(left.fits_all ? n.b : n.a))
+    if (left.fits_all != right.fits_all && amplitudes_.form(g_, left.fits_all ? n.b : n.a))
       return relations_.add_unknown();
     return sign > 0 ? relations_.product(left, right) : relations_.quotient(left, right);
-  }
-
-  /// Marks the amplitudes of beams, whose units are expected, and their rates.
-  constexpr void mark_amplitudes() {
-    for (const expected_unit& each : m_.expected_units)
-      if (const int place = m_.coordinates.find(each.value); place >= 0) {
-        amplitudes_.push(m_.coordinates[place].node());
-        amplitudes_.push(m_.coordinate_rates[place].node());
-      }
-    if (amplitudes_.empty()) return;
-    for (const expression& e : m_.kinematics) // the speeds that are rates of amplitudes
-      if (const symbolic::node& n = g_[e.node()]; n.op == operation::subtract && amplitudes_.contains(n.a))
-        amplitudes_.push(n.b);
-  }
-  /// Whether an expression is a polynomial in amplitudes of beams. Numbers by which it is multiplied are
-  /// values of shapes and their derivatives, which have units.
-  constexpr bool is_deformation(int id) const {
-    if (amplitudes_.empty()) return false;
-    const symbolic::node& n = g_[id];
-    const auto fits = [&](int operand) { return g_.is_constant(operand) || is_deformation(operand); };
-    if (n.op == operation::symbol) return amplitudes_.contains(id);
-    if (n.op == operation::negate) return is_deformation(n.a);
-    if (n.op == operation::divide || n.op == operation::power)
-      return is_deformation(n.a) && g_.is_constant(n.b);
-    const bool is_any = n.op == operation::add || n.op == operation::subtract || n.op == operation::multiply;
-    return is_any && fits(n.a) && fits(n.b);
   }
 
   constexpr unit_product of_power(int id, const symbolic::node& n) {
@@ -464,7 +439,7 @@ private:
   const mechanism& m_;
   const symbolic::graph& g_;
   unit_relations relations_{};
-  sequence<int> amplitudes_{}; ///< nodes
+  deformation_amplitudes amplitudes_{};
   sequence<unit_product> forms_{};
   sequence<int> place_of_form_{};     ///< by node
   std::string_view what_{}, whose_{}; ///< the part of the model that is described
