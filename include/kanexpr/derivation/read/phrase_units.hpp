@@ -84,13 +84,13 @@ private:
   };
   /// A symbol as phrases contain it, and its place among the units of symbols.
   struct recorded_symbol {
-    const symbol_record* record;
-    int place;
+    const symbol_record* record = nullptr;
+    int place = 0;
   };
   /// The unit of a user function, taken as the same for all arguments.
   struct function_unit {
-    const describe::external_record* record;
-    unit_product unit;
+    const describe::external_record* record = nullptr;
+    unit_product unit{};
   };
 
   constexpr void require(const unit_product& found, const units::unit& u) {
