@@ -539,7 +539,7 @@ TEST(contact, mistakes_in_a_builder) {
     return derive(b).mistake();
   };
   EXPECT_EQ(mistake([](ball&, contact_data& d, auto&) { d.exponent = 0.5; }),
-            "the exponent of a contact is not a number of at least 1");
+            "the exponent of a contact is not a number from 1 to 30");
   EXPECT_EQ(mistake([](ball&, contact_data& d, auto&) { d.restitution = {1.2, 1}; }),
             "a coefficient of restitution is not in (0, 1]");
   EXPECT_EQ(mistake([](ball&, contact_data& d, auto&) { d.damping = 1, d.restitution = {0.2, 1}; }),

@@ -263,6 +263,7 @@ struct contact : describe::load_words {
     describe::load_record r;
     r.what = describe::load_word::contact;
     r.word = "the contact";
+    r.once = true;
     r.fits = c.fits;
     r.point = c.point;
     r.other_point = c.other_point;

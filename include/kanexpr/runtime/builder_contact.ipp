@@ -84,10 +84,14 @@ KANEXPR_ENGINE bool builder::set_direction(mechanics::components& unit, int& fra
 KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& between,
                                          const contact_data& data) {
   mechanics::contact c{between, {}, data.friction, data.rolling};
+  if (data.rolling.lever.is_given() != data.rolling.angular_velocity.is_given()) {
+    checks_.fail({"the rolling resistance of a contact needs a lever and an angular velocity"});
+    return;
+  }
   c.law.stiffness = as_expression(data.stiffness), c.law.width = as_expression(data.width);
   c.law.exponent = mechanics::contact_exponent(number(data.exponent));
   if (!c.law.exponent.is_given()) {
-    checks_.fail({"the exponent of a contact is not a number of at least 1"});
+    checks_.fail({"the exponent of a contact is not a number from 1 to 30"});
     return;
   }
   if (data.damping) c.law.damping = as_expression(*data.damping);
@@ -96,6 +100,11 @@ KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& betw
     if (!(e > 0 && e <= 1)) checks_.fail({"a coefficient of restitution is not in (0, 1]"});
     if (data.damping) checks_.fail({"a contact has both a restitution and a damping"});
     const expression approach = as_expression(data.restitution->approach_speed);
+    if (!checks_.owns("a contact", approach)) return;
+    if (approach.is_constant() && !(graph_->number_at(approach.node()).value() > 0)) {
+      checks_.fail({"the approach speed of a contact is not positive"});
+      return;
+    }
     if (e < 1)
       c.law.damping = approach.number(symbolic::real(mechanics::damping_of_restitution(e))) / approach;
     if (c.friction && !c.friction.slip_speed.is_given()) c.friction.slip_speed = approach / 100;

@@ -32,7 +32,7 @@ using mechanics::quantity;
 // Two bodies in a chain, with a mast that is fixed to the first one.
 struct arm : builder {
   std::vector<expression> q, u;
-  frame_id n = inertial_frame(), a, b;
+  frame_id n = inertial_frame(), a, b, drum;
   point_id o, mast, hand, eye, wall, on_mast, ring;
 
   explicit arm(bool by_lagrange = false) : builder("N") {
@@ -51,7 +51,8 @@ struct arm : builder {
     mast = offset("M", o, along(a, 0.1, 0.3, 0.2));
     eye = offset("E", mast, along(a, 0.4, -0.3, 0.5));
     on_mast = offset("S", mast, along(a, 0.25 * std::cos(0.6), 0.25 * std::sin(0.6), 0.15));
-    ring = offset("R", mast, along(a, 0.25, 0.0, 0.4));
+    drum = rotated("D", a, q[3], along(a, 0, 0, 1));
+    ring = offset("R", mast, along(drum, 0.25, 0.0, 0.4));
     b = rotated("B", a, q[2], along(a, 1, 2, 2));
     hand = offset("H", mast, along(a, -0.9, 0.2, 0.1) + along(b, q[3], -0.5, 0.2));
     rigid_body("first", eye, a, number(1.2), inertia(a, 0.2, 0.3, 0.4));

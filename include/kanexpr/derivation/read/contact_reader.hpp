@@ -47,7 +47,8 @@ public:
     if (r.approach_speed.tokens != nullptr) {
       const expression approach = scalar(r.approach_speed, "the approach speed of ", whom);
       if (reading_.mistake) return;
-      if (approach.is_zero()) return reading_.fail({"the approach speed of ", whom, " is zero"});
+      if (approach.is_constant() && !(approach.owner().number_at(approach.node()).value() > 0))
+        return reading_.fail({"the approach speed of ", whom, " is not positive"});
       const double damping = mechanics::damping_of_restitution(r.restitution);
       if (r.restitution < 1) c.law.damping = approach.number(symbolic::real(damping)) / approach;
       slip = approach / 100;
@@ -105,7 +106,7 @@ private:
     const expression n = scalar(p, "the exponent of ", whom);
     if (reading_.mistake) return n;
     const expression exact = mechanics::contact_exponent(n);
-    if (!exact.is_given()) reading_.fail({"the exponent of ", whom, " is not a number of at least 1"});
+    if (!exact.is_given()) reading_.fail({"the exponent of ", whom, " is not a number from 1 to 30"});
     return exact;
   }
 };

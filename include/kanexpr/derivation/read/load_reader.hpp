@@ -8,7 +8,10 @@
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
 #include <kanexpr/mechanics/loads/add_path_load.hpp>
 #include <kanexpr/mechanics/loads/bushing.hpp>
+#include <kanexpr/mechanics/loads/friction_law.hpp>
+#include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -238,6 +241,8 @@ private:
     const mechanics::vector axis = phrases_.vector_of(r.value, {"the axis of ", whom}, whom);
     const expression slip = part_of(r.angle, "the speed of ", whom);
     if (reading_.mistake) return;
+    check_friction(normal, law, whom);
+    if (reading_.mistake) return;
     const mechanics::vector effort = -(normal * law.coefficient(slip)) * axis;
     mechanics::loads& into = reading_.into.loads;
     if (r.frame != nullptr) {
@@ -247,6 +252,15 @@ private:
       const auto [at, other] = points_of(r, whom);
       if (!reading_.mistake) into.forces.push({at, effort, other});
     }
+  }
+
+  constexpr void check_friction(expression normal, const mechanics::friction_law& law,
+                                std::string_view whom) {
+    const mechanics::contents held(*m_.g);
+    mechanics::load_check by(m_, held);
+    by.check_not_negative(normal, "the normal force of ", whom);
+    law.check_with(by, whom);
+    reading_.mistake = by.mistake();
   }
 
   constexpr void evaluate_contact(const load_record& r, std::string_view whom) {

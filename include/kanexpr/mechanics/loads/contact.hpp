@@ -9,6 +9,7 @@
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/constant_position.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
@@ -16,6 +17,7 @@
 #include <kanexpr/mechanics/motion/motion.hpp>
 #include <kanexpr/mechanics/motion/relative_motion.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
 #include <kanexpr/units/si.hpp>
@@ -66,6 +68,16 @@ struct contact {
   constexpr void state_units(load_units& by, int) const;
 
 private:
+  constexpr void check_surface(load_check& by, std::string_view names) const;
+
+  /// Whether the point of the first body is at rest in the frame of the second, so that the penetration never
+  /// changes; a body that turns about this point may nevertheless roll or slip.
+  constexpr bool is_constant(const mechanism& m) const {
+    const int base = rigid_base(m, between.other);
+    if (frame_of_constant_position(m, between.point, between.against) != base) return false;
+    return between.frame == none || rigid_base(m, between.frame) == base;
+  }
+
   constexpr vector in_axes(const components& v) const {
     vector all;
     all.add(between.other, v);
@@ -131,6 +143,12 @@ constexpr void contact::check_with(load_check& by, int) const {
   if (has_plane && !is_fixed(between.normal))
     return by.fail({"the normal of the contact between ", names.view(), " is not fixed in ",
                     by.frame(between.other), "; its components may contain only numbers and parameters"});
+  if (between.is_singular(m))
+    return by.fail(
+        {"the axis of the torus of the contact between ", names.view(), " is parallel to the normal"});
+  if (is_constant(m))
+    return by.fail(
+        {"the bodies of the contact between ", names.view(), " never move relative to each other"});
   if (between.shapes == contact_shapes::torus_on_plane && !is_fixed(between.axis))
     return by.fail({"the axis of the torus of the contact between ", names.view(), " is not fixed in ",
                     by.frame(between.axis_frame),
@@ -140,15 +158,37 @@ constexpr void contact::check_with(load_check& by, int) const {
     by.check_constant(e, what, names.view());
     if (is_positive) by.check_positive(e, what, names.view());
   };
-  constant(between.level, "the surface of the contact between ", false);
+  const auto fixed = [&](expression e, std::string_view what) {
+    if (!e.is_given()) return;
+    by.check_fixed(e, what, names.view());
+    by.check_not_negative(e, what, names.view());
+  };
   constant(law.stiffness, "the stiffness of the contact between ", true);
   constant(law.width, "the width of the contact between ", true);
   constant(law.damping, "the damping of the contact between ", false);
-  constant(between.radius, "the radius of the contact between ", false);
-  constant(between.other_radius, "the second radius of the contact between ", false);
+  fixed(between.radius, "the radius of the contact between ");
+  fixed(between.other_radius, "the second radius of the contact between ");
   constant(rolling.lever, "the lever of the rolling resistance between ", false);
   constant(rolling.angular_velocity, "the angular velocity of the rolling resistance between ", true);
   friction.check_with(by, sentence({"the contact between ", names.view()}).view());
+  if (law.damping.is_given())
+    by.check_not_negative(law.damping, "the damping of the contact between ", names.view());
+  if (rolling)
+    by.check_not_negative(rolling.lever, "the lever of the rolling resistance between ", names.view());
+  if (between.level.is_given()) check_surface(by, names.view());
+}
+
+/// Reports a surface that does not depend on the coordinates of the point, or that changes, which would
+/// contribute a further velocity.
+constexpr void contact::check_surface(load_check& by, std::string_view names) const {
+  by.check_fixed(between.level, "the surface of the contact between ", names);
+  const components place = surface_coordinates(between.level.owner());
+  bool depends = false;
+  for (int i = 0; i < 3; ++i)
+    depends = depends || !symbolic::differentiate(between.level, place[i]).is_zero();
+  if (!depends)
+    by.fail({"the surface of the contact between ", names,
+             " does not depend on surface::x, surface::y or surface::z"});
 }
 
 constexpr void contact::state_units(load_units& by, int) const {

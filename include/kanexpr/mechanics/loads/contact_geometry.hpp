@@ -106,6 +106,11 @@ struct contact_geometry {
   /// moment about the center.
   constexpr bool is_round() const { return shapes != contact_shapes::torus_on_plane; }
 
+  /// Whether the axis of a torus is parallel to the normal in every configuration.
+  constexpr bool is_singular(const mechanism& m) const {
+    return shapes == contact_shapes::torus_on_plane && cross(normal, express_axis(m)).is_zero();
+  }
+
 private:
   /// The distance of a point from a surface is φ/|∇φ| to the first order. The elastic force is the derivative
   /// of this, so that it has a potential energy; on the surface itself, it is along the normal ∇φ/|∇φ|.

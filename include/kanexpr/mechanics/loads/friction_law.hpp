@@ -102,6 +102,7 @@ struct friction_law {
   }
 
   constexpr void check_with(load_check& by, std::string_view whose) const {
+    check_numbers(by, whose);
     const auto part = [&](expression e, std::string_view name) {
       if (e.is_given()) by.check_no_speed_rates(e, name, whose);
     };
@@ -114,6 +115,20 @@ struct friction_law {
   }
 
 private:
+  /// Reports numbers by which friction would drive the slip.
+  constexpr void check_numbers(load_check& by, std::string_view whose) const {
+    const auto part = [&](expression e, std::string_view name) {
+      if (e.is_given()) by.check_not_negative(e, name, whose);
+    };
+    part(sliding, "the coefficient of friction of ");
+    part(sticking, "the coefficient of static friction of ");
+    part(viscous, "the viscous coefficient of ");
+    if (!sticking.is_given() || !sliding.is_given()) return;
+    const expression excess = sticking - sliding;
+    if (excess.is_constant() && excess.owner().number_at(excess.node()).value() < 0)
+      by.fail({"the coefficient of static friction of ", whose, " is less than that of sliding friction"});
+  }
+
   constexpr expression smoothed(expression squared_slip) const {
     return sqrt(squared_slip + slip_speed * slip_speed);
   }
