@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/describe/bristle.hpp>
 #include <kanexpr/describe/friction.hpp>
 #include <kanexpr/describe/joints/motor.hpp>
 #include <kanexpr/describe/path_load.hpp>
@@ -30,6 +31,21 @@ constexpr load_record friction_along_path() {
   return r;
 }
 
+/// Describes friction with bristles. In a joint with one coordinate, it acts along this coordinate.
+template <class Load, class On, auto normal>
+constexpr load_record friction_with_bristles() {
+  load_record r;
+  if constexpr (names_of_bristles_on<On>().first.empty()) {
+    r.what = load_word::none;
+    r.called = type_name<Load>();
+    r.instead = "along a pathway without points, after which its bristles could be named";
+  } else {
+    r = friction_along_path<On, normal>();
+    r.states = bristles_on<On>;
+  }
+  return r;
+}
+
 template <class Load, class On, auto normal, class... Law>
 constexpr load_record record_friction() {
   load_record r;
@@ -39,7 +55,9 @@ constexpr load_record record_friction() {
     r.instead = "incomplete, because its last argument is not a law of friction";
     return r;
   } else {
-    if constexpr (requires { On::path.what; })
+    if constexpr ((law_with_bristles<Law> || ...))
+      r = friction_with_bristles<Load, On, normal>();
+    else if constexpr (requires { On::path.what; })
       r = friction_along_path<On, normal>();
     else
       r = friction_along_axis<Load, On, normal>();
@@ -58,7 +76,8 @@ constexpr load_record record_friction() {
 /// or the rate of the length of the pathway. In a joint, it is a torque or force about or along the axis on
 /// the child and, with opposite sign, on the parent. N is a normal force, for a torque times the radius at
 /// which it acts; with N = 1 the law gives the torque or force itself. `friction<Link2, N,
-/// coulomb_friction<mu, ws>>`
+/// coulomb_friction<mu, ws>>`; `dahl_friction` and `lugre_friction` bring the state variable
+/// `bristle_of<Link2>`.
 template <class On, auto normal, class... Law>
 struct friction : describe::load_words {
   static constexpr describe::load_record load = describe::record_friction<friction, On, normal, Law...>();

@@ -4,11 +4,13 @@
 #include <kanexpr/mechanics/loads/bushing.hpp>
 #include <kanexpr/mechanics/loads/contact.hpp>
 #include <kanexpr/mechanics/loads/force_and_torque.hpp>
+#include <kanexpr/mechanics/loads/friction_law.hpp>
 #include <kanexpr/mechanics/loads/given_potential_energy.hpp>
 #include <kanexpr/mechanics/loads/modal_damping.hpp>
 #include <kanexpr/mechanics/loads/path_load.hpp>
 #include <kanexpr/mechanics/loads/spring_damper.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
@@ -47,5 +49,16 @@ struct loads {
     });
   }
 };
+
+/// The places among the speeds of the state variables whose rates follow from a law of friction.
+constexpr sequence<int> places_of_bristles(const mechanism& m, const loads& acting) {
+  sequence<int> places;
+  const auto add = [&](const friction_law& law) {
+    for (const expression& z : law.bristles.deflections) places.push(m.speeds.find(z));
+  };
+  for (const path_load& each : acting.path_loads) add(each.friction);
+  for (const contact& each : acting.contacts) add(each.friction);
+  return places;
+}
 
 } // namespace kanexpr::mechanics

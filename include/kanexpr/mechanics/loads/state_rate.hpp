@@ -77,11 +77,13 @@ constexpr sequence<expression> resolved_state_rates(const mechanism& m, const se
 }
 
 /// Reports a state variable without a rate or with two, and rates that depend on each other; empty if there
-/// is none.
-constexpr sentence check_state_rates(const mechanism& m, const sequence<state_rate>& given) {
+/// is none. The rates of bristles follow from a law of friction.
+constexpr sentence check_state_rates(const mechanism& m, const sequence<state_rate>& given,
+                                     const sequence<int>& bristles) {
   for (int i = m.speeds_of_motion(); i < m.speeds.size(); ++i) {
     int rates = 0;
     for (const state_rate& each : given) rates += each.speed == i ? 1 : 0;
+    for (const int bristle : bristles) rates += bristle == i ? 1 : 0;
     if (rates == 1) continue;
     return sentence({"state variable ", called(m, m.speeds[i]),
                      rates == 0 ? " has no dynamics" : " has two dynamics",
