@@ -114,8 +114,8 @@ KANEXPR_ENGINE void builder::friction_along(const pathway& along, expression nor
     if (e.is_given()) terms.push(e);
   for (const expression& z : law.bristles.deflections) terms.push(z);
   if (law.has_bristles() && law.bristles.deflections.size() != 1)
-    checks_.fail({"the friction along a pathway has ", base::counted(law.bristles.deflections.size()).view(),
-                  " bristles, expected 1"});
+    checks_.fail({"the friction along a pathway has ",
+                  mechanics::several(law.bristles.deflections.size(), "bristle").view(), ", expected 1"});
   else if (law.needs_slip_speed())
     checks_.fail({"a friction along a pathway has no slip speed"});
   else if (owns_path_load("a friction along a pathway", along, terms))

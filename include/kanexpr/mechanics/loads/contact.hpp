@@ -176,7 +176,7 @@ constexpr void contact::check_with(load_check& by, int) const {
     return by.fail({whose.view(), " has bristles, whose directions do not follow from its normal; turn ",
                     by.frame(between.other), " so that a component of the normal is zero"});
   if (directions != given)
-    by.fail({whose.view(), " has ", base::counted(given).view(), " bristles, expected ",
+    by.fail({whose.view(), " has ", several(given, "bristle").view(), ", expected ",
              base::counted(directions).view()});
 }
 
