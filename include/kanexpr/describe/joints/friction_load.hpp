@@ -31,17 +31,25 @@ constexpr load_record friction_along_path() {
   return r;
 }
 
-/// Describes friction with bristles. In a joint with one coordinate, it acts along this coordinate.
+/// Describes friction with bristles. In a joint with one axis, it acts along its coordinate.
 template <class Load, class On, auto normal>
 constexpr load_record friction_with_bristles() {
+  constexpr bool is_along_path = requires { On::path.what; };
   load_record r;
-  if constexpr (names_of_bristles_on<On>().first.empty()) {
+  if constexpr (is_along_path && names_of_bristles_on<On>().first.empty()) {
     r.what = load_word::none;
     r.called = type_name<Load>();
     r.instead = "along a pathway without points, after which its bristles could be named";
-  } else {
+  } else if constexpr (is_along_path) {
     r = friction_along_path<On, normal>();
     r.states = bristles_on<On>;
+  } else {
+    const load_record in_joint = friction_along_axis<Load, On, normal>();
+    if constexpr (effort_of_joint<On>() == joint_effort::none) return in_joint;
+    r = friction_along_path<On, normal>();
+    r.states = bristles_on<On>;
+    r.point = in_joint.point, r.other_point = in_joint.other_point;
+    r.frame = in_joint.frame, r.other_frame = in_joint.other_frame;
   }
   return r;
 }
