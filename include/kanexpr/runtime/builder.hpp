@@ -9,6 +9,7 @@
 #include <kanexpr/mechanics/loads/contact_geometry.hpp>
 #include <kanexpr/mechanics/loads/path_load.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
+#include <kanexpr/mechanics/loads/tyre_law.hpp>
 #include <kanexpr/mechanics/loads/wheel_on_ground.hpp>
 #include <kanexpr/mechanics/model/beam.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
@@ -24,6 +25,7 @@
 #include <kanexpr/runtime/flexible_integrals.hpp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/runtime/number_or_expression.hpp>
+#include <kanexpr/runtime/tyre_data.hpp>
 #include <kanexpr/runtime/wheel_data.hpp>
 #include <kanexpr/symbolic/graph/compose.hpp>
 #include <kanexpr/units/unit.hpp>
@@ -369,6 +371,9 @@ public:
   /// the velocity of this point is zero.
   point_id contact_point(std::string_view called, const wheel_on_ground& wheel);
 
+  /// A tyre on a wheel, as `tyre<…>`.
+  void tyre(const wheel_on_ground& wheel, const tyre_data& data);
+
   // ---- constraints; their expressions may contain velocities of a `mechanics::known_motion`
 
   /// A vector whose components along the given directions vanish, with one constraint per direction:
@@ -446,6 +451,9 @@ private:
   wheel_on_ground wheel_on_height(const wheel_data& wheel, point_id origin, frame_id of, expression height,
                                   int steps);
   void add_contact(const mechanics::contact_geometry& between, const contact_data& data);
+  expression value_of(const tyre_data::value& given);
+  mechanics::tyre_law law_of(const tyre_data& data);
+  int deflection(expression state_variable);
   /// Whether at least one of the arguments is not the integer 0.
   bool not_all_zero(std::initializer_list<const number_or_expression*> given, std::string_view whose);
 
@@ -490,6 +498,7 @@ private:
 #include <kanexpr/runtime/builder_flexible_data.ipp>
 #include <kanexpr/runtime/builder_loads.ipp>
 #include <kanexpr/runtime/builder_pathways.ipp>
+#include <kanexpr/runtime/builder_tyres.ipp>
 #include <kanexpr/runtime/builder_wheels.ipp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>

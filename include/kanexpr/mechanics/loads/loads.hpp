@@ -34,6 +34,13 @@ struct loads {
   bool has_lagrangian = false;
   expression lagrangian{}; ///< replaces the energies of the bodies
 
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.forces, self.torques, self.spring_dampers, self.torsional_dampers, self.potential_energies,
+          self.modal_dampings, self.path_loads, self.bushings, self.contacts, self.tyres, self.state_rates,
+          self.has_gravity, self.gravity, self.has_lagrangian, self.lagrangian);
+  }
+
   /// Calls `visit` with the list of each kind of loads.
   template <class Visit>
   constexpr void each_kind(Visit&& visit) const {

@@ -8,6 +8,7 @@
 #include <kanexpr/symbolic/numbers/number.hpp>
 
 #include <numbers>
+#include <string_view>
 
 namespace kanexpr::mechanics {
 
@@ -257,6 +258,17 @@ constexpr symbolic::expression magic_formula::rolling(const tyre_effort& f) cons
   const expression by_load = c.qsy7.is_one() ? relative : power(relative + number(1e-12), c.qsy7);
   const expression by_pressure = power(c.pressure / c.nominal_pressure, c.qsy8);
   return -(c.R0 * c.Fz0 * c.lambda_My * sum * by_load * by_pressure * s.direction);
+}
+
+/// The name of a coefficient by which the formula divides, but which is zero; empty if there is none.
+constexpr std::string_view missing_coefficient(const magic_formula::coefficients& c) {
+  if (c.Fz0.is_zero()) return "Fz0";
+  if (c.R0.is_zero()) return "R0";
+  const bool is_by_speed = !c.qsy3.is_zero() || !c.qsy4.is_zero();
+  if (is_by_speed && c.V0.is_zero()) return "V0";
+  const bool is_lateral = !c.pDy1.is_zero() || !c.pDy2.is_zero();
+  if (is_lateral && c.pKy2.is_zero() && c.pKy5.is_zero()) return "pKy2";
+  return {};
 }
 
 } // namespace kanexpr::mechanics

@@ -33,6 +33,11 @@ struct magic_formula_coefficients {
       lambda_Mr{}, lambda_xalpha{};
   Value lambda_ykappa{}, lambda_Vykappa{}, lambda_s{}, lambda_Mx{}, lambda_VMx{}, lambda_My{};
 
+  /// Calls `visit` with all coefficients.
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    each_coefficient(self, [&](auto&... c) { each_factor(self, [&](auto&... f) { visit(c..., f...); }); });
+  }
   /// Calls `visit` with the coefficients that are 0 if they are omitted.
   template <class Self, class Visit>
   static constexpr void each_coefficient(Self& self, Visit&& visit) {

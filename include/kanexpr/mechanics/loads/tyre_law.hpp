@@ -5,14 +5,13 @@
 #include <kanexpr/mechanics/loads/linear_tyre.hpp>
 #include <kanexpr/mechanics/loads/magic_formula.hpp>
 #include <kanexpr/mechanics/loads/magic_formula_coefficients.hpp>
+#include <kanexpr/mechanics/loads/tyre_model.hpp>
 #include <kanexpr/mechanics/loads/tyre_slip.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/units/si.hpp>
 #include <kanexpr/units/unit.hpp>
 
 namespace kanexpr::mechanics {
-
-enum class tyre_model : unsigned char { linear, brush, magic_formula };
 
 /// The forces of a tyre as a function of its slip; only the part of the given model is used.
 struct tyre_law {
