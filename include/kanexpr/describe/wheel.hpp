@@ -41,7 +41,7 @@ constexpr void add_wheel(wheel_record& r, mechanics::rim_shape rim, const phrase
 /// wheel.
 template <auto axis, auto normal, auto circle, auto... tube>
 inline constexpr auto to_lowest_point = [] {
-  constexpr auto down = circle * normalized(dot(normal, axis) * axis - dot(normal, normal) * normal);
+  constexpr auto down = circle * normalized(dot(normal, axis) * axis - dot(axis, axis) * normal);
   if constexpr (sizeof...(tube) == 0)
     return down;
   else
