@@ -46,36 +46,29 @@ struct System : jointed<joints<Arm, Slider>, loads<motor<Arm, T * bristle_of<Sli
 void f() { use<System>(); }
 } // namespace b6
 
-// expect: the torque between Arm and Ground contains the rate of state variable z_Slider
-namespace b7 {
-struct System
-    : jointed<joints<Arm, Slider>, loads<friction<Slider, 1, rough>, motor<Arm, dot(bristle_of<Slider>)>>> {};
-void f() { use<System>(); }
-} // namespace b7
-
 // expect: has bristles, whose directions do not follow from its normal; turn Ground so that a component of
-namespace b8 {
+namespace b7 {
 using tilted = contact<point_on_plane<Slider, Ground, Ground::x + l * Ground::y + Ground::z>, firm, thin, rough>;
 struct System : jointed<joints<Slider>, loads<tilted>> {};
 void f() { use<System>(); }
-} // namespace b8
+} // namespace b7
 
 // expect: the stiffness of the bristles of the friction with q_Arm is not positive
-namespace b9 {
+namespace b8 {
 struct System : jointed<joints<Arm>, loads<friction<Arm, 2, dahl_friction<0.4, -1.0, 0.1>>>> {};
 void f() { use<System>(); }
-} // namespace b9
+} // namespace b8
 
 // expect: the Stribeck speed of the friction with q_Arm contains the coordinate q_Arm
-namespace b10 {
+namespace b9 {
 struct System
     : jointed<joints<Arm>, loads<friction<Arm, 2, lugre_friction<0.4, 0.3, 0.1 + q_of<Arm>, 100>>>> {};
 void f() { use<System>(); }
-} // namespace b10
+} // namespace b9
 
 // expect: the stiffness of the bristles of the friction with q_Slider is sigma [N], but must be in N/m
-namespace b11 {
+namespace b10 {
 constexpr parameter<"sigma", units::si::newton> sigma;
 struct System : jointed<joints<Slider>, loads<friction<Slider, 1, dahl_friction<0.4, sigma, 0.1>>>> {};
 void f() { use<System>(); }
-} // namespace b11
+} // namespace b10

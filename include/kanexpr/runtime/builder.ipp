@@ -34,9 +34,7 @@ KANEXPR_ENGINE builder::builder(std::string_view inertial_frame) : system_(*grap
 KANEXPR_ENGINE sentence(builder::check)() const {
   if (mistake()) return mistake();
   sentence found = mechanics::check_system(system_);
-  if (!found && m_.state_variables != 0)
-    found = mechanics::check_state_rates(m_, system_.loads.state_rates,
-                                         mechanics::places_of_bristles(m_, system_.loads));
+  if (!found && m_.state_variables != 0) found = mechanics::check_state_rates(m_, system_.loads.state_rates);
   if (!found) found = check_unused_symbols(system_, used_elsewhere_);
   return found ? found : mechanics::check_units(system_);
 }

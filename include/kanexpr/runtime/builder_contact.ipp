@@ -74,11 +74,12 @@ KANEXPR_ENGINE void builder::add_surface_contact(point_id point, point_id origin
   if (checks_.owns("a contact", point, origin, of, level)) add_contact(g, data);
 }
 
-KANEXPR_ENGINE bool builder::set_direction(mechanics::components& unit, int& frame, const vector& given) {
-  if (!checks_.owns("a contact", given)) return false;
+KANEXPR_ENGINE bool builder::set_direction(mechanics::components& unit, int& frame, const vector& given,
+                                           std::string_view whose) {
+  if (!checks_.owns(whose, given)) return false;
   const mechanics::contact_direction d = mechanics::contact_direction_of(m_, given);
   unit = d.unit, frame = d.frame;
-  return d.mistake.empty() || checks_.fail({"a direction of a contact", d.mistake});
+  return d.mistake.empty() || checks_.fail({"a direction of ", whose, d.mistake});
 }
 
 KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& between,
@@ -107,10 +108,12 @@ KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& betw
         c.rolling.lever, c.rolling.angular_velocity, c.law.damping})
     if (!is_owned(e)) return;
   if (!checks_.owns("a contact", c.friction.bristles.deflections)) return;
-  if (c.friction.needs_slip_speed())
+  if (c.friction.needs_slip_speed()) {
     checks_.fail({"the friction of a contact has no slip speed"});
-  else if (checks_.owns("a contact", c.law.stiffness, c.law.width, between.radius))
+  } else if (checks_.owns("a contact", c.law.stiffness, c.law.width, between.radius)) {
     system_.loads.contacts.push(c);
+    mechanics::add_bristles(m_, system_.loads, c.friction);
+  }
 }
 
 } // namespace kanexpr::runtime

@@ -118,8 +118,10 @@ KANEXPR_ENGINE void builder::friction_along(const pathway& along, expression nor
                   mechanics::several(law.bristles.deflections.size(), "bristle").view(), ", expected 1"});
   else if (law.needs_slip_speed())
     checks_.fail({"a friction along a pathway has no slip speed"});
-  else if (owns_path_load("a friction along a pathway", along, terms))
+  else if (owns_path_load("a friction along a pathway", along, terms)) {
     mechanics::add_friction_along(system_.loads, along, normal_force, law);
+    mechanics::add_bristles(m_, system_.loads, law);
+  }
 }
 
 KANEXPR_ENGINE void builder::stop(const pathway& along, expression least, expression greatest,

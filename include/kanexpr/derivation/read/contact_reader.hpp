@@ -72,7 +72,9 @@ public:
     }
     if (!reading_.mistake && c.rolling && c.between.frame == none)
       reading_.fail({whom, " has rolling_resistance<...>, but a point does not roll"});
-    if (!reading_.mistake) reading_.into.loads.contacts.push(c);
+    if (reading_.mistake) return;
+    reading_.into.loads.contacts.push(c);
+    mechanics::add_bristles(m_, reading_.into.loads, c.friction);
   }
 
 private:

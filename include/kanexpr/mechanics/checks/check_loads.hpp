@@ -81,7 +81,7 @@ private:
 
 /// Returns a message that describes the first mistake in the loads; empty if there is none.
 constexpr sentence check_loads(const mechanism& m, const loads& acting, const contents& held) {
-  load_check by(m, held, places_of_bristles(m, acting));
+  load_check by(m, held);
   acting.each([&](const auto& load, int place) {
     if (!by.mistake()) load.check_with(by, place);
   });

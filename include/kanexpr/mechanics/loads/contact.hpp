@@ -9,6 +9,7 @@
 #include <kanexpr/mechanics/loads/friction_law.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/load_units.hpp>
+#include <kanexpr/mechanics/loads/state_rate.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -53,13 +54,25 @@ struct contact {
     components tangential(*s.model->g);
     if (friction.has_bristles()) {
       const components tangent = slip - dot(at.normal, slip) * at.normal;
-      tangential = pull_bristles(on, at, normal_force, tangent);
+      tangential = pull_bristles(on, at, move_bristles(on, normal_force, tangent));
     } else if (friction) {
       const components tangent = slip - dot(at.normal, slip) * at.normal;
       tangential = -((normal_force * friction.known_in(on).over_slip(dot(tangent, tangent))) * tangent);
     }
     add_force(on, at, pressing * at.push, tangential);
     if (rolling) add_rolling_resistance(on, at, normal_force);
+  }
+
+  /// Appends the rates of the deflections of bristles.
+  constexpr void add_state_rates(force_system& on, sequence<state_rate>& all) const {
+    if (!friction.has_bristles()) return;
+    const mechanism& m = *on.skeleton_used().model;
+    const touching at = between.at(m);
+    const components slip = relative_velocity(on.moving(), at), across = dot(at.normal, slip) * at.normal;
+    const expression approach = -dot(at.push, slip), elastic = law.elastic_force(at.penetration);
+    const moving_bristles moving = move_bristles(on, elastic * law.dissipation(approach), slip - across);
+    for (int i = 0; i < moving.rates.size(); ++i)
+      all.push({m.speeds.find(friction.bristles.deflections[i]), moving.rates[i], {}});
   }
 
   constexpr expression potential_energy(const mechanism& m) const {
@@ -70,16 +83,19 @@ struct contact {
   constexpr void state_units(load_units& by, int) const;
 
 private:
-  /// Returns the friction force of the bristles, and adds the rates of their deflections. In a plane of
-  /// contact that turns, the deflection is a vector of which only the part in this plane pulls: the slip has
-  /// no other part, so that the power is that of the whole deflection.
-  constexpr components pull_bristles(force_system& on, const touching& at, expression normal_force,
-                                     const components& slip) const {
+  /// The friction force of the bristles and their rates. In a plane of contact that turns, the deflection is
+  /// a vector of which only the part in this plane pulls: the slip has no other part, so that the power is
+  /// that of the whole deflection.
+  constexpr moving_bristles move_bristles(force_system& on, expression normal_force,
+                                          const components& slip) const {
+    sequence<expression> parts;
+    for (const components& t : between.directions_of_slip()) parts.push(dot(t, slip));
+    return friction.known_in(on).move_bristles(normal_force, parts);
+  }
+  constexpr components pull_bristles(force_system& on, const touching& at,
+                                     const moving_bristles& moving) const {
     const mechanism& m = *on.skeleton_used().model;
     const sequence<components> along = between.directions_of_slip();
-    sequence<expression> parts;
-    for (const components& t : along) parts.push(dot(t, slip));
-    const moving_bristles moving = friction.known_in(on).move_bristles(normal_force, parts);
     components force(*m.g);
     for (int i = 0; i < along.size(); ++i) {
       force += moving.force[i] * along[i];

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
-#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/load_names.hpp>
 #include <kanexpr/mechanics/model/check_contents.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
@@ -17,9 +16,7 @@ namespace kanexpr::mechanics {
 /// The context in which a load is checked: the contents of expressions and the first mistake.
 class load_check : public load_names {
 public:
-  /// `bristles` are the places of state variables whose rates follow from the motion.
-  constexpr load_check(const mechanism& m, const contents& held, const sequence<int>& bristles = {})
-      : load_names(m), m_(m), held_(held), bristles_(bristles) {}
+  constexpr load_check(const mechanism& m, const contents& held) : load_names(m), m_(m), held_(held) {}
 
   constexpr const sentence& mistake() const { return found_; }
 
@@ -28,13 +25,11 @@ public:
   }
 
   /// Checks an expression that may contain anything except rates of speeds. `of` and `whose` name it, as in
-  /// "the force at " and "P". The rates of state variables are known before those of the speeds, except those
-  /// of bristles.
+  /// "the force at " and "P". The rates of state variables are known before those of the speeds.
   constexpr void check_no_speed_rates(expression e, std::string_view of, std::string_view whose) {
     if (!held_.holds(e, kind::speed_rate)) return;
     for (const int id : held_.symbols_in(e, {kind::speed_rate}))
-      if (const symbolic::symbol& s = m_.g->symbol_at(id);
-          s.position < m_.speeds_of_motion() || bristles_.contains(s.position))
+      if (const symbolic::symbol& s = m_.g->symbol_at(id); s.position < m_.speeds_of_motion())
         fail({of, whose, " contains the ", symbol_called(m_, s.kind, s.called.view()).view()});
   }
   constexpr void check_no_speed_rates(const vector& v, std::string_view of, std::string_view whose) {
@@ -73,7 +68,6 @@ private:
 
   const mechanism& m_;
   const contents& held_;
-  sequence<int> bristles_;
   sentence found_{};
 };
 

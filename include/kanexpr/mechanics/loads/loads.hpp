@@ -10,6 +10,7 @@
 #include <kanexpr/mechanics/loads/path_load.hpp>
 #include <kanexpr/mechanics/loads/spring_damper.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
+#include <kanexpr/mechanics/loads/tyre.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -28,18 +29,26 @@ struct loads {
   sequence<path_load> path_loads{};
   sequence<bushing> bushings{};
   sequence<contact> contacts{};
+  sequence<tyre> tyres{};
   sequence<state_rate> state_rates{};
   bool has_gravity = false;
   vector gravity{}; ///< free-fall acceleration, applied to every body
   bool has_lagrangian = false;
   expression lagrangian{}; ///< replaces the energies of the bodies
 
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.forces, self.torques, self.spring_dampers, self.torsional_dampers, self.potential_energies,
+          self.modal_dampings, self.path_loads, self.bushings, self.contacts, self.tyres, self.state_rates,
+          self.has_gravity, self.gravity, self.has_lagrangian, self.lagrangian);
+  }
+
   /// Calls `visit` with the list of each kind of loads.
   template <class Visit>
   constexpr void each_kind(Visit&& visit) const {
     const auto visit_all = [&](const auto&... kinds) { (visit(kinds), ...); };
     visit_all(forces, torques, spring_dampers, torsional_dampers, potential_energies, modal_dampings,
-              path_loads, bushings, contacts, state_rates);
+              path_loads, bushings, contacts, tyres, state_rates);
   }
   /// Calls `visit` for each load except gravity, with the load and its index among the loads of its kind.
   template <class Visit>
@@ -50,15 +59,10 @@ struct loads {
   }
 };
 
-/// The places among the speeds of the state variables whose rates follow from a law of friction.
-constexpr sequence<int> places_of_bristles(const mechanism& m, const loads& acting) {
-  sequence<int> places;
-  const auto add = [&](const friction_law& law) {
-    for (const expression& z : law.bristles.deflections) places.push(m.speeds.find(z));
-  };
-  for (const path_load& each : acting.path_loads) add(each.friction);
-  for (const contact& each : acting.contacts) add(each.friction);
-  return places;
+/// Adds the state variables of a law of friction with bristles; the load to which it belongs gives their
+/// rates.
+constexpr void add_bristles(const mechanism& m, loads& to, const friction_law& law) {
+  for (const expression& z : law.bristles.deflections) to.state_rates.push({m.speeds.find(z), {}, {}});
 }
 
 } // namespace kanexpr::mechanics

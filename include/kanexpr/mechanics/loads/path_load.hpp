@@ -8,6 +8,7 @@
 #include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/loads/one_sided.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
+#include <kanexpr/mechanics/loads/state_rate.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/units/possible_unit.hpp>
@@ -37,8 +38,17 @@ struct path_load {
   constexpr void act(force_system& on, conservative how) const {
     if (how == conservative::by_energy && law == tension_law::spring) return;
     const taut_pathway taut(along, on.skeleton_used());
-    if (law == tension_law::friction && friction.has_bristles()) return pull_bristles(on, taut);
-    taut.pull(on, tension(on, taut, how));
+    if (!friction.has_bristles()) return taut.pull(on, tension(on, taut, how));
+    const moving_bristles moving = move_bristles(on, taut);
+    taut.pull(on, -moving.force[0]);
+    on.add_share(place_of_bristle(*on.skeleton_used().model), moving.rates[0]);
+  }
+
+  /// Appends the rate of the deflection of bristles.
+  constexpr void add_state_rates(force_system& on, sequence<state_rate>& all) const {
+    if (!friction.has_bristles()) return;
+    const moving_bristles moving = move_bristles(on, taut_pathway(along, on.skeleton_used()));
+    all.push({place_of_bristle(*on.skeleton_used().model), moving.rates[0], {}});
   }
 
   constexpr expression potential_energy(const mechanism& m) const {
@@ -113,12 +123,11 @@ struct path_load {
   }
 
 private:
-  constexpr void pull_bristles(force_system& on, const taut_pathway& taut) const {
-    const mechanism& m = *on.skeleton_used().model;
-    const moving_bristles moving =
-        friction.known_in(on).move_bristles(on.known(terms[0]), {taut.rate(on.moving())});
-    taut.pull(on, -moving.force[0]);
-    on.add_share(m.speeds.find(friction.bristles.deflections[0]), moving.rates[0]);
+  constexpr moving_bristles move_bristles(force_system& on, const taut_pathway& taut) const {
+    return friction.known_in(on).move_bristles(on.known(terms[0]), {taut.rate(on.moving())});
+  }
+  constexpr int place_of_bristle(const mechanism& m) const {
+    return m.speeds.find(friction.bristles.deflections[0]);
   }
 
   constexpr void state_units_of_bristles(load_units& by, std::string_view whose, const units::unit& force,
