@@ -1,9 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/name.hpp>
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derivation/read/contact_reader.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
 #include <kanexpr/derivation/read/path_reader.hpp>
+#include <kanexpr/derivation/read/tyre_reader.hpp>
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
 #include <kanexpr/mechanics/loads/add_path_load.hpp>
@@ -14,6 +16,8 @@
 #include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/units/si.hpp>
+#include <kanexpr/units/unit.hpp>
 
 #include <string_view>
 
@@ -157,6 +161,7 @@ private:
     }
     case load_word::friction: return evaluate_friction(r, whom.view());
     case load_word::contact: return evaluate_contact(r, whom.view());
+    case load_word::tyre: return tyres_.read(*r.tyre, whom.view());
     case load_word::none:
       if (r.unparsed) return reading_.fail_by_unparsed(r.called, "loads<...>");
       return reading_.fail({"loads<...> lists ", short_name(r.called).view(), ", which is ",
@@ -230,10 +235,12 @@ private:
   constexpr void evaluate_friction(const load_record& r, std::string_view whom) {
     const expression normal = part_of(r.rest, "the normal force of ", whom);
     if (reading_.mistake) return;
-    const mechanics::friction_law law = contacts_.law_of(*r.friction, {}, whom);
+    const mechanics::friction_law law = contacts_.law_of(*r.friction, r.states, {}, whom);
     if (r.path == nullptr) return evaluate_friction_in_joint(r, normal, law, whom);
     const mechanics::pathway along = path_reader(*this).read(*r.path, whom);
-    if (!reading_.mistake) mechanics::add_friction_along(reading_.into.loads, along, normal, law);
+    if (reading_.mistake) return;
+    mechanics::add_friction_along(reading_.into.loads, along, normal, law);
+    mechanics::add_bristles(m_, reading_.into.loads, law);
   }
 
   constexpr void evaluate_friction_in_joint(const load_record& r, expression normal,
@@ -243,6 +250,7 @@ private:
     if (reading_.mistake) return;
     check_friction(normal, law, whom);
     if (reading_.mistake) return;
+    if (reading_.for_units) return expect_units_of_friction(r, normal, law);
     const mechanics::vector effort = -(normal * law.coefficient(slip)) * axis;
     mechanics::loads& into = reading_.into.loads;
     if (r.frame != nullptr) {
@@ -252,6 +260,26 @@ private:
       const auto [at, other] = points_of(r, whom);
       if (!reading_.mistake) into.forces.push({at, effort, other});
     }
+  }
+
+  /// States the units of the friction in a joint, whose slip speed may be a number.
+  constexpr void expect_units_of_friction(const load_record& r, expression normal,
+                                          const mechanics::friction_law& law) {
+    namespace si = units::si;
+    const bool turns = r.frame != nullptr;
+    const units::unit effort = turns ? si::newton * si::meter : si::newton;
+    const units::unit speed = (turns ? si::radian : si::meter) / si::second;
+    const sentence ends = turns ? sentence({r.frame->called, " and ", r.other_frame->called})
+                                : sentence({r.point->called, " and ", r.other_point->called});
+    const auto state = [&](expression e, std::string_view what, const units::unit& u) {
+      m_.expected_units.push({e, u, base::name(what), base::name(ends.view())});
+    };
+    if (law.slip_speed.is_given()) state(law.slip_speed, "the slip speed of the friction between ", speed);
+    if (law.sliding.is_given()) state(normal * law.sliding, "the dry part of the friction between ", effort);
+    if (law.sticking.is_given())
+      state(normal * law.sticking, "the static part of the friction between ", effort);
+    if (law.viscous.is_given())
+      state(normal * law.viscous, "the viscous part of the friction between ", effort / speed);
   }
 
   constexpr void check_friction(expression normal, const mechanics::friction_law& law,
@@ -265,7 +293,7 @@ private:
 
   constexpr void evaluate_contact(const load_record& r, std::string_view whom) {
     if (!r.contact->mistake.empty()) return reading_.fail({whom, " ", r.contact->mistake});
-    contacts_.read(*r.contact, whom);
+    contacts_.read(*r.contact, r.states, whom);
   }
 
   constexpr void evaluate_torsional_spring(const load_record& r, std::string_view whom) {
@@ -279,6 +307,7 @@ private:
   }
 
   contact_reader contacts_{reading_, symbols_, phrases_, entities_};
+  tyre_reader tyres_{reading_, symbols_, phrases_, entities_};
 };
 
 } // namespace kanexpr::derivation
