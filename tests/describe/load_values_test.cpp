@@ -134,4 +134,30 @@ TEST(values_of_loads, that_are_listed_twice) {
             "a stiffness of the bushing between Arm and Ball is negative");
 }
 
+// In a model with units, the slip speed of a joint may be a number, as everywhere.
+namespace of_joints {
+
+constexpr parameter<"N", units::si::newton> N;
+constexpr parameter<"r", units::si::meter> r;
+constexpr parameter<"w", units::si::meter / units::si::second> w;
+
+template <class... Loads>
+std::string mistake() {
+  struct System : kane_system<inertial<Ground>, joints<Arm>, used_elsewhere<N, r, w>, loads<Loads...>> {};
+  return derive<System>().mistake();
+}
+
+TEST(values_of_loads, units_of_friction_in_joints) {
+  EXPECT_EQ((mistake<friction<Arm, N * r, stribeck_friction<0.3, 0.2, 0.1, 0.01>>>()), "");
+  EXPECT_EQ((mistake<friction<Arm, N * r, coulomb_friction<0.3, 0.1>>>()), "");
+  EXPECT_EQ((mistake<friction<Arm, N * r, coulomb_friction<0.3, w>>>()),
+            "the slip speed of the friction between Arm and Ground is w [m/s], but must be in rad/s");
+  EXPECT_EQ(
+      (mistake<friction<Arm, N, coulomb_friction<0.3, 0.1>>>()),
+      "the dry part of the friction between Arm and Ground is 0.3*N [N], but must be in N m; the factor 0.3 "
+      "has no unit");
+}
+
+} // namespace of_joints
+
 } // namespace

@@ -251,6 +251,7 @@ private:
     check_friction(normal, law, whom);
     if (reading_.mistake) return;
     if (reading_.for_units) return expect_units_of_friction(r, normal, law);
+    reading_.hides_units = true; // a slip speed may be a number
     const mechanics::vector effort = -(normal * law.coefficient(slip)) * axis;
     mechanics::loads& into = reading_.into.loads;
     if (r.frame != nullptr) {
@@ -269,16 +270,16 @@ private:
     const bool turns = r.frame != nullptr;
     const units::unit effort = turns ? si::newton * si::meter : si::newton;
     const units::unit speed = (turns ? si::radian : si::meter) / si::second;
-    const sentence ends = turns ? sentence({r.frame->called, " and ", r.other_frame->called})
-                                : sentence({r.point->called, " and ", r.other_point->called});
+    const sentence bodies = turns ? sentence({r.frame->called, " and ", r.other_frame->called})
+                                  : sentence({r.point->called, " and ", r.other_point->called});
     const auto state = [&](expression e, std::string_view what, const units::unit& u) {
-      m_.expected_units.push({e, u, base::name(what), base::name(ends.view())});
+      m_.expected_units.push({e, u, base::name(what), base::name(bodies.view())});
     };
     if (law.slip_speed.is_given()) state(law.slip_speed, "the slip speed of the friction between ", speed);
     if (law.sliding.is_given()) state(normal * law.sliding, "the dry part of the friction between ", effort);
     if (law.sticking.is_given())
       state(normal * law.sticking, "the static part of the friction between ", effort);
-    if (law.viscous.is_given())
+    if (law.viscous.is_given() && !law.viscous.is_constant()) // a number is in SI units
       state(normal * law.viscous, "the viscous part of the friction between ", effort / speed);
   }
 

@@ -160,7 +160,7 @@ private:
     };
     if (friction.sliding.is_given()) state(terms[0] * friction.sliding, "the dry part of the ", force);
     if (friction.sticking.is_given()) state(terms[0] * friction.sticking, "the static part of the ", force);
-    if (friction.viscous.is_given())
+    if (friction.viscous.is_given() && !friction.viscous.is_constant()) // a number is in SI units
       state(terms[0] * friction.viscous, "the viscous part of the ", force / speed);
     state(friction.slip_speed, "the slip speed of the ", speed);
   }
