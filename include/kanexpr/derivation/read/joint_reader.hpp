@@ -109,8 +109,15 @@ private:
     const expression inertia =
         phrases_.scalar_of(r.rotor[0], {"the rotor inertia of joint ", r.called}, r.called);
     expression angle = phrases_.scalar_of(r.coordinates[0], {"the coordinate of joint ", r.called}, r.called);
-    if (r.has_gear_ratio)
-      angle = phrases_.scalar_of(r.rotor[1], {"the gear ratio of joint ", r.called}, r.called) * angle;
+    if (r.has_gear_ratio) {
+      const expression ratio =
+          phrases_.scalar_of(r.rotor[1], {"the gear ratio of joint ", r.called}, r.called);
+      if (reading_.mistake) return;
+      if (!mechanics::is_fixed(ratio))
+        return reading_.fail(
+            {"the gear ratio of joint ", r.called, " changes; it may contain only parameters"});
+      angle = ratio * angle;
+    }
     if (reading_.mistake) return;
     const int point = entities_.point(r.parent_point, r.called);
     if (inertia.is_zero() || angle.is_zero())
