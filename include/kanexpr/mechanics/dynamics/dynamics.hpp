@@ -2,6 +2,8 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/constraints/acceleration_constraints.hpp>
+#include <kanexpr/mechanics/dynamics/articulated_bodies.hpp>
+#include <kanexpr/mechanics/dynamics/formulation.hpp>
 #include <kanexpr/mechanics/dynamics/gathered.hpp>
 #include <kanexpr/mechanics/dynamics/kane.hpp>
 #include <kanexpr/mechanics/dynamics/lagrange.hpp>
@@ -119,8 +121,7 @@ public:
   /// u̇ of all speeds.
   constexpr const sequence<expression>& accelerations() {
     if (!udot_.empty()) return udot_;
-    const symbolic::matrix& m = mass();
-    const symbolic::symmetric_solution solved = symbolic::solve_symmetric(*m_.g, m, force());
+    const symbolic::symmetric_solution solved = solved_for_accelerations();
     const sequence<expression>& independent = solved.x;
     pivots_ = solved.pivots;
     udot_.resize(m_.speeds.size(), m_.zero());
@@ -210,6 +211,23 @@ public:
   }
 
 private:
+  /// u̇ of the independent speeds, in the form with the fewest operations.
+  constexpr symbolic::symmetric_solution solved_for_accelerations() {
+    const symbolic::matrix& m = mass();
+    const sequence<expression>& f = force();
+    if (is_tree() && may_pay_by_articulated_bodies(s_, m, f)) {
+      symbolic::symmetric_solution solved = articulated_bodies(s_).solve(f);
+      for (symbolic::pivot& p : solved.pivots) p.entry = m(p.place, p.place);
+      if (operations_of(solved) < operations_by_elimination(m, f)) return solved;
+    }
+    return symbolic::solve_symmetric(*m_.g, m, f);
+  }
+
+  /// Whether the mass matrix is that of a tree of rigid bodies without constraints.
+  constexpr bool is_tree() const {
+    return !by_lagrange() && speeds_.dependent.empty() && s_.flexible_parts.empty();
+  }
+
   constexpr sequence<expression> formed_force() {
     const sequence<expression>& free = free_force();
     const dependent_speeds& solved = dependent();
