@@ -4,6 +4,7 @@
 #include <kanexpr/describe/friction.hpp>
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/describe/point.hpp>
+#include <kanexpr/describe/surface.hpp>
 #include <kanexpr/describe/symbol.hpp>
 #include <kanexpr/mechanics/loads/contact_shapes.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
@@ -156,16 +157,6 @@ struct sphere_on_sphere {
     r.radius = describe::phrase_of<radius>;
     r.other_radius = describe::phrase_of<other_radius>;
   }
-};
-
-/// The coordinates of a point near a surface, in the function that describes the surface.
-struct surface {
-  static constexpr scalar<1> x =
-      describe::symbol_token<symbolic::symbol_kind::direction, "surface::x", unnumbered>();
-  static constexpr scalar<1> y =
-      describe::symbol_token<symbolic::symbol_kind::direction, "surface::y", unnumbered>();
-  static constexpr scalar<1> z =
-      describe::symbol_token<symbolic::symbol_kind::direction, "surface::z", unnumbered>();
 };
 
 /// A point above a smooth surface, as the first argument of a contact. The surface is where a function of the

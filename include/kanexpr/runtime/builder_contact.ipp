@@ -74,11 +74,12 @@ KANEXPR_ENGINE void builder::add_surface_contact(point_id point, point_id origin
   if (checks_.owns("a contact", point, origin, of, level)) add_contact(g, data);
 }
 
-KANEXPR_ENGINE bool builder::set_direction(mechanics::components& unit, int& frame, const vector& given) {
-  if (!checks_.owns("a contact", given)) return false;
+KANEXPR_ENGINE bool builder::set_direction(mechanics::components& unit, int& frame, const vector& given,
+                                           std::string_view whose) {
+  if (!checks_.owns(whose, given)) return false;
   const mechanics::contact_direction d = mechanics::contact_direction_of(m_, given);
   unit = d.unit, frame = d.frame;
-  return d.mistake.empty() || checks_.fail({"a direction of a contact", d.mistake});
+  return d.mistake.empty() || checks_.fail({"a direction of ", whose, d.mistake});
 }
 
 KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& between,

@@ -4,6 +4,7 @@
 #include <kanexpr/derivation/read/contact_reader.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
 #include <kanexpr/derivation/read/path_reader.hpp>
+#include <kanexpr/derivation/read/tyre_reader.hpp>
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
 #include <kanexpr/mechanics/loads/add_path_load.hpp>
@@ -154,6 +155,7 @@ private:
     }
     case load_word::friction: return evaluate_friction(r, whom.view());
     case load_word::contact: return evaluate_contact(r, whom.view());
+    case load_word::tyre: return tyres_.read(*r.tyre, whom.view());
     case load_word::none:
       if (r.unparsed) return reading_.fail_by_unparsed(r.called, "loads<...>");
       return reading_.fail({"loads<...> lists ", short_name(r.called).view(), ", which is ",
@@ -265,6 +267,7 @@ private:
   }
 
   contact_reader contacts_{reading_, symbols_, phrases_, entities_};
+  tyre_reader tyres_{reading_, symbols_, phrases_, entities_};
 };
 
 } // namespace kanexpr::derivation
