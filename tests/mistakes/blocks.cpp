@@ -59,7 +59,7 @@ struct System : moved<loads<force<P, L::output * N::x>>> {};
 void f() { use<System>(); }
 } // namespace k8
 
-// expect: an equation of dynamics<...> subtracts or equates a vector and a scalar
+// expect: block L subtracts or equates a vector and a scalar
 namespace k9 {
 struct L : lag<L, N::x, 0.1> {};
 struct System : moved<blocks<L>> {};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
 #include <kanexpr/describe/symbol.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
@@ -18,10 +19,11 @@ class dynamics_reader : part_reader {
   // declared later in the class
   template <class Visit>
   constexpr void each_listing(const Visit& visit) const {
-    visit(reading_.from.dynamics);
-    for (const describe::block_record& r : reading_.from.blocks) visit(r.dynamics);
+    visit(reading_.from.dynamics, "an equation of dynamics<...>");
+    for (const describe::block_record& r : reading_.from.blocks)
+      visit(r.dynamics, sentence({"block ", r.called}).view());
     for (const describe::load_record& r : reading_.from.loads)
-      if (r.dynamics.size != 0) visit(r.dynamics);
+      if (r.dynamics.size != 0) visit(r.dynamics, name_of(r).view());
   }
 
 public:
@@ -43,9 +45,9 @@ public:
   }
 
   constexpr void read() {
-    each_listing([&](const describe::listing<phrase>& equations) {
+    each_listing([&](const describe::listing<phrase>& equations, std::string_view whom) {
       for (const phrase& p : equations)
-        if (!reading_.mistake) read(p);
+        if (!reading_.mistake) read(p, whom);
     });
   }
 
@@ -53,25 +55,23 @@ public:
   /// `set_known_motion` was called.
   constexpr bool read_moving() {
     bool is_any = false;
-    each_listing([&](const describe::listing<phrase>& equations) {
+    each_listing([&](const describe::listing<phrase>& equations, std::string_view whom) {
       for (const phrase& p : equations) {
         if (reading_.mistake || !moves(p)) continue;
         is_any = true;
-        evaluate(p);
+        evaluate(p, whom);
       }
     });
     return is_any;
   }
 
 private:
-  static constexpr std::string_view whom = "an equation of dynamics<...>";
-
-  constexpr void read(const phrase& p) {
+  constexpr void read(const phrase& p, std::string_view whom) {
     if (p.kind != shape::equation)
       return reading_.fail({"dynamics<...> contains something that is not an equation",
                             name_in(p).empty() ? "" : ", involving ", name_in(p), "; write dot(z) == rate"});
-    if (state_variable_of(p) == nullptr) return fail_without_rate(p);
-    if (!moves(p)) return evaluate(p);
+    if (state_variable_of(p) == nullptr) return fail_without_rate(p, whom);
+    if (!moves(p)) return evaluate(p, whom);
     phrases_.check_misuse(p, whom);
     mention(p, whom);
   }
@@ -91,7 +91,7 @@ private:
     return nullptr;
   }
 
-  constexpr void fail_without_rate(const phrase& p) {
+  constexpr void fail_without_rate(const phrase& p, std::string_view whom) {
     using symbolic::symbol_kind;
     for (const describe::token& t : p)
       if (t.symbol != nullptr &&
@@ -102,7 +102,7 @@ private:
                    " contains the rate of no state variable; write dot(z) == rate"});
   }
 
-  constexpr void evaluate(const phrase& p) {
+  constexpr void evaluate(const phrase& p, std::string_view whom) {
     const value left_minus_right = phrases_.evaluate(p, whom);
     if (!reading_.mistake && left_minus_right.kind != shape::scalar)
       reading_.fail(
