@@ -561,6 +561,19 @@ TEST(contact, mistakes_in_a_builder) {
             }),
             "the normal of the contact between C and O is not fixed in N; its components may contain only "
             "numbers and parameters");
+  EXPECT_EQ(mistake([](ball&, contact_data& d, auto&) { d.restitution = {0.5, 0.0}; }),
+            "the approach speed of a contact is not positive");
+  EXPECT_EQ(mistake([](ball& b, contact_data& d, auto&) { d.rolling.lever = b.number(0.1); }),
+            "the rolling resistance of a contact needs a lever and an angular velocity");
+  EXPECT_EQ(
+      mistake([](ball& b, contact_data& d, auto&) { d.friction = friction_law::coulomb({}, b.number(1)); }),
+      "the friction of a contact has no coefficient");
+  EXPECT_EQ(mistake([](ball& b, contact_data& d, auto&) {
+              const builder other("M");
+              b.torus_on_plane(b.center, b.spin, b.along(b.spin, 0, 1, 0), other.mechanism().time, 0.1,
+                               b.ground, b.up(), d);
+            }),
+            "a contact contains an expression that belongs to a different mechanism or to none");
 }
 
 } // namespace

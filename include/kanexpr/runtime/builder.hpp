@@ -427,6 +427,7 @@ private:
   /// A pathway around a surface of revolution, or around a sphere if the axis is zero.
   pathway around_surface(mechanics::pathway_form form, frame_id in, point_id center, const vector& axis,
                          expression size, end_of_path first, end_of_path last, wrapping sense);
+  bool owns_pathway(std::string_view whose, const pathway& along);
   bool owns_path_load(std::string_view whose, const pathway& along, const base::sequence<expression>& terms);
   bool has_elasticity(std::string_view called, const base::sequence<expression>& amplitudes,
                       const symbolic::matrix& stiffness, const symbolic::matrix& damping);

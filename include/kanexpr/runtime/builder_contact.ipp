@@ -114,10 +114,14 @@ KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& betw
   for (const expression e :
        {c.friction.sliding, c.friction.sticking, c.friction.slip_speed, c.friction.viscous,
         c.friction.bristles.stiffness, c.friction.bristles.damping, c.friction.bristles.stribeck_speed,
-        c.rolling.lever, c.rolling.angular_velocity, c.law.damping})
+        c.rolling.lever, c.rolling.angular_velocity, c.law.damping, between.other_radius})
     if (!is_owned(e)) return;
   if (!checks_.owns("a contact", c.friction.bristles.deflections)) return;
-  if (c.friction.needs_slip_speed()) {
+  if (c.rolling && between.frame == mechanics::none) {
+    checks_.fail({"a contact has a rolling resistance, but a point does not roll"});
+  } else if (c.friction.needs_coefficient()) {
+    checks_.fail({"the friction of a contact has no coefficient"});
+  } else if (c.friction.needs_slip_speed()) {
     checks_.fail({"the friction of a contact has no slip speed"});
   } else if (checks_.owns("a contact", c.law.stiffness, c.law.width, between.radius)) {
     system_.loads.contacts.push(c);

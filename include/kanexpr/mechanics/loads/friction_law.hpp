@@ -91,6 +91,17 @@ struct friction_law {
     return law;
   }
 
+  /// Whether a coefficient of the law is missing; the viscous one may be omitted in addition to others.
+  constexpr bool needs_coefficient() const {
+    switch (kind) {
+    case friction_kind::frictionless: return false;
+    case friction_kind::viscous: return !viscous.is_given();
+    case friction_kind::coulomb:
+    case friction_kind::bristles: return !sliding.is_given();
+    case friction_kind::stribeck: return !sliding.is_given() || !sticking.is_given();
+    }
+    return false;
+  }
   constexpr bool needs_slip_speed() const {
     const bool is_dry = kind != friction_kind::frictionless && kind != friction_kind::viscous;
     return is_dry && !slip_speed.is_given();
