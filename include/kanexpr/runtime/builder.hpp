@@ -14,6 +14,7 @@
 #include <kanexpr/mechanics/model/flexible_body.hpp>
 #include <kanexpr/mechanics/model/flexible_data.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/numeric/beams/shape.hpp>
@@ -346,6 +347,11 @@ public:
     add_surface_contact(point, origin, of, level(at.x, at.y, at.z), data);
   }
 
+  /// The normal force of a contact, numbered from 1 in the order in which contacts were added.
+  expression normal_force_of(int contact, mechanics::known_motion& known);
+  /// The friction force of a contact on its first body.
+  vector friction_force_of(int contact, mechanics::known_motion& known);
+
   // ---- constraints; their expressions may contain velocities of a `mechanics::known_motion`
 
   /// A vector whose components along the given directions vanish, with one constraint per direction:
@@ -419,6 +425,7 @@ private:
   void add_surface_contact(point_id point, point_id origin, frame_id of, expression level,
                            const contact_data& data);
   void add_contact(const mechanics::contact_geometry& between, const contact_data& data);
+  bool has_contact(int numbered, const mechanics::known_motion& known);
   /// Whether at least one of the arguments is not the integer 0.
   bool not_all_zero(std::initializer_list<const number_or_expression*> given, std::string_view whose);
 

@@ -37,7 +37,7 @@ public:
     return law;
   }
 
-  constexpr void read(const describe::contact_record& r, std::string_view whom) {
+  constexpr mechanics::contact read(const describe::contact_record& r, std::string_view whom) {
     mechanics::contact c;
     lay_out(c.between, r, whom);
     c.law.stiffness = scalar(r.stiffness, "the stiffness of ", whom);
@@ -46,8 +46,8 @@ public:
     expression slip{};
     if (r.approach_speed.tokens != nullptr) {
       const expression approach = scalar(r.approach_speed, "the approach speed of ", whom);
-      if (reading_.mistake) return;
-      if (approach.is_zero()) return reading_.fail({"the approach speed of ", whom, " is zero"});
+      if (approach.is_zero()) reading_.fail({"the approach speed of ", whom, " is zero"});
+      if (reading_.mistake) return c;
       const double damping = mechanics::damping_of_restitution(r.restitution);
       if (r.restitution < 1) c.law.damping = approach.number(symbolic::real(damping)) / approach;
       slip = approach / 100;
@@ -61,7 +61,7 @@ public:
     }
     if (!reading_.mistake && c.rolling && c.between.frame == none)
       reading_.fail({whom, " has rolling_resistance<...>, but a point does not roll"});
-    if (!reading_.mistake) reading_.into.loads.contacts.push(c);
+    return c;
   }
 
 private:

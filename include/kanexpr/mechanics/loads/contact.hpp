@@ -8,6 +8,7 @@
 #include <kanexpr/mechanics/loads/friction_law.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/load_units.hpp>
+#include <kanexpr/mechanics/loads/observed_motion.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -41,21 +42,43 @@ struct contact {
   friction_law friction{};
   rolling_resistance rolling{};
 
+private:
+  /// The normal force that belongs to an elastic force and a relative velocity.
+  constexpr expression pressed_by(expression elastic, const touching& at, const components& slip) const {
+    const expression approach = -dot(at.push, slip);
+    return elastic * law.dissipation(approach);
+  }
+
+  template <class Motion>
+  constexpr components tangential_force(Motion& on, const touching& at, const components& slip,
+                                        expression pressing) const {
+    if (!friction) return components(*on.skeleton_used().model->g);
+    const components tangent = slip - dot(at.normal, slip) * at.normal;
+    return -((pressing * friction.known_in(on).over_slip(dot(tangent, tangent))) * tangent);
+  }
+
+public:
   constexpr void act(force_system& on, conservative how) const {
-    const skeleton& s = on.skeleton_used();
-    const touching at = between.at(*s.model);
-    motion& k = on.moving();
-    const components slip = relative_velocity(k, at);
-    const expression approach = -dot(at.push, slip), elastic = law.elastic_force(at.penetration);
-    const expression normal_force = elastic * law.dissipation(approach);
-    const expression pressing = how == conservative::by_energy ? normal_force - elastic : normal_force;
-    components tangential(*s.model->g);
-    if (friction) {
-      const components tangent = slip - dot(at.normal, slip) * at.normal;
-      tangential = -((normal_force * friction.known_in(on).over_slip(dot(tangent, tangent))) * tangent);
-    }
-    add_force(on, at, pressing * at.push, tangential);
-    if (rolling) add_rolling_resistance(on, at, normal_force);
+    const touching at = between.at(*on.skeleton_used().model);
+    const components slip = relative_velocity(on.moving(), at);
+    const expression elastic = law.elastic_force(at.penetration), pressing = pressed_by(elastic, at, slip);
+    const expression as_force = how == conservative::by_energy ? pressing - elastic : pressing;
+    add_force(on, at, as_force * at.push, tangential_force(on, at, slip, pressing));
+    if (rolling) add_rolling_resistance(on, at, pressing);
+  }
+
+  /// The normal force, which is not negative.
+  constexpr expression normal_force(observed_motion& on) const {
+    const touching at = between.at(*on.skeleton_used().model);
+    return pressed_by(law.elastic_force(at.penetration), at, relative_velocity(on.moving(), at));
+  }
+
+  /// The friction force on the first body.
+  constexpr vector friction_force(observed_motion& on) const {
+    const touching at = between.at(*on.skeleton_used().model);
+    const components slip = relative_velocity(on.moving(), at);
+    const expression pressing = pressed_by(law.elastic_force(at.penetration), at, slip);
+    return in_axes(tangential_force(on, at, slip, pressing));
   }
 
   constexpr expression potential_energy(const mechanism& m) const {

@@ -6,6 +6,7 @@
 #include <kanexpr/mechanics/loads/friction_law.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/load_units.hpp>
+#include <kanexpr/mechanics/loads/observed_motion.hpp>
 #include <kanexpr/mechanics/loads/one_sided.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -34,10 +35,52 @@ struct path_load {
   sequence<expression> terms{};
   friction_law friction{};
 
+private:
+  template <class Motion>
+  constexpr expression tension_of_stop(Motion& on, const taut_pathway& taut, conservative how) const {
+    const expression at_most = one_sided(taut.length() - terms[1], terms[4]),
+                     at_least = one_sided(terms[0] - taut.length(), terms[4]);
+    if (terms[3].is_zero())
+      return how == conservative::by_energy ? on.skeleton_used().model->zero()
+                                            : terms[2] * (at_most - at_least);
+    const expression damping = on.known(terms[3]), rate = taut.rate(on.moving());
+    expression longer = dissipation_factor(damping, rate), shorter = dissipation_factor(damping, -rate);
+    if (how == conservative::by_energy) longer = longer - 1, shorter = shorter - 1;
+    const expression pulls = at_most * longer, pushes = at_least * shorter;
+    return terms[2] * (pulls - pushes);
+  }
+
+  template <class Motion>
+  constexpr expression tension(Motion& on, const taut_pathway& taut, conservative how) const {
+    switch (law) {
+    case tension_law::given: return on.known(terms[0]);
+    case tension_law::spring: {
+      const expression x = taut.length() - terms[2], linear = terms[0] * x;
+      return linear + terms[1] * (x * x * x);
+    }
+    case tension_law::damper: {
+      const expression damping = on.known(terms[0]);
+      return damping * taut.rate(on.moving());
+    }
+    case tension_law::friction: {
+      const expression normal = on.known(terms[0]);
+      return normal * friction.known_in(on).coefficient(taut.rate(on.moving()));
+    }
+    case tension_law::stop: return tension_of_stop(on, taut, how);
+    }
+    return {};
+  }
+
+public:
   constexpr void act(force_system& on, conservative how) const {
     if (how == conservative::by_energy && law == tension_law::spring) return;
     const taut_pathway taut(along, on.skeleton_used());
     taut.pull(on, tension(on, taut, how));
+  }
+
+  /// The tension, positive if it shortens the pathway.
+  constexpr expression tension(observed_motion& on) const {
+    return tension(on, taut_pathway(along, on.skeleton_used()), conservative::by_forces);
   }
 
   constexpr expression potential_energy(const mechanism& m) const {
@@ -121,39 +164,6 @@ private:
     if (friction.viscous.is_given())
       state(terms[0] * friction.viscous, "the viscous part of the ", force / speed);
     state(friction.slip_speed, "the slip speed of the ", speed);
-  }
-
-  constexpr expression tension(force_system& on, const taut_pathway& taut, conservative how) const {
-    switch (law) {
-    case tension_law::given: return on.known(terms[0]);
-    case tension_law::spring: {
-      const expression x = taut.length() - terms[2], linear = terms[0] * x;
-      return linear + terms[1] * (x * x * x);
-    }
-    case tension_law::damper: {
-      const expression damping = on.known(terms[0]);
-      return damping * taut.rate(on.moving());
-    }
-    case tension_law::friction: {
-      const expression normal = on.known(terms[0]);
-      return normal * friction.known_in(on).coefficient(taut.rate(on.moving()));
-    }
-    case tension_law::stop: return tension_of_stop(on, taut, how);
-    }
-    return {};
-  }
-
-  constexpr expression tension_of_stop(force_system& on, const taut_pathway& taut, conservative how) const {
-    const expression at_most = one_sided(taut.length() - terms[1], terms[4]),
-                     at_least = one_sided(terms[0] - taut.length(), terms[4]);
-    if (terms[3].is_zero())
-      return how == conservative::by_energy ? on.skeleton_used().model->zero()
-                                            : terms[2] * (at_most - at_least);
-    const expression damping = on.known(terms[3]), rate = taut.rate(on.moving());
-    expression longer = dissipation_factor(damping, rate), shorter = dissipation_factor(damping, -rate);
-    if (how == conservative::by_energy) longer = longer - 1, shorter = shorter - 1;
-    const expression pulls = at_most * longer, pushes = at_least * shorter;
-    return terms[2] * (pulls - pushes);
   }
 
   constexpr expression energy_of_spring(expression length) const {
