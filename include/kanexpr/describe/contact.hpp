@@ -267,6 +267,7 @@ struct contact : describe::load_words {
     r.point = c.point;
     r.other_point = c.other_point;
     r.contact = &c;
+    r.once = true;
     return r;
   }();
 };

@@ -109,9 +109,15 @@ private:
     const expression inertia =
         phrases_.scalar_of(r.rotor[0], {"the rotor inertia of joint ", r.called}, r.called);
     expression angle = phrases_.scalar_of(r.coordinates[0], {"the coordinate of joint ", r.called}, r.called);
+    expression ratio = m_.one();
     if (r.has_gear_ratio)
-      angle = phrases_.scalar_of(r.rotor[1], {"the gear ratio of joint ", r.called}, r.called) * angle;
+      ratio = phrases_.scalar_of(r.rotor[1], {"the gear ratio of joint ", r.called}, r.called);
     if (reading_.mistake) return;
+    if (!mechanics::is_fixed(inertia) || !mechanics::is_fixed(ratio))
+      return reading_.fail(
+          {mechanics::is_fixed(inertia) ? "the gear ratio of joint " : "the rotor inertia of joint ",
+           r.called, " changes; it may contain only numbers and parameters"});
+    angle = ratio * angle;
     const int point = entities_.point(r.parent_point, r.called);
     if (inertia.is_zero() || angle.is_zero())
       return reading_.fail({"joint ", r.called, " has a rotor whose inertia or gear ratio is zero"});

@@ -102,7 +102,11 @@ private:
   }
 
   constexpr value length_of(const path_record& r, std::string_view whom) {
-    if (!path_reader(*this).is_pathway(r, "length_of<...>")) return value::of(m_.zero());
+    if (r.what == describe::path_word::none)
+      reading_.fail({reading_.part, whom, " uses length_of<...> of ", short_name(r.called).view(),
+                     ", which is ", r.instead.empty() ? "" : r.instead.substr(0, r.instead.find(';')),
+                     r.instead.empty() ? "not a pathway" : ", not a pathway"});
+    if (reading_.mistake || !path_reader(*this).is_pathway(r, "length_of<...>")) return value::of(m_.zero());
     if (reading_.for_units && r.ends_at_points())
       return value::of(symbol_of_unit(reading_, "length_of<...>", units::si::meter));
     const mechanics::pathway along = path_reader(*this).read(r, whom);
