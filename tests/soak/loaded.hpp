@@ -281,7 +281,8 @@ private:
       by_steps.col(j) = Eigen::VectorXcd(rhs(aside, p)).imag() / 1e-30;
       bent.col(j) = (Eigen::MatrixXcd(jacobian(aside, p)).imag() / 1e-30).transpose() * weights;
     }
-    found.compare("state Jacobian", first, by_steps, 1 + first.norm());
+    // Rounding changes the Jacobian as much as if the state were rounded.
+    found.compare("state Jacobian", first, by_steps, 1 + first.norm() + second.norm());
     found.compare("weighted Hessian", second, bent, 10 * (1 + second.norm()));
   }
 

@@ -4,6 +4,7 @@
 #include <kanexpr/derivation/read/contact_reader.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
 #include <kanexpr/derivation/read/path_reader.hpp>
+#include <kanexpr/derivation/read/tyre_reader.hpp>
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
 #include <kanexpr/mechanics/loads/add_path_load.hpp>
@@ -69,15 +70,13 @@ public:
     };
     if (r.what == load_word::none) return fail(", which is not a load");
     if (!is_listed(r)) return fail(", which the system does not list in loads<...>");
+    if (wanted == load_quantity::tension ? !pulls(r) : r.contact == nullptr)
+      return fail(wanted == load_quantity::tension ? ", which does not act along a pathway"
+                                                   : ", which is not a contact");
     if (reading_.for_units) return unit_of_quantity(wanted, r);
     mechanics::loads alone;
     evaluate_load(r, alone);
-    if (reading_.mistake) return value::of(m_.zero());
-    const value found = observed(wanted, alone);
-    if (found.kind == shape::nothing)
-      return fail(wanted == load_quantity::tension ? ", which does not act along a pathway"
-                                                   : ", which is not a contact");
-    return found;
+    return reading_.mistake ? value::of(m_.zero()) : observed(wanted, alone);
   }
 
 private:
@@ -92,6 +91,12 @@ private:
     case load_quantity::friction_force: return "friction_force_of";
     }
     return {};
+  }
+
+  static constexpr bool pulls(const load_record& r) {
+    const bool is_along_path = r.what >= load_word::path_force && r.what <= load_word::path_stop;
+    return is_along_path || r.what == load_word::spring || r.what == load_word::damper ||
+           (r.what == load_word::friction && r.path != nullptr);
   }
 
   constexpr bool is_listed(const load_record& r) const {
@@ -124,7 +129,7 @@ private:
     return value::of(symbol_of_unit(reading_, base::name(called.view()), units::si::newton));
   }
 
-  /// A quantity of the only load in a list; a value of no kind if the load does not have it.
+  /// A quantity of the only load in a list.
   constexpr value observed(load_quantity wanted, const mechanics::loads& alone) const {
     mechanics::observed_motion on(reading_.known->moving());
     value found;
@@ -236,6 +241,7 @@ private:
     }
     case load_word::friction: return evaluate_friction(into, r, whom.view());
     case load_word::contact: return evaluate_contact(into, r, whom.view());
+    case load_word::tyre: return tyres_.read(*r.tyre, whom.view());
     case load_word::none:
       if (r.unparsed) return reading_.fail_by_unparsed(r.called, "loads<...>");
       return reading_.fail({"loads<...> lists ", short_name(r.called).view(), ", which is ",
@@ -308,10 +314,12 @@ private:
   constexpr void evaluate_friction(mechanics::loads& into, const load_record& r, std::string_view whom) {
     const expression normal = part_of(r.rest, "the normal force of ", whom);
     if (reading_.mistake) return;
-    const mechanics::friction_law law = contacts_.law_of(*r.friction, {}, whom);
+    const mechanics::friction_law law = contacts_.law_of(*r.friction, r.states, {}, whom);
     if (r.path == nullptr) return evaluate_friction_in_joint(into, r, normal, law, whom);
     const mechanics::pathway along = path_reader(*this).read(*r.path, whom);
-    if (!reading_.mistake) mechanics::add_friction_along(into, along, normal, law);
+    if (reading_.mistake) return;
+    mechanics::add_friction_along(into, along, normal, law);
+    mechanics::add_bristles(m_, into, law);
   }
 
   constexpr void evaluate_friction_in_joint(mechanics::loads& into, const load_record& r, expression normal,
@@ -331,8 +339,10 @@ private:
 
   constexpr void evaluate_contact(mechanics::loads& into, const load_record& r, std::string_view whom) {
     if (!r.contact->mistake.empty()) return reading_.fail({whom, " ", r.contact->mistake});
-    const mechanics::contact c = contacts_.read(*r.contact, whom);
-    if (!reading_.mistake) into.contacts.push(c);
+    const mechanics::contact c = contacts_.read(*r.contact, r.states, whom);
+    if (reading_.mistake) return;
+    into.contacts.push(c);
+    mechanics::add_bristles(m_, into, c.friction);
   }
 
   constexpr void evaluate_torsional_spring(mechanics::loads& into, const load_record& r,
@@ -346,6 +356,7 @@ private:
   }
 
   contact_reader contacts_{reading_, symbols_, phrases_, entities_};
+  tyre_reader tyres_{reading_, symbols_, phrases_, entities_};
 };
 
 constexpr load_lookup lookup_in(load_reader& all) {

@@ -3,6 +3,8 @@
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/base/name.hpp>
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/describe/load_quantities.hpp>
+#include <kanexpr/describe/pathway.hpp>
 #include <kanexpr/describe/record.hpp>
 #include <kanexpr/mechanics/units/unit_relations.hpp>
 #include <kanexpr/symbolic/graph/composition.hpp>

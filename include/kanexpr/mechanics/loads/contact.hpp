@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/contact_geometry.hpp>
 #include <kanexpr/mechanics/loads/contact_law.hpp>
 #include <kanexpr/mechanics/loads/contact_shapes.hpp>
@@ -9,6 +10,7 @@
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/loads/observed_motion.hpp>
+#include <kanexpr/mechanics/loads/state_rate.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -49,11 +51,32 @@ private:
     return elastic * law.dissipation(approach);
   }
 
+  constexpr components in_tangent_plane(const components& v, const touching& at) const {
+    return v - dot(at.normal, v) * at.normal;
+  }
+
+  /// The friction force of the bristles and their rates. In a plane of contact that turns, the deflection is
+  /// a vector of which only the part in this plane pulls: the slip has no other part, so that the power is
+  /// that of the whole deflection.
+  template <class Motion>
+  constexpr moving_bristles move_bristles(Motion& on, expression pressing, const components& slip) const {
+    sequence<expression> parts;
+    for (const components& t : between.directions_of_slip()) parts.push(dot(t, slip));
+    return friction.known_in(on).move_bristles(pressing, parts);
+  }
+  constexpr components force_of(const moving_bristles& moving, const touching& at) const {
+    const sequence<components> along = between.directions_of_slip();
+    components force(at.normal.x.owner());
+    for (int i = 0; i < along.size(); ++i) force += moving.force[i] * along[i];
+    return between.has_plane() ? force : in_tangent_plane(force, at);
+  }
+
   template <class Motion>
   constexpr components tangential_force(Motion& on, const touching& at, const components& slip,
                                         expression pressing) const {
     if (!friction) return components(*on.skeleton_used().model->g);
-    const components tangent = slip - dot(at.normal, slip) * at.normal;
+    const components tangent = in_tangent_plane(slip, at);
+    if (friction.has_bristles()) return force_of(move_bristles(on, pressing, tangent), at);
     return -((pressing * friction.known_in(on).over_slip(dot(tangent, tangent))) * tangent);
   }
 
@@ -64,6 +87,7 @@ public:
     const expression elastic = law.elastic_force(at.penetration), pressing = pressed_by(elastic, at, slip);
     const expression as_force = how == conservative::by_energy ? pressing - elastic : pressing;
     add_force(on, at, as_force * at.push, tangential_force(on, at, slip, pressing));
+    if (friction.has_bristles()) add_shares(on, move_bristles(on, pressing, in_tangent_plane(slip, at)));
     if (rolling) add_rolling_resistance(on, at, pressing);
   }
 
@@ -81,6 +105,18 @@ public:
     return in_axes(tangential_force(on, at, slip, pressing));
   }
 
+  /// Appends the rates of the deflections of bristles.
+  constexpr void add_state_rates(force_system& on, sequence<state_rate>& all) const {
+    if (!friction.has_bristles()) return;
+    const mechanism& m = *on.skeleton_used().model;
+    const touching at = between.at(m);
+    const components slip = relative_velocity(on.moving(), at);
+    const expression pressing = pressed_by(law.elastic_force(at.penetration), at, slip);
+    const moving_bristles moving = move_bristles(on, pressing, in_tangent_plane(slip, at));
+    for (int i = 0; i < moving.rates.size(); ++i)
+      all.push({m.speeds.find(friction.bristles.deflections[i]), moving.rates[i], {}});
+  }
+
   constexpr expression potential_energy(const mechanism& m) const {
     return law.energy(between.at(m).penetration);
   }
@@ -89,6 +125,12 @@ public:
   constexpr void state_units(load_units& by, int) const;
 
 private:
+  constexpr void add_shares(force_system& on, const moving_bristles& moving) const {
+    const mechanism& m = *on.skeleton_used().model;
+    for (int i = 0; i < moving.rates.size(); ++i)
+      on.add_share(m.speeds.find(friction.bristles.deflections[i]), moving.rates[i]);
+  }
+
   constexpr vector in_axes(const components& v) const {
     vector all;
     all.add(between.other, v);
@@ -149,9 +191,7 @@ constexpr void contact::check_with(load_check& by, int) const {
   if (origin != other)
     return by.fail({"the contact between ", names.view(), " has points measured from two origins, ",
                     by.point(origin), " and ", by.point(other), ", whose distance is not known"});
-  const bool has_plane =
-      between.shapes == contact_shapes::sphere_on_plane || between.shapes == contact_shapes::torus_on_plane;
-  if (has_plane && !is_fixed(between.normal))
+  if (between.has_plane() && !is_fixed(between.normal))
     return by.fail({"the normal of the contact between ", names.view(), " is not fixed in ",
                     by.frame(between.other), "; its components may contain only numbers and parameters"});
   if (between.shapes == contact_shapes::torus_on_plane && !is_fixed(between.axis))
@@ -171,7 +211,16 @@ constexpr void contact::check_with(load_check& by, int) const {
   constant(between.other_radius, "the second radius of the contact between ", false);
   constant(rolling.lever, "the lever of the rolling resistance between ", false);
   constant(rolling.angular_velocity, "the angular velocity of the rolling resistance between ", true);
-  friction.check_with(by, sentence({"the contact between ", names.view()}).view());
+  const sentence whose({"the contact between ", names.view()});
+  friction.check_with(by, whose.view());
+  if (!friction.has_bristles() || by.mistake()) return;
+  const int directions = between.directions_of_slip().size(), given = friction.bristles.deflections.size();
+  if (directions == 0)
+    return by.fail({whose.view(), " has bristles, whose directions do not follow from its normal; turn ",
+                    by.frame(between.other), " so that a component of the normal is zero"});
+  if (directions != given)
+    by.fail({whose.view(), " has ", several(given, "bristle").view(), ", expected ",
+             base::counted(directions).view()});
 }
 
 constexpr void contact::state_units(load_units& by, int) const {
@@ -197,6 +246,14 @@ constexpr void contact::state_units(load_units& by, int) const {
   state(friction.sticking, "the coefficient of static friction of the contact between ",
         units::dimensionless);
   state(friction.viscous, "the viscous coefficient of the contact between ", si::second / si::meter);
+  state(friction.bristles.stiffness, "the stiffness of the bristles of the contact between ",
+        units::dimensionless / si::meter);
+  state(friction.bristles.damping, "the damping of the bristles of the contact between ",
+        si::second / si::meter);
+  state(friction.bristles.stribeck_speed, "the Stribeck speed of the contact between ",
+        si::meter / si::second);
+  for (const expression& z : friction.bristles.deflections)
+    state(z, "the deflection of a bristle of the contact between ", si::meter * units::pow<1, 2>(si::newton));
   state(rolling.lever, "the lever of the rolling resistance between ", si::meter);
   state(rolling.angular_velocity, "the angular velocity of the rolling resistance between ",
         si::radian / si::second);

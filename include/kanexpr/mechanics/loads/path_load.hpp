@@ -9,6 +9,7 @@
 #include <kanexpr/mechanics/loads/observed_motion.hpp>
 #include <kanexpr/mechanics/loads/one_sided.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
+#include <kanexpr/mechanics/loads/state_rate.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/units/possible_unit.hpp>
@@ -51,6 +52,11 @@ private:
   }
 
   template <class Motion>
+  constexpr moving_bristles move_bristles(Motion& on, const taut_pathway& taut) const {
+    return friction.known_in(on).move_bristles(on.known(terms[0]), {taut.rate(on.moving())});
+  }
+
+  template <class Motion>
   constexpr expression tension(Motion& on, const taut_pathway& taut, conservative how) const {
     switch (law) {
     case tension_law::given: return on.known(terms[0]);
@@ -63,6 +69,7 @@ private:
       return damping * taut.rate(on.moving());
     }
     case tension_law::friction: {
+      if (friction.has_bristles()) return -move_bristles(on, taut).force[0];
       const expression normal = on.known(terms[0]);
       return normal * friction.known_in(on).coefficient(taut.rate(on.moving()));
     }
@@ -75,7 +82,17 @@ public:
   constexpr void act(force_system& on, conservative how) const {
     if (how == conservative::by_energy && law == tension_law::spring) return;
     const taut_pathway taut(along, on.skeleton_used());
-    taut.pull(on, tension(on, taut, how));
+    if (!friction.has_bristles()) return taut.pull(on, tension(on, taut, how));
+    const moving_bristles moving = move_bristles(on, taut);
+    taut.pull(on, -moving.force[0]);
+    on.add_share(place_of_bristle(*on.skeleton_used().model), moving.rates[0]);
+  }
+
+  /// Appends the rate of the deflection of bristles.
+  constexpr void add_state_rates(force_system& on, sequence<state_rate>& all) const {
+    if (!friction.has_bristles()) return;
+    const moving_bristles moving = move_bristles(on, taut_pathway(along, on.skeleton_used()));
+    all.push({place_of_bristle(*on.skeleton_used().model), moving.rates[0], {}});
   }
 
   /// The tension, positive if it shortens the pathway.
@@ -142,7 +159,9 @@ public:
       expect(1, "the cubic stiffness of the ", force / units::pow<3>(length));
       return expect(2, "the natural length of the ", length);
     case tension_law::damper: return expect(0, "the damping of the ", force * si::second / length);
-    case tension_law::friction: return state_units_of_friction(by, whose.view(), force, length / si::second);
+    case tension_law::friction:
+      if (friction.has_bristles()) state_units_of_bristles(by, whose.view(), force, length);
+      return state_units_of_friction(by, whose.view(), force, length / si::second);
     case tension_law::stop:
       expect(0, "the least length of the ", length);
       expect(1, "the greatest length of the ", length);
@@ -153,6 +172,29 @@ public:
   }
 
 private:
+  constexpr int place_of_bristle(const mechanism& m) const {
+    return m.speeds.find(friction.bristles.deflections[0]);
+  }
+
+  constexpr void state_units_of_bristles(load_units& by, std::string_view whose, const units::unit& force,
+                                         const units::unit& length) const {
+    const bristles& b = friction.bristles;
+    const auto state = [&](expression e, std::string_view what, const units::unit& u) {
+      by.describe({what, whose});
+      if (e.is_given()) by.expect(e, u);
+    };
+    state(terms[0] * b.stiffness, "the stiffness of the bristles of the ", force / length);
+    if (b.damping.is_given())
+      state(terms[0] * b.damping, "the damping of the bristles of the ", force * units::si::second / length);
+    state(b.stribeck_speed, "the Stribeck speed of the ", length / units::si::second);
+    by.describe({"the normal force of the ", whose});
+    const units::possible_unit normal = by.unit_of(terms[0]);
+    if (bristles::are_deflections(terms[0]))
+      state(b.deflections[0], "the deflection of the ", length);
+    else if (normal)
+      state(b.deflections[0], "the deflection of the ", length * units::pow<1, 2>(*normal));
+  }
+
   constexpr void state_units_of_friction(load_units& by, std::string_view whose, const units::unit& force,
                                          const units::unit& speed) const {
     const auto state = [&](expression e, std::string_view what, const units::unit& u) {
