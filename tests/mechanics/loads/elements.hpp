@@ -4,6 +4,7 @@
 #include "arm.hpp"
 #include "element.hpp"
 
+#include <kanexpr/mechanics/model/position.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
 
@@ -35,11 +36,24 @@ inline double stribeck(double v) {
 }
 inline double viscous(double v) { return 0.3 * v; }
 
+inline double lugre(double v, double z) {
+  const double mu = 0.4 + 0.2 * std::exp(-v * v / 0.25), size = v * v / std::sqrt(v * v + 0.01) / mu;
+  return 3 * z + 0.5 / (1 + 0.5 * size / 4) * (v - 3 * size * z) + 0.02 * v;
+}
+
 inline friction_law coulomb_in(builder& b) { return friction_law::coulomb(b.number(0.4), b.number(0.1)); }
 inline friction_law stribeck_in(builder& b) {
   return friction_law::stribeck(b.number(0.6), b.number(0.4), b.number(0.1), b.number(0.02));
 }
 inline friction_law viscous_in(builder& b) { return friction_law::of_viscosity(b.number(0.3)); }
+
+/// LuGre's law with the stiffness 3 of the bristles.
+inline friction_law lugre_in(builder& b, const kanexpr::base::sequence<expression>& deflections) {
+  friction_law law = friction_law::lugre(b.number(0.6), b.number(0.4), b.number(0.5), b.number(3),
+                                         b.number(0.5), b.number(0.02), deflections);
+  law.slip_speed = b.number(0.1);
+  return law;
+}
 
 // ---- along a pathway: the power is −T dl/dt, where T follows from the length l and its rate
 
@@ -89,10 +103,29 @@ inline const std::vector<law_along>& laws_along() {
   return all;
 }
 
+/// Friction of bristles along a pathway, which stores the energy N σ₀ z²/2 of their deflection z.
+inline element bristles_along(std::size_t path) {
+  element e{"LuGre's friction along a pathway: " + mechanisms::arm().pathways()[path].first,
+            nature::dissipative,
+            {},
+            {}};
+  e.build = [path] {
+    mechanisms::arm b;
+    const pathway along = b.pathways()[path].second;
+    const expression z = b.state_variable("z");
+    b.friction_along(along, b.number(6), lugre_in(b, {z}));
+    mechanics::known_motion known(b.mechanism());
+    return mechanism_with_element{derive(b), {known.moving().rate(b.length_of(along)), z}, 6 * 3 * z * z / 2};
+  };
+  e.power = [](const VectorXd& m) { return -6 * lugre(m[0], m[1]) * m[0]; };
+  return e;
+}
+
 /// Every law along every kind of pathway.
 inline std::vector<element> along_pathways() {
   std::vector<element> all;
   const std::size_t paths = mechanisms::arm().pathways().size();
+  for (std::size_t i = 0; i < paths; ++i) all.push_back(bristles_along(i));
   for (std::size_t i = 0; i < paths; ++i)
     for (const law_along& law : laws_along()) {
       element e{law.name + " along a pathway: " + mechanisms::arm().pathways()[i].first, law.is, {}, {}};
@@ -266,22 +299,59 @@ inline std::vector<shapes_in_contact> all_shapes(mechanisms::arm& b) {
   return all;
 }
 
-/// The penetration, its rate, the slip speed, and the angular velocity in the tangent plane.
-inline std::vector<expression> measured_in(mechanisms::arm& b, const shapes_in_contact& s) {
-  mechanics::known_motion known(b.mechanism());
-  mechanics::motion& k = known.moving();
+/// The motion of the first body relative to the second at the contact, without the parts along the normal.
+struct sliding {
+  components slip, spin;
+};
+
+inline sliding sliding_in(const mechanisms::arm& b, mechanics::motion& k, const shapes_in_contact& s) {
   const auto w = [&](frame_id f) {
     return in_inertial_axes(b, angular_velocity_of_frame(k, static_cast<int>(f)));
   };
   const auto v = [&](point_id p) { return in_inertial_axes(b, velocity_of_point(k, static_cast<int>(p))); };
-  const components line = in_inertial_axes(b, b.position_of(s.point, s.other));
+  const components line = express(
+      b.mechanism(), position_from(b.mechanism(), static_cast<int>(s.other), static_cast<int>(s.point)), 0);
   components first = v(s.point);
   if (s.has_frame) first += cross(w(s.first), s.arm);
-  components slip = first - (v(s.other) + cross(w(s.second), line + s.arm));
-  components spin = w(s.first) - w(s.second);
-  slip -= dot(slip, s.normal) * s.normal;
-  spin -= dot(spin, s.normal) * s.normal;
-  return {s.penetration, k.rate(s.penetration), dot(slip, slip), dot(spin, spin)};
+  sliding found{first - (v(s.other) + cross(w(s.second), line + s.arm)), w(s.first) - w(s.second)};
+  for (components* each : {&found.slip, &found.spin}) *each -= dot(*each, s.normal) * s.normal;
+  return found;
+}
+
+/// The penetration, its rate, the slip speed, and the angular velocity in the tangent plane, both squared.
+inline std::vector<expression> measured_in(mechanisms::arm& b, const shapes_in_contact& s) {
+  mechanics::known_motion known(b.mechanism());
+  const sliding m = sliding_in(b, known.moving(), s);
+  return {s.penetration, known.moving().rate(s.penetration), dot(m.slip, m.slip), dot(m.spin, m.spin)};
+}
+
+/// Friction of bristles in a contact, which stores the energy σ₀ y²/2; the forces are those that the builder
+/// returns.
+inline element bristles_in_contact(std::size_t shapes, const std::string& name) {
+  element e{"contact with LuGre's friction, " + name, nature::dissipative, {}, {}};
+  e.build = [shapes] {
+    mechanisms::arm b;
+    const shapes_in_contact s = all_shapes(b)[shapes];
+    contact_data data{.stiffness = 30, .exponent = 1.5, .width = 0.3};
+    data.damping = 0.6;
+    kanexpr::base::sequence<expression> y;
+    expression stored = b.number(0.0);
+    for (const char* called : {"y1", "y2", "y3"}) {
+      if (y.size() == 2 && s.name.find("plane") != std::string::npos) break;
+      y.push(b.state_variable(called));
+      stored += 3 * y.back() * y.back() / 2;
+    }
+    data.friction = lugre_in(b, y);
+    s.add(data);
+    mechanics::known_motion known(b.mechanism());
+    const components rubbing = in_inertial_axes(b, b.friction_force_of(1, known));
+    return mechanism_with_element{derive(b),
+                                  {b.normal_force_of(1, known), known.moving().rate(s.penetration),
+                                   dot(rubbing, sliding_in(b, known.moving(), s).slip)},
+                                  stored};
+  };
+  e.power = [](const VectorXd& m) { return -m[0] * m[1] + m[2]; };
+  return e;
 }
 
 struct contact_law {
@@ -310,6 +380,8 @@ inline std::vector<element> in_contacts() {
       {"contact with rolling resistance", n::dissipative, 1.5, 0.6, 0.2}};
   mechanisms::arm counted;
   std::vector<element> all;
+  for (std::size_t i = 0; i < all_shapes(counted).size(); ++i)
+    all.push_back(bristles_in_contact(i, all_shapes(counted)[i].name));
   for (std::size_t i = 0; i < all_shapes(counted).size(); ++i)
     for (const contact_law& law : laws) {
       const shapes_in_contact shapes = all_shapes(counted)[i];

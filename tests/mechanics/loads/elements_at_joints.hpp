@@ -43,11 +43,11 @@ mechanism_with_element at_joint(int joint) {
   return {std::move(model), measured};
 }
 
-/// A motor, which stores the energy ½ L i².
+/// An element that stores the energy ½ k z² of its first state variable, such as ½ L i² of a motor.
 template <class System>
-mechanism_with_element with_inductance(int joint, double inductance) {
+mechanism_with_element with_storage(int joint, double k) {
   mechanism_with_element made = at_joint<System>(joint);
-  made.stored = inductance / 2 * (made.measured[2] * made.measured[2]);
+  made.stored = k / 2 * (made.measured[2] * made.measured[2]);
   return made;
 }
 
@@ -74,6 +74,15 @@ inline std::vector<element> at_joints() {
       {"viscous friction in a slide", n::dissipative,
        [] { return at_joint<two_joints<friction<Slide, 6, viscous_friction<0.3>>>>(1); },
        [](values m) { return -6 * viscous(m[1]) * m[1]; }},
+      {"LuGre's friction in a pin", n::dissipative,
+       [] {
+         return with_storage<two_joints<friction<Arm, 6, lugre_friction<0.6, 0.4, 0.5, 3, 0.5, 0.02, 0.1>>>>(
+             0, 18);
+       },
+       [](values m) { return -6 * lugre(m[1], m[2]) * m[1]; }},
+      {"Dahl's friction in a slide", n::dissipative,
+       [] { return with_storage<two_joints<friction<Slide, 6, dahl_friction<0.4, 3, 0.1>>>>(1, 18); },
+       [](values m) { return -6 * 3 * m[2] * m[1]; }},
       {"stops of a pin", n::dissipative, [] { return at_joint<with_stops>(0); },
        [](values m) {
          return -50 *
@@ -83,12 +92,11 @@ inline std::vector<element> at_joints() {
        }},
       {"rotor of a pin", n::conservative, [] { return at_joint<with_rotor>(0); }, [](values) { return 0.0; }},
       {"DC motor of a pin", n::dissipative,
-       [] { return with_inductance<two_joints<dc_motor<Arm, 0.0, 2, 0.2, 0.3, 10, 0.02>>>(0, 0.2); },
+       [] { return with_storage<two_joints<dc_motor<Arm, 0.0, 2, 0.2, 0.3, 10, 0.02>>>(0, 0.2); },
        [](values m) { return (10 * 0.3 * m[2] - 100 * 0.02 * m[1]) * m[1]; }},
       {"DC motor with a winding that heats", n::dissipative,
        [] {
-         return with_inductance<two_joints<dc_motor<Arm, 0.0, 2, 0.2, 0.3, 10, 0.02, 0.004, 30, 1.5>>>(0,
-                                                                                                       0.2);
+         return with_storage<two_joints<dc_motor<Arm, 0.0, 2, 0.2, 0.3, 10, 0.02, 0.004, 30, 1.5>>>(0, 0.2);
        },
        [](values m) { return (10 * 0.3 * m[2] - 100 * 0.02 * m[1]) * m[1]; }}};
 }
