@@ -53,7 +53,7 @@ struct N : inertial_ground<N> {};
 struct Wheel : pin<Wheel, N, axis<N::z>, body<1, 0.1 * own::z, inertia<own, J, J, J>>> {};
 struct System : kane_system<inertial<N>, joints<Wheel>, loads<dc_motor<Wheel, V, 2, 0.01, 0.1, 10, 0.02>>> {};
 struct WarmSystem : kane_system<inertial<N>, joints<Wheel>,
-                                loads<dc_motor<Wheel, V, 2, 0.01, 0.1, 10, 0.02, 0.004, 30, 1.5>>> {};
+                                loads<dc_motor<Wheel, V, 2, 0.01, 0.1, 10, 0.02, 0.01, 0.004, 30, 1.5>>> {};
 
 } // namespace motors
 
@@ -168,6 +168,8 @@ TEST(dc_motor, becomes_warm) {
       x, kanexpr::parameter_values<WarmSystem>{{J, 3}}, kanexpr::input_values<WarmSystem>{{V, 12}});
   const double resistance = 2 * (1 + 0.004 * heat);
   EXPECT_EQ(x[kanexpr::heating_of<Wheel>], heat);
+  EXPECT_NEAR(rates(1), (10 * 0.1 * i - 100 * 0.02 * u) / (3 + 100 * 0.01),
+              1e-15); // the rotor's inertia n² J
   EXPECT_NEAR(rates(2), (12 - resistance * i - 0.1 * 10 * u) / 0.01, 1e-12);
   EXPECT_NEAR(rates(3), (resistance * i * i - heat / 1.5) / 30, 1e-14);
 }
