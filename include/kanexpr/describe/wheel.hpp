@@ -118,6 +118,9 @@ struct toroidal_wheel {
 /// the axis. For a left wheel, whose radius grows toward the middle of the track, λ is negative.
 template <class Center, auto axis, auto radius, auto conicity, class... Frame>
 struct conical_wheel {
+  using center = Center;
+  using frame = describe::wheel_frame<Center, Frame...>;
+
   static constexpr void add_to(describe::wheel_record& r) {
     describe::add_wheel<Center, Frame...>(r, mechanics::rim_shape::conical, describe::phrase_of<axis>,
                                           describe::phrase_of<radius>);
