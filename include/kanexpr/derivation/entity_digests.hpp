@@ -179,6 +179,7 @@ private:
   constexpr void take(const describe::friction_record& r) {
     now_.take(static_cast<int>(r.kind));
     take(r.sliding), take(r.sticking), take(r.slip_speed), take(r.viscous);
+    take(r.stiffness), take(r.damping), take(r.stribeck_speed);
   }
   constexpr void take(const describe::contact_record& r) {
     now_.take(static_cast<int>(r.shapes));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/describe/bristle.hpp>
 #include <kanexpr/describe/contact_record.hpp>
 #include <kanexpr/describe/friction.hpp>
 #include <kanexpr/describe/load.hpp>
@@ -258,6 +259,8 @@ struct contact : describe::load_words {
     r.point = c.point;
     r.other_point = c.other_point;
     r.contact = &c;
+    if constexpr (describe::lays_out_contact<Geometry> && (describe::law_with_bristles<Words> || ...))
+      r.states = describe::bristles_on<Geometry>;
     return r;
   }();
 };

@@ -229,10 +229,12 @@ private:
   constexpr void evaluate_friction(const load_record& r, std::string_view whom) {
     const expression normal = part_of(r.rest, "the normal force of ", whom);
     if (reading_.mistake) return;
-    const mechanics::friction_law law = contacts_.law_of(*r.friction, {}, whom);
+    const mechanics::friction_law law = contacts_.law_of(*r.friction, r.states, {}, whom);
     if (r.path == nullptr) return evaluate_friction_in_joint(r, normal, law, whom);
     const mechanics::pathway along = path_reader(*this).read(*r.path, whom);
-    if (!reading_.mistake) mechanics::add_friction_along(reading_.into.loads, along, normal, law);
+    if (reading_.mistake) return;
+    mechanics::add_friction_along(reading_.into.loads, along, normal, law);
+    mechanics::add_bristles(m_, reading_.into.loads, law);
   }
 
   constexpr void evaluate_friction_in_joint(const load_record& r, expression normal,
@@ -253,7 +255,7 @@ private:
 
   constexpr void evaluate_contact(const load_record& r, std::string_view whom) {
     if (!r.contact->mistake.empty()) return reading_.fail({whom, " ", r.contact->mistake});
-    contacts_.read(*r.contact, whom);
+    contacts_.read(*r.contact, r.states, whom);
   }
 
   constexpr void evaluate_torsional_spring(const load_record& r, std::string_view whom) {

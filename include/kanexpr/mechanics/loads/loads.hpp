@@ -4,12 +4,14 @@
 #include <kanexpr/mechanics/loads/bushing.hpp>
 #include <kanexpr/mechanics/loads/contact.hpp>
 #include <kanexpr/mechanics/loads/force_and_torque.hpp>
+#include <kanexpr/mechanics/loads/friction_law.hpp>
 #include <kanexpr/mechanics/loads/given_potential_energy.hpp>
 #include <kanexpr/mechanics/loads/modal_damping.hpp>
 #include <kanexpr/mechanics/loads/path_load.hpp>
 #include <kanexpr/mechanics/loads/spring_damper.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
 #include <kanexpr/mechanics/loads/tyre.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
@@ -56,5 +58,11 @@ struct loads {
     });
   }
 };
+
+/// Adds the state variables of a law of friction with bristles; the load to which it belongs gives their
+/// rates.
+constexpr void add_bristles(const mechanism& m, loads& to, const friction_law& law) {
+  for (const expression& z : law.bristles.deflections) to.state_rates.push({m.speeds.find(z), {}, {}});
+}
 
 } // namespace kanexpr::mechanics
