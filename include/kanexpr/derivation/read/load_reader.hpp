@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derivation/read/contact_reader.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
+#include <kanexpr/derivation/read/muscle_reader.hpp>
 #include <kanexpr/derivation/read/path_reader.hpp>
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
@@ -154,6 +155,7 @@ private:
     }
     case load_word::friction: return evaluate_friction(r, whom.view());
     case load_word::contact: return evaluate_contact(r, whom.view());
+    case load_word::muscle: return muscle_reader(*this).read(r, whom.view());
     case load_word::none:
       if (r.unparsed) return reading_.fail_by_unparsed(r.called, "loads<...>");
       return reading_.fail({"loads<...> lists ", short_name(r.called).view(), ", which is ",

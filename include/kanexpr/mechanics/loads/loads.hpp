@@ -6,6 +6,7 @@
 #include <kanexpr/mechanics/loads/force_and_torque.hpp>
 #include <kanexpr/mechanics/loads/given_potential_energy.hpp>
 #include <kanexpr/mechanics/loads/modal_damping.hpp>
+#include <kanexpr/mechanics/loads/muscle.hpp>
 #include <kanexpr/mechanics/loads/path_load.hpp>
 #include <kanexpr/mechanics/loads/spring_damper.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
@@ -26,6 +27,7 @@ struct loads {
   sequence<path_load> path_loads{};
   sequence<bushing> bushings{};
   sequence<contact> contacts{};
+  sequence<muscle> muscles{};
   sequence<state_rate> state_rates{};
   bool has_gravity = false;
   vector gravity{}; ///< free-fall acceleration, applied to every body
@@ -37,7 +39,7 @@ struct loads {
   constexpr void each_kind(Visit&& visit) const {
     const auto visit_all = [&](const auto&... kinds) { (visit(kinds), ...); };
     visit_all(forces, torques, spring_dampers, torsional_dampers, potential_energies, modal_dampings,
-              path_loads, bushings, contacts, state_rates);
+              path_loads, bushings, contacts, muscles, state_rates);
   }
   /// Calls `visit` for each load except gravity, with the load and its index among the loads of its kind.
   template <class Visit>
