@@ -23,12 +23,12 @@ consteval int member_count() {
 
 } // namespace detail
 
-/// @internal Calls `visit` with each member of an aggregate, in declaration order. At most 16 members are
+/// @internal Calls `visit` with each member of an aggregate, in declaration order. At most 14 members are
 /// supported.
 template <class Whole, class Visit>
 constexpr void for_each_member(Whole& whole, Visit&& visit) {
   constexpr int count = detail::member_count<std::remove_const_t<Whole>>();
-  static_assert(count > 0 && count <= 16);
+  static_assert(count > 0 && count <= 14);
   const auto each = [&](auto&... member) { (visit(member), ...); };
   if constexpr (count == 1) {
     auto& [a] = whole;
@@ -69,15 +69,9 @@ constexpr void for_each_member(Whole& whole, Visit&& visit) {
   } else if constexpr (count == 13) {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m] = whole;
     each(a, b, c, d, e, f, g, h, i, j, k, l, m);
-  } else if constexpr (count == 14) {
+  } else {
     auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n] = whole;
     each(a, b, c, d, e, f, g, h, i, j, k, l, m, n);
-  } else if constexpr (count == 15) {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o] = whole;
-    each(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o);
-  } else {
-    auto& [a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p] = whole;
-    each(a, b, c, d, e, f, g, h, i, j, k, l, m, n, o, p);
   }
 }
 

@@ -6,7 +6,6 @@
 #include <kanexpr/derivation/model_units.hpp>
 #include <kanexpr/derivation/read/reader.hpp>
 #include <kanexpr/derivation/survey.hpp>
-#include <kanexpr/mechanics/checks/check_state_rates.hpp>
 #include <kanexpr/mechanics/equations.hpp>
 #include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/inertial_parameter.hpp>
@@ -66,7 +65,7 @@ public:
     if (reader_.read_moving_loads() && !mistake())
       mistake_ = mechanics::check_loads(system_.mechanism, system_.loads, mechanics::contents(graph_));
     if (!mistake() && system_.mechanism.state_variables != 0)
-      mistake_ = mechanics::check_state_rates(system_.mechanism, system_.loads);
+      mistake_ = mechanics::check_state_rates(system_.mechanism, system_.loads.state_rates);
     reader_.read_constraints();
     equations_.emplace(system_, std::move(known));
     reader_.set_known_motion(equations_->known());

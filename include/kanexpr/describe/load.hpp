@@ -23,6 +23,7 @@ enum class describe::load_word : unsigned char {
   friction,
   contact,
   muscle,
+  tyre,
   none,
 };
 

@@ -4,7 +4,6 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/derivation/read/value.hpp>
 #include <kanexpr/mechanics/checks/check.hpp>
-#include <kanexpr/mechanics/checks/check_state_rates.hpp>
 #include <kanexpr/mechanics/checks/check_units.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
@@ -35,7 +34,7 @@ KANEXPR_ENGINE builder::builder(std::string_view inertial_frame) : system_(*grap
 KANEXPR_ENGINE sentence(builder::check)() const {
   if (mistake()) return mistake();
   sentence found = mechanics::check_system(system_);
-  if (!found && m_.state_variables != 0) found = mechanics::check_state_rates(m_, system_.loads);
+  if (!found && m_.state_variables != 0) found = mechanics::check_state_rates(m_, system_.loads.state_rates);
   if (!found) found = check_unused_symbols(system_, used_elsewhere_);
   return found ? found : mechanics::check_units(system_);
 }

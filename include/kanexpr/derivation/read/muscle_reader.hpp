@@ -28,7 +28,10 @@ public:
     read_parameters(r, made, whom);
     if (r.muscle->tendon_state.kind != shape::nothing && !reading_.mistake)
       made.tendon_state = symbols_.symbol(*r.muscle->tendon_state.tokens[0].symbol, whom);
-    if (!reading_.mistake) reading_.into.loads.muscles.push(made);
+    if (reading_.mistake) return;
+    reading_.into.loads.muscles.push(made);
+    if (made.tendon_state.is_given())
+      reading_.into.loads.state_rates.push({m_.speeds.find(made.tendon_state), {}, {}});
   }
 
 private:

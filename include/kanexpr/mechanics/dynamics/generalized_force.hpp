@@ -11,7 +11,6 @@
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/mechanics/skeleton/vector_substitution.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
-#include <kanexpr/symbolic/graph/substitute.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -25,7 +24,7 @@ public:
 
   /// Adds all loads of the model, and gravity unless it is treated as an acceleration of the ground.
   constexpr void add_loads(const loads& given, bool gravity, conservative how = conservative::by_forces) {
-    if (m_.state_variables != 0) take_state_rates(given);
+    if (!given.state_rates.empty()) take_state_rates(given);
     given.each([&](const auto& load, int) { load.act(acting_, how); });
     acting_.differentiate_energies();
     if (gravity) add_gravity(given);
@@ -101,22 +100,15 @@ public:
 private:
   /// Lets loads use the rates of the state variables.
   constexpr void take_state_rates(const loads& given) {
-    const sequence<expression> rates = resolved_state_rates(m_, given.state_rates);
-    for (int i = 0; i < rates.size(); ++i)
-      acting_.replace(m_.speed_rates[given.state_rates[i].speed], known_.in(rates[i]));
-    if (!given.muscles.empty()) take_rates_of_muscles(given, rates);
-  }
-
-  constexpr void take_rates_of_muscles(const loads& given, const sequence<expression>& state_rates) {
-    symbolic::substitution resolved(*m_.g);
-    for (int i = 0; i < state_rates.size(); ++i)
-      resolved.replace(m_.speed_rates[given.state_rates[i].speed], state_rates[i]);
-    for (const muscle& each : given.muscles) {
-      if (!each.tendon_state.is_given()) continue;
-      const expression activated = known_.in(resolved.in(each.activation));
-      acting_.replace(m_.speed_rates[m_.speeds.find(each.tendon_state)],
-                      each.rate_of_tendon_state(acting_.moving(), s_, activated));
-    }
+    sequence<state_rate> all;
+    for (const state_rate& each : given.state_rates)
+      if (!each.is_of_load()) all.push(each);
+    given.each_kind([&](const auto& loads_of_kind) {
+      for (const auto& load : loads_of_kind)
+        if constexpr (requires { load.add_state_rates(acting_, all); }) load.add_state_rates(acting_, all);
+    });
+    const sequence<expression> rates = resolved_state_rates(m_, all);
+    for (int i = 0; i < rates.size(); ++i) acting_.replace(m_.speed_rates[all[i].speed], known_.in(rates[i]));
   }
 
   constexpr components turn(const components& v, int from, int to) const {

@@ -2,11 +2,13 @@
 
 #include <kanexpr/base/name.hpp>
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/force_system.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/loads/muscle_parameters.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
+#include <kanexpr/mechanics/loads/state_rate.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/numeric/muscle_curves.hpp>
@@ -62,9 +64,12 @@ struct muscle {
     if (tendon_state.is_given()) on.add_share(on.skeleton_used().model->speeds.find(tendon_state), now.rate);
   }
 
-  /// The rate of the state variable at a given activation.
-  constexpr expression rate_of_tendon_state(motion& k, const skeleton& s, expression activated) const {
-    return contract(k, taut_pathway(along, s), activated).rate;
+  /// Appends the rate of the state variable.
+  constexpr void add_state_rates(force_system& on, sequence<state_rate>& all) const {
+    if (!tendon_state.is_given()) return;
+    const taut_pathway taut(along, on.skeleton_used());
+    const int place = on.skeleton_used().model->speeds.find(tendon_state);
+    all.push({place, contract(on.moving(), taut, activation).rate, {}});
   }
 
   constexpr void check_with(load_check& by, int) const {
