@@ -87,10 +87,13 @@ TEST(builder, has_blocks) {
   const auto N = b.inertial_frame(), A = b.rotated("A", N, q, b.along(N, 0, 0, 1));
   const auto O = b.origin("O");
   b.rigid_body("Wheel", O, A, b.number(1), b.inertia(A, 1, 1, 1));
+  const auto V = b.input("V");
 #include <docs/guide/builder/blocks.cpp>
-  const model controlled_wheel = derive(b);
+#include <docs/guide/builder/dc_motor.cpp>
+  model controlled_wheel = derive(b);
   EXPECT_EQ(controlled_wheel.mistake(), "");
-  EXPECT_EQ(controlled_wheel.udot().rows, 1 + 1 + 4 + 2 + 1);
+  EXPECT_EQ(controlled_wheel.udot().rows, 1 + 1 + 4 + 2 + 1 + 1);
+  EXPECT_EQ(b.mechanism().speeds.find(motor.current), 9);
 }
 
 TEST(builder, makes_a_sleigh) {

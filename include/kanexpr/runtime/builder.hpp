@@ -350,6 +350,10 @@ public:
   /// The activation of a muscle by an excitation, as `muscle_activation<Self, …>`. Returns the activation.
   expression muscle_activation(std::string_view called, expression excitation, const number_or_expression& Ta,
                                const number_or_expression& Td);
+  /// A DC motor that turns n times as fast as a joint with the given speed, as `dc_motor<Joint, …>`. Returns
+  /// its current, the state variable i_called, and the torque, which the caller applies: `b.torque_between(A,
+  /// N, b.along(N, 0, 0, motor.torque))`.
+  dc_motor_states dc_motor(std::string_view called, expression speed, const dc_motor_data& data);
   /// A muscle with its tendon, as `muscle<Self, Path, …>`: `b.muscle("Biceps", path, e,
   /// {.peak_isometric_force = 500, .optimal_fiber_length = 0.1, .tendon_slack_length = 0.2})`. Returns its
   /// state variables.

@@ -4,6 +4,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/describe/blocks/activation.hpp>
+#include <kanexpr/describe/blocks/dc_motor.hpp>
 #include <kanexpr/describe/blocks/delay.hpp>
 #include <kanexpr/describe/blocks/lag.hpp>
 #include <kanexpr/describe/blocks/pid.hpp>
@@ -135,6 +136,36 @@ KANEXPR_ENGINE expression builder::muscle_activation(std::string_view called, ex
   const expression a = state_of_block("a", called);
   if (!mistake()) equate(a, dot(a), describe::activation_rate(a, given[0], given[1], given[2]));
   return a;
+}
+
+KANEXPR_ENGINE dc_motor_states builder::dc_motor(std::string_view called, expression speed,
+                                                 const dc_motor_data& data) {
+  const dc_motor_states none{m_.zero(), {}, m_.zero()};
+  const base::sequence<expression> given =
+      arguments_of_block(called, {data.voltage, data.resistance, data.inductance, data.torque_constant,
+                                  data.gear_ratio, data.friction, speed});
+  if (given.empty()) return none;
+  const expression k = given[3], n = given[4], b = given[5], u = given[6];
+  expression resistance = given[1];
+  dc_motor_states states{state_of_block("i", called), {}, {}};
+  if (data.winding) {
+    const base::sequence<expression> winding =
+        arguments_of_block(called, {data.winding->temperature_coefficient, data.winding->heat_capacity,
+                                    data.winding->thermal_resistance});
+    if (winding.empty()) return none;
+    states.heating = state_of_block("heat", called);
+    resistance = describe::warm_resistance(resistance, winding[0], states.heating);
+    if (!mistake())
+      equate(states.heating, winding[1] * dot(states.heating),
+             describe::heat_flow(resistance, states.current, states.heating, winding[2]));
+  }
+  if (mistake()) return none;
+  const expression induced = k * (n * u);
+  equate(states.current, given[2] * dot(states.current),
+         describe::inductive_voltage(given[0], resistance, states.current, induced));
+  const expression driving = n * k * states.current, braking = n * n * b * u;
+  states.torque = driving - braking;
+  return states;
 }
 
 KANEXPR_ENGINE muscle_states builder::muscle(std::string_view called, const pathway& along,

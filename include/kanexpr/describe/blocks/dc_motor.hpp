@@ -16,6 +16,26 @@ inline constexpr describe::state_variable_of<"heat", Joint> heating_of{};
 
 namespace describe {
 
+/// R = R_0 (1 + α θ).
+template <class Resistance, class Coefficient, class Heating>
+constexpr auto warm_resistance(const Resistance& cold, const Coefficient& alpha, const Heating& theta) {
+  return cold * (1.0 + alpha * theta);
+}
+/// L di/dt = V − R i − k n u.
+template <class Voltage, class Resistance, class Current, class Induced>
+constexpr auto inductive_voltage(const Voltage& V, const Resistance& R, const Current& i,
+                                 const Induced& induced) {
+  const auto dropped = R * i;
+  return V - dropped - induced;
+}
+/// C dθ/dt = R i² − θ/R_th.
+template <class Resistance, class Current, class Heating, class Thermal>
+constexpr auto heat_flow(const Resistance& R, const Current& i, const Heating& theta, const Thermal& R_th) {
+  const auto lost = R * i * i;
+  const auto conducted = theta / R_th;
+  return lost - conducted;
+}
+
 /// A permanent-magnet DC motor with the current i, whose rotor turns n times as fast as the joint:
 ///
 ///     L di/dt = V − R i − k n u,   torque n k i − n² b u,   C dθ/dt = R i² − θ/R_th,   R = R_0 (1 + α θ)
@@ -40,7 +60,7 @@ struct dc_motor_law {
   }
   static constexpr auto resistance() {
     if constexpr (is_heated)
-      return argument<1> * (1.0 + argument<6> * heat);
+      return warm_resistance(argument<1>, argument<6>, heat);
     else
       return argument<1>;
   }
@@ -57,8 +77,8 @@ struct dc_motor_law {
       return ratio() * argument<3> * i;
   }
   static constexpr auto electrical =
-      argument<2> * dot(i) == argument<0> - resistance() * i - voltage_of_rotor();
-  static constexpr auto thermal = argument<7> * dot(heat) == resistance() * i * i - heat / argument<8>;
+      argument<2> * dot(i) == inductive_voltage(argument<0>, resistance(), i, voltage_of_rotor());
+  static constexpr auto thermal = argument<7> * dot(heat) == heat_flow(resistance(), i, heat, argument<8>);
 
   static constexpr void add_states(load_record& r) {
     if constexpr (is_heated) {
