@@ -18,21 +18,22 @@ namespace describe {
 
 /// R = R_0 (1 + α θ).
 template <class Resistance, class Coefficient, class Heating>
-constexpr auto warm_resistance(const Resistance& cold, const Coefficient& alpha, const Heating& theta) {
-  return cold * (1.0 + alpha * theta);
+constexpr auto warm_resistance(const Resistance& cold, const Coefficient& alpha, const Heating& heating) {
+  return cold * (1.0 + alpha * heating);
 }
 /// L di/dt = V − R i − k n u.
 template <class Voltage, class Resistance, class Current, class Induced>
-constexpr auto inductive_voltage(const Voltage& V, const Resistance& R, const Current& i,
+constexpr auto inductive_voltage(const Voltage& voltage, const Resistance& resistance, const Current& current,
                                  const Induced& induced) {
-  const auto dropped = R * i;
-  return V - dropped - induced;
+  const auto dropped = resistance * current;
+  return voltage - dropped - induced;
 }
 /// C dθ/dt = R i² − θ/R_th.
 template <class Resistance, class Current, class Heating, class Thermal>
-constexpr auto heat_flow(const Resistance& R, const Current& i, const Heating& theta, const Thermal& R_th) {
-  const auto lost = R * i * i;
-  const auto conducted = theta / R_th;
+constexpr auto heat_flow(const Resistance& resistance, const Current& current, const Heating& heating,
+                         const Thermal& thermal_resistance) {
+  const auto lost = resistance * current * current;
+  const auto conducted = heating / thermal_resistance;
   return lost - conducted;
 }
 

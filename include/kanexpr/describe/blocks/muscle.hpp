@@ -56,7 +56,7 @@ struct muscle_law {
   static constexpr void add_to(load_record& r) {
     r.muscle = &record;
     r.terms = terms;
-    r.terms_given = sizeof(terms) / sizeof(phrase);
+    r.terms_given = static_cast<int>(sizeof(terms) / sizeof(phrase));
     constexpr bool is_delayed = parameters.has_activation_dynamics;
     r.value = is_delayed ? phrase_of<activation> : phrase_of<excitation>;
     if (is_delayed) r.dynamics = list_of<phrase, &phrase_of<dynamics>>::all;

@@ -78,18 +78,18 @@ struct muscle {
       return by.fail({found.view()});
     along.check_with(by, whose.view());
     by.check_no_speed_rates(activation, "the activation of ", whose.view());
-    const auto check = [&](expression e, std::string_view of, bool is_positive) {
+    const auto examine = [&](expression e, std::string_view of, bool is_positive) {
       by.check_constant(e, of, whose.view());
       if (is_positive) by.check_positive(e, of, whose.view());
     };
-    check(peak_force, "the peak isometric force of ", true);
-    check(optimal_length, "the optimal fiber length of ", true);
-    check(slack_length, "the tendon slack length of ", true);
-    check(maximal_velocity, "the maximal fiber velocity of ", true);
-    check(pennation, "the pennation of ", false);
-    check(damping, "the fiber damping of ", !damping.is_zero());
-    check(tendon_strain, "the tendon strain of ", true);
-    check(passive_strain, "the passive strain of ", true);
+    examine(peak_force, "the peak isometric force of ", true);
+    examine(optimal_length, "the optimal fiber length of ", true);
+    examine(slack_length, "the tendon slack length of ", true);
+    examine(maximal_velocity, "the maximal fiber velocity of ", true);
+    examine(pennation, "the pennation of ", false);
+    examine(damping, "the fiber damping of ", !damping.is_zero());
+    examine(tendon_strain, "the tendon strain of ", true);
+    examine(passive_strain, "the passive strain of ", true);
   }
 
   constexpr void state_units(load_units& by, int) const {

@@ -21,11 +21,9 @@ class muscle_balance {
 public:
   template <class... Values>
   muscle_balance(const muscle_parameters<Values...>& of, double length, double activation)
-      : optimal_(static_cast<double>(of.optimal_fiber_length)),
-        slack_(static_cast<double>(of.tendon_slack_length)),
-        width_(optimal_ * std::sin(static_cast<double>(of.pennation))),
-        tendon_strain_(static_cast<double>(of.tendon_strain)),
-        passive_strain_(static_cast<double>(of.passive_strain)), length_(length), activation_(activation) {}
+      : optimal_(of.optimal_fiber_length), slack_(of.tendon_slack_length),
+        width_(optimal_ * std::sin(of.pennation)), tendon_strain_(of.tendon_strain),
+        passive_strain_(of.passive_strain), length_(length), activation_(activation) {}
 
   muscle_at_rest solve() const {
     double shorter = 0.95 * slack_, longer = length_;

@@ -26,17 +26,17 @@ template <class Force = mechanics::parameter_not_given, class Fiber = mechanics:
           class Damping = double, class Tendon = double, class Passive = double, class Rise = double,
           class Fall = double>
 struct muscle_parameters {
-  Force peak_isometric_force{};                     ///< in N
-  Fiber optimal_fiber_length{};                     ///< in m
-  Slack tendon_slack_length{};                      ///< in m
-  Velocity maximal_fiber_velocity = Velocity(10.0); ///< in optimal fiber lengths per second, 1/s
-  Angle pennation = Angle(0.0);                     ///< the angle at the optimal fiber length, in rad
-  Damping fiber_damping = Damping(0.1);             ///< relative to peak force and maximal velocity
-  Tendon tendon_strain = Tendon(0.049);             ///< of the tendon at the peak isometric force
-  Passive passive_strain = Passive(0.6);            ///< of the fiber at a passive force of the same size
-  Rise activation_time = Rise(0.015);               ///< in s
-  Fall deactivation_time = Fall(0.06);              ///< in s
-  bool has_activation_dynamics = true;              ///< false: the activation is the excitation
+  Force peak_isometric_force{};          ///< in N
+  Fiber optimal_fiber_length{};          ///< in m
+  Slack tendon_slack_length{};           ///< in m
+  Velocity maximal_fiber_velocity{10.0}; ///< in optimal fiber lengths per second, 1/s
+  Angle pennation{0.0};                  ///< the angle at the optimal fiber length, in rad
+  Damping fiber_damping{0.1};            ///< relative to peak force and maximal velocity
+  Tendon tendon_strain{0.049};           ///< of the tendon at the peak isometric force
+  Passive passive_strain{0.6};           ///< of the fiber at a passive force of the same size
+  Rise activation_time{0.015};           ///< in s
+  Fall deactivation_time{0.06};          ///< in s
+  bool has_activation_dynamics = true;   ///< false: the activation is the excitation
   muscle_formulation formulation = muscle_formulation::rigid_tendon;
 };
 
