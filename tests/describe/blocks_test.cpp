@@ -4,6 +4,7 @@
 #include <kanexpr/fixed_step.hpp>
 #include <kanexpr/joints.hpp>
 #include <kanexpr/kanexpr.hpp>
+#include <kanexpr/runtime/builder.hpp>
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -108,6 +109,33 @@ TEST(blocks, follow_their_equations) {
   EXPECT_NEAR(valve, 2 * std::tanh((limited - x[Valve::output]) / (2 * 0.05)), 1e-13);
 }
 
+// The same system from a builder has the same state variables and rates.
+TEST(blocks, are_those_of_a_builder) {
+  namespace runtime = kanexpr::runtime;
+  runtime::builder b("N");
+  const auto position = b.coordinate("q"), velocity = b.speed("u"), time = b.parameter("T"),
+             p = b.parameter("kp"), i = b.parameter("ki"), d = b.parameter("kd"), reference = b.input("r");
+  b.kinematic_equation(b.dot(position) - velocity);
+  const runtime::frame_id n = b.inertial_frame();
+  const runtime::point_id at = b.offset("P", b.origin("O"), b.along(n, position, 0, 0));
+  b.particle("Cart", at, b.number(2));
+  const auto filtered = b.lag("Filter", reference, time), late = b.delay("Late", 6, filtered, time),
+             controlled = b.pid("Controller", late - position, p, i, d, 0.1),
+             limited = b.pid("Limited", reference - position, p, i, d, 0.1, -3, 5, 0.5),
+             followed = b.slew_limit("Valve", limited, 2.0, 0.05);
+  b.muscle_activation("Muscle", reference, 0.015, 0.06);
+  b.force(at, b.along(n, 1e-6 * (controlled + followed), 0, 0));
+  auto model = kanexpr::derive(b);
+  ASSERT_EQ(model.mistake(), "");
+  const auto x = some_state();
+  const Eigen::VectorXd rates = model.function(model.get(kanexpr::mechanics::quantity::rhs))(
+                            x, some_parameters(), Eigen::VectorXd::Constant(1, 1.3)),
+                        expected = eom::rhs(x, some_parameters(), kanexpr::input_values<System>{{r, 1.3}});
+  ASSERT_EQ(rates.size(), expected.size());
+  for (Eigen::Index k = 0; k < rates.size(); ++k)
+    EXPECT_NEAR(rates(k), expected(k), 1e-14 * (1 + std::abs(expected(k)))) << k;
+}
+
 /// The transfer function of the delay from its state matrix, and the Padé approximant of e^(−s).
 TEST(blocks, delay_by_pade) {
   constexpr int n = 6;
@@ -156,6 +184,35 @@ TEST(dc_motor, has_a_current) {
   const auto rates = motor_eom::rhs(x, p, given);
   EXPECT_NEAR(rates(1), (10 * 0.1 * i - 100 * 0.02 * u) / 3, 1e-15);
   EXPECT_NEAR(rates(2), (12 - 2 * i - 0.1 * 10 * u) / 0.01, 1e-12);
+}
+
+TEST(dc_motor, is_that_of_a_builder) {
+  using namespace motors;
+  namespace runtime = kanexpr::runtime;
+  runtime::builder b("N");
+  const auto q1 = b.coordinate("q"), u1 = b.speed("u"), inertia = b.parameter("J"), voltage = b.input("V");
+  b.kinematic_equation(b.dot(q1) - u1);
+  const runtime::frame_id n = b.inertial_frame(), wheel = b.rotated("Wheel", n, q1, b.along(n, 0, 0, 1));
+  b.rigid_body("Wheel", b.origin("O"), wheel, b.number(1), b.inertia(wheel, inertia, inertia, inertia));
+  const runtime::dc_motor_states motor =
+      b.dc_motor("Wheel", u1,
+                 {.voltage = voltage,
+                  .resistance = 2,
+                  .inductance = 0.01,
+                  .torque_constant = 0.1,
+                  .gear_ratio = 10,
+                  .friction = 0.02,
+                  .winding = runtime::dc_motor_data::winding_data{0.004, 30, 1.5}});
+  b.torque_between(wheel, n, b.along(n, 0, 0, motor.torque));
+  auto model = kanexpr::derive(b);
+  ASSERT_EQ(model.mistake(), "");
+  const Eigen::Vector4d x(0.3, 0.4, 1.7, 20);
+  const Eigen::VectorXd rates = model.function(model.get(kanexpr::mechanics::quantity::rhs))(
+      x, Eigen::VectorXd::Constant(1, 3), Eigen::VectorXd::Constant(1, 12));
+  const Eigen::Vector4d expected = kanexpr::equations_of_motion<WarmSystem>::rhs(
+      kanexpr::state<WarmSystem>(x), kanexpr::parameter_values<WarmSystem>{{J, 3}},
+      kanexpr::input_values<WarmSystem>{{V, 12}});
+  EXPECT_LT((rates - expected).norm(), 1e-13 * expected.norm());
 }
 
 // In a steady state, the heat of the winding flows off.

@@ -7,6 +7,31 @@ namespace kanexpr {
 
 namespace describe {
 
+/// The output v = k_p e + s + k_d (e − d)/T_d of a PID controller without limits.
+template <class Deviation, class Integral, class Filtered, class Kp, class Kd, class Time>
+constexpr auto unlimited_output(const Deviation& e, const Integral& s, const Filtered& d, const Kp& kp,
+                                const Kd& kd, const Time& Td) {
+  const auto proportional = kp * e;
+  const auto derivative = kd * ((e - d) / Td);
+  return proportional + s + derivative;
+}
+/// An output kept between limits, rounded over a hundredth of the range.
+template <class Output, class Least, class Greatest>
+constexpr auto limited_output(const Output& v, const Least& least, const Greatest& greatest) {
+  const auto width = 0.01 * (greatest - least);
+  const auto above_least = softplus(v - least, width);
+  const auto above_greatest = softplus(v - greatest, width);
+  return least + above_least - above_greatest;
+}
+/// ṡ of a limited output, which returns from the limits with the time constant Tt.
+template <class Deviation, class Ki, class Limited, class Output, class Time>
+constexpr auto rate_of_integral_part(const Deviation& e, const Ki& ki, const Limited& limited,
+                                     const Output& v, const Time& Tt) {
+  const auto integrated = ki * e;
+  const auto returning = (limited - v) / Tt;
+  return integrated + returning;
+}
+
 /// A PID controller of the deviation e, with its integral part s and the state d of the filter of its
 /// derivative:
 ///
@@ -22,29 +47,25 @@ struct pid_law {
   static constexpr state_variable_of<"d", Self> filtered{};
   static constexpr auto deviation = argument<0>;
   static constexpr auto unlimited =
-      argument<1> * deviation + integral_part + argument<3> * ((deviation - filtered) / argument<4>);
+      unlimited_output(deviation, integral_part, filtered, argument<1>, argument<3>, argument<4>);
   static constexpr bool is_limited = sizeof...(given) > 5;
 
-  /// The output v kept between limits, rounded over a hundredth of the range.
-  static constexpr auto limited_output() {
-    if constexpr (is_limited) {
-      constexpr auto width = 0.01 * (argument<6> - argument<5>);
-      return argument<5> + softplus(unlimited - argument<5>, width) -
-             softplus(unlimited - argument<6>, width);
-    } else {
-      return unlimited;
-    }
-  }
-  static constexpr auto rate_of_integral_part() {
+  static constexpr auto output() {
     if constexpr (is_limited)
-      return argument<2> * deviation + (limited_output() - unlimited) / argument<7>;
+      return limited_output(unlimited, argument<5>, argument<6>);
+    else
+      return unlimited;
+  }
+  static constexpr auto integral_rate() {
+    if constexpr (is_limited)
+      return rate_of_integral_part(deviation, argument<2>, output(), unlimited, argument<7>);
     else
       return argument<2> * deviation;
   }
 
   static constexpr block_record record() {
     return states_of_block<Self, integral_part, filtered>::template with < dot(integral_part) ==
-               rate_of_integral_part(),
+               integral_rate(),
            argument<4> * dot(filtered) ==
                deviation - filtered >
                    (sizeof...(given) <= 5
@@ -70,7 +91,7 @@ private:
   using law = describe::pid_law<Self, deviation_gains_and_limits...>;
 
 public:
-  static constexpr auto output = law::limited_output();
+  static constexpr auto output = law::output();
   static constexpr describe::block_record block = law::record();
 };
 
