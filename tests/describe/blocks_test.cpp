@@ -33,13 +33,19 @@ struct Filter : lag<Filter, r, T> {};
 struct Late : delay<Late, 6, Filter::output, T> {};
 struct Controller : pid<Controller, Late::output - q, kp, ki, kd, 0.1> {};
 struct Limited : pid<Limited, r - q, kp, ki, kd, 0.1, -3, 5, 0.5> {};
+struct Proportional : pid<Proportional, r - q, kp, ki> {};
+struct Bounded : pid<Bounded, r - q, kp, ki, -3, 5, 0.5> {};
 struct Valve : slew_limit<Valve, Limited::output, 2.0, 0.05> {};
 struct Muscle : muscle_activation<Muscle, r, 0.015, 0.06> {};
 
-struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Cart>,
-                            parameters<T, kp, ki, kd>, inputs<r>,
-                            blocks<Filter, Late, Controller, Limited, Valve, Muscle>,
-                            loads<force<P, 1e-6 * (Controller::output + Valve::output) * N::x>>> {};
+struct System
+    : kane_system<
+          inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Cart>,
+          parameters<T, kp, ki, kd>, inputs<r>,
+          blocks<Filter, Late, Controller, Limited, Valve, Muscle, Proportional, Bounded>,
+          loads<
+              force<P, 1e-6 * (Controller::output + Valve::output + Proportional::output + Bounded::output) *
+                           N::x>>> {};
 
 } // namespace blocks_on_a_cart
 
@@ -72,7 +78,7 @@ kanexpr::state<System> some_state() {
 }
 
 TEST(blocks, add_state_variables) {
-  EXPECT_EQ(eom::state_variables, 1 + 6 + 2 + 2 + 1 + 1);
+  EXPECT_EQ(eom::state_variables, 1 + 6 + 2 + 2 + 1 + 1 + 1 + 1);
   EXPECT_EQ(std::string(kanexpr::derivation::stages_of<System>::constrained.known.names[2].view()),
             "y_Filter");
   EXPECT_EQ(std::string(kanexpr::derivation::stages_of<System>::constrained.known.names[3].view()),
@@ -106,6 +112,23 @@ TEST(blocks, follow_their_equations) {
   const double limited = -3 + softplus(v + 3, 0.08) - softplus(v - 5, 0.08);
   EXPECT_NEAR(limited_s, 0.7 * of_limited + (limited - v) / 0.5, 1e-12); // does not wind up
   EXPECT_NEAR(valve, 2 * std::tanh((limited - x[Valve::output]) / (2 * 0.05)), 1e-13);
+}
+
+/// Without a derivative, the controller has neither its time constant nor its filter.
+TEST(blocks, have_pi_controllers) {
+  const auto x = some_state();
+  using kanexpr::state_variable;
+  const auto [output, rate, bounded, bounded_rate] =
+      kanexpr::function<System, Proportional::output, dot(state_variable<"s_Proportional">{}),
+                        Bounded::output, dot(state_variable<"s_Bounded">{})>{}(
+          x, some_parameters(), kanexpr::input_values<System>{{r, 1.3}});
+  const double e = 1.3 - x[q], softened = 0.08;
+  EXPECT_NEAR(output, 3 * e + x[state_variable<"s_Proportional">{}], 1e-14);
+  EXPECT_NEAR(rate, 0.7 * e, 1e-14);
+  const auto softplus = [&](double v) { return softened * std::log1p(std::exp(v / softened)); };
+  const double v = 3 * e + x[state_variable<"s_Bounded">{}], limited = -3 + softplus(v + 3) - softplus(v - 5);
+  EXPECT_NEAR(bounded, limited, 1e-13);
+  EXPECT_NEAR(bounded_rate, 0.7 * e + (limited - v) / 0.5, 1e-12);
 }
 
 /// The transfer function of the delay from its state matrix, and the Padé approximant of e^(−s).
