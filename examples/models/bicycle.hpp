@@ -88,16 +88,18 @@ struct whipple : kane_system<inertial<N>, coordinates<q1, q2, q5, q4>, speeds<u2
 
 struct System : whipple<> {};
 
+/// The parameters of the benchmark bicycle.
+using benchmark_values =
+    values<WFrad == 0.35, WRrad == 0.3, htangle == 1.2566370614359172, forkoffset == 0.03207142672761931,
+           forklength == 0.26764450844768867, framelength == 0.9534570696121847,
+           forkcg1 == 0.10230731158060875, forkcg3 == 0.026100592803432483, framecg1 == 0.4779288114646079,
+           framecg3 == 0.4707271515135145, Iwr11 == 0.0603, Iwr22 == 0.12, Iwf11 == 0.1405, Iwf22 == 0.28,
+           Ifork11 == 0.05892, Ifork22 == 0.06, Ifork33 == 0.00708, Ifork31 == 0.00756, Iframe11 == 9.2,
+           Iframe22 == 11, Iframe33 == 2.8, Iframe31 == -2.4, mfork == 4, mframe == 85, mwf == 3, mwr == 2,
+           g == 9.81>;
+
 /// The benchmark bicycle.
-struct BoundSystem
-    : whipple<values<WFrad == 0.35, WRrad == 0.3, htangle == 1.2566370614359172,
-                     forkoffset == 0.03207142672761931, forklength == 0.26764450844768867,
-                     framelength == 0.9534570696121847, forkcg1 == 0.10230731158060875,
-                     forkcg3 == 0.026100592803432483, framecg1 == 0.4779288114646079,
-                     framecg3 == 0.4707271515135145, Iwr11 == 0.0603, Iwr22 == 0.12, Iwf11 == 0.1405,
-                     Iwf22 == 0.28, Ifork11 == 0.05892, Ifork22 == 0.06, Ifork33 == 0.00708,
-                     Ifork31 == 0.00756, Iframe11 == 9.2, Iframe22 == 11, Iframe33 == 2.8, Iframe31 == -2.4,
-                     mfork == 4, mframe == 85, mwf == 3, mwr == 2, g == 9.81>> {};
+struct BoundSystem : whipple<benchmark_values> {};
 
 /// The same with a torque between fork and frame, with which the rider steers.
 constexpr input<"T", newton * meter> T;

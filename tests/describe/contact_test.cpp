@@ -63,14 +63,14 @@ struct built : runtime::builder {
   }
 };
 
-void expect_same(model words, model builds) {
+void expect_same(model words, model builds, int states = 6) {
   ASSERT_EQ(words.mistake(), "");
   ASSERT_EQ(builds.mistake(), "");
   auto first = words.function(words.rhs()), second = builds.function(builds.rhs());
   std::mt19937_64 source(7);
   std::uniform_real_distribution<double> values(0.1, 0.6);
   for (int i = 0; i < 10; ++i) {
-    const VectorXd state = VectorXd::NullaryExpr(6, [&] { return values(source); });
+    const VectorXd state = VectorXd::NullaryExpr(states, [&] { return values(source); });
     const VectorXd p = VectorXd::NullaryExpr(5, [&] { return values(source); });
     EXPECT_LT((first(state, p) - second(state, p)).norm(), 1e-13 * first(state, p).norm());
   }
@@ -112,6 +112,32 @@ TEST(contact_words, of_spheres) {
   data.friction = friction_law::coulomb(s.coefficient, s.number(0.1));
   s.sphere_on_sphere(s.c, s.b, s.radius, s.fixed, s.n, 0.4, data);
   expect_same(derive<words>(), derive(s));
+}
+
+TEST(contact_words, with_bristles) {
+  using words = thrown<contact<sphere_on_plane<C, r, O, N::z, B>, elastic<k, 1.5>, smoothed_over<0.1>,
+                               lugre_friction<0.7, mu, 0.3, 20, 0.2, 0.1>>>;
+  built s;
+  runtime::contact_data data{.stiffness = s.stiffness, .exponent = 1.5, .width = 0.1};
+  data.friction =
+      friction_law::lugre(s.number(0.7), s.coefficient, s.number(0.3), s.number(20), s.number(0.2),
+                          s.number(0.1), {s.state_variable("z1"), s.state_variable("z2")});
+  s.sphere_on_plane(s.c, s.b, s.radius, s.o, s.along(s.n, 0, 0, 1), data);
+  model both = derive<words>();
+  EXPECT_EQ(both.known()->names[6].view(), "z1_C_O");
+  EXPECT_EQ(both.known()->names[7].view(), "z2_C_O");
+  expect_same(both, derive(s), 8);
+
+  using others = thrown<contact<sphere_on_sphere<C, r, Fixed, 0.4, B, N>, elastic<k, 1.5>, smoothed_over<0.1>,
+                                restitution<0.5, v>, dahl_friction<mu, 30>>>;
+  built t;
+  runtime::contact_data round{.stiffness = t.stiffness, .exponent = 1.5, .width = 0.1};
+  round.restitution = {0.5, t.approach};
+  round.friction =
+      friction_law::dahl(t.coefficient, t.number(30), {},
+                         {t.state_variable("z1"), t.state_variable("z2"), t.state_variable("z3")});
+  t.sphere_on_sphere(t.c, t.b, t.radius, t.fixed, t.n, 0.4, round);
+  expect_same(derive<others>(), derive(t), 9);
 }
 
 TEST(contact_words, of_a_surface) {
@@ -171,6 +197,36 @@ TEST(friction_words, of_joints) {
                        jointed<force_along<line, k * mu * rate / sqrt(rate * rate + v * v)>>>();
   expect_same_friction<jointed<friction<Crank, 1, viscous_friction<mu>>>,
                        jointed<joint_friction<Crank, mu>>>();
+}
+
+// With bristles, compared with loads and dynamics that are written out.
+TEST(friction_words, with_bristles) {
+  constexpr auto z_ = state_variable<"z">{};
+  using line = straight<Slider, Hook>;
+  constexpr auto stretch = position_of<Slider, Hook>;
+  constexpr auto rate = dot(stretch, velocity_of<Slider>) / magnitude(stretch);
+  constexpr auto turning = u_of<Crank>;
+  const auto compare = [](model first, model second) {
+    ASSERT_EQ(first.mistake(), "");
+    ASSERT_EQ(second.mistake(), "");
+    auto one = first.function(first.rhs()), other = second.function(second.rhs());
+    const VectorXd state = (VectorXd(5) << 0.3, -0.7, 1.2, 0.8, 0.01).finished();
+    const Eigen::Vector3d p(2.2, 0.4, 0.05);
+    EXPECT_LT((one(state, p) - other(state, p)).norm(), 1e-13 * one(state, p).norm());
+  };
+  compare(derive<jointed<friction<Crank, k, dahl_friction<mu, 40, v>>>>(),
+          derive<extended<jointed<torque_between<Crank, Ground, -k * 40 * z_ * Ground::z>>, states<z_>,
+                          dynamics<dot(z_) == turning - 40 * turning * turning /
+                                                            sqrt(turning * turning + v * v) * z_ / mu>>>());
+  constexpr auto normal = 2 + sin(q_of<Slider>);
+  constexpr auto size =
+      rate * rate / sqrt(rate * rate + v * v / 1e6) / (0.3 + (mu - 0.3) * exp(-rate * rate / v / v));
+  constexpr auto deflects = sqrt(normal) * rate - 40 * size * z_;
+  constexpr auto pull = sqrt(normal) * (40 * z_ + 3 / (1 + 3 * size / 4) * deflects) + normal * 0.1 * rate;
+  compare(derive<jointed<friction<line, normal, lugre_friction<mu, 0.3, v, 40, 3, 0.1>>>>(),
+          derive<extended<jointed<force_along<line, pull>>, states<z_>, dynamics<dot(z_) == deflects>>>());
+  EXPECT_EQ((derive<jointed<friction<line, 1, dahl_friction<mu, 40, v>>>>().known()->names[4].view()),
+            "z_Slider_Hook");
 }
 
 } // namespace

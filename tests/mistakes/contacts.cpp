@@ -123,7 +123,7 @@ struct System
 void f() { use<System>(); }
 } // namespace n17
 
-// expect: contains surface::x, which is valid only in point_on_surface<...>
+// expect: contains surface::x, which is valid only in point_on_surface<...> and uneven_ground<...>
 namespace n18 {
 struct System : jointed<joints<Arm>, loads<motor<Arm, T * surface::x>>> {};
 void f() { use<System>(); }

@@ -1,5 +1,6 @@
 // builds: clang++
-// A bouncing ball: compiled and interpreted code, batches, linearization and constant expressions.
+// A bouncing ball, and a block that sticks and slips: compiled and interpreted code, batches, linearization
+// and constant expressions.
 #include "runtime/agreement.hpp"
 
 #include <kanexpr/batch.hpp>
@@ -7,12 +8,42 @@
 #include <kanexpr/kanexpr.hpp>
 
 #include <models/bouncing_ball.hpp>
+#include <models/stick_slip.hpp>
 
 namespace {
 
 using namespace kanexpr;
 using namespace bouncing_ball;
 using eom = equations_of_motion<System>;
+
+using rough_ground = contact<sphere_on_plane<C, r, O, N::z, B>, elastic<k, 1.5>, smoothed_over<d>,
+                             restitution<0.8, v>, lugre_friction<mu, 0.2, 0.01, 1e3, 30, 0.4>>;
+struct RoughSystem
+    : kane_system<inertial<N>, coordinates<x, z, q>, speeds<vx, vz, w>,
+                  kinematics<dot(x) == vx, dot(z) == vz, dot(q) == w>, parameters<m, r, k, d, v, mu, g>,
+                  bodies<Ball>, loads<gravity<-g * N::z>, rough_ground>> {};
+
+TEST(agreement, ball_on_bristles) { agreement::check<RoughSystem>(); }
+
+TEST(agreement, linearization_of_stick_slip) {
+  namespace block = stick_slip;
+  using equations = equations_of_motion<block::System>;
+  const equations::parameters p{
+      {block::m, 1},  {block::k, 2},      {block::l, 0.6},      {block::V, 0.1},        {block::Fs, 1.5},
+      {block::Fc, 1}, {block::vs, 0.001}, {block::sigma0, 1e5}, {block::sigma1, 316.2}, {block::sigma2, 0.4}};
+  for (const double speed : {0.0, 3e-7, -2e-3, 0.2}) {
+    const equations::state at{{block::x, 0.1}, {block::v, speed}, {block::bristle, 7e-6}};
+    const auto [a, none] = linearization<block::System>::explicit_form(0.3, at, p);
+    for (Eigen::Index j = 0; j < 3; ++j) {
+      const double step = j == 1 ? 1e-9 : 1e-8;
+      equations::state after = at, before = at;
+      after(j) += step, before(j) -= step;
+      const equations::state difference =
+          (equations::rhs(0.3, after, p) - equations::rhs(0.3, before, p)) / (2 * step);
+      EXPECT_LE((a.col(j) - difference).norm(), 1e-5 * (1 + a.norm())) << speed << " " << j;
+    }
+  }
+}
 
 TEST(agreement, bouncing_ball) { agreement::check<System>(); }
 

@@ -10,6 +10,8 @@
 #include <kanexpr/describe/flexible_record.hpp>
 #include <kanexpr/describe/pathway.hpp>
 #include <kanexpr/describe/system.hpp>
+#include <kanexpr/describe/tyre_record.hpp>
+#include <kanexpr/describe/wheel_record.hpp>
 
 #include <array>
 #include <cstdint>
@@ -155,6 +157,7 @@ private:
     take(r.value), take(r.angle), take(r.rest), take(r.states), take(r.dynamics);
     if (r.friction != nullptr) take(*r.friction);
     if (r.contact != nullptr) take(*r.contact);
+    if (r.tyre != nullptr) take(*r.tyre);
     for (int i = 0; i < r.terms_given; ++i) take(r.terms[i]);
     if (r.path != nullptr) take(*r.path);
     end("", "loads with the same name");
@@ -176,6 +179,7 @@ private:
   constexpr void take(const describe::friction_record& r) {
     now_.take(static_cast<int>(r.kind));
     take(r.sliding), take(r.sticking), take(r.slip_speed), take(r.viscous);
+    take(r.stiffness), take(r.damping), take(r.stribeck_speed);
   }
   constexpr void take(const describe::contact_record& r) {
     now_.take(static_cast<int>(r.shapes));
@@ -186,6 +190,30 @@ private:
       take(*each);
     now_.take(r.restitution);
     if (r.friction != nullptr) take(*r.friction);
+  }
+  constexpr void take(const describe::wheel_record& r) {
+    now_.take(static_cast<int>(r.rim) * 4 + static_cast<int>(r.ground));
+    now_.take(r.steps);
+    mention(r.center), mention(r.frame), mention(r.place), mention(r.ground_frame);
+    for (const phrase* each :
+         {&r.axis, &r.radius, &r.tube, &r.conicity, &r.normal, &r.along, &r.head, &r.height})
+      take(*each);
+  }
+  constexpr void take(const describe::tyre_record& r) {
+    take(*r.wheel);
+    now_.take(static_cast<int>(r.model));
+    for (const phrase* each : {&r.slip_stiffness, &r.cornering_stiffness, &r.camber_stiffness, &r.trail,
+                               &r.friction, &r.load, &r.stiffness, &r.damping, &r.width, &r.standstill,
+                               &r.effective_radius, &r.forward_length, &r.lateral_length})
+      take(*each);
+    if (r.formula == nullptr) return;
+    const auto take_all = [&](const auto&... c) { (take(c), ...); };
+    tyre_coefficients::each_coefficient(*r.formula, take_all);
+    tyre_coefficients::each_factor(*r.formula, take_all);
+  }
+  constexpr void take(const describe::tyre_coefficient& c) {
+    take(c.symbol);
+    now_.take(c.number);
   }
   constexpr void take(const frame_record& r) {
     begin();

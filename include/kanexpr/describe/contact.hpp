@@ -1,9 +1,11 @@
 #pragma once
 
+#include <kanexpr/describe/bristle.hpp>
 #include <kanexpr/describe/contact_record.hpp>
 #include <kanexpr/describe/friction.hpp>
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/describe/point.hpp>
+#include <kanexpr/describe/surface.hpp>
 #include <kanexpr/describe/symbol.hpp>
 #include <kanexpr/mechanics/loads/contact_shapes.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
@@ -158,16 +160,6 @@ struct sphere_on_sphere {
   }
 };
 
-/// The coordinates of a point near a surface, in the function that describes the surface.
-struct surface {
-  static constexpr scalar<1> x =
-      describe::symbol_token<symbolic::symbol_kind::direction, "surface::x", unnumbered>();
-  static constexpr scalar<1> y =
-      describe::symbol_token<symbolic::symbol_kind::direction, "surface::y", unnumbered>();
-  static constexpr scalar<1> z =
-      describe::symbol_token<symbolic::symbol_kind::direction, "surface::z", unnumbered>();
-};
-
 /// A point above a smooth surface, as the first argument of a contact. The surface is where a function of the
 /// coordinates vanishes, which are measured from a point in the axes of a frame; the function is positive on
 /// the side of the point: `point_on_surface<P, O, N, surface::z - h*sin(k*surface::x)>`. The distance from
@@ -267,6 +259,8 @@ struct contact : describe::load_words {
     r.point = c.point;
     r.other_point = c.other_point;
     r.contact = &c;
+    if constexpr (describe::lays_out_contact<Geometry> && (describe::law_with_bristles<Words> || ...))
+      r.states = describe::bristles_on<Geometry>;
     return r;
   }();
 };

@@ -13,6 +13,7 @@ namespace kanexpr::describe {
 struct friction_record {
   mechanics::friction_kind kind{};
   phrase sliding{}, sticking{}, slip_speed{}, viscous{};
+  phrase stiffness{}, damping{}, stribeck_speed{}; ///< of bristles
   arguments fits{};
 };
 

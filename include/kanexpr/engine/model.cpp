@@ -6,5 +6,7 @@
 #include <kanexpr/runtime/builder_flexible_data.ipp>
 #include <kanexpr/runtime/builder_loads.ipp>
 #include <kanexpr/runtime/builder_pathways.ipp>
+#include <kanexpr/runtime/builder_tyres.ipp>
+#include <kanexpr/runtime/builder_wheels.ipp>
 #include <kanexpr/runtime/model.ipp>
 #include <kanexpr/runtime/staged_derivation.ipp>

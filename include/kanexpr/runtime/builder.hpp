@@ -9,6 +9,8 @@
 #include <kanexpr/mechanics/loads/contact_geometry.hpp>
 #include <kanexpr/mechanics/loads/path_load.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
+#include <kanexpr/mechanics/loads/tyre_law.hpp>
+#include <kanexpr/mechanics/loads/wheel_on_ground.hpp>
 #include <kanexpr/mechanics/model/beam.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/flexible_body.hpp>
@@ -23,6 +25,8 @@
 #include <kanexpr/runtime/flexible_integrals.hpp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/runtime/number_or_expression.hpp>
+#include <kanexpr/runtime/tyre_data.hpp>
+#include <kanexpr/runtime/wheel_data.hpp>
 #include <kanexpr/symbolic/graph/compose.hpp>
 #include <kanexpr/units/unit.hpp>
 
@@ -64,6 +68,9 @@ struct zero_components {
 
 /// A line along which loads act, such as a cable; the functions of a builder return it.
 using pathway = mechanics::pathway;
+
+/// A wheel and the ground below it; the functions of a builder return it.
+using wheel_on_ground = mechanics::wheel_on_ground;
 
 /// An end of a pathway around a surface: a point, which may lie on the surface.
 struct end_of_path {
@@ -346,6 +353,27 @@ public:
     add_surface_contact(point, origin, of, level(at.x, at.y, at.z), data);
   }
 
+  /// A wheel on the plane through `in_plane`, whose normal points to the wheel; the plane is fixed in the
+  /// frame in whose axes the normal is given.
+  wheel_on_ground wheel_on_plane(const wheel_data& wheel, point_id in_plane, const vector& normal);
+  /// A wheel on the ground z = f(x, y), with coordinates from `origin` in the axes of a frame:
+  /// `[&](expression x, expression y) { return h * cos(k * x); }`. The lowest point follows from `steps` of
+  /// Newton's method.
+  template <class Height>
+  wheel_on_ground wheel_on_surface(const wheel_data& wheel, point_id origin, frame_id of,
+                                   const Height& height, int steps = 2) {
+    const mechanics::components at = mechanics::surface_coordinates(*graph_);
+    return wheel_on_height(wheel, origin, of, height(at.x, at.y), steps);
+  }
+  /// A conical wheel on a straight rail.
+  wheel_on_ground wheel_on_rail(const wheel_data& wheel, const rail_data& rail);
+  /// The lowest point of a wheel, as the material point of the wheel at the contact: it rolls without slip if
+  /// the velocity of this point is zero.
+  point_id contact_point(std::string_view called, const wheel_on_ground& wheel);
+
+  /// A tyre on a wheel, as `tyre<…>`.
+  void tyre(const wheel_on_ground& wheel, const tyre_data& data);
+
   // ---- constraints; their expressions may contain velocities of a `mechanics::known_motion`
 
   /// A vector whose components along the given directions vanish, with one constraint per direction:
@@ -415,10 +443,17 @@ private:
   mechanics::components unit_direction(const vector& given, int frame);
   mechanics::beam_damping damping_of(std::string_view beam, const beam_data& data);
   bool owns_beam(const built_beam& made, const mechanics::beam_damping& damped);
-  bool set_direction(mechanics::components& unit, int& frame, const vector& given);
+  bool set_direction(mechanics::components& unit, int& frame, const vector& given,
+                     std::string_view whose = "a contact");
   void add_surface_contact(point_id point, point_id origin, frame_id of, expression level,
                            const contact_data& data);
+  wheel_on_ground wheel_on(const wheel_data& wheel, point_id ground);
+  wheel_on_ground wheel_on_height(const wheel_data& wheel, point_id origin, frame_id of, expression height,
+                                  int steps);
   void add_contact(const mechanics::contact_geometry& between, const contact_data& data);
+  expression value_of(const tyre_data::value& given);
+  mechanics::tyre_law law_of(const tyre_data& data);
+  int deflection(expression state_variable);
   /// Whether at least one of the arguments is not the integer 0.
   bool not_all_zero(std::initializer_list<const number_or_expression*> given, std::string_view whose);
 
@@ -463,6 +498,8 @@ private:
 #include <kanexpr/runtime/builder_flexible_data.ipp>
 #include <kanexpr/runtime/builder_loads.ipp>
 #include <kanexpr/runtime/builder_pathways.ipp>
+#include <kanexpr/runtime/builder_tyres.ipp>
+#include <kanexpr/runtime/builder_wheels.ipp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
 #endif

@@ -74,11 +74,12 @@ KANEXPR_ENGINE void builder::add_surface_contact(point_id point, point_id origin
   if (checks_.owns("a contact", point, origin, of, level)) add_contact(g, data);
 }
 
-KANEXPR_ENGINE bool builder::set_direction(mechanics::components& unit, int& frame, const vector& given) {
-  if (!checks_.owns("a contact", given)) return false;
+KANEXPR_ENGINE bool builder::set_direction(mechanics::components& unit, int& frame, const vector& given,
+                                           std::string_view whose) {
+  if (!checks_.owns(whose, given)) return false;
   const mechanics::contact_direction d = mechanics::contact_direction_of(m_, given);
   unit = d.unit, frame = d.frame;
-  return d.mistake.empty() || checks_.fail({"a direction of a contact", d.mistake});
+  return d.mistake.empty() || checks_.fail({"a direction of ", whose, d.mistake});
 }
 
 KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& between,
@@ -98,16 +99,21 @@ KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& betw
     const expression approach = as_expression(data.restitution->approach_speed);
     if (e < 1)
       c.law.damping = approach.number(symbolic::real(mechanics::damping_of_restitution(e))) / approach;
-    if (c.friction && !c.friction.slip_speed.is_given()) c.friction.slip_speed = approach / 100;
+    c.friction.take_slip_speed(approach / 100);
   }
   const auto is_owned = [&](expression e) { return !e.is_given() || checks_.owns("a contact", e); };
-  for (const expression e : {c.friction.sliding, c.friction.sticking, c.friction.slip_speed,
-                             c.friction.viscous, c.rolling.lever, c.rolling.angular_velocity, c.law.damping})
+  for (const expression e :
+       {c.friction.sliding, c.friction.sticking, c.friction.slip_speed, c.friction.viscous,
+        c.friction.bristles.stiffness, c.friction.bristles.damping, c.friction.bristles.stribeck_speed,
+        c.rolling.lever, c.rolling.angular_velocity, c.law.damping})
     if (!is_owned(e)) return;
-  if (c.friction.needs_slip_speed())
+  if (!checks_.owns("a contact", c.friction.bristles.deflections)) return;
+  if (c.friction.needs_slip_speed()) {
     checks_.fail({"the friction of a contact has no slip speed"});
-  else if (checks_.owns("a contact", c.law.stiffness, c.law.width, between.radius))
+  } else if (checks_.owns("a contact", c.law.stiffness, c.law.width, between.radius)) {
     system_.loads.contacts.push(c);
+    mechanics::add_bristles(m_, system_.loads, c.friction);
+  }
 }
 
 } // namespace kanexpr::runtime

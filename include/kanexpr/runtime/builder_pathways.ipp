@@ -109,12 +109,19 @@ KANEXPR_ENGINE void builder::linear_damper(const pathway& along, expression damp
 KANEXPR_ENGINE void builder::friction_along(const pathway& along, expression normal_force,
                                             const mechanics::friction_law& law) {
   base::sequence<expression> terms{normal_force};
-  for (const expression& e : {law.sliding, law.sticking, law.slip_speed, law.viscous})
+  for (const expression& e : {law.sliding, law.sticking, law.slip_speed, law.viscous, law.bristles.stiffness,
+                              law.bristles.damping, law.bristles.stribeck_speed})
     if (e.is_given()) terms.push(e);
-  if (law.needs_slip_speed())
+  for (const expression& z : law.bristles.deflections) terms.push(z);
+  if (law.has_bristles() && law.bristles.deflections.size() != 1)
+    checks_.fail({"the friction along a pathway has ",
+                  mechanics::several(law.bristles.deflections.size(), "bristle").view(), ", expected 1"});
+  else if (law.needs_slip_speed())
     checks_.fail({"a friction along a pathway has no slip speed"});
-  else if (owns_path_load("a friction along a pathway", along, terms))
+  else if (owns_path_load("a friction along a pathway", along, terms)) {
     mechanics::add_friction_along(system_.loads, along, normal_force, law);
+    mechanics::add_bristles(m_, system_.loads, law);
+  }
 }
 
 KANEXPR_ENGINE void builder::stop(const pathway& along, expression least, expression greatest,

@@ -20,24 +20,35 @@ class contact_reader : part_reader {
 public:
   using part_reader::part_reader;
 
-  /// `default_slip_speed` is used if the law omits it; if it is not given either, that is a mistake.
-  constexpr mechanics::friction_law law_of(const describe::friction_record& r, expression default_slip_speed,
-                                           std::string_view whom) {
+  /// `default_slip_speed` is used if the law omits it; if it is not given either, that is a mistake. The
+  /// state variables are those of bristles.
+  constexpr mechanics::friction_law law_of(const describe::friction_record& r,
+                                           const describe::listing<phrase>& states,
+                                           expression default_slip_speed, std::string_view whom) {
     const auto part = [&](const phrase& p, std::string_view what) {
       return p.tokens == nullptr ? expression{} : phrases_.scalar_of(p, {what, whom}, whom);
     };
-    mechanics::friction_law law{r.kind, part(r.sliding, "the coefficient of friction of "),
+    mechanics::friction_law law{r.kind,
+                                part(r.sliding, "the coefficient of friction of "),
                                 part(r.sticking, "the coefficient of static friction of "),
                                 part(r.slip_speed, "the slip speed of "),
-                                part(r.viscous, "the viscous coefficient of ")};
-    if (law.needs_slip_speed()) law.slip_speed = default_slip_speed;
+                                part(r.viscous, "the viscous coefficient of "),
+                                {part(r.stiffness, "the stiffness of the bristles of "),
+                                 part(r.damping, "the damping of the bristles of "),
+                                 part(r.stribeck_speed, "the Stribeck speed of "),
+                                 {}}};
+    if (reading_.mistake) return law;
+    for (const phrase& z : states) law.bristles.deflections.push(phrases_.scalar_of(z, {"", whom}, whom));
+    law.take_slip_speed(default_slip_speed);
     if (law.needs_slip_speed())
-      reading_.fail({whom, " has coulomb_friction<...> without a slip speed; only a contact with "
-                           "restitution<...> has a default"});
+      reading_.fail(
+          {whom, " has ", law.has_bristles() ? "dahl" : "coulomb",
+           "_friction<...> without a slip speed; only a contact with restitution<...> has a default"});
     return law;
   }
 
-  constexpr void read(const describe::contact_record& r, std::string_view whom) {
+  constexpr void read(const describe::contact_record& r, const describe::listing<phrase>& states,
+                      std::string_view whom) {
     mechanics::contact c;
     lay_out(c.between, r, whom);
     c.law.stiffness = scalar(r.stiffness, "the stiffness of ", whom);
@@ -53,7 +64,7 @@ public:
       slip = approach / 100;
     }
     if (r.damping.tokens != nullptr) c.law.damping = scalar(r.damping, "the damping of ", whom);
-    if (r.friction != nullptr && !reading_.mistake) c.friction = law_of(*r.friction, slip, whom);
+    if (r.friction != nullptr && !reading_.mistake) c.friction = law_of(*r.friction, states, slip, whom);
     if (r.lever.tokens != nullptr) {
       c.rolling.lever = scalar(r.lever, "the lever of the rolling resistance of ", whom);
       c.rolling.angular_velocity =
@@ -61,7 +72,9 @@ public:
     }
     if (!reading_.mistake && c.rolling && c.between.frame == none)
       reading_.fail({whom, " has rolling_resistance<...>, but a point does not roll"});
-    if (!reading_.mistake) reading_.into.loads.contacts.push(c);
+    if (reading_.mistake) return;
+    reading_.into.loads.contacts.push(c);
+    mechanics::add_bristles(m_, reading_.into.loads, c.friction);
   }
 
 private:

@@ -4,6 +4,7 @@
 #include <kanexpr/derivation/read/contact_reader.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
 #include <kanexpr/derivation/read/path_reader.hpp>
+#include <kanexpr/derivation/read/tyre_reader.hpp>
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
 #include <kanexpr/mechanics/loads/add_path_load.hpp>
@@ -154,6 +155,7 @@ private:
     }
     case load_word::friction: return evaluate_friction(r, whom.view());
     case load_word::contact: return evaluate_contact(r, whom.view());
+    case load_word::tyre: return tyres_.read(*r.tyre, whom.view());
     case load_word::none:
       if (r.unparsed) return reading_.fail_by_unparsed(r.called, "loads<...>");
       return reading_.fail({"loads<...> lists ", short_name(r.called).view(), ", which is ",
@@ -227,10 +229,12 @@ private:
   constexpr void evaluate_friction(const load_record& r, std::string_view whom) {
     const expression normal = part_of(r.rest, "the normal force of ", whom);
     if (reading_.mistake) return;
-    const mechanics::friction_law law = contacts_.law_of(*r.friction, {}, whom);
+    const mechanics::friction_law law = contacts_.law_of(*r.friction, r.states, {}, whom);
     if (r.path == nullptr) return evaluate_friction_in_joint(r, normal, law, whom);
     const mechanics::pathway along = path_reader(*this).read(*r.path, whom);
-    if (!reading_.mistake) mechanics::add_friction_along(reading_.into.loads, along, normal, law);
+    if (reading_.mistake) return;
+    mechanics::add_friction_along(reading_.into.loads, along, normal, law);
+    mechanics::add_bristles(m_, reading_.into.loads, law);
   }
 
   constexpr void evaluate_friction_in_joint(const load_record& r, expression normal,
@@ -251,7 +255,7 @@ private:
 
   constexpr void evaluate_contact(const load_record& r, std::string_view whom) {
     if (!r.contact->mistake.empty()) return reading_.fail({whom, " ", r.contact->mistake});
-    contacts_.read(*r.contact, whom);
+    contacts_.read(*r.contact, r.states, whom);
   }
 
   constexpr void evaluate_torsional_spring(const load_record& r, std::string_view whom) {
@@ -265,6 +269,7 @@ private:
   }
 
   contact_reader contacts_{reading_, symbols_, phrases_, entities_};
+  tyre_reader tyres_{reading_, symbols_, phrases_, entities_};
 };
 
 } // namespace kanexpr::derivation

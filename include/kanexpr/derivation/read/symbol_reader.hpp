@@ -234,7 +234,7 @@ private:
       if (reading_.is_on_surface)
         return symbolic::variable(*m_.g, {r.kind, r.called, r.called.view().back() - 'x'});
       reading_.fail({reading_.part, whom, " contains ", r.called.view(),
-                     ", which is valid only in point_on_surface<...>"});
+                     ", which is valid only in point_on_surface<...> and uneven_ground<...>"});
       break;
     case symbol_kind::parameter:
       if (r.value != nullptr) return constant_of(r);

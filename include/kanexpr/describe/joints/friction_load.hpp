@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/describe/bristle.hpp>
 #include <kanexpr/describe/friction.hpp>
 #include <kanexpr/describe/joints/motor.hpp>
 #include <kanexpr/describe/path_load.hpp>
@@ -30,6 +31,29 @@ constexpr load_record friction_along_path() {
   return r;
 }
 
+/// Describes friction with bristles. In a joint with one axis, it acts along its coordinate.
+template <class Load, class On, auto normal>
+constexpr load_record friction_with_bristles() {
+  constexpr bool is_along_path = requires { On::path.what; };
+  load_record r;
+  if constexpr (is_along_path && names_of_bristles_on<On>().first.empty()) {
+    r.what = load_word::none;
+    r.called = type_name<Load>();
+    r.instead = "along a pathway without points, after which its bristles could be named";
+  } else if constexpr (is_along_path) {
+    r = friction_along_path<On, normal>();
+    r.states = bristles_on<On>;
+  } else {
+    const load_record in_joint = friction_along_axis<Load, On, normal>();
+    if constexpr (effort_of_joint<On>() == joint_effort::none) return in_joint;
+    r = friction_along_path<On, normal>();
+    r.states = bristles_on<On>;
+    r.point = in_joint.point, r.other_point = in_joint.other_point;
+    r.frame = in_joint.frame, r.other_frame = in_joint.other_frame;
+  }
+  return r;
+}
+
 template <class Load, class On, auto normal, class... Law>
 constexpr load_record record_friction() {
   load_record r;
@@ -39,7 +63,9 @@ constexpr load_record record_friction() {
     r.instead = "incomplete, because its last argument is not a law of friction";
     return r;
   } else {
-    if constexpr (requires { On::path.what; })
+    if constexpr ((law_with_bristles<Law> || ...))
+      r = friction_with_bristles<Load, On, normal>();
+    else if constexpr (requires { On::path.what; })
       r = friction_along_path<On, normal>();
     else
       r = friction_along_axis<Load, On, normal>();
@@ -58,7 +84,8 @@ constexpr load_record record_friction() {
 /// or the rate of the length of the pathway. In a joint, it is a torque or force about or along the axis on
 /// the child and, with opposite sign, on the parent. N is a normal force, for a torque times the radius at
 /// which it acts; with N = 1 the law gives the torque or force itself. `friction<Link2, N,
-/// coulomb_friction<mu, ws>>`
+/// coulomb_friction<mu, ws>>`; `dahl_friction` and `lugre_friction` bring the state variable
+/// `bristle_of<Link2>`.
 template <class On, auto normal, class... Law>
 struct friction : describe::load_words {
   static constexpr describe::load_record load = describe::record_friction<friction, On, normal, Law...>();

@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/text.hpp>
 #include <kanexpr/describe/body.hpp>
+#include <kanexpr/describe/letters_of_name.hpp>
 #include <kanexpr/describe/symbol.hpp>
 
 #include <cstddef>
@@ -14,28 +15,10 @@ namespace kanexpr {
 
 namespace describe {
 
-constexpr bool is_of_symbol_name(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-         static_cast<unsigned char>(c) >= 0x80;
-}
-
-/// Visits the letters of a type's name, with an underscore in place of each group of characters that are not
-/// allowed in a symbol's name: `Link<3>` becomes Link_3. A sign becomes a word: `Link<-3>` is Link_minus3.
+/// Visits the letters of a type's name that are allowed in a symbol's name.
 template <class Type, class Visit>
 constexpr void each_letter_of_name(Visit visit) {
-  bool is_first = true, gap = false, negative = false;
-  for (const char c : type_name<Type>()) {
-    if (!is_of_symbol_name(c)) {
-      negative = c == '-' && (gap || is_first);
-      gap = true;
-      continue;
-    }
-    if (gap && !is_first) visit('_');
-    if (negative)
-      for (const char letter : std::string_view("minus")) visit(letter);
-    is_first = gap = negative = false;
-    visit(c);
-  }
+  each_letter_of_name(type_name<Type>(), visit);
 }
 
 template <class Type>

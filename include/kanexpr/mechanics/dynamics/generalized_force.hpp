@@ -100,9 +100,15 @@ public:
 private:
   /// Lets loads use the rates of the state variables.
   constexpr void take_state_rates(const loads& given) {
-    const sequence<expression> rates = resolved_state_rates(m_, given.state_rates);
-    for (int i = 0; i < rates.size(); ++i)
-      acting_.replace(m_.speed_rates[given.state_rates[i].speed], known_.in(rates[i]));
+    sequence<state_rate> all;
+    for (const state_rate& each : given.state_rates)
+      if (!each.is_of_load()) all.push(each);
+    given.each_kind([&](const auto& loads_of_kind) {
+      for (const auto& load : loads_of_kind)
+        if constexpr (requires { load.add_state_rates(acting_, all); }) load.add_state_rates(acting_, all);
+    });
+    const sequence<expression> rates = resolved_state_rates(m_, all);
+    for (int i = 0; i < rates.size(); ++i) acting_.replace(m_.speed_rates[all[i].speed], known_.in(rates[i]));
   }
 
   constexpr components turn(const components& v, int from, int to) const {

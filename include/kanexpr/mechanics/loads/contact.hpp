@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sentence.hpp>
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/contact_geometry.hpp>
 #include <kanexpr/mechanics/loads/contact_law.hpp>
 #include <kanexpr/mechanics/loads/contact_shapes.hpp>
@@ -8,6 +9,7 @@
 #include <kanexpr/mechanics/loads/friction_law.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/load_units.hpp>
+#include <kanexpr/mechanics/loads/state_rate.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -50,12 +52,27 @@ struct contact {
     const expression normal_force = elastic * law.dissipation(approach);
     const expression pressing = how == conservative::by_energy ? normal_force - elastic : normal_force;
     components tangential(*s.model->g);
-    if (friction) {
+    if (friction.has_bristles()) {
+      const components tangent = slip - dot(at.normal, slip) * at.normal;
+      tangential = pull_bristles(on, at, move_bristles(on, normal_force, tangent));
+    } else if (friction) {
       const components tangent = slip - dot(at.normal, slip) * at.normal;
       tangential = -((normal_force * friction.known_in(on).over_slip(dot(tangent, tangent))) * tangent);
     }
     add_force(on, at, pressing * at.push, tangential);
     if (rolling) add_rolling_resistance(on, at, normal_force);
+  }
+
+  /// Appends the rates of the deflections of bristles.
+  constexpr void add_state_rates(force_system& on, sequence<state_rate>& all) const {
+    if (!friction.has_bristles()) return;
+    const mechanism& m = *on.skeleton_used().model;
+    const touching at = between.at(m);
+    const components slip = relative_velocity(on.moving(), at), across = dot(at.normal, slip) * at.normal;
+    const expression approach = -dot(at.push, slip), elastic = law.elastic_force(at.penetration);
+    const moving_bristles moving = move_bristles(on, elastic * law.dissipation(approach), slip - across);
+    for (int i = 0; i < moving.rates.size(); ++i)
+      all.push({m.speeds.find(friction.bristles.deflections[i]), moving.rates[i], {}});
   }
 
   constexpr expression potential_energy(const mechanism& m) const {
@@ -66,6 +83,27 @@ struct contact {
   constexpr void state_units(load_units& by, int) const;
 
 private:
+  /// The friction force of the bristles and their rates. In a plane of contact that turns, the deflection is
+  /// a vector of which only the part in this plane pulls: the slip has no other part, so that the power is
+  /// that of the whole deflection.
+  constexpr moving_bristles move_bristles(force_system& on, expression normal_force,
+                                          const components& slip) const {
+    sequence<expression> parts;
+    for (const components& t : between.directions_of_slip()) parts.push(dot(t, slip));
+    return friction.known_in(on).move_bristles(normal_force, parts);
+  }
+  constexpr components pull_bristles(force_system& on, const touching& at,
+                                     const moving_bristles& moving) const {
+    const mechanism& m = *on.skeleton_used().model;
+    const sequence<components> along = between.directions_of_slip();
+    components force(*m.g);
+    for (int i = 0; i < along.size(); ++i) {
+      force += moving.force[i] * along[i];
+      on.add_share(m.speeds.find(friction.bristles.deflections[i]), moving.rates[i]);
+    }
+    return between.has_plane() ? force : force - dot(at.normal, force) * at.normal;
+  }
+
   constexpr vector in_axes(const components& v) const {
     vector all;
     all.add(between.other, v);
@@ -126,9 +164,7 @@ constexpr void contact::check_with(load_check& by, int) const {
   if (origin != other)
     return by.fail({"the contact between ", names.view(), " has points measured from two origins, ",
                     by.point(origin), " and ", by.point(other), ", whose distance is not known"});
-  const bool has_plane =
-      between.shapes == contact_shapes::sphere_on_plane || between.shapes == contact_shapes::torus_on_plane;
-  if (has_plane && !is_fixed(between.normal))
+  if (between.has_plane() && !is_fixed(between.normal))
     return by.fail({"the normal of the contact between ", names.view(), " is not fixed in ",
                     by.frame(between.other), "; its components may contain only numbers and parameters"});
   if (between.shapes == contact_shapes::torus_on_plane && !is_fixed(between.axis))
@@ -148,7 +184,16 @@ constexpr void contact::check_with(load_check& by, int) const {
   constant(between.other_radius, "the second radius of the contact between ", false);
   constant(rolling.lever, "the lever of the rolling resistance between ", false);
   constant(rolling.angular_velocity, "the angular velocity of the rolling resistance between ", true);
-  friction.check_with(by, sentence({"the contact between ", names.view()}).view());
+  const sentence whose({"the contact between ", names.view()});
+  friction.check_with(by, whose.view());
+  if (!friction.has_bristles() || by.mistake()) return;
+  const int directions = between.directions_of_slip().size(), given = friction.bristles.deflections.size();
+  if (directions == 0)
+    return by.fail({whose.view(), " has bristles, whose directions do not follow from its normal; turn ",
+                    by.frame(between.other), " so that a component of the normal is zero"});
+  if (directions != given)
+    by.fail({whose.view(), " has ", several(given, "bristle").view(), ", expected ",
+             base::counted(directions).view()});
 }
 
 constexpr void contact::state_units(load_units& by, int) const {
@@ -174,6 +219,14 @@ constexpr void contact::state_units(load_units& by, int) const {
   state(friction.sticking, "the coefficient of static friction of the contact between ",
         units::dimensionless);
   state(friction.viscous, "the viscous coefficient of the contact between ", si::second / si::meter);
+  state(friction.bristles.stiffness, "the stiffness of the bristles of the contact between ",
+        units::dimensionless / si::meter);
+  state(friction.bristles.damping, "the damping of the bristles of the contact between ",
+        si::second / si::meter);
+  state(friction.bristles.stribeck_speed, "the Stribeck speed of the contact between ",
+        si::meter / si::second);
+  for (const expression& z : friction.bristles.deflections)
+    state(z, "the deflection of a bristle of the contact between ", si::meter * units::pow<1, 2>(si::newton));
   state(rolling.lever, "the lever of the rolling resistance between ", si::meter);
   state(rolling.angular_velocity, "the angular velocity of the rolling resistance between ",
         si::radian / si::second);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/contact_shapes.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -106,7 +107,46 @@ struct contact_geometry {
   /// moment about the center.
   constexpr bool is_round() const { return shapes != contact_shapes::torus_on_plane; }
 
+  /// Whether the second body is a plane, whose normal is fixed in it.
+  constexpr bool has_plane() const {
+    return shapes == contact_shapes::sphere_on_plane || shapes == contact_shapes::torus_on_plane;
+  }
+
+  /// Unit vectors, in the axes of the second body, whose span contains the slip: two tangents of a plane, or
+  /// the three axes if the plane of contact turns. None if all components of the normal differ from zero and
+  /// depend on parameters, because no axis is then known to be across the normal.
+  constexpr sequence<components> directions_of_slip() const {
+    if (!has_plane()) return {axis_of_other(0), axis_of_other(1), axis_of_other(2)};
+    for (int i = 0; i < 3; ++i) {
+      const int next = (i + 1) % 3, last = (i + 2) % 3;
+      if (normal[i].is_zero() || !(normal[next].is_zero() || normal[last].is_zero())) continue;
+      const components across = axis_of_other(normal[next].is_zero() ? next : last);
+      return {across, cross(normal, across)};
+    }
+    if (!normal.is_constant()) return {};
+    const components closest = axis_of_other(least_component_of_normal());
+    const components across = closest - dot(normal, closest) * normal, tangent = scaled_to_one(across);
+    return {tangent, cross(normal, tangent)};
+  }
+
 private:
+  constexpr components axis_of_other(int i) const {
+    components e(radius.owner());
+    e[i] = expression{radius.owner(), graph::one};
+    return e;
+  }
+  static constexpr components scaled_to_one(const components& v) { return (1 / sqrt(dot(v, v))) * v; }
+
+  constexpr int least_component_of_normal() const {
+    int least = 0;
+    double size = 2;
+    for (int i = 0; i < 3; ++i) {
+      const double n = normal[i].owner().number_at(normal[i].node()).value();
+      if (n * n < size) least = i, size = n * n;
+    }
+    return least;
+  }
+
   /// The distance of a point from a surface is φ/|∇φ| to the first order. The elastic force is the derivative
   /// of this, so that it has a potential energy; on the surface itself, it is along the normal ∇φ/|∇φ|.
   constexpr void approach_surface(touching& t) const {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/loads/bristles.hpp>
 #include <kanexpr/mechanics/loads/force_system.hpp>
 #include <kanexpr/mechanics/loads/friction_kind.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/composed.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/functions.hpp>
@@ -37,12 +40,15 @@ constexpr expression tanh_over_root(expression z) {
 /// - Stribeck, after Brown & McPhee (2016), doi 10.1115/1.4033658: μ(v) = μ_d tanh(4 v/v_t) + (μ_s − μ_d)
 ///   (v/v_t)/((v/(2v_t))² + ¾)² + c v. The static coefficient μ_s is reached at the slip speed v_t.
 /// - viscous: μ(v) = c v.
+/// - bristles: those of Dahl, with a constant coefficient, or of LuGre, with μ(v) = μ_c + (μ_s − μ_c)
+///   exp(−(v/v_s)²) and the further force −N c v. The slip speed is that over which |v| is smoothed.
 struct friction_law {
   friction_kind kind = friction_kind::frictionless;
-  expression sliding{};    ///< μ or μ_d
+  expression sliding{};    ///< μ, μ_d or μ_c
   expression sticking{};   ///< μ_s
   expression slip_speed{}; ///< vₛ or v_t
   expression viscous{};    ///< c
+  mechanics::bristles bristles{};
 
   static constexpr friction_law coulomb(expression mu, expression slip_speed) {
     return {friction_kind::coulomb, mu, {}, slip_speed, {}};
@@ -55,26 +61,65 @@ struct friction_law {
     return {friction_kind::viscous, {}, {}, {}, viscous};
   }
 
+  /// Dahl's law, with one state variable for each direction of slip: 1 in a joint or along a pathway, 2 in a
+  /// contact with a plane, 3 in any other.
+  static constexpr friction_law dahl(expression mu, expression stiffness, expression slip_speed,
+                                     const sequence<expression>& deflections) {
+    return {friction_kind::bristles, mu, {}, slip_speed, {}, {stiffness, {}, {}, deflections}};
+  }
+  /// The law of LuGre.
+  static constexpr friction_law lugre(expression mu_static, expression mu_sliding, expression stribeck_speed,
+                                      expression stiffness, expression damping, expression viscous,
+                                      const sequence<expression>& deflections) {
+    friction_law law{friction_kind::bristles,
+                     mu_sliding,
+                     mu_static,
+                     {},
+                     viscous,
+                     {stiffness, damping, stribeck_speed, deflections}};
+    law.take_slip_speed({});
+    return law;
+  }
+
   /// The same law with the rates of the coordinates replaced by speeds.
   constexpr friction_law known_in(force_system& on) const {
     const auto known = [&](expression e) { return e.is_given() ? on.known(e) : e; };
     friction_law law{kind};
     law.sliding = known(sliding), law.sticking = known(sticking);
     law.slip_speed = slip_speed, law.viscous = known(viscous);
+    law.bristles = bristles;
     return law;
   }
 
   constexpr bool needs_slip_speed() const {
-    const bool is_dry = kind == friction_kind::coulomb || kind == friction_kind::stribeck;
+    const bool is_dry = kind != friction_kind::frictionless && kind != friction_kind::viscous;
     return is_dry && !slip_speed.is_given();
   }
+  /// Takes the slip speed of a law that omits it. The default of LuGre's law is 1/1000 of its Stribeck speed.
+  constexpr void take_slip_speed(expression by_default) {
+    if (!needs_slip_speed()) return;
+    slip_speed = bristles.stribeck_speed.is_given() ? bristles.stribeck_speed / 1000 : by_default;
+  }
+  constexpr bool has_bristles() const { return kind == friction_kind::bristles; }
   constexpr explicit operator bool() const { return kind != friction_kind::frictionless; }
 
-  /// μ(v) of a scalar slip velocity.
+  /// The friction force of bristles, for each direction of slip, and the rates of their deflections.
+  constexpr moving_bristles move_bristles(expression normal_force, const sequence<expression>& slip) const {
+    expression squared = slip[0] * slip[0];
+    for (int i = 1; i < slip.size(); ++i) squared += slip[i] * slip[i];
+    moving_bristles all = bristles.under(normal_force, slip, slip_speed, coefficient_of_bristles(squared));
+    if (!viscous.is_given() || viscous.is_zero()) return all;
+    const expression resistance = normal_force * viscous;
+    for (int i = 0; i < slip.size(); ++i) all.force[i] -= resistance * slip[i];
+    return all;
+  }
+
+  /// μ(v) of a scalar slip velocity; for bristles, that of steady slip, smoothed as Coulomb's law is.
   constexpr expression coefficient(expression slip) const {
     switch (kind) {
     case friction_kind::frictionless: break;
     case friction_kind::viscous: return viscous * slip;
+    case friction_kind::bristles: return over_slip(slip * slip) * slip;
     case friction_kind::coulomb: return sliding * (slip / smoothed(slip * slip));
     case friction_kind::stribeck: {
       const expression relative = slip / slip_speed;
@@ -91,6 +136,10 @@ struct friction_law {
     switch (kind) {
     case friction_kind::frictionless: break;
     case friction_kind::viscous: return viscous;
+    case friction_kind::bristles: {
+      const expression dry = coefficient_of_bristles(squared_slip) / smoothed(squared_slip);
+      return viscous.is_given() ? dry + viscous : dry;
+    }
     case friction_kind::coulomb: return sliding / smoothed(squared_slip);
     case friction_kind::stribeck: {
       const expression relative = squared_slip / (slip_speed * slip_speed);
@@ -108,12 +157,41 @@ struct friction_law {
     part(sliding, "the coefficient of friction of ");
     part(sticking, "the coefficient of static friction of ");
     part(viscous, "the viscous coefficient of ");
+    if (has_bristles()) check_bristles(by, whose);
     if (!slip_speed.is_given()) return;
     by.check_constant(slip_speed, "the slip speed of ", whose);
     by.check_positive(slip_speed, "the slip speed of ", whose);
   }
 
 private:
+  constexpr void check_bristles(load_check& by, std::string_view whose) const {
+    const mechanism& m = by.mechanism_used();
+    for (const expression& z : bristles.deflections)
+      if (m.speeds.find(z) < m.speeds_of_motion())
+        return by.fail({"a bristle of ", whose, " is not a state variable"});
+    const auto constant = [&](expression e, std::string_view name, bool is_positive) {
+      if (!e.is_given()) return;
+      by.check_constant(e, name, whose);
+      if (is_positive) by.check_positive(e, name, whose);
+    };
+    constant(bristles.stiffness, "the stiffness of the bristles of ", true);
+    constant(bristles.stribeck_speed, "the Stribeck speed of ", true);
+    constant(bristles.damping, "the damping of the bristles of ", false);
+    by.check_positive(sliding, "the coefficient of friction of ", whose);
+    if (sticking.is_given()) by.check_positive(sticking, "the coefficient of static friction of ", whose);
+    if (bristles.damping.is_given() && bristles.damping.is_constant() &&
+        bristles.damping.owner().number_at(bristles.damping.node()).value() < 0)
+      by.fail({"the damping of the bristles of ", whose, " is negative"});
+  }
+
+  /// μ_c + (μ_s − μ_c) exp(−(v/v_s)²)
+  constexpr expression coefficient_of_bristles(expression squared_slip) const {
+    if (!bristles.stribeck_speed.is_given()) return sliding;
+    const expression square = bristles.stribeck_speed * bristles.stribeck_speed;
+    const expression fading = exp(-(squared_slip / square)), excess = sticking - sliding;
+    return sliding + excess * fading;
+  }
+
   constexpr expression smoothed(expression squared_slip) const {
     return sqrt(squared_slip + slip_speed * slip_speed);
   }

@@ -4,11 +4,14 @@
 #include <kanexpr/mechanics/loads/bushing.hpp>
 #include <kanexpr/mechanics/loads/contact.hpp>
 #include <kanexpr/mechanics/loads/force_and_torque.hpp>
+#include <kanexpr/mechanics/loads/friction_law.hpp>
 #include <kanexpr/mechanics/loads/given_potential_energy.hpp>
 #include <kanexpr/mechanics/loads/modal_damping.hpp>
 #include <kanexpr/mechanics/loads/path_load.hpp>
 #include <kanexpr/mechanics/loads/spring_damper.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
+#include <kanexpr/mechanics/loads/tyre.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
@@ -26,18 +29,26 @@ struct loads {
   sequence<path_load> path_loads{};
   sequence<bushing> bushings{};
   sequence<contact> contacts{};
+  sequence<tyre> tyres{};
   sequence<state_rate> state_rates{};
   bool has_gravity = false;
   vector gravity{}; ///< free-fall acceleration, applied to every body
   bool has_lagrangian = false;
   expression lagrangian{}; ///< replaces the energies of the bodies
 
+  template <class Self, class Visit>
+  static constexpr void each_member(Self& self, Visit&& visit) {
+    visit(self.forces, self.torques, self.spring_dampers, self.torsional_dampers, self.potential_energies,
+          self.modal_dampings, self.path_loads, self.bushings, self.contacts, self.tyres, self.state_rates,
+          self.has_gravity, self.gravity, self.has_lagrangian, self.lagrangian);
+  }
+
   /// Calls `visit` with the list of each kind of loads.
   template <class Visit>
   constexpr void each_kind(Visit&& visit) const {
     const auto visit_all = [&](const auto&... kinds) { (visit(kinds), ...); };
     visit_all(forces, torques, spring_dampers, torsional_dampers, potential_energies, modal_dampings,
-              path_loads, bushings, contacts, state_rates);
+              path_loads, bushings, contacts, tyres, state_rates);
   }
   /// Calls `visit` for each load except gravity, with the load and its index among the loads of its kind.
   template <class Visit>
@@ -47,5 +58,11 @@ struct loads {
     });
   }
 };
+
+/// Adds the state variables of a law of friction with bristles; the load to which it belongs gives their
+/// rates.
+constexpr void add_bristles(const mechanism& m, loads& to, const friction_law& law) {
+  for (const expression& z : law.bristles.deflections) to.state_rates.push({m.speeds.find(z), {}, {}});
+}
 
 } // namespace kanexpr::mechanics

@@ -8,6 +8,7 @@
 #include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/loads/one_sided.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
+#include <kanexpr/mechanics/loads/state_rate.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/units/possible_unit.hpp>
@@ -37,7 +38,17 @@ struct path_load {
   constexpr void act(force_system& on, conservative how) const {
     if (how == conservative::by_energy && law == tension_law::spring) return;
     const taut_pathway taut(along, on.skeleton_used());
-    taut.pull(on, tension(on, taut, how));
+    if (!friction.has_bristles()) return taut.pull(on, tension(on, taut, how));
+    const moving_bristles moving = move_bristles(on, taut);
+    taut.pull(on, -moving.force[0]);
+    on.add_share(place_of_bristle(*on.skeleton_used().model), moving.rates[0]);
+  }
+
+  /// Appends the rate of the deflection of bristles.
+  constexpr void add_state_rates(force_system& on, sequence<state_rate>& all) const {
+    if (!friction.has_bristles()) return;
+    const moving_bristles moving = move_bristles(on, taut_pathway(along, on.skeleton_used()));
+    all.push({place_of_bristle(*on.skeleton_used().model), moving.rates[0], {}});
   }
 
   constexpr expression potential_energy(const mechanism& m) const {
@@ -99,7 +110,9 @@ struct path_load {
       expect(1, "the cubic stiffness of the ", force / units::pow<3>(length));
       return expect(2, "the natural length of the ", length);
     case tension_law::damper: return expect(0, "the damping of the ", force * si::second / length);
-    case tension_law::friction: return state_units_of_friction(by, whose.view(), force, length / si::second);
+    case tension_law::friction:
+      if (friction.has_bristles()) state_units_of_bristles(by, whose.view(), force, length);
+      return state_units_of_friction(by, whose.view(), force, length / si::second);
     case tension_law::stop:
       expect(0, "the least length of the ", length);
       expect(1, "the greatest length of the ", length);
@@ -110,6 +123,32 @@ struct path_load {
   }
 
 private:
+  constexpr moving_bristles move_bristles(force_system& on, const taut_pathway& taut) const {
+    return friction.known_in(on).move_bristles(on.known(terms[0]), {taut.rate(on.moving())});
+  }
+  constexpr int place_of_bristle(const mechanism& m) const {
+    return m.speeds.find(friction.bristles.deflections[0]);
+  }
+
+  constexpr void state_units_of_bristles(load_units& by, std::string_view whose, const units::unit& force,
+                                         const units::unit& length) const {
+    const bristles& b = friction.bristles;
+    const auto state = [&](expression e, std::string_view what, const units::unit& u) {
+      by.describe({what, whose});
+      if (e.is_given()) by.expect(e, u);
+    };
+    state(terms[0] * b.stiffness, "the stiffness of the bristles of the ", force / length);
+    if (b.damping.is_given())
+      state(terms[0] * b.damping, "the damping of the bristles of the ", force * units::si::second / length);
+    state(b.stribeck_speed, "the Stribeck speed of the ", length / units::si::second);
+    by.describe({"the normal force of the ", whose});
+    const units::possible_unit normal = by.unit_of(terms[0]);
+    if (bristles::are_deflections(terms[0]))
+      state(b.deflections[0], "the deflection of the ", length);
+    else if (normal)
+      state(b.deflections[0], "the deflection of the ", length * units::pow<1, 2>(*normal));
+  }
+
   constexpr void state_units_of_friction(load_units& by, std::string_view whose, const units::unit& force,
                                          const units::unit& speed) const {
     const auto state = [&](expression e, std::string_view what, const units::unit& u) {

@@ -19,19 +19,28 @@ namespace kanexpr::mechanics {
 
 /// The rate ż = f of a state variable, as the generalized force f of a speed with the mass 1. This
 /// corresponds to the term ½ ż² in the energy of acceleration S of the Gibbs–Appell equations, ∂S/∂u̇_r = F_r.
+///
+/// The rate is not given if it belongs to a load that depends on motion, such as a tyre, which adds f itself
+/// and has the function `add_state_rates`.
 struct state_rate {
   int speed = none;      ///< the place of the state variable among the speeds
   expression rate{};     ///< f
   expression equation{}; ///< the difference of the sides of the equation from which f was found
 
-  constexpr void act(force_system& on, conservative) const { on.add_share(speed, on.known(rate)); }
+  constexpr bool is_of_load() const { return !rate.is_given(); }
+
+  constexpr void act(force_system& on, conservative) const {
+    if (!is_of_load()) on.add_share(speed, on.known(rate));
+  }
 
   constexpr void check_with(load_check& by, int) const {
+    if (is_of_load()) return;
     const mechanism& m = by.mechanism_used();
     by.check_no_speed_rates(rate, "the rate of state variable ", called(m, m.speeds[speed]));
   }
 
   constexpr void state_units(load_units& by, int) const {
+    if (is_of_load()) return;
     const mechanism& m = by.mechanism_used();
     by.describe({"the dynamics of state variable ", called(m, m.speeds[speed])});
     by.expect_equation(equation);
@@ -77,8 +86,8 @@ constexpr sequence<expression> resolved_state_rates(const mechanism& m, const se
 }
 
 /// Reports a state variable without a rate or with two, and rates that depend on each other; empty if there
-/// is none.
-constexpr sentence check_state_rates(const mechanism& m, const sequence<state_rate>& given) {
+/// is none. The rates of loads do not contain other rates.
+constexpr sentence check_state_rates(const mechanism& m, sequence<state_rate> given) {
   for (int i = m.speeds_of_motion(); i < m.speeds.size(); ++i) {
     int rates = 0;
     for (const state_rate& each : given) rates += each.speed == i ? 1 : 0;
@@ -87,6 +96,8 @@ constexpr sentence check_state_rates(const mechanism& m, const sequence<state_ra
                      rates == 0 ? " has no dynamics" : " has two dynamics",
                      "; write one equation, dynamics<dot(", called(m, m.speeds[i]), ") == rate>"});
   }
+  for (state_rate& each : given)
+    if (each.is_of_load()) each.rate = m.zero();
   const sequence<expression> rates = resolved_state_rates(m, given);
   const contents held(*m.g);
   for (int i = 0; i < rates.size(); ++i)

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/loads/brush_tyre.hpp>
+#include <kanexpr/mechanics/loads/linear_tyre.hpp>
+#include <kanexpr/mechanics/loads/magic_formula.hpp>
+#include <kanexpr/mechanics/loads/magic_formula_coefficients.hpp>
+#include <kanexpr/mechanics/loads/tyre_model.hpp>
+#include <kanexpr/mechanics/loads/tyre_slip.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/units/si.hpp>
+#include <kanexpr/units/unit.hpp>
+
+namespace kanexpr::mechanics {
+
+/// The forces of a tyre as a function of its slip; only the part of the given model is used.
+struct tyre_law {
+  using coefficients = magic_formula_coefficients<symbolic::expression>;
+
+  tyre_model model{};
+  linear_tyre linear{};
+  brush_tyre brush{};
+  base::sequence<coefficients> formula{}; ///< one, or none
+
+  /// Whether the slip is the theoretical one, Pacejka (2012), equation 3.4.
+  constexpr bool is_by_rolling_speed() const { return model == tyre_model::brush; }
+  constexpr bool needs_load() const { return model != tyre_model::linear; }
+
+  constexpr tyre_effort at(const tyre_slip& s) const {
+    switch (model) {
+    case tyre_model::linear: return linear.at(s);
+    case tyre_model::brush: return brush.at(s);
+    case tyre_model::magic_formula: return magic_formula(formula[0], s).effort();
+    }
+    __builtin_unreachable();
+  }
+
+  /// Calls `visit` for each value of the law, with its name and its unit.
+  template <class Self, class Visit>
+  static constexpr void each_value(Self& self, const Visit& visit) {
+    namespace si = units::si;
+    if (self.model == tyre_model::magic_formula) return each_coefficient(self.formula[0], visit);
+    const auto elastic = [&](auto& law) {
+      visit(law.slip_stiffness, "the slip stiffness of ", si::newton);
+      visit(law.cornering_stiffness, "the cornering stiffness of ", si::newton);
+      visit(law.camber_stiffness, "the camber stiffness of ", si::newton);
+      visit(law.trail, "the pneumatic trail of ", si::meter);
+    };
+    if (self.model == tyre_model::linear) return elastic(self.linear);
+    visit(self.brush.friction, "the coefficient of friction of ", units::dimensionless);
+    elastic(self.brush);
+  }
+
+private:
+  template <class Coefficients, class Visit>
+  static constexpr void each_coefficient(Coefficients& c, const Visit& visit) {
+    namespace si = units::si;
+    const auto number = [&](auto& each) { visit(each, "a coefficient of ", units::dimensionless); };
+    coefficients::each_coefficient(c, [&](auto& load, auto& radius, auto& speed, auto&... others) {
+      visit(load, "the nominal load Fz0 of ", si::newton);
+      visit(radius, "the unloaded radius R0 of ", si::meter);
+      visit(speed, "the reference velocity V0 of ", si::meter / si::second);
+      (number(others), ...);
+    });
+    coefficients::each_factor(c, [&](auto& pressure, auto& nominal, auto&... others) {
+      visit(pressure, "the pressure of ", si::pascal);
+      visit(nominal, "the nominal pressure of ", si::pascal);
+      (number(others), ...);
+    });
+  }
+};
+
+} // namespace kanexpr::mechanics
