@@ -18,8 +18,9 @@ PAGES = [
      "describe/joints/joints.hpp describe/joints/lower_pairs.hpp describe/joints/*.hpp compiled/reactions.hpp"),
     ("beams", "Beams", "Bodies that bend, twist and stretch, and places on them.",
      "describe/beams/beam.hpp describe/beams/section.hpp describe/beams/deformations.hpp describe/beams/shapes.hpp"),
-    ("blocks", "Blocks", "Filters, delays and controllers with state variables of their own, and DC motors.",
-     "describe/blocks/lag.hpp describe/blocks/delay.hpp describe/blocks/pid.hpp describe/blocks/dc_motor.hpp describe/blocks/*.hpp"),
+    ("blocks", "Blocks", "Filters, delays and controllers with state variables of their own, DC motors and muscles.",
+     "describe/blocks/lag.hpp describe/blocks/delay.hpp describe/blocks/pid.hpp describe/blocks/dc_motor.hpp describe/blocks/*.hpp mechanics/loads/muscle_parameters.hpp "
+     "mechanics/loads/muscle_equilibrium.hpp"),
     ("loads", "Forces and torques", "Forces, torques, springs, dampers and gravity; loads along pathways.",
      "describe/load.hpp describe/pathway.hpp describe/path_load.hpp"),
     ("contact", "Contact and friction", "Contacts between bodies, and laws of friction.",

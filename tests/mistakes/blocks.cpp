@@ -13,14 +13,14 @@ void f() { use<System>(); }
 
 // expect: block C lacks an argument; write pid<Self, deviation, kp, ki, kd, Td>
 namespace k2 {
-struct C : pid<C, q, 1, 2> {};
+struct C : pid<C, q, 1, 2, 3> {};
 struct System : moved<blocks<C>> {};
 void f() { use<System>(); }
 } // namespace k2
 
 // expect: block C lacks an argument; write pid<Self, deviation, kp, ki, kd, Td, least, greatest, Tt>
 namespace k3 {
-struct C : pid<C, q, 1, 2, 3, 4, 5> {};
+struct C : pid<C, q, 1, 2, 3, 4, 5, 6> {};
 struct System : moved<blocks<C>> {};
 void f() { use<System>(); }
 } // namespace k3

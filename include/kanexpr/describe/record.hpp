@@ -237,6 +237,7 @@ struct body_record : entity_record {
 
 struct friction_record;
 struct contact_record;
+struct muscle_record;
 struct tyre_record;
 
 /// How the values of a load are interpreted; the enumerators are in load.hpp.
@@ -267,6 +268,7 @@ struct load_record {
   phrase known_by{}; ///< the expression that identifies it, if points or frames do not
   const friction_record* friction = nullptr;       ///< the law of a friction in a joint
   const contact_record* contact = nullptr;         ///< null if it is not a contact
+  const muscle_record* muscle = nullptr;           ///< null if it is not a muscle
   const tyre_record* tyre = nullptr;               ///< null if it is not a tyre
   const coefficient_record* coefficient = nullptr; ///< of a force
   listing<phrase> states{}, dynamics{};            ///< its state variables, and the equations for their rates

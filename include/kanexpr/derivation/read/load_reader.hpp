@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derivation/read/contact_reader.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
+#include <kanexpr/derivation/read/muscle_reader.hpp>
 #include <kanexpr/derivation/read/path_reader.hpp>
 #include <kanexpr/derivation/read/tyre_reader.hpp>
 #include <kanexpr/describe/load.hpp>
@@ -155,6 +156,7 @@ private:
     }
     case load_word::friction: return evaluate_friction(r, whom.view());
     case load_word::contact: return evaluate_contact(r, whom.view());
+    case load_word::muscle: return muscle_reader(*this).read(r, whom.view());
     case load_word::tyre: return tyres_.read(*r.tyre, whom.view());
     case load_word::none:
       if (r.unparsed) return reading_.fail_by_unparsed(r.called, "loads<...>");

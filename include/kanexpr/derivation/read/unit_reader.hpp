@@ -105,6 +105,7 @@ private:
     case load_word::bushing:
     case load_word::friction:
     case load_word::contact:
+    case load_word::muscle:
     case load_word::tyre: return units_.fail(); // their laws are read by other readers
     case load_word::none: return;
     }

@@ -16,6 +16,27 @@ inline constexpr describe::state_variable_of<"heat", Joint> heating_of{};
 
 namespace describe {
 
+/// R = R_0 (1 + α θ).
+template <class Resistance, class Coefficient, class Heating>
+constexpr auto warm_resistance(const Resistance& cold, const Coefficient& alpha, const Heating& heating) {
+  return cold * (1.0 + alpha * heating);
+}
+/// L di/dt = V − R i − k n u.
+template <class Voltage, class Resistance, class Current, class Induced>
+constexpr auto inductive_voltage(const Voltage& voltage, const Resistance& resistance, const Current& current,
+                                 const Induced& induced) {
+  const auto dropped = resistance * current;
+  return voltage - dropped - induced;
+}
+/// C dθ/dt = R i² − θ/R_th.
+template <class Resistance, class Current, class Heating, class Thermal>
+constexpr auto heat_flow(const Resistance& resistance, const Current& current, const Heating& heating,
+                         const Thermal& thermal_resistance) {
+  const auto lost = resistance * current * current;
+  const auto conducted = heating / thermal_resistance;
+  return lost - conducted;
+}
+
 /// A permanent-magnet DC motor with the current i, whose rotor turns n times as fast as the joint:
 ///
 ///     L di/dt = V − R i − k n u,   torque n k i − n² (b u + J du/dt),
@@ -41,7 +62,7 @@ struct dc_motor_law {
   }
   static constexpr auto resistance() {
     if constexpr (is_heated)
-      return argument<1> * (1.0 + argument<7> * heat);
+      return warm_resistance(argument<1>, argument<7>, heat);
     else
       return argument<1>;
   }
@@ -58,8 +79,8 @@ struct dc_motor_law {
       return ratio() * argument<3> * i;
   }
   static constexpr auto electrical =
-      argument<2> * dot(i) == argument<0> - resistance() * i - voltage_of_rotor();
-  static constexpr auto thermal = argument<8> * dot(heat) == resistance() * i * i - heat / argument<9>;
+      argument<2> * dot(i) == inductive_voltage(argument<0>, resistance(), i, voltage_of_rotor());
+  static constexpr auto thermal = argument<8> * dot(heat) == heat_flow(resistance(), i, heat, argument<9>);
 
   static constexpr auto inertia = argument<6>;
   static constexpr auto gear = ratio();

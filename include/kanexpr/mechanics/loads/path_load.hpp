@@ -72,7 +72,7 @@ struct path_load {
     if (const sentence found = along.find_mistake(by.mechanism_used(), called()))
       return by.fail({found.view()});
     const sentence place = along.place(by), whose({called(), " ", place.view()});
-    check_pathway(by, whose.view());
+    along.check_with(by, whose.view());
     switch (law) {
     case tension_law::given: return by.check_no_speed_rates(terms[0], "the ", whose.view());
     case tension_law::damper: return by.check_no_speed_rates(terms[0], "the damping of the ", whose.view());
@@ -98,7 +98,7 @@ struct path_load {
       length = *found;
       force = length == si::radian ? si::newton * si::meter : si::joule / length;
     }
-    state_units_of_pathway(by, whose.view());
+    along.state_units(by, whose.view());
     const auto expect = [&](int term, std::string_view what, const units::unit& u) {
       by.describe({what, whose.view()});
       by.expect(terms[term], u);
@@ -212,21 +212,6 @@ private:
     const expression at_most = one_sided_energy(length - terms[1], terms[4]),
                      at_least = one_sided_energy(terms[0] - length, terms[4]);
     return terms[2] * (at_most + at_least);
-  }
-
-  constexpr void check_pathway(load_check& by, std::string_view whose) const {
-    if (along.form == pathway_form::given_length)
-      by.check_no_rates(along.length, "the length of the ", whose);
-    if (along.is_around_surface()) by.check_constant(along.surface.size, "the surface of the ", whose);
-    if (along.is_around_surface() && is_not_positive(along.surface.size))
-      by.fail({"the surface of the ", whose, " has no positive ",
-               along.form == pathway_form::around_cone ? "angle" : "radius"});
-  }
-  constexpr void state_units_of_pathway(load_units& by, std::string_view whose) const {
-    if (!along.is_around_surface()) return;
-    by.describe({"the surface of the ", whose});
-    by.expect(along.surface.size,
-              along.form == pathway_form::around_cone ? units::si::radian : units::si::meter);
   }
 
   constexpr void check_stop(load_check& by, std::string_view whose) const {
