@@ -120,8 +120,15 @@ private:
     const expression inertia =
         phrases_.scalar_of(rotor[0], {"the rotor inertia of joint ", r.called}, r.called);
     expression angle = phrases_.scalar_of(r.coordinates[0], {"the coordinate of joint ", r.called}, r.called);
-    if (has_gear_ratio)
-      angle = phrases_.scalar_of(rotor[1], {"the gear ratio of joint ", r.called}, r.called) * angle;
+    if (has_gear_ratio) {
+      const expression ratio = phrases_.scalar_of(rotor[1], {"the gear ratio of joint ", r.called}, r.called);
+      if (reading_.mistake) return false;
+      if (!mechanics::is_fixed(ratio)) {
+        reading_.fail({"the gear ratio of joint ", r.called, " changes; it may contain only parameters"});
+        return false;
+      }
+      angle = ratio * angle;
+    }
     if (reading_.mistake) return false;
     const int point = entities_.point(r.parent_point, r.called);
     if (inertia.is_zero() || angle.is_zero()) return false;

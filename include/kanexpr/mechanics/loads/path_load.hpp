@@ -130,7 +130,7 @@ private:
     return m.speeds.find(friction.bristles.deflections[0]);
   }
 
-  /// States the unit of a value that the normal force multiplies.
+  /// States the unit of a value that the normal force multiplies. A number is in SI units.
   constexpr void state_unit_by_load(load_units& by, std::string_view what, std::string_view whose,
                                     expression value, const units::unit& of_product) const {
     if (!value.is_given()) return;
@@ -139,7 +139,7 @@ private:
     by.describe({what, whose});
     if (normal)
       by.expect(value, of_product / *normal);
-    else
+    else if (!value.is_constant())
       by.expect(terms[0] * value, of_product);
   }
 
