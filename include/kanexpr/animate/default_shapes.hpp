@@ -8,6 +8,7 @@
 #include <kanexpr/animate/rigid_parts.hpp>
 #include <kanexpr/figures/geometry.hpp>
 #include <kanexpr/figures/outlines.hpp>
+#include <kanexpr/mechanics/loads/muscle.hpp>
 #include <kanexpr/mechanics/loads/path_load.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -360,19 +361,21 @@ inline void default_shapes::add_springs() {
   }
 }
 
-/// Cables are drawn once, whatever acts along them; those around surfaces are not drawn.
+/// Cables and muscles are drawn once, whatever acts along them; those around surfaces are not drawn.
 inline void default_shapes::add_pathways() {
   std::set<std::pair<int, int>> drawn;
-  for (const mechanics::path_load& each : system_.loads.path_loads) {
-    if (each.along.form != mechanics::pathway_form::through_points) continue;
-    const auto& points = each.along.points;
+  const auto draw = [&](const mechanics::pathway& along) {
+    if (along.form != mechanics::pathway_form::through_points) return;
+    const auto& points = along.points;
     for (int i = 1; i < points.size(); ++i) {
       const std::pair<int, int> ends = std::minmax(points[i - 1], points[i]);
       if (!drawn.insert(ends).second) continue;
       add_between("cable from " + name_of_point(points[i - 1]) + " to " + name_of_point(points[i]), "rod",
                   std::string(of_springs), {0.012 * length_}, points[i - 1], points[i]);
     }
-  }
+  };
+  for (const mechanics::path_load& each : system_.loads.path_loads) draw(each.along);
+  for (const mechanics::muscle& each : system_.loads.muscles) draw(each.along);
 }
 
 /// The least height of the shapes along the motion.
