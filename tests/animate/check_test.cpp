@@ -111,6 +111,31 @@ TEST(picture_check, wants_curves_through_two_places) {
       "point Z is attached to the origin Z, but P to the origin O; the displacement between them is unknown");
 }
 
+TEST(picture_check, wants_pathways_with_a_place) {
+  EXPECT_EQ((told<upright, show<cable<l / 50, through<O, P, O>>>, show<cable<l / 50, straight<O, P>>>,
+                  show<cable<0.1, around_cylinder<A, O, A::z, l, O, on_surface<P>, wrapping::clockwise>>>,
+                  show<cable<0.1, around_sphere<O, 0.1, P, P>>>>()),
+            "");
+  EXPECT_EQ((told<upright, show<cable<0.1, given_length<2 * q>>>>()),
+            "the picture shows a cable along a pathway of which only the length is given; it has no place");
+  EXPECT_EQ((told<upright, show<cable<0.1, through<O, P>>>>()),
+            "the pathway of the cable from O to P lacks a point; write through<Point, Via, ..., Other>");
+  EXPECT_EQ((told<upright, show<cable<0.1, straight<O, P, O>>>>()),
+            "the pathway of the cable from O to O has too many points; write straight<Point, Other>");
+  EXPECT_EQ(
+      (told<upright, show<cable<q, straight<O, P>>>>()),
+      "the radius of the cable from O to P contains the coordinate q; it may depend only on parameters");
+  EXPECT_EQ(
+      (told<upright, show<cable<0.1, around_cone<A, O, A::z, q, O, P, wrapping::clockwise>>>>()),
+      "the size of the surface of the cable from O to P contains the coordinate q; it may depend only on "
+      "parameters");
+  EXPECT_EQ((told<upright, show<cable<0.1, around_cone<A, O, l, 0.2, O, P, wrapping::clockwise>>>>()),
+            "the axis of the surface of the cable from O to P is a scalar; it must be a vector");
+  EXPECT_EQ(
+      (told<upright, show<cable<0.1, around_sphere<Z, 1, O, P>>>>()),
+      "point Z is attached to the origin Z, but O to the origin O; the displacement between them is unknown");
+}
+
 TEST(picture_check, wants_profiles) {
   EXPECT_EQ((told<upright, show<sweep<A, at_pivot, at_bob>>>()),
             "the profile of a sweep is A; it must be a profile such as circle<radius>");

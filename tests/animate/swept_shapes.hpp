@@ -49,6 +49,7 @@ struct swept_shapes {
     add("sweep", "i_section", {0.2, 0.1, 0.02}, 9, 0, 2 * 0.2 * 0.02 + 0.06 * 0.02, false);
     add("sweep", "airfoil", {0.3, 0.05}, 9, 0, 0.3 * 0.05 * of_airfoil, false);
     expected.back()["unevenness"] = 0.005; // a polygon with 40 corners
+    add_taut();
     animation.times = {0, 1, 2};
     animation.up = Eigen::Vector3d::UnitZ();
   }
@@ -77,6 +78,28 @@ private:
     }
     animation.shapes.push_back(std::move(s));
     expected.push_back(one);
+  }
+
+  /// A cable with a corner: two straight parts, a quarter of a circle, and another straight part.
+  void add_taut() {
+    using Eigen::Vector3d;
+    kanexpr::animation::shape s{.name = "taut cable", .kind = "cable", .profile = "circle", .sizes = {0.02}};
+    std::vector<Vector3d> places{{0, 0, 1}, {0, 0, 0}, {1, 0, 0}};
+    for (int i = 1; i <= 4; ++i) {
+      const double turned = i * std::numbers::pi / 8;
+      places.emplace_back(1 + 0.5 * std::sin(turned), 0, 0.5 * (1 - std::cos(turned)));
+    }
+    places.emplace_back(1.5, 0, 1.5);
+    s.places = places.size(), s.straight_parts = {0, 1, 6};
+    for (std::size_t k = 0; k < std::size(angles_of_arcs); ++k)
+      for (const Vector3d& place : places) s.placements.push_back({.position = place});
+    const double length = 3 + std::numbers::pi / 4;
+    const nlohmann::json extent{{"least", {-0.02, -0.02, -0.02}}, {"most", {1.52, 0.02, 1.5}}};
+    expected.push_back({{"name", s.name},
+                        {"volume", 0.0004 * sides_of_circle * length},
+                        {"extents", {extent, extent, extent}},
+                        {"unevenness", 0.03}}); // it is thinner near the corner
+    animation.shapes.push_back(std::move(s));
   }
 
   /// The extent of the straight bar with edges 0.2 and 0.05, twisted by 0.7.

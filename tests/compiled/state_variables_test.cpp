@@ -96,11 +96,20 @@ TEST(state_variables, have_rates_in_outputs) {
   EXPECT_NEAR(power, (at.p[kp] * (at.x[filtered] - at.x[q]) + at.p[ki] * at.x[integral]) * at.x[i], 1e-14);
 }
 
+TEST(state_variables, start_at_zero_if_omitted) {
+  using namespace motor_arm;
+  using values = kanexpr::state<System>;
+  const values x{{q, 1}, {u, 2}, {i, 3}};
+  EXPECT_EQ(x.mistake().view(), "");
+  EXPECT_EQ(x.z()(0), 3);
+  EXPECT_EQ(x.z().tail(x.z().size() - 1).norm(), 0);
+  EXPECT_EQ((values{{q, 1}}.mistake().view()), "speed u has no value");
+}
+
 TEST(state_variables, are_named_in_sentences) {
   using namespace motor_arm;
   using values = kanexpr::state<System>;
-  EXPECT_EQ((values{{q, 1}, {u, 0}, {i, 2}, {filtered, 0}}.mistake().view()),
-            "state variable e has no value");
+  EXPECT_EQ((values{{q, 1}, {u, 0}, {i, 2}, {i, 3}}.mistake().view()), "state variable i has two values");
   EXPECT_EQ((values{{"q", 1}, {"w", 0}}.mistake().view()),
             "System has no coordinate, speed or state variable w");
 }

@@ -34,13 +34,19 @@ struct Filter : lag<Filter, r, T> {};
 struct Late : delay<Late, 6, Filter::output, T> {};
 struct Controller : pid<Controller, Late::output - q, kp, ki, kd, 0.1> {};
 struct Limited : pid<Limited, r - q, kp, ki, kd, 0.1, -3, 5, 0.5> {};
+struct Proportional : pid<Proportional, r - q, kp, ki> {};
+struct Bounded : pid<Bounded, r - q, kp, ki, -3, 5, 0.5> {};
 struct Valve : slew_limit<Valve, Limited::output, 2.0, 0.05> {};
 struct Muscle : muscle_activation<Muscle, r, 0.015, 0.06> {};
 
-struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Cart>,
-                            parameters<T, kp, ki, kd>, inputs<r>,
-                            blocks<Filter, Late, Controller, Limited, Valve, Muscle>,
-                            loads<force<P, 1e-6 * (Controller::output + Valve::output) * N::x>>> {};
+struct System
+    : kane_system<
+          inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Cart>,
+          parameters<T, kp, ki, kd>, inputs<r>,
+          blocks<Filter, Late, Controller, Limited, Valve, Muscle, Proportional, Bounded>,
+          loads<
+              force<P, 1e-6 * (Controller::output + Valve::output + Proportional::output + Bounded::output) *
+                           N::x>>> {};
 
 } // namespace blocks_on_a_cart
 
@@ -54,7 +60,7 @@ struct N : inertial_ground<N> {};
 struct Wheel : pin<Wheel, N, axis<N::z>, body<1, 0.1 * own::z, inertia<own, J, J, J>>> {};
 struct System : kane_system<inertial<N>, joints<Wheel>, loads<dc_motor<Wheel, V, 2, 0.01, 0.1, 10, 0.02>>> {};
 struct WarmSystem : kane_system<inertial<N>, joints<Wheel>,
-                                loads<dc_motor<Wheel, V, 2, 0.01, 0.1, 10, 0.02, 0.004, 30, 1.5>>> {};
+                                loads<dc_motor<Wheel, V, 2, 0.01, 0.1, 10, 0.02, 0.01, 0.004, 30, 1.5>>> {};
 
 } // namespace motors
 
@@ -73,7 +79,7 @@ kanexpr::state<System> some_state() {
 }
 
 TEST(blocks, add_state_variables) {
-  EXPECT_EQ(eom::state_variables, 1 + 6 + 2 + 2 + 1 + 1);
+  EXPECT_EQ(eom::state_variables, 1 + 6 + 2 + 2 + 1 + 1 + 1 + 1);
   EXPECT_EQ(std::string(kanexpr::derivation::stages_of<System>::constrained.known.names[2].view()),
             "y_Filter");
   EXPECT_EQ(std::string(kanexpr::derivation::stages_of<System>::constrained.known.names[3].view()),
@@ -124,7 +130,9 @@ TEST(blocks, are_those_of_a_builder) {
              limited = b.pid("Limited", reference - position, p, i, d, 0.1, -3, 5, 0.5),
              followed = b.slew_limit("Valve", limited, 2.0, 0.05);
   b.muscle_activation("Muscle", reference, 0.015, 0.06);
-  b.force(at, b.along(n, 1e-6 * (controlled + followed), 0, 0));
+  const auto proportional = b.pid("Proportional", reference - position, p, i),
+             bounded = b.pid("Bounded", reference - position, p, i, -3, 5, 0.5);
+  b.force(at, b.along(n, 1e-6 * (controlled + followed + proportional + bounded), 0, 0));
   auto model = kanexpr::derive(b);
   ASSERT_EQ(model.mistake(), "");
   const auto x = some_state();
@@ -134,6 +142,23 @@ TEST(blocks, are_those_of_a_builder) {
   ASSERT_EQ(rates.size(), expected.size());
   for (Eigen::Index k = 0; k < rates.size(); ++k)
     EXPECT_NEAR(rates(k), expected(k), 1e-14 * (1 + std::abs(expected(k)))) << k;
+}
+
+/// Without a derivative, the controller has neither its time constant nor its filter.
+TEST(blocks, have_pi_controllers) {
+  const auto x = some_state();
+  using kanexpr::state_variable;
+  const auto [output, rate, bounded, bounded_rate] =
+      kanexpr::function<System, Proportional::output, dot(state_variable<"s_Proportional">{}),
+                        Bounded::output, dot(state_variable<"s_Bounded">{})>{}(
+          x, some_parameters(), kanexpr::input_values<System>{{r, 1.3}});
+  const double e = 1.3 - x[q], softened = 0.08;
+  EXPECT_NEAR(output, 3 * e + x[state_variable<"s_Proportional">{}], 1e-14);
+  EXPECT_NEAR(rate, 0.7 * e, 1e-14);
+  const auto softplus = [&](double v) { return softened * std::log1p(std::exp(v / softened)); };
+  const double v = 3 * e + x[state_variable<"s_Bounded">{}], limited = -3 + softplus(v + 3) - softplus(v - 5);
+  EXPECT_NEAR(bounded, limited, 1e-13);
+  EXPECT_NEAR(bounded_rate, 0.7 * e + (limited - v) / 0.5, 1e-12);
 }
 
 /// The transfer function of the delay from its state matrix, and the Padé approximant of e^(−s).
@@ -225,6 +250,8 @@ TEST(dc_motor, becomes_warm) {
       x, kanexpr::parameter_values<WarmSystem>{{J, 3}}, kanexpr::input_values<WarmSystem>{{V, 12}});
   const double resistance = 2 * (1 + 0.004 * heat);
   EXPECT_EQ(x[kanexpr::heating_of<Wheel>], heat);
+  EXPECT_NEAR(rates(1), (10 * 0.1 * i - 100 * 0.02 * u) / (3 + 100 * 0.01),
+              1e-15); // the rotor's inertia n² J
   EXPECT_NEAR(rates(2), (12 - resistance * i - 0.1 * 10 * u) / 0.01, 1e-12);
   EXPECT_NEAR(rates(3), (resistance * i * i - heat / 1.5) / 30, 1e-14);
 }

@@ -72,6 +72,8 @@ struct Body : rigid_body<Body, Hub, Wheel, 1, inertia<Wheel, 1, 1, 1>> {};
 struct Ground : inertial_ground<Ground> {};
 struct Crank : pin<Crank, Ground, axis<own::z>, body<1, 0.1 * own::x, inertia<own, 1, 1, 1>>> {};
 struct Piston : prismatic<Piston, Crank, axis<Crank::x>, body<1, 0.1 * own::x, inertia<own, 1, 1, 1>>> {};
+struct Tip : offset<Tip, Piston, 0.1 * Piston::x> {};
+constexpr parameter<"sigma"> sigma;
 
 } // namespace given
 
@@ -90,6 +92,19 @@ TEST(contact, friction_of_joints) {
                                 loads<
 #include <docs/guide/contact/friction.cpp>
                                     >>>();
+}
+
+TEST(contact, friction_with_bristles) {
+  using namespace given;
+  using System = kane_system<inertial<Ground>, joints<Crank, Piston>,
+                             loads<
+#include <docs/guide/contact/bristles.cpp>
+                                 >>;
+  expect_no_mistake<System>();
+  state<System> x = state<System>::Ones();
+#include <docs/guide/contact/deflection.cpp>
+  EXPECT_EQ(x.z(), Eigen::Vector4d::Zero());
+  EXPECT_EQ(x(0), 1);
 }
 
 TEST(contact, in_a_builder) {

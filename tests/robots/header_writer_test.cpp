@@ -63,8 +63,8 @@ TEST(header_writer, writes_what_a_person_can_read) {
   EXPECT_THAT(header, HasSubstr("struct Tool : weld<Tool, Forearm,")); // merged, but still available
   EXPECT_THAT(header, HasSubstr("  static constexpr double upper[]{2.5, no_limit, 2.1};"));
   EXPECT_THAT(header_of(robot_of("arm.urdf"), {.damping = false}), Not(HasSubstr("joint_friction")));
-  EXPECT_THAT(header_of(robot_of("arm.urdf"), {.friction = true}),
-              HasSubstr("motor<Shoulder, T_waist - constant<0.2, units::implied::torque> * sign(u_waist)>"));
+  EXPECT_THAT(header_of(robot_of("arm.urdf"), {.friction = dry_friction{}}),
+              HasSubstr("friction<Shoulder, 1, coulomb_friction<constant<0.2, units::implied::torque>,"));
   EXPECT_THAT(header_writer(robot_of("arm.urdf"), {}).write("units", ""),
               HasSubstr("constexpr input<\"T_waist\", kanexpr::units::implied::torque> T_waist;"));
   EXPECT_THAT(header_of(robot_of("arm.urdf"), {.stops = limit_stops{}}),
@@ -108,7 +108,7 @@ TEST(header_writer, writes_robots_that_are_called_as_words_of_the_library) {
     for (const base_kind base : {base_kind::fixed, base_kind::floating}) {
       robot r = robot_of(file);
       for (joint& j : r.joints) j.friction = j.damping = j.rotor_inertia = 1;
-      const model_options options{.base = base, .friction = true, .stops = limit_stops{}};
+      const model_options options{.base = base, .friction = dry_friction{}, .stops = limit_stops{}};
       for (const std::string& each : words_in(header_writer(r, options).write("arm", ""))) words.insert(each);
     }
   EXPECT_GT(words.size(), 25u);

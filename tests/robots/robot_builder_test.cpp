@@ -99,7 +99,8 @@ TEST(robot_builder, knows_links_by_their_names_in_the_file) {
 TEST(robot_builder, feels_what_is_at_joints) {
   robot r = robot_of("arm.urdf");
   r.joints[1].gear_ratio = -20, r.joints[1].rotor_inertia = 0.003;
-  const robot_builder with(r, {.friction = true}), without(robot_of("arm.urdf"), {.damping = false});
+  const robot_builder with(r, {.friction = dry_friction{}}),
+      without(robot_of("arm.urdf"), {.damping = false});
   ASSERT_EQ(with.cause(), "");
   model m = derive(with), n = derive(without);
   Eigen::VectorXd x(6), none;
@@ -110,7 +111,8 @@ TEST(robot_builder, feels_what_is_at_joints) {
   added(1, 1) = 400 * 0.003;
   EXPECT_TRUE((mass(x, none, inputs) - plain_mass(x, none, inputs)).isApprox(added, 1e-12));
   auto forcing = m.function(m.forcing()), plain = n.function(n.forcing());
-  const Eigen::Vector3d felt(-0.6 * 1.5 - 0.2, 0.4 * 0.7, 0);
+  const double dry = 0.2 * 1.5 / std::hypot(1.5, 0.01);
+  const Eigen::Vector3d felt(-0.6 * 1.5 - dry, 0.4 * 0.7, 0);
   EXPECT_TRUE((forcing(x, none, inputs) - plain(x, none, inputs)).isApprox(felt, 1e-12));
 }
 
@@ -242,7 +244,7 @@ TEST(robot_builder, knows_its_units) {
     if (j.name == "thumb_turn") j.mimic->multiplier = 1;
   }
   for (const binding bind : {binding::numbers, binding::parameters}) {
-    robot_builder built(r, {.bind = bind, .friction = true});
+    robot_builder built(r, {.bind = bind, .friction = dry_friction{}});
     const auto units = built.units();
     EXPECT_EQ(units.of("q_lift"), meter);
     EXPECT_EQ(units.of("u_left_slide"), meter / second);
@@ -261,7 +263,7 @@ TEST(robot_builder, knows_its_units) {
     built.used_elsewhere(m);
     EXPECT_EQ(built.cause(), "the torque on Thumb is 3*q_left_slide [m], but must be in N m");
   }
-  robot_builder right(r, {.friction = true});
+  robot_builder right(r, {.friction = dry_friction{}});
   const auto k = right.parameter("k"), push = right.input("push", newton);
   const auto thumb = right.frame_of("thumb");
   right.force(right.origin_of("thumb"),
@@ -275,7 +277,7 @@ TEST(robot_builder, survives_broken_files) {
   robot_files::each_broken(100, [&](const std::string& text) {
     const read_robot read = read_urdf_text(text);
     if (!read) return;
-    const robot_builder built(read.robot, {.friction = true});
+    const robot_builder built(read.robot, {.friction = dry_friction{}});
     if (built.cause().empty()) ++built_well, static_cast<void>(derive(built).udot());
   });
   EXPECT_GT(built_well, 20);

@@ -3,6 +3,7 @@
 #include <kanexpr/animate/about_axis.hpp>
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/animate/check_animation.hpp>
+#include <kanexpr/animate/path_of_cable.hpp>
 #include <kanexpr/animate/scene.hpp>
 #include <kanexpr/animate/undeformed_placements.hpp>
 #include <kanexpr/base/status.hpp>
@@ -10,6 +11,7 @@
 #include <kanexpr/mechanics/motion/triple.hpp>
 #include <kanexpr/numeric/all_finite.hpp>
 #include <kanexpr/numeric/powers_of_two.hpp>
+#include <kanexpr/numeric/taut_line.hpp>
 #include <kanexpr/runtime/table_interpreter.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
@@ -56,6 +58,12 @@ inline Eigen::Vector3d triple(const Eigen::MatrixXd& m, int row, Eigen::Index co
   return m.block<3, 1>(row, column);
 }
 
+/// Adds the places of a cable at the next time.
+inline void add_places(animation::shape& s, const numeric::taut_line& line) {
+  for (const Eigen::Vector3d& place : line.places) s.placements.push_back({.position = place});
+  s.straight_parts = line.straight_parts;
+}
+
 inline animation::shape shape_of(const element_record& r, const recorded_numbers& recorded) {
   animation::shape s;
   s.name = r.looks.name.empty() ? r.name.view() : r.looks.name;
@@ -69,6 +77,11 @@ inline animation::shape shape_of(const element_record& r, const recorded_numbers
   s.placed_by = r.placed_by;
   for (int i = 0; i < r.constant; ++i) s.sizes.push_back(recorded.numbers(r.first_constant + i, 0));
   s.places = r.places;
+  if (r.path != nullptr) {
+    for (Eigen::Index k = 0; k < recorded.numbers.cols(); ++k)
+      add_places(s, line_of(*r.path, recorded.numbers.col(k).data() + r.first_varying));
+    return s;
+  }
   const std::size_t numbers = r.placed_by == placement_kind::place ? 3 : 12; // of a place of several
   for (Eigen::Index k = 0; k < recorded.numbers.cols(); ++k)
     for (std::size_t i = 0; i < r.places; ++i) {

@@ -38,9 +38,26 @@ constexpr sentence check_profile(std::string_view whom) {
   return {};
 }
 
+/// Checks that the pathway of a cable has a place.
+constexpr sentence check_path_of_cable(const describe::path_record& r, std::string_view whom) {
+  if (r.what == describe::path_word::given_length)
+    return sentence(
+        {"the picture shows a cable along a pathway of which only the length is given; it has no place"});
+  if (!r.fits)
+    return sentence({"the pathway of the ", whom,
+                     r.fits.missing > 0 ? " lacks a point" : " has too many points", "; write ",
+                     r.fits.form});
+  sentence found;
+  if (r.frame != nullptr) found = check_vector(r.axis, "the axis of the surface of the ", whom);
+  if (!found && r.center != nullptr) found = check_size(r.size, "size of the surface", whom);
+  return found;
+}
+
 template <class Shape>
 constexpr sentence check_curve(std::string_view whom) {
-  if constexpr (requires { Shape::axes; }) {
+  if constexpr (requires { Shape::path; }) {
+    return check_path_of_cable(Shape::path, whom);
+  } else if constexpr (requires { Shape::axes; }) {
     sentence found = check_places(Shape::places, "station", whom);
     if (!found) found = check_profile<typename Shape::profile_type>(whom);
     for (const phrase& axis : Shape::axes)

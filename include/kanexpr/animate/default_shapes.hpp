@@ -8,11 +8,13 @@
 #include <kanexpr/animate/rigid_parts.hpp>
 #include <kanexpr/figures/geometry.hpp>
 #include <kanexpr/figures/outlines.hpp>
+#include <kanexpr/figures/pathways.hpp>
 #include <kanexpr/mechanics/loads/muscle.hpp>
 #include <kanexpr/mechanics/loads/path_load.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/numeric/taut_line.hpp>
 
 #include <Eigen/Core>
 
@@ -22,6 +24,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -139,6 +142,17 @@ private:
   void add_joint(int part);
   void add_slide(const straight_piece& l);
   void add_springs();
+  /// Whether no load before this one acts along the same line around a surface.
+  bool is_first_on_its_line(int load) const {
+    const auto line_of = [&](int i) {
+      const mechanics::pathway& p = system_.loads.path_loads[i].along;
+      return std::tuple(p.form, p.points[0], p.points.back(), p.center, p.surface.sense);
+    };
+    for (int i = 0; i < load; ++i)
+      if (system_.loads.path_loads[i].along.is_around_surface() && line_of(i) == line_of(load)) return false;
+    return true;
+  }
+  void add_wrapped_cable(int load);
   void add_pathways();
   /// Whether a frame belongs to a body without mass, such as the rotor of a motor, which has no place.
   bool turns_rotor(int frame) const {
@@ -361,10 +375,38 @@ inline void default_shapes::add_springs() {
   }
 }
 
-/// Cables and muscles are drawn once, whatever acts along them; those around surfaces are not drawn.
+/// A cable around a surface, and the surface itself.
+inline void default_shapes::add_wrapped_cable(int load) {
+  const mechanics::pathway& along = system_.loads.path_loads[load].along;
+  numeric::wrapped_surface around = first_.surfaces[static_cast<std::size_t>(load)];
+  const Eigen::Vector3d axis = poses_.frame(along.frame, 0).transpose() * around.axis; // in the frame
+  const std::string ends = name_of_point(along.points[0]) + " to " + name_of_point(along.points.back());
+  animation::shape cable{.name = "cable from " + ends,
+                         .kind = "cable",
+                         .colour = std::string(of_springs),
+                         .profile = "circle",
+                         .sizes = {0.012 * length_}};
+  for (std::size_t k = 0; k < poses_.samples(); ++k) {
+    around.center = poses_.place(along.center, k), around.axis = poses_.frame(along.frame, k) * axis;
+    const numeric::taut_line line =
+        figures::line_along(along, around, [&](int point) { return poses_.place(point, k); });
+    cable.places = line.places.size(), cable.straight_parts = line.straight_parts;
+    for (const Eigen::Vector3d& place : line.places) cable.placements.push_back({.position = place});
+  }
+  made_.push_back(std::move(cable));
+  const double inside = around.size * 0.97; // so that the cable can be seen
+  const std::string name = " of the cable from " + ends;
+  if (around.form == numeric::wrapped_solid::sphere)
+    add_sphere("sphere" + name, std::string(grey), inside, along.center);
+  else if (around.form == numeric::wrapped_solid::cylinder)
+    add_solid("cylinder" + name, "cylinder", std::string(grey), {inside, around.size}, along.center,
+              along.frame, about_axis(axis, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()));
+}
+
+/// Cables and muscles are drawn once, whatever acts along them; of muscles, only those through points.
 inline void default_shapes::add_pathways() {
   std::set<std::pair<int, int>> drawn;
-  const auto draw = [&](const mechanics::pathway& along) {
+  const auto add_segments = [&](const mechanics::pathway& along) {
     if (along.form != mechanics::pathway_form::through_points) return;
     const auto& points = along.points;
     for (int i = 1; i < points.size(); ++i) {
@@ -374,8 +416,12 @@ inline void default_shapes::add_pathways() {
                   std::string(of_springs), {0.012 * length_}, points[i - 1], points[i]);
     }
   };
-  for (const mechanics::path_load& each : system_.loads.path_loads) draw(each.along);
-  for (const mechanics::muscle& each : system_.loads.muscles) draw(each.along);
+  for (int n = 0; n < system_.loads.path_loads.size(); ++n) {
+    const mechanics::pathway& along = system_.loads.path_loads[n].along;
+    if (along.is_around_surface() && is_first_on_its_line(n)) add_wrapped_cable(n);
+    add_segments(along);
+  }
+  for (const mechanics::muscle& each : system_.loads.muscles) add_segments(each.along);
 }
 
 /// The least height of the shapes along the motion.

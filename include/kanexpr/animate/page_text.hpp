@@ -212,6 +212,7 @@ inline nlohmann::json shape_text(const animation::shape& s, const std::vector<an
     one["anchors"][i]["undeformed"] = anchor_text(undeformed[i], turns);
   if (!s.colour.empty()) one["colour"] = s.colour;
   if (!s.profile.empty()) one["profile"] = s.profile;
+  if (!s.straight_parts.empty()) one["straight"] = s.straight_parts;
   if (!s.file.empty()) one["file"] = s.file;
   if (!s.layer.empty()) one["layer"] = s.layer;
   if (!s.unit.empty()) one["unit"] = s.unit;

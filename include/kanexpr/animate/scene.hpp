@@ -9,6 +9,7 @@
 #include <kanexpr/derivation/survey.hpp>
 #include <kanexpr/describe/beam_record.hpp>
 #include <kanexpr/describe/flexible_record.hpp>
+#include <kanexpr/describe/pathway.hpp>
 #include <kanexpr/describe/record.hpp>
 #include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/units/unit_text.hpp>
@@ -30,6 +31,7 @@ struct element_record {
   placement_kind placed_by = placement_kind::place;
   bool has_axis = false; ///< if true, the shape's axis precedes the frame's axes
   std::size_t places = 1;
+  const describe::path_record* path = nullptr; ///< which a cable follows
   int first_varying = 0; ///< index of its first number among all numbers
   int first_constant = 0;
   int constant = 0;
@@ -56,6 +58,7 @@ constexpr element_record record_of_element() {
     r.has_axis = requires { attachment::axis; };
     if constexpr (requires { attachment::file; }) r.file = attachment::file;
     if constexpr (requires { attachment::profile; }) r.profile = attachment::profile;
+    if constexpr (requires { attachment::path; }) r.path = &attachment::path;
     if constexpr (requires { attachment::places; }) {
       r.places = attachment::places;
       r.has_axis = r.placed_by == placement_kind::pose;

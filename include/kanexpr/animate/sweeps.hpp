@@ -2,6 +2,7 @@
 
 #include <kanexpr/animate/animation.hpp>
 #include <kanexpr/animate/attachment.hpp>
+#include <kanexpr/animate/path_of_cable.hpp>
 #include <kanexpr/animate/profiles.hpp>
 
 #include <array>
@@ -53,7 +54,8 @@ struct sweep<Profile, Stations...> : animate::along_stations<Stations...> {
 };
 
 /// A round cable along a smooth curve through points, such as a rope of many bodies: `cable<0.01, O, P1,
-/// P2>`.
+/// P2>`; or a cable along a pathway, through its points or around its surface: `cable<0.01, through<P, A,
+/// Q>>`.
 template <auto radius, class... Points>
 struct cable {
   static constexpr std::string_view shape = "cable", profile = "circle";
@@ -63,6 +65,13 @@ struct cable {
   static constexpr std::size_t places = sizeof...(Points);
   static constexpr std::array<animate::phrase, places> varying{animate::place<Points>...};
   static constexpr std::array<const describe::point_record*, places> points{&describe::point_of<Points>...};
+};
+
+template <auto radius, animate::pathway_of_cable Path>
+struct cable<radius, Path> : animate::along_path<Path> {
+  static constexpr std::string_view shape = "cable", profile = "circle";
+  static constexpr std::array<std::string_view, 1> size_names{"radius"};
+  static constexpr auto sizes = animate::phrases_of<radius>;
 };
 
 } // namespace kanexpr

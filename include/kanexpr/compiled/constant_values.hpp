@@ -29,7 +29,7 @@ constexpr auto constant_values(std::initializer_list<entry<System, which, double
   }
   for (int i = 0; i < range.size; ++i) {
     const auto place = static_cast<std::size_t>(i);
-    if (!all_names_known || (!set[place] && !survey_of<System>.dependent[range.first + i]))
+    if (!all_names_known || (!set[place] && !survey_of<System>.may_be_omitted(range.first + i)))
       values[place] = number_for(all_names_known ? gap::never_set : gap::unknown_name_in_list);
   }
   return values;

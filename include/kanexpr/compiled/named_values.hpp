@@ -111,6 +111,7 @@ private:
 
 /// A state specified as `{{q1, 0.1}, {u1, 0}}`, as any list of names and values, or as an Eigen vector.
 /// Dependent coordinates and speeds may be omitted; they are zero here, and the constraints determine them.
+/// State variables may be omitted, too; they start at zero.
 template <class System>
 struct given_state
     : compiled::given_values<System, compiled::symbols_of::state, kanexpr::state<System>, false> {

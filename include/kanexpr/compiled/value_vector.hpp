@@ -21,8 +21,8 @@ namespace kanexpr::compiled {
 /// convert to this type; if Eigen's own assignments were also available, `x = {0.1, 2}` would be ambiguous.
 ///
 /// A list of names must contain a value for every symbol except the dependent ones, which the constraints
-/// determine; they are set to zero here. An entry without a value, or with two values, is NaN, and
-/// `mistake()` reports the cause.
+/// determine, and state variables; these are set to zero here. An entry without a value, or with two values,
+/// is NaN, and `mistake()` reports the cause.
 template <class System, symbols_of which, class Scalar>
 class value_vector : public Eigen::Matrix<Scalar, range_of(which, survey_of<System>).size, 1> {
 public:
@@ -97,10 +97,10 @@ private:
       return true;
   }
 
-  static constexpr auto dependent = [] {
+  static constexpr auto may_be_omitted = [] {
     std::array<bool, static_cast<std::size_t>(range.size) + 1> found{};
     for (int i = 0; i < range.size; ++i)
-      found[static_cast<std::size_t>(i)] = survey_of<System>.dependent[range.first + i];
+      found[static_cast<std::size_t>(i)] = survey_of<System>.may_be_omitted(range.first + i);
     return found;
   }();
 
@@ -108,7 +108,7 @@ private:
     std::array<bool, static_cast<std::size_t>(range.size) + 1> set{};
     const entry<System, which, Scalar>* unknown = nullptr;
     for (int i = 0; i < range.size; ++i)
-      (*this)(i) = dependent[static_cast<std::size_t>(i)] ? from(0) : from(number_for(gap::never_set));
+      (*this)(i) = may_be_omitted[static_cast<std::size_t>(i)] ? from(0) : from(number_for(gap::never_set));
     for (const auto& given : named) {
       if (given.place < 0) {
         if (unknown == nullptr) unknown = &given;

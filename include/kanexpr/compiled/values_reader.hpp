@@ -26,7 +26,7 @@ public:
       : known_(known), told_(told), system_(system), range_(range), values_(values) {}
 
   void read(const symbol_name& what, double value);
-  /// Checks that every symbol has a value, except the dependent ones, which the constraints determine.
+  /// Checks that every symbol has a value, except those that may be omitted.
   void check_missing();
   void check_finite();
   /// Checks masses and inertias.

@@ -44,7 +44,7 @@ KANEXPR_ENGINE void values_reader::read(const symbol_name& what, double value) {
 
 KANEXPR_ENGINE void values_reader::check_missing() {
   for (int i = 0; i < range_.size; ++i)
-    if (!named_[static_cast<std::size_t>(i)] && !known_.dependent[range_.first + i])
+    if (!named_[static_cast<std::size_t>(i)] && !known_.may_be_omitted(range_.first + i))
       fail({symbol_called(known_, range_.first + i).view(), " has no value"});
 }
 

@@ -159,6 +159,7 @@ private:
     if (r.contact != nullptr) take(*r.contact);
     if (r.tyre != nullptr) take(*r.tyre);
     for (int i = 0; i < r.terms_given; ++i) take(r.terms[i]);
+    for (int i = 0; i < 2 && r.rotor != nullptr; ++i) take(r.rotor[i]);
     if (r.path != nullptr) take(*r.path);
     end("", "loads with the same name");
   }

@@ -47,6 +47,11 @@ struct survey {
   constexpr int states() const { return coordinates - configuration_constraints + speeds - constraints; }
   /// The index of the first state variable in the state.
   constexpr int first_state_variable() const { return coordinates + speeds - state_variables; }
+  /// Whether a list of values may omit a symbol: the constraints determine dependent coordinates and speeds,
+  /// and state variables start at zero.
+  constexpr bool may_be_omitted(int symbol) const {
+    return dependent[symbol] || (symbol >= first_state_variable() && symbol < coordinates + speeds);
+  }
   /// The number of rates and multipliers in the linearized equations.
   constexpr int unknowns() const { return coordinates + speeds + (takes_rates_as_speeds ? constraints : 0); }
   constexpr int symbols() const { return coordinates + speeds + parameters + inputs; }

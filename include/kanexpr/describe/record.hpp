@@ -244,6 +244,7 @@ struct tyre_record;
 enum class load_word : unsigned char;
 
 struct path_record;
+struct joint_record;
 
 /// An argument of a load whose value contains more than this argument.
 struct coefficient_record {
@@ -272,7 +273,9 @@ struct load_record {
   const coefficient_record* coefficient = nullptr; ///< of a force
   listing<phrase> states{}, dynamics{};            ///< its state variables, and the equations for their rates
   const path_record* path = nullptr;               ///< the pathway along which it acts
-  const phrase* terms = nullptr;                   ///< the arguments of its law, followed by zeros
+  const joint_record* joint = nullptr; ///< the joint in which a motor acts, if its rotor has an inertia
+  const phrase* rotor = nullptr;       ///< the inertia of the rotor and its gear ratio
+  const phrase* terms = nullptr;       ///< the arguments of its law, followed by zeros
   int terms_given = 0;
   std::string_view called{};
   std::string_view instead{}; ///< the actual kind, if it is not a load

@@ -39,7 +39,7 @@ public:
     else
       take(compiled::given_values<System, which, Vector, false>(constants));
     for (int k = 0; k < range.size && is_set_later; ++k)
-      if (is_left_out(static_cast<std::size_t>(k)) && !known.dependent[range.first + k])
+      if (is_left_out(static_cast<std::size_t>(k)) && !known.may_be_omitted(range.first + k))
         values_(k) = std::numeric_limits<double>::quiet_NaN();
   }
 

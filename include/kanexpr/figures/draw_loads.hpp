@@ -1,6 +1,9 @@
 #pragma once
 
 #include <kanexpr/figures/drawing.hpp>
+#include <kanexpr/figures/pathways.hpp>
+#include <kanexpr/mechanics/loads/path_load.hpp>
+#include <kanexpr/numeric/taut_line.hpp>
 
 #include <Eigen/Core>
 
@@ -75,9 +78,35 @@ inline void draw_damper(drawing& d, const Eigen::Vector2d& from, const Eigen::Ve
   d.on.line(layer::axes, closed, from + along, "load");
 }
 
+/// The value that determines the tension of a load along a pathway; none for a stop.
+inline text label_of_path_load(const mechanics::path_load& each) {
+  using mechanics::tension_law;
+  const bool is_cubic = each.law == tension_law::spring && each.terms[0].is_zero();
+  if (each.law == tension_law::stop || each.law == tension_law::friction) return {};
+  return typeset(drawing::name_of_size(each.terms[is_cubic ? 1 : 0]));
+}
+
+/// A load along a pathway is drawn as the line of the pathway.
+inline void draw_path_load(drawing& d, int i) {
+  const mechanics::path_load& each = d.system.loads.path_loads[i];
+  const numeric::taut_line line =
+      line_along(each.along, d.at.surfaces[static_cast<std::size_t>(i)],
+                 [&](int point) { return d.at.points[static_cast<std::size_t>(point)]; });
+  if (line.places.size() < 2) return;
+  std::vector<Eigen::Vector2d> through;
+  through.reserve(line.places.size());
+  for (const Eigen::Vector3d& place : line.places) through.push_back(d.picture(place));
+  d.on.path(layer::axes, through, "load");
+  const std::size_t middle = (through.size() - 1) / 2;
+  const Eigen::Vector2d along = through[middle + 1] - through[middle];
+  d.on.label((through[middle] + through[middle + 1]) / 2, Eigen::Vector2d(-along(1), along(0)),
+             label_of_path_load(each), "load", 6);
+}
+
 inline void draw_loads(drawing& d) {
   for (int i = 0; i < d.system.loads.forces.size(); ++i) draw_force(d, i);
   for (int i = 0; i < d.system.loads.torques.size(); ++i) draw_torque(d, i);
+  for (int i = 0; i < d.system.loads.path_loads.size(); ++i) draw_path_load(d, i);
   for (const mechanics::spring_damper& each : d.system.loads.spring_dampers) {
     const Eigen::Vector2d from = d.picture(each.point), along = d.picture(each.against) - from;
     if (along.norm() < 4) continue;

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <kanexpr/figures/outlines.hpp>
+#include <kanexpr/figures/pathways.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
+#include <kanexpr/mechanics/loads/path_load.hpp>
 #include <kanexpr/mechanics/model/central_inertia.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
 #include <kanexpr/mechanics/model/position.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
+#include <kanexpr/numeric/taut_line.hpp>
 #include <kanexpr/runtime/model.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -34,6 +37,7 @@ struct geometry {
   std::vector<double> masses{};
   std::vector<Eigen::Matrix3d> inertias{}; ///< about the mass centers; zero for particles
   std::vector<Eigen::Vector3d> forces{}, torques{};
+  std::vector<numeric::wrapped_surface> surfaces{}; ///< of each load along a pathway
   Eigen::Vector3d gravity = Eigen::Vector3d::Zero();
   double size = 1; ///< the largest extent of the points along an axis; of the bodies if it is zero
 
@@ -150,6 +154,13 @@ inline geometry geometry_of(model& m, double t, const Eigen::VectorXd& x, const 
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j) placed.ask(inertia(i, j));
   }
+  for (const mechanics::path_load& each : system.loads.path_loads) {
+    if (!each.along.is_around_surface()) continue;
+    mechanics::vector axis;
+    axis.add(each.along.frame, each.along.surface.axis);
+    placed.ask(axis);
+    placed.ask(each.along.surface.size);
+  }
   for (const mechanics::force& each : system.loads.forces) loaded.ask(each.value);
   for (const mechanics::torque& each : system.loads.torques) loaded.ask(each.value);
   if (system.loads.has_gravity) loaded.ask(system.loads.gravity);
@@ -171,6 +182,13 @@ inline geometry geometry_of(model& m, double t, const Eigen::VectorXd& x, const 
     Eigen::Matrix3d inertia;
     for (int row = 0; row < 3; ++row) inertia.row(row) = placed.vector();
     g.inertias.push_back(inertia);
+  }
+  for (const mechanics::path_load& each : system.loads.path_loads) {
+    g.surfaces.emplace_back();
+    if (!each.along.is_around_surface()) continue;
+    const Eigen::Vector3d axis = placed.vector();
+    g.surfaces.back() =
+        surface_of(each.along, g.points[static_cast<std::size_t>(each.along.center)], axis, placed.number());
   }
   if (g.cause.empty()) {
     loaded.evaluate(t, x, p, r); // a load that depends on an unset input is NaN, which is not an error

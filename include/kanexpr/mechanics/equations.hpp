@@ -112,7 +112,7 @@ public:
     case result_kind::energies: return of_energies(wanted);
     case result_kind::configuration_constraints: return of_configuration_constraints(wanted);
     case result_kind::velocity_constraints: return of_velocity_constraints(wanted);
-    case result_kind::derivatives: return in_motion(at_given_rates(wanted));
+    case result_kind::derivatives: return of_derivatives(wanted);
     }
     return {};
   }
@@ -140,14 +140,9 @@ public:
   /// Substitutes the rates q̇ and u̇ from the equations of motion into an expression.
   constexpr expression in_motion(expression e) { return in_motion(column({e})).entries[0]; }
   constexpr symbolic::matrix in_motion(symbolic::matrix m) {
-    known_rates known(*m_, s_.coordinate_rates);
-    without_auxiliary_speeds drop(*m_);
-    for (expression& e : m.entries) e = drop.in(known.in(e));
-    if (!depends_on(*m_->g, nodes_of(m.entries), nodes_of(m_->speed_rates))) return m;
-    symbolic::substitution accelerated(*m_->g);
-    for (int i = 0; i < m_->speeds.size(); ++i) accelerated.replace(m_->speed_rates[i], accelerations()[i]);
-    for (expression& e : m.entries) e = accelerated.in(e);
-    return m;
+    m = at_coordinate_rates(std::move(m));
+    if (!has_speed_rates(m)) return m;
+    return at_speed_rates(std::move(m), accelerations());
   }
 
   /// Substitutes the dependent speeds from the constraints into an expression, unless a constraint is not
@@ -183,6 +178,29 @@ public:
   constexpr known_motion& known() { return known_; }
 
 private:
+  constexpr symbolic::matrix of_derivatives(quantity wanted) {
+    symbolic::matrix m = at_coordinate_rates(at_given_rates(wanted));
+    if (!has_speed_rates(m)) return m;
+    mass(); // may report a mistake
+    return at_speed_rates(std::move(m), dynamics_.accelerations_by_elimination());
+  }
+
+  constexpr symbolic::matrix at_coordinate_rates(symbolic::matrix m) const {
+    known_rates known(*m_, s_.coordinate_rates);
+    without_auxiliary_speeds drop(*m_);
+    for (expression& e : m.entries) e = drop.in(known.in(e));
+    return m;
+  }
+  constexpr bool has_speed_rates(const symbolic::matrix& m) const {
+    return depends_on(*m_->g, nodes_of(m.entries), nodes_of(m_->speed_rates));
+  }
+  constexpr symbolic::matrix at_speed_rates(symbolic::matrix m, const sequence<expression>& udot) const {
+    symbolic::substitution accelerated(*m_->g);
+    for (int i = 0; i < m_->speeds.size(); ++i) accelerated.replace(m_->speed_rates[i], udot[i]);
+    for (expression& e : m.entries) e = accelerated.in(e);
+    return m;
+  }
+
   constexpr bool is_sound() {
     if (!is_constrained_) constrain();
     if (!mistake_) mass(); // may report a mistake

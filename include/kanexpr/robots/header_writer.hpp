@@ -150,13 +150,11 @@ private:
     const joint& j = plan_.joint_of_body(b);
     const std::string& called = plan_.name(b.link);
     const planned_joint& planned = *plan_.joint_by(b.joint);
-    std::string drive = planned.input.called;
-    if (const std::string rubbed = friction(b, planned.speeds[0].called); !rubbed.empty())
-      drive += " - " + rubbed;
-    loads_.push_back("motor<" + called + ", " + drive + ">");
+    loads_.push_back("motor<" + called + ", " + planned.input.called + ">");
     if (plan_.options.damping && j.damping > 0)
       loads_.push_back("joint_friction<" + called + ", " + value("c_" + called, j.damping, damping_of(j)) +
                        ">");
+    if (plan_.has_friction(j)) loads_.push_back(friction_of(called, j, called));
     if (plan_.has_stops(j)) loads_.push_back(stop_of(called, j, *plan_.options.stops));
   }
 
@@ -174,11 +172,14 @@ private:
     return "stop<" + cpp::list(arguments) + ">";
   }
 
-  std::string friction(const moving_body& b, const std::string& speed) {
-    const joint& j = plan_.joint_of_body(b);
-    if (!plan_.options.friction || !(j.friction > 0)) return {};
-    const kind q = j.kind == joint_kind::prismatic ? kind::force : kind::torque;
-    return factor("f_" + plan_.name(b.link), j.friction, q) + " * sign(" + speed + ")";
+  /// The dry friction of a joint; `along` is the joint or its coordinate as a pathway.
+  std::string friction_of(const std::string& called, const joint& j, const std::string& along) {
+    const bool slides = j.kind == joint_kind::prismatic;
+    const dry_friction& by = *plan_.options.friction;
+    const std::string force = factor("f_" + called, j.friction, slides ? kind::force : kind::torque);
+    const std::string slip =
+        with_unit(slides ? by.sliding : by.turning, slides ? kind::velocity : kind::angular_velocity);
+    return "friction<" + along + ", 1, coulomb_friction<" + force + ", " + slip + ">>";
   }
 
   /// Writes a mimic joint as a weld whose location depends on the coordinate of its leader.
@@ -197,11 +198,10 @@ private:
     std::string drag;
     if (plan_.options.damping && j.damping > 0)
       drag += "-" + factor("c_" + called, j.damping, damping_of(j)) + " * " + cpp::factor(m.u);
-    if (const std::string rubbed = friction(b, m.u); !rubbed.empty())
-      drag += (drag.empty() ? "-" : " - ") + rubbed;
     if (!drag.empty())
       loads_.push_back(std::string(slides ? "force" : "torque") + "_between<" + called + ", " + start + ", " +
                        cpp::factor(drag) + " * " + cpp::factor(axis) + ">");
+    if (plan_.has_friction(j)) loads_.push_back(friction_of(called, j, "given_length<" + m.q + ">"));
   }
 
   void write_weld(const std::string& called, const std::vector<std::string>& words) {
@@ -296,11 +296,11 @@ private:
 
   std::string preamble(const std::string& called, std::string_view from) const {
     constexpr const char* words =
-        "at axis bodies body by constant coordinate dot effective_inertia floating force_between gravity "
-        "home inertia "
-        "inertial inertial_ground input inputs joint_friction joints kane_system loads motor offset own "
-        "parameter parameter_values parameters pin planar position_of potential_energy prismatic rigid_body "
-        "rotated sign speed state stop torque_between weld";
+        "at axis bodies body by constant coordinate coulomb_friction dot effective_inertia floating "
+        "force_between friction given_length gravity home inertia inertial inertial_ground input inputs "
+        "joint_friction joints kane_system loads motor offset own parameter parameter_values parameters pin "
+        "planar position_of potential_energy prismatic rigid_body rotated speed state stop torque_between "
+        "weld";
     const std::size_t links = source_.links.size(), joints = plan_.tree.joints.size();
     return "#pragma once\n\n" + cpp::include("kanexpr/joints.hpp") + cpp::include("kanexpr/kanexpr.hpp") +
            cpp::include("kanexpr/units/implied.hpp") + "\n" + cpp::include("limits") + "\n/// The robot " +

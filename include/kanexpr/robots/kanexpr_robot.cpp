@@ -102,7 +102,8 @@ int main(int count, char** arguments) {
   app.add_flag("--as-written", r.as_written, "use angles as written: 1.5708 is not a right angle");
   app.add_flag("--no-mimic", r.without_mimic, "let joints that mimic others move independently");
   app.add_flag("--no-damping", r.without_damping, "omit the damping of joints");
-  app.add_flag("--friction", r.model.friction, "include the dry friction of joints");
+  app.add_flag_callback(
+      "--friction", [&r] { r.model.friction.emplace(); }, "include the dry friction of joints");
   app.add_flag_callback("--stops", [&r] { r.model.stops.emplace(); }, "make the limits of joints stops");
   app.add_flag("-q,--quiet", r.quiet, "do not print notes about the file and about renamed links and joints");
   CLI11_PARSE(app, count, arguments);

@@ -36,15 +36,20 @@ struct limit_stops {
   double no_limit = 1e9; ///< in place of an infinite limit
 };
 
+/// The dry friction f of joints, −f q̇/√(q̇² + vₛ²): the slip speeds vₛ below which it decreases to zero.
+struct dry_friction {
+  double turning = 1e-2; ///< slip speed, rad/s
+  double sliding = 1e-3; ///< slip speed, m/s
+};
+
 /// Options for the model of a robot.
 struct model_options {
   base_kind base = base_kind::fixed;
   binding bind = binding::numbers;
   std::optional<double> gravity{}; ///< along −z of the root, m/s²; default: the gravity of the robot, or 9.81
   bool damping = true;             ///< whether to apply the torques −c q̇ of the file
-  /// Whether to apply the torques −f sign(q̇) of the file, which are not differentiable at rest.
-  bool friction = false;
-  std::optional<limit_stops> stops{}; ///< whether the limits of joints are stops, and their law
+  std::optional<dry_friction> friction{}; ///< whether to apply the dry friction of the file, and its law
+  std::optional<limit_stops> stops{};     ///< whether the limits of joints are stops, and their law
 };
 
 /// The gravitational acceleration of a model, in the axes of its root.

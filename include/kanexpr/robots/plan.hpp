@@ -61,6 +61,9 @@ struct plan {
   bool is_on_ground(const moving_body& b) const { return b.joint < 0 && !has_floating_base(); }
   /// Whether the values in the file are written as numbers instead of parameters.
   bool binds_numbers() const { return options.bind == binding::numbers; }
+  bool has_friction(const joint& j) const {
+    return options.friction && j.friction > 0 && has_one_coordinate(j.kind);
+  }
   /// Whether the limits of a joint are stops.
   bool has_stops(const joint& j) const {
     const bool is_limited = numeric::is_finite(j.limits.lower) || numeric::is_finite(j.limits.upper);

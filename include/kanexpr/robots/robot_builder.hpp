@@ -195,6 +195,17 @@ private:
     origin(b.link) = offset(called + "_origin", start, gone);
   }
 
+  /// Adds the dry friction of a joint with one coordinate.
+  void add_friction(const moving_body& b) {
+    const joint& j = plan_.joint_of_body(b);
+    if (!plan_.has_friction(j)) return;
+    const dry_friction& by = *plan_.options.friction;
+    const bool slides = j.kind == joint_kind::prismatic;
+    const expression f = value("f_" + plan_.name(b.link), j.friction, slides ? kind::force : kind::torque);
+    friction_along(given_length(motion_of(b.joint).q[0]), number(1.0),
+                   mechanics::friction_law::coulomb(f, number(slides ? by.sliding : by.turning)));
+  }
+
   /// Adds stops at the limits of a joint with one coordinate.
   void add_stops(const moving_body& b) {
     const joint& j = plan_.joint_of_body(b);
@@ -233,11 +244,6 @@ private:
       drive = drive -
               value("c_" + plan_.name(b.link), j.damping, slides ? kind::damping : kind::angular_damping) *
                   m.u[0];
-    if (plan_.options.friction && j.friction > 0) {
-      const expression force =
-          value("f_" + plan_.name(b.link), j.friction, slides ? kind::force : kind::torque);
-      drive = drive - force * sign(m.u[0]);
-    }
     return drive;
   }
 
@@ -338,6 +344,7 @@ inline robot_builder::robot_builder(robot r, const model_options& options)
   }
   for (const moving_body& b : plan_.tree.bodies) {
     if (b.joint >= 0) add_joint(b);
+    if (b.joint >= 0) add_friction(b);
     if (b.joint >= 0) add_stops(b);
     add_mass(b);
     if (b.joint >= 0) add_rotor(b);

@@ -342,7 +342,13 @@ public:
   expression pid(std::string_view called, expression deviation, const number_or_expression& kp,
                  const number_or_expression& ki, const number_or_expression& kd,
                  const number_or_expression& Td);
+  /// The same without a derivative.
+  expression pid(std::string_view called, expression deviation, const number_or_expression& kp,
+                 const number_or_expression& ki);
   /// The same with limits of the output and the time constant Tt with which the integral part returns.
+  expression pid(std::string_view called, expression deviation, const number_or_expression& kp,
+                 const number_or_expression& ki, const number_or_expression& least,
+                 const number_or_expression& greatest, const number_or_expression& Tt);
   expression pid(std::string_view called, expression deviation, const number_or_expression& kp,
                  const number_or_expression& ki, const number_or_expression& kd,
                  const number_or_expression& Td, const number_or_expression& least,

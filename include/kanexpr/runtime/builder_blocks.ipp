@@ -100,6 +100,31 @@ KANEXPR_ENGINE expression builder::delay(std::string_view called, int order, exp
 }
 
 KANEXPR_ENGINE expression builder::pid(std::string_view called, expression deviation,
+                                       const number_or_expression& kp, const number_or_expression& ki) {
+  const base::sequence<expression> given = arguments_of_block(called, {deviation, kp, ki});
+  if (given.empty()) return m_.zero();
+  const expression s = state_of_block("s", called);
+  if (mistake()) return m_.zero();
+  equate(s, dot(s), given[2] * given[0]);
+  return given[1] * given[0] + s;
+}
+
+KANEXPR_ENGINE expression builder::pid(std::string_view called, expression deviation,
+                                       const number_or_expression& kp, const number_or_expression& ki,
+                                       const number_or_expression& least,
+                                       const number_or_expression& greatest, const number_or_expression& Tt) {
+  const base::sequence<expression> given =
+      arguments_of_block(called, {deviation, kp, ki, least, greatest, Tt});
+  if (given.empty()) return m_.zero();
+  const expression s = state_of_block("s", called);
+  if (mistake()) return m_.zero();
+  const expression v = given[1] * given[0] + s;
+  const expression limited = describe::limited_output(v, given[3], given[4]);
+  equate(s, dot(s), describe::rate_of_integral_part(given[0], given[2], limited, v, given[5]));
+  return limited;
+}
+
+KANEXPR_ENGINE expression builder::pid(std::string_view called, expression deviation,
                                        const number_or_expression& kp, const number_or_expression& ki,
                                        const number_or_expression& kd, const number_or_expression& Td) {
   const base::sequence<expression> given = arguments_of_block(called, {deviation, kp, ki, kd, Td});

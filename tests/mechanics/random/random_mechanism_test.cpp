@@ -4,6 +4,7 @@
 #include "random_springs.hpp"
 
 #include <gtest/gtest.h>
+#include <kanexpr/mechanics/dynamics/articulated_bodies.hpp>
 #include <kanexpr/mechanics/motion/observe.hpp>
 
 namespace {
@@ -84,10 +85,20 @@ struct comparison {
     expect_equal(found(quantity::angular_momentum), expected.angular_momentum, 1, "angular momentum");
     expect_equal(found(quantity::center_of_mass), expected.center_of_mass, 1, "center of mass");
     if (!regular) return;
-    const VectorXd udot = found(quantity::udot); // by the residual, which no condition number amplifies
-    expect_equal(newton_euler::times(expected.mass_matrix, udot), expected.forcing,
-                 force + expected.mass_matrix.diagonal().maxCoeff() * udot.norm(), "udot");
+    const auto expect_solution = [&](const VectorXd& udot, const std::string& what) {
+      // by the residual, which no condition number amplifies
+      expect_equal(newton_euler::times(expected.mass_matrix, udot), expected.forcing,
+                   force + expected.mass_matrix.diagonal().maxCoeff() * udot.norm(), what);
+    };
+    expect_solution(found(quantity::udot), "udot");
+    expect_solution(recipe::number(m, by_articulated_bodies(derived)), "udot by articulated bodies");
     EXPECT_EQ(derived.mistake().view(), "");
+  }
+
+  static kanexpr::symbolic::matrix by_articulated_bodies(equations& derived) {
+    kanexpr::symbolic::matrix f = derived.get(quantity::forcing);
+    f.entries = kanexpr::mechanics::articulated_bodies(derived.skeleton_used()).solve(f.entries).x;
+    return f;
   }
 
   // Every point and frame, and F_r*, with accelerations for some rates of the speeds.

@@ -1,8 +1,9 @@
-// A smooth curve through places that move. Nothing is allocated while it moves.
+// A smooth curve through places that move, with straight parts. Nothing is allocated while it moves.
 import { Quaternion, Vector3 } from 'three';
 
 const first = new Vector3();
 const second = new Vector3();
+const along = new Vector3();
 const turn = new Quaternion();
 
 /// Adds a chord divided by its squared length, which points along the circle through three points.
@@ -12,15 +13,16 @@ function addInverse(sum, chord) {
 }
 
 /// The rings of a curve: their centers, their tangents, and the x axes of their profiles, which are perpendicular
-/// to the tangents.
+/// to the tangents. Part i between the places i and i + 1 is straight if `straight` contains i.
 export class Curve {
-  constructor(anchors, hasAxes) {
+  constructor(anchors, hasAxes, straight = []) {
     const vectors = (count) => Array.from({ length: count }, () => new Vector3());
     const count = anchors.length;
     this.steps = Math.max(4, Math.ceil(48 / (count - 1))); // between two places
     this.rings = this.steps * (count - 1) + 1;
     this.anchors = anchors;
     this.hasAxes = hasAxes;
+    this.straight = new Set(straight);
     this.places = vectors(count);
     this.directions = vectors(count);
     this.turns = hasAxes ? anchors.map(() => new Quaternion()) : [];
@@ -60,6 +62,22 @@ export class Curve {
     }
     this.#endInArc(directions[0], places[0], places[1], last > 1 ? directions[1] : undefined);
     this.#endInArc(directions[last], places[last - 1], places[last], last > 1 ? directions[last - 1] : undefined);
+    this.#joinStraightParts();
+  }
+
+  /// The direction at the end of a straight part is along this part. Between two of them, where the curve has a
+  /// corner, it is midway.
+  #joinStraightParts() {
+    const { places, directions, straight } = this;
+    for (const i of straight) {
+      first.subVectors(places[i + 1], places[i]);
+      if (first.lengthSq() === 0) continue;
+      first.normalize();
+      if (straight.has(i - 1) && second.addVectors(first, along).lengthSq() > 0.01) directions[i].copy(second).normalize();
+      else directions[i].copy(first);
+      directions[i + 1].copy(first);
+      along.copy(first);
+    }
   }
 
   /// Reflects the direction at the other end of the part about its chord.
@@ -85,6 +103,7 @@ export class Curve {
   /// The cubic polynomial with the given places and directions at both ends. The lengths of its derivatives are
   /// such that it follows an arc, except for terms of sixth order in the angle.
   #interpolate(i) {
+    if (this.straight.has(i)) return this.#interpolateLinearly(i);
     const { places, directions, steps } = this;
     const chord = first.subVectors(places[i + 1], places[i]).length();
     const cosine = Math.max(-1, Math.min(1, directions[i].dot(directions[i + 1])));
@@ -102,6 +121,18 @@ export class Curve {
       if (tangent.lengthSq() > 0) tangent.normalize();
       else tangent.copy(directions[i]);
       this.#turnProfile(ring, i, u);
+    }
+  }
+
+  #interpolateLinearly(i) {
+    const { places, directions, steps } = this;
+    for (let k = i === 0 ? 0 : 1; k <= steps; ++k) {
+      const ring = i * steps + k;
+      this.centers[ring].lerpVectors(places[i], places[i + 1], k / steps);
+      const tangent = this.tangents[ring];
+      if (k === steps) tangent.copy(directions[i + 1]);
+      else tangent.subVectors(places[i + 1], places[i]).normalize();
+      this.#turnProfile(ring, i, k / steps);
     }
   }
 

@@ -58,7 +58,7 @@ function verticesOf(first, last, curve) {
 /// A shape through several places. The mesh is at the first of them, in inertial axes.
 export function sweep(shape, colour) {
   const { first, last } = outlines(shape.profile, shape.sizes);
-  const curve = new Curve(shape.anchors, shape.placed === 'pose');
+  const curve = new Curve(shape.anchors, shape.placed === 'pose', shape.straight);
   const count = first.flat().length;
   const { triangles, contour } = trianglesOf(first, curve.rings);
   const vertices = curve.rings * count + 2 * contour;

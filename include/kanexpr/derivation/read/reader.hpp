@@ -94,6 +94,7 @@ public:
     lagrange_.visit_lagrangian();
     each(from.bodies, [&](const body_record& r) { bodies_.read(r); });
     each(from.joints, [&](const joint_record& r) { joints_.read(r); });
+    joints_.read_motors();
     each(from.loads, [&](const load_record& r) { loads_.read_load(r); });
     each(from.joints, [&](const joint_record& r) {
       if (r.stops != nullptr) loads_.read_load(*r.stops);

@@ -37,41 +37,53 @@ constexpr auto rate_of_integral_part(const Deviation& e, const Ki& ki, const Lim
 ///
 ///     v = k_p e + s + k_d (e − d)/T_d,   T_d ḋ = e − d,   ṡ = k_i e
 ///
-/// Åström & Hägglund, Advanced PID Control (2006), sections 3.2 and 3.5.
+/// A PI controller has neither a derivative nor a filter. Åström & Hägglund, Advanced PID Control (2006),
+/// sections 3.2 and 3.5.
 template <class Self, auto... given>
 struct pid_law {
   template <std::size_t index>
   static constexpr auto argument = argument_or_zero<index, given...>();
 
+  static constexpr std::size_t size = sizeof...(given);
+  static constexpr bool has_derivative = size != 3 && size != 6, is_limited = size > 5;
+  static constexpr std::size_t least = has_derivative ? 5 : 3; // the index of the first limit
+
   static constexpr state_variable_of<"s", Self> integral_part{};
   static constexpr state_variable_of<"d", Self> filtered{};
   static constexpr auto deviation = argument<0>;
-  static constexpr auto unlimited =
-      unlimited_output(deviation, integral_part, filtered, argument<1>, argument<3>, argument<4>);
-  static constexpr bool is_limited = sizeof...(given) > 5;
 
+  static constexpr auto unlimited() {
+    if constexpr (has_derivative)
+      return unlimited_output(deviation, integral_part, filtered, argument<1>, argument<3>, argument<4>);
+    else
+      return argument<1> * deviation + integral_part;
+  }
   static constexpr auto output() {
     if constexpr (is_limited)
-      return limited_output(unlimited, argument<5>, argument<6>);
+      return limited_output(unlimited(), argument<least>, argument<least + 1>);
     else
-      return unlimited;
+      return unlimited();
   }
   static constexpr auto integral_rate() {
     if constexpr (is_limited)
-      return rate_of_integral_part(deviation, argument<2>, output(), unlimited, argument<7>);
+      return rate_of_integral_part(deviation, argument<2>, output(), unlimited(), argument<least + 2>);
     else
       return argument<2> * deviation;
   }
 
+  static constexpr arguments fits() {
+    if (size <= 3) return arguments_of("pid<Self, deviation, kp, ki>", size, 3);
+    if (size <= 5) return arguments_of("pid<Self, deviation, kp, ki, kd, Td>", size, 5);
+    if (size == 6) return arguments_of("pid<Self, deviation, kp, ki, least, greatest, Tt>", size, 6);
+    return arguments_of("pid<Self, deviation, kp, ki, kd, Td, least, greatest, Tt>", size, 8);
+  }
+  static constexpr auto integration = dot(integral_part) == integral_rate();
   static constexpr block_record record() {
-    return states_of_block<Self, integral_part, filtered>::template with < dot(integral_part) ==
-               integral_rate(),
-           argument<4> * dot(filtered) ==
-               deviation - filtered >
-                   (sizeof...(given) <= 5
-                        ? arguments_of("pid<Self, deviation, kp, ki, kd, Td>", sizeof...(given), 5)
-                        : arguments_of("pid<Self, deviation, kp, ki, kd, Td, least, greatest, Tt>",
-                                       sizeof...(given), 8));
+    if constexpr (has_derivative)
+      return states_of_block<Self, integral_part, filtered>::template with < integration,
+             argument<4> * dot(filtered) == deviation - filtered > (fits());
+    else
+      return states_of_block<Self, integral_part>::template with<integration>(fits());
   }
 };
 
@@ -83,8 +95,10 @@ struct pid_law {
 ///
 /// With limits, `pid<C, e, kp, ki, kd, Td, least, greatest, Tt>`, the output stays between them, rounded over
 /// a hundredth of their distance, and the integral part returns from them with the time constant Tt
-/// (anti-windup by back-calculation). To limit its rate, pass the output to `slew_limit`. The output depends
-/// on e without delay, so e must not contain anything that the output determines except through rates.
+/// (anti-windup by back-calculation). Without kd and Td, `pid<C, e, kp, ki>` and `pid<C, e, kp, ki, least,
+/// greatest, Tt>` are PI controllers, which have only the state variable s_C. To limit its rate, pass the
+/// output to `slew_limit`. The output depends on e without delay, so e must not contain anything that the
+/// output determines except through rates.
 template <class Self, auto... deviation_gains_and_limits>
 struct pid : describe::block_words {
 private:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/dynamics/inward_steps.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
@@ -44,11 +45,8 @@ public:
 
   /// Returns the full symmetric matrix.
   constexpr const symbolic::matrix& run() {
-    for (int n = s_.stations.size() - 1; n >= 0; --n) {
-      while (fold_deepest_frame(n)) {
-      }
-      fold_station(n);
-    }
+    for (const inward_step& each : inward_steps(s_))
+      each.is_rotation() ? fold_frame(each) : fold_station(each.station);
     for (int i = 0; i < result_.rows; ++i)
       for (int j = 0; j < i; ++j) result_(j, i) = result_(i, j);
     for (int i = m_.speeds_of_motion(); i < m_.speeds.size(); ++i) result_(i, i) = m_.one();
@@ -102,21 +100,10 @@ private:
       }
   }
 
-  /// Moves the composite body of the outermost frame at station `n` to the frame in which it rotates.
-  constexpr bool fold_deepest_frame(int n) {
-    int found = none, depth = -1;
-    for (int i = 0; i < at_[n].size(); ++i) {
-      const int f = at_[n][i].frame;
-      if (f == s_.stations[n].frame || f == mechanism::inertial) continue;
-      const int d = turning_depth(f);
-      if (d > depth) found = i, depth = d;
-    }
-    if (found == none) return false;
-    composite c = at_[n][found];
-    at_[n][found] = at_[n].back();
-    at_[n].pop();
-
-    const int f = c.frame, below = s_.turns_in[f];
+  /// Moves the composite body of a frame to the frame in which it rotates.
+  constexpr void fold_frame(const inward_step& now) {
+    const int n = now.station, f = now.frame, below = now.below;
+    composite c = composite_of(n, f);
     const sequence<partial_velocity>& partials = s_.partial_angular_velocities[f];
     sequence<composite::column> entering;
     for (const partial_velocity& w : partials)
@@ -137,7 +124,6 @@ private:
       sum.force.add(k.force);
       if (below != mechanism::inertial) sum.moment += way.turn(k.moment);
     }
-    return true;
   }
 
   /// Moves all composite bodies at station `n` to its parent.
@@ -201,12 +187,6 @@ private:
       sum.force.add(k.force);
       sum.moment += k.moment;
     }
-  }
-
-  constexpr int turning_depth(int f) const {
-    int n = 0;
-    for (; f != mechanism::inertial; f = s_.turns_in[f]) ++n;
-    return n;
   }
 
   const skeleton& s_;

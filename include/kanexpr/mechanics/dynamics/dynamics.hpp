@@ -2,6 +2,8 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/constraints/acceleration_constraints.hpp>
+#include <kanexpr/mechanics/dynamics/articulated_bodies.hpp>
+#include <kanexpr/mechanics/dynamics/formulation.hpp>
 #include <kanexpr/mechanics/dynamics/gathered.hpp>
 #include <kanexpr/mechanics/dynamics/kane.hpp>
 #include <kanexpr/mechanics/dynamics/lagrange.hpp>
@@ -23,9 +25,10 @@ public:
   /// The stored members.
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
-    visit(self.lagrange_, self.has_dependent_, self.has_coupling_, self.has_lambda_, self.bias_,
-          self.dependent_, self.free_mass_, self.coupling_, self.mass_, self.lambda_, self.free_force_,
-          self.force_, self.udot_, self.pivots_);
+    visit(self.lagrange_, self.has_dependent_, self.has_coupling_, self.has_lambda_,
+          self.is_by_articulated_bodies_, self.bias_, self.dependent_, self.free_mass_, self.coupling_,
+          self.mass_, self.lambda_, self.free_force_, self.force_, self.udot_, self.udot_by_elimination_,
+          self.pivots_);
   }
 
   constexpr bool has_dependent() const { return has_dependent_; }
@@ -118,17 +121,16 @@ public:
 
   /// u̇ of all speeds.
   constexpr const sequence<expression>& accelerations() {
-    if (!udot_.empty()) return udot_;
-    const symbolic::matrix& m = mass();
-    const symbolic::symmetric_solution solved = symbolic::solve_symmetric(*m_.g, m, force());
-    const sequence<expression>& independent = solved.x;
-    pivots_ = solved.pivots;
-    udot_.resize(m_.speeds.size(), m_.zero());
-    for (int i = 0; i < independent.size(); ++i) udot_[speeds_.independent[i]] = independent[i];
-    const sequence<expression> rates =
-        solved_for_dependent(dependent().on_independent, independent, dependent().acceleration_bias);
-    for (int d = 0; d < rates.size(); ++d) udot_[speeds_.dependent[d]] = rates[d];
+    if (udot_.empty()) udot_ = of_all_speeds(solved_for_accelerations());
     return udot_;
+  }
+
+  /// u̇ of all speeds by the elimination of M, which derivatives of u̇ need in any case.
+  constexpr const sequence<expression>& accelerations_by_elimination() {
+    if (!accelerations().empty() && !is_by_articulated_bodies_) return udot_;
+    if (udot_by_elimination_.empty())
+      udot_by_elimination_ = of_all_speeds(symbolic::solve_symmetric(*m_.g, mass(), force()));
+    return udot_by_elimination_;
   }
 
   /// The pivots of the mass matrix in the solution for the accelerations.
@@ -210,6 +212,36 @@ public:
   }
 
 private:
+  /// u̇ of the independent speeds, in the form with the fewest operations.
+  constexpr symbolic::symmetric_solution solved_for_accelerations() {
+    const symbolic::matrix& m = mass();
+    const sequence<expression>& f = force();
+    if (is_tree() && may_pay_by_articulated_bodies(s_, m, f)) {
+      symbolic::symmetric_solution solved = articulated_bodies(s_).solve(f);
+      for (symbolic::pivot& p : solved.pivots) p.entry = m(p.place, p.place);
+      is_by_articulated_bodies_ = operations_of(solved) < operations_by_elimination(m, f);
+      if (is_by_articulated_bodies_) return solved;
+    }
+    return symbolic::solve_symmetric(*m_.g, m, f);
+  }
+
+  /// Adds the rates of the dependent speeds to a solution, and stores its pivots.
+  constexpr sequence<expression> of_all_speeds(const symbolic::symmetric_solution& solved) {
+    const sequence<expression>& independent = solved.x;
+    pivots_.append(solved.pivots);
+    sequence<expression> udot(m_.speeds.size(), m_.zero());
+    for (int i = 0; i < independent.size(); ++i) udot[speeds_.independent[i]] = independent[i];
+    const sequence<expression> rates =
+        solved_for_dependent(dependent().on_independent, independent, dependent().acceleration_bias);
+    for (int d = 0; d < rates.size(); ++d) udot[speeds_.dependent[d]] = rates[d];
+    return udot;
+  }
+
+  /// Whether the mass matrix is that of a tree of rigid bodies without constraints.
+  constexpr bool is_tree() const {
+    return !by_lagrange() && speeds_.dependent.empty() && s_.flexible_parts.empty();
+  }
+
   constexpr sequence<expression> formed_force() {
     const sequence<expression>& free = free_force();
     const dependent_speeds& solved = dependent();
@@ -269,11 +301,11 @@ private:
   const constraints& constraints_;
   const partition& speeds_;
   lagrange_equations lagrange_{s_, loads_};
-  bool has_dependent_ = false, has_coupling_ = false, has_lambda_ = false;
+  bool has_dependent_ = false, has_coupling_ = false, has_lambda_ = false, is_by_articulated_bodies_ = false;
   sequence<expression> bias_{};
   dependent_speeds dependent_{};
   symbolic::matrix free_mass_{}, coupling_{}, mass_{}, lambda_{};
-  sequence<expression> free_force_{}, force_{}, udot_{};
+  sequence<expression> free_force_{}, force_{}, udot_{}, udot_by_elimination_{};
   sequence<symbolic::pivot> pivots_{};
 };
 

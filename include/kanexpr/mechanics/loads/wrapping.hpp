@@ -109,7 +109,7 @@ constexpr wrapped_line line_around_cylinder(const wrapped_surface& s, const comp
   const expression angle = detail::wrapped_angle(first, last, s.sense);
   const expression across = first.tangent + last.tangent + s.size * angle, along = last.height - first.height;
   wrapped_line line;
-  line.length = sqrt(sum_of_products(across, across, along, along));
+  line.length = along.is_zero() ? across : sqrt(sum_of_products(across, across, along, along));
   const expression slope = along / line.length, share = across / line.length;
   const auto away = [&](const detail::wrapped_end& e, bool is_first) {
     const expression turning = (s.sense > 0) == is_first ? -s.size : s.size;

@@ -70,6 +70,14 @@ struct symmetric_elimination {
     const int change = is ? 1 : -1;
     degree[i] += change, degree[j] += change;
   }
+
+  /// The remaining row with the fewest entries, given the positions of the others in the elimination order.
+  constexpr int next(const sequence<int>& positions) const {
+    int p = -1, least = n + 1;
+    for (int i = n - 1; i >= 0; --i)
+      if (positions[i] < 0 && degree[i] < least) p = i, least = degree[i];
+    return p;
+  }
 };
 
 } // namespace detail
@@ -85,7 +93,7 @@ public:
       : g_(g), n_(m.rows), left_(m), inverses_(n_, graph::zero), factors_(n_ * n_, graph::zero),
         positions_(n_, none) {
     for (int i = 0; i < n_; ++i) diagonal_.push(m(i, i));
-    while (order_.size() < n_) eliminate(next());
+    while (order_.size() < n_) eliminate(left_.next(positions_));
   }
   symmetric_factorization(const symmetric_factorization&) = delete;
   symmetric_factorization& operator=(const symmetric_factorization&) = delete;
@@ -126,14 +134,6 @@ public:
 
 private:
   static constexpr int none = -1;
-
-  /// The row with the fewest entries.
-  constexpr int next() const {
-    int p = none, least = n_ + 1;
-    for (int i = n_ - 1; i >= 0; --i)
-      if (positions_[i] == none && left_.degree[i] < least) p = i, least = left_.degree[i];
-    return p;
-  }
 
   constexpr void eliminate(int p) {
     int* const entry = left_.entry;

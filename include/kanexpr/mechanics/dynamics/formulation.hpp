@@ -1,0 +1,48 @@
+#pragma once
+
+#include <kanexpr/base/sequence.hpp>
+#include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/skeleton/skeleton.hpp>
+#include <kanexpr/symbolic/cost.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/matrix.hpp>
+#include <kanexpr/symbolic/linear/elimination_cost.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
+#include <kanexpr/symbolic/linear/solve.hpp>
+
+/// The choice between two forms of the same equations by the number of their operations.
+namespace kanexpr::mechanics {
+
+constexpr int operations_of(const symbolic::cost& c) { return c.multiplications + c.additions + c.divisions; }
+
+/// The operations of u̇ = M⁻¹ f by composite bodies and elimination of M, including M and f.
+constexpr int operations_by_elimination(const symbolic::matrix& mass, const sequence<expression>& force) {
+  sequence<expression> all = force;
+  for (int i = 0; i < mass.rows; ++i)
+    for (int j = 0; j <= i; ++j) all.push(mass(i, j));
+  const symbolic::cost formed = symbolic::cost_of(all[0].owner(), symbolic::nodes_of(all));
+  return operations_of(formed) + operations_of(symbolic::elimination_cost(mass));
+}
+
+/// The operations of a solution, with the entries to which its pivots are compared.
+constexpr int operations_of(const symbolic::symmetric_solution& solved) {
+  sequence<expression> all = solved.x;
+  for (const symbolic::pivot& p : solved.pivots) all.push(p.entry);
+  return operations_of(symbolic::cost_of(all[0].owner(), symbolic::nodes_of(all)));
+}
+
+/// Whether a solution by articulated bodies may have fewer operations, judged by a lower bound of its
+/// operations for each speed. Forming a solution that is not used costs compile time.
+constexpr bool may_pay_by_articulated_bodies(const skeleton& s, const symbolic::matrix& mass,
+                                             const sequence<expression>& force) {
+  constexpr int fewest_speeds = 7, in_plane = 50, in_space = 150; // measured on chains and trees
+  if (mass.rows < fewest_speeds) return false;
+  bool is_planar = true;
+  for (int axes : s.working_axes) is_planar = is_planar && axes == mechanism::inertial;
+  const int formed = operations_of(symbolic::cost_of(*s.model->g, symbolic::nodes_of(force)));
+  const int for_each = is_planar ? in_plane : in_space;
+  return operations_by_elimination(mass, force) - formed > for_each * mass.rows;
+}
+
+} // namespace kanexpr::mechanics
