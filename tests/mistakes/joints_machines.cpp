@@ -227,10 +227,3 @@ struct Link : pin<Link, Ground, up, rotor<0.1, r>, mass> {};
 struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n31
-
-// expect: the gear ratio of joint Link changes; it may contain only parameters
-namespace n32 {
-struct Link : pin<Link, Ground, up, rotor<0.1, q>, mass> {};
-struct System : jointed<joints<Link>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>> {};
-void f() { use<System>(); }
-} // namespace n32

@@ -3,7 +3,9 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/force_system.hpp>
+#include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/load_names.hpp>
+#include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/loads/segment.hpp>
 #include <kanexpr/mechanics/loads/wrapping.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
@@ -18,8 +20,7 @@
 #include <kanexpr/symbolic/derivatives/accumulate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/printing/short_text.hpp>
-
-#include <string_view>
+#include <kanexpr/units/si.hpp>
 
 namespace kanexpr::mechanics {
 
@@ -82,6 +83,26 @@ struct pathway {
       return find_mistake_of_ends(m, what);
     }
     return {};
+  }
+
+  /// Checks the expressions; `whose` names the load.
+  constexpr void check_with(load_check& by, std::string_view whose) const {
+    if (form == pathway_form::given_length) by.check_no_rates(length, "the length of the ", whose);
+    if (!is_around_surface()) return;
+    by.check_fixed(surface.size, "the surface of the ", whose);
+    if (!surface.size.is_constant()) return;
+    const bool is_cone = form == pathway_form::around_cone;
+    const double size = surface.size.owner().number_at(surface.size.node()).value();
+    if (!(size > 0))
+      by.fail({"the surface of the ", whose, " has no positive ", is_cone ? "angle" : "radius"});
+    if (is_cone && size >= 1.570796326794896)
+      by.fail({"the angle between the axis of the ", whose, " and its cone is not less than a right angle"});
+  }
+
+  constexpr void state_units(load_units& by, std::string_view whose) const {
+    if (!is_around_surface()) return;
+    by.describe({"the surface of the ", whose});
+    by.expect(surface.size, form == pathway_form::around_cone ? units::si::radian : units::si::meter);
   }
 
   /// Whether the length is the same in every configuration, because it contains no coordinates.
