@@ -92,6 +92,7 @@ constexpr input<"F"> F;
 struct N : inertial_ground<N> {};
 struct P : offset<P, N, x * N::x> {};
 struct Q : offset<Q, N, 1.0 * N::y> {};
+struct R : offset<R, N, -0.5 * N::y> {};
 struct Mass : particle<Mass, P, 2> {};
 struct System : kane_system<inertial<N>, coordinates<x>, speeds<v>, kinematics<simple>, bodies<Mass>,
                             loads<
