@@ -3,6 +3,7 @@
 
 #include <kanexpr/blocks.hpp>
 #include <kanexpr/kanexpr.hpp>
+#include <kanexpr/operating_point.hpp>
 #include <kanexpr/runtime/builder.hpp>
 
 #include <gtest/gtest.h>
@@ -23,6 +24,10 @@ TEST(muscles, have_states) {
   const auto rates = eom::rhs(x, p, eom::inputs{{e, 0.2}});
   EXPECT_NEAR(rates(2), 0, 1e-15);
   EXPECT_NEAR(rates(3), 0, 1e-11);
+#include <docs/guide/muscles/held.cpp>
+  ASSERT_TRUE(held) << held.cause();
+  EXPECT_NEAR(held.r[e], 0.0798, 5e-5);
+  EXPECT_EQ(held.x[Biceps::activation], held.r[e]);
   const double arm = 0.04 * 0.3 / std::hypot(0.3, 0.04), weight = 0.15 * 1.5 * 9.81;
   EXPECT_NEAR(rates(1), (600 * rest.tendon_force * arm - weight) / (0.01 + 1.5 * 0.15 * 0.15), 1e-12);
 }

@@ -176,36 +176,44 @@ private:
     return m.speeds.find(friction.bristles.deflections[0]);
   }
 
-  constexpr void state_units_of_bristles(load_units& by, std::string_view whose, const units::unit& force,
-                                         const units::unit& length) const {
-    const bristles& b = friction.bristles;
-    const auto state = [&](expression e, std::string_view what, const units::unit& u) {
-      by.describe({what, whose});
-      if (e.is_given()) by.expect(e, u);
-    };
-    state(terms[0] * b.stiffness, "the stiffness of the bristles of the ", force / length);
-    if (b.damping.is_given())
-      state(terms[0] * b.damping, "the damping of the bristles of the ", force * units::si::second / length);
-    state(b.stribeck_speed, "the Stribeck speed of the ", length / units::si::second);
+  /// States the unit of a value that the normal force multiplies. A number is in SI units.
+  constexpr void state_unit_by_load(load_units& by, std::string_view what, std::string_view whose,
+                                    expression value, const units::unit& of_product) const {
+    if (!value.is_given()) return;
     by.describe({"the normal force of the ", whose});
     const units::possible_unit normal = by.unit_of(terms[0]);
+    by.describe({what, whose});
+    if (normal)
+      by.expect(value, of_product / *normal);
+    else if (!value.is_constant())
+      by.expect(terms[0] * value, of_product);
+  }
+
+  constexpr void state_units_of_bristles(load_units& by, std::string_view whose, const units::unit& force,
+                                         const units::unit& length) const {
+    namespace si = units::si;
+    const bristles& b = friction.bristles;
+    state_unit_by_load(by, "the stiffness of the bristles of the ", whose, b.stiffness, force / length);
+    state_unit_by_load(by, "the damping of the bristles of the ", whose, b.damping,
+                       force * si::second / length);
+    by.describe({"the Stribeck speed of the ", whose});
+    if (b.stribeck_speed.is_given()) by.expect(b.stribeck_speed, length / si::second);
+    by.describe({"the normal force of the ", whose});
+    const units::possible_unit normal = by.unit_of(terms[0]);
+    by.describe({"the deflection of the ", whose});
     if (bristles::are_deflections(terms[0]))
-      state(b.deflections[0], "the deflection of the ", length);
+      by.expect(b.deflections[0], length);
     else if (normal)
-      state(b.deflections[0], "the deflection of the ", length * units::pow<1, 2>(*normal));
+      by.expect(b.deflections[0], length * units::pow<1, 2>(*normal));
   }
 
   constexpr void state_units_of_friction(load_units& by, std::string_view whose, const units::unit& force,
                                          const units::unit& speed) const {
-    const auto state = [&](expression e, std::string_view what, const units::unit& u) {
-      by.describe({what, whose});
-      if (e.is_given()) by.expect(e, u);
-    };
-    if (friction.sliding.is_given()) state(terms[0] * friction.sliding, "the dry part of the ", force);
-    if (friction.sticking.is_given()) state(terms[0] * friction.sticking, "the static part of the ", force);
-    if (friction.viscous.is_given())
-      state(terms[0] * friction.viscous, "the viscous part of the ", force / speed);
-    state(friction.slip_speed, "the slip speed of the ", speed);
+    state_unit_by_load(by, "the coefficient of friction of the ", whose, friction.sliding, force);
+    state_unit_by_load(by, "the coefficient of static friction of the ", whose, friction.sticking, force);
+    state_unit_by_load(by, "the viscous coefficient of the ", whose, friction.viscous, force / speed);
+    by.describe({"the slip speed of the ", whose});
+    if (friction.slip_speed.is_given()) by.expect(friction.slip_speed, speed);
   }
 
   constexpr expression energy_of_spring(expression length) const {
