@@ -102,8 +102,8 @@ private:
 
   static constexpr bool pulls(const load_record& r) {
     const bool is_along_path = r.what >= load_word::path_force && r.what <= load_word::path_stop;
-    return is_along_path || r.what == load_word::spring || r.what == load_word::damper ||
-           (r.what == load_word::friction && r.path != nullptr);
+    return is_along_path || r.what == load_word::muscle || r.what == load_word::spring ||
+           r.what == load_word::damper || (r.what == load_word::friction && r.path != nullptr);
   }
 
   constexpr bool is_listed(const load_record& r) const {
@@ -248,7 +248,7 @@ private:
     }
     case load_word::friction: return evaluate_friction(into, r, whom.view());
     case load_word::contact: return evaluate_contact(into, r, whom.view());
-    case load_word::muscle: return muscle_reader(*this).read(r, whom.view());
+    case load_word::muscle: return muscle_reader(*this).read(into, r, whom.view());
     case load_word::tyre: return tyres_.read(*r.tyre, whom.view());
     case load_word::none:
       if (r.unparsed) return reading_.fail_by_unparsed(r.called, "loads<...>");
