@@ -3,9 +3,8 @@
 #include <kanexpr/simulate.hpp>
 #include <parts/page.hpp>
 
-#include <Eigen/Geometry>
-
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 
 namespace finger {
@@ -42,13 +41,14 @@ struct Eye_4 : offset<Eye_4, Second, 0.35 * l * Second::x - 0.9 * r * Second::z>
 struct End : offset<End, Third, 0.15 * l * Third::x - 0.7 * r * Third::z> {};
 using Tendon = through<Wrist, Eye_1, Eye_2, Eye_3, Eye_4, End>;
 
-// The elastic tendons run over the knuckles.
-struct Back : offset<Back, Hand, -0.9 * l * Hand::x + 1.1 * r * Hand::z> {};
-struct Ridge : offset<Ridge, First, 0.5 * l * First::x + 0.9 * r * First::z> {};
-struct Nail : offset<Nail, Second, 0.4 * l * Second::x + 0.8 * r * Second::z> {};
+// Elastic tendons over the two larger joints, on the back.
+struct Back : offset<Back, Hand, -0.25 * l * Hand::x + 1.05 * r * Hand::z> {};
+struct Ridge : offset<Ridge, First, 0.2 * l * First::x + 0.95 * r * First::z> {};
+struct Crest : offset<Crest, First, 0.8 * l * First::x + 0.9 * r * First::z> {};
+struct Nail : offset<Nail, Second, 0.2 * l * Second::x + 0.85 * r * Second::z> {};
 using Over_knuckle = around_cylinder<Hand, Hand, Hand::y, r, Back, Ridge, wrapping::counterclockwise>;
 using Over_joint =
-    around_cylinder<First, Second, First::y, 0.85 * r, Ridge, Nail, wrapping::counterclockwise>;
+    around_cylinder<First, Second, First::y, 0.85 * r, Crest, Nail, wrapping::counterclockwise>;
 
 struct System
     : kane_system<
@@ -76,7 +76,8 @@ using picture = kanexpr::picture<
     show<cylinder<Second, Third, Second::y, 0.5 * r, 1.5 * r>, named<"last joint">, colour<"#8f979e">>,
     show<rod<Third, Tip, 0.4 * r>, named<"third phalanx">, colour<"#e8d8b8">>,
     show<sphere<Tip, 0.45 * r>, named<"tip">, colour<"#e8d8b8">>, eye<Eye_1>, eye<Eye_2>, eye<Eye_3>,
-    eye<Eye_4>, show<cable<0.13 * r, Tendon>, named<"tendon">, colour<"#b5382f">>,
+    eye<Eye_4>, eye<Back>, eye<Ridge>, eye<Crest>, eye<Nail>,
+    show<cable<0.13 * r, Tendon>, named<"tendon">, colour<"#b5382f">>,
     show<cable<0.13 * r, Over_knuckle>, named<"elastic tendon over the knuckle">, colour<"#3d6b99">>,
     show<cable<0.13 * r, Over_joint>, named<"elastic tendon over the middle joint">, colour<"#3d6b99">>,
     plot_energies<>>;
@@ -97,7 +98,7 @@ int main(int count, char** words) {
            "arm?, ASME IDETC (2013)"});
   simulation_options<System> how{
       .relative_tolerance = 1e-9, .absolute_tolerance = 1e-11, .output_every = 0.01};
-  const double pull = 18, hold = 1.9;
+  const double pull = 11, hold = 1.9;
   how.inputs = [&](double t, const state<System>&, input_values<System>& given) {
     const auto step = [t](double at) { return (1 + std::tanh((t - at) / 0.12)) / 2; };
     given[F] = pull * (step(0.5) - step(2.2));
@@ -105,7 +106,7 @@ int main(int count, char** words) {
   const double stiffness = 0.06;
   const auto run = simulate<System>(
       state<System>::Zero(),
-      {{m, 0.03}, {l, 0.05}, {r, 0.008}, {k, stiffness}, {c, 2e-3}, {s, 250}, {l1, 0.068}, {l2, 0.042}},
+      {{m, 0.03}, {l, 0.05}, {r, 0.008}, {k, stiffness}, {c, 2e-3}, {s, 250}, {l1, 0.019}, {l2, 0.017}},
       {0, 4}, how);
   const auto levers = run.trajectory.along<lever>();
   double unbalanced = 1, bent = 0;
