@@ -53,6 +53,10 @@ T arithmetic(operation op, const T& a, const T& b) {
   case operation::tanh: return std::tanh(a);
   default: break;
   }
+  if constexpr (is_complex<T>) { // the sign is that of the real part, as complex steps require
+    if (op == operation::if_positive) return a.real() > 0 ? b : T(0);
+    if (op == operation::if_not_positive) return a.real() > 0 ? T(0) : b;
+  }
   if constexpr (!is_complex<T>) {
     if (op == operation::atan2) return std::atan2(a, b);
     if (op == operation::abs) return std::abs(a);

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <kanexpr/base/text.hpp>
 #include <kanexpr/describe/record.hpp>
+#include <kanexpr/describe/symbol.hpp>
 #include <kanexpr/describe/wheel_record.hpp>
 #include <kanexpr/mechanics/loads/magic_formula_coefficients.hpp>
 #include <kanexpr/mechanics/loads/tyre_model.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <string_view>
 
@@ -11,8 +14,13 @@ namespace kanexpr {
 
 namespace describe {
 
-template <class Symbol>
-concept symbol_of_a_model = requires { Symbol::record.called; };
+template <class Type>
+inline constexpr bool is_symbol = false;
+template <symbolic::symbol_kind kind, text called, int index, int order, auto... stated>
+inline constexpr bool is_symbol<symbol<kind, called, index, order, stated...>> = true;
+
+template <class Type>
+concept symbol_of_a_model = is_symbol<Type>;
 
 /// A coefficient of a tyre: a number, or a symbol such as a parameter.
 struct tyre_coefficient {

@@ -17,8 +17,9 @@ namespace kanexpr::mechanics {
 /// sin γ, which also replaces γ in 4.E69 and 4.E70.
 ///
 /// It differs from the book where that is not smooth. sgn x is x/√(x² + 10⁻¹²); |γ*| is γ*²/√(γ*² + 10⁻⁶);
-/// the factors E approach their limit 1 smoothly from 0.95 on; ε_V is the speed of standstill. If the wheel
-/// rolls backward, the pneumatic trail is ahead of the contact (4.E42 keeps it behind).
+/// α_t,eq and α_r,eq contain 10⁻¹² under the root; the factors E approach their limit 1 smoothly from 0.95
+/// on; ε_V is the speed of standstill. If the wheel rolls backward, the pneumatic trail is ahead of the
+/// contact (4.E42 keeps it behind).
 class magic_formula {
   using expression = symbolic::expression;
 

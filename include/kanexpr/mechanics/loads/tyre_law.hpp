@@ -63,8 +63,8 @@ private:
       (number(others), ...);
     });
     coefficients::each_factor(c, [&](auto& pressure, auto& nominal, auto&... others) {
-      visit(pressure, "the pressure of ", si::pascal);
-      visit(nominal, "the nominal pressure of ", si::pascal);
+      visit(pressure, "the pressure of ", si::newton / units::pow<2>(si::meter));
+      visit(nominal, "the nominal pressure of ", si::newton / units::pow<2>(si::meter));
       (number(others), ...);
     });
   }

@@ -1,0 +1,263 @@
+// The laws of tyres as functions of the slip: the brush model against its integral, the Magic Formula against
+// plain numbers, and the properties of both. The graph is evaluated directly.
+#include "evaluate_graph.hpp"
+#include "mechanics/loads/magic_formula_reference.hpp"
+
+#include <kanexpr/mechanics/loads/tyre_law.hpp>
+#include <kanexpr/mechanics/loads/tyre_model.hpp>
+#include <kanexpr/mechanics/loads/tyre_slip.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
+#include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <random>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace mechanics = kanexpr::mechanics;
+namespace symbolic = kanexpr::symbolic;
+using mechanics::tyre_law;
+using symbolic::expression;
+using complex = std::complex<double>;
+
+// The load, both slips, the camber and the forward speed, in this order.
+using inputs = std::array<double, 5>;
+
+class law_function {
+public:
+  template <class Law>
+  explicit law_function(const Law& law_in) {
+    for (const char* called : {"Fz", "x", "y", "gamma", "V"})
+      symbols_.push_back(
+          symbolic::variable(g_, {symbolic::symbol_kind::parameter, kanexpr::base::name(called),
+                                  static_cast<int>(symbols_.size())}));
+    const expression v = symbols_[4], least = v.number(symbolic::real(0.05));
+    const expression direction = v / mechanics::speed_above(v, least);
+    const mechanics::tyre_slip slip{symbols_[0], symbols_[1], symbols_[2], symbols_[3], v, direction};
+    const tyre_law law = law_in(g_);
+    const mechanics::tyre_effort f = law.at(slip);
+    outputs_ = {f.forward, f.lateral, f.overturning, f.rolling, f.aligning};
+    for (const expression& each : outputs_)
+      for (const expression& by : symbols_) slopes_.push_back(symbolic::differentiate(each, by));
+  }
+  law_function(const law_function&) = delete;
+  law_function& operator=(const law_function&) = delete;
+
+  template <class Number>
+  std::array<Number, 5> at(const std::array<Number, 5>& given) const {
+    std::array<Number, 5> values{};
+    const std::vector<Number> symbols(given.begin(), given.end());
+    for (std::size_t i = 0; i < 5; ++i) values[i] = graph_evaluation::evaluate(outputs_[i], symbols);
+    return values;
+  }
+  double slope(std::size_t output, std::size_t input, const inputs& given) const {
+    return graph_evaluation::evaluate(slopes_[5 * output + input],
+                                      std::vector<double>(given.begin(), given.end()));
+  }
+
+private:
+  symbolic::graph g_{};
+  std::vector<expression> symbols_{}, slopes_{};
+  std::array<expression, 5> outputs_{};
+};
+
+expression number(symbolic::graph& g, double value) { return {g, g.constant(symbolic::real(value))}; }
+
+auto linear(double slip, double cornering, double camber, double trail) {
+  return [=](symbolic::graph& g) {
+    tyre_law law;
+    law.model = mechanics::tyre_model::linear;
+    law.linear = {number(g, slip), number(g, cornering), number(g, camber), number(g, trail)};
+    return law;
+  };
+}
+
+auto brush(double friction, double slip, double cornering, double trail, double camber = 0) {
+  return [=](symbolic::graph& g) {
+    tyre_law law;
+    law.model = mechanics::tyre_model::brush;
+    law.brush = {number(g, friction), number(g, slip), number(g, cornering), number(g, trail),
+                 number(g, camber)};
+    return law;
+  };
+}
+
+auto formula(const magic_formula_reference::tyre_reference& of) {
+  return [&of](symbolic::graph& g) {
+    tyre_law law;
+    law.model = mechanics::tyre_model::magic_formula;
+    law.formula.push({});
+    tyre_law::coefficients::each_member(law.formula[0], [&](auto&... c) {
+      std::size_t i = 0;
+      ((c = number(g, of.coefficients.at(i++))), ...);
+      EXPECT_EQ(i, of.coefficients.size());
+    });
+    return law;
+  };
+}
+
+// The forces of a row of bristles under a parabolic pressure, from one end of the contact to the other.
+struct row_of_bristles {
+  double friction, load, slip, cornering, half_length;
+
+  // F_x, F_y and M_z, by Gauss' rule of 5 points on each side of the point at which sliding begins
+  std::array<double, 3> at(double x, double y) const {
+    const double elastic = std::hypot(slip * x, cornering * y) / (2 * half_length * half_length);
+    const double peak = 3 * friction * load / (4 * half_length * half_length * half_length);
+    const double stick = std::max(0.0, 2 * half_length - elastic / peak); // from the leading edge
+    const double along = slip * x / (2 * half_length * half_length),
+                 across = cornering * y / (2 * half_length * half_length);
+    std::array<double, 3> sum{};
+    integrate(0, stick, sum, [&](double s) { return std::pair(along * s, across * s); });
+    integrate(stick, 2 * half_length, sum, [&](double s) {
+      const double limit = peak * s * (2 * half_length - s), size = std::hypot(along, across);
+      return std::pair(limit * along / size, limit * across / size);
+    });
+    return sum;
+  }
+
+private:
+  template <class Shear>
+  void integrate(double from, double to, std::array<double, 3>& sum, const Shear& shear) const {
+    constexpr double places[]{-0.906179845938664, -0.538469310105683, 0, 0.538469310105683,
+                              0.906179845938664};
+    constexpr double weights[]{0.236926885056189, 0.478628670499366, 0.568888888888889, 0.478628670499366,
+                               0.236926885056189};
+    for (std::size_t i = 0; i < 5; ++i) {
+      const double s = (from + to) / 2 + places[i] * (to - from) / 2, w = weights[i] * (to - from) / 2;
+      const auto [x, y] = shear(s);
+      sum[0] += w * x, sum[1] += w * y, sum[2] += w * y * (half_length - s);
+    }
+  }
+};
+
+TEST(brush_tyre, is_the_integral_over_its_bristles) {
+  const double half = 0.06, load = 3500;
+  const law_function law(brush(0.9, 7e4, 5e4, half / 3));
+  const row_of_bristles row{0.9, load, 7e4, 5e4, half};
+  std::mt19937_64 source(3);
+  std::uniform_real_distribution<double> slips(-0.3, 0.3);
+  for (int i = 0; i < 200; ++i) {
+    const double x = slips(source), y = i % 3 == 0 ? 0 : slips(source);
+    const auto expected = row.at(x, y);
+    const auto found = law.at<double>({load, x, y, 0, 10});
+    // rounding |slip| over 1e-4 of the sliding limit changes the force by less than 3e-8
+    EXPECT_NEAR(found[0], expected[0], 3e-8 * load);
+    EXPECT_NEAR(found[1], expected[1], 3e-8 * load);
+    EXPECT_NEAR(found[4], expected[2], 3e-8 * load * half);
+  }
+}
+
+// Without longitudinal slip, F_y = -C t + C² |t| t/(3 mu Fz) - C³ t³/(27 mu² Fz²), t = tan alpha: Fiala
+// (1954).
+TEST(brush_tyre, is_that_of_fiala_for_pure_side_slip) {
+  const double c = 5e4, mu = 0.8, load = 4000;
+  const law_function law(brush(mu, 7e4, c, 0.02));
+  for (const double t : {-0.15, -0.03, 0.01, 0.08, 0.19}) {
+    const double expected = -c * t + c * c * std::abs(t) * t / (3 * mu * load) -
+                            c * c * c * t * t * t / (27 * mu * mu * load * load);
+    EXPECT_NEAR(law.at<double>({load, 0, -t, 0, 10})[1], expected, 3e-8 * load);
+  }
+  EXPECT_NEAR(law.at<double>({load, 0, -0.25, 0, 10})[1], -mu * load, 1e-8 * load);
+}
+
+TEST(brush_tyre, is_isotropic_odd_and_takes_energy) {
+  const law_function even(brush(0.9, 6e4, 6e4, 0)), uneven(brush(0.9, 9e4, 5e4, 0.03));
+  std::mt19937_64 source(4);
+  std::uniform_real_distribution<double> values(-1, 1);
+  for (int i = 0; i < 1000; ++i) {
+    const double load = 5000 * std::abs(values(source)), x = std::pow(values(source), 3),
+                 y = std::pow(values(source), 3), angle = 3 * values(source);
+    const double turned_x = std::cos(angle) * x - std::sin(angle) * y,
+                 turned_y = std::sin(angle) * x + std::cos(angle) * y;
+    const auto f = even.at<double>({load, x, y, 0, 10}),
+               turned = even.at<double>({load, turned_x, turned_y, 0, 10});
+    EXPECT_NEAR(turned[0], std::cos(angle) * f[0] - std::sin(angle) * f[1], 1e-12 * load);
+    EXPECT_NEAR(turned[1], std::sin(angle) * f[0] + std::cos(angle) * f[1], 1e-12 * load);
+    const auto g = uneven.at<double>({load, x, y, 0, 10}), back = uneven.at<double>({load, -x, -y, 0, 10});
+    for (std::size_t j = 0; j < 5; ++j) EXPECT_EQ(g[j], -back[j]);
+    EXPECT_GE(g[0] * x + g[1] * y, 0); // the slip has the sign opposite to the slip velocity
+    EXPECT_LE(std::hypot(g[0], g[1]), 0.9 * load * (1 + 1e-8));
+  }
+}
+
+TEST(magic_formula, agrees_with_the_formula_of_the_book_in_plain_numbers) {
+  for (const auto* of : {&magic_formula_reference::passenger_car, &magic_formula_reference::every_term}) {
+    const law_function law(formula(*of));
+    for (const auto& row : of->cases) {
+      const auto found = law.at<double>({row[0], row[1], -row[2], row[3], row[4]});
+      for (std::size_t i = 0; i < 5; ++i) {
+        const double size = std::max(std::abs(row[5 + i]), 1e-3 * row[0]);
+        EXPECT_NEAR(found[i], row[5 + i], 1e-12 * size) << i;
+      }
+      EXPECT_LT(row[10], 1e-5); // by the roundings, relative to the load
+    }
+  }
+}
+
+// For a tyre without asymmetries
+TEST(magic_formula, is_odd_without_camber_and_shifts) {
+  auto symmetric = magic_formula_reference::passenger_car;
+  for (const auto& [place, name] : magic_formula_reference::asymmetries) symmetric.coefficients.at(place) = 0;
+  const law_function law(formula(symmetric));
+  std::mt19937_64 source(6);
+  std::uniform_real_distribution<double> values(-0.4, 0.4);
+  for (int i = 0; i < 200; ++i) {
+    const double x = values(source), y = values(source);
+    const auto f = law.at<double>({4000, x, y, 0, 20}), mirrored = law.at<double>({4000, x, -y, 0, 20});
+    EXPECT_NEAR(f[0], mirrored[0], 1e-9);
+    EXPECT_NEAR(f[1], -mirrored[1], 1e-9);
+    EXPECT_NEAR(f[4], -mirrored[4], 1e-9);
+    EXPECT_GE(f[0] * x + f[1] * y, 0);
+  }
+}
+
+void expect_derivatives(const law_function& law, bool has_zero_load = true) {
+  std::mt19937_64 source(8);
+  std::uniform_real_distribution<double> values(-1, 1);
+  const std::array<double, 5> sizes{4000, 0.2, 0.2, 0.2, 20};
+  for (int i = 0; i < 200; ++i) {
+    inputs at{4200 + 3500 * values(source), std::pow(values(source), 3), std::pow(values(source), 3),
+              0.3 * values(source), 30 * values(source)};
+    for (std::size_t j = 0; j < 5; ++j) {
+      std::array<complex, 5> stepped{};
+      for (std::size_t k = 0; k < 5; ++k) stepped[k] = at[k];
+      stepped[j] += complex(0, 1e-30 * sizes[j]);
+      const auto f = law.at<complex>(stepped);
+      for (std::size_t k = 0; k < 5; ++k) {
+        const double expected = f[k].imag() / 1e-30, size = std::max(std::abs(expected), 1e-3 * at[0]);
+        EXPECT_NEAR(law.slope(k, j, at) * sizes[j], expected, 1e-10 * size) << k << " by " << j;
+      }
+    }
+  }
+  // without slip, at standstill and without load
+  for (const double load : {4000.0, 0.0}) {
+    if (load <= 0 && !has_zero_load) continue;
+    const inputs rest{load, 0, 0, 0, 0};
+    const auto f = law.at<double>(rest);
+    for (std::size_t k = 0; k < 5; ++k) {
+      EXPECT_TRUE(std::isfinite(f[k])) << k << " at " << load;
+      if (load <= 0) EXPECT_NEAR(f[k], 0, 1e-6);
+      for (std::size_t j = 0; j < 5; ++j)
+        EXPECT_TRUE(std::isfinite(law.slope(k, j, rest))) << k << " by " << j;
+    }
+  }
+}
+
+TEST(tyre_laws, have_exact_derivatives_also_at_standstill) {
+  expect_derivatives(law_function(linear(8e4, 6e4, 3e3, 0.03)));
+  expect_derivatives(law_function(brush(0.9, 9e4, 5e4, 0.03, 2e3)));
+  expect_derivatives(law_function(formula(magic_formula_reference::passenger_car)));
+  expect_derivatives(law_function(formula(magic_formula_reference::every_term)));
+}
+
+} // namespace
