@@ -110,6 +110,19 @@ public:
     return in_axes(tangential_force(on, at, slip, pressing));
   }
 
+  /// The sum of the normal force and the friction, on the first body.
+  constexpr vector force(observed_motion& on) const {
+    const touching at = between.at(*on.skeleton_used().model);
+    const components slip = relative_velocity(on.moving(), at);
+    const expression pressing = pressed_by(law.elastic_force(at.penetration), at, slip);
+    return in_axes(pressing * at.push + tangential_force(on, at, slip, pressing));
+  }
+
+  /// The position of the contact from the point of the first body.
+  constexpr vector place(observed_motion& on) const {
+    return in_axes(between.at(*on.skeleton_used().model).arm);
+  }
+
   /// Appends the rates of the deflections of bristles.
   constexpr void add_state_rates(force_system& on, sequence<state_rate>& all) const {
     if (!friction.has_bristles()) return;
