@@ -235,6 +235,10 @@ public:
   /// A rigid body with its inertia about any point of the body.
   void rigid_body(std::string_view called, point_id center, frame_id frame, expression mass,
                   const dyadic& inertia, point_id about);
+  /// The rotor of a motor with the inertia about its axis, which turns by an angle, such as n q in a joint
+  /// with the coordinate q. Its rotation with other bodies is neglected, as by `rotor<J, n>` in a joint. `at`
+  /// is any point of the mechanism.
+  void rotor(std::string_view called, point_id at, expression angle, const number_or_expression& inertia);
   /// A body that deforms relative to `frame`, which moves with the point `reference`. The amplitudes of its
   /// deformation are coordinates of the system and belong to no other body.
   void flexible_body(std::string_view called, point_id reference, frame_id frame,
