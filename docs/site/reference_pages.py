@@ -25,6 +25,7 @@ PAGES = [
      "describe/load.hpp describe/pathway.hpp describe/path_load.hpp"),
     ("contact", "Contact and friction", "Contacts between bodies, and laws of friction.",
      "describe/contact.hpp describe/friction.hpp describe/bristle.hpp describe/joints/friction_load.hpp"),
+    ("wheels", "Wheels", "Wheels, and the ground on which they roll.", "describe/wheel.hpp describe/surface.hpp"),
     ("systems", "Systems", "Systems for Kane's method and for Lagrange's.", "describe/system.hpp describe/extended.hpp"),
     ("constraints", "Constraints", "Configuration and velocity constraints, and auxiliary speeds.", "describe/constraint.hpp"),
     ("results", "Results", "The equations of motion as compiled functions, their arguments and their status.",

@@ -16,6 +16,7 @@
 #include <kanexpr/mechanics/model/flexible_body.hpp>
 #include <kanexpr/mechanics/model/flexible_data.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/numeric/beams/shape.hpp>
@@ -393,6 +394,11 @@ public:
     add_surface_contact(point, origin, of, level(at.x, at.y, at.z), data);
   }
 
+  /// The normal force of a contact, numbered from 1 in the order in which contacts were added.
+  expression normal_force_of(int contact, mechanics::known_motion& known);
+  /// The friction force of a contact on its first body.
+  vector friction_force_of(int contact, mechanics::known_motion& known);
+
   /// A wheel on the plane through `in_plane`, whose normal points to the wheel; the plane is fixed in the
   /// frame in whose axes the normal is given.
   wheel_on_ground wheel_on_plane(const wheel_data& wheel, point_id in_plane, const vector& normal);
@@ -495,6 +501,7 @@ private:
   wheel_on_ground wheel_on_height(const wheel_data& wheel, point_id origin, frame_id of, expression height,
                                   int steps);
   void add_contact(const mechanics::contact_geometry& between, const contact_data& data);
+  bool has_contact(int numbered, const mechanics::known_motion& known);
   expression value_of(const tyre_data::value& given);
   mechanics::tyre_law law_of(const tyre_data& data);
   int deflection(expression state_variable);

@@ -120,9 +120,17 @@ private:
     const expression inertia =
         phrases_.scalar_of(rotor[0], {"the rotor inertia of joint ", r.called}, r.called);
     expression angle = phrases_.scalar_of(r.coordinates[0], {"the coordinate of joint ", r.called}, r.called);
+    expression ratio = m_.one();
     if (has_gear_ratio)
-      angle = phrases_.scalar_of(rotor[1], {"the gear ratio of joint ", r.called}, r.called) * angle;
+      ratio = phrases_.scalar_of(rotor[1], {"the gear ratio of joint ", r.called}, r.called);
     if (reading_.mistake) return false;
+    if (!mechanics::is_fixed(inertia) || !mechanics::is_fixed(ratio)) {
+      reading_.fail(
+          {mechanics::is_fixed(inertia) ? "the gear ratio of joint " : "the rotor inertia of joint ",
+           r.called, " changes; it may contain only numbers and parameters"});
+      return false;
+    }
+    angle = ratio * angle;
     const int point = entities_.point(r.parent_point, r.called);
     if (inertia.is_zero() || angle.is_zero()) return false;
     base::name called(r.called);

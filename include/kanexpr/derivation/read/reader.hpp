@@ -40,7 +40,9 @@ class reader {
   }
 
 public:
-  constexpr reader(const system_record& from, mechanics::multibody_system& into) : reading_(from, into) {}
+  constexpr reader(const system_record& from, mechanics::multibody_system& into) : reading_(from, into) {
+    phrases_.look_up_loads(lookup_in(loads_));
+  }
   reader(const reader&) = delete;
   reader& operator=(const reader&) = delete;
 

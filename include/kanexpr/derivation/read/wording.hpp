@@ -82,6 +82,7 @@ constexpr int operands_of(const describe::token& t) {
   case token_kind::acceleration:
   case token_kind::angular_velocity:
   case token_kind::angular_acceleration:
+  case token_kind::of_load:
   case token_kind::misused: return 0;
   }
   return 0;
