@@ -229,6 +229,7 @@ TEST(dc_motor, is_that_of_a_builder) {
                   .friction = 0.02,
                   .winding = runtime::dc_motor_data::winding_data{0.004, 30, 1.5}});
   b.torque_between(wheel, n, b.along(n, 0, 0, motor.torque));
+  b.rotor("Rotor", q1, 0.01, 10);
   auto model = kanexpr::derive(b);
   ASSERT_EQ(model.mistake(), "");
   const Eigen::Vector4d x(0.3, 0.4, 1.7, 20);
