@@ -63,8 +63,9 @@ private:
       (number(others), ...);
     });
     coefficients::each_factor(c, [&](auto& pressure, auto& nominal, auto&... others) {
-      visit(pressure, "the pressure of ", si::pascal);
-      visit(nominal, "the nominal pressure of ", si::pascal);
+      const units::unit by_area = si::newton / si::meter / si::meter;
+      visit(pressure, "the pressure of ", by_area);
+      visit(nominal, "the nominal pressure of ", by_area);
       (number(others), ...);
     });
   }
