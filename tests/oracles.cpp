@@ -162,6 +162,13 @@ bicycle load_bicycle(const std::string& name) {
   return result;
 }
 
+std::map<std::string, MatrixXd> load_tables(const std::string& name) {
+  std::map<std::string, MatrixXd> result;
+  const json file = read(name);
+  for (const auto& [called, rows] : file.items()) result[called] = matrix(rows);
+  return result;
+}
+
 double relative_error(const Eigen::Ref<const MatrixXd>& a, const Eigen::Ref<const MatrixXd>& b) {
   if (a.rows() != b.rows() || a.cols() != b.cols() || !a.allFinite() || !b.allFinite())
     return std::numeric_limits<double>::infinity();

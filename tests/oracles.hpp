@@ -83,6 +83,8 @@ struct bicycle {
 system load(const std::string& name);
 robot load_robot(const std::string& name);
 bicycle load_bicycle(const std::string& name = "bicycle_canonical");
+// Tables of numbers, by name.
+std::map<std::string, MatrixXd> load_tables(const std::string& name);
 
 // The largest difference relative to the largest element of b; infinite if the sizes differ or elements are
 // not finite.

@@ -92,7 +92,7 @@ struct RR : beside<RR, RearHub, Body, -1> {};
 template <class P, class Frame>
 using tire = show<cylinder<Frame, P, Frame::y, 0.2, R>, colour<"#33383d">>;
 
-using picture = kanexpr::picture<System, up<N::z>, ground<0>, seen_from<-N::x - N::y + 1.6 * N::z>,
+using picture = kanexpr::picture<System, up<N::z>, ground<0.0>, seen_from<-N::x - N::y + 1.6 * N::z>,
                                  trace<FrontHub, colour<"#d98a2b">>, trace<RearHub, colour<"#3d6b99">>,
                                  show<box<Body, Hood, 4.2, 1.7, 0.5>, colour<"#b5382f">>,
                                  show<box<Body, Cabin, 2, 1.5, 0.5>, colour<"#8f979e">>, tire<FL, Fork>,

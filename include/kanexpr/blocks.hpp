@@ -7,4 +7,6 @@
 #include <kanexpr/describe/blocks/dc_motor.hpp>
 #include <kanexpr/describe/blocks/delay.hpp>
 #include <kanexpr/describe/blocks/lag.hpp>
+#include <kanexpr/describe/blocks/muscle.hpp>
 #include <kanexpr/describe/blocks/pid.hpp>
+#include <kanexpr/mechanics/loads/muscle_equilibrium.hpp>

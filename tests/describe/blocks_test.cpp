@@ -4,6 +4,7 @@
 #include <kanexpr/fixed_step.hpp>
 #include <kanexpr/joints.hpp>
 #include <kanexpr/kanexpr.hpp>
+#include <kanexpr/runtime/builder.hpp>
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -33,13 +34,19 @@ struct Filter : lag<Filter, r, T> {};
 struct Late : delay<Late, 6, Filter::output, T> {};
 struct Controller : pid<Controller, Late::output - q, kp, ki, kd, 0.1> {};
 struct Limited : pid<Limited, r - q, kp, ki, kd, 0.1, -3, 5, 0.5> {};
+struct Proportional : pid<Proportional, r - q, kp, ki> {};
+struct Bounded : pid<Bounded, r - q, kp, ki, -3, 5, 0.5> {};
 struct Valve : slew_limit<Valve, Limited::output, 2.0, 0.05> {};
 struct Muscle : muscle_activation<Muscle, r, 0.015, 0.06> {};
 
-struct System : kane_system<inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Cart>,
-                            parameters<T, kp, ki, kd>, inputs<r>,
-                            blocks<Filter, Late, Controller, Limited, Valve, Muscle>,
-                            loads<force<P, 1e-6 * (Controller::output + Valve::output) * N::x>>> {};
+struct System
+    : kane_system<
+          inertial<N>, coordinates<q>, speeds<u>, kinematics<dot(q) == u>, bodies<Cart>,
+          parameters<T, kp, ki, kd>, inputs<r>,
+          blocks<Filter, Late, Controller, Limited, Valve, Muscle, Proportional, Bounded>,
+          loads<
+              force<P, 1e-6 * (Controller::output + Valve::output + Proportional::output + Bounded::output) *
+                           N::x>>> {};
 
 } // namespace blocks_on_a_cart
 
@@ -53,7 +60,7 @@ struct N : inertial_ground<N> {};
 struct Wheel : pin<Wheel, N, axis<N::z>, body<1, 0.1 * own::z, inertia<own, J, J, J>>> {};
 struct System : kane_system<inertial<N>, joints<Wheel>, loads<dc_motor<Wheel, V, 2, 0.01, 0.1, 10, 0.02>>> {};
 struct WarmSystem : kane_system<inertial<N>, joints<Wheel>,
-                                loads<dc_motor<Wheel, V, 2, 0.01, 0.1, 10, 0.02, 0.004, 30, 1.5>>> {};
+                                loads<dc_motor<Wheel, V, 2, 0.01, 0.1, 10, 0.02, 0.01, 0.004, 30, 1.5>>> {};
 
 } // namespace motors
 
@@ -72,7 +79,7 @@ kanexpr::state<System> some_state() {
 }
 
 TEST(blocks, add_state_variables) {
-  EXPECT_EQ(eom::state_variables, 1 + 6 + 2 + 2 + 1 + 1);
+  EXPECT_EQ(eom::state_variables, 1 + 6 + 2 + 2 + 1 + 1 + 1 + 1);
   EXPECT_EQ(std::string(kanexpr::derivation::stages_of<System>::constrained.known.names[2].view()),
             "y_Filter");
   EXPECT_EQ(std::string(kanexpr::derivation::stages_of<System>::constrained.known.names[3].view()),
@@ -106,6 +113,52 @@ TEST(blocks, follow_their_equations) {
   const double limited = -3 + softplus(v + 3, 0.08) - softplus(v - 5, 0.08);
   EXPECT_NEAR(limited_s, 0.7 * of_limited + (limited - v) / 0.5, 1e-12); // does not wind up
   EXPECT_NEAR(valve, 2 * std::tanh((limited - x[Valve::output]) / (2 * 0.05)), 1e-13);
+}
+
+// The same system from a builder has the same state variables and rates.
+TEST(blocks, are_those_of_a_builder) {
+  namespace runtime = kanexpr::runtime;
+  runtime::builder b("N");
+  const auto position = b.coordinate("q"), velocity = b.speed("u"), time = b.parameter("T"),
+             p = b.parameter("kp"), i = b.parameter("ki"), d = b.parameter("kd"), reference = b.input("r");
+  b.kinematic_equation(b.dot(position) - velocity);
+  const runtime::frame_id n = b.inertial_frame();
+  const runtime::point_id at = b.offset("P", b.origin("O"), b.along(n, position, 0, 0));
+  b.particle("Cart", at, b.number(2));
+  const auto filtered = b.lag("Filter", reference, time), late = b.delay("Late", 6, filtered, time),
+             controlled = b.pid("Controller", late - position, p, i, d, 0.1),
+             limited = b.pid("Limited", reference - position, p, i, d, 0.1, -3, 5, 0.5),
+             followed = b.slew_limit("Valve", limited, 2.0, 0.05);
+  b.muscle_activation("Muscle", reference, 0.015, 0.06);
+  const auto proportional = b.pid("Proportional", reference - position, p, i),
+             bounded = b.pid("Bounded", reference - position, p, i, -3, 5, 0.5);
+  b.force(at, b.along(n, 1e-6 * (controlled + followed + proportional + bounded), 0, 0));
+  auto model = kanexpr::derive(b);
+  ASSERT_EQ(model.mistake(), "");
+  const auto x = some_state();
+  const Eigen::VectorXd rates = model.function(model.get(kanexpr::mechanics::quantity::rhs))(
+                            x, some_parameters(), Eigen::VectorXd::Constant(1, 1.3)),
+                        expected = eom::rhs(x, some_parameters(), kanexpr::input_values<System>{{r, 1.3}});
+  ASSERT_EQ(rates.size(), expected.size());
+  for (Eigen::Index k = 0; k < rates.size(); ++k)
+    EXPECT_NEAR(rates(k), expected(k), 1e-14 * (1 + std::abs(expected(k)))) << k;
+}
+
+/// Without a derivative, the controller has neither its time constant nor its filter.
+TEST(blocks, have_pi_controllers) {
+  const auto x = some_state();
+  using kanexpr::state_variable;
+  const auto [output, rate, bounded, bounded_rate] =
+      kanexpr::function<System, Proportional::output, dot(state_variable<"s_Proportional">{}),
+                        Bounded::output, dot(state_variable<"s_Bounded">{})>{}(
+          x, some_parameters(), kanexpr::input_values<System>{{r, 1.3}});
+  const double e = 1.3 - x[q], softened = 0.08;
+  EXPECT_NEAR(output, 3 * e + x[state_variable<"s_Proportional">{}], 1e-14);
+  EXPECT_NEAR(rate, 0.7 * e, 1e-14);
+  const auto softplus = [&](double v) { return softened * std::log1p(std::exp(v / softened)); };
+  const double v = 3 * e + x[state_variable<"s_Bounded">{}], limited = -3 + softplus(v + 3) - softplus(v - 5);
+  EXPECT_NEAR(bounded, limited, 1e-13);
+  EXPECT_NEAR(bounded_rate, 0.7 * e + (limited - v) / 0.5, 1e-12);
 }
 
 /// The transfer function of the delay from its state matrix, and the Padé approximant of e^(−s).
@@ -158,6 +211,35 @@ TEST(dc_motor, has_a_current) {
   EXPECT_NEAR(rates(2), (12 - 2 * i - 0.1 * 10 * u) / 0.01, 1e-12);
 }
 
+TEST(dc_motor, is_that_of_a_builder) {
+  using namespace motors;
+  namespace runtime = kanexpr::runtime;
+  runtime::builder b("N");
+  const auto q1 = b.coordinate("q"), u1 = b.speed("u"), inertia = b.parameter("J"), voltage = b.input("V");
+  b.kinematic_equation(b.dot(q1) - u1);
+  const runtime::frame_id n = b.inertial_frame(), wheel = b.rotated("Wheel", n, q1, b.along(n, 0, 0, 1));
+  b.rigid_body("Wheel", b.origin("O"), wheel, b.number(1), b.inertia(wheel, inertia, inertia, inertia));
+  const runtime::dc_motor_states motor =
+      b.dc_motor("Wheel", u1,
+                 {.voltage = voltage,
+                  .resistance = 2,
+                  .inductance = 0.01,
+                  .torque_constant = 0.1,
+                  .gear_ratio = 10,
+                  .friction = 0.02,
+                  .winding = runtime::dc_motor_data::winding_data{0.004, 30, 1.5}});
+  b.torque_between(wheel, n, b.along(n, 0, 0, motor.torque));
+  auto model = kanexpr::derive(b);
+  ASSERT_EQ(model.mistake(), "");
+  const Eigen::Vector4d x(0.3, 0.4, 1.7, 20);
+  const Eigen::VectorXd rates = model.function(model.get(kanexpr::mechanics::quantity::rhs))(
+      x, Eigen::VectorXd::Constant(1, 3), Eigen::VectorXd::Constant(1, 12));
+  const Eigen::Vector4d expected = kanexpr::equations_of_motion<WarmSystem>::rhs(
+      kanexpr::state<WarmSystem>(x), kanexpr::parameter_values<WarmSystem>{{J, 3}},
+      kanexpr::input_values<WarmSystem>{{V, 12}});
+  EXPECT_LT((rates - expected).norm(), 1e-13 * expected.norm());
+}
+
 // In a steady state, the heat of the winding flows off.
 TEST(dc_motor, becomes_warm) {
   using namespace motors;
@@ -168,6 +250,8 @@ TEST(dc_motor, becomes_warm) {
       x, kanexpr::parameter_values<WarmSystem>{{J, 3}}, kanexpr::input_values<WarmSystem>{{V, 12}});
   const double resistance = 2 * (1 + 0.004 * heat);
   EXPECT_EQ(x[kanexpr::heating_of<Wheel>], heat);
+  EXPECT_NEAR(rates(1), (10 * 0.1 * i - 100 * 0.02 * u) / (3 + 100 * 0.01),
+              1e-15); // the rotor's inertia n² J
   EXPECT_NEAR(rates(2), (12 - resistance * i - 0.1 * 10 * u) / 0.01, 1e-12);
   EXPECT_NEAR(rates(3), (resistance * i * i - heat / 1.5) / 30, 1e-14);
 }

@@ -72,6 +72,8 @@ struct Body : rigid_body<Body, Hub, Wheel, 1, inertia<Wheel, 1, 1, 1>> {};
 struct Ground : inertial_ground<Ground> {};
 struct Crank : pin<Crank, Ground, axis<own::z>, body<1, 0.1 * own::x, inertia<own, 1, 1, 1>>> {};
 struct Piston : prismatic<Piston, Crank, axis<Crank::x>, body<1, 0.1 * own::x, inertia<own, 1, 1, 1>>> {};
+struct Tip : offset<Tip, Piston, 0.1 * Piston::x> {};
+constexpr parameter<"sigma"> sigma;
 
 } // namespace given
 
@@ -92,6 +94,35 @@ TEST(contact, friction_of_joints) {
                                     >>>();
 }
 
+namespace quantities {
+
+using namespace given;
+
+#include <docs/guide/contact/forces.cpp>
+
+TEST(contact, has_forces_as_results) {
+  expect_no_mistake<Braked>();
+  auto model = derive<Braked>();
+  EXPECT_EQ(model.get<pressing>().rows, 1);
+  EXPECT_EQ(model.get<rubbing>().rows, 1);
+  EXPECT_EQ(model.mistake(), "");
+}
+
+} // namespace quantities
+
+TEST(contact, friction_with_bristles) {
+  using namespace given;
+  using System = kane_system<inertial<Ground>, joints<Crank, Piston>,
+                             loads<
+#include <docs/guide/contact/bristles.cpp>
+                                 >>;
+  expect_no_mistake<System>();
+  state<System> x = state<System>::Ones();
+#include <docs/guide/contact/deflection.cpp>
+  EXPECT_EQ(x.z(), Eigen::Vector4d::Zero());
+  EXPECT_EQ(x(0), 1);
+}
+
 TEST(contact, in_a_builder) {
   runtime::builder b("N");
   const auto q = b.coordinate("q");
@@ -100,7 +131,13 @@ TEST(contact, in_a_builder) {
   const auto ball = b.body_fixed("B", b.inertial_frame(), "xyz", b.number(0.1), b.number(0.2), b.number(0.3));
   b.particle("Ball", center, b.number(1));
 #include <docs/guide/contact/builder.cpp>
+#include <docs/guide/contact/builder_forces.cpp>
   EXPECT_EQ((b.check)().view(), "");
+  auto model = derive(b);
+  symbolic::matrix force(b.graph(), 1, 1);
+  force.entries[0] = pressing;
+  EXPECT_EQ(model.function(force)(Eigen::Vector2d(0.2, 0), Eigen::VectorXd::Constant(1, 100))(0), 0);
+  EXPECT_EQ(rubbing.parts.size(), 1);
 }
 
 } // namespace

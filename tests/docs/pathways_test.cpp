@@ -79,6 +79,20 @@ TEST(pathways, are_valid) {
       >>>();
 }
 
+namespace quantities {
+
+#include <docs/guide/pathways/quantities.cpp>
+
+TEST(pathways, have_lengths_and_tensions_as_results) {
+  expect_no_mistake<Tied>();
+  auto model = derive<Tied>();
+  for (const auto& found : {model.get<length>(), model.get<pull>(), model.get<against>()})
+    EXPECT_EQ(found.rows, 1);
+  EXPECT_EQ(model.mistake(), "");
+}
+
+} // namespace quantities
+
 namespace mount {
 
 constexpr parameter<"I"> I;

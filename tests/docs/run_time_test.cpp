@@ -80,6 +80,22 @@ TEST(builder, makes_a_pendulum) {
   EXPECT_NEAR(numbers(1), -9.81 / 0.5 * std::sin(0.3), 1e-14);
 }
 
+TEST(builder, has_blocks) {
+  runtime::builder b("N");
+  const auto q = b.coordinate("q"), u = b.speed("u"), r = b.input("r"), kp = b.parameter("kp");
+  b.kinematic_equation(b.dot(q) - u);
+  const auto N = b.inertial_frame(), A = b.rotated("A", N, q, b.along(N, 0, 0, 1));
+  const auto O = b.origin("O");
+  b.rigid_body("Wheel", O, A, b.number(1), b.inertia(A, 1, 1, 1));
+  const auto V = b.input("V");
+#include <docs/guide/builder/blocks.cpp>
+#include <docs/guide/builder/dc_motor.cpp>
+  model controlled_wheel = derive(b);
+  EXPECT_EQ(controlled_wheel.mistake(), "");
+  EXPECT_EQ(controlled_wheel.udot().rows, 1 + 1 + 4 + 2 + 1 + 1);
+  EXPECT_EQ(b.mechanism().speeds.find(motor.current), 9);
+}
+
 TEST(builder, makes_a_sleigh) {
   runtime::builder b("N");
   const auto x = b.coordinate("x"), y = b.coordinate("y"), turned = b.coordinate("turned");

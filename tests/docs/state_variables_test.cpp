@@ -84,6 +84,7 @@ struct N : inertial_ground<N> {};
 struct Wheel : pin<Wheel, N, axis<N::z>, body<1, 0.1 * own::x, inertia<own, 1, 1, 1>>> {};
 constexpr parameter<"alpha"> alpha;
 constexpr parameter<"C"> C;
+constexpr parameter<"J"> J;
 constexpr parameter<"Rth"> Rth;
 // clang-format off
 struct Cold : kane_system<inertial<N>, joints<Wheel>,

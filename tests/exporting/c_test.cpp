@@ -7,6 +7,7 @@
 #include <models/motor_arm.hpp>
 #include <models/rolling_disc.hpp>
 #include <models/simple_pendulum.hpp>
+#include <runtime/loaded_arm.hpp>
 #include <runtime/slewing_arm.hpp>
 
 #include "curved.hpp"
@@ -21,6 +22,8 @@
 #include <four_bar.h>
 #include <iiwa.h>
 #include <iiwa_in_float.h>
+#include <loaded_arm.h>
+#include <loaded_arm_in_float.h>
 #include <motor_arm.h>
 #include <motor_arm_in_float.h>
 #include <pendulum.h>
@@ -138,6 +141,7 @@ TEST(C, HasTheBitsOfTheCompiledFunctions) {
   expect_same_udot<double, slewing_arm::System>(slewing_arm_udot);
   expect_same_udot<double, bouncing_ball::System>(bouncing_ball_udot);
   expect_same_udot<double, motor_arm::System>(motor_arm_udot);
+  expect_same_udot<double, loaded_arm::System>(loaded_arm_udot);
 }
 
 TEST(C, HasTheBitsOfTheCompiledFunctionsInSinglePrecision) {
@@ -146,6 +150,7 @@ TEST(C, HasTheBitsOfTheCompiledFunctionsInSinglePrecision) {
   expect_same_udot<float, slewing_arm::System>(slewing_arm_in_float_udot);
   expect_same_udot<float, bouncing_ball::System>(bouncing_ball_in_float_udot);
   expect_same_udot<float, motor_arm::System>(motor_arm_in_float_udot);
+  expect_same_udot<float, loaded_arm::System>(loaded_arm_in_float_udot);
 }
 
 TEST(C, HasTheBitsOfFunctionsInBothPrecisions) {

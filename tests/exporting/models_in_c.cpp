@@ -14,6 +14,7 @@
 #include <models/n_pendulum_cart.hpp>
 #include <models/rolling_disc.hpp>
 #include <models/simple_pendulum.hpp>
+#include <runtime/loaded_arm.hpp>
 #include <runtime/slewing_arm.hpp>
 #include <simulations/falling_ball.hpp>
 #include <steps/quaternions.hpp>
@@ -72,7 +73,8 @@ bool write_for_casadi(const char* folder, const casadi_options& bound) {
   return written && write_driven(folder) && write_awkward(folder) &&
          write_casadi<simple_pendulum::System>(folder, "bound_pendulum", bound) &&
          write_casadi<rolling_disc::System>(folder, "disc", {.step = "semi_implicit_euler"}) &&
-         write_casadi<motor_arm::System>(folder, "motor_arm", {.step = "runge_kutta_4"});
+         write_casadi<motor_arm::System>(folder, "motor_arm", {.step = "runge_kutta_4"}) &&
+         write_casadi<loaded_arm::System>(folder, "loaded_arm", {.step = "runge_kutta_4"});
 }
 
 bool is_whole(const kanexpr::exporting::written_fmu& written) {
@@ -196,6 +198,7 @@ int main(int, char** arguments) {
                  write<bead::System>(folder, "bead", steps) &&
                  write<appell_hamel::System>(folder, "appell_hamel", steps) &&
                  write<motor_arm::System>(folder, "motor_arm", {}) &&
+                 write<loaded_arm::System>(folder, "loaded_arm", {}) &&
                  write<iiwa::System>(folder, "iiwa", dynamics) &&
                  write<four_bar::System>(folder, "four_bar", with_python) &&
                  write<rolling_disc::System>(folder, "disc", {}) &&

@@ -13,14 +13,14 @@ void f() { use<System>(); }
 
 // expect: block C lacks an argument; write pid<Self, deviation, kp, ki, kd, Td>
 namespace k2 {
-struct C : pid<C, q, 1, 2> {};
+struct C : pid<C, q, 1, 2, 3> {};
 struct System : moved<blocks<C>> {};
 void f() { use<System>(); }
 } // namespace k2
 
 // expect: block C lacks an argument; write pid<Self, deviation, kp, ki, kd, Td, least, greatest, Tt>
 namespace k3 {
-struct C : pid<C, q, 1, 2, 3, 4, 5> {};
+struct C : pid<C, q, 1, 2, 3, 4, 5, 6> {};
 struct System : moved<blocks<C>> {};
 void f() { use<System>(); }
 } // namespace k3
@@ -71,7 +71,7 @@ struct Wheel : pin<Wheel, Ground, axis<Ground::z>, body<1, 0.1 * own::x, inertia
 template <class... Loads>
 using driven = kane_system<inertial<Ground>, joints<Wheel>, loads<Loads...>>;
 
-// expect: the DC motor between Wheel and Ground lacks an argument; write dc_motor<Joint, V, R, L, k, n, b>
+// expect: the DC motor between Wheel and Ground lacks an argument; write dc_motor<Joint, V, R, L, k, n, b, J>
 namespace k10 {
 struct System : driven<dc_motor<Wheel, F, 1, 1>> {};
 void f() { use<System>(); }
@@ -82,3 +82,9 @@ namespace k11 {
 struct System : driven<dc_motor<Wheel, F, 1, 1, 1>, dc_motor<Wheel, F, 1, 1, 1>> {};
 void f() { use<System>(); }
 } // namespace k11
+
+// expect: the gear ratio of joint Wheel changes; it may contain only numbers and parameters
+namespace k12 {
+struct System : driven<dc_motor<Wheel, F, 1, 1, 1, 1 + q_of<Wheel>, 0.1, 0.2>> {};
+void f() { use<System>(); }
+} // namespace k12

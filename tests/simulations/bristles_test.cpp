@@ -2,6 +2,8 @@
 #include <kanexpr/mechanics/loads/friction_law.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/simulations/model.hpp>
+#include <kanexpr/units/si.hpp>
+#include <kanexpr/units/unit.hpp>
 
 #include <Eigen/Core>
 #include <gtest/gtest.h>
@@ -315,6 +317,37 @@ TEST(bristles, create_no_energy_in_contacts) {
         },
         data);
   });
+}
+
+// A joint with Lagrange's method, and the units of the deflection: that of y is m √N.
+TEST(bristles, by_lagrange_and_with_units) {
+  namespace si = kanexpr::units::si;
+  const auto derived = [](bool by_lagrange) {
+    builder b("N");
+    const expression x = b.coordinate("x", si::meter), normal = b.input("N", si::newton);
+    const expression v = by_lagrange ? b.dot(x) : b.speed("v");
+    if (by_lagrange)
+      b.rates_as_speeds();
+    else
+      b.kinematic_equation(b.dot(x) - v);
+    const expression z = b.state_variable("z"), y = b.state_variable("y");
+    b.particle("Block", b.offset("P", b.origin("O"), b.along(builder::inertial_frame(), x, 0, 0)),
+               b.number(2));
+    const auto path = b.given_length(x);
+    b.friction_along(path, b.parameter("N0", si::newton), lugre(b, {z}));
+    b.friction_along(path, normal, lugre(b, {y}));
+    EXPECT_EQ(b.unit_of(z), si::meter);
+    EXPECT_EQ(b.unit_of(y), (si::meter * kanexpr::units::pow<1, 2>(si::newton)));
+    return derive(b);
+  };
+  model kane = derived(false), lagrange = derived(true);
+  ASSERT_EQ(kane.mistake(), "");
+  ASSERT_EQ(lagrange.mistake(), "");
+  const VectorXd x = Eigen::Vector4d(0.4, 0.2, 1e-4, -3e-4), one = VectorXd::Constant(1, 0.6);
+  const VectorXd first = kane.function(kane.rhs())(x, one, one),
+                 second = lagrange.function(lagrange.rhs())(x, one, one);
+  EXPECT_LT((first - second).norm(), 1e-13 * second.norm());
+  EXPECT_GT(std::abs(first[1]), 0.1);
 }
 
 TEST(bristles, are_checked) {

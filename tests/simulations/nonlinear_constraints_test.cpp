@@ -99,6 +99,34 @@ void expect_motion_by_each(const Motion& built, double c, double start, double d
 
 TEST(nonlinear_constraints, keep_the_speed) { expect_motion_by_each(constant_speed(false), 3, 0.9, 1); }
 // The vertical speed passes through zero, where the constraint cannot be solved for it.
+// The same motion with a state variable, which decays on its own.
+struct constant_speed_with_memory : constant_speed {
+  constant_speed_with_memory() : constant_speed(false) {
+    const expression memory = state_variable("memory");
+    dynamics(memory, -memory / 0.3);
+  }
+};
+
+template <integrator by>
+void expect_motion_and_memory() {
+  const double c = 3, duration = 0.8;
+  const Eigen::Vector4d x = constant_speed::at(0, c, 0.9), end = constant_speed::at(duration, c, 0.9);
+  const auto run = simulate<by>(constant_speed_with_memory(),
+                                {{"x", 0}, {"z", 0}, {"u", x(2)}, {"w", x(3)}, {"memory", 2}},
+                                {{"m", mass}, {"g", strength}, {"c", c}}, {0, duration},
+                                {.relative_tolerance = 1e-10, .absolute_tolerance = 1e-11});
+  ASSERT_TRUE(run) << run.cause();
+  const Eigen::VectorXd last = run.trajectory[run.trajectory.size() - 1].x;
+  EXPECT_LE((last.head(4) - end).norm(), 1e-7);
+  EXPECT_NEAR(last(4), 2 * std::exp(-duration / 0.3), 1e-8);
+}
+
+TEST(nonlinear_constraints, keep_the_speed_with_a_state_variable) {
+  expect_motion_and_memory<integrator::adams>();
+  expect_motion_and_memory<integrator::implicit_runge_kutta>();
+  expect_motion_and_memory<integrator::differential_algebraic>();
+}
+
 TEST(nonlinear_constraints, pass_where_the_dependent_speed_cannot_be_solved_for) {
   expect_motion_by_each(constant_speed(true), 3, 0.9, 1);
 }

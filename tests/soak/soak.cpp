@@ -1,5 +1,6 @@
 // A given number of random mechanisms in random units, compared with an independent evaluation.
 #include "bound.hpp"
+#include "loaded.hpp"
 #include "tree.hpp"
 
 #include <CLI/CLI.hpp>
@@ -8,12 +9,13 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 namespace {
 
 struct asked {
   unsigned first = 0;
-  long trees = 80'000, bound = 20'000;
+  long trees = 80'000, bound = 20'000, loaded = 3'000;
   soak::wanted wanted;
   std::string folder = "build/soak";
 };
@@ -42,8 +44,9 @@ tally go_through(const asked& a, long wanted, const char* kind) {
       std::filesystem::create_directories(a.folder);
       std::ofstream(a.folder + "/failures.txt", std::ios::app)
           << kind << ' ' << seed << ": " << t.errors.reason() << '\n';
-      std::printf("%s %u failed: %s; again by: soak --first %u --%s 1 --%s 0\n", kind, seed,
-                  t.errors.reason().c_str(), seed, kind, kind[0] == 't' ? "bound" : "trees");
+      const auto count = [&](std::string_view each) { return each == kind ? 1 : 0; };
+      std::printf("%s %u failed: %s; again by: soak --first %u --trees %d --bound %d --loaded %d\n", kind,
+                  seed, t.errors.reason().c_str(), seed, count("trees"), count("bound"), count("loaded"));
       std::fflush(stdout);
     }
     if (t.compared % 1000 == 0) {
@@ -71,16 +74,19 @@ int main(int count, char** words) {
   line.add_option("--first", a.first, "The first seed");
   line.add_option("--trees", a.trees, "How many without constraints");
   line.add_option("--bound", a.bound, "How many with constraints");
+  line.add_option("--loaded", a.loaded, "How many with loads along pathways, in contacts and with states");
   line.add_option("--decades", a.wanted.decades, "Over how many decades units are scaled, to either side");
   line.add_flag("--hostile,!--no-hostile", a.wanted.hostile_states, "Visit hostile states");
   line.add_option("--folder", a.folder, "Where seeds of failures are written");
   CLI11_PARSE(line, count, words);
   const auto begin = std::chrono::steady_clock::now();
   const tally trees = go_through<soak::tree>(a, a.trees, "trees"),
-              bound = go_through<soak::bound>(a, a.bound, "bound");
+              bound = go_through<soak::bound>(a, a.bound, "bound"),
+              loaded = go_through<soak::loaded>(a, a.loaded, "loaded");
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
   print(trees, "mechanisms without constraints", a.wanted.decades);
   print(bound, "mechanisms with constraints", a.wanted.decades);
+  print(loaded, "mechanisms with loads along pathways, in contacts and with states", 0);
   std::printf("\n%.0f s\n", took.count());
-  return trees.failed + bound.failed == 0 ? 0 : 1;
+  return trees.failed + bound.failed + loaded.failed == 0 ? 0 : 1;
 }

@@ -9,6 +9,7 @@
 #include <kanexpr/figures/geometry.hpp>
 #include <kanexpr/figures/outlines.hpp>
 #include <kanexpr/figures/pathways.hpp>
+#include <kanexpr/mechanics/loads/muscle.hpp>
 #include <kanexpr/mechanics/loads/path_load.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -402,21 +403,25 @@ inline void default_shapes::add_wrapped_cable(int load) {
               along.frame, about_axis(axis, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY()));
 }
 
-/// Cables are drawn once, whatever acts along them.
+/// Cables and muscles are drawn once, whatever acts along them; of muscles, only those through points.
 inline void default_shapes::add_pathways() {
   std::set<std::pair<int, int>> drawn;
-  for (int n = 0; n < system_.loads.path_loads.size(); ++n) {
-    const mechanics::path_load& each = system_.loads.path_loads[n];
-    if (each.along.is_around_surface() && is_first_on_its_line(n)) add_wrapped_cable(n);
-    if (each.along.form != mechanics::pathway_form::through_points) continue;
-    const auto& points = each.along.points;
+  const auto add_segments = [&](const mechanics::pathway& along) {
+    if (along.form != mechanics::pathway_form::through_points) return;
+    const auto& points = along.points;
     for (int i = 1; i < points.size(); ++i) {
       const std::pair<int, int> ends = std::minmax(points[i - 1], points[i]);
       if (!drawn.insert(ends).second) continue;
       add_between("cable from " + name_of_point(points[i - 1]) + " to " + name_of_point(points[i]), "rod",
                   std::string(of_springs), {0.012 * length_}, points[i - 1], points[i]);
     }
+  };
+  for (int n = 0; n < system_.loads.path_loads.size(); ++n) {
+    const mechanics::pathway& along = system_.loads.path_loads[n].along;
+    if (along.is_around_surface() && is_first_on_its_line(n)) add_wrapped_cable(n);
+    add_segments(along);
   }
+  for (const mechanics::muscle& each : system_.loads.muscles) add_segments(each.along);
 }
 
 /// The least height of the shapes along the motion.

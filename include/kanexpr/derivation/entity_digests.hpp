@@ -88,6 +88,7 @@ private:
       if (t.frame != nullptr) mention(t.frame);
       if (t.point != nullptr) mention(t.point);
       if (t.external != nullptr) now_.take(t.external->called);
+      if (t.load != nullptr) take_parts(*t.load);
     }
   }
   constexpr void take(const listing<phrase>& all) {
@@ -152,6 +153,10 @@ private:
   }
   constexpr void take(const describe::load_record& r) {
     begin();
+    take_parts(r);
+    end("", "loads with the same name");
+  }
+  constexpr void take_parts(const describe::load_record& r) {
     now_.take(r.what);
     mention(r.point), mention(r.other_point), mention(r.frame), mention(r.other_frame);
     take(r.value), take(r.angle), take(r.rest), take(r.states), take(r.dynamics);
@@ -159,8 +164,8 @@ private:
     if (r.contact != nullptr) take(*r.contact);
     if (r.tyre != nullptr) take(*r.tyre);
     for (int i = 0; i < r.terms_given; ++i) take(r.terms[i]);
+    for (int i = 0; i < 2 && r.rotor != nullptr; ++i) take(r.rotor[i]);
     if (r.path != nullptr) take(*r.path);
-    end("", "loads with the same name");
   }
   constexpr void take(const describe::path_record& r) {
     now_.take(4 * static_cast<int>(r.what) + 2 * r.first_is_on_surface + r.last_is_on_surface);

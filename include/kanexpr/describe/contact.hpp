@@ -259,6 +259,7 @@ struct contact : describe::load_words {
     r.point = c.point;
     r.other_point = c.other_point;
     r.contact = &c;
+    r.once = true;
     if constexpr (describe::lays_out_contact<Geometry> && (describe::law_with_bristles<Words> || ...))
       r.states = describe::bristles_on<Geometry>;
     return r;

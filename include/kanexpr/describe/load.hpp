@@ -22,6 +22,7 @@ enum class describe::load_word : unsigned char {
   bushing,
   friction,
   contact,
+  muscle,
   tyre,
   none,
 };

@@ -237,12 +237,14 @@ struct body_record : entity_record {
 
 struct friction_record;
 struct contact_record;
+struct muscle_record;
 struct tyre_record;
 
 /// How the values of a load are interpreted; the enumerators are in load.hpp.
 enum class load_word : unsigned char;
 
 struct path_record;
+struct joint_record;
 
 /// An argument of a load whose value contains more than this argument.
 struct coefficient_record {
@@ -266,11 +268,14 @@ struct load_record {
   phrase known_by{}; ///< the expression that identifies it, if points or frames do not
   const friction_record* friction = nullptr;       ///< the law of a friction in a joint
   const contact_record* contact = nullptr;         ///< null if it is not a contact
+  const muscle_record* muscle = nullptr;           ///< null if it is not a muscle
   const tyre_record* tyre = nullptr;               ///< null if it is not a tyre
   const coefficient_record* coefficient = nullptr; ///< of a force
   listing<phrase> states{}, dynamics{};            ///< its state variables, and the equations for their rates
   const path_record* path = nullptr;               ///< the pathway along which it acts
-  const phrase* terms = nullptr;                   ///< the arguments of its law, followed by zeros
+  const joint_record* joint = nullptr; ///< the joint in which a motor acts, if its rotor has an inertia
+  const phrase* rotor = nullptr;       ///< the inertia of the rotor and its gear ratio
+  const phrase* terms = nullptr;       ///< the arguments of its law, followed by zeros
   int terms_given = 0;
   std::string_view called{};
   std::string_view instead{}; ///< the actual kind, if it is not a load

@@ -25,6 +25,7 @@ enum class shape : unsigned char {
 struct frame_record;
 struct point_record;
 struct external_record;
+struct load_record;
 
 /// Denotes "not prescribed" as the order of a derivative.
 inline constexpr int unprescribed = -1;
@@ -74,6 +75,7 @@ enum class token_kind : unsigned char {
   in_axes,    ///< a vector in the axes of `frame`
   length,     ///< a scalar that must not be a negative number
   wheel_axis, ///< a vector that must be fixed in `frame`
+  of_load,    ///< a quantity of `load`; `index` is the describe::load_quantity
   misused,    ///< a construct without meaning in a model; `index` is the describe::misuse
 };
 
@@ -86,6 +88,7 @@ struct token {
   const frame_record* frame = nullptr;
   const point_record* point = nullptr;
   const external_record* external = nullptr;
+  const load_record* load = nullptr;
   bool is_of_one_file = false; ///< whether it points to an entity that is local to one source file
 };
 

@@ -72,6 +72,13 @@ constexpr wheel_record record_wheel() {
   return r;
 }
 
+/// Whether the lowest point of a wheel can be written as an offset.
+template <class Wheel, class Ground>
+concept is_in_closed_form = requires {
+  typename Wheel::rim_in_closed_form;
+  Ground::upward;
+};
+
 /// The record of a wheel and its ground.
 template <class Wheel, class Ground>
 inline constexpr wheel_record wheel_of = record_wheel<Wheel, Ground>();
@@ -86,6 +93,7 @@ template <class Center, auto axis, auto radius, class... Frame>
 struct thin_wheel {
   using center = Center;
   using frame = describe::wheel_frame<Center, Frame...>;
+  using rim_in_closed_form = Center;
   template <class Ground>
   static constexpr auto to_lowest = describe::to_lowest_point<axis, Ground::upward, radius>;
 
@@ -103,6 +111,7 @@ template <class Center, auto axis, auto circle, auto tube, class... Frame>
 struct toroidal_wheel {
   using center = Center;
   using frame = describe::wheel_frame<Center, Frame...>;
+  using rim_in_closed_form = Center;
   template <class Ground>
   static constexpr auto to_lowest = describe::to_lowest_point<axis, Ground::upward, circle, tube>;
 
@@ -176,7 +185,15 @@ struct straight_rail {
 /// contact_point<C, thin_wheel<Hub, Fork::y, R, W>, flat_ground<O, N::z>> {};` The wheel touches the ground
 /// if the position of this point along the normal is zero, and rolls without slip if its velocity is zero.
 template <class Self, class Wheel, class Ground>
-struct contact_point : offset<Self, typename Wheel::center, Wheel::template to_lowest<Ground>>,
-                       fixed_in<typename Wheel::frame> {};
+struct contact_point {
+  static_assert(describe::is_in_closed_form<Wheel, Ground>,
+                "contact_point<Self, Wheel, Ground> requires a thin_wheel<...> or toroidal_wheel<...> on "
+                "flat_ground<...>");
+};
+template <class Self, class Wheel, class Ground>
+  requires describe::is_in_closed_form<Wheel, Ground>
+struct contact_point<Self, Wheel, Ground>
+    : offset<Self, typename Wheel::center, Wheel::template to_lowest<Ground>>,
+      fixed_in<typename Wheel::frame> {};
 
 } // namespace kanexpr

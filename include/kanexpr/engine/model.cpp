@@ -1,5 +1,6 @@
 #include <kanexpr/runtime/builder.ipp>
 #include <kanexpr/runtime/builder_beam.ipp>
+#include <kanexpr/runtime/builder_blocks.ipp>
 #include <kanexpr/runtime/builder_constraints.ipp>
 #include <kanexpr/runtime/builder_contact.ipp>
 #include <kanexpr/runtime/builder_flexible_body.ipp>

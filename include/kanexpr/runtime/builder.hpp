@@ -16,10 +16,12 @@
 #include <kanexpr/mechanics/model/flexible_body.hpp>
 #include <kanexpr/mechanics/model/flexible_data.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/mechanics/multibody_system.hpp>
 #include <kanexpr/mechanics/units/unit_table.hpp>
 #include <kanexpr/numeric/beams/shape.hpp>
 #include <kanexpr/runtime/beam_data.hpp>
+#include <kanexpr/runtime/block_data.hpp>
 #include <kanexpr/runtime/builder_checks.hpp>
 #include <kanexpr/runtime/contact_data.hpp>
 #include <kanexpr/runtime/flexible_integrals.hpp>
@@ -326,6 +328,45 @@ public:
   void bushing(frame_id on, point_id at, frame_id base, point_id base_point,
                const std::vector<expression>& stiffnesses, const std::vector<expression>& dampings = {});
 
+  // ---- filters, controllers and muscles; their state variables are named after them, so they follow all
+  // speeds
+
+  /// A first-order lag with the state variable y_called, as `lag<Self, …>`. Returns its output.
+  expression lag(std::string_view called, expression input, const number_or_expression& time);
+  /// Follows an input with a limited rate, as `slew_limit<Self, …>`. Returns its output.
+  expression slew_limit(std::string_view called, expression input, const number_or_expression& rate,
+                        const number_or_expression& time);
+  /// Delays an input approximately, with `order` state variables from 1 to 20, as `delay<Self, …>`. Returns
+  /// its output.
+  expression delay(std::string_view called, int order, expression input, const number_or_expression& time);
+  /// A PID controller of a deviation, as `pid<Self, …>`. Returns its output.
+  expression pid(std::string_view called, expression deviation, const number_or_expression& kp,
+                 const number_or_expression& ki, const number_or_expression& kd,
+                 const number_or_expression& Td);
+  /// The same without a derivative.
+  expression pid(std::string_view called, expression deviation, const number_or_expression& kp,
+                 const number_or_expression& ki);
+  /// The same with limits of the output and the time constant Tt with which the integral part returns.
+  expression pid(std::string_view called, expression deviation, const number_or_expression& kp,
+                 const number_or_expression& ki, const number_or_expression& least,
+                 const number_or_expression& greatest, const number_or_expression& Tt);
+  expression pid(std::string_view called, expression deviation, const number_or_expression& kp,
+                 const number_or_expression& ki, const number_or_expression& kd,
+                 const number_or_expression& Td, const number_or_expression& least,
+                 const number_or_expression& greatest, const number_or_expression& Tt);
+  /// The activation of a muscle by an excitation, as `muscle_activation<Self, …>`. Returns the activation.
+  expression muscle_activation(std::string_view called, expression excitation, const number_or_expression& Ta,
+                               const number_or_expression& Td);
+  /// A DC motor that turns n times as fast as a joint with the given speed, as `dc_motor<Joint, …>`. Returns
+  /// its current, the state variable i_called, and the torque, which the caller applies: `b.torque_between(A,
+  /// N, b.along(N, 0, 0, motor.torque))`.
+  dc_motor_states dc_motor(std::string_view called, expression speed, const dc_motor_data& data);
+  /// A muscle with its tendon, as `muscle<Self, Path, …>`: `b.muscle("Biceps", path, e,
+  /// {.peak_isometric_force = 500, .optimal_fiber_length = 0.1, .tendon_slack_length = 0.2})`. Returns its
+  /// state variables.
+  muscle_states muscle(std::string_view called, const pathway& along, expression excitation,
+                       const muscle_data& data);
+
   /// A contact of a sphere that is fixed in the frame `of` with the plane through `in_plane`, whose normal
   /// points to the sphere; the plane is fixed in the frame in whose axes the normal is given.
   void sphere_on_plane(point_id center, frame_id of, const number_or_expression& radius, point_id in_plane,
@@ -352,6 +393,11 @@ public:
     const mechanics::components at = mechanics::surface_coordinates(*graph_);
     add_surface_contact(point, origin, of, level(at.x, at.y, at.z), data);
   }
+
+  /// The normal force of a contact, numbered from 1 in the order in which contacts were added.
+  expression normal_force_of(int contact, mechanics::known_motion& known);
+  /// The friction force of a contact on its first body.
+  vector friction_force_of(int contact, mechanics::known_motion& known);
 
   /// A wheel on the plane through `in_plane`, whose normal points to the wheel; the plane is fixed in the
   /// frame in whose axes the normal is given.
@@ -427,6 +473,10 @@ private:
   /// A pathway around a surface of revolution, or around a sphere if the axis is zero.
   pathway around_surface(mechanics::pathway_form form, frame_id in, point_id center, const vector& axis,
                          expression size, end_of_path first, end_of_path last, wrapping sense);
+  expression state_of_block(std::string_view letter, std::string_view block, int number = 0);
+  void equate(expression state, expression left, expression right);
+  base::sequence<expression> arguments_of_block(std::string_view block,
+                                                std::initializer_list<number_or_expression> given);
   bool owns_path_load(std::string_view whose, const pathway& along, const base::sequence<expression>& terms);
   bool has_elasticity(std::string_view called, const base::sequence<expression>& amplitudes,
                       const symbolic::matrix& stiffness, const symbolic::matrix& damping);
@@ -451,6 +501,7 @@ private:
   wheel_on_ground wheel_on_height(const wheel_data& wheel, point_id origin, frame_id of, expression height,
                                   int steps);
   void add_contact(const mechanics::contact_geometry& between, const contact_data& data);
+  bool has_contact(int numbered, const mechanics::known_motion& known);
   expression value_of(const tyre_data::value& given);
   mechanics::tyre_law law_of(const tyre_data& data);
   int deflection(expression state_variable);
@@ -492,6 +543,7 @@ private:
 #ifndef KANEXPR_COMPILED_ENGINE
 #include <kanexpr/runtime/builder.ipp>
 #include <kanexpr/runtime/builder_beam.ipp>
+#include <kanexpr/runtime/builder_blocks.ipp>
 #include <kanexpr/runtime/builder_constraints.ipp>
 #include <kanexpr/runtime/builder_contact.ipp>
 #include <kanexpr/runtime/builder_flexible_body.ipp>

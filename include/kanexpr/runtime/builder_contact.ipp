@@ -6,6 +6,7 @@
 #include <kanexpr/mechanics/loads/contact_shapes.hpp>
 #include <kanexpr/mechanics/loads/friction_kind.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
+#include <kanexpr/mechanics/loads/observed_motion.hpp>
 #include <kanexpr/mechanics/loads/restitution.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -114,6 +115,27 @@ KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& betw
     system_.loads.contacts.push(c);
     mechanics::add_bristles(m_, system_.loads, c.friction);
   }
+}
+
+KANEXPR_ENGINE bool builder::has_contact(int numbered, const mechanics::known_motion& known) {
+  if (numbered < 1 || numbered > system_.loads.contacts.size())
+    return checks_.fail({"the force of contact ", base::counted(numbered).view(),
+                         " is requested, but the number of contacts is ",
+                         base::counted(system_.loads.contacts.size()).view()});
+  return known.skeleton_used().model == &m_ ||
+         checks_.fail({"the force of a contact is requested for the motion of a different builder"});
+}
+
+KANEXPR_ENGINE expression builder::normal_force_of(int contact, mechanics::known_motion& known) {
+  if (!has_contact(contact, known)) return m_.zero();
+  mechanics::observed_motion on(known.moving());
+  return system_.loads.contacts[contact - 1].normal_force(on);
+}
+
+KANEXPR_ENGINE vector builder::friction_force_of(int contact, mechanics::known_motion& known) {
+  if (!has_contact(contact, known)) return {};
+  mechanics::observed_motion on(known.moving());
+  return system_.loads.contacts[contact - 1].friction_force(on);
 }
 
 } // namespace kanexpr::runtime

@@ -290,6 +290,72 @@ TEST(nonlinear_constraints, have_second_derivatives) {
   }
 }
 
+// A particle of constant speed in a plane, which is pushed by a force with a lag behind its velocity and
+// lifts a second one to the height s = x².
+struct pushed_particles : builder {
+  static constexpr double mass = 1.3, lifted = 0.7, weight = 5, time_constant = 0.4;
+  expression x = coordinate("x"), y = coordinate("y"), s = coordinate("s"), u = speed("u"), v = speed("v"),
+             w = speed("w"), c = parameter("c"), z = state_variable("z");
+
+  pushed_particles() : builder("N") {
+    const auto n = inertial_frame();
+    kinematic_equation(dot(x) - u), kinematic_equation(dot(y) - v), kinematic_equation(dot(s) - w);
+    const auto o = origin("O"), p = offset("P", o, along(n, x, y, 0));
+    const auto q = offset("Q", o, along(n, 0, 0, s));
+    particle("P", p, number(mass)), particle("Q", q, number(lifted));
+    force(p, along(n, z, 2 * z, 0)), force(q, along(n, 0, 0, number(-weight)));
+    dynamics(z, (u - z) / time_constant);
+    velocity_constraint(u * u + v * v - c * c);
+    configuration_constraint(s - x * x);
+    dependent(v), dependent(s), dependent(w);
+  }
+
+  // The state that belongs to x, y, u and z for the speed c.
+  static Eigen::VectorXcd state(const Eigen::Vector4cd& free, double c) {
+    Eigen::VectorXcd all(7);
+    all << free[0], free[1], free[0] * free[0], free[2], std::sqrt(c * c - free[2] * free[2]),
+        2.0 * free[0] * free[2], free[3];
+    return all;
+  }
+};
+
+// State variables with a constraint that is not linear in the speeds and one of the configuration.
+TEST(nonlinear_constraints, hold_with_state_variables) {
+  using b = pushed_particles;
+  model m = derive(b());
+  ASSERT_EQ(m.mistake(), "");
+  auto rhs = m.function(m.rhs());
+  auto complex_rhs = m.function<complex>(m.rhs());
+  auto matrix = m.function(m.get(quantity::state_matrix));
+  const VectorXd p = VectorXd::Constant(1, 1.7), nothing(0);
+  std::mt19937_64 source(6);
+  for (int i = 0; i < 30; ++i) {
+    const Eigen::Vector4d free = random_numbers(source, 4, 1.2);
+    const VectorXd at = b::state(free, p[0]).real();
+    MatrixXd kkt = MatrixXd::Zero(5, 5);
+    VectorXd right(5);
+    kkt.diagonal().head(3) << b::mass, b::mass, b::lifted;
+    kkt(3, 0) = 2 * at[3], kkt(3, 1) = 2 * at[4], kkt(4, 0) = -2 * at[0], kkt(4, 2) = 1;
+    kkt.topRightCorner(3, 2) = kkt.bottomLeftCorner(2, 3).transpose();
+    right << at[6], 2 * at[6], -b::weight, 0, 2 * at[3] * at[3];
+    const VectorXd expected = kkt.partialPivLu().solve(right), rates = rhs(at, p);
+    EXPECT_LE((rates.segment(3, 3) - expected.head(3)).norm(), 1e-12 * (1 + expected.norm()));
+    EXPECT_NEAR(rates[6], (at[3] - at[6]) / b::time_constant, 1e-13);
+
+    const int rows[]{0, 1, 3, 6}; // x, y, u and z
+    MatrixXd by_steps(4, 4);
+    for (int j = 0; j < 4; ++j) {
+      Eigen::Vector4cd moved = free;
+      moved[j] += complex(0, step);
+      const Eigen::VectorXcd found = complex_rhs(b::state(moved, p[0]), Eigen::VectorXcd(p));
+      for (int k = 0; k < 4; ++k) by_steps(k, j) = found[rows[k]].imag() / step;
+    }
+    const MatrixXd found = matrix(at, p);
+    ASSERT_EQ(found.rows(), 4);
+    EXPECT_LE((found - by_steps).norm(), 1e-11 * (1 + by_steps.norm()));
+  }
+}
+
 // A particle of constant speed c in space, with an auxiliary speed along x.
 struct constant_speed : builder {
   expression x = coordinate("x"), y = coordinate("y"), u = speed("u"), v = speed("v"),

@@ -1,5 +1,7 @@
 // Pathways: the power of loads along them, their lengths compared with geodesics that are integrated
 // numerically, energy, and Kane's method compared with Lagrange's.
+#include "arm.hpp"
+
 #include <Eigen/Core>
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -28,56 +30,7 @@ using kanexpr::runtime::point_id;
 using kanexpr::symbolic::expression;
 using kanexpr::symbolic::matrix;
 using mechanics::quantity;
-
-// Two bodies in a chain, with a mast that is fixed to the first one.
-struct arm : builder {
-  std::vector<expression> q, u;
-  frame_id n = inertial_frame(), a, b;
-  point_id o, mast, hand, eye, wall, on_mast, ring;
-
-  explicit arm(bool by_lagrange = false) : builder("N") {
-    for (int i = 0; i < 4; ++i) q.push_back(coordinate("q" + std::to_string(i)));
-    if (by_lagrange) rates_as_speeds();
-    for (int i = 0; i < 4 && !by_lagrange; ++i) u.push_back(speed("u" + std::to_string(i)));
-    if (!by_lagrange) {
-      kinematic_equation(dot(q[0]) - u[0]);
-      kinematic_equation(dot(q[1]) - (u[1] - 0.5 * u[0]));
-      kinematic_equation(dot(q[2]) - u[2]);
-      kinematic_equation(dot(q[3]) - u[3]);
-    }
-    o = origin("O");
-    wall = offset("W", o, along(n, 1.3, 0.4, 0.2));
-    a = body_fixed("A", n, "zyx", q[0], q[1], number(0.2));
-    mast = offset("M", o, along(a, 0.1, 0.3, 0.2));
-    eye = offset("E", mast, along(a, 0.4, -0.3, 0.5));
-    on_mast = offset("S", mast, along(a, 0.25 * std::cos(0.6), 0.25 * std::sin(0.6), 0.15));
-    ring = offset("R", mast, along(a, 0.25, 0.0, 0.4));
-    b = rotated("B", a, q[2], along(a, 1, 2, 2));
-    hand = offset("H", mast, along(a, -0.9, 0.2, 0.1) + along(b, q[3], -0.5, 0.2));
-    rigid_body("first", eye, a, number(1.2), inertia(a, 0.2, 0.3, 0.4));
-    rigid_body("second", hand, b, number(0.7), inertia(b, 0.1, 0.2, 0.15));
-  }
-
-  std::vector<std::pair<std::string, pathway>> pathways() {
-    const auto axis = along(a, 0.0, 0.0, 1.0);
-    const expression r = number(0.25);
-    return {{"straight", straight(hand, wall)},
-            {"through", through({hand, eye, mast, wall})},
-            {"given", given_length(0.3 * q[0] - 0.2 * q[2] * q[3])},
-            {"cylinder ccw", around_cylinder(a, mast, axis, r, hand, wall, wrapping::counterclockwise)},
-            {"cylinder cw", around_cylinder(a, mast, along(a, 1, 2, 3), r, hand, wall, wrapping::clockwise)},
-            {"cylinder from its surface",
-             around_cylinder(a, mast, axis, r, on_surface(on_mast), wall, wrapping::clockwise)},
-            {"cylinder on its surface", around_cylinder(a, mast, axis, r, on_surface(on_mast),
-                                                        on_surface(ring), wrapping::counterclockwise)},
-            {"sphere", around_sphere(mast, r, hand, wall)},
-            {"sphere at the end", around_sphere(mast, r, hand, eye)},
-            {"cone ccw", around_cone(a, mast, along(a, 0.5, 0.2, -1.0), number(0.35), hand, wall,
-                                     wrapping::counterclockwise)},
-            {"cone cw",
-             around_cone(a, mast, along(a, -1.0, 0.3, 0.2), number(0.4), hand, wall, wrapping::clockwise)}};
-  }
-};
+using mechanisms::arm;
 
 VectorXd random_state(std::mt19937_64& source) {
   std::uniform_real_distribution<double> value(-1.2, 1.2);
@@ -347,72 +300,6 @@ TEST(pathways, lift_off_smoothly) {
   EXPECT_GT(length(x)(0), (x.head<3>() - x.segment<3>(3)).norm() - 1e-15);
   EXPECT_NEAR(length(x)(0), before, 3e-9);
   EXPECT_LT((VectorXd(force(x)) - force_before).norm(), 1e-8);
-}
-
-// A length and its rate, and the generalized forces of a spring of Duffing and of a damper on two speeds, as
-// printed by sympy_pathways.py. Around a surface, SymPy 1.14 takes a positive force as a tension, unlike
-// along its other pathways: its damper there has the power +c (dl/dt)², and its spring pushes.
-struct reference {
-  std::string name;
-  std::vector<double> values;
-};
-const reference by_sympy[]{
-    {"straight",
-     {3.166182516471036, 0.8858355873230018, -54.16912776151453, -5.029302109126214, -1.270767669801383,
-      -0.11798370743717528}},
-    {"through",
-     {3.453015080413793, 0.05892814372605964, -25.022012737239404, -38.225857770093825, -0.030115016086268386,
-      -0.0460063838087866}},
-    {"around a cylinder",
-     {0.8443340571124678, -0.5385309240693493, 0.2429822623486216, 2.3998248133197198, -0.10332641324168888,
-      -1.0205077851031}},
-};
-
-TEST(pathways, agree_with_sympy) {
-  for (std::size_t i = 0; i < 3; ++i) {
-    SCOPED_TRACE(by_sympy[i].name);
-    for (const bool is_spring : {true, false}) {
-      builder b("N");
-      const expression q1 = b.coordinate("q1"), q2 = b.coordinate("q2"), u1 = b.speed("u1"),
-                       u2 = b.speed("u2");
-      b.kinematic_equation(b.dot(q1) - u1);
-      b.kinematic_equation(b.dot(q2) - u2);
-      const frame_id n = b.inertial_frame(), a = b.rotated("A", n, q1, b.along(n, 0, 0, 1)),
-                     c = b.rotated("B", a, q2, b.along(a, 1, 0, 0));
-      const point_id o = b.origin("O"), p = b.offset("P", o, b.along(a, 0, 1, 0.2)),
-                     q = b.offset("Q", p, b.along(c, q2, 0.8, -0.5)),
-                     w = b.offset("W", o, b.along(n, 1.5, 0, -0.25)),
-                     e = b.offset("E", o, b.along(a, 0.3, 0, 0.1)),
-                     s = b.offset("S", o, b.along(n, 0.3, 0, 0)),
-                     r = b.offset("R", o, b.along(a, 0.3, 0, 0) + b.along(n, 0, 0, 0.4 + q2));
-      b.particle("bob", q, b.number(1));
-      const pathway path = i == 0 ? b.straight(q, w)
-                           : i == 1
-                               ? b.through({q, p, e, w})
-                               : b.around_cylinder(n, o, b.along(n, 0, 0, 1), b.number(0.3), b.on_surface(s),
-                                                   b.on_surface(r), wrapping::counterclockwise);
-      if (is_spring)
-        b.cubic_spring(path, b.number(7), b.number(3), b.number(0.5));
-      else
-        b.linear_damper(path, b.number(2));
-      matrix lengths(b.graph(), 2, 1);
-      mechanics::known_motion known(b.mechanism());
-      lengths.entries[0] = b.length_of(path);
-      lengths.entries[1] = known.moving().rate(lengths.entries[0]);
-      auto model = kanexpr::derive(b);
-      ASSERT_EQ(model.mistake(), "");
-      const Eigen::Vector4d x(0.9, 0.4, 1.3, -0.7);
-      const VectorXd length = model.function(lengths)(x),
-                     forces = model.function(model.get(quantity::load_compensation))(x);
-      const std::vector<double>& expected = by_sympy[i].values;
-      const double sign = i == 2 ? -1 : 1;
-      for (int j = 0; j < 2; ++j) {
-        const std::size_t at = static_cast<std::size_t>(j);
-        EXPECT_NEAR(length(j), expected[at], 1e-13);
-        EXPECT_NEAR(-forces(j), sign * expected[(is_spring ? 2 : 4) + at], 1e-12 * std::abs(expected[2]));
-      }
-    }
-  }
 }
 
 // The mistake in an arm, as a sentence.

@@ -47,8 +47,8 @@ public:
     return law;
   }
 
-  constexpr void read(const describe::contact_record& r, const describe::listing<phrase>& states,
-                      std::string_view whom) {
+  constexpr mechanics::contact read(const describe::contact_record& r,
+                                    const describe::listing<phrase>& states, std::string_view whom) {
     mechanics::contact c;
     lay_out(c.between, r, whom);
     c.law.stiffness = scalar(r.stiffness, "the stiffness of ", whom);
@@ -57,8 +57,8 @@ public:
     expression slip{};
     if (r.approach_speed.tokens != nullptr) {
       const expression approach = scalar(r.approach_speed, "the approach speed of ", whom);
-      if (reading_.mistake) return;
-      if (approach.is_zero()) return reading_.fail({"the approach speed of ", whom, " is zero"});
+      if (approach.is_zero()) reading_.fail({"the approach speed of ", whom, " is zero"});
+      if (reading_.mistake) return c;
       const double damping = mechanics::damping_of_restitution(r.restitution);
       if (r.restitution < 1) c.law.damping = approach.number(symbolic::real(damping)) / approach;
       slip = approach / 100;
@@ -72,9 +72,7 @@ public:
     }
     if (!reading_.mistake && c.rolling && c.between.frame == none)
       reading_.fail({whom, " has rolling_resistance<...>, but a point does not roll"});
-    if (reading_.mistake) return;
-    reading_.into.loads.contacts.push(c);
-    mechanics::add_bristles(m_, reading_.into.loads, c.friction);
+    return c;
   }
 
 private:

@@ -4,6 +4,7 @@
 #include <kanexpr/derivation/read/freed_joints.hpp>
 #include <kanexpr/derivation/read/phrase_reader.hpp>
 #include <kanexpr/describe/frame.hpp>
+#include <kanexpr/describe/pathway.hpp>
 #include <kanexpr/mechanics/checks/check.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
@@ -32,8 +33,19 @@ public:
     for (int i = 0; i < size && !reading_.mistake; ++i) {
       if (tokens[i].frame != nullptr) frame(tokens[i].frame, whom);
       if (tokens[i].point != nullptr) point(tokens[i].point, whom);
+      if (tokens[i].load != nullptr && tokens[i].load->path != nullptr) visit(*tokens[i].load->path, whom);
     }
     reading_.known = known;
+  }
+
+  /// Reads the entities that a pathway mentions.
+  constexpr void visit(const describe::path_record& r, std::string_view whom) {
+    for (const point_record& each : r.points)
+      if (!reading_.mistake) point(&each, whom);
+    if (r.center != nullptr && !reading_.mistake) point(r.center, whom);
+    if (r.frame != nullptr && !reading_.mistake) frame(r.frame, whom);
+    for (const phrase* each : {&r.length, &r.axis, &r.size})
+      if (!reading_.mistake) visit(each->tokens, each->size, whom);
   }
 
   /// Adds to a derived system the entities that phrases mention but the system itself does not use. If there
@@ -321,8 +333,21 @@ protected:
   /// Reads the entities and symbols of a phrase that is evaluated later.
   constexpr void mention(const phrase& p, std::string_view whom) {
     entities_.visit(p.tokens, p.size, whom);
-    for (const describe::token& t : p)
+    mention_symbols(p, whom);
+  }
+  /// Reads the entities and symbols of a pathway whose load is evaluated later.
+  constexpr void mention(const describe::path_record& r, std::string_view whom) {
+    entities_.visit(r, whom);
+    mention_symbols(r, whom);
+  }
+  constexpr void mention_symbols(const describe::path_record& r, std::string_view whom) {
+    for (const phrase* each : {&r.length, &r.axis, &r.size}) mention_symbols(*each, whom);
+  }
+  constexpr void mention_symbols(const phrase& p, std::string_view whom) {
+    for (const describe::token& t : p) {
       if (t.symbol != nullptr && !reading_.mistake) symbols_.symbol(*t.symbol, whom);
+      if (t.load != nullptr && t.load->path != nullptr) mention_symbols(*t.load->path, whom);
+    }
   }
 
   reading& reading_;

@@ -46,7 +46,16 @@ public:
     if (!reading_.mistake) entities_.frame(r.frame, "joints<...>"sv);
     if (!reading_.mistake) entities_.point(r.point, "joints<...>"sv);
     if (!reading_.mistake && r.body != nullptr) bodies_.read(*r.body);
-    if (!reading_.mistake && r.rotor != nullptr) read_rotor(r);
+    if (reading_.mistake || r.rotor == nullptr) return;
+    if (add_rotor(r, r.rotor, r.has_gear_ratio, "_rotor")) return;
+    if (!reading_.mistake)
+      reading_.fail({"joint ", r.called, " has a rotor whose inertia or gear ratio is zero"});
+  }
+
+  /// Reads the rotors of motors.
+  constexpr void read_motors() {
+    for (const load_record& r : reading_.from.loads)
+      if (r.rotor != nullptr && !reading_.mistake) add_rotor(*r.joint, r.rotor, true, "_motor");
   }
 
   constexpr void read_kinematics() {
@@ -105,19 +114,29 @@ private:
           {"joint ", r.called, " is placed along axes that are not fixed in ", r.parent_frame->called});
   }
 
-  constexpr void read_rotor(const joint_record& r) {
+  /// Adds a rotor that turns with a joint, and returns whether it has an inertia.
+  constexpr bool add_rotor(const joint_record& r, const phrase* rotor, bool has_gear_ratio,
+                           std::string_view suffix) {
     const expression inertia =
-        phrases_.scalar_of(r.rotor[0], {"the rotor inertia of joint ", r.called}, r.called);
+        phrases_.scalar_of(rotor[0], {"the rotor inertia of joint ", r.called}, r.called);
     expression angle = phrases_.scalar_of(r.coordinates[0], {"the coordinate of joint ", r.called}, r.called);
-    if (r.has_gear_ratio)
-      angle = phrases_.scalar_of(r.rotor[1], {"the gear ratio of joint ", r.called}, r.called) * angle;
-    if (reading_.mistake) return;
+    expression ratio = m_.one();
+    if (has_gear_ratio)
+      ratio = phrases_.scalar_of(rotor[1], {"the gear ratio of joint ", r.called}, r.called);
+    if (reading_.mistake) return false;
+    if (!mechanics::is_fixed(inertia) || !mechanics::is_fixed(ratio)) {
+      reading_.fail(
+          {mechanics::is_fixed(inertia) ? "the gear ratio of joint " : "the rotor inertia of joint ",
+           r.called, " changes; it may contain only numbers and parameters"});
+      return false;
+    }
+    angle = ratio * angle;
     const int point = entities_.point(r.parent_point, r.called);
-    if (inertia.is_zero() || angle.is_zero())
-      return reading_.fail({"joint ", r.called, " has a rotor whose inertia or gear ratio is zero"});
+    if (inertia.is_zero() || angle.is_zero()) return false;
     base::name called(r.called);
-    called.append("_rotor");
+    called.append(suffix);
     mechanics::add_rotor(m_, called, mechanics::origin_of(m_, point), angle, inertia);
+    return true;
   }
 
   constexpr void check_reaction(const describe::reaction_record& r) {

@@ -3,6 +3,7 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derivation/read/contact_reader.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
+#include <kanexpr/derivation/read/muscle_reader.hpp>
 #include <kanexpr/derivation/read/path_reader.hpp>
 #include <kanexpr/derivation/read/tyre_reader.hpp>
 #include <kanexpr/describe/load.hpp>
@@ -12,6 +13,7 @@
 #include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
+#include <kanexpr/symbolic/graph/symbol.hpp>
 
 #include <string_view>
 
@@ -51,14 +53,98 @@ public:
       if (p != nullptr) entities_.point(p, whom.view());
     for (const frame_record* f : {r.frame, r.other_frame})
       if (f != nullptr) entities_.frame(f, whom.view());
-    if (r.path != nullptr && !reading_.mistake) path_reader(*this).mention(*r.path, whom.view());
+    if (r.path != nullptr && !reading_.mistake) part_reader::mention(*r.path, whom.view());
     for (const phrase* each : {&r.value, &r.angle, &r.rest})
       for (const describe::token& t : *each)
         if (!reading_.mistake) mention(t, whom.view());
   }
 
+  /// Returns the length of a pathway or the force of a load, for a phrase of `whom`.
+  constexpr value quantity_of(const describe::token& t, std::string_view whom) {
+    const auto wanted = static_cast<load_quantity>(t.index);
+    const load_record& r = *t.load;
+    if (wanted == load_quantity::length) return length_of(*r.path, whom);
+    const std::string_view word = word_of(wanted);
+    const auto fail = [&](std::string_view why) {
+      reading_.fail({reading_.part, whom, " uses ", word, "<...> of ", name_of(r).view(), why});
+      return value::of(m_.zero());
+    };
+    if (r.what == load_word::none) return fail(", which is not a load");
+    if (!is_listed(r)) return fail(", which the system does not list in loads<...>");
+    if (wanted == load_quantity::tension ? !pulls(r) : r.contact == nullptr)
+      return fail(wanted == load_quantity::tension ? ", which does not act along a pathway"
+                                                   : ", which is not a contact");
+    if (reading_.for_units) return unit_of_quantity(wanted, r);
+    mechanics::loads alone;
+    evaluate_load(r, alone);
+    return reading_.mistake ? value::of(m_.zero()) : observed(wanted, alone);
+  }
+
 private:
   using load_word = describe::load_word;
+  using load_quantity = describe::load_quantity;
+
+  static constexpr std::string_view word_of(load_quantity what) {
+    switch (what) {
+    case load_quantity::length: return "length_of";
+    case load_quantity::tension: return "tension_of";
+    case load_quantity::normal_force: return "normal_force_of";
+    case load_quantity::friction_force: return "friction_force_of";
+    }
+    return {};
+  }
+
+  static constexpr bool pulls(const load_record& r) {
+    const bool is_along_path = r.what >= load_word::path_force && r.what <= load_word::path_stop;
+    return is_along_path || r.what == load_word::spring || r.what == load_word::damper ||
+           (r.what == load_word::friction && r.path != nullptr);
+  }
+
+  constexpr bool is_listed(const load_record& r) const {
+    bool found = false;
+    for (const load_record& each : reading_.from.loads) found = found || &each == &r;
+    for (const describe::joint_record& each : reading_.from.joints) found = found || each.stops == &r;
+    return found;
+  }
+
+  constexpr value length_of(const path_record& r, std::string_view whom) {
+    if (r.what == describe::path_word::none)
+      reading_.fail({reading_.part, whom, " uses length_of<...> of ", short_name(r.called).view(),
+                     ", which is ", r.instead.empty() ? "" : r.instead.substr(0, r.instead.find(';')),
+                     r.instead.empty() ? "not a pathway" : ", not a pathway"});
+    if (reading_.mistake || !path_reader(*this).is_pathway(r, "length_of<...>")) return value::of(m_.zero());
+    if (reading_.for_units && r.ends_at_points())
+      return value::of(symbol_of_unit(reading_, "length_of<...>", units::si::meter));
+    const mechanics::pathway along = path_reader(*this).read(r, whom);
+    if (!reading_.mistake) reading_.mistake = along.find_mistake(m_, "pathway");
+    return value::of(reading_.mistake ? m_.zero() : along.length_in(m_));
+  }
+
+  /// The force along a pathway whose length is given has the unit that follows from this length.
+  constexpr value unit_of_quantity(load_quantity wanted, const load_record& r) {
+    const sentence whose = name_of(r), called({word_of(wanted), "<", r.word, ">"});
+    if (wanted == load_quantity::friction_force)
+      return value::of(vector_of_unit(reading_, word_of(wanted), whose.view(), units::si::newton));
+    if (r.path != nullptr && !r.path->ends_at_points())
+      return value::of(new_symbol(*m_.g, symbolic::symbol_kind::input, base::name(called.view())));
+    return value::of(symbol_of_unit(reading_, base::name(called.view()), units::si::newton));
+  }
+
+  /// A quantity of the only load in a list.
+  constexpr value observed(load_quantity wanted, const mechanics::loads& alone) const {
+    mechanics::observed_motion on(reading_.known->moving());
+    value found;
+    alone.each([&](const auto& load, int) {
+      if constexpr (requires { load.tension(on); }) {
+        if (wanted == load_quantity::tension) found = value::of(load.tension(on));
+      }
+      if constexpr (requires { load.normal_force(on); }) {
+        if (wanted == load_quantity::normal_force) found = value::of(load.normal_force(on));
+        if (wanted == load_quantity::friction_force) found = value::of(load.friction_force(on));
+      }
+    });
+    return found;
+  }
 
   /// Whether a load depends on a motion that is not known while the model is read.
   constexpr bool moves(const load_record& r) const {
@@ -86,11 +172,12 @@ private:
     if (t.frame != nullptr) entities_.frame(t.frame, whom);
     if (t.point != nullptr) entities_.point(t.point, whom);
     if (t.symbol != nullptr) symbols_.symbol(*t.symbol, whom);
+    if (t.load != nullptr && t.load->path != nullptr) part_reader::mention(*t.load->path, whom);
   }
 
-  constexpr void evaluate_load(const load_record& r) {
+  constexpr void evaluate_load(const load_record& r) { evaluate_load(r, reading_.into.loads); }
+  constexpr void evaluate_load(const load_record& r, mechanics::loads& into) {
     const sentence whom = name_of(r);
-    mechanics::loads& into = reading_.into.loads;
     switch (r.what) {
     case load_word::force: {
       const auto [at, other] = points_of(r, r.other_point != nullptr ? whom.view() : "a force"sv);
@@ -105,7 +192,7 @@ private:
       if (!reading_.mistake) into.torques.push({on, v, other});
       return;
     }
-    case load_word::gravity: return evaluate_gravity(r);
+    case load_word::gravity: return evaluate_gravity(into, r);
     case load_word::potential_energy: {
       const expression energy = phrases_.scalar_of(r.value, {""sv, whom.view()}, whom.view());
       if (reading_.mistake) return;
@@ -120,7 +207,7 @@ private:
       if (!reading_.mistake) mechanics::add_spring(into.spring_dampers, at, other, stiffness, length);
       return;
     }
-    case load_word::torsional_spring: return evaluate_torsional_spring(r, whom.view());
+    case load_word::torsional_spring: return evaluate_torsional_spring(into, r, whom.view());
     case load_word::damper: {
       const auto [at, other] = points_of(r, whom.view());
       const expression damping = part_of(r.value, "the damping of "sv, whom.view());
@@ -137,7 +224,7 @@ private:
     case load_word::path_spring:
     case load_word::path_cubic_spring:
     case load_word::path_damper:
-    case load_word::path_stop: return evaluate_path_load(r, whom.view());
+    case load_word::path_stop: return evaluate_path_load(into, r, whom.view());
     case load_word::bushing: {
       mechanics::bushing b;
       const auto [on, other] = frames_of(r, whom.view());
@@ -153,8 +240,9 @@ private:
       if (!reading_.mistake) into.bushings.push(b);
       return;
     }
-    case load_word::friction: return evaluate_friction(r, whom.view());
-    case load_word::contact: return evaluate_contact(r, whom.view());
+    case load_word::friction: return evaluate_friction(into, r, whom.view());
+    case load_word::contact: return evaluate_contact(into, r, whom.view());
+    case load_word::muscle: return muscle_reader(*this).read(r, whom.view());
     case load_word::tyre: return tyres_.read(*r.tyre, whom.view());
     case load_word::none:
       if (r.unparsed) return reading_.fail_by_unparsed(r.called, "loads<...>");
@@ -163,9 +251,8 @@ private:
     }
   }
 
-  constexpr void evaluate_path_load(const load_record& r, std::string_view whom) {
+  constexpr void evaluate_path_load(mechanics::loads& into, const load_record& r, std::string_view whom) {
     const mechanics::pathway along = path_reader(*this).read(*r.path, whom);
-    mechanics::loads& into = reading_.into.loads;
     const auto term = [&](int i, std::string_view part) { return part_of(r.terms[i], part, whom); };
     if (r.what == load_word::path_force) {
       const expression tension = part_of(r.value, "", whom);
@@ -220,30 +307,29 @@ private:
     return phrases_.scalar_of(p, {part, whom}, whom);
   }
 
-  constexpr void evaluate_gravity(const load_record& r) {
-    if (reading_.into.loads.has_gravity) reading_.fail({"gravity is listed twice"});
+  constexpr void evaluate_gravity(mechanics::loads& into, const load_record& r) {
+    if (into.has_gravity) reading_.fail({"gravity is listed twice"});
     const mechanics::vector v = phrases_.vector_of(r.value, {""sv, "gravity"sv}, "gravity"sv);
-    if (!reading_.mistake) reading_.into.loads.has_gravity = true, reading_.into.loads.gravity = v;
+    if (!reading_.mistake) into.has_gravity = true, into.gravity = v;
   }
 
-  constexpr void evaluate_friction(const load_record& r, std::string_view whom) {
+  constexpr void evaluate_friction(mechanics::loads& into, const load_record& r, std::string_view whom) {
     const expression normal = part_of(r.rest, "the normal force of ", whom);
     if (reading_.mistake) return;
     const mechanics::friction_law law = contacts_.law_of(*r.friction, r.states, {}, whom);
-    if (r.path == nullptr) return evaluate_friction_in_joint(r, normal, law, whom);
+    if (r.path == nullptr) return evaluate_friction_in_joint(into, r, normal, law, whom);
     const mechanics::pathway along = path_reader(*this).read(*r.path, whom);
     if (reading_.mistake) return;
-    mechanics::add_friction_along(reading_.into.loads, along, normal, law);
-    mechanics::add_bristles(m_, reading_.into.loads, law);
+    mechanics::add_friction_along(into, along, normal, law);
+    mechanics::add_bristles(m_, into, law);
   }
 
-  constexpr void evaluate_friction_in_joint(const load_record& r, expression normal,
+  constexpr void evaluate_friction_in_joint(mechanics::loads& into, const load_record& r, expression normal,
                                             const mechanics::friction_law& law, std::string_view whom) {
     const mechanics::vector axis = phrases_.vector_of(r.value, {"the axis of ", whom}, whom);
     const expression slip = part_of(r.angle, "the speed of ", whom);
     if (reading_.mistake) return;
     const mechanics::vector effort = -(normal * law.coefficient(slip)) * axis;
-    mechanics::loads& into = reading_.into.loads;
     if (r.frame != nullptr) {
       const auto [on, other] = frames_of(r, whom);
       if (!reading_.mistake) into.torques.push({on, effort, other});
@@ -253,23 +339,32 @@ private:
     }
   }
 
-  constexpr void evaluate_contact(const load_record& r, std::string_view whom) {
+  constexpr void evaluate_contact(mechanics::loads& into, const load_record& r, std::string_view whom) {
     if (!r.contact->mistake.empty()) return reading_.fail({whom, " ", r.contact->mistake});
-    contacts_.read(*r.contact, r.states, whom);
+    const mechanics::contact c = contacts_.read(*r.contact, r.states, whom);
+    if (reading_.mistake) return;
+    into.contacts.push(c);
+    mechanics::add_bristles(m_, into, c.friction);
   }
 
-  constexpr void evaluate_torsional_spring(const load_record& r, std::string_view whom) {
+  constexpr void evaluate_torsional_spring(mechanics::loads& into, const load_record& r,
+                                           std::string_view whom) {
     const expression angle = part_of(r.angle, "the angle of "sv, whom);
     const expression stiffness = part_of(r.value, "the stiffness of "sv, whom);
     const expression rest = part_of(r.rest, "the rest angle of "sv, whom);
     if (!reading_.mistake)
       reading_.mistake = mechanics::check_torsional_spring(m_, angle, stiffness, rest, whom);
-    if (!reading_.mistake)
-      reading_.into.loads.potential_energies.push(mechanics::torsional_spring(angle, stiffness, rest));
+    if (!reading_.mistake) into.potential_energies.push(mechanics::torsional_spring(angle, stiffness, rest));
   }
 
   contact_reader contacts_{reading_, symbols_, phrases_, entities_};
   tyre_reader tyres_{reading_, symbols_, phrases_, entities_};
 };
+
+constexpr load_lookup lookup_in(load_reader& all) {
+  return {&all, [](load_reader& with, const describe::token& t, std::string_view whom) {
+            return with.quantity_of(t, whom);
+          }};
+}
 
 } // namespace kanexpr::derivation

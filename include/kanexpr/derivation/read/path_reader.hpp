@@ -53,16 +53,6 @@ public:
     return p;
   }
 
-  /// Reads the entities and symbols of a pathway whose load is evaluated later.
-  constexpr void mention(const path_record& r, std::string_view whom) {
-    for (const describe::point_record& each : r.points)
-      if (!reading_.mistake) entities_.point(&each, whom);
-    if (r.center != nullptr && !reading_.mistake) entities_.point(r.center, whom);
-    if (r.frame != nullptr && !reading_.mistake) entities_.frame(r.frame, whom);
-    for (const phrase* each : {&r.length, &r.axis, &r.size})
-      if (!reading_.mistake) part_reader::mention(*each, whom);
-  }
-
 private:
   using path_word = describe::path_word;
   using pathway_form = mechanics::pathway_form;

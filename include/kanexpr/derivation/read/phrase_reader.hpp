@@ -6,6 +6,7 @@
 #include <kanexpr/derivation/read/operations.hpp>
 #include <kanexpr/derivation/read/symbol_reader.hpp>
 #include <kanexpr/derivation/read/units_of_motion.hpp>
+#include <kanexpr/describe/load_quantities.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/mechanics/checks/check_numbers.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
@@ -30,11 +31,21 @@ struct entity_lookup {
   int (*point)(entity_reader&, const point_record*, std::string_view whom);
 };
 
+class load_reader;
+
+/// Looks up quantities of loads in the load reader, which itself reads phrases.
+struct load_lookup {
+  load_reader* with = nullptr;
+  value (*quantity)(load_reader&, const describe::token&, std::string_view whom) = nullptr;
+};
+
 /// Evaluates the postfix phrases of a model.
 class phrase_reader {
 public:
   constexpr phrase_reader(reading& all, symbol_reader& symbols, const entity_lookup& entities)
       : reading_(all), m_(all.into.mechanism), symbols_(symbols), calls_(all), entities_(entities) {}
+
+  constexpr void look_up_loads(const load_lookup& in) { loads_ = in; }
 
   /// Returns the value of a phrase of `whom`. Motions are not known while a model is read, so a phrase that
   /// contains one is a mistake.
@@ -111,6 +122,7 @@ public:
     if (t.what == token_kind::velocity)
       return t.point->reference == reading_.from.inertial && !t.point->from_parent;
     if (t.what == token_kind::angular_velocity) return t.frame->reference == reading_.from.inertial;
+    if (t.what == token_kind::of_load) return is_length(t);
     return t.what != token_kind::acceleration && t.what != token_kind::angular_acceleration &&
            t.what != token_kind::derivative;
   }
@@ -208,6 +220,7 @@ private:
     case token_kind::in_axes: return express(frame(t.frame, whom), stack.back().vector);
     case token_kind::length: return check_length(stack.back(), whom);
     case token_kind::wheel_axis: return check_wheel_axis(t, stack.back().vector, whom);
+    case token_kind::of_load: return quantity_of_load(t, stack, whom);
     case token_kind::misused: return check_misuse(*phrase_, whom);
     case token_kind::position:
     case token_kind::velocity:
@@ -326,6 +339,23 @@ private:
     }
   }
 
+  static constexpr bool is_length(const describe::token& t) {
+    return t.index == static_cast<int>(describe::load_quantity::length);
+  }
+
+  constexpr void quantity_of_load(const describe::token& t, sequence<value>& stack, std::string_view whom) {
+    reading_.hides_units = true;
+    if (is_displaced_)
+      return reading_.fail({reading_.part, whom,
+                            " uses length_of, which systems with reactions<...> do not support in "
+                            "constraints; write magnitude(position_of<P, Q>)"});
+    if (!is_length(t) && reading_.known == nullptr && !reading_.for_units)
+      return reading_.fail({reading_.part, whom,
+                            " contains the force of a load, which is not yet known while the model is read"});
+    const value found = loads_.quantity(*loads_.with, t, whom);
+    if (!reading_.mistake) stack.push(found);
+  }
+
   static constexpr std::string_view axis_names = "xyz"sv;
 
   constexpr int frame(const frame_record* r, std::string_view whom) {
@@ -340,6 +370,7 @@ private:
   symbol_reader& symbols_;
   call_reader calls_;
   entity_lookup entities_;
+  load_lookup loads_{};
   const phrase* phrase_ = nullptr;
   bool is_displaced_ = false;
 };

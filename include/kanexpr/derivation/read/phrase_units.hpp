@@ -3,6 +3,8 @@
 #include <kanexpr/base/equal.hpp>
 #include <kanexpr/base/name.hpp>
 #include <kanexpr/base/sequence.hpp>
+#include <kanexpr/describe/load_quantities.hpp>
+#include <kanexpr/describe/pathway.hpp>
 #include <kanexpr/describe/record.hpp>
 #include <kanexpr/mechanics/units/unit_relations.hpp>
 #include <kanexpr/symbolic/graph/composition.hpp>
@@ -173,6 +175,7 @@ private:
     case token_kind::number:
       return push(t.index == describe::whole_quantity ? relations_.add_unknown() : unit_of_number);
     case token_kind::misused: return push(unit_of_number);
+    case token_kind::of_load: return quantity_of_load(t);
     case token_kind::symbol: return push(of_symbol(*t.symbol));
     case token_kind::basis: return push(unit_of_number, 1);
     case token_kind::position: return push(known_unit(meter), 1);
@@ -199,6 +202,18 @@ private:
     case token_kind::composed: return compose(p, at);
     case token_kind::external: return call(t);
     }
+  }
+
+  constexpr void quantity_of_load(const describe::token& t) {
+    const auto what = static_cast<describe::load_quantity>(t.index);
+    const describe::path_record* const path = t.load->path;
+    const bool is_given = path != nullptr && !path->ends_at_points(),
+               is_length = what == describe::load_quantity::length;
+    if (!is_given)
+      return push(known_unit(is_length ? meter : units::si::newton),
+                  what == describe::load_quantity::friction_force);
+    if (!is_length) return push(relations_.add_unknown());
+    for (int i = 0; i < path->length.size; ++i) step(path->length, i);
   }
 
   constexpr void divide_by(const unit_product& u) {

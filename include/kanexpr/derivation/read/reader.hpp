@@ -40,7 +40,9 @@ class reader {
   }
 
 public:
-  constexpr reader(const system_record& from, mechanics::multibody_system& into) : reading_(from, into) {}
+  constexpr reader(const system_record& from, mechanics::multibody_system& into) : reading_(from, into) {
+    phrases_.look_up_loads(lookup_in(loads_));
+  }
   reader(const reader&) = delete;
   reader& operator=(const reader&) = delete;
 
@@ -94,6 +96,7 @@ public:
     lagrange_.visit_lagrangian();
     each(from.bodies, [&](const body_record& r) { bodies_.read(r); });
     each(from.joints, [&](const joint_record& r) { joints_.read(r); });
+    joints_.read_motors();
     each(from.loads, [&](const load_record& r) { loads_.read_load(r); });
     each(from.joints, [&](const joint_record& r) {
       if (r.stops != nullptr) loads_.read_load(*r.stops);

@@ -82,6 +82,7 @@ private:
 
   constexpr void read(const load_record& r) {
     using describe::load_word;
+    if (r.rotor != nullptr) return units_.fail(); // read by another reader
     if (r.coefficient != nullptr) units_.expect(r.coefficient->value, r.coefficient->unit);
     switch (r.what) {
     case load_word::force: return units_.expect(r.value, newton);
@@ -104,6 +105,7 @@ private:
     case load_word::bushing:
     case load_word::friction:
     case load_word::contact:
+    case load_word::muscle:
     case load_word::tyre: return units_.fail(); // their laws are read by other readers
     case load_word::none: return;
     }

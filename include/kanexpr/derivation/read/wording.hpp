@@ -82,6 +82,7 @@ constexpr int operands_of(const describe::token& t) {
   case token_kind::acceleration:
   case token_kind::angular_velocity:
   case token_kind::angular_acceleration:
+  case token_kind::of_load:
   case token_kind::misused: return 0;
   }
   return 0;
@@ -101,6 +102,7 @@ constexpr bool is_whole(const phrase& p) {
 /// Returns the subject of messages about a load: "the force at P", "the spring between P and Q", "the
 /// potential energy with q1".
 constexpr base::sentence name_of(const load_record& r) {
+  if (r.muscle != nullptr) return base::sentence({r.word, " ", r.called});
   if (r.other_point != nullptr)
     return base::sentence({r.word, " between ", r.point->called, " and ", r.other_point->called});
   if (r.point != nullptr) return base::sentence({r.word, " at ", r.point->called});

@@ -14,12 +14,18 @@ namespace describe {
 ///
 /// De Groote, Kinney, Rao & Fregly, Evaluation of direct collocation optimal control problem formulations for
 /// solving the muscle redundancy problem, Annals of Biomedical Engineering 44 (2016), equations (1) and (2).
-template <auto a, auto e, auto rising, auto falling>
-struct activation_rate {
-  static constexpr auto difference = e - a, shape = 0.5 + 1.5 * a;
-  static constexpr auto f = 0.5 * tanh(10.0 * difference);
-  static constexpr auto value = ((0.5 + f) / (rising * shape) + (0.5 - f) * shape / falling) * difference;
-};
+template <class Activation, class Excitation, class Rise, class Fall>
+constexpr auto activation_rate(const Activation& a, const Excitation& e, const Rise& rising,
+                               const Fall& falling) {
+  const auto difference = e - a;
+  const auto shape = 0.5 + 1.5 * a;
+  const auto f = 0.5 * tanh(10.0 * difference);
+  const auto up = 0.5 + f;
+  const auto down = 0.5 - f;
+  const auto rate_up = up / (rising * shape);
+  const auto rate_down = down * shape / falling;
+  return (rate_up + rate_down) * difference;
+}
 
 } // namespace describe
 
@@ -32,9 +38,9 @@ struct muscle_activation : describe::block_words {
 
   static constexpr describe::block_record
       block = describe::states_of_block<Self, output>::template with < dot(output) ==
-              describe::activation_rate<output, describe::argument_or_zero<0, excitation_and_times...>(),
+              describe::activation_rate(output, describe::argument_or_zero<0, excitation_and_times...>(),
                                         describe::argument_or_zero<1, excitation_and_times...>(),
-                                        describe::argument_or_zero<2, excitation_and_times...>()>::value >
+                                        describe::argument_or_zero<2, excitation_and_times...>()) >
                   (describe::arguments_of("muscle_activation<Self, excitation, Ta, Td>",
                                           sizeof...(excitation_and_times), 3));
 };

@@ -9,6 +9,11 @@ namespace kanexpr {
 
 namespace describe {
 
+/// The coefficient s_ij of the equations of a delay.
+constexpr double legendre_sign(int i, int j) { return i < j || (i - j) % 2 == 0 ? -1.0 : 1.0; }
+/// The coefficient (−1)^i of the input.
+constexpr double legendre_sign_of_input(int i) { return i % 2 == 0 ? 1.0 : -1.0; }
+
 /// The equations of a delay of the time T, T ṁ_i = (2i + 1) (Σ_j s_ij m_j + (−1)^i x) for i < n, where s_ij
 /// is −1 if i < j and (−1)^(i−j+1) otherwise. m_i are the coefficients of the input of the last T seconds as
 /// a series of Legendre polynomials. The output Σ m_i is that of the Padé approximant of e^(−Ts) with a
@@ -21,14 +26,11 @@ struct legendre_delay {
   static constexpr symbol<symbolic::symbol_kind::speed, joint_name<"m", Self>, i + 1, of_state_variable> m{};
 
   template <int i, int j>
-  static constexpr double sign = i < j || (i - j) % 2 == 0 ? -1.0 : 1.0;
-
-  template <int i, int j>
   static constexpr auto sum_from() {
     if constexpr (j + 1 == order)
-      return sign<i, j> * m<j>;
+      return legendre_sign(i, j) * m<j>;
     else
-      return sign<i, j> * m<j> + sum_from<i, j + 1>();
+      return legendre_sign(i, j) * m<j> + sum_from<i, j + 1>();
   }
   template <int i>
   static constexpr auto sum_of_all() {
@@ -40,7 +42,7 @@ struct legendre_delay {
 
   template <int i>
   static constexpr auto equation =
-      time * dot(m<i>) == (2.0 * i + 1) * (sum_from<i, 0>() + (i % 2 == 0 ? 1.0 : -1.0) * x);
+      time * dot(m<i>) == (2.0 * i + 1) * (sum_from<i, 0>() + legendre_sign_of_input(i) * x);
 
   static constexpr block_record record(const arguments& fits) {
     return [&]<int... i>(std::integer_sequence<int, i...>) {

@@ -20,8 +20,11 @@ struct lag : describe::block_words {
 namespace describe {
 
 /// r tanh((x − y)/(r T)), which is (x − y)/T where that is small compared with r.
-template <auto x, auto y, auto rate, auto time>
-inline constexpr auto limited_rate = rate * tanh((x - y) / (rate * time));
+template <class Input, class Output, class Rate, class Time>
+constexpr auto limited_rate(const Input& x, const Output& y, const Rate& rate, const Time& time) {
+  const auto deviation = x - y;
+  return rate * tanh(deviation / (rate * time));
+}
 
 } // namespace describe
 
@@ -31,11 +34,11 @@ template <class Self, auto... input_rate_and_time>
 struct slew_limit : describe::block_words {
   static constexpr describe::state_variable_of<"y", Self> output{};
 
-  static constexpr describe::block_record
-      block = describe::states_of_block<Self, output>::template with < dot(output) ==
-              describe::limited_rate < describe::argument_or_zero<0, input_rate_and_time...>(),
-      output, describe::argument_or_zero<1, input_rate_and_time...>(),
-      describe::argument_or_zero<2, input_rate_and_time...>() >>
+  static constexpr describe::block_record block =
+      describe::states_of_block<Self, output>::template with < dot(output) ==
+      describe::limited_rate(describe::argument_or_zero<0, input_rate_and_time...>(), output,
+                             describe::argument_or_zero<1, input_rate_and_time...>(),
+                             describe::argument_or_zero<2, input_rate_and_time...>()) >
           (describe::arguments_of("slew_limit<Self, input, rate, time>", sizeof...(input_rate_and_time), 3));
 };
 

@@ -29,6 +29,12 @@ constexpr std::string_view describe_kind() {
     return "a block; list it in blocks<...>"sv;
   else if constexpr (requires { Type::word; })
     return "a word of the system"sv;
+  else if constexpr (requires { Type::path.what; })
+    return "a pathway; list a load along it, such as force_along<path, tension>"sv;
+  else if constexpr (requires { Type::friction_law.kind; })
+    return "a law of friction; list friction<joint or path, normal force, law>"sv;
+  else if constexpr (requires { Type::contact_word; } || requires { &Type::lay_out; })
+    return "an argument of contact<...>"sv;
   else
     return {};
 }

@@ -100,6 +100,10 @@ template <class Joint>
 constexpr std::string_view mistake_of_drive() {
   if (Joint::template times<joint_word::stops> > 1) return "has stops<...> twice; write one list";
   if (Joint::template times<joint_word::rotor> > 1) return "has two rotors";
+  if constexpr (Joint::template has<joint_word::stops>)
+    if (const std::size_t given = Joint::template word<joint_word::stops>::count; given < 4 || given > 5)
+      return "has stops<...> with too few or too many values; write stops<least, greatest, stiffness, "
+             "damping, width>";
   if constexpr (Joint::template has<joint_word::rotor>)
     if (const std::size_t given = Joint::template word<joint_word::rotor>::count; given == 0 || given > 2)
       return "has rotor<...> with no inertia or too many values; write rotor<inertia, gear ratio>";

@@ -81,7 +81,7 @@ private:
     int speed = none;
     components force{}, moment{};
   };
-  /// A body and those that hang on it, about a station and in its axes there. The rigid part is separate
+  /// A body and the bodies outward, about a station and in its axes there. The rigid part is separate
   /// because it is cheaper to move.
   struct articulated_body {
     int frame = mechanism::inertial;
@@ -129,7 +129,7 @@ private:
       move_to_parent(b, n);
   }
 
-  /// Adds what hangs at a station and does not rotate with it.
+  /// Adds the bodies at a station that do not rotate with it.
   constexpr void join_fixed(articulated_body& b, int n) {
     const articulated_body fixed = body_at(n, mechanism::inertial);
     const path way(m_, axes_of(s_, n, mechanism::inertial), axes_of(s_, n, b.frame));
@@ -225,7 +225,8 @@ private:
     for (int i = complete.size() - 1; i >= 0; --i) into.push(eliminate(b, complete[i]));
   }
 
-  /// Eliminates the speeds whose parts hang on the ground at different places, and those without mass.
+  /// Eliminates the speeds whose parts are attached to the ground at different places, and those without
+  /// mass.
   constexpr void eliminate_rest() {
     articulated_body ground{mechanism::inertial, rigid_mass(*m_.g), articulated_mass(*m_.g), true, {}};
     for (int i = m_.speeds_of_motion() - 1; i >= 0; --i)

@@ -9,6 +9,7 @@
 #include <kanexpr/mechanics/loads/friction_law.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/load_units.hpp>
+#include <kanexpr/mechanics/loads/observed_motion.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
@@ -43,24 +44,65 @@ struct contact {
   friction_law friction{};
   rolling_resistance rolling{};
 
+private:
+  /// The normal force that belongs to an elastic force and a relative velocity.
+  constexpr expression pressed_by(expression elastic, const touching& at, const components& slip) const {
+    const expression approach = -dot(at.push, slip);
+    return elastic * law.dissipation(approach);
+  }
+
+  constexpr components in_tangent_plane(const components& v, const touching& at) const {
+    return v - dot(at.normal, v) * at.normal;
+  }
+
+  /// The friction force of the bristles and their rates. In a plane of contact that turns, the deflection is
+  /// a vector of which only the part in this plane pulls: the slip has no other part, so that the power is
+  /// that of the whole deflection.
+  template <class Motion>
+  constexpr moving_bristles move_bristles(Motion& on, expression pressing, const components& slip) const {
+    sequence<expression> parts;
+    for (const components& t : between.directions_of_slip()) parts.push(dot(t, slip));
+    return friction.known_in(on).move_bristles(pressing, parts);
+  }
+  constexpr components force_of(const moving_bristles& moving, const touching& at) const {
+    const sequence<components> along = between.directions_of_slip();
+    components force(at.normal.x.owner());
+    for (int i = 0; i < along.size(); ++i) force += moving.force[i] * along[i];
+    return between.has_plane() ? force : in_tangent_plane(force, at);
+  }
+
+  template <class Motion>
+  constexpr components tangential_force(Motion& on, const touching& at, const components& slip,
+                                        expression pressing) const {
+    if (!friction) return components(*on.skeleton_used().model->g);
+    const components tangent = in_tangent_plane(slip, at);
+    if (friction.has_bristles()) return force_of(move_bristles(on, pressing, tangent), at);
+    return -((pressing * friction.known_in(on).over_slip(dot(tangent, tangent))) * tangent);
+  }
+
+public:
   constexpr void act(force_system& on, conservative how) const {
-    const skeleton& s = on.skeleton_used();
-    const touching at = between.at(*s.model);
-    motion& k = on.moving();
-    const components slip = relative_velocity(k, at);
-    const expression approach = -dot(at.push, slip), elastic = law.elastic_force(at.penetration);
-    const expression normal_force = elastic * law.dissipation(approach);
-    const expression pressing = how == conservative::by_energy ? normal_force - elastic : normal_force;
-    components tangential(*s.model->g);
-    if (friction.has_bristles()) {
-      const components tangent = slip - dot(at.normal, slip) * at.normal;
-      tangential = pull_bristles(on, at, move_bristles(on, normal_force, tangent));
-    } else if (friction) {
-      const components tangent = slip - dot(at.normal, slip) * at.normal;
-      tangential = -((normal_force * friction.known_in(on).over_slip(dot(tangent, tangent))) * tangent);
-    }
-    add_force(on, at, pressing * at.push, tangential);
-    if (rolling) add_rolling_resistance(on, at, normal_force);
+    const touching at = between.at(*on.skeleton_used().model);
+    const components slip = relative_velocity(on.moving(), at);
+    const expression elastic = law.elastic_force(at.penetration), pressing = pressed_by(elastic, at, slip);
+    const expression as_force = how == conservative::by_energy ? pressing - elastic : pressing;
+    add_force(on, at, as_force * at.push, tangential_force(on, at, slip, pressing));
+    if (friction.has_bristles()) add_shares(on, move_bristles(on, pressing, in_tangent_plane(slip, at)));
+    if (rolling) add_rolling_resistance(on, at, pressing);
+  }
+
+  /// The normal force, which is not negative.
+  constexpr expression normal_force(observed_motion& on) const {
+    const touching at = between.at(*on.skeleton_used().model);
+    return pressed_by(law.elastic_force(at.penetration), at, relative_velocity(on.moving(), at));
+  }
+
+  /// The friction force on the first body.
+  constexpr vector friction_force(observed_motion& on) const {
+    const touching at = between.at(*on.skeleton_used().model);
+    const components slip = relative_velocity(on.moving(), at);
+    const expression pressing = pressed_by(law.elastic_force(at.penetration), at, slip);
+    return in_axes(tangential_force(on, at, slip, pressing));
   }
 
   /// Appends the rates of the deflections of bristles.
@@ -68,9 +110,9 @@ struct contact {
     if (!friction.has_bristles()) return;
     const mechanism& m = *on.skeleton_used().model;
     const touching at = between.at(m);
-    const components slip = relative_velocity(on.moving(), at), across = dot(at.normal, slip) * at.normal;
-    const expression approach = -dot(at.push, slip), elastic = law.elastic_force(at.penetration);
-    const moving_bristles moving = move_bristles(on, elastic * law.dissipation(approach), slip - across);
+    const components slip = relative_velocity(on.moving(), at);
+    const expression pressing = pressed_by(law.elastic_force(at.penetration), at, slip);
+    const moving_bristles moving = move_bristles(on, pressing, in_tangent_plane(slip, at));
     for (int i = 0; i < moving.rates.size(); ++i)
       all.push({m.speeds.find(friction.bristles.deflections[i]), moving.rates[i], {}});
   }
@@ -83,25 +125,10 @@ struct contact {
   constexpr void state_units(load_units& by, int) const;
 
 private:
-  /// The friction force of the bristles and their rates. In a plane of contact that turns, the deflection is
-  /// a vector of which only the part in this plane pulls: the slip has no other part, so that the power is
-  /// that of the whole deflection.
-  constexpr moving_bristles move_bristles(force_system& on, expression normal_force,
-                                          const components& slip) const {
-    sequence<expression> parts;
-    for (const components& t : between.directions_of_slip()) parts.push(dot(t, slip));
-    return friction.known_in(on).move_bristles(normal_force, parts);
-  }
-  constexpr components pull_bristles(force_system& on, const touching& at,
-                                     const moving_bristles& moving) const {
+  constexpr void add_shares(force_system& on, const moving_bristles& moving) const {
     const mechanism& m = *on.skeleton_used().model;
-    const sequence<components> along = between.directions_of_slip();
-    components force(*m.g);
-    for (int i = 0; i < along.size(); ++i) {
-      force += moving.force[i] * along[i];
+    for (int i = 0; i < moving.rates.size(); ++i)
       on.add_share(m.speeds.find(friction.bristles.deflections[i]), moving.rates[i]);
-    }
-    return between.has_plane() ? force : force - dot(at.normal, force) * at.normal;
   }
 
   constexpr vector in_axes(const components& v) const {

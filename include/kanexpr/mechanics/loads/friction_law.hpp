@@ -82,7 +82,8 @@ struct friction_law {
   }
 
   /// The same law with the rates of the coordinates replaced by speeds.
-  constexpr friction_law known_in(force_system& on) const {
+  template <class Motion>
+  constexpr friction_law known_in(Motion& on) const {
     const auto known = [&](expression e) { return e.is_given() ? on.known(e) : e; };
     friction_law law{kind};
     law.sliding = known(sliding), law.sticking = known(sticking);

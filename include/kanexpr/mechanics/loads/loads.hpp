@@ -7,6 +7,7 @@
 #include <kanexpr/mechanics/loads/friction_law.hpp>
 #include <kanexpr/mechanics/loads/given_potential_energy.hpp>
 #include <kanexpr/mechanics/loads/modal_damping.hpp>
+#include <kanexpr/mechanics/loads/muscle.hpp>
 #include <kanexpr/mechanics/loads/path_load.hpp>
 #include <kanexpr/mechanics/loads/spring_damper.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
@@ -29,6 +30,7 @@ struct loads {
   sequence<path_load> path_loads{};
   sequence<bushing> bushings{};
   sequence<contact> contacts{};
+  sequence<muscle> muscles{};
   sequence<tyre> tyres{};
   sequence<state_rate> state_rates{};
   bool has_gravity = false;
@@ -39,8 +41,8 @@ struct loads {
   template <class Self, class Visit>
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.forces, self.torques, self.spring_dampers, self.torsional_dampers, self.potential_energies,
-          self.modal_dampings, self.path_loads, self.bushings, self.contacts, self.tyres, self.state_rates,
-          self.has_gravity, self.gravity, self.has_lagrangian, self.lagrangian);
+          self.modal_dampings, self.path_loads, self.bushings, self.contacts, self.muscles, self.tyres,
+          self.state_rates, self.has_gravity, self.gravity, self.has_lagrangian, self.lagrangian);
   }
 
   /// Calls `visit` with the list of each kind of loads.
@@ -48,7 +50,7 @@ struct loads {
   constexpr void each_kind(Visit&& visit) const {
     const auto visit_all = [&](const auto&... kinds) { (visit(kinds), ...); };
     visit_all(forces, torques, spring_dampers, torsional_dampers, potential_energies, modal_dampings,
-              path_loads, bushings, contacts, tyres, state_rates);
+              path_loads, bushings, contacts, muscles, tyres, state_rates);
   }
   /// Calls `visit` for each load except gravity, with the load and its index among the loads of its kind.
   template <class Visit>

@@ -6,6 +6,7 @@
 #include <kanexpr/mechanics/loads/friction_law.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/load_units.hpp>
+#include <kanexpr/mechanics/loads/observed_motion.hpp>
 #include <kanexpr/mechanics/loads/one_sided.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
@@ -35,6 +36,49 @@ struct path_load {
   sequence<expression> terms{};
   friction_law friction{};
 
+private:
+  template <class Motion>
+  constexpr expression tension_of_stop(Motion& on, const taut_pathway& taut, conservative how) const {
+    const expression at_most = one_sided(taut.length() - terms[1], terms[4]),
+                     at_least = one_sided(terms[0] - taut.length(), terms[4]);
+    if (terms[3].is_zero())
+      return how == conservative::by_energy ? on.skeleton_used().model->zero()
+                                            : terms[2] * (at_most - at_least);
+    const expression damping = on.known(terms[3]), rate = taut.rate(on.moving());
+    expression longer = dissipation_factor(damping, rate), shorter = dissipation_factor(damping, -rate);
+    if (how == conservative::by_energy) longer = longer - 1, shorter = shorter - 1;
+    const expression pulls = at_most * longer, pushes = at_least * shorter;
+    return terms[2] * (pulls - pushes);
+  }
+
+  template <class Motion>
+  constexpr moving_bristles move_bristles(Motion& on, const taut_pathway& taut) const {
+    return friction.known_in(on).move_bristles(on.known(terms[0]), {taut.rate(on.moving())});
+  }
+
+  template <class Motion>
+  constexpr expression tension(Motion& on, const taut_pathway& taut, conservative how) const {
+    switch (law) {
+    case tension_law::given: return on.known(terms[0]);
+    case tension_law::spring: {
+      const expression x = taut.length() - terms[2], linear = terms[0] * x;
+      return linear + terms[1] * (x * x * x);
+    }
+    case tension_law::damper: {
+      const expression damping = on.known(terms[0]);
+      return damping * taut.rate(on.moving());
+    }
+    case tension_law::friction: {
+      if (friction.has_bristles()) return -move_bristles(on, taut).force[0];
+      const expression normal = on.known(terms[0]);
+      return normal * friction.known_in(on).coefficient(taut.rate(on.moving()));
+    }
+    case tension_law::stop: return tension_of_stop(on, taut, how);
+    }
+    return {};
+  }
+
+public:
   constexpr void act(force_system& on, conservative how) const {
     if (how == conservative::by_energy && law == tension_law::spring) return;
     const taut_pathway taut(along, on.skeleton_used());
@@ -49,6 +93,11 @@ struct path_load {
     if (!friction.has_bristles()) return;
     const moving_bristles moving = move_bristles(on, taut_pathway(along, on.skeleton_used()));
     all.push({place_of_bristle(*on.skeleton_used().model), moving.rates[0], {}});
+  }
+
+  /// The tension, positive if it shortens the pathway.
+  constexpr expression tension(observed_motion& on) const {
+    return tension(on, taut_pathway(along, on.skeleton_used()), conservative::by_forces);
   }
 
   constexpr expression potential_energy(const mechanism& m) const {
@@ -72,7 +121,7 @@ struct path_load {
     if (const sentence found = along.find_mistake(by.mechanism_used(), called()))
       return by.fail({found.view()});
     const sentence place = along.place(by), whose({called(), " ", place.view()});
-    check_pathway(by, whose.view());
+    along.check_with(by, whose.view());
     switch (law) {
     case tension_law::given: return by.check_no_speed_rates(terms[0], "the ", whose.view());
     case tension_law::damper: return by.check_no_speed_rates(terms[0], "the damping of the ", whose.view());
@@ -98,7 +147,7 @@ struct path_load {
       length = *found;
       force = length == si::radian ? si::newton * si::meter : si::joule / length;
     }
-    state_units_of_pathway(by, whose.view());
+    along.state_units(by, whose.view());
     const auto expect = [&](int term, std::string_view what, const units::unit& u) {
       by.describe({what, whose.view()});
       by.expect(terms[term], u);
@@ -123,76 +172,48 @@ struct path_load {
   }
 
 private:
-  constexpr moving_bristles move_bristles(force_system& on, const taut_pathway& taut) const {
-    return friction.known_in(on).move_bristles(on.known(terms[0]), {taut.rate(on.moving())});
-  }
   constexpr int place_of_bristle(const mechanism& m) const {
     return m.speeds.find(friction.bristles.deflections[0]);
   }
 
-  constexpr void state_units_of_bristles(load_units& by, std::string_view whose, const units::unit& force,
-                                         const units::unit& length) const {
-    const bristles& b = friction.bristles;
-    const auto state = [&](expression e, std::string_view what, const units::unit& u) {
-      by.describe({what, whose});
-      if (e.is_given()) by.expect(e, u);
-    };
-    state(terms[0] * b.stiffness, "the stiffness of the bristles of the ", force / length);
-    if (b.damping.is_given())
-      state(terms[0] * b.damping, "the damping of the bristles of the ", force * units::si::second / length);
-    state(b.stribeck_speed, "the Stribeck speed of the ", length / units::si::second);
+  /// States the unit of a value that the normal force multiplies. A number is in SI units.
+  constexpr void state_unit_by_load(load_units& by, std::string_view what, std::string_view whose,
+                                    expression value, const units::unit& of_product) const {
+    if (!value.is_given()) return;
     by.describe({"the normal force of the ", whose});
     const units::possible_unit normal = by.unit_of(terms[0]);
+    by.describe({what, whose});
+    if (normal)
+      by.expect(value, of_product / *normal);
+    else if (!value.is_constant())
+      by.expect(terms[0] * value, of_product);
+  }
+
+  constexpr void state_units_of_bristles(load_units& by, std::string_view whose, const units::unit& force,
+                                         const units::unit& length) const {
+    namespace si = units::si;
+    const bristles& b = friction.bristles;
+    state_unit_by_load(by, "the stiffness of the bristles of the ", whose, b.stiffness, force / length);
+    state_unit_by_load(by, "the damping of the bristles of the ", whose, b.damping,
+                       force * si::second / length);
+    by.describe({"the Stribeck speed of the ", whose});
+    if (b.stribeck_speed.is_given()) by.expect(b.stribeck_speed, length / si::second);
+    by.describe({"the normal force of the ", whose});
+    const units::possible_unit normal = by.unit_of(terms[0]);
+    by.describe({"the deflection of the ", whose});
     if (bristles::are_deflections(terms[0]))
-      state(b.deflections[0], "the deflection of the ", length);
+      by.expect(b.deflections[0], length);
     else if (normal)
-      state(b.deflections[0], "the deflection of the ", length * units::pow<1, 2>(*normal));
+      by.expect(b.deflections[0], length * units::pow<1, 2>(*normal));
   }
 
   constexpr void state_units_of_friction(load_units& by, std::string_view whose, const units::unit& force,
                                          const units::unit& speed) const {
-    const auto state = [&](expression e, std::string_view what, const units::unit& u) {
-      by.describe({what, whose});
-      if (e.is_given()) by.expect(e, u);
-    };
-    if (friction.sliding.is_given()) state(terms[0] * friction.sliding, "the dry part of the ", force);
-    if (friction.sticking.is_given()) state(terms[0] * friction.sticking, "the static part of the ", force);
-    if (friction.viscous.is_given())
-      state(terms[0] * friction.viscous, "the viscous part of the ", force / speed);
-    state(friction.slip_speed, "the slip speed of the ", speed);
-  }
-
-  constexpr expression tension(force_system& on, const taut_pathway& taut, conservative how) const {
-    switch (law) {
-    case tension_law::given: return on.known(terms[0]);
-    case tension_law::spring: {
-      const expression x = taut.length() - terms[2], linear = terms[0] * x;
-      return linear + terms[1] * (x * x * x);
-    }
-    case tension_law::damper: {
-      const expression damping = on.known(terms[0]);
-      return damping * taut.rate(on.moving());
-    }
-    case tension_law::friction: {
-      const expression normal = on.known(terms[0]);
-      return normal * friction.known_in(on).coefficient(taut.rate(on.moving()));
-    }
-    case tension_law::stop: return tension_of_stop(on, taut, how);
-    }
-    return {};
-  }
-
-  constexpr expression tension_of_stop(force_system& on, const taut_pathway& taut, conservative how) const {
-    const expression at_most = one_sided(taut.length() - terms[1], terms[4]),
-                     at_least = one_sided(terms[0] - taut.length(), terms[4]);
-    if (terms[3].is_zero())
-      return how == conservative::by_energy ? on.skeleton_used().model->zero()
-                                            : terms[2] * (at_most - at_least);
-    const expression damping = on.known(terms[3]), rate = taut.rate(on.moving());
-    expression longer = dissipation_factor(damping, rate), shorter = dissipation_factor(damping, -rate);
-    if (how == conservative::by_energy) longer = longer - 1, shorter = shorter - 1;
-    const expression pulls = at_most * longer, pushes = at_least * shorter;
-    return terms[2] * (pulls - pushes);
+    state_unit_by_load(by, "the coefficient of friction of the ", whose, friction.sliding, force);
+    state_unit_by_load(by, "the coefficient of static friction of the ", whose, friction.sticking, force);
+    state_unit_by_load(by, "the viscous coefficient of the ", whose, friction.viscous, force / speed);
+    by.describe({"the slip speed of the ", whose});
+    if (friction.slip_speed.is_given()) by.expect(friction.slip_speed, speed);
   }
 
   constexpr expression energy_of_spring(expression length) const {
@@ -204,21 +225,6 @@ private:
     const expression at_most = one_sided_energy(length - terms[1], terms[4]),
                      at_least = one_sided_energy(terms[0] - length, terms[4]);
     return terms[2] * (at_most + at_least);
-  }
-
-  constexpr void check_pathway(load_check& by, std::string_view whose) const {
-    if (along.form == pathway_form::given_length)
-      by.check_no_rates(along.length, "the length of the ", whose);
-    if (along.is_around_surface()) by.check_constant(along.surface.size, "the surface of the ", whose);
-    if (along.is_around_surface() && is_not_positive(along.surface.size))
-      by.fail({"the surface of the ", whose, " has no positive ",
-               along.form == pathway_form::around_cone ? "angle" : "radius"});
-  }
-  constexpr void state_units_of_pathway(load_units& by, std::string_view whose) const {
-    if (!along.is_around_surface()) return;
-    by.describe({"the surface of the ", whose});
-    by.expect(along.surface.size,
-              along.form == pathway_form::around_cone ? units::si::radian : units::si::meter);
   }
 
   constexpr void check_stop(load_check& by, std::string_view whose) const {

@@ -3,7 +3,9 @@
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/force_system.hpp>
+#include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/load_names.hpp>
+#include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/loads/segment.hpp>
 #include <kanexpr/mechanics/loads/wrapping.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
@@ -16,8 +18,7 @@
 #include <kanexpr/symbolic/derivatives/accumulate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/printing/short_text.hpp>
-
-#include <string_view>
+#include <kanexpr/units/si.hpp>
 
 #include <string_view>
 
@@ -81,6 +82,23 @@ struct pathway {
         if (const sentence found = check_position(m, end, center)) return found;
     }
     return {};
+  }
+
+  /// Checks the expressions; `whose` names the load.
+  constexpr void check_with(load_check& by, std::string_view whose) const {
+    if (form == pathway_form::given_length) by.check_no_rates(length, "the length of the ", whose);
+    if (!is_around_surface()) return;
+    by.check_constant(surface.size, "the surface of the ", whose);
+    const expression size = surface.size;
+    if (size.is_constant() && !(size.owner().number_at(size.node()).value() > 0))
+      by.fail({"the surface of the ", whose, " has no positive ",
+               form == pathway_form::around_cone ? "angle" : "radius"});
+  }
+
+  constexpr void state_units(load_units& by, std::string_view whose) const {
+    if (!is_around_surface()) return;
+    by.describe({"the surface of the ", whose});
+    by.expect(surface.size, form == pathway_form::around_cone ? units::si::radian : units::si::meter);
   }
 };
 

@@ -5,6 +5,7 @@
 #include <kanexpr/mechanics/loads/force_system.hpp>
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/load_units.hpp>
+#include <kanexpr/mechanics/loads/observed_motion.hpp>
 #include <kanexpr/mechanics/loads/segment.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -39,6 +40,15 @@ struct spring_damper {
     force.add(line.axes, over_length * line.d);
     on.add_force(point, -force);
     on.add_force(against, force);
+  }
+
+  /// The tension, positive if the points are pulled toward each other.
+  constexpr expression tension(observed_motion& on) const {
+    const segment::line line = between().line_in(on.skeleton_used());
+    const expression distance = sqrt(dot(line.d, line.d));
+    expression pull = stiffness * (distance - length);
+    if (!damping.is_zero()) pull += damping * (rate_of_stretch(on.moving(), line) * distance);
+    return pull;
   }
 
   /// ½ k (|d| − l)².

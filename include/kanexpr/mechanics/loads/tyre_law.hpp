@@ -63,9 +63,8 @@ private:
       (number(others), ...);
     });
     coefficients::each_factor(c, [&](auto& pressure, auto& nominal, auto&... others) {
-      const units::unit by_area = si::newton / si::meter / si::meter;
-      visit(pressure, "the pressure of ", by_area);
-      visit(nominal, "the nominal pressure of ", by_area);
+      visit(pressure, "the pressure of ", si::newton / units::pow<2>(si::meter));
+      visit(nominal, "the nominal pressure of ", si::newton / units::pow<2>(si::meter));
       (number(others), ...);
     });
   }

@@ -3,12 +3,13 @@
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/inertia.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
+#include <kanexpr/symbolic/graph/graph.hpp>
 
 namespace kanexpr::mechanics {
 
-/// The inertia of a body together with bodies that hang on it and are free to move, about a point of the
-/// body: an acceleration a of the point and an angular acceleration α take the force M a + H α and the moment
-/// Hᵀ a + I α. Featherstone (2008), section 7.1.
+/// The inertia of a body and of the bodies outward, which are free to move relative to it, about a point of
+/// the body: an acceleration a of the point and an angular acceleration α take the force M a + H α and the
+/// moment Hᵀ a + I α. Featherstone (2008), section 7.1.
 struct articulated_mass {
   symmetric mass{};
   matrix3 coupling{}; ///< H

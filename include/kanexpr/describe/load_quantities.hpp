@@ -1,0 +1,53 @@
+#pragma once
+
+#include <kanexpr/describe/load.hpp>
+#include <kanexpr/describe/path_load.hpp>
+
+/// The length of a pathway and the forces of loads, as expressions for results, plots and other loads.
+namespace kanexpr {
+
+namespace describe {
+
+enum class load_quantity : unsigned char { length, tension, normal_force, friction_force };
+
+constexpr token of_load(load_quantity what, const load_record* load, bool is_of_one_file) {
+  token t = with(token_kind::of_load);
+  t.index = static_cast<int>(what);
+  t.load = load;
+  t.is_of_one_file = is_of_one_file;
+  return t;
+}
+
+/// A pathway in place of a load, of which only the length is of interest.
+template <class Path>
+inline constexpr load_record length_along = load_along<Path>(load_word::none, "the length", {}, nullptr, 0);
+
+} // namespace describe
+
+/// The length of a pathway, in m: `length_of<straight<P, Q>>`. That of a joint with one coordinate is this
+/// coordinate; that of a `given_length` has the unit of the given expression. It depends only on coordinates
+/// and parameters, so it may appear in constraints and potential energies, too.
+template <class Path>
+inline constexpr scalar<1> length_of{{describe::of_load(
+    describe::load_quantity::length, &describe::length_along<Path>, !is_known_to_all_files<Path>)}};
+
+/// The tension of a load along a pathway, in N: `tension_of<linear_spring<straight<P, Q>, k, l0>>`, also of a
+/// `spring<P, Q, k, l0>` or a `damper<P, Q, c>`. It is positive if the load pulls the ends together. Along a
+/// joint that turns it is a torque, in N m. The system must list the load.
+template <class Load>
+inline constexpr scalar<1> tension_of{{describe::of_load(
+    describe::load_quantity::tension, &describe::load_of<Load>, !is_known_to_all_files<Load>)}};
+
+/// The normal force of a contact, in N; it is zero while the contact is open and never negative:
+/// `normal_force_of<contact<...>>`. The system must list the contact.
+template <class Contact>
+inline constexpr scalar<1> normal_force_of{{describe::of_load(
+    describe::load_quantity::normal_force, &describe::load_of<Contact>, !is_known_to_all_files<Contact>)}};
+
+/// The friction force of a contact on its first body, a vector in N: `friction_force_of<contact<...>>`. The
+/// system must list the contact.
+template <class Contact>
+inline constexpr vector<1> friction_force_of{{describe::of_load(
+    describe::load_quantity::friction_force, &describe::load_of<Contact>, !is_known_to_all_files<Contact>)}};
+
+} // namespace kanexpr

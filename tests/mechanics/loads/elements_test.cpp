@@ -1,0 +1,189 @@
+// Every force element: its power by its own law against that of its generalized forces, its energy at random
+// states and along random motions, and its derivatives against complex steps.
+#include "elements_at_joints.hpp"
+
+#include <gtest/gtest.h>
+
+#include <complex>
+#include <random>
+
+namespace {
+
+using namespace elements;
+using Eigen::MatrixXd;
+using kanexpr::model;
+using kanexpr::symbolic::matrix;
+using mechanics::quantity;
+
+const VectorXd nothing(0);
+
+std::vector<element> all_elements() {
+  std::vector<element> all;
+  for (const auto& rows : {along_pathways(), between_bodies(), in_contacts(), at_joints()})
+    all.insert(all.end(), rows.begin(), rows.end());
+  return all;
+}
+
+/// The derivative of an expression along the motion.
+expression rate_of(model& m, const matrix& rates, expression value) {
+  expression sum = value.number(kanexpr::symbolic::exactly(0));
+  int row = 0;
+  for (const auto* list : {&m.mechanism().coordinates, &m.mechanism().speeds})
+    for (const expression& e : *list)
+      sum += kanexpr::symbolic::differentiate(value, e) * rates.entries[row++];
+  return sum;
+}
+
+/// An element with everything that is known of it, as functions of the state.
+class examined {
+public:
+  struct values {
+    VectorXd rates;
+    double power = 0;             ///< by the element's own law
+    double by_forces = 0;         ///< of the generalized forces
+    double by_motion = 0;         ///< the rate of the kinetic energy
+    double storing = 0;           ///< the rate of the energy of the element
+    double energy = 0, scale = 0; ///< the whole energy, and the size of the terms of the power
+  };
+
+  explicit examined(const element& e) : power_(e.power), made_(e.build()), all_(evaluated()) {}
+
+  model& derived() { return made_.model; }
+  Eigen::Index size() { return made_.model.rhs().rows; }
+
+  values at(const VectorXd& x) {
+    const MatrixXd found = all_(x);
+    const Eigen::Index n = x.size(), k = static_cast<Eigen::Index>(made_.measured.size());
+    const auto row = [&](Eigen::Index i) { return found(n + k + i, 0); };
+    return {found.topRows(n), power_(found.middleRows(n, k).col(0)), row(0), row(1), row(2), row(3), row(4)};
+  }
+
+private:
+  kanexpr::runtime::interpreted<double> evaluated() {
+    model& m = made_.model;
+    EXPECT_EQ(m.mistake(), "");
+    const matrix rates = m.rhs(), forces = m.get(quantity::load_compensation);
+    const expression zero = m.mechanism().zero();
+    expression stored = zero;
+    if (has_potential_energy(m)) stored += m.get(quantity::potential_energy).entries[0];
+    if (made_.stored.is_given()) stored += made_.stored;
+    const expression kinetic = m.get(quantity::kinetic_energy).entries[0];
+    expression power = zero, scale = m.mechanism().one();
+    for (int i = 0; i < m.mechanism().speeds_of_motion(); ++i) {
+      const expression term = forces.entries[i] * m.mechanism().speeds[i];
+      power += -term, scale += term * term;
+    }
+    matrix all = rates;
+    for (const expression& e : made_.measured) all.entries.push(e);
+    for (const expression& e :
+         {power, rate_of(m, rates, kinetic), rate_of(m, rates, stored), kinetic + stored, sqrt(scale)})
+      all.entries.push(e);
+    all.rows = all.entries.size();
+    return m.function(all);
+  }
+  static bool has_potential_energy(model& m) {
+    bool any = false;
+    m.system().loads.each(
+        [&](const auto& load, int) { any = any || requires { load.potential_energy(m.mechanism()); }; });
+    return any;
+  }
+
+  std::function<double(const VectorXd&)> power_;
+  mechanism_with_element made_;
+  kanexpr::runtime::interpreted<double> all_;
+};
+
+VectorXd random_state(std::mt19937_64& source, Eigen::Index size) {
+  std::uniform_real_distribution<double> value(-1.2, 1.2);
+  return VectorXd::NullaryExpr(size, [&] { return value(source); });
+}
+
+TEST(elements, have_the_power_of_their_law_and_create_no_energy) {
+  for (const element& e : all_elements()) {
+    SCOPED_TRACE(e.name);
+    examined of(e);
+    if (::testing::Test::HasFailure()) return;
+    std::mt19937_64 source(5);
+    int acting = 0;
+    for (int i = 0; i < 1000; ++i) {
+      const VectorXd x = random_state(source, of.size());
+      const examined::values v = of.at(x);
+      if (!v.rates.allFinite()) continue; // no pathway around the surface
+      const double scale = v.scale * (1 + v.rates.norm());
+      acting += std::abs(v.power) > 1e-6;
+      ASSERT_NEAR(v.power, v.by_forces, 1e-12 * scale) << x.transpose();
+      ASSERT_NEAR(v.by_motion, v.by_forces, 1e-12 * scale) << x.transpose();
+      if (e.is == nature::conservative) {
+        ASSERT_NEAR(v.power, -v.storing, 1e-12 * scale) << x.transpose();
+      }
+      if (e.is == nature::dissipative) {
+        ASSERT_LE(v.power + v.storing, 1e-12 * scale) << x.transpose();
+      }
+    }
+    if (e.name != "rotor of a pin") EXPECT_GT(acting, 200);
+  }
+}
+
+// The energy changes by the integral of the losses, and never grows.
+TEST(elements, create_no_energy_along_random_motions) {
+  for (const element& e : all_elements()) {
+    if (e.is == nature::driven) continue;
+    SCOPED_TRACE(e.name);
+    examined of(e);
+    std::mt19937_64 source(9);
+    VectorXd x = random_state(source, of.size());
+    while (!of.at(x).rates.allFinite()) x = random_state(source, of.size());
+    const double start = of.at(x).energy, h = 2e-4;
+    double lost = 0, least = start;
+    for (int step = 0; step < 250; ++step) {
+      const auto k1 = of.at(x), k2 = of.at(x + h / 2 * k1.rates), k3 = of.at(x + h / 2 * k2.rates),
+                 k4 = of.at(x + h * k3.rates);
+      const auto loss = [](const examined::values& v) { return v.power + v.storing; };
+      x += h / 6 * (k1.rates + 2 * k2.rates + 2 * k3.rates + k4.rates);
+      lost += h / 6 * (loss(k1) + 2 * loss(k2) + 2 * loss(k3) + loss(k4));
+      const double energy = of.at(x).energy;
+      if (!std::isfinite(energy)) break; // the pathway left its surface
+      ASSERT_NEAR(energy - start, lost, 1e-9 * (1 + start)) << step;
+      ASSERT_LE(energy, least + 1e-9 * (1 + start)) << step;
+      least = std::fmin(least, energy);
+    }
+  }
+}
+
+TEST(elements, have_exact_derivatives_to_the_second_order) {
+  using complex = std::complex<double>;
+  for (const element& e : all_elements()) {
+    SCOPED_TRACE(e.name);
+    mechanism_with_element made = e.build();
+    model& m = made.model;
+    ASSERT_EQ(m.mistake(), "");
+    auto rhs = m.function<complex>(m.rhs());
+    auto jacobian = m.function<complex>(m.get(quantity::state_jacobian));
+    auto hessian = m.function(m.get(quantity::weighted_hessian));
+    auto in_double = m.function(m.rhs());
+    auto in_float = m.function<float>(m.rhs());
+    const Eigen::Index n = m.rhs().rows;
+    std::mt19937_64 source(21);
+    for (int k = 0; k < 4; ++k) {
+      const VectorXd x = random_state(source, n), weights = random_state(source, n);
+      const MatrixXd first = Eigen::MatrixXcd(jacobian(Eigen::VectorXcd(x))).real();
+      const MatrixXd second = hessian(0, x, nothing, nothing, weights);
+      const VectorXd rates = in_double(x);
+      if (!rates.allFinite()) continue; // no pathway around the surface
+      ASSERT_TRUE(first.allFinite()) << x.transpose();
+      ASSERT_TRUE(second.allFinite()) << x.transpose();
+      for (Eigen::Index j = 0; j < n; ++j) {
+        Eigen::VectorXcd aside = x;
+        aside[j] += complex(0, 1e-30);
+        const VectorXd column = Eigen::VectorXcd(rhs(aside)).imag() / 1e-30;
+        ASSERT_LT((column - first.col(j)).norm(), 1e-10 * (1 + first.norm())) << j;
+        const VectorXd bent = (Eigen::MatrixXcd(jacobian(aside)).imag() / 1e-30).transpose() * weights;
+        ASSERT_LT((bent - second.col(j)).norm(), 1e-10 * (1 + second.norm())) << j;
+      }
+      const VectorXd single = Eigen::VectorXf(in_float(Eigen::VectorXf(x.cast<float>()))).cast<double>();
+      ASSERT_LT((single - rates).norm(), 1e-3 * (1 + rates.norm()));
+    }
+  }
+}
+
+} // namespace
