@@ -236,7 +236,7 @@ private:
   /// Subtracts the share of a speed from the inertia, from the other columns and from M.
   constexpr eliminated_speed eliminate(articulated_body& b, int speed) {
     const expression pivot = mass_(speed, speed), inverse = 1 / pivot;
-    symbolic::detail::record_pivot(pivots_, speed, inverse, pivot, pivot);
+    symbolic::record_pivot(pivots_, speed, inverse, pivot, pivot);
     parts_[speed] = eliminated;
     const column own = taken(b, speed);
     eliminated_speed e{speed, inverse, over(own.force, pivot, inverse), over(own.moment, pivot, inverse), {}};

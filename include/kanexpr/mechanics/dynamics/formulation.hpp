@@ -5,9 +5,9 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
 #include <kanexpr/symbolic/cost.hpp>
+#include <kanexpr/symbolic/elimination_cost.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
-#include <kanexpr/symbolic/linear/elimination_cost.hpp>
 #include <kanexpr/symbolic/linear/linear_system.hpp>
 #include <kanexpr/symbolic/linear/solve.hpp>
 

@@ -23,8 +23,6 @@ struct symmetric_solution {
   sequence<pivot> pivots{}; ///< constants are omitted; a pivot precedes those that depend on it
 };
 
-namespace detail {
-
 /// Records the pivot that a quotient divides by. If the quotient was simplified, its divisor is only a factor
 /// of the pivot; the divisor is then compared with itself.
 constexpr void record_pivot(sequence<pivot>& all, int place, expression quotient, expression value,
@@ -38,6 +36,8 @@ constexpr void record_pivot(sequence<pivot>& all, int place, expression quotient
   else
     all.push({place, divided.b, {g, divided.b}, {g, divided.b}});
 }
+
+namespace detail {
 
 /// A symmetric matrix during elimination, with nodes in both triangles, and the number of off-diagonal
 /// entries in each remaining row. It uses plain arrays because compilers interpret every call.
@@ -152,7 +152,7 @@ private:
   }
 
   constexpr void note(int p, int quotient, sequence<pivot>& all) const {
-    detail::record_pivot(all, p, {g_, quotient}, {g_, left_.entry[p * n_ + p]}, diagonal_[p]);
+    record_pivot(all, p, {g_, quotient}, {g_, left_.entry[p * n_ + p]}, diagonal_[p]);
   }
 
   constexpr void reduce(sequence<int>& right) const {
