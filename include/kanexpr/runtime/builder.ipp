@@ -12,7 +12,6 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
 #include <kanexpr/mechanics/model/position.hpp>
-#include <kanexpr/mechanics/model/rotor.hpp>
 #include <kanexpr/mechanics/skeleton/orientation_kinematics.hpp>
 #include <kanexpr/mechanics/units/unit_inference.hpp>
 #include <kanexpr/mechanics/units/unit_table.hpp>
@@ -294,15 +293,6 @@ KANEXPR_ENGINE bool builder::is_new_body(std::string_view called) {
 KANEXPR_ENGINE void builder::particle(std::string_view called, point_id at, expression mass) {
   if (is_new_body(called) && checks_.owns(called, at, mass))
     m_.bodies.push({.called = called, .center = place(at), .mass = mass});
-}
-
-KANEXPR_ENGINE void builder::rotor(std::string_view called, point_id at, expression angle,
-                                   const number_or_expression& inertia) {
-  const expression about_axis = as_expression(inertia);
-  if (!is_new_body(called) || !checks_.is_new("frames", called, m_.frames) ||
-      !checks_.owns(called, at, angle, about_axis))
-    return;
-  mechanics::add_rotor(m_, called, mechanics::origin_of(m_, place(at)), angle, about_axis);
 }
 
 KANEXPR_ENGINE void builder::rigid_body(std::string_view called, point_id center, frame_id frame,
