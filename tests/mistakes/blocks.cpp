@@ -106,7 +106,7 @@ void f() { use<System>(); }
 } // namespace k11
 
 // expect: the gear ratio of joint Wheel changes; it may contain only numbers and parameters
-namespace k12 {
+namespace k15 {
 struct System : driven<dc_motor<Wheel, F, 1, 1, 1, 1 + q_of<Wheel>, 0.1, 0.2>> {};
 void f() { use<System>(); }
-} // namespace k12
+} // namespace k15

@@ -184,7 +184,9 @@ TEST(bristles, create_no_energy_at_random_states) {
     worst = std::max(worst, (stored - taken) / scale);
     const double pull = std::sqrt(load) * (sigma0 * y + sigma1 * found[2]) + load * sigma2 * v;
     worst_of_constant_damping = std::max(worst_of_constant_damping, (stored - pull * v) / scale);
-    if (load <= 0) EXPECT_EQ(found[1], 0);
+    if (load <= 0) {
+      EXPECT_EQ(found[1], 0);
+    }
   }
   EXPECT_LT(worst, 1e-12);
   EXPECT_GT(worst_of_constant_damping, 0.1);
