@@ -68,7 +68,7 @@ void f() { use<System>(); }
 } // namespace p9
 
 // expect: the surface of the force between Tip and Corner contains the coordinate q_Arm; it may contain only
-// expect: parameters, inputs and time
+// expect: parameters
 namespace p10 {
 using around = around_cylinder<Ground, Ground, Ground::z, 0.1 * q_of<Arm>, Tip, Corner, wrapping::clockwise>;
 struct System : jointed<joints<Arm>, loads<force_along<around, T>>> {};
