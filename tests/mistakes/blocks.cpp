@@ -59,12 +59,34 @@ struct System : moved<loads<force<P, L::output * N::x>>> {};
 void f() { use<System>(); }
 } // namespace k8
 
-// expect: an equation of dynamics<...> subtracts or equates a vector and a scalar
+// expect: block L subtracts or equates a vector and a scalar
 namespace k9 {
 struct L : lag<L, N::x, 0.1> {};
 struct System : moved<blocks<L>> {};
 void f() { use<System>(); }
 } // namespace k9
+
+// expect: block L multiplies the rate of state variable y_L by a negative number; a time constant must be
+// expect: positive
+namespace k12 {
+struct L : lag<L, q, -0.1> {};
+struct System : moved<blocks<L>> {};
+void f() { use<System>(); }
+} // namespace k12
+
+// expect: block C contains softplus with a width that is not positive
+namespace k13 {
+struct C : pid<C, q, 1, 2, 3, 0.1, 5, -5, 0.1> {}; // limits out of order
+struct System : moved<blocks<C>> {};
+void f() { use<System>(); }
+} // namespace k13
+
+// expect: block V contains a division by zero
+namespace k14 {
+struct V : slew_limit<V, q, 0.0, 0.1> {};
+struct System : moved<blocks<V>> {};
+void f() { use<System>(); }
+} // namespace k14
 
 struct Ground : inertial_ground<Ground> {};
 struct Wheel : pin<Wheel, Ground, axis<Ground::z>, body<1, 0.1 * own::x, inertia<own, 1, 1, 1>>> {};

@@ -48,8 +48,8 @@ void f() { use<System>(); }
 } // namespace n6
 
 // expect: the contact between Arm and Ground has an argument that is neither elastic<...>,
-// expect: smoothed_over<...>, restitution<...>, dissipation<...>, rolling_resistance<...> nor a law of
-// expect: friction
+// expect: smoothed_over<...>, restitution<...>, dissipation<...>, rolling_resistance<...>,
+// expect: spinning_resistance<...> nor a law of friction
 namespace n7 {
 struct System : jointed<joints<Arm>, loads<contact<above, firm, thin, gravity<Ground::z>>>> {};
 void f() { use<System>(); }
@@ -62,7 +62,7 @@ struct System : jointed<joints<Arm>, loads<contact<firm, thin>>> {};
 void f() { use<System>(); }
 } // namespace n8
 
-// expect: the exponent of the contact between Arm and Ground is not a number of at least 1
+// expect: the exponent of the contact between Arm and Ground is not a number from 1 to 30
 namespace n9 {
 struct System : jointed<joints<Arm>, loads<contact<above, elastic<100, l>, thin>>> {};
 void f() { use<System>(); }
@@ -114,12 +114,13 @@ struct System : jointed<joints<Arm>, loads<contact<above, firm, smoothed_over<-1
 void f() { use<System>(); }
 } // namespace n16
 
-// expect: the surface of the contact between Arm and Ground contains the coordinate q_Arm; it may contain
-// expect: only parameters, inputs and time
+// expect: the surface of the contact between P and Ground contains the coordinate q_Arm; it may contain
+// expect: only parameters
 namespace n17 {
+struct P : offset<P, Arm, 0.1 * Arm::x> {};
 struct System
     : jointed<joints<Arm>,
-              loads<contact<point_on_surface<Arm, Ground, Ground, surface::z - q_of<Arm>>, firm, thin>>> {};
+              loads<contact<point_on_surface<P, Ground, Ground, surface::z - q_of<Arm>>, firm, thin>>> {};
 void f() { use<System>(); }
 } // namespace n17
 
@@ -128,3 +129,44 @@ namespace n18 {
 struct System : jointed<joints<Arm>, loads<motor<Arm, T * surface::x>>> {};
 void f() { use<System>(); }
 } // namespace n18
+
+// expect: the coefficient of friction of the friction between Arm and Ground is negative
+namespace n19 {
+struct System : jointed<joints<Arm>, loads<friction<Arm, l, coulomb_friction<-0.4, 0.1>>>> {};
+void f() { use<System>(); }
+} // namespace n19
+
+// expect: the bodies of the contact between P and Arm never move relative to each other
+namespace n20 {
+struct P : offset<P, Arm, 0.1 * Arm::x> {};
+struct System : jointed<joints<Arm>, loads<contact<point_on_plane<P, Arm, Arm::z>, firm, thin>>> {};
+void f() { use<System>(); }
+} // namespace n20
+
+// expect: the approach speed of the contact between Arm and Ground is not positive
+namespace n21 {
+struct System : jointed<joints<Arm>, loads<contact<above, firm, thin, restitution<0.4, -2>>>> {};
+void f() { use<System>(); }
+} // namespace n21
+
+// expect: the contact between Arm and Ground is listed twice
+namespace n22 {
+struct System : jointed<joints<Arm>, loads<contact<above, firm, thin>, contact<above, firm, thin>>> {};
+void f() { use<System>(); }
+} // namespace n22
+
+// expect: the end P of the force between P and Hook is inside the surface
+namespace n23 {
+struct P : offset<P, Arm, 0.1 * Arm::x> {};
+struct Hook : offset<Hook, Ground, 2.0 * Ground::x> {};
+using drum = around_cylinder<Ground, Ground, Ground::z, 0.2, P, Hook, wrapping::clockwise>;
+struct System : jointed<joints<Arm>, loads<force_along<drum, T>>> {};
+void f() { use<System>(); }
+} // namespace n23
+
+// expect: the contact between Arm and Ground has spinning_resistance<...>, but a point does not turn
+namespace n24 {
+using no_spin = contact<point_on_plane<Arm, Ground, Ground::z>, firm, thin, spinning_resistance<0.1, 0.1>>;
+struct System : jointed<joints<Arm>, loads<no_spin>> {};
+void f() { use<System>(); }
+} // namespace n24

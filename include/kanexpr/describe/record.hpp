@@ -17,8 +17,8 @@ namespace kanexpr::describe {
 
 /// The result of checking the number of arguments of a word, and the form that an error message suggests.
 struct arguments {
-  int missing = 0;       ///< -1: too many
-  std::string_view form; ///< how to write the word: "offset<Self, From, vector>"
+  int missing = 0;         ///< -1: too many
+  std::string_view form{}; ///< how to write the word: "offset<Self, From, vector>"
   constexpr explicit operator bool() const { return missing == 0; }
 };
 

@@ -361,6 +361,11 @@ public:
   /// its current, the state variable i_called, and the torque, which the caller applies: `b.torque_between(A,
   /// N, b.along(N, 0, 0, motor.torque))`.
   dc_motor_states dc_motor(std::string_view called, expression speed, const dc_motor_data& data);
+  /// A rotor that turns `gear_ratio` times as fast as an angle, such as the coordinate of a joint, with the
+  /// energy ½ J (n dq/dt)², as `rotor<J, n>` of a joint. The inertia and the ratio are constants. Requires a
+  /// point.
+  void rotor(std::string_view called, expression angle, const number_or_expression& inertia,
+             const number_or_expression& gear_ratio = 1.0);
   /// A muscle with its tendon, as `muscle<Self, Path, …>`: `b.muscle("Biceps", path, e,
   /// {.peak_isometric_force = 500, .optimal_fiber_length = 0.1, .tendon_slack_length = 0.2})`. Returns its
   /// state variables.
@@ -473,6 +478,7 @@ private:
   /// A pathway around a surface of revolution, or around a sphere if the axis is zero.
   pathway around_surface(mechanics::pathway_form form, frame_id in, point_id center, const vector& axis,
                          expression size, end_of_path first, end_of_path last, wrapping sense);
+  bool owns_pathway(std::string_view whose, const pathway& along);
   expression state_of_block(std::string_view letter, std::string_view block, int number = 0);
   void equate(expression state, expression left, expression right);
   base::sequence<expression> arguments_of_block(std::string_view block,

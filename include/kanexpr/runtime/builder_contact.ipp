@@ -85,11 +85,19 @@ KANEXPR_ENGINE bool builder::set_direction(mechanics::components& unit, int& fra
 
 KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& between,
                                          const contact_data& data) {
-  mechanics::contact c{between, {}, data.friction, data.rolling};
+  mechanics::contact c{between, {}, data.friction, data.rolling, data.spinning};
+  if (data.rolling.lever.is_given() != data.rolling.angular_velocity.is_given()) {
+    checks_.fail({"the rolling resistance of a contact needs a lever and an angular velocity"});
+    return;
+  }
+  if (data.spinning.lever.is_given() != data.spinning.angular_velocity.is_given()) {
+    checks_.fail({"the spinning resistance of a contact needs a lever and an angular velocity"});
+    return;
+  }
   c.law.stiffness = as_expression(data.stiffness), c.law.width = as_expression(data.width);
   c.law.exponent = mechanics::contact_exponent(number(data.exponent));
   if (!c.law.exponent.is_given()) {
-    checks_.fail({"the exponent of a contact is not a number of at least 1"});
+    checks_.fail({"the exponent of a contact is not a number from 1 to 30"});
     return;
   }
   if (data.damping) c.law.damping = as_expression(*data.damping);
@@ -98,6 +106,11 @@ KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& betw
     if (!(e > 0 && e <= 1)) checks_.fail({"a coefficient of restitution is not in (0, 1]"});
     if (data.damping) checks_.fail({"a contact has both a restitution and a damping"});
     const expression approach = as_expression(data.restitution->approach_speed);
+    if (!checks_.owns("a contact", approach)) return;
+    if (approach.is_constant() && !(graph_->number_at(approach.node()).value() > 0)) {
+      checks_.fail({"the approach speed of a contact is not positive"});
+      return;
+    }
     if (e < 1)
       c.law.damping = approach.number(symbolic::real(mechanics::damping_of_restitution(e))) / approach;
     c.friction.take_slip_speed(approach / 100);
@@ -106,10 +119,15 @@ KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& betw
   for (const expression e :
        {c.friction.sliding, c.friction.sticking, c.friction.slip_speed, c.friction.viscous,
         c.friction.bristles.stiffness, c.friction.bristles.damping, c.friction.bristles.stribeck_speed,
-        c.rolling.lever, c.rolling.angular_velocity, c.law.damping})
+        c.rolling.lever, c.rolling.angular_velocity, c.spinning.lever, c.spinning.angular_velocity,
+        c.law.damping, between.other_radius})
     if (!is_owned(e)) return;
   if (!checks_.owns("a contact", c.friction.bristles.deflections)) return;
-  if (c.friction.needs_slip_speed()) {
+  if (c.rolling && between.frame == mechanics::none) {
+    checks_.fail({"a contact has a rolling resistance, but a point does not roll"});
+  } else if (c.friction.needs_coefficient()) {
+    checks_.fail({"the friction of a contact has no coefficient"});
+  } else if (c.friction.needs_slip_speed()) {
     checks_.fail({"the friction of a contact has no slip speed"});
   } else if (checks_.owns("a contact", c.law.stiffness, c.law.width, between.radius)) {
     system_.loads.contacts.push(c);

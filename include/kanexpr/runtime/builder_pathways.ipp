@@ -70,9 +70,20 @@ KANEXPR_ENGINE pathway builder::around_cone(frame_id in, point_id tip, const vec
 }
 
 KANEXPR_ENGINE expression builder::length_of(const pathway& along) {
-  if (mistake()) return m_.zero();
+  if (along.points.empty() && !along.length.is_given()) checks_.fail({"a pathway has no points"});
+  if (mistake() || !owns_pathway("the length of a pathway", along)) return m_.zero();
   if (const sentence found = along.find_mistake(m_, "pathway")) checks_.fail({found.view()});
   return mistake() ? m_.zero() : along.length_in(m_);
+}
+
+/// Whether a pathway, which may be that of another builder, refers only to parts of this one.
+KANEXPR_ENGINE bool builder::owns_pathway(std::string_view whose, const pathway& along) {
+  for (const int point : along.points)
+    if (!checks_.owns(whose, point_id{point})) return false;
+  if (along.form == mechanics::pathway_form::given_length) return checks_.owns(whose, along.length);
+  if (!along.is_around_surface()) return true;
+  return checks_.owns(whose, frame_id{along.frame}, point_id{along.center}, along.surface.size,
+                      along.surface.axis);
 }
 
 /// A pathway without points or length is one whose mistake has been reported.
@@ -81,7 +92,7 @@ KANEXPR_ENGINE bool builder::owns_path_load(std::string_view whose, const pathwa
   if (mistake()) return false;
   if (along.points.empty() && !along.length.is_given())
     return checks_.fail({whose, " acts along a pathway that has no points"});
-  return checks_.owns(whose, terms);
+  return owns_pathway(whose, along) && checks_.owns(whose, terms);
 }
 
 KANEXPR_ENGINE void builder::force_along(const pathway& along, expression tension) {
@@ -116,6 +127,8 @@ KANEXPR_ENGINE void builder::friction_along(const pathway& along, expression nor
   if (law.has_bristles() && law.bristles.deflections.size() != 1)
     checks_.fail({"the friction along a pathway has ",
                   mechanics::several(law.bristles.deflections.size(), "bristle").view(), ", expected 1"});
+  else if (law.needs_coefficient())
+    checks_.fail({"a friction along a pathway has no coefficient"});
   else if (law.needs_slip_speed())
     checks_.fail({"a friction along a pathway has no slip speed"});
   else if (owns_path_load("a friction along a pathway", along, terms)) {

@@ -339,4 +339,20 @@ TEST(pathways, report_mistakes) {
             "the greatest length of the stop between H and W does not exceed the least length");
 }
 
+TEST(pathways, of_another_builder) {
+  builder b("N");
+  {
+    arm other;
+    for (const auto& [name, path] : other.pathways()) {
+      builder small("N");
+      small.force_along(path, small.number(1));
+      EXPECT_NE(std::string(small.mistake().view()), "") << name;
+    }
+    b.length_of(other.given_length(other.q[0]));
+  }
+  EXPECT_EQ(
+      std::string(b.mistake().view()),
+      "the length of a pathway contains an expression that belongs to a different mechanism or to none");
+}
+
 } // namespace

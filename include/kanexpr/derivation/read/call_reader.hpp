@@ -35,6 +35,10 @@ public:
     if (f.is == symbolic::composition::clamp && symbolic::are_reversed(operands[1], operands[2]))
       return reading_.fail(
           {reading_.part, whom, " contains clamp with limits out of order; write clamp(x, least, most)"});
+    const bool has_width =
+        f.is == symbolic::composition::smooth_abs || f.is == symbolic::composition::softplus;
+    if (has_width && operands[1].is_constant() && !(m_.g->number_at(operands[1].node()).value() > 0))
+      return reading_.fail({reading_.part, whom, " contains ", f.name, " with a width that is not positive"});
     for (int i = 0; i < given; ++i) stack.pop();
     reading_.hides_units = true;
     if (reading_.for_units && f.operands == symbolic::variadic)

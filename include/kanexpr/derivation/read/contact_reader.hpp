@@ -57,7 +57,9 @@ public:
     expression slip{};
     if (r.approach_speed.tokens != nullptr) {
       const expression approach = scalar(r.approach_speed, "the approach speed of ", whom);
-      if (approach.is_zero()) reading_.fail({"the approach speed of ", whom, " is zero"});
+      if (reading_.mistake) return c;
+      if (approach.is_constant() && !(approach.owner().number_at(approach.node()).value() > 0))
+        reading_.fail({"the approach speed of ", whom, " is not positive"});
       if (reading_.mistake) return c;
       const double damping = mechanics::damping_of_restitution(r.restitution);
       if (r.restitution < 1) c.law.damping = approach.number(symbolic::real(damping)) / approach;
@@ -70,8 +72,15 @@ public:
       c.rolling.angular_velocity =
           scalar(r.rolling_rate, "the angular velocity of the rolling resistance of ", whom);
     }
+    if (r.spinning_lever.tokens != nullptr) {
+      c.spinning.lever = scalar(r.spinning_lever, "the lever of the spinning resistance of ", whom);
+      c.spinning.angular_velocity =
+          scalar(r.spinning_rate, "the angular velocity of the spinning resistance of ", whom);
+    }
     if (!reading_.mistake && c.rolling && c.between.frame == none)
       reading_.fail({whom, " has rolling_resistance<...>, but a point does not roll"});
+    if (!reading_.mistake && c.spinning && c.between.frame == none)
+      reading_.fail({whom, " has spinning_resistance<...>, but a point does not turn"});
     return c;
   }
 
@@ -116,7 +125,7 @@ private:
     const expression n = scalar(p, "the exponent of ", whom);
     if (reading_.mistake) return n;
     const expression exact = mechanics::contact_exponent(n);
-    if (!exact.is_given()) reading_.fail({"the exponent of ", whom, " is not a number of at least 1"});
+    if (!exact.is_given()) reading_.fail({"the exponent of ", whom, " is not a number from 1 to 30"});
     return exact;
   }
 };

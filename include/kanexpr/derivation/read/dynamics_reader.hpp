@@ -1,9 +1,11 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
 #include <kanexpr/describe/symbol.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
+#include <kanexpr/symbolic/derivatives/differentiate.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 
@@ -14,14 +16,25 @@ namespace kanexpr::derivation {
 /// Reads the equations for the rates of the state variables. Each belongs to the state variable whose rate it
 /// contains first. Equations that depend on motion are evaluated once velocities are known.
 class dynamics_reader : part_reader {
+  /// The list to which an equation belongs, for messages.
+  struct source {
+    sentence called{};
+    bool is_block = false;
+
+    constexpr source(const sentence& name, bool block = false) : called(name), is_block(block) {}
+    constexpr source(std::string_view name) : called({name}) {}
+    constexpr std::string_view whom() const { return called.view(); }
+  };
+
   // precedes its callers, because clang++ does not instantiate a template for a constant expression if it is
   // declared later in the class
   template <class Visit>
   constexpr void each_listing(const Visit& visit) const {
-    visit(reading_.from.dynamics);
-    for (const describe::block_record& r : reading_.from.blocks) visit(r.dynamics);
+    visit(reading_.from.dynamics, source{"an equation of dynamics<...>"sv});
+    for (const describe::block_record& r : reading_.from.blocks)
+      visit(r.dynamics, source{sentence({"block ", r.called}), true});
     for (const describe::load_record& r : reading_.from.loads)
-      if (r.dynamics.size != 0) visit(r.dynamics);
+      if (r.dynamics.size != 0) visit(r.dynamics, source{name_of(r)});
   }
 
 public:
@@ -43,9 +56,9 @@ public:
   }
 
   constexpr void read() {
-    each_listing([&](const describe::listing<phrase>& equations) {
+    each_listing([&](const describe::listing<phrase>& equations, const source& from) {
       for (const phrase& p : equations)
-        if (!reading_.mistake) read(p);
+        if (!reading_.mistake) read(p, from);
     });
   }
 
@@ -53,27 +66,25 @@ public:
   /// `set_known_motion` was called.
   constexpr bool read_moving() {
     bool is_any = false;
-    each_listing([&](const describe::listing<phrase>& equations) {
+    each_listing([&](const describe::listing<phrase>& equations, const source& from) {
       for (const phrase& p : equations) {
         if (reading_.mistake || !moves(p)) continue;
         is_any = true;
-        evaluate(p);
+        evaluate(p, from);
       }
     });
     return is_any;
   }
 
 private:
-  static constexpr std::string_view whom = "an equation of dynamics<...>";
-
-  constexpr void read(const phrase& p) {
+  constexpr void read(const phrase& p, const source& from) {
     if (p.kind != shape::equation)
       return reading_.fail({"dynamics<...> contains something that is not an equation",
                             name_in(p).empty() ? "" : ", involving ", name_in(p), "; write dot(z) == rate"});
-    if (state_variable_of(p) == nullptr) return fail_without_rate(p);
-    if (!moves(p)) return evaluate(p);
-    phrases_.check_misuse(p, whom);
-    mention(p, whom);
+    if (state_variable_of(p) == nullptr) return fail_without_rate(p, from.whom());
+    if (!moves(p)) return evaluate(p, from);
+    phrases_.check_misuse(p, from.whom());
+    mention(p, from.whom());
   }
 
   constexpr bool moves(const phrase& p) const {
@@ -91,7 +102,7 @@ private:
     return nullptr;
   }
 
-  constexpr void fail_without_rate(const phrase& p) {
+  constexpr void fail_without_rate(const phrase& p, std::string_view whom) {
     using symbolic::symbol_kind;
     for (const describe::token& t : p)
       if (t.symbol != nullptr &&
@@ -102,7 +113,14 @@ private:
                    " contains the rate of no state variable; write dot(z) == rate"});
   }
 
-  constexpr void evaluate(const phrase& p) {
+  /// Whether the rate is multiplied by a negative number on the left side, on which it is in all blocks.
+  static constexpr bool has_negative_factor(expression equation, expression rate) {
+    const expression factor = symbolic::differentiate(equation, rate);
+    return factor.is_constant() && factor.owner().number_at(factor.node()).value() < 0;
+  }
+
+  constexpr void evaluate(const phrase& p, const source& from) {
+    const std::string_view whom = from.whom();
     const value left_minus_right = phrases_.evaluate(p, whom);
     if (!reading_.mistake && left_minus_right.kind != shape::scalar)
       reading_.fail(
@@ -112,6 +130,10 @@ private:
     const mechanics::solved_state_rate solved =
         mechanics::solve_for_state_rate(m_, m_.speed_rates.find(rate), left_minus_right.scalar);
     reading_.mistake = solved.mistake;
+    if (from.is_block && has_negative_factor(left_minus_right.scalar, rate))
+      return reading_.fail({whom, " multiplies the rate of state variable ",
+                            state_variable_of(p)->called.view(),
+                            " by a negative number; a time constant must be positive"});
     if (!reading_.mistake) reading_.into.loads.state_rates.push(solved.found);
   }
 };

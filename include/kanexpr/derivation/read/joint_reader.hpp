@@ -4,6 +4,7 @@
 #include <kanexpr/derivation/read/body_reader.hpp>
 #include <kanexpr/derivation/read/kinematics_reader.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/position.hpp>
 #include <kanexpr/mechanics/model/rotor.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>

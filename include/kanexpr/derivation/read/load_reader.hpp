@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/name.hpp>
 #include <kanexpr/base/sentence.hpp>
 #include <kanexpr/derivation/read/contact_reader.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
@@ -10,10 +11,15 @@
 #include <kanexpr/mechanics/checks/check_torsional_spring.hpp>
 #include <kanexpr/mechanics/loads/add_path_load.hpp>
 #include <kanexpr/mechanics/loads/bushing.hpp>
+#include <kanexpr/mechanics/loads/friction_law.hpp>
+#include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
+#include <kanexpr/mechanics/model/contents.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
+#include <kanexpr/units/si.hpp>
+#include <kanexpr/units/unit.hpp>
 
 #include <string_view>
 
@@ -90,14 +96,16 @@ private:
     case load_quantity::tension: return "tension_of";
     case load_quantity::normal_force: return "normal_force_of";
     case load_quantity::friction_force: return "friction_force_of";
+    case load_quantity::contact_force:
+    case load_quantity::contact_place: return "show_forces";
     }
     return {};
   }
 
   static constexpr bool pulls(const load_record& r) {
     const bool is_along_path = r.what >= load_word::path_force && r.what <= load_word::path_stop;
-    return is_along_path || r.what == load_word::spring || r.what == load_word::damper ||
-           (r.what == load_word::friction && r.path != nullptr);
+    return is_along_path || r.what == load_word::muscle || r.what == load_word::spring ||
+           r.what == load_word::damper || (r.what == load_word::friction && r.path != nullptr);
   }
 
   constexpr bool is_listed(const load_record& r) const {
@@ -123,8 +131,10 @@ private:
   /// The force along a pathway whose length is given has the unit that follows from this length.
   constexpr value unit_of_quantity(load_quantity wanted, const load_record& r) {
     const sentence whose = name_of(r), called({word_of(wanted), "<", r.word, ">"});
-    if (wanted == load_quantity::friction_force)
-      return value::of(vector_of_unit(reading_, word_of(wanted), whose.view(), units::si::newton));
+    if (is_vector(wanted))
+      return value::of(
+          vector_of_unit(reading_, word_of(wanted), whose.view(),
+                         wanted == load_quantity::contact_place ? units::si::meter : units::si::newton));
     if (r.path != nullptr && !r.path->ends_at_points())
       return value::of(new_symbol(*m_.g, symbolic::symbol_kind::input, base::name(called.view())));
     return value::of(symbol_of_unit(reading_, base::name(called.view()), units::si::newton));
@@ -141,6 +151,8 @@ private:
       if constexpr (requires { load.normal_force(on); }) {
         if (wanted == load_quantity::normal_force) found = value::of(load.normal_force(on));
         if (wanted == load_quantity::friction_force) found = value::of(load.friction_force(on));
+        if (wanted == load_quantity::contact_force) found = value::of(load.force(on));
+        if (wanted == load_quantity::contact_place) found = value::of(load.place(on));
       }
     });
     return found;
@@ -242,7 +254,7 @@ private:
     }
     case load_word::friction: return evaluate_friction(into, r, whom.view());
     case load_word::contact: return evaluate_contact(into, r, whom.view());
-    case load_word::muscle: return muscle_reader(*this).read(r, whom.view());
+    case load_word::muscle: return muscle_reader(*this).read(into, r, whom.view());
     case load_word::tyre: return tyres_.read(*r.tyre, whom.view());
     case load_word::none:
       if (r.unparsed) return reading_.fail_by_unparsed(r.called, "loads<...>");
@@ -329,6 +341,10 @@ private:
     const mechanics::vector axis = phrases_.vector_of(r.value, {"the axis of ", whom}, whom);
     const expression slip = part_of(r.angle, "the speed of ", whom);
     if (reading_.mistake) return;
+    check_friction(normal, law, whom);
+    if (reading_.mistake) return;
+    if (reading_.for_units) return expect_units_of_friction(r, normal, law);
+    reading_.hides_units = true; // a slip speed may be a number
     const mechanics::vector effort = -(normal * law.coefficient(slip)) * axis;
     if (r.frame != nullptr) {
       const auto [on, other] = frames_of(r, whom);
@@ -337,6 +353,35 @@ private:
       const auto [at, other] = points_of(r, whom);
       if (!reading_.mistake) into.forces.push({at, effort, other});
     }
+  }
+
+  /// States the units of the friction in a joint, whose slip speed may be a number.
+  constexpr void expect_units_of_friction(const load_record& r, expression normal,
+                                          const mechanics::friction_law& law) {
+    namespace si = units::si;
+    const bool turns = r.frame != nullptr;
+    const units::unit effort = turns ? si::newton * si::meter : si::newton;
+    const units::unit speed = (turns ? si::radian : si::meter) / si::second;
+    const sentence bodies = turns ? sentence({r.frame->called, " and ", r.other_frame->called})
+                                  : sentence({r.point->called, " and ", r.other_point->called});
+    const auto state = [&](expression e, std::string_view what, const units::unit& u) {
+      m_.expected_units.push({e, u, base::name(what), base::name(bodies.view())});
+    };
+    if (law.slip_speed.is_given()) state(law.slip_speed, "the slip speed of the friction between ", speed);
+    if (law.sliding.is_given()) state(normal * law.sliding, "the dry part of the friction between ", effort);
+    if (law.sticking.is_given())
+      state(normal * law.sticking, "the static part of the friction between ", effort);
+    if (law.viscous.is_given() && !law.viscous.is_constant()) // a number is in SI units
+      state(normal * law.viscous, "the viscous part of the friction between ", effort / speed);
+  }
+
+  constexpr void check_friction(expression normal, const mechanics::friction_law& law,
+                                std::string_view whom) {
+    const mechanics::contents held(*m_.g);
+    mechanics::load_check by(m_, held);
+    by.check_not_negative(normal, "the normal force of ", whom);
+    law.check_with(by, whom);
+    reading_.mistake = by.mistake();
   }
 
   constexpr void evaluate_contact(mechanics::loads& into, const load_record& r, std::string_view whom) {

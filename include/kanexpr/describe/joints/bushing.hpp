@@ -19,6 +19,7 @@ struct bushing : describe::load_words {
     describe::load_record r;
     r.what = describe::load_word::bushing;
     r.word = "the bushing";
+    r.once = true;
     r.fits = describe::arguments_of("bushing<Body, Base, six stiffnesses, six dampings>", given,
                                     given <= 6 ? 6 : 12, 12);
     r.frame = describe::parts_of<Body>::frame();

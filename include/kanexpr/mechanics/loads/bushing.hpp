@@ -57,7 +57,9 @@ struct bushing {
     const sentence names = by.ends_of(*this);
     for (int i = 0; i < 6; ++i) {
       by.check_constant(stiffness[i], "a stiffness of the bushing between ", names.view());
+      by.check_not_negative(stiffness[i], "a stiffness of the bushing between ", names.view());
       by.check_no_speed_rates(damping[i], "a damping of the bushing between ", names.view());
+      by.check_not_negative(damping[i], "a damping of the bushing between ", names.view());
     }
   }
 

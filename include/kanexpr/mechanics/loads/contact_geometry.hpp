@@ -107,6 +107,10 @@ struct contact_geometry {
   /// moment about the center.
   constexpr bool is_round() const { return shapes != contact_shapes::torus_on_plane; }
 
+  /// Whether the axis of a torus is parallel to the normal in every configuration.
+  constexpr bool is_singular(const mechanism& m) const {
+    return shapes == contact_shapes::torus_on_plane && cross(normal, express_axis(m)).is_zero();
+  }
   /// Whether the second body is a plane, whose normal is fixed in it.
   constexpr bool has_plane() const {
     return shapes == contact_shapes::sphere_on_plane || shapes == contact_shapes::torus_on_plane;

@@ -9,7 +9,7 @@
 namespace kanexpr::mechanics {
 
 /// The exponent of a contact as an exact number if it is a multiple of 1/2, because powers of such exponents
-/// are products and square roots; an expression without a graph if it is not a number of at least 1.
+/// are products and square roots; an expression without a graph if it is not a number from 1 to 30.
 constexpr expression contact_exponent(expression n) {
   if (!n.is_constant()) return {};
   const double value = n.owner().number_at(n.node()).value();

@@ -92,6 +92,17 @@ struct friction_law {
     return law;
   }
 
+  /// Whether a coefficient of the law is missing; the viscous one may be omitted in addition to others.
+  constexpr bool needs_coefficient() const {
+    switch (kind) {
+    case friction_kind::frictionless: return false;
+    case friction_kind::viscous: return !viscous.is_given();
+    case friction_kind::coulomb:
+    case friction_kind::bristles: return !sliding.is_given();
+    case friction_kind::stribeck: return !sliding.is_given() || !sticking.is_given();
+    }
+    return false;
+  }
   constexpr bool needs_slip_speed() const {
     const bool is_dry = kind != friction_kind::frictionless && kind != friction_kind::viscous;
     return is_dry && !slip_speed.is_given();
@@ -152,6 +163,7 @@ struct friction_law {
   }
 
   constexpr void check_with(load_check& by, std::string_view whose) const {
+    check_numbers(by, whose);
     const auto part = [&](expression e, std::string_view name) {
       if (e.is_given()) by.check_no_speed_rates(e, name, whose);
     };
@@ -165,6 +177,19 @@ struct friction_law {
   }
 
 private:
+  /// Reports numbers by which friction would drive the slip.
+  constexpr void check_numbers(load_check& by, std::string_view whose) const {
+    const auto part = [&](expression e, std::string_view name) {
+      if (e.is_given()) by.check_not_negative(e, name, whose);
+    };
+    part(sliding, "the coefficient of friction of ");
+    part(sticking, "the coefficient of static friction of ");
+    part(viscous, "the viscous coefficient of ");
+    if (!sticking.is_given() || !sliding.is_given()) return;
+    const expression excess = sticking - sliding;
+    if (excess.is_constant() && excess.owner().number_at(excess.node()).value() < 0)
+      by.fail({"the coefficient of static friction of ", whose, " is less than that of sliding friction"});
+  }
   constexpr void check_bristles(load_check& by, std::string_view whose) const {
     const mechanism& m = by.mechanism_used();
     for (const expression& z : bristles.deflections)

@@ -57,10 +57,26 @@ public:
       fail({of, whose, " contains the ", symbol.view(), "; it may contain only parameters, inputs and time"});
   }
 
+  /// Checks a property of a shape, which would contribute a further velocity if it changed.
+  constexpr void check_fixed(expression e, std::string_view of, std::string_view whose) {
+    const sentence symbol = symbol_in(m_, held_, e,
+                                      {kind::coordinate, kind::auxiliary_speed, kind::coordinate_rate,
+                                       kind::speed, kind::speed_rate, kind::input, kind::time});
+    if (symbol) fail({of, whose, " contains the ", symbol.view(), "; it may contain only parameters"});
+  }
+  /// Checks an expression whose rate acts; the rates of the inputs that it contains must be known.
+  constexpr void check_prescribed(expression e, std::string_view of, std::string_view whose) {
+    if (const sentence found = mechanics::check_prescribed(m_, held_, e, 1, of, whose)) fail({found.view()});
+  }
+
   /// Reports a number that is not positive.
   constexpr void check_positive(expression e, std::string_view of, std::string_view whose) {
     if (e.is_constant() && !(e.owner().number_at(e.node()).value() > 0))
       fail({of, whose, " is not positive"});
+  }
+  /// Reports a negative number.
+  constexpr void check_not_negative(expression e, std::string_view of, std::string_view whose) {
+    if (e.is_constant() && !(e.owner().number_at(e.node()).value() >= 0)) fail({of, whose, " is negative"});
   }
 
 private:

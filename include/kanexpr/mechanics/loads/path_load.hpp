@@ -44,8 +44,11 @@ private:
     if (terms[3].is_zero())
       return how == conservative::by_energy ? on.skeleton_used().model->zero()
                                             : terms[2] * (at_most - at_least);
-    const expression damping = on.known(terms[3]), rate = taut.rate(on.moving());
-    expression longer = dissipation_factor(damping, rate), shorter = dissipation_factor(damping, -rate);
+    motion& k = on.moving();
+    const expression damping = on.known(terms[3]), rate = taut.rate(k);
+    const expression of_greatest = k.rate(terms[1]), of_least = k.rate(terms[0]);
+    expression longer = dissipation_factor(damping, rate - of_greatest),
+               shorter = dissipation_factor(damping, of_least - rate);
     if (how == conservative::by_energy) longer = longer - 1, shorter = shorter - 1;
     const expression pulls = at_most * longer, pushes = at_least * shorter;
     return terms[2] * (pulls - pushes);
@@ -118,15 +121,22 @@ public:
   }
 
   constexpr void check_with(load_check& by, int) const {
-    if (const sentence found = along.find_mistake(by.mechanism_used(), called()))
-      return by.fail({found.view()});
     const sentence place = along.place(by), whose({called(), " ", place.view()});
     along.check_with(by, whose.view());
+    if (const sentence found = along.find_mistake(by.mechanism_used(), called()))
+      return by.fail({found.view()});
+    if (along.is_constant(by.mechanism_used()))
+      return by.fail({"the length of the ", whose.view(), " is the same in every configuration"});
+    const bool has_rate = law == tension_law::damper || law == tension_law::friction ||
+                          (law == tension_law::stop && !terms[3].is_zero());
+    if (along.form == pathway_form::given_length && has_rate)
+      by.check_prescribed(along.length, "the length of the ", whose.view());
     switch (law) {
     case tension_law::given: return by.check_no_speed_rates(terms[0], "the ", whose.view());
     case tension_law::damper: return by.check_no_speed_rates(terms[0], "the damping of the ", whose.view());
     case tension_law::friction:
       by.check_no_speed_rates(terms[0], "the normal force of the ", whose.view());
+      by.check_not_negative(terms[0], "the normal force of the ", whose.view());
       return friction.check_with(by, sentence({"the ", whose.view()}).view());
     case tension_law::spring:
       by.check_constant(terms[0], "the stiffness of the ", whose.view());
@@ -233,6 +243,10 @@ private:
     by.check_constant(terms[2], "the stiffness of the ", whose);
     by.check_no_speed_rates(terms[3], "the damping of the ", whose);
     by.check_constant(terms[4], "the width of the ", whose);
+    if (!terms[3].is_zero()) {
+      by.check_prescribed(terms[0], "the least length of the ", whose);
+      by.check_prescribed(terms[1], "the greatest length of the ", whose);
+    }
     if (is_not_positive(terms[1] - terms[0]))
       by.fail({"the greatest length of the ", whose, " does not exceed the least length"});
     if (is_not_positive(terms[2])) by.fail({"the stiffness of the ", whose, " is not positive"});

@@ -9,6 +9,8 @@
 #include <kanexpr/mechanics/loads/segment.hpp>
 #include <kanexpr/mechanics/loads/wrapping.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
+#include <kanexpr/mechanics/model/constant_position.hpp>
+#include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/position.hpp>
 #include <kanexpr/mechanics/model/vector.hpp>
@@ -80,6 +82,7 @@ struct pathway {
     } else if (is_around_surface()) {
       for (const int end : {points[0], points.back()})
         if (const sentence found = check_position(m, end, center)) return found;
+      return find_mistake_of_ends(m, what);
     }
     return {};
   }
@@ -88,17 +91,70 @@ struct pathway {
   constexpr void check_with(load_check& by, std::string_view whose) const {
     if (form == pathway_form::given_length) by.check_no_rates(length, "the length of the ", whose);
     if (!is_around_surface()) return;
-    by.check_constant(surface.size, "the surface of the ", whose);
-    const expression size = surface.size;
-    if (size.is_constant() && !(size.owner().number_at(size.node()).value() > 0))
-      by.fail({"the surface of the ", whose, " has no positive ",
-               form == pathway_form::around_cone ? "angle" : "radius"});
+    by.check_fixed(surface.size, "the surface of the ", whose);
+    if (!surface.size.is_constant()) return;
+    const bool is_cone = form == pathway_form::around_cone;
+    const double size = surface.size.owner().number_at(surface.size.node()).value();
+    if (!(size > 0))
+      by.fail({"the surface of the ", whose, " has no positive ", is_cone ? "angle" : "radius"});
+    if (is_cone && size >= 1.570796326794896)
+      by.fail({"the angle between the axis of the ", whose, " and its cone is not less than a right angle"});
   }
 
   constexpr void state_units(load_units& by, std::string_view whose) const {
     if (!is_around_surface()) return;
     by.describe({"the surface of the ", whose});
     by.expect(surface.size, form == pathway_form::around_cone ? units::si::radian : units::si::meter);
+  }
+
+  /// Whether the length is the same in every configuration, because it contains no coordinates.
+  constexpr bool is_constant(const mechanism& m) const {
+    if (form == pathway_form::given_length) return is_fixed(length);
+    int moving = 0, base = is_around_surface() ? frame_of_constant_position(m, points[0], center) : none;
+    for (int i = 1; i < points.size(); ++i) {
+      const int from = is_around_surface() ? center : points[i - 1];
+      const int at = frame_of_constant_position(m, points[i], from);
+      if (at == none || (is_around_surface() && at != base)) ++moving;
+    }
+    const bool has_axis = is_around_surface() && form != pathway_form::around_sphere;
+    return moving == 0 && (!has_axis || base == rigid_base(m, frame));
+  }
+
+private:
+  /// Reports ends at which the pathway never exists: a common one, one inside the surface, or one that is
+  /// declared to be on the surface and is not. Only distances that are numbers are known to be wrong.
+  constexpr sentence find_mistake_of_ends(const mechanism& m, std::string_view what) const {
+    const int first = points[0], last = points.back();
+    const auto called = [&](int p) { return m.points[p].called.view(); };
+    if (first == last) return sentence({"a ", what, " acts between point ", called(first), " and itself"});
+    const auto fail = [&](int end, std::string_view how) {
+      return sentence({"the end ", called(end), " of the ", what, " between ", called(first), " and ",
+                       called(last), how});
+    };
+    for (const int end : {first, last}) {
+      const bool is_on_surface = end == first ? surface.first_is_on_surface : surface.last_is_on_surface;
+      const expression outside = height_above_surface(m, end);
+      if (!outside.is_constant()) continue;
+      const double height = outside.owner().number_at(outside.node()).value();
+      if (is_on_surface && (height > 1e-9 || height < -1e-9)) return fail(end, " is not on the surface");
+      if (!is_on_surface && height < -1e-9) return fail(end, " is inside the surface");
+    }
+    return {};
+  }
+
+  /// The square of the distance from the axis or the center over that of the surface, minus 1.
+  constexpr expression height_above_surface(const mechanism& m, int end) const {
+    const vector line = position_from(m, center, end);
+    int axes = frame; // those in which the position may be constant
+    for (const vector::part& p : line.parts)
+      if (!p.value.is_zero()) axes = p.frame;
+    const components at = express(m, line, axes), axis = express(m, surface.axis, frame, axes);
+    const expression along = dot(at, axis), whole = dot(at, at);
+    if (form == pathway_form::around_sphere) return whole / (surface.size * surface.size) - 1;
+    const components radial = at - along * axis;
+    expression radius = surface.size;
+    if (form == pathway_form::around_cone) radius = along * tan(surface.size);
+    return dot(radial, radial) / (radius * radius) - 1;
   }
 };
 

@@ -51,7 +51,7 @@ private:
 } // namespace detail
 
 /// The product c v of the damping c and the approach speed v for which the force F(δ) h(c δ̇) of a contact has
-/// the coefficient of restitution e; 0 if e is not in (0, 1).
+/// the coefficient of restitution e; 0 if e is not in (0, 1). Below e = 1e-12, it is that of 1e-12.
 ///
 /// The body of mass m that meets the contact moves with m y dy = −F(δ) h(c y) dδ, where y = δ̇. The
 /// penetration δ begins and ends at 0, so the integral of y/h(c y) from −e v to v vanishes, whatever F and m
@@ -61,6 +61,7 @@ constexpr double damping_of_restitution(double e) {
   if (!(e > 0 && e < 1)) return 0;
   int points = 16; // not const, because g++ would then form the rule in every file
   const detail::dissipated_work work(points);
+  if (e < 1e-12) e = 1e-12;
   double least = 0, most = 1.25 / e;
   for (int i = 0; i < 60; ++i) {
     const double middle = (least + most) / 2;

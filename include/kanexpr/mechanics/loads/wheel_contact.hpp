@@ -20,7 +20,7 @@ struct wheel_contact {
   components lateral{};     ///< the unit vector along normal × forward, to the left
   components axis{};        ///< the unit vector along the axle
   components line{};        ///< from the point of the ground to the center of the wheel
-  components lowest{};        ///< from the center to the lowest point of the undeformed wheel
+  components lowest{};      ///< from the center to the lowest point of the undeformed wheel
   components arm{};         ///< from the center to the contact point, at the height of the ground
   expression camber_sine{}; ///< axis · normal; positive if the top leans to the right (ISO 8855)
   expression loaded_radius{}; ///< the distance of the contact point from the axle

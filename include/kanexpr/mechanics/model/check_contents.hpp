@@ -15,13 +15,15 @@
 /// such as "the angle of frame " and "B".
 namespace kanexpr::mechanics {
 
-/// Returns, for example, "speed u1" or "rate of coordinate q1".
+/// Returns, for example, "speed u1", "rate of coordinate q1" or "time t".
 constexpr sentence symbol_called(const mechanism& m, contents::kind kind, std::string_view called) {
   switch (kind) {
   case contents::kind::speed: return speed_called(m, called);
   case contents::kind::speed_rate: return speed_rate_called(m, called);
   case contents::kind::auxiliary_speed: return sentence({"auxiliary speed ", called});
   case contents::kind::coordinate_rate: return sentence({"rate of coordinate ", called});
+  case contents::kind::input: return sentence({"input ", called});
+  case contents::kind::time: return sentence({"time ", called});
   default: return sentence({"coordinate ", called});
   }
 }
