@@ -22,6 +22,8 @@
 #include <kanexpr/symbolic/printing/short_text.hpp>
 #include <kanexpr/units/si.hpp>
 
+#include <string_view>
+
 namespace kanexpr::mechanics {
 
 enum class pathway_form : unsigned char {
