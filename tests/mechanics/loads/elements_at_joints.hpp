@@ -96,7 +96,8 @@ inline std::vector<element> at_joints() {
        [](values m) { return (10 * 0.3 * m[2] - 100 * 0.02 * m[1]) * m[1]; }},
       {"DC motor with a winding that heats", n::dissipative,
        [] {
-         return with_storage<two_joints<dc_motor<Arm, 0.0, 2, 0.2, 0.3, 10, 0.02, 0.004, 30, 1.5>>>(0, 0.2);
+         return with_storage<two_joints<dc_motor<Arm, 0.0, 2, 0.2, 0.3, 10, 0.02, 0.01, 0.004, 30, 1.5>>>(
+             0, 0.2);
        },
        [](values m) { return (10 * 0.3 * m[2] - 100 * 0.02 * m[1]) * m[1]; }}};
 }
