@@ -163,6 +163,10 @@ def main(pages, folder, *names):
             sentence = f"the program has no {', '.join(missing)}"
         print(f"{name:14} {sentence or f'{STATES} states, largest relative difference {apart:.1e}'}", flush=True)
         wrong |= bool(sentence)
+    if set(names or PAGES) == set(PAGES):
+        missing = words.unknown_forces((DOCS / "forces.md").read_text())
+        print(f"{'forces':14} {'no program has ' + ', '.join(missing) if missing else 'all words exist'}")
+        wrong |= bool(missing)
     return wrong
 
 

@@ -1,6 +1,7 @@
 #include "animate/samples.hpp"
 
 #include <kanexpr/animate.hpp>
+#include <kanexpr/contact.hpp>
 #include <kanexpr/kanexpr.hpp>
 
 #include <gmock/gmock.h>
@@ -143,6 +144,59 @@ TEST(picture_check, wants_units_of_what_varies) {
 
 TEST(picture_check, wants_each_layer_once) {
   EXPECT_EQ((mistake_with<show_forces<>, show_forces<"N">>()), "the picture lists show_forces<...> twice");
+}
+
+namespace on_a_slope {
+
+constexpr parameter<"r"> r;
+constexpr parameter<"k"> k;
+constexpr coordinate<"x"> x;
+constexpr coordinate<"y"> y;
+constexpr coordinate<"angle"> angle;
+constexpr speed<"vx"> vx;
+constexpr speed<"vy"> vy;
+constexpr speed<"w"> w;
+
+struct B : rotated<B, N, angle, N::z> {};
+struct C : offset<C, O, x * N::x + y * N::y> {};
+struct Ball : rigid_body<Ball, C, B, 2, inertia<B, 0.1, 0.1, 0.1>> {};
+struct Rolling
+    : kane_system<inertial<N>, coordinates<x, y, angle>, speeds<vx, vy, w>, kinematics<simple>, bodies<Ball>,
+                  loads<contact<sphere_on_plane<C, r, O, 3.0 * N::x + 4.0 * N::y, B>, elastic<k>,
+                                smoothed_over<1e-3>, dissipation<0.2>, coulomb_friction<0.5, 0.01>>>> {};
+using picture = kanexpr::picture<Rolling, up<N::y>, show<sphere<C, r>>, show_forces<"N">>;
+
+} // namespace on_a_slope
+
+/// At rest, the contact is pressed by k δ; the friction opposes the slip.
+TEST(vectors, are_the_forces_of_contacts) {
+  using namespace on_a_slope;
+  tests::samples<Rolling> run;
+  run.p = {{r, 0.5}, {k, 1000}};
+  const Vector3d normal(0.6, 0.8, 0), down(0.8, -0.6, 0);
+  for (const double sliding : {0.0, 0.3}) {
+    const Vector3d place = 0.48 * normal + 2 * down;
+    run.all.push_back({sliding,
+                       {{x, place(0)},
+                        {y, place(1)},
+                        {on_a_slope::angle, 0.3},
+                        {vx, sliding * down(0)},
+                        {vy, sliding * down(1)},
+                        {w, 0}},
+                       {}});
+  }
+  const animation a = animated<on_a_slope::picture>(run);
+  ASSERT_TRUE(a) << a.cause();
+  const animation::shape* force = a.find("contact force at C");
+  ASSERT_NE(force, nullptr);
+  EXPECT_EQ(force->layer, "Forces");
+  const Vector3d touching = (0.48 - 0.5) * normal + 2 * down;
+  const double friction = 0.5 * 20 * 0.3 / std::hypot(0.3, 0.01);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_LT((force->placement_at(i).position - touching).norm(), 1e-14);
+    const Vector3d expected = 20 * normal - (i == 0 ? 0 : friction) * down;
+    EXPECT_LT((force->placement_at(i).end - expected).norm(), 1e-12);
+  }
 }
 
 } // namespace

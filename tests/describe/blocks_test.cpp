@@ -218,9 +218,8 @@ TEST(dc_motor, is_that_of_a_builder) {
   const auto q1 = b.coordinate("q"), u1 = b.speed("u"), inertia = b.parameter("J"), voltage = b.input("V");
   b.kinematic_equation(b.dot(q1) - u1);
   const runtime::frame_id n = b.inertial_frame(), wheel = b.rotated("Wheel", n, q1, b.along(n, 0, 0, 1));
-  const auto with_rotor = inertia + 10 * 10 * 0.01; // the inertia of the rotor is 0.01
-  b.rigid_body("Wheel", b.origin("O"), wheel, b.number(1),
-               b.inertia(wheel, with_rotor, with_rotor, with_rotor));
+  const runtime::point_id o = b.origin("O");
+  b.rigid_body("Wheel", o, wheel, b.number(1), b.inertia(wheel, inertia, inertia, inertia));
   const runtime::dc_motor_states motor =
       b.dc_motor("Wheel", u1,
                  {.voltage = voltage,
@@ -231,6 +230,7 @@ TEST(dc_motor, is_that_of_a_builder) {
                   .friction = 0.02,
                   .winding = runtime::dc_motor_data::winding_data{0.004, 30, 1.5}});
   b.torque_between(wheel, n, b.along(n, 0, 0, motor.torque));
+  b.rotor("Rotor", q1, 0.01, 10);
   auto model = kanexpr::derive(b);
   ASSERT_EQ(model.mistake(), "");
   const Eigen::Vector4d x(0.3, 0.4, 1.7, 20);

@@ -77,13 +77,15 @@ void expect_same(model words, model builds, int states = 6) {
 }
 
 TEST(contact_words, mean_the_same_as_in_a_builder) {
-  using words = thrown<contact<sphere_on_plane<C, r, O, N::z, B>, elastic<k, 1.5>, smoothed_over<0.1>,
-                               restitution<0.7, v>, coulomb_friction<mu>, rolling_resistance<0.02, 0.1>>>;
+  using words = thrown<
+      contact<sphere_on_plane<C, r, O, N::z, B>, elastic<k, 1.5>, smoothed_over<0.1>, restitution<0.7, v>,
+              coulomb_friction<mu>, rolling_resistance<0.02, 0.1>, spinning_resistance<0.03, 0.2>>>;
   built s;
   runtime::contact_data data{.stiffness = s.stiffness, .exponent = 1.5, .width = 0.1};
   data.restitution = {0.7, s.approach};
   data.friction = friction_law::coulomb(s.coefficient, {});
   data.rolling = {s.number(0.02), s.number(0.1)};
+  data.spinning = {s.number(0.03), s.number(0.2)};
   s.sphere_on_plane(s.c, s.b, s.radius, s.o, s.along(s.n, 0, 0, 1), data);
   expect_same(derive<words>(), derive(s));
 }

@@ -48,6 +48,8 @@ TEST(values_of_loads, friction_that_drives) {
             "the viscous coefficient of the contact between Ball and Ground is negative");
   EXPECT_EQ((mistake_on_floor<rolling_resistance<-0.1, 0.1>>()),
             "the lever of the rolling resistance between Ball and Ground is negative");
+  EXPECT_EQ((mistake_on_floor<spinning_resistance<-0.1, 0.1>>()),
+            "the lever of the spinning resistance between Ball and Ground is negative");
   EXPECT_EQ((mistake_on_floor<dissipation<-1>>()),
             "the damping of the contact between Ball and Ground is negative");
   EXPECT_EQ((mistake_on_floor<restitution<0.5, -1>>()),

@@ -1,5 +1,7 @@
 // The contact points of wheels as words, compared with written points and with a builder.
+#include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/symbolic.hpp>
+#include <kanexpr/tyres.hpp>
 #include <kanexpr/wheels.hpp>
 #include <models/bicycle.hpp>
 #include <models/rolling_torus.hpp>
@@ -54,6 +56,74 @@ struct Words : kane_system<inertial<N>, coordinates<q1, q2, q5, q4>, speeds<u2, 
 
 TEST(contact_points, of_a_bicycle_are_the_written_ones) {
   expect_same(derive<front::Words>(), derive<bicycle::System>(), 10, 27);
+}
+
+namespace rim {
+constexpr coordinate<"x"> x;
+constexpr coordinate<"z"> z;
+constexpr coordinate<"yaw"> yaw;
+constexpr coordinate<"lean"> lean;
+constexpr speed<"vx"> vx;
+constexpr speed<"vz"> vz;
+constexpr speed<"wyaw"> wyaw;
+constexpr speed<"wlean"> wlean;
+constexpr parameter<"r"> r;
+struct N : inertial_frame<N> {};
+struct Y : rotated<Y, N, yaw, N::z> {};
+struct L : rotated<L, Y, lean, Y::x> {};
+struct O : origin<O, N> {};
+struct G : offset<G, O, x * N::x + z * N::z> {};
+struct Body : rigid_body<Body, G, L, 2, inertia<L, 0.1, 0.2, 0.3>> {};
+
+template <class Wheel, class Ground>
+struct System : kane_system<inertial<N>, coordinates<x, z, yaw, lean>, speeds<vx, vz, wyaw, wlean>,
+                            kinematics<dot(x) == vx, dot(z) == vz, dot(yaw) == wyaw, dot(lean) == wlean>,
+                            parameters<r>, bodies<Body>,
+                            loads<tyre<Wheel, Ground, linear_tyre<300, 500>, radial_stiffness<100, 0.1, 0.01>,
+                                       standstill<0.1>>>> {};
+
+/// The same system from a builder.
+struct built : runtime::builder {
+  mechanics::expression x = coordinate("x"), z = coordinate("z"), yaw = coordinate("yaw"),
+                        lean = coordinate("lean"), r = parameter("r");
+  runtime::frame_id n = inertial_frame(), l{};
+  runtime::point_id o{}, g{};
+  runtime::tyre_data forces = runtime::tyre_data::linear(300, 500);
+
+  built() : builder("N") {
+    kinematic_equation(dot(x) - speed("vx"));
+    kinematic_equation(dot(z) - speed("vz"));
+    kinematic_equation(dot(yaw) - speed("wyaw"));
+    kinematic_equation(dot(lean) - speed("wlean"));
+    const auto y = rotated("Y", n, yaw, along(n, 0, 0, 1));
+    l = rotated("L", y, lean, along(y, 1, 0, 0));
+    o = origin("O");
+    g = offset("G", o, along(n, x, 0, z));
+    rigid_body("Body", g, l, number(2), inertia(l, 0.1, 0.2, 0.3));
+    forces.standstill = 0.1;
+    forces.radial = {100.0, 0.1, 0.01};
+  }
+  runtime::wheel_data wheel(double tube, double conicity) {
+    return {g, l, along(l, 0, 1, 0), r, tube, conicity};
+  }
+};
+} // namespace rim
+
+TEST(wheels, as_words_are_those_of_a_builder) {
+  using namespace rim;
+  using wavy = uneven_ground<O, N, 0.1 * sin(2 * surface::x) + 0.2 * surface::y * surface::y, 1>;
+  built uneven;
+  uneven.tyre(uneven.wheel_on_surface(
+                  uneven.wheel(0.05, 0), uneven.o, uneven.n,
+                  [](auto across, auto along) { return 0.1 * sin(2 * across) + 0.2 * along * along; }, 1),
+              uneven.forces);
+  expect_same(derive<rim::System<toroidal_wheel<G, L::y, r, 0.05, L>, wavy>>(), derive(uneven), 8, 1);
+  built rail;
+  rail.tyre(rail.wheel_on_rail(rail.wheel(0, 0.1),
+                               {rail.o, rail.along(rail.n, 2, 0, 0), rail.along(rail.n, 0, 0, 1), 0.3}),
+            rail.forces);
+  expect_same(derive<rim::System<conical_wheel<G, L::y, r, 0.1, L>, straight_rail<O, 2 * N::x, N::z, 0.3>>>(),
+              derive(rail), 8, 1);
 }
 
 } // namespace

@@ -20,7 +20,8 @@ sys.path.insert(0, str(ROOT / "bench/coming_from"))
 import check
 import words
 
-PAGES = {path.stem: path.read_text() for path in (ROOT / "docs/coming-from").glob("*.md") if path.stem != "README"}
+OVERVIEWS = {"README", "forces"}  # pages without a program
+PAGES = {path.stem: path.read_text() for path in (ROOT / "docs/coming-from").glob("*.md") if path.stem not in OVERVIEWS}
 CODE = re.compile(r"`([^`]+)`")
 COMMENT = re.compile(r"//.*")
 WORD = re.compile(r'(?<!["\w])[a-z_][a-z_0-9]{3,}\b(?!")')  # what the library names; shorter names are those of a model
@@ -61,9 +62,20 @@ class Pages(unittest.TestCase):
         page = "\n## Words\n\n| | |\n|---|---|\n| `mean(x)`, `from_samples`, `meen(\"text\")` | `mass` |\n"
         self.assertEqual(words.unknown("made up", page), ["meen"])
 
-    def test_words(self):
+    def library(self):
         sources = [*(ROOT / "include").rglob("*.[hi]pp"), *(ROOT / "cmake").glob("*.cmake")]
-        library = {word for path in sources for word in re.findall(r"\w+", COMMENT.sub("", path.read_text()))}
+        return {word for path in sources for word in re.findall(r"\w+", COMMENT.sub("", path.read_text()))}
+
+    def test_words_for_forces(self):
+        library = self.library() | MADE_UP | {"shapes", "Tmax", "gaps", "least", "greatest", "mu_s", "mu_d"}
+        rows = [line for line in (ROOT / "docs/coming-from/forces.md").read_text().splitlines() if line.startswith("| ")]
+        self.assertTrue(all(row.count(" |") == rows[0].count(" |") for row in rows), "a row has a cell too many")
+        for row in rows:
+            named = {word for code in CODE.findall(row.rsplit(" | ", 1)[-1]) for word in WORD.findall(code)}
+            self.assertEqual(named - library, set(), row)
+
+    def test_words(self):
+        library = self.library()
         for name, page in PAGES.items():
             rows = rows_of(page)
             self.assertTrue(15 <= len(rows) <= 35, f"{name}.md has {len(rows)} words")

@@ -56,7 +56,7 @@ struct B : rotated<B, N, q1, N::z> {};
 struct C : offset<C, N, 0.5 * N::x> {};
 struct R : offset<R, C, 0.3 * B::y> {};
 struct S : offset<S, R, 0.4 * B::x + 0.1 * N::y> {};
-struct E : offset<E, C, r * B::x> {};
+struct E : offset<E, C, r * N::x> {};
 struct P : offset<P, N, -q2 * N::x + 0.4 * N::z> {};
 struct Q : offset<Q, C, 1.4 * B::x + 0.6 * B::z> {};
 struct Bob : particle<Bob, Q, m> {};

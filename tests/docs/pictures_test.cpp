@@ -25,6 +25,9 @@ static_assert(!drawn::mistake);
 #include <docs/pictures/curves.cpp>
 static_assert(!rope::mistake && !strip::mistake);
 
+#include <docs/pictures/taut.cpp>
+static_assert(!hoist::mistake);
+
 #include <docs/pictures/plots.cpp>
 
 #include <docs/pictures/vectors.cpp>

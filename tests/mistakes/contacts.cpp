@@ -48,8 +48,8 @@ void f() { use<System>(); }
 } // namespace n6
 
 // expect: the contact between Arm and Ground has an argument that is neither elastic<...>,
-// expect: smoothed_over<...>, restitution<...>, dissipation<...>, rolling_resistance<...> nor a law of
-// expect: friction
+// expect: smoothed_over<...>, restitution<...>, dissipation<...>, rolling_resistance<...>,
+// expect: spinning_resistance<...> nor a law of friction
 namespace n7 {
 struct System : jointed<joints<Arm>, loads<contact<above, firm, thin, gravity<Ground::z>>>> {};
 void f() { use<System>(); }
@@ -163,3 +163,10 @@ using drum = around_cylinder<Ground, Ground, Ground::z, 0.2, P, Hook, wrapping::
 struct System : jointed<joints<Arm>, loads<force_along<drum, T>>> {};
 void f() { use<System>(); }
 } // namespace n23
+
+// expect: the contact between Arm and Ground has spinning_resistance<...>, but a point does not turn
+namespace n24 {
+using no_spin = contact<point_on_plane<Arm, Ground, Ground::z>, firm, thin, spinning_resistance<0.1, 0.1>>;
+struct System : jointed<joints<Arm>, loads<no_spin>> {};
+void f() { use<System>(); }
+} // namespace n24

@@ -196,7 +196,8 @@ struct System : jointed<joints<Arm>, loads<contact<above, firm, thin, dissipatio
 void f() { use<System>(); }
 } // namespace q25
 
-// expect: the DC motor between Arm and Ground lacks an argument; write dc_motor<Joint, V, R, L, k, n, b>
+// expect: the DC motor between Arm and Ground lacks an argument; write dc_motor<Joint, V, R, L, k, n, b,
+// expect: J>
 namespace q26 {
 struct System : jointed<joints<Arm>, loads<dc_motor<Arm, T, 1, 1>>> {};
 void f() { use<System>(); }

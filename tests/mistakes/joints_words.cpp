@@ -471,8 +471,8 @@ struct System : jointed<joints<Link>> {};
 void f() { use<System>(); }
 } // namespace n64
 
-// expect: the stop with q_Link lacks an argument; write stop<Path, least, greatest, stiffness, damping,
-// expect: width>
+// expect: joint Link has stops<...> with too few or too many values; write stops<least, greatest, stiffness,
+// expect: damping, width>
 namespace n65 {
 struct Link : pin<Link, Ground, up, stops<-1, 1, 100>, mass> {};
 struct System : jointed<joints<Link>> {};

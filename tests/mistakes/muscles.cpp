@@ -112,3 +112,29 @@ struct M : muscle<M, Line, N::x,
 struct System : pulled<M> {};
 void f() { use<System>(); }
 } // namespace m11
+
+// expect: the tendon slack length of the muscle M is w [N], but must be in m
+namespace m12 {
+constexpr parameter<"w", units::si::newton> w;
+struct M : muscle<M, Line, F,
+                  muscle_parameters{
+                      .peak_isometric_force = 500.0, .optimal_fiber_length = 0.1, .tendon_slack_length = w}> {
+};
+struct System : pulled<M> {};
+void f() { use<System>(); }
+} // namespace m12
+
+// expect: the length of the muscle M is theta [rad], but must be in m
+namespace m13 {
+constexpr coordinate<"theta", units::si::radian> theta;
+struct A : rotated<A, N, theta, N::z> {};
+struct C : offset<C, O, 0.1 * A::x> {};
+struct M : muscle<M, given_length<theta>, F,
+                  muscle_parameters{.peak_isometric_force = 500.0,
+                                    .optimal_fiber_length = 0.1,
+                                    .tendon_slack_length = 0.2}> {};
+struct Bob : particle<Bob, C, m> {};
+struct System : kane_system<inertial<N>, coordinates<theta>, speeds<u>, kinematics<dot(theta) == u>,
+                            bodies<Bob>, loads<M>> {};
+void f() { use<System>(); }
+} // namespace m13

@@ -280,6 +280,43 @@ TEST(friction, rolling_resistance_stops_a_ball) {
   EXPECT_NEAR(x[3] - before, -5.0 / 7 * g * lever / 0.1 * 0.4, 1e-7);
 }
 
+// 2/5 m r² ω' = −b m g about the normal.
+TEST(friction, spinning_resistance_stops_a_top) {
+  constexpr double g = 9.81, lever = 0.001;
+  builder b("N");
+  const auto z = b.coordinate("z"), q = b.coordinate("q"), v = b.speed("v"), w = b.speed("w");
+  b.kinematic_equation(b.dot(z) - v), b.kinematic_equation(b.dot(q) - w);
+  const auto n = b.inertial_frame(), body = b.rotated("B", n, q, b.along(n, 0, 0, 1));
+  const auto floor = b.origin("O"), center = b.offset("C", floor, b.along(n, 0.0, 0.0, z));
+  b.rigid_body("Ball", center, body, b.number(2), b.inertia(body, 0.008, 0.008, 0.008));
+  b.gravity(b.along(n, 0, 0, -g));
+  contact_data data{.stiffness = 1e4, .width = 1e-3};
+  data.spinning = {b.number(lever), b.number(1e-3)};
+  b.sphere_on_plane(center, body, 0.1, floor, b.along(n, 0, 0, 1), data);
+  model m = derive(b);
+  ASSERT_EQ(m.mistake(), "");
+  auto rhs = m.function(m.rhs());
+  VectorXd x(4);
+  x << 0.1 - 2 * g / 1e4, 0, 0, 7;
+  for (int step = 0; step < 1000; ++step) x = rk4_step(rhs, x, 1e-3);
+  EXPECT_NEAR(x[3], 7 - lever * 2 * g / 0.008, 1e-7);
+  for (int step = 0; step < 5000; ++step) x = rk4_step(rhs, x, 1e-3);
+  EXPECT_LT(std::abs(x[3]), 1e-6);
+
+  builder other("N");
+  const auto height = other.coordinate("z"), speed = other.speed("v");
+  other.kinematic_equation(other.dot(height) - speed);
+  const auto up = other.along(other.inertial_frame(), 0, 0, 1);
+  const auto o = other.origin("O"), p = other.offset("P", o, height * up);
+  other.particle("Bob", p, other.number(1));
+  contact_data turning{.stiffness = 1e4, .width = 1e-3};
+  turning.spinning = {other.number(lever), other.number(1e-4)};
+  other.point_on_plane(p, o, up, turning);
+  EXPECT_EQ(derive(other).mistake(),
+            "the contact between P and O has a resistance to rolling or spinning, but "
+            "a point does not turn");
+}
+
 /// A free body and a moving plate or a second ball, with one contact between them.
 struct two_bodies : builder {
   std::vector<expression> q, u;
@@ -365,7 +402,10 @@ TEST(contact, creates_neither_energy_nor_momentum_whatever_the_motion) {
       two_bodies b;
       contact_data data = rough(b);
       if (!is_rough) data = {.stiffness = 300, .exponent = 1.5, .width = 0.05};
-      if (is_rough && s != shape::point && s != shape::hill) data.rolling = {b.number(0.01), b.number(0.1)};
+      if (is_rough && s != shape::point && s != shape::hill) {
+        data.rolling = {b.number(0.01), b.number(0.1)};
+        data.spinning = {b.number(0.02), b.number(0.2)};
+      }
       touch(b, s, data);
       model m = derive(b);
       ASSERT_EQ(m.mistake(), "");

@@ -42,7 +42,7 @@ struct animation {
     std::vector<double> sizes{};
     animate::placement_kind placed_by = animate::placement_kind::place;
     std::size_t places = 1; ///< the number of placements at each time; a sweep or cable has several
-    std::vector<std::size_t> straight_parts{}; ///< of a cable; part i is between the places i and i + 1
+    std::vector<std::size_t> straight_parts{};    ///< of a cable; part i is between the places i and i + 1
     std::vector<animate::placement> placements{}; ///< at the first time, then at the second, and so on
     /// The placements if no flexible body were deformed; empty if they are the same.
     std::vector<animate::placement> undeformed{};

@@ -4,6 +4,7 @@
 #include <kanexpr/animate/elements.hpp>
 #include <kanexpr/base/name.hpp>
 #include <kanexpr/describe/load.hpp>
+#include <kanexpr/describe/load_quantities.hpp>
 #include <kanexpr/describe/motion.hpp>
 #include <kanexpr/describe/record.hpp>
 #include <kanexpr/describe/system.hpp>
@@ -46,7 +47,8 @@ struct bodies_of {
   }();
 };
 
-/// The forces among the loads of a system, and its gravity. A force between two points counts twice.
+/// The forces and contacts among the loads of a system, and its gravity. A force between two points counts
+/// twice.
 template <class System>
 struct forces_of {
   static constexpr const auto& record = System::record;
@@ -57,12 +59,15 @@ struct forces_of {
   struct list {
     std::array<force, 2 * static_cast<std::size_t>(record.loads.size) + 1> all{};
     std::size_t count = 0;
+    std::array<const load_record*, static_cast<std::size_t>(record.loads.size) + 1> contacts{};
+    std::size_t contact_count = 0;
     const load_record* gravity = nullptr;
   };
   static constexpr list found = [] {
     list l;
     for (const load_record& r : record.loads) {
       if (r.what == describe::load_word::gravity) l.gravity = &r;
+      if (r.what == describe::load_word::contact) l.contacts[l.contact_count++] = &r;
       if (r.what != describe::load_word::force) continue;
       l.all[l.count++] = {&r, false};
       if (r.other_point != nullptr) l.all[l.count++] = {&r, true};
@@ -134,6 +139,19 @@ struct applied_force : shape_of_model {
   }();
   static constexpr phrases<2> varying{phrase{shape::vector, position, 1},
                                       phrase{shape::vector, vector.data(), static_cast<int>(vector.size())}};
+};
+
+/// The force of a contact on its first body, at the contact.
+template <class System, std::size_t index>
+struct contact_force : shape_of_model {
+  static constexpr const load_record& load = *forces_of<System>::found.contacts[index];
+  static constexpr const describe::point_record* point = load.point;
+  static constexpr base::name called = title("contact force at ", point->called);
+  static constexpr token tokens[]{token_of(token_kind::position, point),
+                                  describe::of_load(describe::load_quantity::contact_place, &load, false),
+                                  describe::with(token_kind::add),
+                                  describe::of_load(describe::load_quantity::contact_force, &load, false)};
+  static constexpr phrases<2> varying{phrase{shape::vector, tokens, 3}, phrase{shape::vector, tokens + 3, 1}};
 };
 
 /// The velocity of the mass center of a body.
@@ -210,10 +228,15 @@ struct expanded<System, show_forces<of_unit>> {
   template <std::size_t... i>
   static element_list<arrow_of_model<weight<System, i>, force_layer<of_unit>>...>
       weights(std::index_sequence<i...>);
+  template <std::size_t... i>
+  static element_list<arrow_of_model<contact_force<System, i>, force_layer<of_unit>>...>
+      contacts(std::index_sequence<i...>);
   static constexpr std::size_t weighed =
       forces_of<System>::found.gravity == nullptr ? 0 : bodies_of<System>::found.count;
-  using list = typename joined<decltype(loads(std::make_index_sequence<forces_of<System>::found.count>{})),
-                               decltype(weights(std::make_index_sequence<weighed>{}))>::list;
+  using list =
+      typename joined<decltype(loads(std::make_index_sequence<forces_of<System>::found.count>{})),
+                      decltype(contacts(std::make_index_sequence<forces_of<System>::found.contact_count>{})),
+                      decltype(weights(std::make_index_sequence<weighed>{}))>::list;
 };
 
 template <class System, text of_unit>

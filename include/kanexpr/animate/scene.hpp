@@ -32,7 +32,7 @@ struct element_record {
   bool has_axis = false; ///< if true, the shape's axis precedes the frame's axes
   std::size_t places = 1;
   const describe::path_record* path = nullptr; ///< which a cable follows
-  int first_varying = 0; ///< index of its first number among all numbers
+  int first_varying = 0;                       ///< index of its first number among all numbers
   int first_constant = 0;
   int constant = 0;
   std::string_view unit{};           ///< the unit of what it plots

@@ -18,7 +18,13 @@ namespace kanexpr {
 
 namespace describe {
 
-enum class contact_word : unsigned char { elastic, smoothed_over, damping, rolling_resistance };
+enum class contact_word : unsigned char {
+  elastic,
+  smoothed_over,
+  damping,
+  rolling_resistance,
+  spinning_resistance
+};
 
 template <class Word, contact_word wanted>
 concept is_contact_word = requires { requires Word::contact_word == wanted; };
@@ -48,7 +54,7 @@ constexpr std::string_view mistake_of_contact_words() {
   using enum contact_word;
   if constexpr (!(word_of_a_contact<Words> && ...))
     return "has an argument that is neither elastic<...>, smoothed_over<...>, restitution<...>, "
-           "dissipation<...>, rolling_resistance<...> nor a law of friction";
+           "dissipation<...>, rolling_resistance<...>, spinning_resistance<...> nor a law of friction";
   else if (times_of_contact_word<elastic, Words...> != 1)
     return "needs one elastic<stiffness, exponent>";
   else if (times_of_contact_word<smoothed_over, Words...> != 1)
@@ -57,6 +63,8 @@ constexpr std::string_view mistake_of_contact_words() {
     return "has more than one of restitution<...> and dissipation<...>";
   else if (times_of_contact_word<rolling_resistance, Words...> > 1)
     return "has two rolling_resistance<...>";
+  else if (times_of_contact_word<spinning_resistance, Words...> > 1)
+    return "has two spinning_resistance<...>";
   else if ((0 + ... + static_cast<int>(law_of_friction<Words>)) > 1)
     return "has two laws of friction";
   return {};
@@ -241,6 +249,20 @@ struct rolling_resistance {
   static constexpr void add_to(describe::contact_record& r) {
     r.lever = describe::given_phrases<lever_and_rate...>[0];
     r.rolling_rate = describe::given_phrases<lever_and_rate...>[1];
+  }
+};
+
+/// The resistance to spinning, as a word of a contact: a torque −b N ω/√(ω² + ωₛ²) against the part ω of the
+/// relative angular velocity about the normal. `spinning_resistance<b, ws>`, where b is a length, such as
+/// 3π/16 μ a for a contact of spheres with the radius a of the area of contact.
+template <auto... lever_and_rate>
+struct spinning_resistance {
+  static constexpr auto contact_word = describe::contact_word::spinning_resistance;
+  static constexpr describe::arguments fits =
+      describe::arguments_of("spinning_resistance<lever, angular velocity>", sizeof...(lever_and_rate), 2);
+  static constexpr void add_to(describe::contact_record& r) {
+    r.spinning_lever = describe::given_phrases<lever_and_rate...>[0];
+    r.spinning_rate = describe::given_phrases<lever_and_rate...>[1];
   }
 };
 

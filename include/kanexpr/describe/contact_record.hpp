@@ -29,9 +29,10 @@ struct contact_record {
   phrase stiffness{}, exponent{}, width{}, damping{}, approach_speed{};
   double restitution = 1; ///< the damping follows from it if there is an approach speed
   const friction_record* friction = nullptr;
-  phrase lever{}, rolling_rate{};
-  arguments fits{};           ///< of its words
-  std::string_view mistake{}; ///< the end of a sentence, such as "has no elastic<...>"
+  phrase lever{}, rolling_rate{};           ///< of the resistance to rolling
+  phrase spinning_lever{}, spinning_rate{}; ///< of the resistance to spinning
+  arguments fits{};                         ///< of its words
+  std::string_view mistake{};               ///< the end of a sentence, such as "has no elastic<...>"
 };
 
 } // namespace kanexpr::describe

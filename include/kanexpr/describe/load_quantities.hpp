@@ -8,7 +8,17 @@ namespace kanexpr {
 
 namespace describe {
 
-enum class load_quantity : unsigned char { length, tension, normal_force, friction_force };
+enum class load_quantity : unsigned char {
+  length,
+  tension,
+  normal_force,
+  friction_force,
+  contact_force, ///< the sum of the normal force and the friction, on the first body
+  contact_place, ///< from the point of the first body to the contact
+};
+
+/// Whether a quantity is a vector.
+constexpr bool is_vector(load_quantity what) { return what >= load_quantity::friction_force; }
 
 constexpr token of_load(load_quantity what, const load_record* load, bool is_of_one_file) {
   token t = with(token_kind::of_load);

@@ -9,7 +9,7 @@
 
 namespace kanexpr::runtime {
 
-/// A DC motor in a builder; see `dc_motor<Joint, …>`.
+/// A DC motor in a builder; see `dc_motor<Joint, …>`. The function `rotor` adds the inertia of its rotor.
 struct dc_motor_data {
   /// Lets the resistance R (1 + α θ) grow with the heating θ of the winding.
   struct winding_data {

@@ -361,6 +361,11 @@ public:
   /// its current, the state variable i_called, and the torque, which the caller applies: `b.torque_between(A,
   /// N, b.along(N, 0, 0, motor.torque))`.
   dc_motor_states dc_motor(std::string_view called, expression speed, const dc_motor_data& data);
+  /// A rotor that turns `gear_ratio` times as fast as an angle, such as the coordinate of a joint, with the
+  /// energy ½ J (n dq/dt)², as `rotor<J, n>` of a joint. The inertia and the ratio are constants. Requires a
+  /// point.
+  void rotor(std::string_view called, expression angle, const number_or_expression& inertia,
+             const number_or_expression& gear_ratio = 1.0);
   /// A muscle with its tendon, as `muscle<Self, Path, …>`: `b.muscle("Biceps", path, e,
   /// {.peak_isometric_force = 500, .optimal_fiber_length = 0.1, .tendon_slack_length = 0.2})`. Returns its
   /// state variables.

@@ -11,6 +11,9 @@
 #include <kanexpr/mechanics/loads/muscle.hpp>
 #include <kanexpr/mechanics/loads/muscle_parameters.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
+#include <kanexpr/mechanics/model/fixed.hpp>
+#include <kanexpr/mechanics/model/position.hpp>
+#include <kanexpr/mechanics/model/rotor.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/symbolic/graph/composed.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -191,6 +194,26 @@ KANEXPR_ENGINE dc_motor_states builder::dc_motor(std::string_view called, expres
   const expression driving = n * k * states.current, braking = n * n * b * u;
   states.torque = driving - braking;
   return states;
+}
+
+KANEXPR_ENGINE void builder::rotor(std::string_view called, expression angle,
+                                   const number_or_expression& inertia,
+                                   const number_or_expression& gear_ratio) {
+  if (inertia.is_whole_zero() || gear_ratio.is_whole_zero()) {
+    const sentence whose({"the inertia or the gear ratio of rotor ", called, " is 0"});
+    checks_.fail_integer_zero(whose.view());
+    return;
+  }
+  const expression moment = as_expression(inertia), ratio = as_expression(gear_ratio);
+  const sentence whose({"rotor ", called});
+  if (!checks_.owns(whose.view(), angle, moment, ratio) || !is_new_body(called)) return;
+  if (!mechanics::is_fixed(moment) || !mechanics::is_fixed(ratio))
+    checks_.fail({"the inertia or the gear ratio of rotor ", called,
+                  " changes; they may contain only numbers and parameters"});
+  else if (m_.points.empty())
+    checks_.fail({"rotor ", called, " is added before any point"});
+  else if (checks_.is_new("frames", called, m_.frames))
+    mechanics::add_rotor(m_, called, mechanics::origin_of(m_, 0), ratio * angle, moment);
 }
 
 KANEXPR_ENGINE muscle_states builder::muscle(std::string_view called, const pathway& along,

@@ -85,9 +85,13 @@ KANEXPR_ENGINE bool builder::set_direction(mechanics::components& unit, int& fra
 
 KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& between,
                                          const contact_data& data) {
-  mechanics::contact c{between, {}, data.friction, data.rolling};
+  mechanics::contact c{between, {}, data.friction, data.rolling, data.spinning};
   if (data.rolling.lever.is_given() != data.rolling.angular_velocity.is_given()) {
     checks_.fail({"the rolling resistance of a contact needs a lever and an angular velocity"});
+    return;
+  }
+  if (data.spinning.lever.is_given() != data.spinning.angular_velocity.is_given()) {
+    checks_.fail({"the spinning resistance of a contact needs a lever and an angular velocity"});
     return;
   }
   c.law.stiffness = as_expression(data.stiffness), c.law.width = as_expression(data.width);
@@ -115,7 +119,8 @@ KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& betw
   for (const expression e :
        {c.friction.sliding, c.friction.sticking, c.friction.slip_speed, c.friction.viscous,
         c.friction.bristles.stiffness, c.friction.bristles.damping, c.friction.bristles.stribeck_speed,
-        c.rolling.lever, c.rolling.angular_velocity, c.law.damping, between.other_radius})
+        c.rolling.lever, c.rolling.angular_velocity, c.spinning.lever, c.spinning.angular_velocity,
+        c.law.damping, between.other_radius})
     if (!is_owned(e)) return;
   if (!checks_.owns("a contact", c.friction.bristles.deflections)) return;
   if (c.rolling && between.frame == mechanics::none) {

@@ -24,7 +24,7 @@ struct contact_data {
   std::optional<number_or_expression> damping{};
   /// Without a slip speed, Coulomb friction uses 1/100 of the approach speed of the restitution.
   mechanics::friction_law friction{};
-  mechanics::rolling_resistance rolling{};
+  mechanics::rotation_resistance rolling{}, spinning{};
 };
 
 } // namespace kanexpr::runtime

@@ -47,6 +47,7 @@ mechanism_with_element at_joint(int joint) {
 template <class System>
 mechanism_with_element with_storage(int joint, double k) {
   mechanism_with_element made = at_joint<System>(joint);
+  if (made.measured.size() < 3) return made; // a mistake, which is reported later
   made.stored = k / 2 * (made.measured[2] * made.measured[2]);
   return made;
 }
@@ -92,7 +93,7 @@ inline std::vector<element> at_joints() {
        }},
       {"rotor of a pin", n::conservative, [] { return at_joint<with_rotor>(0); }, [](values) { return 0.0; }},
       {"DC motor of a pin", n::dissipative,
-       [] { return with_storage<two_joints<dc_motor<Arm, 0.0, 2, 0.2, 0.3, 10, 0.02>>>(0, 0.2); },
+       [] { return with_storage<two_joints<dc_motor<Arm, 0.0, 2, 0.2, 0.3, 10, 0.02, 0.01>>>(0, 0.2); },
        [](values m) { return (10 * 0.3 * m[2] - 100 * 0.02 * m[1]) * m[1]; }},
       {"DC motor with a winding that heats", n::dissipative,
        [] {

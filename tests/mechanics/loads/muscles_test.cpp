@@ -317,6 +317,8 @@ TEST(muscles, report_mistakes) {
   EXPECT_EQ(mistake_of([](pulled& b) { b.lag("L", b.e, 1 / 2); }),
             "an argument of block L is 0, which is also the value of 1/2 in C++; write 0.5, or 0.0 if you "
             "mean zero");
+  EXPECT_EQ(mistake_of([](pulled& b) { b.rotor("R", b.q, b.q); }),
+            "the inertia or the gear ratio of rotor R changes; they may contain only numbers and parameters");
   EXPECT_EQ(mistake_of([](pulled& b) { b.delay("L", 21, b.e, 0.1); }),
             "expected an order of block L from 1 to 20, got 21");
   EXPECT_EQ(mistake_of([](pulled& b) { b.lag("L", pulled().e, 0.1); }),

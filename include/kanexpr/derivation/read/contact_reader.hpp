@@ -72,8 +72,15 @@ public:
       c.rolling.angular_velocity =
           scalar(r.rolling_rate, "the angular velocity of the rolling resistance of ", whom);
     }
+    if (r.spinning_lever.tokens != nullptr) {
+      c.spinning.lever = scalar(r.spinning_lever, "the lever of the spinning resistance of ", whom);
+      c.spinning.angular_velocity =
+          scalar(r.spinning_rate, "the angular velocity of the spinning resistance of ", whom);
+    }
     if (!reading_.mistake && c.rolling && c.between.frame == none)
       reading_.fail({whom, " has rolling_resistance<...>, but a point does not roll"});
+    if (!reading_.mistake && c.spinning && c.between.frame == none)
+      reading_.fail({whom, " has spinning_resistance<...>, but a point does not turn"});
     return c;
   }
 

@@ -96,14 +96,16 @@ private:
     case load_quantity::tension: return "tension_of";
     case load_quantity::normal_force: return "normal_force_of";
     case load_quantity::friction_force: return "friction_force_of";
+    case load_quantity::contact_force:
+    case load_quantity::contact_place: return "show_forces";
     }
     return {};
   }
 
   static constexpr bool pulls(const load_record& r) {
     const bool is_along_path = r.what >= load_word::path_force && r.what <= load_word::path_stop;
-    return is_along_path || r.what == load_word::spring || r.what == load_word::damper ||
-           (r.what == load_word::friction && r.path != nullptr);
+    return is_along_path || r.what == load_word::muscle || r.what == load_word::spring ||
+           r.what == load_word::damper || (r.what == load_word::friction && r.path != nullptr);
   }
 
   constexpr bool is_listed(const load_record& r) const {
@@ -129,8 +131,10 @@ private:
   /// The force along a pathway whose length is given has the unit that follows from this length.
   constexpr value unit_of_quantity(load_quantity wanted, const load_record& r) {
     const sentence whose = name_of(r), called({word_of(wanted), "<", r.word, ">"});
-    if (wanted == load_quantity::friction_force)
-      return value::of(vector_of_unit(reading_, word_of(wanted), whose.view(), units::si::newton));
+    if (is_vector(wanted))
+      return value::of(
+          vector_of_unit(reading_, word_of(wanted), whose.view(),
+                         wanted == load_quantity::contact_place ? units::si::meter : units::si::newton));
     if (r.path != nullptr && !r.path->ends_at_points())
       return value::of(new_symbol(*m_.g, symbolic::symbol_kind::input, base::name(called.view())));
     return value::of(symbol_of_unit(reading_, base::name(called.view()), units::si::newton));
@@ -147,6 +151,8 @@ private:
       if constexpr (requires { load.normal_force(on); }) {
         if (wanted == load_quantity::normal_force) found = value::of(load.normal_force(on));
         if (wanted == load_quantity::friction_force) found = value::of(load.friction_force(on));
+        if (wanted == load_quantity::contact_force) found = value::of(load.force(on));
+        if (wanted == load_quantity::contact_place) found = value::of(load.place(on));
       }
     });
     return found;
@@ -248,7 +254,7 @@ private:
     }
     case load_word::friction: return evaluate_friction(into, r, whom.view());
     case load_word::contact: return evaluate_contact(into, r, whom.view());
-    case load_word::muscle: return muscle_reader(*this).read(r, whom.view());
+    case load_word::muscle: return muscle_reader(*this).read(into, r, whom.view());
     case load_word::tyre: return tyres_.read(*r.tyre, whom.view());
     case load_word::none:
       if (r.unparsed) return reading_.fail_by_unparsed(r.called, "loads<...>");

@@ -5,6 +5,7 @@
 #include <kanexpr/derivation/read/path_reader.hpp>
 #include <kanexpr/derivation/read/wording.hpp>
 #include <kanexpr/describe/muscle_record.hpp>
+#include <kanexpr/mechanics/loads/loads.hpp>
 #include <kanexpr/mechanics/loads/muscle.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
@@ -17,7 +18,7 @@ class muscle_reader : part_reader {
 public:
   constexpr explicit muscle_reader(const part_reader& parts) : part_reader(parts) {}
 
-  constexpr void read(const load_record& r, std::string_view whom) {
+  constexpr void read(mechanics::loads& into, const load_record& r, std::string_view whom) {
     if (r.terms == nullptr)
       return reading_.fail({whom, " takes muscle_parameters{...} after its excitation"});
     mechanics::muscle made;
@@ -29,9 +30,8 @@ public:
     if (r.muscle->tendon_state.kind != shape::nothing && !reading_.mistake)
       made.tendon_state = symbols_.symbol(*r.muscle->tendon_state.tokens[0].symbol, whom);
     if (reading_.mistake) return;
-    reading_.into.loads.muscles.push(made);
-    if (made.tendon_state.is_given())
-      reading_.into.loads.state_rates.push({m_.speeds.find(made.tendon_state), {}, {}});
+    into.muscles.push(made);
+    if (made.tendon_state.is_given()) into.state_rates.push({m_.speeds.find(made.tendon_state), {}, {}});
   }
 
 private:

@@ -29,9 +29,9 @@
 
 namespace kanexpr::mechanics {
 
-/// The resistance to rolling: a torque −b N ω/√(ω² + ωₛ²) against the part ω of the relative angular velocity
-/// that is parallel to the tangent plane.
-struct rolling_resistance {
+/// The resistance to rolling or spinning: a torque −b N ω/√(ω² + ωₛ²) against the part ω of the relative
+/// angular velocity that is parallel to the tangent plane, or normal to it.
+struct rotation_resistance {
   expression lever{};            ///< b, a length
   expression angular_velocity{}; ///< ωₛ, over which rest is smoothed
 
@@ -44,7 +44,7 @@ struct contact {
   contact_geometry between{};
   contact_law law{};
   friction_law friction{};
-  rolling_resistance rolling{};
+  rotation_resistance rolling{}, spinning{};
 
 private:
   /// The normal force that belongs to an elastic force and a relative velocity.
@@ -90,7 +90,10 @@ public:
     const expression as_force = how == conservative::by_energy ? pressing - elastic : pressing;
     add_force(on, at, as_force * at.push, tangential_force(on, at, slip, pressing));
     if (friction.has_bristles()) add_shares(on, move_bristles(on, pressing, in_tangent_plane(slip, at)));
-    if (rolling) add_rolling_resistance(on, at, pressing);
+    if (!rolling && !spinning) return;
+    const components w = relative_spin(on.skeleton_used()), about_normal = dot(w, at.normal) * at.normal;
+    if (rolling) add_resistance(on, rolling, pressing, w - about_normal);
+    if (spinning) add_resistance(on, spinning, pressing, about_normal);
   }
 
   /// The normal force, which is not negative.
@@ -105,6 +108,19 @@ public:
     const components slip = relative_velocity(on.moving(), at);
     const expression pressing = pressed_by(law.elastic_force(at.penetration), at, slip);
     return in_axes(tangential_force(on, at, slip, pressing));
+  }
+
+  /// The sum of the normal force and the friction, on the first body.
+  constexpr vector force(observed_motion& on) const {
+    const touching at = between.at(*on.skeleton_used().model);
+    const components slip = relative_velocity(on.moving(), at);
+    const expression pressing = pressed_by(law.elastic_force(at.penetration), at, slip);
+    return in_axes(pressing * at.push + tangential_force(on, at, slip, pressing));
+  }
+
+  /// The position of the contact from the point of the first body.
+  constexpr vector place(observed_motion& on) const {
+    return in_axes(between.at(*on.skeleton_used().model).arm);
   }
 
   /// Appends the rates of the deflections of bristles.
@@ -184,12 +200,11 @@ private:
     on.add_torque(between.other, none, in_axes(-moment));
   }
 
-  constexpr void add_rolling_resistance(force_system& on, const touching& at, expression normal_force) const {
-    components w = relative_spin(on.skeleton_used());
-    w -= dot(w, at.normal) * at.normal;
-    const expression rest = rolling.angular_velocity * rolling.angular_velocity;
+  constexpr void add_resistance(force_system& on, const rotation_resistance& by, expression normal_force,
+                                const components& w) const {
+    const expression rest = by.angular_velocity * by.angular_velocity;
     const expression size = sqrt(dot(w, w) + rest);
-    const expression factor = rolling.lever * normal_force / size;
+    const expression factor = by.lever * normal_force / size;
     on.add_torque(between.frame, between.other, in_axes(-(factor * w)));
   }
 };
@@ -212,6 +227,9 @@ constexpr void contact::check_with(load_check& by, int) const {
   if (is_constant(m))
     return by.fail(
         {"the bodies of the contact between ", names.view(), " never move relative to each other"});
+  if ((rolling || spinning) && between.frame == none)
+    return by.fail({"the contact between ", names.view(),
+                    " has a resistance to rolling or spinning, but a point does not turn"});
   if (between.shapes == contact_shapes::torus_on_plane && !is_fixed(between.axis))
     return by.fail({"the axis of the torus of the contact between ", names.view(), " is not fixed in ",
                     by.frame(between.axis_frame),
@@ -233,12 +251,16 @@ constexpr void contact::check_with(load_check& by, int) const {
   fixed(between.other_radius, "the second radius of the contact between ");
   constant(rolling.lever, "the lever of the rolling resistance between ", false);
   constant(rolling.angular_velocity, "the angular velocity of the rolling resistance between ", true);
+  constant(spinning.lever, "the lever of the spinning resistance between ", false);
+  constant(spinning.angular_velocity, "the angular velocity of the spinning resistance between ", true);
   const sentence whose({"the contact between ", names.view()});
   friction.check_with(by, whose.view());
   if (law.damping.is_given())
     by.check_not_negative(law.damping, "the damping of the contact between ", names.view());
   if (rolling)
     by.check_not_negative(rolling.lever, "the lever of the rolling resistance between ", names.view());
+  if (spinning)
+    by.check_not_negative(spinning.lever, "the lever of the spinning resistance between ", names.view());
   if (between.level.is_given()) check_surface(by, names.view());
   if (!friction.has_bristles() || by.mistake()) return;
   const int directions = between.directions_of_slip().size(), given = friction.bristles.deflections.size();
@@ -296,6 +318,9 @@ constexpr void contact::state_units(load_units& by, int) const {
     state(z, "the deflection of a bristle of the contact between ", si::meter * units::pow<1, 2>(si::newton));
   state(rolling.lever, "the lever of the rolling resistance between ", si::meter);
   state(rolling.angular_velocity, "the angular velocity of the rolling resistance between ",
+        si::radian / si::second);
+  state(spinning.lever, "the lever of the spinning resistance between ", si::meter);
+  state(spinning.angular_velocity, "the angular velocity of the spinning resistance between ",
         si::radian / si::second);
 }
 

@@ -7,6 +7,7 @@
 #include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/load_units.hpp>
 #include <kanexpr/mechanics/loads/muscle_parameters.hpp>
+#include <kanexpr/mechanics/loads/observed_motion.hpp>
 #include <kanexpr/mechanics/loads/pathway.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
@@ -62,6 +63,12 @@ struct muscle {
     const contraction now = contract(on.moving(), taut, on.known(activation));
     taut.pull(on, peak_force * now.tendon_force);
     if (tendon_state.is_given()) on.add_share(on.skeleton_used().model->speeds.find(tendon_state), now.rate);
+  }
+
+  /// The force of the tendon, positive if it shortens the pathway.
+  constexpr expression tension(observed_motion& on) const {
+    const taut_pathway taut(along, on.skeleton_used());
+    return peak_force * contract(on.moving(), taut, activation).tendon_force;
   }
 
   /// Appends the rate of the state variable.
