@@ -68,25 +68,25 @@ void f() { use<System>(); }
 
 // expect: block L multiplies the rate of state variable y_L by a negative number; a time constant must be
 // expect: positive
-namespace k12 {
+namespace k20 {
 struct L : lag<L, q, -0.1> {};
 struct System : moved<blocks<L>> {};
 void f() { use<System>(); }
-} // namespace k12
+} // namespace k20
 
 // expect: block C contains softplus with a width that is not positive
-namespace k13 {
+namespace k21 {
 struct C : pid<C, q, 1, 2, 3, 0.1, 5, -5, 0.1> {}; // limits out of order
 struct System : moved<blocks<C>> {};
 void f() { use<System>(); }
-} // namespace k13
+} // namespace k21
 
 // expect: block V contains a division by zero
-namespace k14 {
+namespace k22 {
 struct V : slew_limit<V, q, 0.0, 0.1> {};
 struct System : moved<blocks<V>> {};
 void f() { use<System>(); }
-} // namespace k14
+} // namespace k22
 
 struct Ground : inertial_ground<Ground> {};
 struct Wheel : pin<Wheel, Ground, axis<Ground::z>, body<1, 0.1 * own::x, inertia<own, 1, 1, 1>>> {};
