@@ -83,7 +83,8 @@ public:
     if (reading_.for_units) return unit_of_quantity(wanted, r);
     mechanics::loads alone;
     evaluate_load(r, alone);
-    return reading_.mistake ? value::of(m_.zero()) : observed(wanted, alone);
+    if (reading_.mistake) return value::of(m_.zero());
+    return observed(wanted, alone);
   }
 
 private:
