@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
+#include <kanexpr/lower/complex_math.hpp>
 #include <kanexpr/mechanics/motion/known_motion.hpp>
 #include <kanexpr/runtime/builder.hpp>
 
@@ -337,6 +338,95 @@ TEST(pathways, report_mistakes) {
               b.stop(b.straight(b.hand, b.wall), b.number(2), b.number(1), b.number(10), b.number(0.1));
             }),
             "the greatest length of the stop between H and W does not exceed the least length");
+}
+
+// A rope of beads slides over a drum on an arc of 2 rad. The tension of the springs between the beads presses
+// them against the drum, and friction acts by this normal force.
+struct rope : builder {
+  static constexpr double radius = 0.5, arc = 2, mu = 0.3, stiffness = 1e4, slack = 10;
+  std::vector<expression> angles;
+  VectorXd state;      // in which the beads slide at the same speed and without acceleration
+  double pull = slack; // the tension at the end that moves forward; the other one is `slack`
+
+  explicit rope(int beads) : builder("N"), state(2 * beads) {
+    const frame_id n = inertial_frame();
+    const point_id o = origin("O");
+    for (int i = 0; i < beads; ++i) {
+      const std::string k = std::to_string(i);
+      angles.push_back(coordinate("a" + k));
+      const expression w = speed("w" + k), &a = angles.back();
+      kinematic_equation(dot(a) - w);
+      beads_.push_back(offset("P" + k, o, along(n, radius * cos(a), radius * sin(a), 0)));
+      particle("Bead" + k, beads_.back(), number(0.1));
+    }
+    // the rope leaves the drum along its tangents
+    force_along(given_length(-radius * angles.front()), number(-slack));
+    place_beads();
+    for (int i = 0; i < beads; ++i) add_friction(i);
+    force_along(given_length(-radius * angles.back()), number(pull));
+  }
+
+private:
+  // Each spring balances the bead before it: T cos δ − μ T sin δ = T' cos δ' + μ T' sin δ', where a spring
+  // with the tension T spans the angle 2 δ.
+  void place_beads() {
+    const int beads = static_cast<int>(angles.size());
+    const double rest = 2 * radius * std::sin(arc / (2 * (beads - 1)));
+    double place = 0, half = 0;
+    for (int i = 0; i < beads; ++i) {
+      state(i) = place, state(beads + i) = 2;
+      const double behind = pull * (std::cos(half) + mu * std::sin(half));
+      if (i + 1 == beads) {
+        pull = behind;
+        break;
+      }
+      for (int step = 0; step < 60; ++step) {
+        half = std::asin(rest * (1 + pull / stiffness) / (2 * radius));
+        pull = behind / (std::cos(half) - mu * std::sin(half));
+      }
+      springs_.push_back(through_beads(i, rest));
+      place += 2 * half;
+    }
+    total_angle = place;
+  }
+  expression through_beads(int i, double rest) {
+    const pathway line = straight(point_of(i), point_of(i + 1));
+    const expression tension = stiffness * (length_of(line) / rest - 1);
+    linear_spring(line, number(stiffness / rest), number(rest));
+    return tension *
+           sin(0.5 * (angles[static_cast<std::size_t>(i) + 1] - angles[static_cast<std::size_t>(i)]));
+  }
+  void add_friction(int i) {
+    const std::size_t k = static_cast<std::size_t>(i);
+    expression pressing = number(0.0);
+    if (k > 0) pressing = pressing + springs_[k - 1];
+    if (k < springs_.size()) pressing = pressing + springs_[k];
+    friction_along(given_length(radius * angles[k]), pressing,
+                   mechanics::friction_law::coulomb(number(mu), number(1e-9)));
+  }
+  point_id point_of(int i) const { return beads_[static_cast<std::size_t>(i)]; }
+
+  std::vector<point_id> beads_;
+  std::vector<expression> springs_; // the normal forces that a spring adds to both of its ends
+
+public:
+  double total_angle = 0;
+};
+
+// The ratio of the tensions tends to Euler and Eytelwein's exp(μ φ).
+TEST(pathways, hold_a_rope_on_a_drum_as_a_capstan_does) {
+  const auto error_with = [](int beads) {
+    rope b(beads);
+    auto model = kanexpr::derive(b);
+    EXPECT_EQ(model.mistake(), "");
+    const MatrixXd udot = model.function(model.udot())(b.state, nothing, nothing);
+    EXPECT_LT(udot.cwiseAbs().maxCoeff(), 1e-8 * rope::slack / (0.1 * rope::radius)) << beads << " beads";
+    return std::log(b.pull / rope::slack) / (rope::mu * b.total_angle) - 1;
+  };
+  const double coarse = error_with(8), fine = error_with(15), finest = error_with(29);
+  EXPECT_NEAR(coarse / fine, 4, 0.1); // 7, 14 and 28 intervals
+  EXPECT_NEAR(fine / finest, 4, 0.05);
+  EXPECT_LT(std::abs(finest), 1e-3);
 }
 
 TEST(pathways, of_another_builder) {
