@@ -120,7 +120,9 @@ TEST(elements, have_the_power_of_their_law_and_create_no_energy) {
         ASSERT_LE(v.power + v.storing, 1e-12 * scale) << x.transpose();
       }
     }
-    if (e.name != "rotor of a pin") EXPECT_GT(acting, 200);
+    if (e.name != "rotor of a pin") {
+      EXPECT_GT(acting, 200);
+    }
   }
 }
 
