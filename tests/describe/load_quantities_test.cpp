@@ -98,8 +98,12 @@ TEST(load_quantities, follow_their_laws) {
     EXPECT_NEAR(spring_tension(s, given)(0), 30 * (l - 0.4), 1e-12);
     EXPECT_NEAR(damping(s, given)(0), 4 * rate, 1e-12);
     const double beyond = l - 1.5;
-    if (beyond > 1e-3) EXPECT_NEAR(stopping(s, given)(0), 80 * (beyond - 0.0005) * (1 + 0.3 * rate), 1e-11);
-    if (beyond < 0 && l > 0.5) EXPECT_EQ(stopping(s, given)(0), 0);
+    if (beyond > 1e-3) {
+      EXPECT_NEAR(stopping(s, given)(0), 80 * (beyond - 0.0005) * (1 + 0.3 * rate), 1e-11);
+    }
+    if (beyond < 0 && l > 0.5) {
+      EXPECT_EQ(stopping(s, given)(0), 0);
+    }
     EXPECT_NEAR(twist(s, given)(0), 3 * s[2] + 2 * std::pow(s[2], 3), 1e-12);
     EXPECT_NEAR(direct(s, given)(0), 5 * (s.head(2).norm() - 0.1), 1e-12);
     const double deep = 0.2 - s[1];

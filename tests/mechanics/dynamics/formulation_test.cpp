@@ -1,5 +1,5 @@
 // The form of u̇, chosen by the number of its operations. Operations are counted, not timed.
-#include "workbench.hpp"
+#include "mechanics/workbench.hpp"
 
 #include <kanexpr/lower/tape.hpp>
 #include <kanexpr/mechanics/dynamics/articulated_bodies.hpp>
