@@ -116,7 +116,9 @@ TEST(load_quantities, follow_their_laws) {
       EXPECT_EQ(f[1], 0);
       EXPECT_EQ(f[2], 0);
     }
-    if (deep < -0.01) EXPECT_EQ(normal(s, given)(0), 0);
+    if (deep < -0.01) {
+      EXPECT_EQ(normal(s, given)(0), 0);
+    }
   }
 }
 
