@@ -14,8 +14,8 @@ struct System : jointed<joints<Arm>, loads<friction<Arm, 2, dahl_friction<0.4, 1
 void f() { use<System>(); }
 } // namespace b1
 
-// expect: the friction between Arm and Ground lacks an argument; write lugre_friction<static, sliding, Stribeck
-// expect: speed, stiffness, damping, viscous, slip speed>
+// expect: the friction between Arm and Ground lacks an argument; write lugre_friction<static, sliding,
+// expect: Stribeck speed, stiffness, damping, viscous, slip speed>
 namespace b2 {
 struct System : jointed<joints<Arm>, loads<friction<Arm, 2, lugre_friction<0.4, 0.3, 0.01>>>> {};
 void f() { use<System>(); }
@@ -40,7 +40,8 @@ struct System : jointed<joints<Arm>, loads<friction<Arm, 2, rough>, friction<Arm
 void f() { use<System>(); }
 } // namespace b5
 
-// expect: state variable z_Slider, which the motor between Arm and Ground contains, is not in states<...> or in
+// expect: state variable z_Slider, which the motor between Arm and Ground contains, is not in
+// expect: states<...> or in a listed block
 namespace b6 {
 struct System : jointed<joints<Arm, Slider>, loads<motor<Arm, T * bristle_of<Slider>>>> {};
 void f() { use<System>(); }
@@ -48,7 +49,8 @@ void f() { use<System>(); }
 
 // expect: has bristles, whose directions do not follow from its normal; turn Ground so that a component of
 namespace b7 {
-using tilted = contact<point_on_plane<Slider, Ground, Ground::x + l * Ground::y + Ground::z>, firm, thin, rough>;
+using tilted =
+    contact<point_on_plane<Slider, Ground, Ground::x + l * Ground::y + Ground::z>, firm, thin, rough>;
 struct System : jointed<joints<Slider>, loads<tilted>> {};
 void f() { use<System>(); }
 } // namespace b7

@@ -42,40 +42,40 @@ void f() { use<System>(); }
 
 // expect: the peak isometric force of the muscle M is not positive
 namespace m5 {
-struct M : muscle<M, Line, F,
-                  muscle_parameters{.peak_isometric_force = -500.0,
-                                    .optimal_fiber_length = 0.1,
-                                    .tendon_slack_length = 0.2}> {};
+struct M
+    : muscle<M, Line, F,
+             muscle_parameters{
+                 .peak_isometric_force = -500.0, .optimal_fiber_length = 0.1, .tendon_slack_length = 0.2}> {};
 struct System : pulled<M> {};
 void f() { use<System>(); }
 } // namespace m5
 
 // expect: the muscle acts along P, which is a point, not a pathway; write straight<P, Q>, for example
 namespace m6 {
-struct M : muscle<M, P, F,
-                  muscle_parameters{.peak_isometric_force = 500.0,
-                                    .optimal_fiber_length = 0.1,
-                                    .tendon_slack_length = 0.2}> {};
+struct M
+    : muscle<M, P, F,
+             muscle_parameters{
+                 .peak_isometric_force = 500.0, .optimal_fiber_length = 0.1, .tendon_slack_length = 0.2}> {};
 struct System : pulled<M> {};
 void f() { use<System>(); }
 } // namespace m6
 
 // expect: a_M is listed twice among the state variables
 namespace m7 {
-struct M : muscle<M, Line, F,
-                  muscle_parameters{.peak_isometric_force = 500.0,
-                                    .optimal_fiber_length = 0.1,
-                                    .tendon_slack_length = 0.2}> {};
+struct M
+    : muscle<M, Line, F,
+             muscle_parameters{
+                 .peak_isometric_force = 500.0, .optimal_fiber_length = 0.1, .tendon_slack_length = 0.2}> {};
 struct System : pulled<M, M> {};
 void f() { use<System>(); }
 } // namespace m7
 
 // expect: state variable F_M, which the force at P contains, is not in states<...> or in a listed block
 namespace m8 {
-struct M : muscle<M, Line, F,
-                  muscle_parameters{.peak_isometric_force = 500.0,
-                                    .optimal_fiber_length = 0.1,
-                                    .tendon_slack_length = 0.2}> {};
+struct M
+    : muscle<M, Line, F,
+             muscle_parameters{
+                 .peak_isometric_force = 500.0, .optimal_fiber_length = 0.1, .tendon_slack_length = 0.2}> {};
 struct System : pulled<M, force<P, M::tendon_force * N::x>> {};
 void f() { use<System>(); }
 } // namespace m8
@@ -94,10 +94,10 @@ void f() { use<System>(); }
 
 // expect: blocks<...> lists M, which is a load; list it in loads<...>
 namespace m10 {
-struct M : muscle<M, Line, F,
-                  muscle_parameters{.peak_isometric_force = 500.0,
-                                    .optimal_fiber_length = 0.1,
-                                    .tendon_slack_length = 0.2}> {};
+struct M
+    : muscle<M, Line, F,
+             muscle_parameters{
+                 .peak_isometric_force = 500.0, .optimal_fiber_length = 0.1, .tendon_slack_length = 0.2}> {};
 struct System : moved<blocks<M>> {};
 void f() { use<System>(); }
 } // namespace m10
@@ -129,10 +129,10 @@ namespace m13 {
 constexpr coordinate<"theta", units::si::radian> theta;
 struct A : rotated<A, N, theta, N::z> {};
 struct C : offset<C, O, 0.1 * A::x> {};
-struct M : muscle<M, given_length<theta>, F,
-                  muscle_parameters{.peak_isometric_force = 500.0,
-                                    .optimal_fiber_length = 0.1,
-                                    .tendon_slack_length = 0.2}> {};
+struct M
+    : muscle<M, given_length<theta>, F,
+             muscle_parameters{
+                 .peak_isometric_force = 500.0, .optimal_fiber_length = 0.1, .tendon_slack_length = 0.2}> {};
 struct Bob : particle<Bob, C, m> {};
 struct System : kane_system<inertial<N>, coordinates<theta>, speeds<u>, kinematics<dot(theta) == u>,
                             bodies<Bob>, loads<M>> {};

@@ -59,7 +59,8 @@ void f() { use<System>(); }
 // expect: the tyre between Arm and Ground has a magic formula and a pneumatic_trail<...> or
 // expect: camber_stiffness<...>, which the formula contains
 namespace n8 {
-inline constexpr tyre_coefficients slick{.Fz0 = 50, .R0 = 0.3, .pCy1 = 1.3, .pDy1 = 1, .pKy1 = -15, .pKy2 = 1.5};
+inline constexpr tyre_coefficients slick{
+    .Fz0 = 50, .R0 = 0.3, .pCy1 = 1.3, .pDy1 = 1, .pKy1 = -15, .pKy2 = 1.5};
 using doubled = tyre<rim, road, magic_formula<slick>, weight, slow, pneumatic_trail<0.02>>;
 struct System : jointed<joints<Arm>, loads<doubled>> {};
 void f() { use<System>(); }
@@ -87,7 +88,7 @@ void f() { use<System>(); }
 // expect: a relaxation length of the tyre between Arm and Ground contains the coordinate q_Arm; it may
 // expect: contain only parameters, inputs and time
 namespace n12 {
-struct System
-    : jointed<joints<Arm>, loads<tyre<rim, road, grip, weight, slow, relaxation<0.2, Arm::q<0>>>>> {};
+struct System : jointed<joints<Arm>, loads<tyre<rim, road, grip, weight, slow, relaxation<0.2, Arm::q<0>>>>> {
+};
 void f() { use<System>(); }
 } // namespace n12

@@ -118,6 +118,5 @@ void f() { use<System>(); }
 // expect: contact_point<Self, Wheel, Ground> requires a thin_wheel<...> or toroidal_wheel<...> on
 // expect: flat_ground<...>
 namespace n16 {
-struct Contact
-    : contact_point<Contact, round_wheel, uneven_ground<Ground, Ground, 0.1 * surface::x>> {};
+struct Contact : contact_point<Contact, round_wheel, uneven_ground<Ground, Ground, 0.1 * surface::x>> {};
 } // namespace n16
