@@ -56,11 +56,11 @@ using RearTyre = tyre<thin_wheel<RearHub, Body::y, R, Rear>, flat_ground<O, N::z
 // The driver begins at four times T0: the throttle holds the drift angle, and the steering holds the yaw
 // rate.
 constexpr parameter<"T0", second> T0;
-constexpr parameter<"k_beta"> by_angle;
-constexpr parameter<"k_t"> by_spin;
-constexpr parameter<"k_r"> by_yaw_rate;
-constexpr parameter<"k_d"> arm; // of the steering
-constexpr parameter<"c_d"> damping;
+constexpr parameter<"k_beta", meter / second / radian> by_angle;
+constexpr parameter<"k_t", newton * meter * second / radian> by_spin;
+constexpr parameter<"k_r", second> by_yaw_rate;
+constexpr parameter<"k_d", newton * meter / radian> arm; // of the steering
+constexpr parameter<"c_d", newton * meter * second / radian> damping;
 constexpr auto drifting = (1 + tanh(t / T0 - 4)) / 2;
 constexpr auto slower = by_angle * (atan2(v, u) + drift_angle);
 constexpr auto wanted_speed = V + (wheel_speed + slower - V) * drifting;

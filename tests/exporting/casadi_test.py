@@ -100,7 +100,7 @@ def functions(library, name):
     return [Function(library, before + name) for before in ("", "jac_", "fwd1_", "jac_fwd1_", "adj1_", "jac_adj1_")]
 
 
-def check(library, name, arguments, result):
+def check(library, name, arguments, result, tolerance=1e-8):
     """Compares the derivatives of a function with differences of those of lower order."""
     f, jacobian, forward, of_forward, adjoint, of_adjoint = functions(library, name)
     assert f.names[0] == arguments and f.names[1] == [result]
@@ -113,7 +113,7 @@ def check(library, name, arguments, result):
     first = jacobian.dense([*at, rate])
     for k in range(n):
         for j in range(len(at[k])):
-            near([row[j] for row in first[k]], slope(lambda a: flat(f.dense(a)[0]), at, k, j))
+            near([row[j] for row in first[k]], slope(lambda a: flat(f.dense(a)[0]), at, k, j), tolerance)
     along = flat(forward.dense([*at, rate, *direction])[0])
     near(along, [sum(first[k][i][j] * v for k in range(n) for j, v in enumerate(direction[k])) for i in range(size)],
          1e-13)
@@ -128,14 +128,14 @@ def check(library, name, arguments, result):
             assert block == [list(row) for row in zip(*second[k * (n + 2) + o])] or not block or not block[0], "symmetric"
             for j in range(len(at[k])):
                 near([row[j] for row in block],
-                     slope(lambda a, o=o: flat(adjoint.dense([*a, rate, weights])[o]), at, k, j))
+                     slope(lambda a, o=o: flat(adjoint.dense([*a, rate, weights])[o]), at, k, j), tolerance)
         assert second[o * (n + 2) + n] == [[0.0] * size for _ in at[o]], "adjoints do not depend on the rates"
         assert second[o * (n + 2) + n + 1] == [list(row) for row in zip(*first[o])], "transposed"
     changes = of_forward.dense([*at, rate, *direction, along])
     for k in range(n):
         for j in range(len(at[k])):
             near([row[j] for row in changes[k]],
-                 slope(lambda a: flat(forward.dense([*a, rate, *direction])[0]), at, k, j))
+                 slope(lambda a: flat(forward.dense([*a, rate, *direction])[0]), at, k, j), tolerance)
         assert changes[n + 1 + k] == first[k]
 
     # Null arguments are zero, and null results are not requested.
@@ -207,11 +207,11 @@ def check_failures(library, name):
             assert f.raw(given, wanted=())[0] == 0, "where nothing is wanted, nothing fails"
 
 
-def check_all(name, *more, method=runge_kutta):
+def check_all(name, *more, method=runge_kutta, tolerance=1e-8):
     library = ctypes.CDLL(f"{sys.argv[1]}/{name}.so")
-    f = check(library, name, ["x", "r", "p", *more], "rate")
-    check_implicit(f, check(library, f"{name}_implicit", ["x", "xdot", "r", "p", *more], "residual"))
-    check_step(f, check(library, f"{name}_step", ["x", "r", "p", "h", *more], "next"), method)
+    f = check(library, name, ["x", "r", "p", *more], "rate", tolerance)
+    check_implicit(f, check(library, f"{name}_implicit", ["x", "xdot", "r", "p", *more], "residual", tolerance))
+    check_step(f, check(library, f"{name}_step", ["x", "r", "p", "h", *more], "next", tolerance), method)
     return f
 
 
@@ -220,7 +220,7 @@ check_all("cart")
 check_all("disc", method=semi_implicit_euler)
 check_all("a")
 check_all("motor_arm")
-check_all("loaded_arm")
+check_all("loaded_arm", tolerance=1e-6)  # differences across its stops and its friction are less accurate
 driven = check_all("driven", "t")
 pendulum = check_all("bound_pendulum", method=ralston)
 status, [rate] = pendulum.raw([[0.3, 0.0], [0.0], [0.5, 0.1]])
