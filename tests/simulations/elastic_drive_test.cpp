@@ -50,7 +50,8 @@ TEST(elastic_drive, has_the_eigenvalues_of_its_equations) {
       linearization<System>::explicit_form(state<System>{}, numbers(), input_values<System>(0, 0));
   const auto sorted = [](const Eigen::Matrix<double, 6, 6>& m) {
     Eigen::Vector<std::complex<double>, 6> all = m.eigenvalues();
-    std::ranges::sort(all, {}, [](std::complex<double> s) { return std::pair(s.real(), s.imag()); });
+    const auto by_parts = [](std::complex<double> s) { return std::pair(s.real(), s.imag()); };
+    std::ranges::sort(all.data(), all.data() + all.size(), {}, by_parts);
     return all;
   };
   EXPECT_LT((sorted(A) - sorted(by_hand)).cwiseAbs().maxCoeff(), 1e-9);
