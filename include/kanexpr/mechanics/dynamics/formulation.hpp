@@ -36,13 +36,16 @@ constexpr int operations_of(const symbolic::symmetric_solution& solved) {
 /// operations for each speed. Forming a solution that is not used costs compile time.
 constexpr bool may_pay_by_articulated_bodies(const skeleton& s, const symbolic::matrix& mass,
                                              const sequence<expression>& force) {
-  constexpr int fewest_speeds = 7, in_plane = 50, in_space = 150; // measured on chains and trees
-  if (mass.rows < fewest_speeds) return false;
+  struct threshold {
+    int speeds, operations;
+  };
+  constexpr threshold in_plane{7, 50}, in_space{10, 150}; // measured on chains and trees
   bool is_planar = true;
   for (int axes : s.working_axes) is_planar = is_planar && axes == mechanism::inertial;
+  const threshold fewest = is_planar ? in_plane : in_space;
+  if (mass.rows < fewest.speeds) return false;
   const int formed = operations_of(symbolic::cost_of(*s.model->g, symbolic::nodes_of(force)));
-  const int for_each = is_planar ? in_plane : in_space;
-  return operations_by_elimination(mass, force) - formed > for_each * mass.rows;
+  return operations_by_elimination(mass, force) - formed > fewest.operations * mass.rows;
 }
 
 } // namespace kanexpr::mechanics
