@@ -3,7 +3,9 @@
 #include <kanexpr/symbolic/algebra/forms.hpp>
 #include <kanexpr/symbolic/cost.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/graph/matrix.hpp>
+#include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
 #include <kanexpr/symbolic/printing/latex.hpp>
 
@@ -22,7 +24,8 @@ using kanexpr::symbolic::symbol_kind;
 
 namespace {
 
-constexpr int most_operations = 700;           // of equations that are worth simplifying
+constexpr int most_operations = 700; // of equations that are worth simplifying
+constexpr double most_operations_as_text = 2e4;
 constexpr int most_operations_to_divide = 160; // of equations that are divided by common factors
 constexpr std::size_t most_terms = 1500;       // of the forms among which the simplest is chosen
 constexpr std::size_t longest_line = 1100;     // letters of LaTeX
@@ -36,6 +39,27 @@ int operations_of(const matrix& m) {
   for (const expression& each : m.entries) nodes.push(each.node());
   const kanexpr::symbolic::cost c = kanexpr::symbolic::cost_of(g, nodes);
   return c.multiplications + c.additions + c.divisions + 4 * (c.trigonometric + c.other);
+}
+
+/// The operations of an expression as a text, which repeats shared parts as often as they occur.
+double operations_as_text(expression e) {
+  kanexpr::symbolic::graph& g = e.owner();
+  kanexpr::base::sequence<int> output;
+  output.push(e.node());
+  std::vector<double> total(static_cast<std::size_t>(e.node()) + 1);
+  for (int id : kanexpr::symbolic::live_values(g, output)) {
+    const kanexpr::symbolic::node& n = g[id];
+    if (kanexpr::symbolic::is_leaf(n.op)) continue;
+    double& own = total[static_cast<std::size_t>(id)] = 1 + total[static_cast<std::size_t>(n.a)];
+    if (kanexpr::symbolic::is_binary(n.op) && kanexpr::symbolic::is_value(n))
+      own += total[static_cast<std::size_t>(n.b)];
+  }
+  return total.back();
+}
+bool is_short_as_text(const matrix& m) {
+  double total = 0;
+  for (const expression& each : m.entries) total += operations_as_text(each);
+  return total <= most_operations_as_text;
 }
 
 std::string symbol_text(model& m, symbol_kind kind, const kanexpr::base::name& called) {
@@ -125,11 +149,12 @@ private:
   void dynamic() {
     matrix mass = m_.mass_matrix(), forcing = m_.forcing();
     const int before = operations_of(mass) + operations_of(forcing);
-    if (before > most_operations) return long_equations(mass, forcing, before);
+    if (before > most_operations || !is_short_as_text(mass) || !is_short_as_text(forcing))
+      return long_equations(mass, forcing, before);
     mass = shorter_on_a_page(mass), forcing = shorter_on_a_page(forcing);
     const bool is_constrained = known_.constraints > 0;
     matrix explicit_form;
-    if (!is_constrained && operations_of(m_.udot()) <= most_operations)
+    if (!is_constrained && operations_of(m_.udot()) <= most_operations && is_short_as_text(m_.udot()))
       explicit_form = shorter_on_a_page(m_.udot());
     const bool is_shorter = explicit_form.rows > 0 && total(explicit_form) <= total(mass) + total(forcing);
     equation_group group{.heading = "Equations of motion"};
@@ -218,7 +243,7 @@ private:
   }
   static std::string index(int i) { return (i > 8 ? "," : "") + std::to_string(i + 1); }
   static void shortest(equation_group& group, const std::string& name, expression e) {
-    if (group.lines.size() > 8 || e.is_zero()) return;
+    if (group.lines.size() > 8 || e.is_zero() || operations_as_text(e) > longest_entry) return;
     const std::string text = latex(e);
     if (text.size() <= longest_entry) group.lines.push_back(name + " = " + text);
   }
