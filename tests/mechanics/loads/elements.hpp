@@ -299,9 +299,11 @@ inline std::vector<shapes_in_contact> all_shapes(mechanisms::arm& b) {
   return all;
 }
 
-/// The motion of the first body relative to the second at the contact, without the parts along the normal.
+/// The motion of the first body relative to the second at the contact: the slip and the angular velocity
+/// without their parts along the normal, and this part of the angular velocity.
 struct sliding {
   components slip, spin;
+  expression about_normal;
 };
 
 inline sliding sliding_in(const mechanisms::arm& b, mechanics::motion& k, const shapes_in_contact& s) {
@@ -313,16 +315,19 @@ inline sliding sliding_in(const mechanisms::arm& b, mechanics::motion& k, const 
       b.mechanism(), position_from(b.mechanism(), static_cast<int>(s.other), static_cast<int>(s.point)), 0);
   components first = v(s.point);
   if (s.has_frame) first += cross(w(s.first), s.arm);
-  sliding found{first - (v(s.other) + cross(w(s.second), line + s.arm)), w(s.first) - w(s.second)};
+  sliding found{first - (v(s.other) + cross(w(s.second), line + s.arm)), w(s.first) - w(s.second), {}};
+  found.about_normal = dot(found.spin, s.normal);
   for (components* each : {&found.slip, &found.spin}) *each -= dot(*each, s.normal) * s.normal;
   return found;
 }
 
-/// The penetration, its rate, the slip speed, and the angular velocity in the tangent plane, both squared.
+/// The penetration, its rate, and the squares of the slip speed and of the angular velocity in the tangent
+/// plane and about the normal.
 inline std::vector<expression> measured_in(mechanisms::arm& b, const shapes_in_contact& s) {
   mechanics::known_motion known(b.mechanism());
   const sliding m = sliding_in(b, known.moving(), s);
-  return {s.penetration, known.moving().rate(s.penetration), dot(m.slip, m.slip), dot(m.spin, m.spin)};
+  return {s.penetration, known.moving().rate(s.penetration), dot(m.slip, m.slip), dot(m.spin, m.spin),
+          m.about_normal * m.about_normal};
 }
 
 /// Friction of bristles in a contact, which stores the energy σ₀ y²/2; the forces are those that the builder
@@ -360,6 +365,7 @@ struct contact_law {
   double exponent = 1, damping = 0, lever = 0;
   friction_law (*friction)(builder&) = nullptr;
   double (*coefficient)(double) = nullptr;
+  double spinning_lever = 0;
 };
 
 inline double normal_force(const contact_law& law, double penetration, double rate) {
@@ -377,7 +383,8 @@ inline std::vector<element> in_contacts() {
       {"contact with Coulomb friction", n::dissipative, 1.5, 0.6, 0, coulomb_in, coulomb},
       {"contact with Stribeck friction", n::dissipative, 1, 0, 0, stribeck_in, stribeck},
       {"contact with viscous friction", n::dissipative, 1, 0.6, 0, viscous_in, viscous},
-      {"contact with rolling resistance", n::dissipative, 1.5, 0.6, 0.2}};
+      {"contact with rolling resistance", n::dissipative, 1.5, 0.6, 0.2},
+      {"contact with spinning resistance", n::dissipative, 1.5, 0.6, 0, nullptr, nullptr, 0.3}};
   mechanisms::arm counted;
   std::vector<element> all;
   for (std::size_t i = 0; i < all_shapes(counted).size(); ++i)
@@ -385,7 +392,7 @@ inline std::vector<element> in_contacts() {
   for (std::size_t i = 0; i < all_shapes(counted).size(); ++i)
     for (const contact_law& law : laws) {
       const shapes_in_contact shapes = all_shapes(counted)[i];
-      if (law.lever > 0 && !shapes.has_frame) continue;
+      if (law.lever + law.spinning_lever > 0 && !shapes.has_frame) continue;
       element e{law.name + ", " + shapes.name, law.is, {}, {}};
       e.build = [i, law] {
         mechanisms::arm b;
@@ -394,6 +401,7 @@ inline std::vector<element> in_contacts() {
         if (law.damping > 0) data.damping = law.damping;
         if (law.friction != nullptr) data.friction = law.friction(b);
         if (law.lever > 0) data.rolling = {b.number(law.lever), b.number(0.1)};
+        if (law.spinning_lever > 0) data.spinning = {b.number(law.spinning_lever), b.number(0.2)};
         s.add(data);
         const std::vector<expression> measured = measured_in(b, s);
         return mechanism_with_element{derive(b), measured};
@@ -401,7 +409,9 @@ inline std::vector<element> in_contacts() {
       e.power = [law](const VectorXd& m) {
         const double v = std::sqrt(m[2]), pressing = normal_force(law, m[0], m[1]);
         const double sliding = law.coefficient == nullptr ? 0 : law.coefficient(v) * v;
-        return -pressing * (m[1] + sliding + law.lever * m[3] / std::sqrt(m[3] + 0.01));
+        const double rolling = law.lever * m[3] / std::sqrt(m[3] + 0.01),
+                     spinning = law.spinning_lever * m[4] / std::sqrt(m[4] + 0.04);
+        return -pressing * (m[1] + sliding + rolling + spinning);
       };
       all.push_back(e);
     }
