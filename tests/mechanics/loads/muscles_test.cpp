@@ -118,15 +118,16 @@ VectorXd rates_of(Model& rates, double length, double rate, double state, double
   return rates(Eigen::Vector3d(length, rate, state), VectorXd(0), VectorXd::Constant(1, activation));
 }
 
+auto rates_with(muscle_formulation formulation) {
+  pulled b;
+  b.muscle("M", b.straight(b.o, b.p), b.e, some_muscle(formulation));
+  auto model = kanexpr::derive(b);
+  return model.function(model.get(quantity::rhs));
+}
+
 TEST(muscles, formulations_agree) {
-  pulled by_force, by_length;
-  by_force.muscle("M", by_force.straight(by_force.o, by_force.p), by_force.e,
-                  some_muscle(muscle_formulation::tendon_force));
-  by_length.muscle("M", by_length.straight(by_length.o, by_length.p), by_length.e,
-                   some_muscle(muscle_formulation::fiber_length));
-  auto first = kanexpr::derive(by_force), second = kanexpr::derive(by_length);
-  auto of_force = first.function(first.get(quantity::rhs)),
-       of_length = second.function(second.get(quantity::rhs));
+  auto of_force = rates_with(muscle_formulation::tendon_force),
+       of_length = rates_with(muscle_formulation::fiber_length);
   random_numbers source;
   for (int k = 0; k < 200; ++k) {
     const double fiber = source.between(0.5, 1.5), strain = source.between(-0.01, 0.06),
@@ -209,14 +210,8 @@ TEST(muscles, act_along_every_pathway) {
 }
 
 TEST(muscles, rest_in_equilibrium) {
-  pulled by_force, by_length;
-  by_force.muscle("M", by_force.straight(by_force.o, by_force.p), by_force.e,
-                  some_muscle(muscle_formulation::tendon_force));
-  by_length.muscle("M", by_length.straight(by_length.o, by_length.p), by_length.e,
-                   some_muscle(muscle_formulation::fiber_length));
-  auto first = kanexpr::derive(by_force), second = kanexpr::derive(by_length);
-  auto of_force = first.function(first.get(quantity::rhs)),
-       of_length = second.function(second.get(quantity::rhs));
+  auto of_force = rates_with(muscle_formulation::tendon_force),
+       of_length = rates_with(muscle_formulation::fiber_length);
   constexpr muscle_parameters same{.peak_isometric_force = 700,
                                    .optimal_fiber_length = 0.11,
                                    .tendon_slack_length = 0.24,
