@@ -22,6 +22,8 @@ struct step_plan {
   static constexpr int sine_and_cosine = -1, first_linear_step = -2,
                        first_vector_step = first_linear_step - tape.sizes.linear_steps;
   static constexpr int component = static_cast<int>(operation::component);
+  /// A lane of a vector that nothing reads by itself.
+  static constexpr int unread = static_cast<int>(operation::constant);
 
   static constexpr std::size_t steps = tape.sizes.steps > 0 ? static_cast<std::size_t>(tape.sizes.steps) : 1;
   int what[steps]{};
@@ -37,7 +39,10 @@ struct step_plan {
     if constexpr (with_vectors)
       for (int i = 0; i < tape.sizes.vector_steps; ++i)
         for (int lane = 0; lane < lanes; ++lane)
-          what[tape.vector_steps[i] + lane] = lane == 0 ? first_vector_step - i : component;
+          what[tape.vector_steps[i] + lane] = lane == 0 ? first_vector_step - i
+                                              : vector_plan<Code>.is_read_alone[tape.vector_steps[i] + lane]
+                                                  ? component
+                                                  : unread;
     for (int i = tape.sizes.first_angle + 2 * tape.sizes.angles; i < tape.sizes.steps; ++i)
       if (uses_aside(what[i])) aside[i] = aside_count++;
   }
@@ -154,6 +159,8 @@ private:
     if constexpr (what <= plan.first_vector_step) {
       vector_step<Code, Number>::template evaluate<plan.first_vector_step - what>(slot, vectors, aside);
       return *aside;
+    } else if constexpr (what == plan.unread) {
+      return Number{};
     } else {
       return take<what>(a, b, aside, slot);
     }

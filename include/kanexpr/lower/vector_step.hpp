@@ -5,6 +5,7 @@
 #include <kanexpr/symbolic/graph/operation.hpp>
 
 #include <type_traits>
+#include <utility>
 
 namespace kanexpr::lower {
 
@@ -49,7 +50,9 @@ struct vector_operands {
   static constexpr std::size_t count = tape.sizes.vector_steps > 0
                                            ? static_cast<std::size_t>(tape.sizes.vector_steps)
                                            : 1;
+  static constexpr std::size_t steps = tape.sizes.steps > 0 ? static_cast<std::size_t>(tape.sizes.steps) : 1;
   vector_operand a[count]{}, b[count]{};
+  bool is_read_alone[steps]{}; ///< whether a step's value is needed outside of a vector
 
   constexpr vector_operands() {
     sequence<int> step_at(tape.slot_count(), -1);
@@ -59,9 +62,25 @@ struct vector_operands {
       b[i] = operand(tape.b + step, step_at);
       step_at[tape.first_step() + step] = i;
     }
+    int next = 0;
+    for (int i = 0; i < tape.sizes.steps;) {
+      if (next < tape.sizes.vector_steps && tape.vector_steps[next] == i) {
+        if (a[next].from != vector_operand::source::vector) read(tape.a + i, lanes);
+        if (b[next].from != vector_operand::source::vector) read(tape.b + i, lanes);
+        i += lanes, ++next;
+      } else {
+        read(tape.a + i, 1), read(tape.b + i, 1);
+        ++i;
+      }
+    }
+    read(tape.results, tape.sizes.results);
   }
 
 private:
+  constexpr void read(const int* slot, int many) {
+    for (int i = 0; i < many; ++i)
+      if (slot[i] >= tape.first_step()) is_read_alone[slot[i] - tape.first_step()] = true;
+  }
   static constexpr vector_operand operand(const int* slot, const sequence<int>& step_at) {
     bool same = true, consecutive = step_at[slot[0]] >= 0;
     for (int i = 1; i < lanes; ++i) {
@@ -74,11 +93,14 @@ private:
   }
 };
 
+template <class Code>
+inline constexpr vector_operands<Code> vector_plan{};
+
 /// Evaluates steps of several columns as one operation on vectors, with the same bits.
 template <class Code, class Number>
 class vector_step {
   static constexpr const auto& tape = Code::tape;
-  static constexpr vector_operands<Code> operands{};
+  static constexpr const vector_operands<Code>& operands = vector_plan<Code>;
   using vector = vector_of<Number>;
 
 public:
@@ -102,10 +124,18 @@ public:
       else
         vectors[index] = a / b;
     }
-    for (int i = 0; i < lanes; ++i) out[i] = vectors[index][i];
+    copy<step>(vectors[index], out, std::make_integer_sequence<int, lanes>{});
   }
 
 private:
+  template <int step, int... lane>
+  [[gnu::always_inline]] static void copy(const vector& from, Number* out,
+                                          std::integer_sequence<int, lane...>) noexcept {
+    int next = 0;
+    static_cast<void>(next);
+    ((lane == 0 || operands.is_read_alone[step + lane] ? void(out[next++] = from[lane]) : void()), ...);
+  }
+
   static consteval int slot_of(int step, bool second) { return second ? tape.b[step] : tape.a[step]; }
 
   /// Whether all lanes add, or all subtract, and so on.
