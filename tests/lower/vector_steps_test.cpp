@@ -74,7 +74,7 @@ void check() {
   constexpr int results = together::tape.sizes.results;
   EXPECT_GE(together::tape.sizes.vector_steps, columns / lower::lanes * order);
   EXPECT_EQ(together::tape.sizes.steps, alone::tape.sizes.steps);
-  runtime::interpreter<double, lower::tape_view> interpreted(lower::tape_view(together::tape));
+  runtime::interpreter<double, lower::tape_view> interpreted{lower::tape_view(together::tape)};
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> any(-1, 1);
   for (int turn = 0; turn < 20; ++turn) {
@@ -85,7 +85,7 @@ void check() {
     const auto slots = lower::constant_slots<together::tape>(
         [&](const lower::load& l) { return x[static_cast<std::size_t>(l.position)]; });
     interpreted.evaluate([&](const lower::load& l) { return x[static_cast<std::size_t>(l.position)]; },
-                         found);
+                         found.data());
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       EXPECT_EQ(std::bit_cast<std::uint64_t>(given[i]), std::bit_cast<std::uint64_t>(wanted[i])) << i;
       EXPECT_EQ(std::bit_cast<std::uint64_t>(found[i]), std::bit_cast<std::uint64_t>(wanted[i])) << i;
