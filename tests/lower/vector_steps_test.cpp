@@ -41,7 +41,8 @@ constexpr lower::tape solutions(int columns, unsigned seed, bool side_by_side) {
     for (const expression& x : factors.solve(b).x) outputs.push(x.node()), column.push(j);
   }
   lower::tape code = lower::tape_of(g, outputs);
-  return side_by_side ? lower::with_vector_steps(static_cast<lower::tape&&>(code), column) : code;
+  if (!side_by_side) return code;
+  return lower::with_vector_steps(static_cast<lower::tape&&>(code), column);
 }
 
 template <int columns, unsigned seed, bool side_by_side>
