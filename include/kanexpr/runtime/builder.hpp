@@ -481,6 +481,9 @@ private:
   bool owns_pathway(std::string_view whose, const pathway& along);
   expression state_of_block(std::string_view letter, std::string_view block, int number = 0);
   void equate(expression state, expression left, expression right);
+  void must_be_positive(std::string_view what, std::string_view whose, expression value);
+  /// A number or an expression; the integer 0 is a mistake.
+  expression as_nonzero(const number_or_expression& given, std::string_view what);
   base::sequence<expression> arguments_of_block(std::string_view block,
                                                 std::initializer_list<number_or_expression> given);
   bool owns_path_load(std::string_view whose, const pathway& along, const base::sequence<expression>& terms);

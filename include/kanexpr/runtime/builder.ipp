@@ -133,6 +133,11 @@ KANEXPR_ENGINE expression builder::as_expression(const number_or_expression& giv
   return std::get<expression>(given.held());
 }
 
+KANEXPR_ENGINE expression builder::as_nonzero(const number_or_expression& given, std::string_view what) {
+  if (given.is_whole_zero()) checks_.fail_integer_zero(sentence({what, " is 0"}).view());
+  return as_expression(given);
+}
+
 KANEXPR_ENGINE bool builder::not_all_zero(std::initializer_list<const number_or_expression*> given,
                                           std::string_view whose) {
   for (const number_or_expression* each : given)

@@ -46,6 +46,14 @@ KANEXPR_ENGINE void builder::equate(expression state, expression left, expressio
     system_.loads.state_rates.push(solved.found);
 }
 
+/// Requires a constant of a block or a motor to be positive.
+KANEXPR_ENGINE void builder::must_be_positive(std::string_view what, std::string_view whose,
+                                              expression value) {
+  base::name of = what;
+  of.append(whose);
+  if (!mistake()) system_.loads.positive_constants.push({value, of});
+}
+
 /// The arguments of a block as expressions; empty if they are not valid.
 KANEXPR_ENGINE base::sequence<expression>
 builder::arguments_of_block(std::string_view block, std::initializer_list<number_or_expression> given) {
@@ -65,6 +73,7 @@ KANEXPR_ENGINE expression builder::lag(std::string_view called, expression input
   if (given.empty()) return m_.zero();
   const expression y = state_of_block("y", called);
   if (!mistake()) equate(y, given[1] * dot(y), given[0] - y);
+  must_be_positive("the time constant of block ", called, given[1]);
   return y;
 }
 
@@ -74,6 +83,8 @@ KANEXPR_ENGINE expression builder::slew_limit(std::string_view called, expressio
   const base::sequence<expression> given = arguments_of_block(called, {input, rate, time});
   if (given.empty()) return m_.zero();
   const expression y = state_of_block("y", called);
+  must_be_positive("the rate of block ", called, given[1]);
+  must_be_positive("the time constant of block ", called, given[2]);
   if (!mistake()) equate(y, dot(y), describe::limited_rate(given[0], y, given[1], given[2]));
   return y;
 }
@@ -99,6 +110,7 @@ KANEXPR_ENGINE expression builder::delay(std::string_view called, int order, exp
     const expression right = (2.0 * i + 1) * forced;
     equate(m[i], given[1] * dot(m[i]), right);
   }
+  must_be_positive("the time of block ", called, given[1]);
   return output;
 }
 
@@ -124,6 +136,7 @@ KANEXPR_ENGINE expression builder::pid(std::string_view called, expression devia
   const expression v = given[1] * given[0] + s;
   const expression limited = describe::limited_output(v, given[3], given[4]);
   equate(s, dot(s), describe::rate_of_integral_part(given[0], given[2], limited, v, given[5]));
+  must_be_positive("the time constant of the integral part of block ", called, given[5]);
   return limited;
 }
 
@@ -136,6 +149,7 @@ KANEXPR_ENGINE expression builder::pid(std::string_view called, expression devia
   if (mistake()) return m_.zero();
   equate(s, dot(s), given[2] * given[0]);
   equate(d, given[4] * dot(d), given[0] - d);
+  must_be_positive("the time constant of the filter of block ", called, given[4]);
   return describe::unlimited_output(given[0], s, d, given[1], given[3], given[4]);
 }
 
@@ -153,6 +167,8 @@ KANEXPR_ENGINE expression builder::pid(std::string_view called, expression devia
   const expression limited = describe::limited_output(v, given[5], given[6]);
   equate(s, dot(s), describe::rate_of_integral_part(given[0], given[2], limited, v, given[7]));
   equate(d, given[4] * dot(d), given[0] - d);
+  must_be_positive("the time constant of the integral part of block ", called, given[7]);
+  must_be_positive("the time constant of the filter of block ", called, given[4]);
   return limited;
 }
 
@@ -162,6 +178,8 @@ KANEXPR_ENGINE expression builder::muscle_activation(std::string_view called, ex
   const base::sequence<expression> given = arguments_of_block(called, {excitation, Ta, Td});
   if (given.empty()) return m_.zero();
   const expression a = state_of_block("a", called);
+  must_be_positive("the time of activation of block ", called, given[1]);
+  must_be_positive("the time of deactivation of block ", called, given[2]);
   if (!mistake()) equate(a, dot(a), describe::activation_rate(a, given[0], given[1], given[2]));
   return a;
 }
@@ -174,6 +192,8 @@ KANEXPR_ENGINE dc_motor_states builder::dc_motor(std::string_view called, expres
                                   data.gear_ratio, data.friction, speed});
   if (given.empty()) return none;
   const expression k = given[3], n = given[4], b = given[5], u = given[6];
+  must_be_positive("the resistance of the motor ", called, given[1]);
+  must_be_positive("the inductance of the motor ", called, given[2]);
   expression resistance = given[1];
   dc_motor_states states{state_of_block("i", called), {}, {}};
   if (data.winding) {
@@ -182,6 +202,8 @@ KANEXPR_ENGINE dc_motor_states builder::dc_motor(std::string_view called, expres
                                     data.winding->thermal_resistance});
     if (winding.empty()) return none;
     states.heating = state_of_block("heat", called);
+    must_be_positive("the heat capacity of the motor ", called, winding[1]);
+    must_be_positive("the thermal resistance of the motor ", called, winding[2]);
     resistance = describe::warm_resistance(resistance, winding[0], states.heating);
     if (!mistake())
       equate(states.heating, winding[1] * dot(states.heating),
@@ -233,8 +255,9 @@ KANEXPR_ENGINE muscle_states builder::muscle(std::string_view called, const path
                                             &data.tendon_strain,
                                             &data.passive_strain};
   base::sequence<expression> terms{excitation};
-  for (std::size_t i = 0; i < std::size(given); ++i) terms.push(*values[i] = as_expression(*given[i]));
-  const sentence whose({"the muscle ", called});
+  const sentence whose({"the muscle ", called}), value({"a parameter of the muscle ", called});
+  for (std::size_t i = 0; i < std::size(given); ++i)
+    terms.push(*values[i] = as_nonzero(*given[i], value.view()));
   if (!owns_path_load(whose.view(), along, terms)) return states;
   states.activation =
       data.has_activation_dynamics

@@ -17,7 +17,7 @@ namespace kanexpr::runtime {
 
 KANEXPR_ENGINE expression builder::value_of(const tyre_data::value& given) {
   if (!given) return {};
-  const expression e = as_expression(*given);
+  const expression e = as_nonzero(*given, "a value of a tyre");
   checks_.owns("a tyre", e);
   return e;
 }
@@ -29,7 +29,8 @@ KANEXPR_ENGINE mechanics::tyre_law builder::law_of(const tyre_data& data) {
     using coefficients = mechanics::tyre_law::coefficients;
     law.formula.push({});
     const auto set = [&](expression& to, const tyre_data::value& given, double omitted) {
-      to = given ? value_of(given) : m_.number(omitted);
+      const bool is_zero = given && given->is_whole_zero(); // in tables of coefficients, 0 is usual
+      to = given && !is_zero ? value_of(given) : m_.number(is_zero ? 0 : omitted);
     };
     coefficients::each_coefficient(law.formula[0], [&](auto&... to) {
       tyre_data::coefficients::each_coefficient(data.formula, [&](auto&... c) { (set(to, c, 0), ...); });

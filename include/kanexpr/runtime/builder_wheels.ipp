@@ -15,7 +15,8 @@ namespace kanexpr::runtime {
 KANEXPR_ENGINE wheel_on_ground builder::wheel_on(const wheel_data& wheel, point_id ground) {
   wheel_on_ground w;
   w.point = place(wheel.center), w.frame = place(wheel.frame), w.against = place(ground);
-  w.radius = as_expression(wheel.radius), w.tube = as_expression(wheel.tube);
+  w.radius = as_nonzero(wheel.radius, "the radius of a wheel");
+  w.tube = as_nonzero(wheel.tube, "the radius of the tube of a wheel");
   if (checks_.owns("a wheel", wheel.center, wheel.frame, ground, w.radius, w.tube))
     set_direction(w.axis, w.axis_frame, wheel.axis, "a wheel");
   return w;
@@ -40,7 +41,8 @@ KANEXPR_ENGINE wheel_on_ground builder::wheel_on_height(const wheel_data& wheel,
 KANEXPR_ENGINE wheel_on_ground builder::wheel_on_rail(const wheel_data& wheel, const rail_data& rail) {
   wheel_on_ground w = wheel_on(wheel, rail.on_top);
   w.rim = mechanics::rim_shape::conical, w.ground = mechanics::ground_shape::rail;
-  w.conicity = as_expression(wheel.conicity), w.head = as_expression(rail.radius);
+  w.conicity = as_nonzero(wheel.conicity, "the conicity of a wheel");
+  w.head = as_nonzero(rail.radius, "the radius of the head of a rail");
   checks_.owns("a wheel", w.conicity, w.head);
   int frame = mechanics::none;
   if (set_direction(w.normal, w.other, rail.up, "a rail") &&
