@@ -509,6 +509,7 @@ private:
   wheel_on_ground wheel_on(const wheel_data& wheel, point_id ground);
   wheel_on_ground wheel_on_height(const wheel_data& wheel, point_id origin, frame_id of, expression height,
                                   int steps);
+  bool owns_wheel(std::string_view whose, const wheel_on_ground& wheel);
   void add_contact(const mechanics::contact_geometry& between, const contact_data& data);
   bool has_contact(int numbered, const mechanics::known_motion& known);
   expression value_of(const tyre_data::value& given);

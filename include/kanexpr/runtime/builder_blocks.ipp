@@ -8,6 +8,7 @@
 #include <kanexpr/describe/blocks/delay.hpp>
 #include <kanexpr/describe/blocks/lag.hpp>
 #include <kanexpr/describe/blocks/pid.hpp>
+#include <kanexpr/mechanics/checks/check_name.hpp>
 #include <kanexpr/mechanics/loads/muscle.hpp>
 #include <kanexpr/mechanics/loads/muscle_parameters.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
@@ -58,6 +59,7 @@ KANEXPR_ENGINE void builder::must_be_positive(std::string_view what, std::string
 KANEXPR_ENGINE base::sequence<expression>
 builder::arguments_of_block(std::string_view block, std::initializer_list<number_or_expression> given) {
   base::sequence<expression> all;
+  if (const sentence found = mechanics::check_name(block, "blocks")) checks_.fail({found.view()});
   const sentence whose({"block ", block}), zero({"an argument of block ", block, " is 0"});
   for (const number_or_expression& each : given)
     if (each.is_whole_zero())
@@ -137,6 +139,7 @@ KANEXPR_ENGINE expression builder::pid(std::string_view called, expression devia
   const expression limited = describe::limited_output(v, given[3], given[4]);
   equate(s, dot(s), describe::rate_of_integral_part(given[0], given[2], limited, v, given[5]));
   must_be_positive("the time constant of the integral part of block ", called, given[5]);
+  must_be_positive("the distance between the limits of block ", called, given[4] - given[3]);
   return limited;
 }
 
@@ -168,6 +171,7 @@ KANEXPR_ENGINE expression builder::pid(std::string_view called, expression devia
   equate(s, dot(s), describe::rate_of_integral_part(given[0], given[2], limited, v, given[7]));
   equate(d, given[4] * dot(d), given[0] - d);
   must_be_positive("the time constant of the integral part of block ", called, given[7]);
+  must_be_positive("the distance between the limits of block ", called, given[6] - given[5]);
   must_be_positive("the time constant of the filter of block ", called, given[4]);
   return limited;
 }
@@ -258,6 +262,7 @@ KANEXPR_ENGINE muscle_states builder::muscle(std::string_view called, const path
   const sentence whose({"the muscle ", called}), value({"a parameter of the muscle ", called});
   for (std::size_t i = 0; i < std::size(given); ++i)
     terms.push(*values[i] = as_nonzero(*given[i], value.view()));
+  if (!checks_.is_new("muscles", called, system_.loads.muscles)) return states;
   if (!owns_path_load(whose.view(), along, terms)) return states;
   states.activation =
       data.has_activation_dynamics

@@ -42,6 +42,10 @@ KANEXPR_ENGINE mechanics::tyre_law builder::law_of(const tyre_data& data) {
     if (!missing.empty()) checks_.fail({"a tyre has a magic formula without the coefficient ", missing});
     return law;
   }
+  if (!data.slip_stiffness || !data.cornering_stiffness)
+    checks_.fail({"a tyre has no ", data.slip_stiffness ? "cornering" : "slip", " stiffness"});
+  if (law.model == mechanics::tyre_model::brush && !data.friction)
+    checks_.fail({"a tyre has no coefficient of friction"});
   const auto or_zero = [&](const tyre_data::value& given) { return given ? value_of(given) : m_.zero(); };
   const auto set_elastic = [&](auto& to) {
     to.slip_stiffness = or_zero(data.slip_stiffness);
@@ -56,6 +60,7 @@ KANEXPR_ENGINE mechanics::tyre_law builder::law_of(const tyre_data& data) {
 }
 
 KANEXPR_ENGINE void builder::tyre(const wheel_on_ground& wheel, const tyre_data& data) {
+  if (checks_.mistake() || !owns_wheel("a tyre", wheel)) return;
   mechanics::tyre t;
   t.wheel = wheel, t.law = law_of(data);
   t.load = value_of(data.load), t.standstill = value_of(data.standstill);

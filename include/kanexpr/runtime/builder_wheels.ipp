@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/name.hpp>
 #include <kanexpr/mechanics/loads/wheel_contact.hpp>
 #include <kanexpr/mechanics/loads/wheel_on_ground.hpp>
 #include <kanexpr/mechanics/loads/wheel_shapes.hpp>
@@ -31,6 +32,8 @@ KANEXPR_ENGINE wheel_on_ground builder::wheel_on_plane(const wheel_data& wheel, 
 
 KANEXPR_ENGINE wheel_on_ground builder::wheel_on_height(const wheel_data& wheel, point_id origin, frame_id of,
                                                         expression height, int steps) {
+  if (steps < 0 || steps > 9)
+    checks_.fail({"expected 0 to 9 steps to the lowest point of a wheel, got ", base::counted(steps).view()});
   wheel_on_ground w = wheel_on(wheel, origin);
   w.ground = mechanics::ground_shape::uneven;
   w.other = place(of), w.height = height, w.steps = steps;
@@ -51,8 +54,21 @@ KANEXPR_ENGINE wheel_on_ground builder::wheel_on_rail(const wheel_data& wheel, c
   return w;
 }
 
+/// Checks that a wheel was returned by a function of this builder.
+KANEXPR_ENGINE bool builder::owns_wheel(std::string_view whose, const wheel_on_ground& wheel) {
+  if (!wheel.radius.is_given()) return checks_.fail({whose, " is on a wheel that has no radius"});
+  const auto is_owned = [&](const mechanics::components& v) {
+    return !v.x.is_given() || checks_.owns(whose, v);
+  };
+  for (const expression& e : {wheel.radius, wheel.tube, wheel.conicity, wheel.head, wheel.height})
+    if (e.is_given() && !checks_.owns(whose, e)) return false;
+  return checks_.owns(whose, point_id{wheel.point}, point_id{wheel.against}, frame_id{wheel.frame},
+                      frame_id{wheel.other}, frame_id{wheel.axis_frame}) &&
+         is_owned(wheel.axis) && is_owned(wheel.normal) && is_owned(wheel.along);
+}
+
 KANEXPR_ENGINE point_id builder::contact_point(std::string_view called, const wheel_on_ground& wheel) {
-  if (checks_.mistake()) return {};
+  if (checks_.mistake() || !owns_wheel(called, wheel)) return {};
   vector down;
   down.add(wheel.other, wheel.contact(m_).lowest);
   const point_id at = offset(called, point_id{wheel.point}, down);

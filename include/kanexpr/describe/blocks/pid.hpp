@@ -81,8 +81,10 @@ struct pid_law {
   template <const positive_argument&... others>
   static constexpr block_record limited(const block_record& r) {
     if constexpr (is_limited)
-      return requiring<positive_of<"the time constant of the integral part of ", argument<least + 2>>,
-                       others...>(r);
+      return requiring<
+          positive_of<"the time constant of the integral part of ", argument<least + 2>>,
+          positive_of<"the distance between the limits of ", argument<least + 1> - argument<least>>,
+          others...>(r);
     else
       return requiring<others...>(r);
   }
