@@ -147,7 +147,7 @@ TEST(simulated_model, reports_constants_of_loads_that_make_no_sense) {
   const expression w = b.parameter("w"), T = b.parameter("T");
   b.kinematic_equation(b.dot(z) - v);
   const auto n = b.inertial_frame();
-  const point_id o = b.origin("O"), c = b.offset("C", o, b.along(n, 0, 0, z));
+  const auto o = b.origin("O"), c = b.offset("C", o, b.along(n, 0, 0, z));
   b.particle("Ball", c, b.number(1));
   runtime::contact_data data{.stiffness = k, .width = 2 * w};
   data.restitution = {0.5, w / r};
