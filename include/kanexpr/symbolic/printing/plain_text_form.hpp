@@ -5,7 +5,7 @@
 #include <kanexpr/symbolic/graph/graph.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/graph/symbol.hpp>
-#include <kanexpr/symbolic/linear/solve.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
 #include <kanexpr/symbolic/printing/print.hpp>
 #include <kanexpr/symbolic/printing/short_text.hpp>
 #include <kanexpr/symbolic/printing/text_with_parts.hpp>

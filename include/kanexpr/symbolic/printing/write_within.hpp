@@ -3,6 +3,7 @@
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/linear/linear_system.hpp>
 #include <kanexpr/symbolic/printing/named_parts.hpp>
 #include <kanexpr/symbolic/printing/text_with_parts.hpp>
 
