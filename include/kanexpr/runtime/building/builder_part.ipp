@@ -23,8 +23,7 @@ KANEXPR_ENGINE expression builder_part::as_expression(const number_or_expression
   return std::get<expression>(given.held());
 }
 
-KANEXPR_ENGINE expression builder_part::as_nonzero(const number_or_expression& given,
-                                                   std::string_view what) {
+KANEXPR_ENGINE expression builder_part::as_nonzero(const number_or_expression& given, std::string_view what) {
   if (given.is_whole_zero()) checks_.fail_integer_zero(sentence({what, " is 0"}).view());
   return as_expression(given);
 }

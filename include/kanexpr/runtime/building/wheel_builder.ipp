@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/name.hpp>
 #include <kanexpr/mechanics/loads/wheel_contact.hpp>
 #include <kanexpr/mechanics/loads/wheel_on_ground.hpp>
 #include <kanexpr/mechanics/loads/wheel_shapes.hpp>
@@ -31,6 +32,8 @@ KANEXPR_ENGINE wheel_on_ground wheel_builder::wheel_on_plane(const wheel_data& w
 
 KANEXPR_ENGINE wheel_on_ground wheel_builder::wheel_on_height(const wheel_data& wheel, point_id origin,
                                                               frame_id of, expression height, int steps) {
+  if (steps < 0 || steps > 9)
+    checks_.fail({"expected 0 to 9 steps to the lowest point of a wheel, got ", base::counted(steps).view()});
   wheel_on_ground w = wheel_on(wheel, origin);
   w.ground = mechanics::ground_shape::uneven;
   w.other = place(of), w.height = height, w.steps = steps;
@@ -52,7 +55,7 @@ KANEXPR_ENGINE wheel_on_ground wheel_builder::wheel_on_rail(const wheel_data& wh
 }
 
 KANEXPR_ENGINE point_id wheel_builder::contact_point(std::string_view called, const wheel_on_ground& wheel) {
-  if (checks_.mistake()) return {};
+  if (has_mistake() || !owns_wheel(called, wheel)) return {};
   vector down;
   down.add(wheel.other, wheel.contact(m_).lowest);
   const point_id at = points_.offset(called, point_id{wheel.point}, down);
