@@ -7,22 +7,22 @@
 #include <kanexpr/mechanics/loads/tyre_law.hpp>
 #include <kanexpr/mechanics/loads/tyre_model.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
-#include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/tyre_data.hpp>
+#include <kanexpr/runtime/building/tyre_builder.hpp>
+#include <kanexpr/runtime/building/tyre_data.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <string_view>
 
 namespace kanexpr::runtime {
 
-KANEXPR_ENGINE expression builder::value_of(const tyre_data::value& given) {
+KANEXPR_ENGINE expression tyre_builder::value_of(const tyre_data::value& given) {
   if (!given) return {};
   const expression e = as_expression(*given);
   checks_.owns("a tyre", e);
   return e;
 }
 
-KANEXPR_ENGINE mechanics::tyre_law builder::law_of(const tyre_data& data) {
+KANEXPR_ENGINE mechanics::tyre_law tyre_builder::law_of(const tyre_data& data) {
   mechanics::tyre_law law;
   law.model = data.model;
   if (law.model == mechanics::tyre_model::magic_formula) {
@@ -54,7 +54,7 @@ KANEXPR_ENGINE mechanics::tyre_law builder::law_of(const tyre_data& data) {
   return law;
 }
 
-KANEXPR_ENGINE void builder::tyre(const wheel_on_ground& wheel, const tyre_data& data) {
+KANEXPR_ENGINE void tyre_builder::tyre(const wheel_on_ground& wheel, const tyre_data& data) {
   mechanics::tyre t;
   t.wheel = wheel, t.law = law_of(data);
   t.load = value_of(data.load), t.standstill = value_of(data.standstill);
@@ -77,8 +77,8 @@ KANEXPR_ENGINE void builder::tyre(const wheel_on_ground& wheel, const tyre_data&
   if (!checks_.mistake()) system_.loads.tyres.push(t);
 }
 
-KANEXPR_ENGINE int builder::deflection(expression state_variable) {
-  const int speed = state_variable.belongs_to(*graph_) ? m_.speeds.find(state_variable) : -1;
+KANEXPR_ENGINE int tyre_builder::deflection(expression state_variable) {
+  const int speed = state_variable.belongs_to(*m_.g) ? m_.speeds.find(state_variable) : -1;
   if (speed < m_.speeds_of_motion())
     checks_.fail({"a deflection of a tyre is not a state variable"});
   else

@@ -4,15 +4,15 @@
 #include <kanexpr/mechanics/loads/wheel_on_ground.hpp>
 #include <kanexpr/mechanics/loads/wheel_shapes.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
-#include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/wheel_data.hpp>
+#include <kanexpr/runtime/building/wheel_builder.hpp>
+#include <kanexpr/runtime/building/wheel_data.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <string_view>
 
 namespace kanexpr::runtime {
 
-KANEXPR_ENGINE wheel_on_ground builder::wheel_on(const wheel_data& wheel, point_id ground) {
+KANEXPR_ENGINE wheel_on_ground wheel_builder::wheel_on(const wheel_data& wheel, point_id ground) {
   wheel_on_ground w;
   w.point = place(wheel.center), w.frame = place(wheel.frame), w.against = place(ground);
   w.radius = as_expression(wheel.radius), w.tube = as_expression(wheel.tube);
@@ -21,15 +21,15 @@ KANEXPR_ENGINE wheel_on_ground builder::wheel_on(const wheel_data& wheel, point_
   return w;
 }
 
-KANEXPR_ENGINE wheel_on_ground builder::wheel_on_plane(const wheel_data& wheel, point_id in_plane,
-                                                       const vector& normal) {
+KANEXPR_ENGINE wheel_on_ground wheel_builder::wheel_on_plane(const wheel_data& wheel, point_id in_plane,
+                                                             const vector& normal) {
   wheel_on_ground w = wheel_on(wheel, in_plane);
   set_direction(w.normal, w.other, normal, "a wheel");
   return w;
 }
 
-KANEXPR_ENGINE wheel_on_ground builder::wheel_on_height(const wheel_data& wheel, point_id origin, frame_id of,
-                                                        expression height, int steps) {
+KANEXPR_ENGINE wheel_on_ground wheel_builder::wheel_on_height(const wheel_data& wheel, point_id origin,
+                                                              frame_id of, expression height, int steps) {
   wheel_on_ground w = wheel_on(wheel, origin);
   w.ground = mechanics::ground_shape::uneven;
   w.other = place(of), w.height = height, w.steps = steps;
@@ -37,7 +37,7 @@ KANEXPR_ENGINE wheel_on_ground builder::wheel_on_height(const wheel_data& wheel,
   return w;
 }
 
-KANEXPR_ENGINE wheel_on_ground builder::wheel_on_rail(const wheel_data& wheel, const rail_data& rail) {
+KANEXPR_ENGINE wheel_on_ground wheel_builder::wheel_on_rail(const wheel_data& wheel, const rail_data& rail) {
   wheel_on_ground w = wheel_on(wheel, rail.on_top);
   w.rim = mechanics::rim_shape::conical, w.ground = mechanics::ground_shape::rail;
   w.conicity = as_expression(wheel.conicity), w.head = as_expression(rail.radius);
@@ -49,12 +49,12 @@ KANEXPR_ENGINE wheel_on_ground builder::wheel_on_rail(const wheel_data& wheel, c
   return w;
 }
 
-KANEXPR_ENGINE point_id builder::contact_point(std::string_view called, const wheel_on_ground& wheel) {
+KANEXPR_ENGINE point_id wheel_builder::contact_point(std::string_view called, const wheel_on_ground& wheel) {
   if (checks_.mistake()) return {};
   vector down;
   down.add(wheel.other, wheel.contact(m_).lowest);
-  const point_id at = offset(called, point_id{wheel.point}, down);
-  fixed_in(at, frame_id{wheel.frame});
+  const point_id at = points_.offset(called, point_id{wheel.point}, down);
+  points_.fixed_in(at, frame_id{wheel.frame});
   return at;
 }
 
