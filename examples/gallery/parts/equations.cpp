@@ -24,7 +24,7 @@ using kanexpr::symbolic::symbol_kind;
 
 namespace {
 
-constexpr int most_operations = 700; // of equations that are worth simplifying
+constexpr int most_operations = 700;           // of equations that are worth simplifying
 constexpr int most_operations_to_divide = 160; // of equations that are divided by common factors
 constexpr std::size_t most_terms = 1500;       // of the forms among which the simplest is chosen
 constexpr std::size_t longest_line = 1100;     // letters of LaTeX
