@@ -36,7 +36,7 @@ protected:
   ~builder_part() = default;
 
   /// A constant; the integer 0 is a mistake.
-  expression number(given_number value);
+  expression constant(given_number value);
   expression as_expression(const number_or_expression& given);
   /// Whether at least one of the arguments is not the integer 0.
   bool not_all_zero(std::initializer_list<const number_or_expression*> given, std::string_view whose);

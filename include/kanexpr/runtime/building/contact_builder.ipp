@@ -90,7 +90,7 @@ KANEXPR_ENGINE void contact_builder::add_contact(const mechanics::contact_geomet
     return;
   }
   c.law.stiffness = as_expression(data.stiffness), c.law.width = as_expression(data.width);
-  c.law.exponent = mechanics::contact_exponent(number(data.exponent));
+  c.law.exponent = mechanics::contact_exponent(constant(data.exponent));
   if (!c.law.exponent.is_given()) {
     checks_.fail({"the exponent of a contact is not a number from 1 to 30"});
     return;
