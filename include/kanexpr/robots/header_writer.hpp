@@ -170,7 +170,7 @@ private:
                  greatest = (std::min)(j.limits.upper, by.no_limit);
     std::vector<std::string> arguments{called};
     for (const double each : {least, greatest, stiffness, by.damping, by.width})
-      arguments.push_back(cpp::number(each));
+      arguments.push_back(each == 0 ? "0.0" : cpp::number(each)); // the integer 0 is a mistake
     return "stop<" + cpp::list(arguments) + ">";
   }
 

@@ -110,6 +110,8 @@ KANEXPR_ENGINE void pathway_builder::friction_along(const pathway& along, expres
   if (law.has_bristles() && law.bristles.deflections.size() != 1)
     checks_.fail({"the friction along a pathway has ",
                   mechanics::several(law.bristles.deflections.size(), "bristle").view(), ", expected 1"});
+  else if (!law)
+    checks_.fail({"a friction along a pathway has no law"});
   else if (law.needs_coefficient())
     checks_.fail({"a friction along a pathway has no coefficient"});
   else if (law.needs_slip_speed())
