@@ -40,7 +40,7 @@ protected:
   ~builder_part() = default;
 
   /// A constant; the integer 0 is a mistake.
-  expression number(given_number value);
+  expression constant(given_number value);
   expression as_expression(const number_or_expression& given);
   /// A number or an expression; the integer 0 is a mistake.
   expression as_nonzero(const number_or_expression& given, std::string_view what);

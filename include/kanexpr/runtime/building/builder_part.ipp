@@ -12,14 +12,14 @@
 
 namespace kanexpr::runtime {
 
-KANEXPR_ENGINE expression builder_part::number(given_number value) {
+KANEXPR_ENGINE expression builder_part::constant(given_number value) {
   if (value.is_whole_zero()) checks_.fail_integer_zero("the argument of number is 0");
   if (!symbolic::is_finite(value.value())) checks_.fail({"the argument of number is not finite"});
   return m_.number(value.value());
 }
 
 KANEXPR_ENGINE expression builder_part::as_expression(const number_or_expression& given) {
-  if (const given_number* value = std::get_if<given_number>(&given.held())) return number(value->value());
+  if (const given_number* value = std::get_if<given_number>(&given.held())) return constant(value->value());
   return std::get<expression>(given.held());
 }
 

@@ -93,7 +93,7 @@ KANEXPR_ENGINE void contact_builder::add_contact(const mechanics::contact_geomet
   }
   c.law.stiffness = as_nonzero(data.stiffness, "the stiffness of a contact");
   c.law.width = as_nonzero(data.width, "the width of a contact");
-  c.law.exponent = mechanics::contact_exponent(number(data.exponent));
+  c.law.exponent = mechanics::contact_exponent(constant(data.exponent));
   if (!c.law.exponent.is_given()) {
     checks_.fail({"the exponent of a contact is not a number from 1 to 30"});
     return;

@@ -46,7 +46,7 @@ public:
   void lagrangian(expression energy);
   expression time() { return checks_.take_time(), m_.time; }
   /// A constant; write zero as 0.0.
-  expression number(given_number value) { return builder_part::number(value); }
+  expression number(given_number value) { return constant(value); }
 
   /// The rate of a coordinate, speed, state variable or prescribed quantity.
   expression dot(expression e);
