@@ -27,7 +27,7 @@ using kanexpr::derivation::request;
 using kanexpr::derivation::stage;
 using kanexpr::mechanics::quantity;
 
-std::unique_ptr<image> store(const derived_system& system) {
+std::unique_ptr<image> store(derived_system& system) {
   auto stored = std::make_unique<image>();
   system.write(*stored);
   return stored;

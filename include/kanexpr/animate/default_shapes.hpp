@@ -145,11 +145,11 @@ private:
   /// Whether no load before this one acts along the same line around a surface.
   bool is_first_on_its_line(int load) const {
     const auto line_of = [&](int i) {
-      const mechanics::pathway& p = system_.loads.path_loads[i].along;
+      const mechanics::pathway& p = path_loads_[i].along;
       return std::tuple(p.form, p.points[0], p.points.back(), p.center, p.surface.sense);
     };
     for (int i = 0; i < load; ++i)
-      if (system_.loads.path_loads[i].along.is_around_surface() && line_of(i) == line_of(load)) return false;
+      if (path_loads_[i].along.is_around_surface() && line_of(i) == line_of(load)) return false;
     return true;
   }
   void add_wrapped_cable(int load);
@@ -164,6 +164,7 @@ private:
   double lowest(const Eigen::Vector3d& up) const;
 
   const mechanics::multibody_system& system_;
+  const base::sequence<mechanics::path_load> path_loads_ = system_.loads.all<mechanics::path_load>();
   const mechanics::mechanism& m_;
   const rigid_parts& parts_;
   const recorded_poses& poses_;
@@ -377,7 +378,7 @@ inline void default_shapes::add_springs() {
 
 /// A cable around a surface, and the surface itself.
 inline void default_shapes::add_wrapped_cable(int load) {
-  const mechanics::pathway& along = system_.loads.path_loads[load].along;
+  const mechanics::pathway& along = path_loads_[load].along;
   numeric::wrapped_surface around = first_.surfaces[static_cast<std::size_t>(load)];
   const Eigen::Vector3d axis = poses_.frame(along.frame, 0).transpose() * around.axis; // in the frame
   const std::string ends = name_of_point(along.points[0]) + " to " + name_of_point(along.points.back());
@@ -416,12 +417,12 @@ inline void default_shapes::add_pathways() {
                   std::string(of_springs), {0.012 * length_}, points[i - 1], points[i]);
     }
   };
-  for (int n = 0; n < system_.loads.path_loads.size(); ++n) {
-    const mechanics::pathway& along = system_.loads.path_loads[n].along;
+  for (int n = 0; n < path_loads_.size(); ++n) {
+    const mechanics::pathway& along = path_loads_[n].along;
     if (along.is_around_surface() && is_first_on_its_line(n)) add_wrapped_cable(n);
     add_segments(along);
   }
-  for (const mechanics::muscle& each : system_.loads.muscles) add_segments(each.along);
+  for (const mechanics::muscle& each : system_.loads.all<mechanics::muscle>()) add_segments(each.along);
 }
 
 /// The least height of the shapes along the motion.

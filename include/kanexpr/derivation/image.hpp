@@ -3,6 +3,7 @@
 #include <kanexpr/base/members.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/describe/record.hpp>
+#include <kanexpr/mechanics/loads/element.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
@@ -47,6 +48,9 @@ struct image {
 
   int externals = 0;
   const symbolic::external_function* external[most_externals]{};
+
+  int kinds = 0;
+  const mechanics::element_kind* kind[most_entities]{};
 
   /// Whether a part was omitted because an array was full.
   bool is_full = false;
@@ -135,6 +139,12 @@ public:
     else if (has_room(into_->points, image::most_entities))
       into_->point[into_->points++] = r;
   }
+  constexpr void operator()(const mechanics::element_kind*& kind) {
+    if (!writes_)
+      kind = from_->kind[next_kind_++];
+    else if (has_room(into_->kinds, image::most_entities))
+      into_->kind[into_->kinds++] = kind;
+  }
   constexpr void operator()(const mechanics::mechanism*& m) { // there is only one
     if (!writes_) m = m_;
   }
@@ -203,7 +213,7 @@ private:
   const image* from_ = nullptr;
   symbolic::graph* g_ = nullptr;
   const mechanics::mechanism* m_ = nullptr;
-  int next_integer_ = 0, next_frame_ = 0, next_point_ = 0;
+  int next_integer_ = 0, next_frame_ = 0, next_point_ = 0, next_kind_ = 0;
 };
 
 constexpr image_transfer::image_transfer(image& into, const symbolic::graph& g)

@@ -245,7 +245,7 @@ KANEXPR_ENGINE muscle_states builder::muscle(std::string_view called, const path
         state_of_block(data.formulation == muscle_formulation::tendon_force ? "F" : "l", called);
   made.activation = states.activation, made.tendon_state = states.tendon_state;
   if (mistake()) return states;
-  system_.loads.muscles.push(made);
+  system_.loads.add(made);
   if (made.tendon_state.is_given())
     system_.loads.state_rates.push({m_.speeds.find(made.tendon_state), {}, {}});
   return states;

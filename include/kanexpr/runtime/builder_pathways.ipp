@@ -157,7 +157,7 @@ KANEXPR_ENGINE void builder::bushing(frame_id on, point_id at, frame_id base, po
   b.frame = place(on), b.against = place(base), b.place = place(at), b.base = place(base_point);
   for (const expression& k : stiffnesses) b.stiffness.push(k);
   for (std::size_t i = 0; i < 6; ++i) b.damping.push(dampings.empty() ? m_.zero() : dampings[i]);
-  if (checks_.owns("a bushing", b.stiffness, b.damping)) system_.loads.bushings.push(b);
+  if (checks_.owns("a bushing", b.stiffness, b.damping)) system_.loads.add(b);
 }
 
 } // namespace kanexpr::runtime

@@ -74,7 +74,7 @@ KANEXPR_ENGINE void builder::tyre(const wheel_on_ground& wheel, const tyre_data&
     t.relaxation.forward = deflection(data.relaxation->forward_deflection);
     t.relaxation.lateral = deflection(data.relaxation->lateral_deflection);
   }
-  if (!checks_.mistake()) system_.loads.tyres.push(t);
+  if (!checks_.mistake()) system_.loads.add(t);
 }
 
 KANEXPR_ENGINE int builder::deflection(expression state_variable) {
