@@ -85,7 +85,7 @@ TYPED_TEST(image_of, a_stage_taken_up_again_is_the_same_when_set_aside) {
     advance(straight, to);
     ASSERT_FALSE(straight.mistake()) << straight.mistake();
     const auto stored = store(straight);
-    const derived_system again(TypeParam::record, *stored);
+    derived_system again(TypeParam::record, *stored);
     expect_same(*stored, *store(again));
   }
 }
