@@ -179,6 +179,7 @@ TEST_F(print_parts, have_names_in_a_long_text) {
   EXPECT_EQ(print(a + b, 0), "a + b");
   matrix w(g, 2, 2);
   w(0, 0) = e, w(0, 1) = part, w(1, 1) = sqrt(part * part + 1);
+  EXPECT_EQ("M = " + print(w, 0).substr(0, 30), print(w, "M = ", 0).substr(0, 34));
   EXPECT_EQ(print(w, "M = ", 0), "M = [c/z1 + u1*z1, z1            ]\n"
                                  "    [0,            sqrt(z1^2 + 1)]\n"
                                  "where\n"

@@ -36,6 +36,7 @@ KANEXPR_ENGINE text_with_parts print_each(const sequence<expression>& all,
 /// The entries of a matrix with more than `longest` characters share their parts.
 KANEXPR_ENGINE std::string print(const matrix& m, std::string_view before = {},
                                  std::size_t longest = longest_text);
+KANEXPR_ENGINE std::string print(const matrix& m, std::size_t longest);
 
 } // namespace kanexpr::symbolic
 
