@@ -32,6 +32,11 @@ KANEXPR_ENGINE bool builder_part::is_new_body(std::string_view called) {
   return checks_.is_new("bodies", called, m_.bodies) && checks_.is_new("bodies", called, m_.flexible_bodies);
 }
 
+KANEXPR_ENGINE bool builder_part::is_own(const mechanics::known_motion& known, std::string_view requested) {
+  return known.skeleton_used().model == &m_ ||
+         checks_.fail({requested, " is requested for the motion of a different builder"});
+}
+
 KANEXPR_ENGINE bool builder_part::set_direction(mechanics::components& unit, int& frame, const vector& given,
                                                 std::string_view whose) {
   if (!checks_.owns(whose, given)) return false;

@@ -49,6 +49,10 @@ KANEXPR_ENGINE wheel_on_ground wheel_builder::wheel_on_rail(const wheel_data& wh
   return w;
 }
 
+KANEXPR_ENGINE expression wheel_builder::penetration_of(const wheel_on_ground& wheel) {
+  return has_mistake() ? m_.zero() : wheel.contact(m_).penetration;
+}
+
 KANEXPR_ENGINE point_id wheel_builder::contact_point(std::string_view called, const wheel_on_ground& wheel) {
   if (checks_.mistake()) return {};
   vector down;
