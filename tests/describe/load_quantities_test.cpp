@@ -428,6 +428,16 @@ TEST(load_quantities, mistakes_in_a_builder) {
             "the tension of a load is requested that was not added to the builder");
   EXPECT_EQ(mistake([](box& b, motion&, motion& other) { b.tension_of(b.spring(b.o, b.wall, b.k), other); }),
             "the tension of a load is requested for the motion of a different builder");
+  EXPECT_EQ(mistake([](box& b, motion& known, motion&) {
+              box other;
+              b.tension_of(other.spring(other.o, other.wall, other.k), known);
+            }),
+            "the load of a tension contains an expression that belongs to a different mechanism or to none");
+  EXPECT_EQ(mistake([](box& b, motion& known, motion&) {
+              box other;
+              b.tension_of(other.force_along(other.straight(other.o, other.wall), other.k), known);
+            }),
+            "the load of a tension contains an expression that belongs to a different mechanism or to none");
   EXPECT_EQ(mistake([](box& b, motion&, motion& other) { b.velocity_of(b.o, other); }),
             "a velocity is requested for the motion of a different builder");
   EXPECT_EQ(mistake([](box& b, motion&, motion& other) { b.drag(b.center, 0.5, other); }),

@@ -119,10 +119,9 @@ private:
     if (name == "atan2") return number(std::atan2(on[0](0), on[1](0)));
     for (const kanexpr::symbolic::function_properties& f : kanexpr::symbolic::functions)
       if (name == f.name)
-        return number(
-            kanexpr::symbolic::with_function(f.op, [&]<kanexpr::symbolic::operation op>() {
-              return kanexpr::lower::scalar_math<double>::by_name<op>(on[0](0));
-            }));
+        return number(kanexpr::symbolic::with_function(f.op, [&]<kanexpr::symbolic::operation op>() {
+          return kanexpr::lower::scalar_math<double>::by_name<op>(on[0](0));
+        }));
     ADD_FAILURE() << name;
     return number(0);
   }

@@ -24,7 +24,7 @@ using kanexpr::symbolic::symbol_kind;
 
 namespace {
 
-constexpr int most_operations = 700; // of equations that are worth simplifying
+constexpr int most_operations = 700;           // of equations that are worth simplifying
 constexpr int most_operations_to_divide = 160; // of equations that are divided by common factors
 constexpr std::size_t most_terms = 1500;       // of the forms among which the simplest is chosen
 constexpr std::size_t longest_line = 1100;     // letters of LaTeX
@@ -132,7 +132,7 @@ private:
     matrix mass = m_.mass_matrix(), forcing = m_.forcing();
     const int before = operations_of(mass) + operations_of(forcing);
     if (before > most_operations || !is_written_out(mass) || !is_written_out(forcing))
-      return long_equations(mass, forcing, before);
+      return long_equations(before);
     mass = shorter_on_a_page(mass), forcing = shorter_on_a_page(forcing);
     const bool is_constrained = known_.constraints > 0;
     matrix explicit_form;
@@ -150,8 +150,7 @@ private:
       }
     const auto longest = std::max_element(group.lines.begin(), group.lines.end(),
                                           [](const auto& a, const auto& b) { return a.size() < b.size(); });
-    if (longest != group.lines.end() && longest->size() > 4 * longest_line)
-      return long_equations(mass, forcing, before);
+    if (longest != group.lines.end() && longest->size() > 4 * longest_line) return long_equations(before);
     if (is_constrained) group.note = note_on_dependent_speeds();
     add(std::move(group));
   }
@@ -211,16 +210,18 @@ private:
   }
 
   /// The equations with names for their common parts, or the shortest entries if there are too many.
-  void long_equations(const matrix& mass, const matrix& forcing, int operations) {
+  void long_equations(int operations) {
+    const matrix mass = m_.mass_matrix(), forcing = m_.forcing();
     equation_group group{.heading = "Equations of motion", .is_folded = true};
     group.lines.push_back("M(q)\\,\\dot{u} = f(q, u, r)");
     if (operations <= most_operations)
-      with_parts(group, mass, forcing);
+      with_parts(group, is_written_out(mass) ? shorter_on_a_page(mass) : mass, forcing);
     else
       shortest_entries(group, mass, forcing, operations);
     add(std::move(group));
   }
 
+  /// The entries of the symmetric M and of f that are not zero, and their parts.
   void with_parts(equation_group& group, const matrix& mass, const matrix& forcing) {
     kanexpr::base::sequence<expression> entries;
     std::vector<std::string> names;
@@ -237,9 +238,9 @@ private:
       group.lines.push_back(names[i] + " = " + written.expressions[i]);
     for (const auto& each : written.parts) group.lines.push_back(each.name + " = " + each.text);
     group.note = "M is symmetric; its other entries are zero.";
+    if (known_.constraints > 0) group.note += " " + note_on_dependent_speeds();
     if (!written.parts.empty())
-      group.note += " " + written.parts.front().name + " to " + written.parts.back().name +
-                    " stand for parts that occur more than once or are long.";
+      group.note += " Each z with an index is a part that occurs more than once or is long.";
   }
 
   void shortest_entries(equation_group& group, const matrix& mass, const matrix& forcing, int operations) {

@@ -146,7 +146,7 @@ KANEXPR_ENGINE std::string model::latex(const mechanics::vector& v, mechanics::b
 
 KANEXPR_ENGINE std::shared_ptr<const derivation::survey> model::known() const {
   auto found = std::make_shared<derivation::survey>();
-  found->take(mechanism(), !system_->mistake(), system_->equations());
+  found->take(system_->system(), !system_->mistake(), system_->equations());
   found->states_units = system_->states_units();
   return found;
 }

@@ -61,6 +61,7 @@ protected:
 private:
   expression state_of_block(std::string_view letter, std::string_view block, int number = 0);
   void equate(expression state, expression left, expression right);
+  void must_be_positive(std::string_view what, std::string_view whose, expression value);
   base::sequence<expression> arguments_of_block(std::string_view block,
                                                 std::initializer_list<number_or_expression> given);
 

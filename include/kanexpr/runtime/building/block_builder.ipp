@@ -8,6 +8,7 @@
 #include <kanexpr/describe/blocks/delay.hpp>
 #include <kanexpr/describe/blocks/lag.hpp>
 #include <kanexpr/describe/blocks/pid.hpp>
+#include <kanexpr/mechanics/checks/check_name.hpp>
 #include <kanexpr/mechanics/loads/muscle.hpp>
 #include <kanexpr/mechanics/loads/muscle_parameters.hpp>
 #include <kanexpr/mechanics/loads/state_rate.hpp>
@@ -46,10 +47,19 @@ KANEXPR_ENGINE void block_builder::equate(expression state, expression left, exp
     system_.loads.state_rates.push(solved.found);
 }
 
+/// Requires a constant of a block or a motor to be positive.
+KANEXPR_ENGINE void block_builder::must_be_positive(std::string_view what, std::string_view whose,
+                                                    expression value) {
+  base::name of = what;
+  of.append(whose);
+  if (!has_mistake()) system_.loads.positive_constants.push({value, of});
+}
+
 /// The arguments of a block as expressions; empty if they are not valid.
 KANEXPR_ENGINE base::sequence<expression>
 block_builder::arguments_of_block(std::string_view block, std::initializer_list<number_or_expression> given) {
   base::sequence<expression> all;
+  if (const sentence found = mechanics::check_name(block, "blocks")) checks_.fail({found.view()});
   const sentence whose({"block ", block}), zero({"an argument of block ", block, " is 0"});
   for (const number_or_expression& each : given)
     if (each.is_whole_zero())
@@ -65,6 +75,7 @@ KANEXPR_ENGINE expression block_builder::lag(std::string_view called, expression
   if (given.empty()) return m_.zero();
   const expression y = state_of_block("y", called);
   if (!has_mistake()) equate(y, given[1] * scalars_.dot(y), given[0] - y);
+  must_be_positive("the time constant of block ", called, given[1]);
   return y;
 }
 
@@ -74,6 +85,8 @@ KANEXPR_ENGINE expression block_builder::slew_limit(std::string_view called, exp
   const base::sequence<expression> given = arguments_of_block(called, {input, rate, time});
   if (given.empty()) return m_.zero();
   const expression y = state_of_block("y", called);
+  must_be_positive("the rate of block ", called, given[1]);
+  must_be_positive("the time constant of block ", called, given[2]);
   if (!has_mistake()) equate(y, scalars_.dot(y), describe::limited_rate(given[0], y, given[1], given[2]));
   return y;
 }
@@ -99,6 +112,7 @@ KANEXPR_ENGINE expression block_builder::delay(std::string_view called, int orde
     const expression right = (2.0 * i + 1) * forced;
     equate(m[i], given[1] * scalars_.dot(m[i]), right);
   }
+  must_be_positive("the time of block ", called, given[1]);
   return output;
 }
 
@@ -125,6 +139,8 @@ KANEXPR_ENGINE expression block_builder::pid(std::string_view called, expression
   const expression v = given[1] * given[0] + s;
   const expression limited = describe::limited_output(v, given[3], given[4]);
   equate(s, scalars_.dot(s), describe::rate_of_integral_part(given[0], given[2], limited, v, given[5]));
+  must_be_positive("the time constant of the integral part of block ", called, given[5]);
+  must_be_positive("the distance between the limits of block ", called, given[4] - given[3]);
   return limited;
 }
 
@@ -137,6 +153,7 @@ KANEXPR_ENGINE expression block_builder::pid(std::string_view called, expression
   if (has_mistake()) return m_.zero();
   equate(s, scalars_.dot(s), given[2] * given[0]);
   equate(d, given[4] * scalars_.dot(d), given[0] - d);
+  must_be_positive("the time constant of the filter of block ", called, given[4]);
   return describe::unlimited_output(given[0], s, d, given[1], given[3], given[4]);
 }
 
@@ -155,6 +172,9 @@ KANEXPR_ENGINE expression block_builder::pid(std::string_view called, expression
   const expression limited = describe::limited_output(v, given[5], given[6]);
   equate(s, scalars_.dot(s), describe::rate_of_integral_part(given[0], given[2], limited, v, given[7]));
   equate(d, given[4] * scalars_.dot(d), given[0] - d);
+  must_be_positive("the time constant of the integral part of block ", called, given[7]);
+  must_be_positive("the distance between the limits of block ", called, given[6] - given[5]);
+  must_be_positive("the time constant of the filter of block ", called, given[4]);
   return limited;
 }
 
@@ -164,6 +184,8 @@ KANEXPR_ENGINE expression block_builder::muscle_activation(std::string_view call
   const base::sequence<expression> given = arguments_of_block(called, {excitation, Ta, Td});
   if (given.empty()) return m_.zero();
   const expression a = state_of_block("a", called);
+  must_be_positive("the time of activation of block ", called, given[1]);
+  must_be_positive("the time of deactivation of block ", called, given[2]);
   if (!has_mistake()) equate(a, scalars_.dot(a), describe::activation_rate(a, given[0], given[1], given[2]));
   return a;
 }
@@ -176,6 +198,8 @@ KANEXPR_ENGINE dc_motor_states block_builder::dc_motor(std::string_view called, 
                                   data.gear_ratio, data.friction, speed});
   if (given.empty()) return none;
   const expression k = given[3], n = given[4], b = given[5], u = given[6];
+  must_be_positive("the resistance of the motor ", called, given[1]);
+  must_be_positive("the inductance of the motor ", called, given[2]);
   expression resistance = given[1];
   dc_motor_states states{state_of_block("i", called), {}, {}};
   if (data.winding) {
@@ -184,6 +208,8 @@ KANEXPR_ENGINE dc_motor_states block_builder::dc_motor(std::string_view called, 
                                     data.winding->thermal_resistance});
     if (winding.empty()) return none;
     states.heating = state_of_block("heat", called);
+    must_be_positive("the heat capacity of the motor ", called, winding[1]);
+    must_be_positive("the thermal resistance of the motor ", called, winding[2]);
     resistance = describe::warm_resistance(resistance, winding[0], states.heating);
     if (!has_mistake())
       equate(states.heating, winding[1] * scalars_.dot(states.heating),
@@ -215,8 +241,10 @@ KANEXPR_ENGINE muscle_states block_builder::muscle(std::string_view called, cons
                                             &data.tendon_strain,
                                             &data.passive_strain};
   base::sequence<expression> terms{excitation};
-  for (std::size_t i = 0; i < std::size(given); ++i) terms.push(*values[i] = as_expression(*given[i]));
-  const sentence whose({"the muscle ", called});
+  const sentence whose({"the muscle ", called}), value({"a parameter of the muscle ", called});
+  for (std::size_t i = 0; i < std::size(given); ++i)
+    terms.push(*values[i] = as_nonzero(*given[i], value.view()));
+  if (!checks_.is_new("muscles", called, system_.loads.muscles)) return states;
   if (!checks_.owns_path_load(whose.view(), along, terms)) return states;
   states.activation =
       data.has_activation_dynamics

@@ -15,6 +15,10 @@
 #include <memory>
 #include <string_view>
 
+namespace kanexpr::mechanics {
+struct wheel_on_ground;
+}
+
 namespace kanexpr::runtime {
 
 /// The system of a builder, which all of its parts extend.
@@ -39,9 +43,13 @@ protected:
   /// A constant; the integer 0 is a mistake.
   expression constant(given_number value);
   expression as_expression(const number_or_expression& given);
+  /// A number or an expression; the integer 0 is a mistake.
+  expression as_nonzero(const number_or_expression& given, std::string_view what);
   /// Whether at least one of the arguments is not the integer 0.
   bool not_all_zero(std::initializer_list<const number_or_expression*> given, std::string_view whose);
   bool is_new_body(std::string_view called);
+  /// Checks that a wheel was returned by a function of this builder.
+  bool owns_wheel(std::string_view whose, const mechanics::wheel_on_ground& wheel);
   /// Sets a unit vector that is fixed in a frame, and this frame.
   bool set_direction(mechanics::components& unit, int& frame, const vector& given, std::string_view whose);
 

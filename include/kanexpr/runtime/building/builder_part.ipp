@@ -1,6 +1,8 @@
 #pragma once
 
+#include <kanexpr/base/sentence.hpp>
 #include <kanexpr/mechanics/loads/contact_geometry.hpp>
+#include <kanexpr/mechanics/loads/wheel_on_ground.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/runtime/building/builder_part.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
@@ -21,6 +23,11 @@ KANEXPR_ENGINE expression builder_part::as_expression(const number_or_expression
   return std::get<expression>(given.held());
 }
 
+KANEXPR_ENGINE expression builder_part::as_nonzero(const number_or_expression& given, std::string_view what) {
+  if (given.is_whole_zero()) checks_.fail_integer_zero(sentence({what, " is 0"}).view());
+  return as_expression(given);
+}
+
 KANEXPR_ENGINE bool builder_part::not_all_zero(std::initializer_list<const number_or_expression*> given,
                                                std::string_view whose) {
   for (const number_or_expression* each : given)
@@ -35,6 +42,19 @@ KANEXPR_ENGINE bool builder_part::is_new_body(std::string_view called) {
 KANEXPR_ENGINE bool builder_part::is_own(const mechanics::known_motion& known, std::string_view requested) {
   return known.skeleton_used().model == &m_ ||
          checks_.fail({requested, " is requested for the motion of a different builder"});
+}
+
+KANEXPR_ENGINE bool builder_part::owns_wheel(std::string_view whose,
+                                             const mechanics::wheel_on_ground& wheel) {
+  if (!wheel.radius.is_given()) return checks_.fail({whose, " is on a wheel that has no radius"});
+  const auto is_owned = [&](const mechanics::components& v) {
+    return !v.x.is_given() || checks_.owns(whose, v);
+  };
+  for (const expression& e : {wheel.radius, wheel.tube, wheel.conicity, wheel.head, wheel.height})
+    if (e.is_given() && !checks_.owns(whose, e)) return false;
+  return checks_.owns(whose, point_id{wheel.point}, point_id{wheel.against}, frame_id{wheel.frame},
+                      frame_id{wheel.other}, frame_id{wheel.axis_frame}) &&
+         is_owned(wheel.axis) && is_owned(wheel.normal) && is_owned(wheel.along);
 }
 
 KANEXPR_ENGINE bool builder_part::set_direction(mechanics::components& unit, int& frame, const vector& given,

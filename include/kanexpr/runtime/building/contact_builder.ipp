@@ -26,7 +26,7 @@ KANEXPR_ENGINE void contact_builder::sphere_on_plane(point_id center, frame_id o
   mechanics::contact_geometry g;
   g.shapes = mechanics::contact_shapes::sphere_on_plane;
   g.point = place(center), g.frame = place(of), g.against = place(in_plane);
-  g.radius = as_expression(radius);
+  g.radius = as_nonzero(radius, "a radius of a contact");
   if (checks_.owns("a contact", center, of, in_plane) &&
       set_direction(g.normal, g.other, normal, "a contact"))
     add_contact(g, data);
@@ -49,7 +49,8 @@ KANEXPR_ENGINE void contact_builder::torus_on_plane(point_id center, frame_id of
   mechanics::contact_geometry g;
   g.shapes = mechanics::contact_shapes::torus_on_plane;
   g.point = place(center), g.frame = place(of), g.against = place(in_plane);
-  g.radius = as_expression(tube), g.other_radius = as_expression(circle);
+  g.radius = as_nonzero(tube, "a radius of a contact");
+  g.other_radius = as_nonzero(circle, "a radius of a contact");
   if (checks_.owns("a contact", center, of, in_plane) &&
       set_direction(g.axis, g.axis_frame, axis, "a contact") &&
       set_direction(g.normal, g.other, normal, "a contact"))
@@ -65,7 +66,8 @@ KANEXPR_ENGINE void contact_builder::sphere_on_sphere(point_id center, frame_id 
   g.shapes = mechanics::contact_shapes::sphere_on_sphere;
   g.point = place(center), g.frame = place(of);
   g.against = place(other_center), g.other = place(other);
-  g.radius = as_expression(radius), g.other_radius = as_expression(other_radius);
+  g.radius = as_nonzero(radius, "a radius of a contact");
+  g.other_radius = as_nonzero(other_radius, "a radius of a contact");
   if (checks_.owns("a contact", center, of, other_center, other)) add_contact(g, data);
 }
 
@@ -89,18 +91,20 @@ KANEXPR_ENGINE void contact_builder::add_contact(const mechanics::contact_geomet
     checks_.fail({"the spinning resistance of a contact needs a lever and an angular velocity"});
     return;
   }
-  c.law.stiffness = as_expression(data.stiffness), c.law.width = as_expression(data.width);
+  c.law.stiffness = as_nonzero(data.stiffness, "the stiffness of a contact");
+  c.law.width = as_nonzero(data.width, "the width of a contact");
   c.law.exponent = mechanics::contact_exponent(constant(data.exponent));
   if (!c.law.exponent.is_given()) {
     checks_.fail({"the exponent of a contact is not a number from 1 to 30"});
     return;
   }
-  if (data.damping) c.law.damping = as_expression(*data.damping);
+  if (data.damping) c.law.damping = as_nonzero(*data.damping, "the damping of a contact");
   if (data.restitution) {
     const double e = data.restitution->coefficient;
     if (!(e > 0 && e <= 1)) checks_.fail({"a coefficient of restitution is not in (0, 1]"});
     if (data.damping) checks_.fail({"a contact has both a restitution and a damping"});
-    const expression approach = as_expression(data.restitution->approach_speed);
+    const expression approach =
+        as_nonzero(data.restitution->approach_speed, "the approach speed of a contact");
     if (!checks_.owns("a contact", approach)) return;
     if (approach.is_constant() && !(m_.g->number_at(approach.node()).value() > 0)) {
       checks_.fail({"the approach speed of a contact is not positive"});

@@ -76,6 +76,9 @@ protected:
   ~pathway_builder() = default;
 
 private:
+  bool owns_load(const mechanics::spring_damper& load);
+  bool owns_load(const mechanics::path_load& load);
+  bool owns_load(const mechanics::muscle& load);
   pulling_load add_spring(const pathway& along, expression k, expression k3, expression natural_length);
   /// A pathway around a surface of revolution, or around a sphere if the axis is zero.
   pathway around_surface(mechanics::pathway_form form, frame_id in, point_id center, const vector& axis,

@@ -125,6 +125,8 @@ KANEXPR_ENGINE pulling_load pathway_builder::friction_along(const pathway& along
   if (law.has_bristles() && law.bristles.deflections.size() != 1)
     checks_.fail({"the friction along a pathway has ",
                   mechanics::several(law.bristles.deflections.size(), "bristle").view(), ", expected 1"});
+  else if (!law)
+    checks_.fail({"a friction along a pathway has no law"});
   else if (law.needs_coefficient())
     checks_.fail({"a friction along a pathway has no coefficient"});
   else if (law.needs_slip_speed())
@@ -145,6 +147,19 @@ KANEXPR_ENGINE pulling_load pathway_builder::stop(const pathway& along, expressi
   return system_.loads.path_loads.back();
 }
 
+KANEXPR_ENGINE bool pathway_builder::owns_load(const mechanics::spring_damper& load) {
+  return checks_.owns("the load of a tension", point_id{load.point}, point_id{load.against}, load.stiffness,
+                      load.damping);
+}
+
+KANEXPR_ENGINE bool pathway_builder::owns_load(const mechanics::path_load& load) {
+  return checks_.owns("the load of a tension", load.along, load.terms);
+}
+
+KANEXPR_ENGINE bool pathway_builder::owns_load(const mechanics::muscle& load) {
+  return checks_.owns("the load of a tension", load.along, load.activation);
+}
+
 KANEXPR_ENGINE expression pathway_builder::tension_of(const pulling_load& load,
                                                       mechanics::known_motion& known) {
   if (!is_own(known, "the tension of a load")) return m_.zero();
@@ -154,6 +169,7 @@ KANEXPR_ENGINE expression pathway_builder::tension_of(const pulling_load& load,
           checks_.fail({"the tension of a load is requested that was not added to the builder"});
           return m_.zero();
         } else {
+          if (!owns_load(given)) return m_.zero();
           mechanics::observed_motion on(known.moving());
           return given.tension(on);
         }

@@ -17,7 +17,7 @@ namespace kanexpr::runtime {
 
 KANEXPR_ENGINE expression tyre_builder::value_of(const tyre_data::value& given) {
   if (!given) return {};
-  const expression e = as_expression(*given);
+  const expression e = as_nonzero(*given, "a value of a tyre");
   checks_.owns("a tyre", e);
   return e;
 }
@@ -29,7 +29,8 @@ KANEXPR_ENGINE mechanics::tyre_law tyre_builder::law_of(const tyre_data& data) {
     using coefficients = mechanics::tyre_law::coefficients;
     law.formula.push({});
     const auto set = [&](expression& to, const tyre_data::value& given, double omitted) {
-      to = given ? value_of(given) : m_.number(omitted);
+      const bool is_zero = given && given->is_whole_zero(); // in tables of coefficients, 0 is usual
+      to = given && !is_zero ? value_of(given) : m_.number(is_zero ? 0 : omitted);
     };
     coefficients::each_coefficient(law.formula[0], [&](auto&... to) {
       tyre_data::coefficients::each_coefficient(data.formula, [&](auto&... c) { (set(to, c, 0), ...); });
@@ -41,6 +42,10 @@ KANEXPR_ENGINE mechanics::tyre_law tyre_builder::law_of(const tyre_data& data) {
     if (!missing.empty()) checks_.fail({"a tyre has a magic formula without the coefficient ", missing});
     return law;
   }
+  if (!data.slip_stiffness || !data.cornering_stiffness)
+    checks_.fail({"a tyre has no ", data.slip_stiffness ? "cornering" : "slip", " stiffness"});
+  if (law.model == mechanics::tyre_model::brush && !data.friction)
+    checks_.fail({"a tyre has no coefficient of friction"});
   const auto or_zero = [&](const tyre_data::value& given) { return given ? value_of(given) : m_.zero(); };
   const auto set_elastic = [&](auto& to) {
     to.slip_stiffness = or_zero(data.slip_stiffness);
@@ -55,6 +60,7 @@ KANEXPR_ENGINE mechanics::tyre_law tyre_builder::law_of(const tyre_data& data) {
 }
 
 KANEXPR_ENGINE void tyre_builder::tyre(const wheel_on_ground& wheel, const tyre_data& data) {
+  if (has_mistake() || !owns_wheel("a tyre", wheel)) return;
   mechanics::tyre t;
   t.wheel = wheel, t.law = law_of(data);
   t.load = value_of(data.load), t.standstill = value_of(data.standstill);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/external.hpp>
 #include <kanexpr/symbolic/graph/function_table.hpp>
@@ -121,8 +122,7 @@ public:
   static std::string with_definitions(const std::string& text,
                                       const std::vector<text_with_parts::part>& parts) {
     std::string all = "\\begin{aligned}\n& " + text + " \\\\\n& \\text{where}";
-    for (const text_with_parts::part& each : parts)
-      all.append(" \\\\\n" + each.name + " &= " + each.text);
+    for (const text_with_parts::part& each : parts) all.append(" \\\\\n" + each.name + " &= " + each.text);
     return all + "\n\\end{aligned}";
   }
 
@@ -205,8 +205,7 @@ inline std::string text_of(const matrix& m, const latex_form& form) {
   std::string text = "\\begin{bmatrix}\n";
   for (int i = 0; i < m.rows; ++i)
     for (int j = 0; j < m.columns; ++j)
-      text += form.write(m(i, j).node()) +
-              (j + 1 < m.columns ? " & " : i + 1 < m.rows ? " \\\\\n" : "\n");
+      text += form.write(m(i, j).node()) + (j + 1 < m.columns ? " & " : i + 1 < m.rows ? " \\\\\n" : "\n");
   return text + "\\end{bmatrix}";
 }
 

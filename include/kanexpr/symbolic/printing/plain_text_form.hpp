@@ -1,5 +1,6 @@
 #pragma once
 
+#include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/graph/function_table.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
@@ -41,7 +42,8 @@ public:
       return (is_part(n.a) ? reference(n.a) : function(n.a)) + "[" +
              std::to_string(integer_at(owner(), n.b) + 1) + "]";
     if (is_solution(n.op))
-      return "solve(" + matrix_of(n.a, n.op == operation::transposed_solve) + ", " + list(elements(n.b)) + ")";
+      return "solve(" + matrix_of(n.a, n.op == operation::transposed_solve) + ", " + list(elements(n.b)) +
+             ")";
     if (n.op == operation::factorization) return rows(id, false);
     if (n.op == operation::singularity_measure)
       return "singularity_measure(" + matrix_of(n.a, false) + ", " + list(elements(n.b)) + ")";
@@ -149,8 +151,8 @@ KANEXPR_ENGINE std::string print(const matrix& m, std::string_view before, std::
   const auto compose = [&](const printing::plain_text_form& form) {
     return printing::text_of(m, before, form);
   };
-  return printing::write_within<printing::plain_text_form>(longest, m.entries[0].owner(),
-                                                           nodes_of(m.entries), compose);
+  return printing::write_within<printing::plain_text_form>(longest, m.entries[0].owner(), nodes_of(m.entries),
+                                                           compose);
 }
 
 } // namespace kanexpr::symbolic

@@ -13,9 +13,9 @@
 
 namespace kanexpr::symbolic {
 
-/// Writes plain text such as `m*r^2/4 - sin(q1)^2`. A text with more than `longest` characters is written with
-/// names for its parts that occur more than once, or that are long. The definitions of these parts follow, each
-/// after those that it refers to:
+/// Writes plain text such as `m*r^2/4 - sin(q1)^2`. A text with more than `longest` characters is written
+/// with names for its parts that occur more than once, or that are long. The definitions of these parts
+/// follow, each after those that it refers to:
 ///
 ///     z2*cos(q1) - g*z2
 ///     where
@@ -33,8 +33,8 @@ KANEXPR_ENGINE std::string print_in_sentence(expression e);
 KANEXPR_ENGINE text_with_parts print_each(const sequence<expression>& all,
                                           std::size_t longest = longest_text);
 
-/// Writes a matrix with one row per line and aligned columns, after an optional prefix: `print(m, "M = ")`. The
-/// entries of a matrix with more than `longest` characters share their parts.
+/// Writes a matrix with one row per line and aligned columns, after an optional prefix: `print(m, "M = ")`.
+/// The entries of a matrix with more than `longest` characters share their parts.
 KANEXPR_ENGINE std::string print(const matrix& m, std::string_view before = {},
                                  std::size_t longest = longest_text);
 

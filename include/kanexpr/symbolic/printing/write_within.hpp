@@ -14,17 +14,19 @@
 
 namespace kanexpr::symbolic::printing {
 
-/// Numbers the parts to which a text refers, in the order in which they are needed; each follows those that
-/// it contains. Returns the parts in this order.
+/// Numbers the parts to which the texts of nodes refer, in the order in which they are needed; each follows
+/// those that it contains. Returns the parts in this order.
 template <class Form>
-std::vector<int> number_parts(const Form& form, named_parts& parts) {
+std::vector<int> number_parts(const Form& form, const sequence<int>& outputs, named_parts& parts) {
   struct visit {
     int id;
     std::vector<int> contained;
     std::size_t next;
   };
   std::vector<int> order;
-  std::vector<visit> open{{graph::zero, form.take_references(), 0}};
+  std::vector<visit> open{{graph::zero, {}, 0}};
+  for (int id : outputs)
+    for (int each : form.parts_of(id)) open[0].contained.push_back(each);
   std::vector<bool> is_known;
   while (!open.empty()) {
     visit& last = open.back();
@@ -34,8 +36,7 @@ std::vector<int> number_parts(const Form& form, named_parts& parts) {
       if (is_known.size() <= place) is_known.resize(place + 1);
       if (is_known[place]) continue;
       is_known[place] = true;
-      form.definition(id);
-      open.push_back({id, form.take_references(), 0});
+      open.push_back({id, form.parts_of_definition(id), 0});
     } else {
       if (open.size() > 1) {
         order.push_back(last.id);
@@ -73,11 +74,8 @@ auto compose_within(std::size_t longest, const graph& g, const sequence<int>& ou
   }
   named_parts parts(g, outputs);
   const Form form(g, Form::any_length, &parts);
-  compose(form);
-  for (int id : number_parts(form, parts)) {
-    std::string name = form.reference(id);
-    found.parts.push_back({std::move(name), form.definition(id)});
-  }
+  for (int id : number_parts(form, outputs, parts))
+    found.parts.push_back({form.reference(id), form.definition(id)});
   found.text = compose(form);
   return found;
 }

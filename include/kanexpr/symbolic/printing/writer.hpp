@@ -2,6 +2,7 @@
 
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/symbolic/graph/graph.hpp>
+#include <kanexpr/symbolic/graph/live_nodes.hpp>
 #include <kanexpr/symbolic/graph/operation.hpp>
 #include <kanexpr/symbolic/linear/solve.hpp>
 #include <kanexpr/symbolic/printing/term.hpp>
@@ -48,8 +49,8 @@ class writer {
 public:
   static constexpr std::size_t any_length = static_cast<std::size_t>(-1);
 
-  /// Stops writing when the text is longer than `longest`, or nested so deeply that the stack could overflow
-  /// and nobody could read it. Refers to `parts` by their names.
+  /// Stops writing when the text is longer than `longest`, or nested so deeply that the stack could
+  /// overflow. Refers to `parts` by their names.
   explicit writer(const graph& g, std::size_t longest = any_length, const named_parts* parts = nullptr)
       : graph_(g), parts_(parts), reader_(g, parts), longest_(longest) {}
   writer(const writer&) = delete;
@@ -67,12 +68,20 @@ public:
     return is_written_as_function(n.op) ? form().function(id) : sum(reader_.definition_of(id));
   }
   /// The name of a part.
-  std::string reference(int id) const {
-    references_.push_back(id);
-    return form().name_of_part(parts_->name(id));
+  std::string reference(int id) const { return form().name_of_part(parts_->name(id)); }
+
+  /// The parts to which the text of a node refers, in reading order.
+  std::vector<int> parts_of(int id) const {
+    std::vector<int> found;
+    find_parts(id, found);
+    return found;
   }
-  /// The parts to which the texts since the last call refer, in order.
-  std::vector<int> take_references() const { return std::exchange(references_, {}); }
+  /// The parts to which the definition of a part refers.
+  std::vector<int> parts_of_definition(int id) const {
+    std::vector<int> found;
+    find_parts_of_definition(id, found);
+    return found;
+  }
 
   std::string sum(const std::vector<term>& terms) const {
     terms_written_ += terms.size(); // each takes at least one character besides those of the terms in it
@@ -173,6 +182,26 @@ protected:
   bool is_one_name(int id) const { return at(id).op == operation::symbol || is_part(id); }
 
 private:
+  void find_parts(int id, std::vector<int>& found) const {
+    if (is_part(id))
+      found.push_back(id);
+    else
+      find_parts_of_definition(id, found);
+  }
+  void find_parts_of_definition(int id, std::vector<int>& found) const {
+    const node& n = at(id);
+    if (is_leaf(n.op)) return;
+    if (is_written_as_function(n.op) || n.op == operation::power) {
+      find_parts(n.a, found);
+      if (is_binary(n.op) && is_value(n)) find_parts(n.b, found);
+      return;
+    }
+    for (const term& t : reader_.definition_of(id))
+      for (const bool is_above : {true, false})
+        for (const factor& f : t.factors)
+          if ((f.exponent > 0) == is_above) find_parts(f.base, found);
+  }
+
   static constexpr int most_levels = 300; ///< of nested sums
 
   /// The selection node of a term that consists of a selection and a coefficient, or -1.
@@ -216,7 +245,6 @@ private:
   mutable std::size_t terms_written_ = 0;
   mutable int depth_ = 0;
   mutable bool is_cut_short_ = false;
-  mutable std::vector<int> references_{};
 };
 
 } // namespace kanexpr::symbolic::printing
