@@ -109,7 +109,9 @@ constexpr value observe_contact(describe::load_quantity wanted, const mechanics:
   case describe::load_quantity::contact_force: return value::of(c.force(on));
   case describe::load_quantity::contact_place: return value::of(c.place(on));
   case describe::load_quantity::length:
-  case describe::load_quantity::tension: break;
+  case describe::load_quantity::penetration:
+  case describe::load_quantity::tension:
+  case describe::load_quantity::lowest_point: break;
   }
   return {};
 }

@@ -7,6 +7,7 @@
 #include <kanexpr/derivation/read/load_table.hpp>
 #include <kanexpr/derivation/read/path_reader.hpp>
 #include <kanexpr/derivation/read/value.hpp>
+#include <kanexpr/derivation/read/wheel_reader.hpp>
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/describe/load_quantities.hpp>
 #include <kanexpr/mechanics/loads/loads.hpp>
@@ -63,6 +64,7 @@ public:
   constexpr value quantity_of(const describe::token& t, std::string_view whom) {
     const auto wanted = static_cast<load_quantity>(t.index);
     const load_record& r = *t.load;
+    if (r.wheel != nullptr) return place_of_wheel(wanted, r, whom);
     if (wanted == load_quantity::length) return length_of(*r.path, whom);
     const std::string_view word = word_of(wanted);
     const auto fail = [&](std::string_view why) {
@@ -91,11 +93,13 @@ private:
   static constexpr std::string_view word_of(load_quantity what) {
     switch (what) {
     case load_quantity::length: return "length_of";
+    case load_quantity::penetration: return "penetration_of";
     case load_quantity::tension: return "tension_of";
     case load_quantity::normal_force: return "normal_force_of";
     case load_quantity::friction_force: return "friction_force_of";
     case load_quantity::contact_force:
     case load_quantity::contact_place: return "show_forces";
+    case load_quantity::lowest_point: return "contact_point";
     }
     return {};
   }
@@ -118,6 +122,22 @@ private:
     const mechanics::pathway along = path_reader(*this).read(r, whom);
     if (!reading_.mistake) reading_.mistake = along.find_mistake(m_, "pathway");
     return value::of(reading_.mistake ? m_.zero() : along.length_in(m_));
+  }
+
+  constexpr value place_of_wheel(load_quantity wanted, const load_record& of, std::string_view whom) {
+    if (reading_.for_units) {
+      if (is_vector(wanted))
+        return value::of(vector_of_unit(reading_, word_of(wanted), whom, units::si::meter));
+      return value::of(symbol_of_unit(reading_, "penetration_of<...>", units::si::meter));
+    }
+    load_parts parts(*this, of, reading_.into.loads, whom);
+    const mechanics::wheel_on_ground w = wheel_reader(parts).read(*of.wheel);
+    mechanics::vector lowest;
+    if (reading_.mistake) return is_vector(wanted) ? value::of(lowest) : value::of(m_.zero());
+    const mechanics::wheel_contact at = w.contact(m_);
+    if (!is_vector(wanted)) return value::of(at.penetration);
+    lowest.add(w.other, at.lowest);
+    return value::of(lowest);
   }
 
   /// The force along a pathway whose length is given has the unit that follows from this length.

@@ -226,7 +226,7 @@ KANEXPR_ENGINE dc_motor_states block_builder::dc_motor(std::string_view called, 
 
 KANEXPR_ENGINE muscle_states block_builder::muscle(std::string_view called, const pathway& along,
                                                    expression excitation, const muscle_data& data) {
-  muscle_states states{m_.zero(), {}};
+  muscle_states states{m_.zero(), {}, {}};
   mechanics::muscle made;
   made.called = called, made.along = along, made.formulation = data.formulation;
   expression* const values[]{&made.peak_force,       &made.optimal_length, &made.slack_length,
@@ -256,6 +256,7 @@ KANEXPR_ENGINE muscle_states block_builder::muscle(std::string_view called, cons
   made.activation = states.activation, made.tendon_state = states.tendon_state;
   if (has_mistake()) return states;
   system_.loads.add(made);
+  states.load = made;
   if (made.tendon_state.is_given())
     system_.loads.state_rates.push({m_.speeds.find(made.tendon_state), {}, {}});
   return states;

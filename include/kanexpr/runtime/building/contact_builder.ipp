@@ -139,8 +139,7 @@ KANEXPR_ENGINE bool contact_builder::has_contact(int numbered, const mechanics::
   if (numbered < 1 || numbered > contacts)
     return checks_.fail({"the force of contact ", base::counted(numbered).view(),
                          " is requested, but the number of contacts is ", base::counted(contacts).view()});
-  return known.skeleton_used().model == &m_ ||
-         checks_.fail({"the force of a contact is requested for the motion of a different builder"});
+  return is_own(known, "the force of a contact");
 }
 
 KANEXPR_ENGINE expression contact_builder::normal_force_of(int contact, mechanics::known_motion& known) {
