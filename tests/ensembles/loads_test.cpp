@@ -12,6 +12,7 @@
 #include <kanexpr/operating_point.hpp>
 #include <kanexpr/simulations/model.hpp>
 
+#include <models/appell_hamel.hpp>
 #include <models/cornering_car.hpp>
 #include <models/stick_slip.hpp>
 
@@ -161,10 +162,21 @@ motion<stick_slip::System> of_block() {
   return of;
 }
 
+// The constraint of Appell and Hamel, which is not linear in the speeds.
+motion<appell_hamel::System> of_particle() {
+  using namespace appell_hamel;
+  motion<System> of;
+  of.x << 0.1, 0.2, 0.3, 0.6, -0.8, 2;
+  of.p = {{m, 1.3}, {a, 0.5}, {g, 9.81}};
+  of.r = {{F, 0.4}};
+  return of;
+}
+
 TEST(loads, move_systems_in_batches_and_in_single_precision) {
   moves_in_batches_and_in_single_precision(of_car());
   moves_in_batches_and_in_single_precision(of_elbow());
   moves_in_batches_and_in_single_precision(of_block());
+  moves_in_batches_and_in_single_precision(of_particle());
 }
 
 TEST(loads, move_systems_in_steps) {
