@@ -135,7 +135,7 @@ private:
     case 5: return friction_along(some_path(), positive(), some_law());
     case 6: return add_bushing();
     case 7: return add_memory();
-    case 8: return add_bristles("z" + n);
+    case 8: return add_bristles("bristle" + n);
     case 9: return add_muscle("M" + n);
     case 10: return add_motor("D" + n);
     case 11:
