@@ -445,7 +445,7 @@ TEST(published_motion, of_a_motor_that_starts_and_is_loaded) {
     ASSERT_TRUE(run) << run.cause();
     t = row[0], x = run.state;
     for (int i = 0; i < 3; ++i)
-      EXPECT_NEAR(x(i), row[static_cast<std::size_t>(i) + 1], 2e-4 * 100) << i << " at " << t;
+      EXPECT_NEAR(x(i), row[static_cast<std::size_t>(i) + 1], 1e-4) << i << " at " << t;
   }
 }
 
