@@ -48,6 +48,15 @@ namespace detail {
 
 /// Takes a load apart into the expressions and integers of an element, or puts it together from them.
 class element_transfer {
+  // clang++ requires its definition before its use in constant expressions.
+  template <class Integer>
+  constexpr void integer(Integer& i) {
+    if (into_ != nullptr)
+      into_->integers.push(static_cast<int>(i));
+    else
+      i = static_cast<Integer>(from_->integers[next_integer_++]);
+  }
+
 public:
   constexpr explicit element_transfer(element& into) : into_(&into) {}
   constexpr explicit element_transfer(const element* from) : from_(from) {}
@@ -85,14 +94,6 @@ public:
   }
 
 private:
-  template <class Integer>
-  constexpr void integer(Integer& i) {
-    if (into_ != nullptr)
-      into_->integers.push(static_cast<int>(i));
-    else
-      i = static_cast<Integer>(from_->integers[next_integer_++]);
-  }
-
   element* into_ = nullptr; ///< null if it puts a load together
   const element* from_ = nullptr;
   int next_expression_ = 0, next_integer_ = 0;
