@@ -2,6 +2,7 @@
 
 #include <kanexpr/describe/bristle.hpp>
 #include <kanexpr/describe/contact_record.hpp>
+#include <kanexpr/describe/diagnostics/misplaced_type.hpp>
 #include <kanexpr/describe/friction.hpp>
 #include <kanexpr/describe/load.hpp>
 #include <kanexpr/describe/point.hpp>
@@ -114,6 +115,9 @@ struct sphere_on_plane {
     r.normal = describe::phrase_of<normal>;
     r.radius = describe::phrase_of<radius>;
     if (sizeof...(Frame) > 1) r.mistake = "has a sphere_on_plane<...> with two frames";
+    if constexpr (sizeof...(Frame) == 0 && describe::describe_kind<Point>() == describe::point_out_of_place)
+      r.mistake = "has a sphere whose center is a point; write its frame last, as in sphere_on_plane<Center, "
+                  "radius, Place, normal, Frame>";
   }
 };
 
@@ -145,6 +149,9 @@ struct torus_on_plane {
     r.radius = describe::phrase_of<tube>;
     r.other_radius = describe::phrase_of<circle>;
     if (sizeof...(Frame) > 1) r.mistake = "has a torus_on_plane<...> with two frames";
+    if constexpr (sizeof...(Frame) == 0 && describe::describe_kind<Point>() == describe::point_out_of_place)
+      r.mistake = "has a torus whose center is a point; write its frame last, as in torus_on_plane<Center, "
+                  "axis, radius, tube, Place, normal, Frame>";
   }
 };
 

@@ -5,6 +5,7 @@
 #include <kanexpr/derivation/read/contact_reader.hpp>
 #include <kanexpr/derivation/read/entity_reader.hpp>
 #include <kanexpr/derivation/read/muscle_reader.hpp>
+#include <kanexpr/derivation/read/observed_quantity.hpp>
 #include <kanexpr/derivation/read/path_reader.hpp>
 #include <kanexpr/derivation/read/tyre_reader.hpp>
 #include <kanexpr/describe/load.hpp>
@@ -77,31 +78,21 @@ public:
     };
     if (r.what == load_word::none) return fail(", which is not a load");
     if (!is_listed(r)) return fail(", which the system does not list in loads<...>");
-    if (wanted == load_quantity::tension ? !pulls(r) : r.contact == nullptr)
-      return fail(wanted == load_quantity::tension ? ", which does not act along a pathway"
-                                                   : ", which is not a contact");
+    if (wanted == load_quantity::tension && !pulls(r)) return fail(", which does not act along a pathway");
+    if (is_of_tyre(wanted) && r.tyre == nullptr) return fail(", which is not a tyre");
+    const bool presses = r.contact != nullptr || (wanted == load_quantity::normal_force && r.tyre != nullptr);
+    if (wanted != load_quantity::tension && !is_of_tyre(wanted) && !presses)
+      return fail(", which is not a contact");
     if (reading_.for_units) return unit_of_quantity(wanted, r);
     mechanics::loads alone;
     evaluate_load(r, alone);
     if (reading_.mistake) return value::of(m_.zero());
-    return observed(wanted, alone);
+    return observed_quantity(wanted, alone, reading_.known->moving());
   }
 
 private:
   using load_word = describe::load_word;
   using load_quantity = describe::load_quantity;
-
-  static constexpr std::string_view word_of(load_quantity what) {
-    switch (what) {
-    case load_quantity::length: return "length_of";
-    case load_quantity::tension: return "tension_of";
-    case load_quantity::normal_force: return "normal_force_of";
-    case load_quantity::friction_force: return "friction_force_of";
-    case load_quantity::contact_force:
-    case load_quantity::contact_place: return "show_forces";
-    }
-    return {};
-  }
 
   static constexpr bool pulls(const load_record& r) {
     const bool is_along_path = r.what >= load_word::path_force && r.what <= load_word::path_stop;
@@ -133,30 +124,10 @@ private:
   constexpr value unit_of_quantity(load_quantity wanted, const load_record& r) {
     const sentence whose = name_of(r), called({word_of(wanted), "<", r.word, ">"});
     if (is_vector(wanted))
-      return value::of(
-          vector_of_unit(reading_, word_of(wanted), whose.view(),
-                         wanted == load_quantity::contact_place ? units::si::meter : units::si::newton));
+      return value::of(vector_of_unit(reading_, word_of(wanted), whose.view(), describe::unit_of(wanted)));
     if (r.path != nullptr && !r.path->ends_at_points())
       return value::of(new_symbol(*m_.g, symbolic::symbol_kind::input, base::name(called.view())));
-    return value::of(symbol_of_unit(reading_, base::name(called.view()), units::si::newton));
-  }
-
-  /// A quantity of the only load in a list.
-  constexpr value observed(load_quantity wanted, const mechanics::loads& alone) const {
-    mechanics::observed_motion on(reading_.known->moving());
-    value found;
-    alone.each([&](const auto& load, int) {
-      if constexpr (requires { load.tension(on); }) {
-        if (wanted == load_quantity::tension) found = value::of(load.tension(on));
-      }
-      if constexpr (requires { load.normal_force(on); }) {
-        if (wanted == load_quantity::normal_force) found = value::of(load.normal_force(on));
-        if (wanted == load_quantity::friction_force) found = value::of(load.friction_force(on));
-        if (wanted == load_quantity::contact_force) found = value::of(load.force(on));
-        if (wanted == load_quantity::contact_place) found = value::of(load.place(on));
-      }
-    });
-    return found;
+    return value::of(symbol_of_unit(reading_, base::name(called.view()), describe::unit_of(wanted)));
   }
 
   /// Whether a load depends on a motion that is not known while the model is read.
@@ -256,7 +227,7 @@ private:
     case load_word::friction: return evaluate_friction(into, r, whom.view());
     case load_word::contact: return evaluate_contact(into, r, whom.view());
     case load_word::muscle: return muscle_reader(*this).read(into, r, whom.view());
-    case load_word::tyre: return tyres_.read(*r.tyre, whom.view());
+    case load_word::tyre: return tyres_.read(into, *r.tyre, whom.view());
     case load_word::none:
       if (r.unparsed) return reading_.fail_by_unparsed(r.called, "loads<...>");
       return reading_.fail({"loads<...> lists ", short_name(r.called).view(), ", which is ",

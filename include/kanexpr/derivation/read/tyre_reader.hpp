@@ -20,7 +20,7 @@ class tyre_reader : part_reader {
 public:
   using part_reader::part_reader;
 
-  constexpr void read(const describe::tyre_record& r, std::string_view whom) {
+  constexpr void read(mechanics::loads& into, const describe::tyre_record& r, std::string_view whom) {
     if (!r.mistake.empty()) return reading_.fail({whom, " ", r.mistake});
     mechanics::tyre t;
     t.wheel = wheel_reader(reading_, symbols_, phrases_, entities_).read(*r.wheel, whom);
@@ -32,8 +32,8 @@ public:
     t.radial.exponent = m_.one();
     t.standstill = given(r.standstill, "the speed of standstill of ", whom);
     t.effective_radius = given(r.effective_radius, "the effective radius of ", whom);
-    if (r.forward_length.tokens != nullptr) read_relaxation(t.relaxation, r, whom);
-    if (!reading_.mistake) reading_.into.loads.tyres.push(t);
+    if (r.forward_length.tokens != nullptr) read_relaxation(into, t.relaxation, r, whom);
+    if (!reading_.mistake) into.tyres.push(t);
   }
 
 private:
@@ -85,15 +85,15 @@ private:
     return m_.one().number(symbolic::real(value));
   }
 
-  constexpr void read_relaxation(mechanics::tyre_relaxation& lag, const describe::tyre_record& r,
-                                 std::string_view whom) {
+  constexpr void read_relaxation(mechanics::loads& into, mechanics::tyre_relaxation& lag,
+                                 const describe::tyre_record& r, std::string_view whom) {
     lag.forward_length = given(r.forward_length, "a relaxation length of ", whom);
     lag.lateral_length = given(r.lateral_length, "a relaxation length of ", whom);
     const expression forward = given(r.forward_deflection, "a deflection of ", whom);
     const expression lateral = given(r.lateral_deflection, "a deflection of ", whom);
     if (reading_.mistake) return;
     lag.forward = m_.speeds.find(forward), lag.lateral = m_.speeds.find(lateral);
-    for (const int speed : {lag.forward, lag.lateral}) reading_.into.loads.state_rates.push({speed, {}, {}});
+    for (const int speed : {lag.forward, lag.lateral}) into.state_rates.push({speed, {}, {}});
   }
 };
 
