@@ -1,3 +1,4 @@
+// builds: clang++
 // Cables along pathways: their places are those of the shortest lines.
 #include "animate/samples.hpp"
 

@@ -1,3 +1,4 @@
+// builds: clang++
 #include "animate/samples.hpp"
 
 #include <kanexpr/animate.hpp>

@@ -614,6 +614,13 @@ TEST(contact, mistakes_in_a_builder) {
                                b.ground, b.up(), d);
             }),
             "a contact contains an expression that belongs to a different mechanism or to none");
+  EXPECT_EQ(mistake([](ball& b, contact_data& d, auto&) {
+              d.friction = friction_law::dahl(b.number(1), {}, b.number(0.1), {});
+            }),
+            "the friction of a contact has no coefficient");
+  EXPECT_EQ(mistake([](ball&, contact_data& d, auto&) { d.width = 1 / 2; }),
+            "the width of a contact is 0, which is also the value of 1/2 in C++; write 0.5, or 0.0 if you "
+            "mean zero");
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+// builds: clang++
 // Second derivatives of weighted rates for the examples that the other test omits.
 #include "runtime/second_order.hpp"
 

@@ -131,12 +131,14 @@ constexpr bool is_moment_of(const mechanics::body& b, const expression& paramete
 }
 
 constexpr void survey::take(derived_system& system) {
-  take(system.mechanism(), !system.mistake(), system.is_derived() ? &system.equations() : nullptr);
+  take(system.system(), !system.mistake(), system.is_derived() ? &system.equations() : nullptr);
   states_units = system.reader().states_units();
   checks_units = system.reader().checks_units();
 }
 
-constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::equations* derived) {
+constexpr void survey::take(const mechanics::multibody_system& of, bool is_sound,
+                            const mechanics::equations* derived) {
+  const mechanism& m = of.mechanism;
   takes_rates_as_speeds = m.derived_by == mechanics::method::lagrange;
   coordinates = m.coordinates.size();
   speeds = m.speeds.size();
@@ -157,7 +159,9 @@ constexpr void survey::take(const mechanism& m, bool is_sound, const mechanics::
       is_mass[coordinates + speeds + i] |= b.mass == m.parameters[i];
       is_moment[coordinates + speeds + i] |= !b.effective && is_moment_of(b, m.parameters[i]);
     }
-  inertial_values_reader(m, inertial).read();
+  inertial_values_reader values(m, inertial);
+  values.read();
+  values.read(mechanics::bounded_values(m, of.loads));
   for (const sequence<int>& places : mechanics::unit_quaternions(m)) {
     ++quaternions;
     for (int place : places) quaternion_of[place] = quaternions;

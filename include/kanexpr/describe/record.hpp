@@ -253,6 +253,12 @@ struct coefficient_record {
   phrase value{};
 };
 
+/// An argument of a block or a motor that must be positive.
+struct positive_argument {
+  phrase value{};
+  std::string_view of{}; ///< its name, such as "the time constant of "
+};
+
 struct load_record {
   load_word what{};
   std::string_view
@@ -272,6 +278,7 @@ struct load_record {
   const tyre_record* tyre = nullptr;               ///< null if it is not a tyre
   const coefficient_record* coefficient = nullptr; ///< of a force
   listing<phrase> states{}, dynamics{};            ///< its state variables, and the equations for their rates
+  listing<positive_argument> positive{};           ///< the arguments of a motor that must be positive
   const path_record* path = nullptr;               ///< the pathway along which it acts
   const joint_record* joint = nullptr; ///< the joint in which a motor acts, if its rotor has an inertia
   const phrase* rotor = nullptr;       ///< the inertia of the rotor and its gear ratio
@@ -288,6 +295,7 @@ struct load_record {
 struct block_record : entity_record {
   arguments fits{};
   listing<phrase> states{}, dynamics{};
+  listing<positive_argument> positive{};
 };
 
 /// The contributions of a joint to a system in addition to its frame and its point.

@@ -1,3 +1,4 @@
+// builds: clang++
 // Random mechanisms at states that violate all constraints: the derivatives of all rates with respect to the
 // whole state and the inputs, compared with complex steps, and the forces of all speeds, compared with the
 // multipliers.

@@ -17,6 +17,7 @@
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/orientation.hpp>
 #include <kanexpr/mechanics/model/position.hpp>
+#include <kanexpr/mechanics/motion/direction_at_rest.hpp>
 #include <kanexpr/mechanics/motion/motion.hpp>
 #include <kanexpr/mechanics/motion/relative_motion.hpp>
 #include <kanexpr/mechanics/skeleton/skeleton.hpp>
@@ -234,6 +235,10 @@ constexpr void contact::check_with(load_check& by, int) const {
     return by.fail({"the axis of the torus of the contact between ", names.view(), " is not fixed in ",
                     by.frame(between.axis_frame),
                     "; its components may contain only numbers and parameters"});
+  if (between.shapes == contact_shapes::torus_on_plane &&
+      !is_at_rest_in(m, between.axis, between.axis_frame, between.frame))
+    return by.fail({"the axis of the torus of the contact between ", names.view(), " turns in ",
+                    by.frame(between.frame), ", the frame of its body"});
   const auto constant = [&](expression e, std::string_view what, bool is_positive) {
     if (!e.is_given()) return;
     by.check_constant(e, what, names.view());

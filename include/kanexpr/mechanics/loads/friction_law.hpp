@@ -97,8 +97,8 @@ struct friction_law {
     switch (kind) {
     case friction_kind::frictionless: return false;
     case friction_kind::viscous: return !viscous.is_given();
-    case friction_kind::coulomb:
-    case friction_kind::bristles: return !sliding.is_given();
+    case friction_kind::coulomb: return !sliding.is_given();
+    case friction_kind::bristles: return !sliding.is_given() || !bristles.stiffness.is_given();
     case friction_kind::stribeck: return !sliding.is_given() || !sticking.is_given();
     }
     return false;

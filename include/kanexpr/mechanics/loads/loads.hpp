@@ -1,11 +1,13 @@
 #pragma once
 
+#include <kanexpr/base/name.hpp>
 #include <kanexpr/base/sequence.hpp>
 #include <kanexpr/mechanics/loads/bushing.hpp>
 #include <kanexpr/mechanics/loads/contact.hpp>
 #include <kanexpr/mechanics/loads/force_and_torque.hpp>
 #include <kanexpr/mechanics/loads/friction_law.hpp>
 #include <kanexpr/mechanics/loads/given_potential_energy.hpp>
+#include <kanexpr/mechanics/loads/load_check.hpp>
 #include <kanexpr/mechanics/loads/modal_damping.hpp>
 #include <kanexpr/mechanics/loads/muscle.hpp>
 #include <kanexpr/mechanics/loads/path_load.hpp>
@@ -16,6 +18,14 @@
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 namespace kanexpr::mechanics {
+
+/// A constant of a block or a motor that must be positive, such as a time constant.
+struct positive_constant {
+  expression value{};
+  name of{}; ///< such as "the time constant of block F"
+
+  constexpr void check_with(load_check& by) const { by.check_positive(value, of.view(), {}); }
+};
 
 /// The loads on a mechanism, as given. Each load type defines how it acts on a `force_system`, the checks of
 /// its expressions and, if it is conservative, its potential energy. `point` and `against`, or `frame` and
@@ -33,6 +43,7 @@ struct loads {
   sequence<muscle> muscles{};
   sequence<tyre> tyres{};
   sequence<state_rate> state_rates{};
+  sequence<positive_constant> positive_constants{};
   bool has_gravity = false;
   vector gravity{}; ///< free-fall acceleration, applied to every body
   bool has_lagrangian = false;
@@ -42,7 +53,8 @@ struct loads {
   static constexpr void each_member(Self& self, Visit&& visit) {
     visit(self.forces, self.torques, self.spring_dampers, self.torsional_dampers, self.potential_energies,
           self.modal_dampings, self.path_loads, self.bushings, self.contacts, self.muscles, self.tyres,
-          self.state_rates, self.has_gravity, self.gravity, self.has_lagrangian, self.lagrangian);
+          self.state_rates, self.positive_constants, self.has_gravity, self.gravity, self.has_lagrangian,
+          self.lagrangian);
   }
 
   /// Calls `visit` with the list of each kind of loads.

@@ -94,7 +94,11 @@ struct muscle {
     examine(slack_length, "the tendon slack length of ", true);
     examine(maximal_velocity, "the maximal fiber velocity of ", true);
     examine(pennation, "the pennation of ", false);
-    examine(damping, "the fiber damping of ", !damping.is_zero());
+    by.check_not_negative(pennation, "the pennation of ", whose.view());
+    if (pennation.is_constant() && pennation.owner().number_at(pennation.node()).value() >= 1.570796326794896)
+      by.fail({"the pennation of ", whose.view(), " is not less than a right angle"});
+    examine(damping, "the fiber damping of ", false);
+    by.check_not_negative(damping, "the fiber damping of ", whose.view());
     examine(tendon_strain, "the tendon strain of ", true);
     examine(passive_strain, "the passive strain of ", true);
   }

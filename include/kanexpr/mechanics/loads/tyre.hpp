@@ -181,7 +181,17 @@ constexpr void tyre::check_with(load_check& by, int) const {
   part(effective_radius, "the effective radius of ");
   constant(radial.stiffness, "the radial stiffness of ");
   constant(radial.width, "the width of ");
+  const auto not_negative = [&](expression e, std::string_view what) {
+    if (e.is_given()) by.check_not_negative(e, what, names.view());
+  };
   if (radial.damping.is_given()) by.check_constant(radial.damping, "the radial damping of ", names.view());
+  not_negative(radial.damping, "the radial damping of ");
+  not_negative(load, "the load of ");
+  tyre_law::each_bound(law, not_negative, [&](expression e, std::string_view what) {
+    by.check_positive(e, what, names.view());
+  });
+  if (effective_radius.is_given())
+    by.check_positive(effective_radius, "the effective radius of ", names.view());
   constant(standstill, "the speed of standstill of ");
   constant(relaxation.forward_length, "a relaxation length of ");
   constant(relaxation.lateral_length, "a relaxation length of ");

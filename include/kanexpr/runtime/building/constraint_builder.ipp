@@ -7,26 +7,25 @@
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/fixed.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
-#include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/system_expressions.ipp>
+#include <kanexpr/runtime/building/constraint_builder.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <string_view>
 
 namespace kanexpr::runtime {
 
-KANEXPR_ENGINE void builder::configuration_constraint(expression vanishes) {
+KANEXPR_ENGINE void constraint_builder::configuration_constraint(expression vanishes) {
   if (checks_.owns("a configuration constraint", vanishes))
     system_.constraints.on_configuration.push(vanishes);
 }
 
-KANEXPR_ENGINE bool builder::is_valid_direction(const vector& v, const vector& direction,
-                                                std::string_view whose) {
+KANEXPR_ENGINE bool constraint_builder::is_valid_direction(const vector& v, const vector& direction,
+                                                           std::string_view whose) {
   return checks_.owns(whose, v, direction) &&
          (!direction.is_zero() || checks_.fail({whose, " has a direction of zero length"}));
 }
 
-KANEXPR_ENGINE void builder::configuration_constraint(const zero_components& v) {
+KANEXPR_ENGINE void constraint_builder::configuration_constraint(const zero_components& v) {
   constexpr std::string_view whose = "a configuration constraint";
   if (v.directions.empty()) checks_.fail({"zero_along of ", whose, " requires at least one direction"});
   for (const vector& direction : v.directions)
@@ -34,12 +33,12 @@ KANEXPR_ENGINE void builder::configuration_constraint(const zero_components& v) 
       system_.constraints.on_configuration.push(derivation::dot(m_, v.value, direction));
 }
 
-KANEXPR_ENGINE void builder::velocity_constraint(expression vanishes) {
+KANEXPR_ENGINE void constraint_builder::velocity_constraint(expression vanishes) {
   if (checks_.owns("a velocity constraint", vanishes))
     system_.constraints.on_velocities.push({vanishes, {}, {}});
 }
 
-KANEXPR_ENGINE void builder::velocity_constraint(const vector& vanishes, const vector& direction) {
+KANEXPR_ENGINE void constraint_builder::velocity_constraint(const vector& vanishes, const vector& direction) {
   if (!is_valid_direction(vanishes, direction, "a velocity constraint")) return;
   const int axes = direction.parts[0].frame;
   const mechanics::components velocity = mechanics::express(m_, vanishes, axes),
@@ -47,18 +46,18 @@ KANEXPR_ENGINE void builder::velocity_constraint(const vector& vanishes, const v
   system_.constraints.on_velocities.push({mechanics::dot(velocity, along), vanishes, direction});
 }
 
-KANEXPR_ENGINE void builder::velocity_constraint(const zero_components& v) {
+KANEXPR_ENGINE void constraint_builder::velocity_constraint(const zero_components& v) {
   if (v.directions.empty())
     checks_.fail({"zero_along of a velocity constraint requires at least one direction"});
   for (const vector& direction : v.directions) velocity_constraint(v.value, direction);
 }
 
-KANEXPR_ENGINE void builder::acceleration_constraint(expression vanishes) {
+KANEXPR_ENGINE void constraint_builder::acceleration_constraint(expression vanishes) {
   if (checks_.owns("an acceleration constraint", vanishes))
     system_.constraints.on_accelerations.push(vanishes);
 }
 
-KANEXPR_ENGINE void builder::dependent(expression e) {
+KANEXPR_ENGINE void constraint_builder::dependent(expression e) {
   if (!checks_.owns("the argument of dependent", e)) return;
   const int q = m_.coordinates.find(e), u = m_.speeds.find(e);
   base::sequence<int>& chosen =

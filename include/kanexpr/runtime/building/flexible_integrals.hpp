@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/runtime/number_or_expression.hpp>
+#include <kanexpr/runtime/building/number_or_expression.hpp>
 
 #include <array>
 #include <vector>

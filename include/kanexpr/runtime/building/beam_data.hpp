@@ -6,8 +6,8 @@
 #include <kanexpr/numeric/beams/integrate_modes.hpp>
 #include <kanexpr/numeric/beams/modes.hpp>
 #include <kanexpr/numeric/beams/shape.hpp>
-#include <kanexpr/runtime/builder_checks.hpp>
-#include <kanexpr/runtime/number_or_expression.hpp>
+#include <kanexpr/runtime/building/builder_checks.hpp>
+#include <kanexpr/runtime/building/number_or_expression.hpp>
 
 #include <cstddef>
 #include <optional>

@@ -11,9 +11,9 @@
 #include <kanexpr/mechanics/model/section.hpp>
 #include <kanexpr/numeric/beams/integrate_modes.hpp>
 #include <kanexpr/numeric/beams/modal_integrals.hpp>
-#include <kanexpr/runtime/beam_data.hpp>
-#include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/number_or_expression.hpp>
+#include <kanexpr/runtime/building/beam_builder.hpp>
+#include <kanexpr/runtime/building/beam_data.hpp>
+#include <kanexpr/runtime/building/number_or_expression.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <cstddef>
@@ -24,7 +24,8 @@
 namespace kanexpr::runtime {
 
 /// Adds the shapes of a deformation to a beam.
-KANEXPR_ENGINE void builder::deform(built_beam& to, mechanics::deformation what, const beam_deformation& by) {
+KANEXPR_ENGINE void beam_builder::deform(built_beam& to, mechanics::deformation what,
+                                         const beam_deformation& by) {
   to.beam.stiffness[static_cast<int>(what)] = as_expression(by.stiffness);
   to.shapes.stiffness[static_cast<int>(what)] = by.profile;
   const std::string_view called = to.beam.called.view();
@@ -56,12 +57,12 @@ KANEXPR_ENGINE void builder::deform(built_beam& to, mechanics::deformation what,
 }
 
 /// Reports a profile that is not the factor of a property.
-KANEXPR_ENGINE void builder::check_profile(std::string_view beam, const numeric::beams::shape& profile) {
+KANEXPR_ENGINE void beam_builder::check_profile(std::string_view beam, const numeric::beams::shape& profile) {
   if (!profile.is_complete() || !numeric::beams::is_factor(profile))
     checks_.fail({"beam ", beam, " has a profile that is negative at some place, or nowhere positive"});
 }
 
-KANEXPR_ENGINE void builder::deform(built_beam& to, const beam_data& data) {
+KANEXPR_ENGINE void beam_builder::deform(built_beam& to, const beam_data& data) {
   using mechanics::deformation;
   if (data.bending.size() > 2)
     checks_.fail({"beam ", to.beam.called.view(),
@@ -80,13 +81,13 @@ KANEXPR_ENGINE void builder::deform(built_beam& to, const beam_data& data) {
 }
 
 /// A unit vector in the axes of a frame; a vector along a basis vector needs no root.
-KANEXPR_ENGINE mechanics::components builder::unit_direction(const vector& given, int frame) {
-  if (!checks_.owns("a direction of a beam", given)) return mechanics::components(*graph_);
+KANEXPR_ENGINE mechanics::components beam_builder::unit_direction(const vector& given, int frame) {
+  if (!checks_.owns("a direction of a beam", given)) return mechanics::components(*m_.g);
   return mechanics::unit_along(mechanics::express(m_, given, frame));
 }
 
-KANEXPR_ENGINE beam_id builder::beam(std::string_view called, point_id root, frame_id frame,
-                                     const std::vector<expression>& amplitudes, const beam_data& data) {
+KANEXPR_ENGINE beam_id beam_builder::beam(std::string_view called, point_id root, frame_id frame,
+                                          const std::vector<expression>& amplitudes, const beam_data& data) {
   if (!checks_.is_new("bodies", called, m_.bodies) || !checks_.is_new("bodies", called, m_.flexible_bodies) ||
       !checks_.owns(called, root, frame))
     return {};
@@ -96,7 +97,7 @@ KANEXPR_ENGINE beam_id builder::beam(std::string_view called, point_id root, fra
   b.root = place(root), b.frame = place(frame);
   for (expression* e : {&b.polar_inertia, &b.stiffness[0], &b.stiffness[1], &b.stiffness[2], &b.stiffness[3]})
     *e = m_.zero();
-  for (mechanics::components& each : b.across) each = mechanics::components(*graph_);
+  for (mechanics::components& each : b.across) each = mechanics::components(*m_.g);
   b.axis = unit_direction(data.axis, b.frame);
   b.length = as_expression(data.length), b.mass_per_length = as_expression(data.mass_per_length);
   made.shapes.mass = data.mass_profile;
@@ -108,7 +109,7 @@ KANEXPR_ENGINE beam_id builder::beam(std::string_view called, point_id root, fra
     checks_.fail({"expected an amplitude for each of the ", base::counted(b.deformations.size()).view(),
                   " shapes of beam ", called, ", got ", base::counted(b.amplitudes.size()).view()});
   const mechanics::beam_damping damped = damping_of(called, data);
-  if (mistake() || !owns_beam(made, damped)) return {};
+  if (has_mistake() || !owns_beam(made, damped)) return {};
   const base::sequence<double> integrals = numeric::beams::integrate_modes(made.shapes);
   b.integrals = {integrals.begin(), b.deformations.size()};
   b.sections = numeric::beams::values_at_sections(made.shapes, mechanics::beam_outline::sections);
@@ -118,7 +119,8 @@ KANEXPR_ENGINE beam_id builder::beam(std::string_view called, point_id root, fra
   return beam_id{static_cast<int>(beams_.size()) - 1};
 }
 
-KANEXPR_ENGINE mechanics::beam_damping builder::damping_of(std::string_view beam, const beam_data& data) {
+KANEXPR_ENGINE mechanics::beam_damping beam_builder::damping_of(std::string_view beam,
+                                                                const beam_data& data) {
   bool has_integer = data.damping_of_mass.is_whole_zero() || data.damping_of_stiffness.is_whole_zero();
   for (const number_or_expression& each : data.damping_ratios)
     has_integer = has_integer || each.is_whole_zero();
@@ -129,7 +131,7 @@ KANEXPR_ENGINE mechanics::beam_damping builder::damping_of(std::string_view beam
   return damped;
 }
 
-KANEXPR_ENGINE bool builder::owns_beam(const built_beam& made, const mechanics::beam_damping& damped) {
+KANEXPR_ENGINE bool beam_builder::owns_beam(const built_beam& made, const mechanics::beam_damping& damped) {
   const mechanics::beam& b = made.beam;
   const std::string_view called = b.called.view();
   if (!checks_.owns(called, b.length, b.mass_per_length, b.polar_inertia, b.amplitudes, damped.of_mass,
@@ -146,7 +148,7 @@ KANEXPR_ENGINE bool builder::owns_beam(const built_beam& made, const mechanics::
   return !found || checks_.fail({found.view()});
 }
 
-KANEXPR_ENGINE section_ids builder::section(std::string_view called, beam_id on, given_number at) {
+KANEXPR_ENGINE section_ids beam_builder::section(std::string_view called, beam_id on, given_number at) {
   const double xi = at.value();
   const auto index = static_cast<std::size_t>(on);
   if (index >= beams_.size()) {

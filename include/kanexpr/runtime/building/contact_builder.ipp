@@ -10,9 +10,9 @@
 #include <kanexpr/mechanics/loads/restitution.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
-#include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/contact_data.hpp>
-#include <kanexpr/runtime/number_or_expression.hpp>
+#include <kanexpr/runtime/building/contact_builder.hpp>
+#include <kanexpr/runtime/building/contact_data.hpp>
+#include <kanexpr/runtime/building/number_or_expression.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 #include <kanexpr/symbolic/numbers/number.hpp>
 
@@ -20,54 +20,59 @@
 
 namespace kanexpr::runtime {
 
-KANEXPR_ENGINE void builder::sphere_on_plane(point_id center, frame_id of, const number_or_expression& radius,
-                                             point_id in_plane, const vector& normal,
-                                             const contact_data& data) {
+KANEXPR_ENGINE void contact_builder::sphere_on_plane(point_id center, frame_id of,
+                                                     const number_or_expression& radius, point_id in_plane,
+                                                     const vector& normal, const contact_data& data) {
   mechanics::contact_geometry g;
   g.shapes = mechanics::contact_shapes::sphere_on_plane;
   g.point = place(center), g.frame = place(of), g.against = place(in_plane);
-  g.radius = as_expression(radius);
-  if (checks_.owns("a contact", center, of, in_plane) && set_direction(g.normal, g.other, normal))
+  g.radius = as_nonzero(radius, "a radius of a contact");
+  if (checks_.owns("a contact", center, of, in_plane) &&
+      set_direction(g.normal, g.other, normal, "a contact"))
     add_contact(g, data);
 }
 
-KANEXPR_ENGINE void builder::point_on_plane(point_id point, point_id in_plane, const vector& normal,
-                                            const contact_data& data) {
+KANEXPR_ENGINE void contact_builder::point_on_plane(point_id point, point_id in_plane, const vector& normal,
+                                                    const contact_data& data) {
   mechanics::contact_geometry g;
   g.shapes = mechanics::contact_shapes::sphere_on_plane;
   g.point = place(point), g.against = place(in_plane);
   g.radius = m_.zero();
-  if (checks_.owns("a contact", point, in_plane) && set_direction(g.normal, g.other, normal))
+  if (checks_.owns("a contact", point, in_plane) && set_direction(g.normal, g.other, normal, "a contact"))
     add_contact(g, data);
 }
 
-KANEXPR_ENGINE void builder::torus_on_plane(point_id center, frame_id of, const vector& axis,
-                                            const number_or_expression& circle,
-                                            const number_or_expression& tube, point_id in_plane,
-                                            const vector& normal, const contact_data& data) {
+KANEXPR_ENGINE void contact_builder::torus_on_plane(point_id center, frame_id of, const vector& axis,
+                                                    const number_or_expression& circle,
+                                                    const number_or_expression& tube, point_id in_plane,
+                                                    const vector& normal, const contact_data& data) {
   mechanics::contact_geometry g;
   g.shapes = mechanics::contact_shapes::torus_on_plane;
   g.point = place(center), g.frame = place(of), g.against = place(in_plane);
-  g.radius = as_expression(tube), g.other_radius = as_expression(circle);
-  if (checks_.owns("a contact", center, of, in_plane) && set_direction(g.axis, g.axis_frame, axis) &&
-      set_direction(g.normal, g.other, normal))
+  g.radius = as_nonzero(tube, "a radius of a contact");
+  g.other_radius = as_nonzero(circle, "a radius of a contact");
+  if (checks_.owns("a contact", center, of, in_plane) &&
+      set_direction(g.axis, g.axis_frame, axis, "a contact") &&
+      set_direction(g.normal, g.other, normal, "a contact"))
     add_contact(g, data);
 }
 
-KANEXPR_ENGINE void builder::sphere_on_sphere(point_id center, frame_id of,
-                                              const number_or_expression& radius, point_id other_center,
-                                              frame_id other, const number_or_expression& other_radius,
-                                              const contact_data& data) {
+KANEXPR_ENGINE void contact_builder::sphere_on_sphere(point_id center, frame_id of,
+                                                      const number_or_expression& radius,
+                                                      point_id other_center, frame_id other,
+                                                      const number_or_expression& other_radius,
+                                                      const contact_data& data) {
   mechanics::contact_geometry g;
   g.shapes = mechanics::contact_shapes::sphere_on_sphere;
   g.point = place(center), g.frame = place(of);
   g.against = place(other_center), g.other = place(other);
-  g.radius = as_expression(radius), g.other_radius = as_expression(other_radius);
+  g.radius = as_nonzero(radius, "a radius of a contact");
+  g.other_radius = as_nonzero(other_radius, "a radius of a contact");
   if (checks_.owns("a contact", center, of, other_center, other)) add_contact(g, data);
 }
 
-KANEXPR_ENGINE void builder::add_surface_contact(point_id point, point_id origin, frame_id of,
-                                                 expression level, const contact_data& data) {
+KANEXPR_ENGINE void contact_builder::add_surface_contact(point_id point, point_id origin, frame_id of,
+                                                         expression level, const contact_data& data) {
   mechanics::contact_geometry g;
   g.shapes = mechanics::contact_shapes::point_on_surface;
   g.point = place(point), g.against = place(origin), g.other = place(of);
@@ -75,16 +80,8 @@ KANEXPR_ENGINE void builder::add_surface_contact(point_id point, point_id origin
   if (checks_.owns("a contact", point, origin, of, level)) add_contact(g, data);
 }
 
-KANEXPR_ENGINE bool builder::set_direction(mechanics::components& unit, int& frame, const vector& given,
-                                           std::string_view whose) {
-  if (!checks_.owns(whose, given)) return false;
-  const mechanics::contact_direction d = mechanics::contact_direction_of(m_, given);
-  unit = d.unit, frame = d.frame;
-  return d.mistake.empty() || checks_.fail({"a direction of ", whose, d.mistake});
-}
-
-KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& between,
-                                         const contact_data& data) {
+KANEXPR_ENGINE void contact_builder::add_contact(const mechanics::contact_geometry& between,
+                                                 const contact_data& data) {
   mechanics::contact c{between, {}, data.friction, data.rolling, data.spinning};
   if (data.rolling.lever.is_given() != data.rolling.angular_velocity.is_given()) {
     checks_.fail({"the rolling resistance of a contact needs a lever and an angular velocity"});
@@ -94,20 +91,22 @@ KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& betw
     checks_.fail({"the spinning resistance of a contact needs a lever and an angular velocity"});
     return;
   }
-  c.law.stiffness = as_expression(data.stiffness), c.law.width = as_expression(data.width);
-  c.law.exponent = mechanics::contact_exponent(number(data.exponent));
+  c.law.stiffness = as_nonzero(data.stiffness, "the stiffness of a contact");
+  c.law.width = as_nonzero(data.width, "the width of a contact");
+  c.law.exponent = mechanics::contact_exponent(constant(data.exponent));
   if (!c.law.exponent.is_given()) {
     checks_.fail({"the exponent of a contact is not a number from 1 to 30"});
     return;
   }
-  if (data.damping) c.law.damping = as_expression(*data.damping);
+  if (data.damping) c.law.damping = as_nonzero(*data.damping, "the damping of a contact");
   if (data.restitution) {
     const double e = data.restitution->coefficient;
     if (!(e > 0 && e <= 1)) checks_.fail({"a coefficient of restitution is not in (0, 1]"});
     if (data.damping) checks_.fail({"a contact has both a restitution and a damping"});
-    const expression approach = as_expression(data.restitution->approach_speed);
+    const expression approach =
+        as_nonzero(data.restitution->approach_speed, "the approach speed of a contact");
     if (!checks_.owns("a contact", approach)) return;
-    if (approach.is_constant() && !(graph_->number_at(approach.node()).value() > 0)) {
+    if (approach.is_constant() && !(m_.g->number_at(approach.node()).value() > 0)) {
       checks_.fail({"the approach speed of a contact is not positive"});
       return;
     }
@@ -135,7 +134,7 @@ KANEXPR_ENGINE void builder::add_contact(const mechanics::contact_geometry& betw
   }
 }
 
-KANEXPR_ENGINE bool builder::has_contact(int numbered, const mechanics::known_motion& known) {
+KANEXPR_ENGINE bool contact_builder::has_contact(int numbered, const mechanics::known_motion& known) {
   if (numbered < 1 || numbered > system_.loads.contacts.size())
     return checks_.fail({"the force of contact ", base::counted(numbered).view(),
                          " is requested, but the number of contacts is ",
@@ -144,13 +143,13 @@ KANEXPR_ENGINE bool builder::has_contact(int numbered, const mechanics::known_mo
          checks_.fail({"the force of a contact is requested for the motion of a different builder"});
 }
 
-KANEXPR_ENGINE expression builder::normal_force_of(int contact, mechanics::known_motion& known) {
+KANEXPR_ENGINE expression contact_builder::normal_force_of(int contact, mechanics::known_motion& known) {
   if (!has_contact(contact, known)) return m_.zero();
   mechanics::observed_motion on(known.moving());
   return system_.loads.contacts[contact - 1].normal_force(on);
 }
 
-KANEXPR_ENGINE vector builder::friction_force_of(int contact, mechanics::known_motion& known) {
+KANEXPR_ENGINE vector contact_builder::friction_force_of(int contact, mechanics::known_motion& known) {
   if (!has_contact(contact, known)) return {};
   mechanics::observed_motion on(known.moving());
   return system_.loads.contacts[contact - 1].friction_force(on);

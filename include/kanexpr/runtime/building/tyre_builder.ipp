@@ -7,29 +7,30 @@
 #include <kanexpr/mechanics/loads/tyre_law.hpp>
 #include <kanexpr/mechanics/loads/tyre_model.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
-#include <kanexpr/runtime/builder.hpp>
-#include <kanexpr/runtime/tyre_data.hpp>
+#include <kanexpr/runtime/building/tyre_builder.hpp>
+#include <kanexpr/runtime/building/tyre_data.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <string_view>
 
 namespace kanexpr::runtime {
 
-KANEXPR_ENGINE expression builder::value_of(const tyre_data::value& given) {
+KANEXPR_ENGINE expression tyre_builder::value_of(const tyre_data::value& given) {
   if (!given) return {};
-  const expression e = as_expression(*given);
+  const expression e = as_nonzero(*given, "a value of a tyre");
   checks_.owns("a tyre", e);
   return e;
 }
 
-KANEXPR_ENGINE mechanics::tyre_law builder::law_of(const tyre_data& data) {
+KANEXPR_ENGINE mechanics::tyre_law tyre_builder::law_of(const tyre_data& data) {
   mechanics::tyre_law law;
   law.model = data.model;
   if (law.model == mechanics::tyre_model::magic_formula) {
     using coefficients = mechanics::tyre_law::coefficients;
     law.formula.push({});
     const auto set = [&](expression& to, const tyre_data::value& given, double omitted) {
-      to = given ? value_of(given) : m_.number(omitted);
+      const bool is_zero = given && given->is_whole_zero(); // in tables of coefficients, 0 is usual
+      to = given && !is_zero ? value_of(given) : m_.number(is_zero ? 0 : omitted);
     };
     coefficients::each_coefficient(law.formula[0], [&](auto&... to) {
       tyre_data::coefficients::each_coefficient(data.formula, [&](auto&... c) { (set(to, c, 0), ...); });
@@ -41,6 +42,10 @@ KANEXPR_ENGINE mechanics::tyre_law builder::law_of(const tyre_data& data) {
     if (!missing.empty()) checks_.fail({"a tyre has a magic formula without the coefficient ", missing});
     return law;
   }
+  if (!data.slip_stiffness || !data.cornering_stiffness)
+    checks_.fail({"a tyre has no ", data.slip_stiffness ? "cornering" : "slip", " stiffness"});
+  if (law.model == mechanics::tyre_model::brush && !data.friction)
+    checks_.fail({"a tyre has no coefficient of friction"});
   const auto or_zero = [&](const tyre_data::value& given) { return given ? value_of(given) : m_.zero(); };
   const auto set_elastic = [&](auto& to) {
     to.slip_stiffness = or_zero(data.slip_stiffness);
@@ -54,7 +59,8 @@ KANEXPR_ENGINE mechanics::tyre_law builder::law_of(const tyre_data& data) {
   return law;
 }
 
-KANEXPR_ENGINE void builder::tyre(const wheel_on_ground& wheel, const tyre_data& data) {
+KANEXPR_ENGINE void tyre_builder::tyre(const wheel_on_ground& wheel, const tyre_data& data) {
+  if (has_mistake() || !owns_wheel("a tyre", wheel)) return;
   mechanics::tyre t;
   t.wheel = wheel, t.law = law_of(data);
   t.load = value_of(data.load), t.standstill = value_of(data.standstill);
@@ -77,8 +83,8 @@ KANEXPR_ENGINE void builder::tyre(const wheel_on_ground& wheel, const tyre_data&
   if (!checks_.mistake()) system_.loads.tyres.push(t);
 }
 
-KANEXPR_ENGINE int builder::deflection(expression state_variable) {
-  const int speed = state_variable.belongs_to(*graph_) ? m_.speeds.find(state_variable) : -1;
+KANEXPR_ENGINE int tyre_builder::deflection(expression state_variable) {
+  const int speed = state_variable.belongs_to(*m_.g) ? m_.speeds.find(state_variable) : -1;
   if (speed < m_.speeds_of_motion())
     checks_.fail({"a deflection of a tyre is not a state variable"});
   else

@@ -2,7 +2,7 @@
 
 #include <kanexpr/mechanics/loads/contact.hpp>
 #include <kanexpr/mechanics/loads/friction_law.hpp>
-#include <kanexpr/runtime/number_or_expression.hpp>
+#include <kanexpr/runtime/building/number_or_expression.hpp>
 
 #include <optional>
 

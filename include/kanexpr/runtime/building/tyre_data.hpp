@@ -2,7 +2,7 @@
 
 #include <kanexpr/mechanics/loads/magic_formula_coefficients.hpp>
 #include <kanexpr/mechanics/loads/tyre_model.hpp>
-#include <kanexpr/runtime/number_or_expression.hpp>
+#include <kanexpr/runtime/building/number_or_expression.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <optional>

@@ -5,6 +5,7 @@
 #include <kanexpr/base/utf8.hpp>
 #include <kanexpr/mechanics/checks/check_name.hpp>
 #include <kanexpr/mechanics/checks/check_numbers.hpp>
+#include <kanexpr/mechanics/loads/pathway.hpp>
 #include <kanexpr/mechanics/model/components.hpp>
 #include <kanexpr/mechanics/model/mechanism.hpp>
 #include <kanexpr/mechanics/model/wording.hpp>
@@ -44,10 +45,20 @@ public:
   }
 
   /// Checks that all arguments belong entirely to this mechanism: frames, points, expressions, vectors and
-  /// dyadics.
+  /// dyadics, sequences and pathways.
   template <class... Arguments>
   bool owns(std::string_view whose, const Arguments&... all) {
     return (owns_one(whose, all) && ...);
+  }
+
+  /// Checks the arguments of a load along a pathway. A pathway without points or length is one whose mistake
+  /// has been reported.
+  bool owns_path_load(std::string_view whose, const mechanics::pathway& along,
+                      const base::sequence<expression>& terms) {
+    if (mistake_) return false;
+    if (along.points.empty() && !along.length.is_given())
+      return fail({whose, " acts along a pathway that has no points"});
+    return owns(whose, along, terms);
   }
 
   /// Checks that a name is valid and not used by another entity of its kind.
@@ -113,6 +124,15 @@ private:
     for (const expression& e : scalars)
       if (!owns_one(whose, e)) return false;
     return true;
+  }
+
+  /// The pathway may be that of another builder.
+  bool owns_one(std::string_view whose, const mechanics::pathway& along) {
+    for (const int point : along.points)
+      if (!owns_one(whose, point_id{point})) return false;
+    if (along.form == mechanics::pathway_form::given_length) return owns_one(whose, along.length);
+    if (!along.is_around_surface()) return true;
+    return owns(whose, frame_id{along.frame}, point_id{along.center}, along.surface.size, along.surface.axis);
   }
 
   template <class Entity>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <kanexpr/runtime/builder_checks.hpp>
-#include <kanexpr/runtime/number_or_expression.hpp>
+#include <kanexpr/runtime/building/builder_checks.hpp>
+#include <kanexpr/runtime/building/number_or_expression.hpp>
 
 namespace kanexpr::runtime {
 

@@ -2,7 +2,7 @@
 
 #include <kanexpr/mechanics/loads/muscle_equilibrium.hpp>
 #include <kanexpr/mechanics/loads/muscle_parameters.hpp>
-#include <kanexpr/runtime/number_or_expression.hpp>
+#include <kanexpr/runtime/building/number_or_expression.hpp>
 #include <kanexpr/symbolic/graph/expression.hpp>
 
 #include <optional>
