@@ -1,6 +1,6 @@
 #pragma once
 
-#include <kanexpr/runtime/tyre_data.hpp>
+#include <kanexpr/runtime/building/tyre_data.hpp>
 
 #include <string_view>
 
