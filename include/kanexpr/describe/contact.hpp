@@ -24,7 +24,8 @@ enum class contact_word : unsigned char {
   smoothed_over,
   damping,
   rolling_resistance,
-  spinning_resistance
+  spinning_resistance,
+  directional_friction
 };
 
 template <class Word, contact_word wanted>
@@ -55,7 +56,9 @@ constexpr std::string_view mistake_of_contact_words() {
   using enum contact_word;
   if constexpr (!(word_of_a_contact<Words> && ...))
     return "has an argument that is neither elastic<...>, smoothed_over<...>, restitution<...>, "
-           "dissipation<...>, rolling_resistance<...>, spinning_resistance<...> nor a law of friction";
+           "dissipation<...>, rolling_resistance<...>, spinning_resistance<...>, directional_friction<...> "
+           "nor "
+           "a law of friction";
   else if (times_of_contact_word<elastic, Words...> != 1)
     return "needs one elastic<stiffness, exponent>";
   else if (times_of_contact_word<smoothed_over, Words...> != 1)
@@ -66,6 +69,8 @@ constexpr std::string_view mistake_of_contact_words() {
     return "has two rolling_resistance<...>";
   else if (times_of_contact_word<spinning_resistance, Words...> > 1)
     return "has two spinning_resistance<...>";
+  else if (times_of_contact_word<directional_friction, Words...> > 1)
+    return "has two directional_friction<...>";
   else if ((0 + ... + static_cast<int>(law_of_friction<Words>)) > 1)
     return "has two laws of friction";
   return {};
@@ -270,6 +275,21 @@ struct spinning_resistance {
   static constexpr void add_to(describe::contact_record& r) {
     r.spinning_lever = describe::given_phrases<lever_and_rate...>[0];
     r.spinning_rate = describe::given_phrases<lever_and_rate...>[1];
+  }
+};
+
+/// A direction in which friction differs, as a word of a contact: `directional_friction<Skate::x, 0.05>`. The
+/// law of friction holds across the direction, a vector fixed in a frame; along it, the coefficient of
+/// friction is that multiplied by the ratio, and in between the limit of dry friction is an ellipse. The
+/// contact is undefined if the direction is along its normal.
+template <auto direction, auto... ratio>
+struct directional_friction {
+  static constexpr auto contact_word = describe::contact_word::directional_friction;
+  static constexpr describe::arguments fits =
+      describe::arguments_of("directional_friction<direction, ratio>", sizeof...(ratio), 1);
+  static constexpr void add_to(describe::contact_record& r) {
+    r.direction = describe::phrase_of<direction>;
+    r.ratio = describe::given_phrases<ratio...>[0];
   }
 };
 

@@ -77,6 +77,10 @@ public:
       c.spinning.angular_velocity =
           scalar(r.spinning_rate, "the angular velocity of the spinning resistance of ", whom);
     }
+    if (r.direction.tokens != nullptr) {
+      c.direction.unit = direction(r.direction, "the direction of the friction of ", whom, c.direction.frame);
+      c.direction.ratio = scalar(r.ratio, "the ratio of the directional friction of ", whom);
+    }
     if (!reading_.mistake && c.rolling && c.between.frame == none)
       reading_.fail({whom, " has rolling_resistance<...>, but a point does not roll"});
     if (!reading_.mistake && c.spinning && c.between.frame == none)
