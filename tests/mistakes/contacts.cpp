@@ -49,7 +49,7 @@ void f() { use<System>(); }
 
 // expect: the contact between Arm and Ground has an argument that is neither elastic<...>,
 // expect: smoothed_over<...>, restitution<...>, dissipation<...>, rolling_resistance<...>,
-// expect: spinning_resistance<...> nor a law of friction
+// expect: spinning_resistance<...>, directional_friction<...> nor a law of friction
 namespace n7 {
 struct System : jointed<joints<Arm>, loads<contact<above, firm, thin, gravity<Ground::z>>>> {};
 void f() { use<System>(); }
@@ -196,7 +196,7 @@ struct System : jointed<joints<Arm>, loads<contact<sphere_on_plane<Arm, 0.1, Gro
 void f() { use<System>(); }
 } // namespace n92
 
-// expect: the contact between Arm and Ground lacks an argument; write directional_friction<direction, ratio>
+// expect: the contact between Arm and Ground lacks an argument; write directional_friction<vector, ratio>
 namespace n93 {
 using blade = directional_friction<Ground::x>;
 struct System : jointed<joints<Arm>, loads<contact<sphere_on_plane<Arm, 0.1, Ground, Ground::y>, elastic<100>,

@@ -286,7 +286,7 @@ template <auto direction, auto... ratio>
 struct directional_friction {
   static constexpr auto contact_word = describe::contact_word::directional_friction;
   static constexpr describe::arguments fits =
-      describe::arguments_of("directional_friction<direction, ratio>", sizeof...(ratio), 1);
+      describe::arguments_of("directional_friction<vector, ratio>", sizeof...(ratio), 1);
   static constexpr void add_to(describe::contact_record& r) {
     r.direction = describe::phrase_of<direction>;
     r.ratio = describe::given_phrases<ratio...>[0];
