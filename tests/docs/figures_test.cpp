@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Figures: docs/figures.md and the pages with figures. Each figure is the one that the code on its page
 // draws.
 #include "docs/joints_loop.hpp"

@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Pictures: docs/pictures.md.
 #include "models/double_pendulum.hpp"
 

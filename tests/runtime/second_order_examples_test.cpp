@@ -1,4 +1,4 @@
-// builds: clang++
+// builds: clang++ all
 // Second derivatives of weighted rates for the examples that the other test omits.
 #include "runtime/second_order.hpp"
 
