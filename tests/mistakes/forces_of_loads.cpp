@@ -273,3 +273,11 @@ using small = sphere_on_plane<Tip, 0.1, Ground, Ground::z>;
 struct System : jointed<joints<Arm>, loads<contact<small, firm, thin>>> {};
 void f() { use<System>(); }
 } // namespace q36
+
+// expect: joint Ball, which the contact between Ball and Ground uses, is not listed in joints<...>
+namespace q37 {
+struct Ball : floating<Ball, Ground, mass> {};
+using small = sphere_on_plane<Ball, 0.1, Ground, Ground::z>;
+struct System : jointed<joints<Arm>, loads<contact<small, firm, thin>>> {};
+void f() { use<System>(); }
+} // namespace q37
