@@ -13,6 +13,7 @@
 #include <random>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <variant>
 
 namespace {
@@ -153,6 +154,41 @@ TEST(tyre_words, slips_and_forces_as_results) {
     EXPECT_NEAR(q(2), -c * tangent, 1e-10);
     EXPECT_NEAR(q(3), 0.03 * c * tangent, 1e-10);
   }
+}
+
+// The same results from a builder.
+TEST(tyre_words, results_in_a_builder) {
+  using Tyre = tyre<rim, street, brush_tyre<mu, stiffness>, wheel_load<load_given * x>, standstill<v0>,
+                    pneumatic_trail<0.02>>;
+  model words = derive<wheel_alone<Tyre>>();
+  built s;
+  tyre_data t = tyre_data::brush(s.friction, s.elastic);
+  t.load = s.weight * s.turned, t.standstill = s.slow, t.trail = 0.02;
+  s.tyre(s.wheel(), t);
+  mechanics::known_motion known(s.mechanism());
+  const runtime::tyre_forces f = s.forces_of_tyre(1, known);
+  const std::pair<symbolic::matrix, symbolic::expression> each[]{
+      {words.get<normal_force_of<Tyre>>(), f.load},
+      {words.get<longitudinal_force_of<Tyre>>(), f.longitudinal_force},
+      {words.get<lateral_force_of<Tyre>>(), f.lateral_force},
+      {words.get<aligning_moment_of<Tyre>>(), f.aligning_moment},
+      {words.get<longitudinal_slip_of<Tyre>>(), f.longitudinal_slip},
+      {words.get<lateral_slip_of<Tyre>>(), f.lateral_slip},
+      {words.get<sine_of_camber_of<Tyre>>(), f.sine_of_camber}};
+  model builds = derive(s);
+  ASSERT_EQ(builds.mistake(), "");
+  std::mt19937_64 source(7);
+  std::uniform_real_distribution<double> values(0.1, 0.6);
+  const VectorXd state = VectorXd::NullaryExpr(12, [&] { return values(source); });
+  const VectorXd p = VectorXd::NullaryExpr(4, [&] { return 1 + values(source); });
+  for (const auto& [word, value] : each) {
+    symbolic::matrix one(s.graph(), 1, 1);
+    one(0, 0) = value;
+    const double wanted = words.function(word)(state, p)(0);
+    EXPECT_NEAR(builds.function(one)(state, p)(0), wanted, 1e-13 * std::abs(wanted));
+  }
+  s.forces_of_tyre(2, known);
+  EXPECT_EQ(s.mistake().view(), "the forces of tyre 2 are requested, but the number of tyres is 1");
 }
 
 TEST(tyre_words, of_brush_tyres) {

@@ -66,6 +66,8 @@ TEST(tyres, in_a_builder) {
   const auto wheel = b.rotated("Wheel", n, angle, b.along(n, 0, 1, 0));
   b.rigid_body("Rim", hub, wheel, b.number(1), b.inertia(wheel, 0.1, 0.2, 0.1));
 #include <docs/guide/tyres/builder.cpp>
+#include <docs/guide/tyres/builder_forces.cpp>
+  EXPECT_TRUE(side.is_zero()); // the wheel moves in its plane
   testing::internal::CaptureStderr();
 #include <docs/guide/tyres/tir.cpp>
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "slick.tir cannot be read\n");
