@@ -1,5 +1,5 @@
-// The words of tyres, compared with a builder, and the energy of wheels on tyres. The systems are derived at
-// run time.
+// The words of tyres, compared with a builder. The systems are derived at run time; their power is in
+// mechanics/loads/elements_test.cpp.
 #include <kanexpr/joints.hpp>
 #include <kanexpr/runtime/builder.hpp>
 #include <kanexpr/runtime/read_tir.hpp>
@@ -406,32 +406,6 @@ TEST(tyre_files, with_mistakes) {
   const runtime::read_tyre old = runtime::read_tir_text("FNOMIN = 4000\nUNLOADED_RADIUS = 0.3\n", "a.tir");
   ASSERT_EQ(old.notes.size(), 1);
   EXPECT_EQ(old.notes[0], "a.tir: FITTYP is missing; the coefficients are taken as those of version 6.1");
-}
-
-// The power of the tyre and the rate of its potential energy: the difference is lost, in all motions.
-TEST(tyre_words, take_energy) {
-  using words = wheel_alone<tyre<rim, street, brush_tyre<mu, stiffness, 2 * stiffness>,
-                                 radial_stiffness<1e5, 0.3, 0.001>, standstill<v0>>>;
-  model m = derive<words>();
-  auto forces = m.function(m.active_forces()),
-       energy = m.function(m.get(mechanics::quantity::potential_energy));
-  std::mt19937_64 source(9);
-  std::uniform_real_distribution<double> values(-1, 1);
-  const VectorXd p{{0.8, 4e4, 0.1, 0.0}};
-  int touching = 0;
-  for (int i = 0; i < 1000; ++i) {
-    VectorXd state = VectorXd::NullaryExpr(12, [&] { return values(source); });
-    state(2) = 0.28 + 0.02 * state(2), state(4) *= 0.5;
-    state.tail(6) *= 5;
-    state(11) *= 6;
-    const double step = 1e-6, power = forces(state, p).col(0).dot(state.tail(6));
-    VectorXd ahead = state, back = state;
-    ahead.head(6) += step * state.tail(6), back.head(6) -= step * state.tail(6);
-    const double stored = (energy(ahead, p)(0) - energy(back, p)(0)) / (2 * step);
-    touching += power != 0 ? 1 : 0;
-    EXPECT_LE(power + stored, 1e-6 * std::abs(stored) + 1e-9) << i;
-  }
-  EXPECT_GT(touching, 300);
 }
 
 } // namespace

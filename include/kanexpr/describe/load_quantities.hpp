@@ -12,6 +12,7 @@ namespace describe {
 
 enum class load_quantity : unsigned char {
   length,
+  penetration, ///< of a wheel into the ground
   tension,
   normal_force,
   longitudinal_force, ///< of a tyre, as the following ones
@@ -23,6 +24,7 @@ enum class load_quantity : unsigned char {
   friction_force,
   contact_force, ///< the sum of the normal force and the friction, on the first body
   contact_place, ///< from the point of the first body to the contact
+  lowest_point,  ///< from the center of a wheel to its lowest point
 };
 
 /// Whether a quantity is one that only tyres have.
@@ -30,10 +32,16 @@ constexpr bool is_of_tyre(load_quantity what) {
   return what >= load_quantity::longitudinal_force && what <= load_quantity::camber;
 }
 
+/// Whether a quantity depends only on positions, so that it is known while a model is read.
+constexpr bool is_of_position(load_quantity what) {
+  return what == load_quantity::length || what == load_quantity::penetration ||
+         what == load_quantity::lowest_point;
+}
+
 /// The unit of a quantity; that of a tension if the ends of its pathway are points.
 constexpr units::unit unit_of(load_quantity what) {
   using enum load_quantity;
-  if (what == length || what == contact_place) return units::si::meter;
+  if (is_of_position(what) || what == contact_place) return units::si::meter;
   if (what == aligning_moment) return units::si::newton * units::si::meter;
   return what == longitudinal_slip || what == lateral_slip || what == camber ? units::unit{}
                                                                              : units::si::newton;

@@ -1,6 +1,8 @@
 // Every force element: its power by its own law against that of its generalized forces, its energy at random
 // states and along random motions, and its derivatives against complex steps.
 #include "elements_at_joints.hpp"
+#include "elements_of_muscles.hpp"
+#include "elements_of_tyres.hpp"
 
 #include <gtest/gtest.h>
 
@@ -19,7 +21,8 @@ const VectorXd nothing(0);
 
 std::vector<element> all_elements() {
   std::vector<element> all;
-  for (const auto& rows : {along_pathways(), between_bodies(), in_contacts(), at_joints()})
+  for (const auto& rows :
+       {along_pathways(), between_bodies(), in_contacts(), at_joints(), on_wheels(), of_muscles()})
     all.insert(all.end(), rows.begin(), rows.end());
   return all;
 }
@@ -93,9 +96,14 @@ private:
   kanexpr::runtime::interpreted<double> all_;
 };
 
-VectorXd random_state(std::mt19937_64& source, Eigen::Index size) {
+VectorXd random_numbers(std::mt19937_64& source, Eigen::Index size) {
   std::uniform_real_distribution<double> value(-1.2, 1.2);
   return VectorXd::NullaryExpr(size, [&] { return value(source); });
+}
+VectorXd random_state(std::mt19937_64& source, const element& e, Eigen::Index size) {
+  VectorXd state = random_numbers(source, size);
+  e.settle(state);
+  return state;
 }
 
 TEST(elements, have_the_power_of_their_law_and_create_no_energy) {
@@ -106,7 +114,7 @@ TEST(elements, have_the_power_of_their_law_and_create_no_energy) {
     std::mt19937_64 source(5);
     int acting = 0;
     for (int i = 0; i < 1000; ++i) {
-      const VectorXd x = random_state(source, of.size());
+      const VectorXd x = random_state(source, e, of.size());
       const examined::values v = of.at(x);
       if (!v.rates.allFinite()) continue; // no pathway around the surface
       const double scale = v.scale * (1 + v.rates.norm());
@@ -133,8 +141,8 @@ TEST(elements, create_no_energy_along_random_motions) {
     SCOPED_TRACE(e.name);
     examined of(e);
     std::mt19937_64 source(9);
-    VectorXd x = random_state(source, of.size());
-    while (!of.at(x).rates.allFinite()) x = random_state(source, of.size());
+    VectorXd x = random_state(source, e, of.size());
+    while (!of.at(x).rates.allFinite()) x = random_state(source, e, of.size());
     const double start = of.at(x).energy, h = 2e-4;
     double lost = 0, least = start;
     for (int step = 0; step < 250; ++step) {
@@ -167,7 +175,7 @@ TEST(elements, have_exact_derivatives_to_the_second_order) {
     const Eigen::Index n = m.rhs().rows;
     std::mt19937_64 source(21);
     for (int k = 0; k < 4; ++k) {
-      const VectorXd x = random_state(source, n), weights = random_state(source, n);
+      const VectorXd x = random_state(source, e, n), weights = random_numbers(source, n);
       const MatrixXd first = Eigen::MatrixXcd(jacobian(Eigen::VectorXcd(x))).real();
       const MatrixXd second = hessian(0, x, nothing, nothing, weights);
       const VectorXd rates = in_double(x);

@@ -82,11 +82,12 @@ KANEXPR_ENGINE void tyre_builder::tyre(const wheel_on_ground& wheel, const tyre_
     t.relaxation.forward = deflection(data.relaxation->forward_deflection);
     t.relaxation.lateral = deflection(data.relaxation->lateral_deflection);
   }
-  if (!checks_.mistake()) system_.loads.tyres.push(t);
+  if (!checks_.mistake()) system_.loads.add(t);
 }
 
 KANEXPR_ENGINE tyre_forces tyre_builder::forces_of_tyre(int tyre, mechanics::known_motion& known) {
-  const int tyres = system_.loads.tyres.size();
+  const auto& all = system_.loads.all<mechanics::tyre>();
+  const int tyres = all.size();
   const bool is_known = known.skeleton_used().model == &m_;
   if (tyre < 1 || tyre > tyres)
     checks_.fail({"the forces of tyre ", base::counted(tyre).view(),
@@ -98,7 +99,7 @@ KANEXPR_ENGINE tyre_forces tyre_builder::forces_of_tyre(int tyre, mechanics::kno
     return {none, none, none, none, none, none, none};
   }
   mechanics::observed_motion on(known.moving());
-  const mechanics::tyre& of = system_.loads.tyres[tyre - 1];
+  const mechanics::tyre& of = all[tyre - 1];
   const mechanics::tyre_slip slip = of.slip(on);
   const mechanics::tyre_effort f = of.effort(on);
   return {slip.load, f.forward, f.lateral, f.aligning, slip.forward, -slip.lateral, slip.camber};
