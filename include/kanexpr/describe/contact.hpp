@@ -220,7 +220,8 @@ struct elastic {
                      ? describe::given_phrases<stiffness_and_exponent...>[1]
                      : describe::phrase_of<describe::constant(1)>;
     if constexpr (sizeof...(stiffness_and_exponent) == 2)
-      if (describe::is_whole_one(describe::one_of<1, stiffness_and_exponent...>()) && r.mistake.empty())
+      if ([](const auto&, const auto& n) { return describe::is_whole_one(n); }(stiffness_and_exponent...) &&
+          r.mistake.empty())
         r.mistake = "has elastic<k, 1>; 1 is also the value of 3/2 in C++; write 1.5, or omit the exponent 1";
   }
 };
